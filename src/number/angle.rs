@@ -1,0 +1,115 @@
+//! Angles: the field of view, as a cotangent, and the turns of a camera. Worked out when a camera
+//! is made or moved, never for a pixel.
+
+use super::{Number, Unit};
+
+/// A positive number `mantissa` · 2^`exponent` with a mantissa of 2³⁰ to 2³¹ - 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Scaled {
+    /// The leading bits.
+    pub mantissa: u32,
+    /// The power of two they are scaled with.
+    pub exponent: i32,
+}
+
+/// π / 360 in Q60: half an angle in degrees to radians.
+const HALF_DEGREE: i128 = 10_061_138_136_218_226;
+
+/// cot(`degrees` / 2), with a relative error below 2⁻³⁰ for 0.001 to 179.999 degrees.
+///
+/// `degrees` lies between 0 and 180; `None` where it is so close to 0 or 180 that no cotangent
+/// can be held.
+pub const fn cotangent_of_half(degrees: Number) -> Option<Scaled> {
+    // Q64 · Q60 >> 64 = Q60
+    let angle = ((degrees.to_bits() >> 4) * HALF_DEGREE) >> 60;
+    let (sine, cosine) = sine_and_cosine(angle);
+    if sine <= 1 << 20 || cosine <= 1 << 20 {
+        return None;
+    }
+    let quotient = ((cosine as u128) << 64) / sine as u128;
+    let bits = 128 - quotient.leading_zeros() as i32;
+    let mantissa = if bits > 31 {
+        quotient >> (bits - 31)
+    } else {
+        quotient << (31 - bits)
+    };
+    Some(Scaled {
+        mantissa: mantissa as u32,
+        exponent: bits - 31 - 64,
+    })
+}
+
+/// Sine and cosine of any angle in degrees, rounded down to 2⁻³⁰.
+pub const fn sine_and_cosine_of(degrees: Number) -> (Unit, Unit) {
+    const QUARTER: i128 = 90 << 64;
+    let quarters = degrees.to_bits().div_euclid(QUARTER);
+    let rest = degrees.to_bits().rem_euclid(QUARTER);
+    let (sine, cosine) = sine_and_cosine(((rest >> 4) * 2 * HALF_DEGREE) >> 60);
+    let (sine, cosine) = ((sine >> 30) as i32, (cosine >> 30) as i32);
+    let (sine, cosine) = match quarters.rem_euclid(4) {
+        0 => (sine, cosine),
+        1 => (cosine, -sine),
+        2 => (-sine, -cosine),
+        _ => (-cosine, sine),
+    };
+    (Unit::from_bits(sine), Unit::from_bits(cosine))
+}
+
+/// Taylor series in Q60 for an angle from 0 to π/2: 26 terms, the next is below 2⁻⁶⁰.
+const fn sine_and_cosine(angle: i128) -> (i128, i128) {
+    let mut sums = [1_i128 << 60, 0];
+    let mut term = 1_i128 << 60;
+    let mut order = 1;
+    while order < 26 {
+        term = ((term * angle) >> 60) / order;
+        let index = (order % 2) as usize;
+        sums[index] += if order % 4 < 2 { term } else { -term };
+        order += 1;
+    }
+    (sums[1], sums[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cotangent_agrees_with_double_precision() {
+        for degrees in [
+            0.001, 0.5, 2.5, 45.0, 50.0, 65.0, 90.0, 120.0, 179.0, 179.9, 179.999,
+        ] {
+            let found = cotangent_of_half(Number::new(degrees)).expect("inside the range");
+            assert!((1 << 30..1 << 31).contains(&found.mantissa), "{degrees}");
+            let value = f64::from(found.mantissa) * 2f64.powi(found.exponent);
+            let truth = 1.0 / (degrees / 2.0).to_radians().tan();
+            assert!(
+                (value / truth - 1.0).abs() < 2f64.powi(-30),
+                "{degrees}: {value}, {truth}"
+            );
+        }
+    }
+
+    #[test]
+    fn sine_and_cosine_agree_with_double_precision() {
+        for degrees in [
+            -720.0, -359.5, -90.0, -12.25, 0.0, 0.001, 30.0, 89.999, 90.0, 135.0, 181.0, 1e6,
+        ] {
+            let (sine, cosine) = sine_and_cosine_of(Number::new(degrees));
+            let (true_sine, true_cosine) = f64::sin_cos((degrees % 360.0).to_radians());
+            assert!(
+                (sine.to_num::<f64>() - true_sine).abs() < 2f64.powi(-29),
+                "{degrees}"
+            );
+            assert!(
+                (cosine.to_num::<f64>() - true_cosine).abs() < 2f64.powi(-29),
+                "{degrees}"
+            );
+        }
+    }
+
+    #[test]
+    fn angles_too_close_to_the_ends_have_none() {
+        assert_eq!(cotangent_of_half(Number::ZERO), None);
+        assert_eq!(cotangent_of_half(Number::from(180)), None);
+    }
+}

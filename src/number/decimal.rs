@@ -1,0 +1,206 @@
+//! Decimal numbers as scenes are written with them, read without float arithmetic.
+
+use fixed::types::{I16F16, I32F32, I64F64, U16F16};
+
+/// A number in a description: Q64.64, exact for every decimal literal a scene may hold to 2⁻⁶⁴.
+///
+/// Conversions from `f64` and `f32` take the bits of the float apart with integer shifts,
+/// so they cost no float instruction and no soft-float routine on a core without an FPU.
+/// What is not finite or beyond ±2⁶³ becomes [`Number::OUT_OF_RANGE`], which every
+/// constructor refuses by name.
+///
+/// ```
+/// use reflet::Number;
+/// assert_eq!(Number::new(0.75), Number::from(3) * Number::new(0.25));
+/// assert_eq!(Number::new(f64::NAN), Number::OUT_OF_RANGE);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Number(I64F64);
+
+impl Number {
+    /// Nothing.
+    pub const ZERO: Self = Self(I64F64::ZERO);
+
+    /// One.
+    pub const ONE: Self = Self::new(1.0);
+
+    /// Stands for what no format holds: not a number, infinite, or beyond ±2⁶³.
+    pub const OUT_OF_RANGE: Self = Self(I64F64::MAX);
+
+    /// Reads an `f64`, rounded to the nearest 2⁻⁶⁴.
+    pub const fn new(value: f64) -> Self {
+        let bits = value.to_bits();
+        let exponent = ((bits >> 52) & 0x7ff) as i32;
+        let fraction = (bits & ((1 << 52) - 1)) as i128;
+        if exponent == 0 {
+            return Self::ZERO;
+        }
+        // The value is (2^52 + fraction) · 2^(exponent - 1075); the format adds 2^64.
+        let shift = exponent - 1075 + 64;
+        if shift > 73 {
+            return Self::OUT_OF_RANGE;
+        }
+        let mantissa = (1 << 52) | fraction;
+        let magnitude = if shift >= 0 {
+            mantissa << shift
+        } else if shift > -54 {
+            (mantissa + (1 << (-shift - 1))) >> -shift
+        } else {
+            0
+        };
+        Self(I64F64::from_bits(if bits >> 63 == 0 {
+            magnitude
+        } else {
+            -magnitude
+        }))
+    }
+
+    /// From the raw Q64.64 bits.
+    pub const fn from_bits(bits: i128) -> Self {
+        Self(I64F64::from_bits(bits))
+    }
+
+    /// The raw Q64.64 bits.
+    pub const fn to_bits(self) -> i128 {
+        self.0.to_bits()
+    }
+
+    /// The nearest `f64`; meant for hosts.
+    pub const fn to_f64(self) -> f64 {
+        self.0.to_bits() as f64 / (1_u128 << 64) as f64
+    }
+
+    /// Whether `low <= self <= high`, for whole bounds.
+    pub const fn is_within(self, low: i64, high: i64) -> bool {
+        let bits = self.to_bits();
+        (low as i128) << 64 <= bits && bits <= (high as i128) << 64
+    }
+
+    /// The number with `fraction_bits` bits behind the point, rounded to nearest.
+    ///
+    /// The caller has checked that the result fits an `i32`.
+    pub const fn quantised(self, fraction_bits: u32) -> i32 {
+        let drop = 64 - fraction_bits;
+        ((self.to_bits() + (1 << (drop - 1))) >> drop) as i32
+    }
+
+    /// Whether both are the same number; usable in constants.
+    pub const fn same(self, other: Self) -> bool {
+        self.to_bits() == other.to_bits()
+    }
+}
+
+impl core::ops::Mul for Number {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        Self(self.0.saturating_mul(other.0))
+    }
+}
+
+impl From<f64> for Number {
+    fn from(value: f64) -> Self {
+        Self::new(value)
+    }
+}
+
+impl From<f32> for Number {
+    fn from(value: f32) -> Self {
+        // Widening an f32 is a float instruction, so its bits are taken apart here too.
+        let bits = value.to_bits();
+        let exponent = ((bits >> 23) & 0xff) as u64;
+        let fraction = (bits & 0x7f_ffff) as u64;
+        let sign = ((bits >> 31) as u64) << 63;
+        match exponent {
+            0 => Self::ZERO,
+            0xff => Self::OUT_OF_RANGE,
+            _ => Self::new(f64::from_bits(
+                sign | ((exponent + 896) << 52) | (fraction << 29),
+            )),
+        }
+    }
+}
+
+impl From<i32> for Number {
+    fn from(value: i32) -> Self {
+        Self(I64F64::from(value))
+    }
+}
+
+impl From<I16F16> for Number {
+    fn from(value: I16F16) -> Self {
+        Self(I64F64::from(value))
+    }
+}
+
+impl From<U16F16> for Number {
+    fn from(value: U16F16) -> Self {
+        Self(I64F64::from(value))
+    }
+}
+
+impl From<I32F32> for Number {
+    fn from(value: I32F32) -> Self {
+        Self(I64F64::from(value))
+    }
+}
+
+impl From<I64F64> for Number {
+    fn from(value: I64F64) -> Self {
+        Self(value)
+    }
+}
+
+#[cfg(feature = "micromath")]
+impl From<micromath::F32> for Number {
+    fn from(value: micromath::F32) -> Self {
+        Self::from(value.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn floats_are_read_to_the_last_bit() {
+        for value in [
+            0.0,
+            1.0,
+            -1.0,
+            0.1,
+            -55.742,
+            1e9,
+            2f64.powi(-64),
+            123456.789,
+        ] {
+            assert_eq!(Number::new(value).to_f64(), value, "{value}");
+        }
+        for value in [0.1_f32, -3.25, 1e6, 2f32.powi(-40)] {
+            assert_eq!(Number::from(value).to_f64(), f64::from(value), "{value}");
+        }
+    }
+
+    #[test]
+    fn half_a_step_rounds_up_and_less_vanishes() {
+        assert_eq!(Number::new(2f64.powi(-65)).to_bits(), 1);
+        assert_eq!(Number::new(2f64.powi(-66)).to_bits(), 0);
+        assert_eq!(Number::new(2f64.powi(-200)).to_bits(), 0);
+    }
+
+    #[test]
+    fn what_is_not_finite_is_out_of_range() {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e30, -1e30] {
+            assert_eq!(Number::new(value), Number::OUT_OF_RANGE, "{value}");
+            assert_eq!(Number::from(value as f32), Number::OUT_OF_RANGE, "{value}");
+        }
+    }
+
+    #[test]
+    fn quantising_rounds_to_nearest() {
+        assert_eq!(Number::new(0.75).quantised(1), 2);
+        assert_eq!(Number::new(0.74).quantised(1), 1);
+        assert_eq!(Number::new(-0.75).quantised(1), -1);
+        assert_eq!(Number::new(-0.76).quantised(1), -2);
+    }
+}

@@ -1,0 +1,71 @@
+//! Floor 0: the number formats, every shift, every root, every reciprocal.
+//!
+//! | format | type | used for |
+//! |---|---|---|
+//! | Q64.64 | [`Number`] | descriptions: what a scene or a camera was written with |
+//! | Q2.30 | [`Unit`] | directions, weights, cosines |
+//! | Q6.26 | [`Brightness`] | colours and the light on a surface |
+//! | Q32.0 | [`Length`] | positions and distances, in steps of a power of two that the scene chooses |
+//! | Q8.56 | `i64` in [`crate::color`] | the sum over reflections |
+//!
+//! Nothing here knows a scene, a ray or a colour.
+
+mod angle;
+mod decimal;
+mod power;
+mod root;
+
+pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
+pub use decimal::Number;
+pub use power::{Exponent, power};
+pub use root::{Quotient, divide, reciprocal_root, square_root, unit_shift};
+
+use fixed::types::{I2F30, I6F26};
+
+/// Q2.30 in an `i32`: -2 to 2 in steps of 2⁻³⁰. Directions, weights, cosines.
+pub type Unit = I2F30;
+
+/// Q6.26 in an `i32`: -32 to 32 in steps of 2⁻²⁶. Colours and light.
+pub type Brightness = I6F26;
+
+/// A length in raw scene steps.
+///
+/// One step is 2⁻ᶠ scene units; f is chosen when the scene is built so that its
+/// shapes fit a ball of 2²⁸ steps (see [`crate::scene`]).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Length(i32);
+
+impl Length {
+    /// No length at all.
+    pub const ZERO: Self = Self(0);
+
+    /// From raw steps.
+    pub const fn from_bits(bits: i32) -> Self {
+        Self(bits)
+    }
+
+    /// The raw steps.
+    pub const fn to_bits(self) -> i32 {
+        self.0
+    }
+}
+
+/// The product of two unit numbers, rounded down to Q2.30.
+pub const fn unit_product(a: Unit, b: Unit) -> Unit {
+    Unit::from_bits(scaled_by_unit(a.to_bits(), b))
+}
+
+/// `raw · unit`, rounded down, in the format of `raw`; `|raw · unit|` must stay below 2³¹.
+pub const fn scaled_by_unit(raw: i32, unit: Unit) -> i32 {
+    ((raw as i64 * unit.to_bits() as i64) >> 30) as i32
+}
+
+/// A cosine times a coefficient: Q2.30 · Q6.26, rounded down to Q6.26.
+pub const fn lit(cosine: Unit, coefficient: Brightness) -> Brightness {
+    Brightness::from_bits(scaled_by_unit(coefficient.to_bits(), cosine))
+}
+
+/// The product of two brightnesses, rounded down to Q6.26; it must stay below 32.
+pub const fn tinted(a: Brightness, b: Brightness) -> Brightness {
+    Brightness::from_bits(((a.to_bits() as i64 * b.to_bits() as i64) >> 26) as i32)
+}

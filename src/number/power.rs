@@ -1,0 +1,201 @@
+//! Powers of a cosine: the specular highlight's sˢʰⁱⁿⁱⁿᵉˢˢ.
+//!
+//! The whole part of the exponent is worked out by repeated squaring (Knuth, The Art of
+//! Computer Programming, vol. 2, 4.6.3), which keeps its relative error near
+//! exponent · 2⁻³⁰; only the fraction, below one, goes through a logarithm.
+
+use super::{Number, Unit, unit_product};
+
+/// A real exponent from 0 to [`Exponent::MAX`], split at its point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Exponent {
+    whole: u32,
+    /// Q0.32
+    fraction: u32,
+}
+
+impl Exponent {
+    /// The largest exponent: 2²⁰.
+    pub const MAX: i64 = 1 << 20;
+
+    /// Splits a number, which the caller has checked to lie in 0 to [`Exponent::MAX`];
+    /// the fraction is rounded down to 2⁻³².
+    pub const fn new(number: Number) -> Self {
+        let bits = number.to_bits();
+        Self {
+            whole: (bits >> 64) as u32,
+            fraction: (bits >> 32) as u32,
+        }
+    }
+}
+
+/// `base` to the power of `exponent`, for a base from 0 to 1; 0⁰ is 1.
+///
+/// The error is below (exponent + 4) · 2⁻²⁸.
+pub const fn power(base: Unit, exponent: Exponent) -> Unit {
+    let whole = whole_power(base, exponent.whole);
+    if exponent.fraction == 0 {
+        whole
+    } else {
+        unit_product(whole, fractional_power(base, exponent.fraction))
+    }
+}
+
+const fn whole_power(base: Unit, exponent: u32) -> Unit {
+    let mut square = base;
+    let mut rest = exponent;
+    let mut result = Unit::ONE;
+    loop {
+        if rest & 1 == 1 {
+            result = unit_product(result, square);
+        }
+        rest >>= 1;
+        if rest == 0 {
+            return result;
+        }
+        square = unit_product(square, square);
+    }
+}
+
+/// Intervals an octave in the tables of logarithms and powers of two.
+const STEPS: usize = 32;
+
+/// The reciprocal of the middle of interval i of 1 to 2 in Q30, and its logarithm in Q30:
+/// -log₂ of exactly that reciprocal.
+static LOGARITHMS: [(u32, u32); STEPS] = logarithms();
+
+/// 2^(i / 32) in Q30.
+static POWERS: [u32; STEPS] = powers();
+
+const fn logarithms() -> [(u32, u32); STEPS] {
+    let mut table = [(0, 0); STEPS];
+    let mut index = 0;
+    while index < STEPS {
+        let reciprocal = (1_u64 << 36) / (2 * index as u64 + 65);
+        table[index] = (reciprocal as u32, negative_logarithm(reciprocal));
+        index += 1;
+    }
+    table
+}
+
+/// -log₂ of `value` · 2⁻³⁰ (0.5 to 1) in Q30, a bit at a time by squaring.
+const fn negative_logarithm(value: u64) -> u32 {
+    let mut square = (value as u128) << 33;
+    let mut logarithm = 0_u32;
+    let mut bit = 0;
+    while bit < 31 {
+        // square holds 1 to 2 in Q62 (the value doubled); log₂ of it is 1 - the answer.
+        square = (square * square) >> 62;
+        logarithm <<= 1;
+        if square >= 1 << 63 {
+            square >>= 1;
+            logarithm |= 1;
+        }
+        bit += 1;
+    }
+    ((1_u64 << 30) - ((logarithm as u64 + 1) >> 1)) as u32
+}
+
+const fn powers() -> [u32; STEPS] {
+    // Five square roots of two give 2^(1/32) in Q60.
+    let mut step = 2_u128 << 60;
+    let mut halving = 0;
+    while halving < 5 {
+        step = (step << 60).isqrt();
+        halving += 1;
+    }
+    let mut table = [0; STEPS];
+    let mut value = 1_u128 << 60;
+    let mut index = 0;
+    while index < STEPS {
+        table[index] = ((value + (1 << 29)) >> 30) as u32;
+        value = (value * step) >> 60;
+        index += 1;
+    }
+    table
+}
+
+/// ln 2 and 1 / ln 2 in Q30.
+const LN_2: i64 = 744_261_118;
+const LOG2_E: i64 = 1_549_082_005;
+
+/// The product of two Q30 numbers.
+const fn q30(a: i64, b: i64) -> i64 {
+    (a * b) >> 30
+}
+
+/// `base` (0 to 1) to the power of `fraction` (Q0.32, below one).
+const fn fractional_power(base: Unit, fraction: u32) -> Unit {
+    if base.to_bits() <= 0 {
+        return Unit::ZERO;
+    }
+    let base = base.to_bits() as u32;
+    let zeros = base.leading_zeros() - 1;
+    let mantissa = (base << zeros) as i64;
+    // log₂ base in Q30, at most 0
+    let logarithm = logarithm(mantissa) - ((zeros as i64) << 30);
+    let product = ((logarithm as i128 * fraction as i128) >> 32) as i64;
+    let whole = -(product >> 30);
+    Unit::from_bits((exponential(product & ((1 << 30) - 1)) >> whole) as i32)
+}
+
+/// log₂ of a Q30 number from 1 to 2, in Q30.
+const fn logarithm(mantissa: i64) -> i64 {
+    let (reciprocal, base) = LOGARITHMS[(mantissa >> 25) as usize % STEPS];
+    // |z| < 2⁻⁶: the fifth term of the series of ln(1 + z) is below 2⁻³².
+    let z = q30(mantissa, reciprocal as i64) - (1 << 30);
+    let z2 = q30(z, z);
+    let series = z - z2 / 2 + q30(z2, z) / 3 - q30(z2, z2) / 4;
+    base as i64 + q30(series, LOG2_E)
+}
+
+/// 2 to the power of a Q30 number from 0 to 1, in Q30.
+const fn exponential(fraction: i64) -> i64 {
+    let start = POWERS[(fraction >> 25) as usize % STEPS] as i64;
+    let z = q30(fraction & ((1 << 25) - 1), LN_2);
+    let z2 = q30(z, z);
+    let series = z + z2 / 2 + q30(z2, z) / 6 + q30(z2, z2) / 24;
+    start + q30(start, series)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_agree_with_double_precision() {
+        for exponent in [
+            0.0, 0.5, 1.0, 2.0, 2.5, 3.0, 4.0, 7.9, 10.0, 50.0, 128.0, 1000.0, 1e5,
+        ] {
+            let bound = (exponent + 4.0) * 2f64.powi(-28);
+            for step in 0..=4096 {
+                let base = Unit::from_bits((1 << 18) * step);
+                let found = power(base, Exponent::new(Number::new(exponent))).to_num::<f64>();
+                let truth = base.to_num::<f64>().powf(exponent);
+                assert!(
+                    (found - truth).abs() < bound,
+                    "{base}^{exponent}: {found}, not {truth}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_to_the_power_of_nothing_is_one() {
+        assert_eq!(power(Unit::ZERO, Exponent::new(Number::ZERO)), Unit::ONE);
+        assert_eq!(
+            power(Unit::ZERO, Exponent::new(Number::new(0.5))),
+            Unit::ZERO
+        );
+    }
+
+    #[test]
+    fn one_stays_one_for_whole_exponents() {
+        for exponent in [0, 1, 2, 8, 1 << 20] {
+            assert_eq!(
+                power(Unit::ONE, Exponent::new(Number::from(exponent))),
+                Unit::ONE
+            );
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! Floor 0: how exact a picture is, as a type, so that the choice costs nothing while it runs.
+
+use crate::number::Unit;
+
+/// What a frame may leave out. Choose with [`crate::Frame::quality`].
+pub trait Quality {
+    /// A path whose weight has fallen below this is not followed further. The colour it loses is
+    /// below this weight times the brightest colour of the scene.
+    const SMALLEST_WEIGHT: Unit;
+}
+
+/// The default: a path ends when it can no longer change an 8-bit channel by a quarter of a step
+/// (weights below 1/1024, for colours up to one).
+#[derive(Clone, Copy, Debug)]
+pub struct Fast;
+
+impl Quality for Fast {
+    const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 20);
+}
+
+/// Leaves nothing out: a path ends when its weight is exactly zero.
+#[derive(Clone, Copy, Debug)]
+pub struct Fine;
+
+impl Quality for Fine {
+    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
+}
