@@ -1,0 +1,65 @@
+//! Floor 2: the grid a scene is laid on: where its middle is and how fine its steps are.
+
+use crate::number::{Length, Number};
+use crate::ray::Place;
+use crate::vector::{Point, Position};
+
+/// The scene's own coordinates: raw steps of 2^-`fraction_bits` scene units from its middle.
+#[derive(Clone, Copy, Debug)]
+pub struct Grid {
+    middle: Position,
+    /// A step is 2^-(64 - drop) scene units: how many bits of a [`Number`] are dropped.
+    drop: u32,
+}
+
+impl Grid {
+    /// A grid around `middle` on which `radius` (in the bits of a [`Number`], at least 2²⁸ · 2)
+    /// is at most 2²⁸ steps.
+    pub(crate) const fn new(middle: Position, radius: u128) -> Self {
+        let bits = 128 - (radius - 1).leading_zeros();
+        Self {
+            middle,
+            drop: bits - 28,
+        }
+    }
+
+    /// How many bits of a raw step lie behind the binary point of a scene unit.
+    pub const fn fraction_bits(&self) -> i32 {
+        64 - self.drop as i32
+    }
+
+    /// The middle of the scene.
+    pub const fn middle(&self) -> Position {
+        self.middle
+    }
+
+    /// A length, rounded to the nearest step; what does not fit 2³⁰ steps becomes 2³⁰.
+    pub(crate) const fn length(&self, number: Number) -> Length {
+        let steps = (number.to_bits() + (1 << (self.drop - 1))) >> self.drop;
+        Length::from_bits(if steps > 1 << 30 {
+            1 << 30
+        } else {
+            steps as i32
+        })
+    }
+
+    /// A position, rounded to the nearest step, or coarser where it is far.
+    pub(crate) const fn place(&self, position: Position) -> Place {
+        let offset = position.minus(self.middle);
+        let bits = 128 - offset.magnitude().leading_zeros();
+        // 29 bits are near for sure; what needs more is far.
+        let drop = if bits > self.drop + 29 {
+            bits - 29
+        } else {
+            self.drop
+        };
+        let [x, y, z] = offset.0;
+        let half = 1 << (drop - 1);
+        let point = Point::new(
+            ((x.to_bits() + half) >> drop) as i32,
+            ((y.to_bits() + half) >> drop) as i32,
+            ((z.to_bits() + half) >> drop) as i32,
+        );
+        Place::new(point, drop - self.drop)
+    }
+}

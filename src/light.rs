@@ -1,0 +1,38 @@
+//! Floor 2: point lights.
+
+use crate::color::Color;
+use crate::number::Number;
+use crate::ray::Place;
+use crate::vector::Position;
+
+/// A point light as it is described: it shines evenly to all sides and does not fall off with
+/// distance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Light {
+    /// Where it stands.
+    pub position: Position,
+    /// Its colour, 0 to 16 a component.
+    pub color: [Number; 3],
+}
+
+impl Light {
+    pub(crate) const NONE: Self = Self {
+        position: Position::ORIGIN,
+        color: [Number::ZERO; 3],
+    };
+}
+
+/// A light as the kernels read it.
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedLight {
+    pub(crate) place: Place,
+    pub(crate) color: Color,
+}
+
+impl PreparedLight {
+    /// Fills the room of a light that a scene's type allows but the scene does not use.
+    pub(crate) const NONE: Self = Self {
+        place: Place::ORIGIN,
+        color: Color::BLACK,
+    };
+}

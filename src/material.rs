@@ -1,0 +1,236 @@
+//! Floor 2: what a surface is made of.
+
+use crate::color::{Color, brightness};
+use crate::fault::Fault;
+use crate::number::{Brightness, Exponent, Number, Unit};
+
+/// A material as it is described: colour, Phong coefficients, and how mirror-like it is.
+///
+/// | field | range |
+/// |---|---|
+/// | color, ambient, diffuse, specular | 0 to 16 |
+/// | shininess | 0 to 2²⁰, any real number; small whole numbers are fastest |
+/// | mirror (α) | 0 (no reflection) to 1 (nothing but reflection) |
+///
+/// ```
+/// use reflet::Material;
+/// const GOLD: Material =
+///     Material::new([0.7, 0.6, 0.0]).ambient(0.2).diffuse(0.4).specular(0.8, 4.0).mirror(0.4);
+/// ```
+///
+/// What is out of range does not compile:
+///
+/// ```compile_fail
+/// use reflet::Material;
+/// const GLARE: Material = Material::new([1.0; 3]).mirror(1.5);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Material {
+    color: [Number; 3],
+    ambient: Number,
+    diffuse: Number,
+    specular: Number,
+    shininess: Number,
+    mirror: Number,
+}
+
+impl Material {
+    /// A matte material: ambient 0.2, diffuse 0.8, no highlight, no reflection.
+    ///
+    /// For constants. Panics, which stops the compiler, where a component is outside 0 to 16;
+    /// so do the other methods that take plain numbers.
+    pub const fn new([red, green, blue]: [f64; 3]) -> Self {
+        Self {
+            color: [Number::new(red), Number::new(green), Number::new(blue)],
+            ambient: Number::new(0.2),
+            diffuse: Number::new(0.8),
+            specular: Number::ZERO,
+            shininess: Number::ONE,
+            mirror: Number::ZERO,
+        }
+        .checked()
+    }
+
+    /// The same material with this share of its colour shown without any light.
+    pub const fn ambient(mut self, coefficient: f64) -> Self {
+        self.ambient = Number::new(coefficient);
+        self.checked()
+    }
+
+    /// The same material scattering this share of the light evenly (Lambert).
+    pub const fn diffuse(mut self, coefficient: f64) -> Self {
+        self.diffuse = Number::new(coefficient);
+        self.checked()
+    }
+
+    /// The same material with a highlight of this strength and shininess.
+    pub const fn specular(mut self, coefficient: f64, shininess: f64) -> Self {
+        self.specular = Number::new(coefficient);
+        self.shininess = Number::new(shininess);
+        self.checked()
+    }
+
+    /// The same material with α: the share of what it shows that is a reflection.
+    pub const fn mirror(mut self, alpha: f64) -> Self {
+        self.mirror = Number::new(alpha);
+        self.checked()
+    }
+
+    /// A material from numbers known at run time.
+    ///
+    /// # Errors
+    /// The first field that is out of range.
+    pub fn from_numbers(
+        color: [impl Into<Number>; 3],
+        ambient: impl Into<Number>,
+        diffuse: impl Into<Number>,
+        (specular, shininess): (impl Into<Number>, impl Into<Number>),
+        mirror: impl Into<Number>,
+    ) -> Result<Self, Fault> {
+        let material = Self {
+            color: color.map(Into::into),
+            ambient: ambient.into(),
+            diffuse: diffuse.into(),
+            specular: specular.into(),
+            shininess: shininess.into(),
+            mirror: mirror.into(),
+        };
+        match material.fault() {
+            Some(fault) => Err(fault),
+            None => Ok(material),
+        }
+    }
+
+    const fn checked(self) -> Self {
+        Fault::refuse(self.fault());
+        self
+    }
+
+    const fn fault(&self) -> Option<Fault> {
+        if !is_color(self.color) {
+            Some(Fault::Color)
+        } else if !self.ambient.is_within(0, Color::MAX) {
+            Some(Fault::Ambient)
+        } else if !self.diffuse.is_within(0, Color::MAX) {
+            Some(Fault::Diffuse)
+        } else if !self.specular.is_within(0, Color::MAX) {
+            Some(Fault::Specular)
+        } else if !self.shininess.is_within(0, Exponent::MAX) {
+            Some(Fault::Shininess)
+        } else if !self.mirror.is_within(0, 1) {
+            Some(Fault::Mirror)
+        } else {
+            None
+        }
+    }
+
+    /// Whether both are the same material; usable in constants.
+    pub(crate) const fn same(&self, other: &Self) -> bool {
+        let ([r, g, b], [red, green, blue]) = (self.color, other.color);
+        r.same(red)
+            && g.same(green)
+            && b.same(blue)
+            && self.ambient.same(other.ambient)
+            && self.diffuse.same(other.diffuse)
+            && self.specular.same(other.specular)
+            && self.shininess.same(other.shininess)
+            && self.mirror.same(other.mirror)
+    }
+
+    /// The colour as it was described.
+    pub const fn described_color(&self) -> [Number; 3] {
+        self.color
+    }
+
+    /// Ambient, diffuse and specular coefficient, shininess and α as they were described.
+    pub const fn described_coefficients(&self) -> [Number; 5] {
+        [
+            self.ambient,
+            self.diffuse,
+            self.specular,
+            self.shininess,
+            self.mirror,
+        ]
+    }
+}
+
+/// Whether every component is within 0 to [`Color::MAX`].
+pub(crate) const fn is_color([red, green, blue]: [Number; 3]) -> bool {
+    red.is_within(0, Color::MAX) && green.is_within(0, Color::MAX) && blue.is_within(0, Color::MAX)
+}
+
+/// A material as the kernels read it.
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedMaterial {
+    pub(crate) color: Color,
+    pub(crate) ambient: Brightness,
+    pub(crate) diffuse: Brightness,
+    pub(crate) specular: Brightness,
+    pub(crate) shininess: Exponent,
+    /// α, 0 to 1
+    pub(crate) mirror: Unit,
+}
+
+impl PreparedMaterial {
+    /// Fills the room of a material that a scene's type allows but the scene does not use.
+    pub(crate) const NONE: Self = Self::new(&Material::new([0.0; 3]));
+
+    /// Quantises a description: coefficients to 2⁻²⁶, α to 2⁻³⁰.
+    pub(crate) const fn new(material: &Material) -> Self {
+        Self {
+            color: Color::from_numbers(material.color),
+            ambient: brightness(material.ambient),
+            diffuse: brightness(material.diffuse),
+            specular: brightness(material.specular),
+            shininess: Exponent::new(material.shininess),
+            mirror: Unit::from_bits(material.mirror.quantised(30)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_field_out_of_range_is_named() {
+        let made = |values: [f64; 8]| {
+            let [
+                red,
+                green,
+                blue,
+                ambient,
+                diffuse,
+                specular,
+                shininess,
+                mirror,
+            ] = values;
+            Material::from_numbers(
+                [red, green, blue],
+                ambient,
+                diffuse,
+                (specular, shininess),
+                mirror,
+            )
+        };
+        let good = [0.5, 0.5, 0.5, 0.2, 0.8, 0.1, 4.0, 0.3];
+        assert!(made(good).is_ok());
+        let faults = [
+            Fault::Color,
+            Fault::Color,
+            Fault::Color,
+            Fault::Ambient,
+            Fault::Diffuse,
+            Fault::Specular,
+            Fault::Shininess,
+            Fault::Mirror,
+        ];
+        for (field, fault) in faults.into_iter().enumerate() {
+            for wrong in [-0.001, 1.1e6, f64::NAN, f64::INFINITY] {
+                let mut values = good;
+                values[field] = wrong;
+                assert_eq!(made(values), Err(fault), "field {field} = {wrong}");
+            }
+        }
+    }
+}

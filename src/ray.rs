@@ -1,0 +1,140 @@
+//! Floor 2: rays, the places they start from, and the one place that offsets a ray from the
+//! surface it leaves.
+//!
+//! Bounded shapes lie in a ball of 2²⁸ raw steps around the middle of the scene. A plane may be
+//! met much further out, so a [`Place`] carries a power of two: it is *near* (power 0, all
+//! kernels work on it directly) or *far* (its point is in steps of 2ˢ, and a ray that starts
+//! there is first moved to the ball).
+
+use crate::number::{Length, scaled_by_unit};
+use crate::vector::{Direction, Point, Vector};
+
+/// The radius of the ball that holds every bounded shape, in raw steps.
+pub const BALL: i32 = 1 << 28;
+
+/// The largest magnitude of a coordinate of a near point, in raw steps.
+///
+/// Two near points are then at most 2√3 · 3 · 2²⁷ < 2³¹·⁵ apart and their difference fits
+/// ±2³⁰ a coordinate.
+pub const NEAR: i32 = 3 << 27;
+
+/// How far a near ray looks, in raw steps: it crosses the ball from any near point,
+/// √3 · 3 · 2²⁷ + 2²⁸ < 2³⁰.
+pub const REACH: Length = Length::from_bits(1 << 30);
+
+/// A point with its scale: `point` · 2^`scale` raw steps from the middle of the scene.
+///
+/// Normal form: every coordinate of `point` is within ±[`NEAR`], and `scale` is 0 or as small as
+/// that allows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    pub(crate) point: Point,
+    pub(crate) scale: u32,
+}
+
+impl Place {
+    /// The middle of the scene.
+    pub const ORIGIN: Self = Self {
+        point: Point::ORIGIN,
+        scale: 0,
+    };
+
+    /// Brings a point in steps of 2^`scale` to normal form.
+    pub const fn new(point: Point, scale: u32) -> Self {
+        let mut place = Self { point, scale };
+        while !is_near(place.point) {
+            place = Self {
+                point: place.point.coarser(1),
+                scale: place.scale + 1,
+            };
+        }
+        place
+    }
+
+    /// Brings wide coordinates in raw steps to normal form; each is within ±2⁶².
+    pub const fn from_wide(coordinates: [i64; 3]) -> Self {
+        let [x, y, z] = coordinates;
+        let bits = 64 - (x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs()).leading_zeros();
+        let shift = bits.saturating_sub(30);
+        Self::new(
+            Point::new(
+                (x >> shift) as i32,
+                (y >> shift) as i32,
+                (z >> shift) as i32,
+            ),
+            shift,
+        )
+    }
+
+    /// Whether the place is near.
+    pub const fn is_near(self) -> bool {
+        self.scale == 0
+    }
+
+    /// Where every ray starts that leaves a surface here: `epsilon` along the normal.
+    pub const fn lifted(self, normal: Direction, epsilon: Length) -> Self {
+        let step = epsilon.to_bits() >> shift_of(self.scale);
+        let Point { x, y, z } = self.point;
+        let point = Point::new(
+            x + scaled_by_unit(step, normal.x),
+            y + scaled_by_unit(step, normal.y),
+            z + scaled_by_unit(step, normal.z),
+        );
+        Self {
+            point,
+            scale: self.scale,
+        }
+    }
+
+    /// The way to `other` in steps of 2ˢ, and s: the smallest scale that both have, or one more
+    /// where they are far.
+    pub const fn to(self, other: Self) -> (Vector, u32) {
+        if self.scale | other.scale == 0 {
+            return (self.point.to(other.point), 0);
+        }
+        let scale = if self.scale > other.scale {
+            self.scale
+        } else {
+            other.scale
+        };
+        let from = self.point.coarser(shift_of(scale - self.scale));
+        let to = other.point.coarser(shift_of(scale - other.scale));
+        (from.to(to), scale)
+    }
+}
+
+/// A shift that an `i32` allows: past 31 nothing but the sign is left anyway.
+const fn shift_of(difference: u32) -> u32 {
+    if difference > 31 { 31 } else { difference }
+}
+
+const fn is_near(point: Point) -> bool {
+    const SPAN: u32 = 2 * NEAR as u32;
+    (point.x.wrapping_add(NEAR) as u32) <= SPAN
+        && (point.y.wrapping_add(NEAR) as u32) <= SPAN
+        && (point.z.wrapping_add(NEAR) as u32) <= SPAN
+}
+
+/// A ray from a near point: what the shapes are tested against.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    pub(crate) origin: Point,
+    pub(crate) direction: Direction,
+}
+
+/// A ray from any place.
+#[derive(Clone, Copy, Debug)]
+pub struct Path {
+    pub(crate) from: Place,
+    pub(crate) direction: Direction,
+}
+
+impl Path {
+    /// The path as a ray, which it is where it starts near.
+    pub(crate) const fn ray(&self) -> Ray {
+        Ray {
+            origin: self.from.point,
+            direction: self.direction,
+        }
+    }
+}
