@@ -1,0 +1,286 @@
+//! Floor 3: the camera turns a pixel into the direction of a ray. Knows no scene.
+
+use core::fmt;
+
+use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of};
+use crate::vector::{Direction, Position, Vector};
+
+/// What is wrong with a camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CameraError {
+    /// A coordinate that is not a finite number within ±2³⁰.
+    Coordinate,
+    /// Position and target are the same point.
+    View,
+    /// `up` is zero or parallel to the view direction.
+    Up,
+    /// A field of view that is not between 0 and 180 degrees.
+    FieldOfView,
+}
+
+impl CameraError {
+    /// One sentence that names the field and the fix.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Coordinate => {
+                "camera coordinates must be finite and within -2^30 to 2^30 scene units"
+            }
+            Self::View => "camera target must differ from its position",
+            Self::Up => "camera up must not be zero or parallel to the view direction",
+            Self::FieldOfView => "camera fov must be between 0 and 180 degrees",
+        }
+    }
+}
+
+impl fmt::Display for CameraError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.words())
+    }
+}
+
+impl core::error::Error for CameraError {}
+
+/// A camera as it was described.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CameraDescription {
+    /// Where it stands.
+    pub position: Position,
+    /// What it looks at.
+    pub target: Position,
+    /// What is up in the picture.
+    pub up: Position,
+    /// The full horizontal field of view in degrees.
+    pub fov: Number,
+}
+
+/// A pinhole camera: position, target, up and the full horizontal field of view.
+///
+/// ```
+/// use reflet::Camera;
+/// const CAMERA: Camera =
+///     Camera::look_at([0.0, -5.0, 2.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).fov(50.0);
+/// ```
+///
+/// A camera that looks along its `up` does not compile:
+///
+/// ```compile_fail
+/// use reflet::Camera;
+/// const CAMERA: Camera = Camera::look_at([0.0; 3], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Camera {
+    description: CameraDescription,
+    forward: Direction,
+    right: Direction,
+    up: Direction,
+    /// 1 / tan(fov / 2)
+    cotangent: Scaled,
+}
+
+impl Camera {
+    /// A camera with a field of view of 50 degrees.
+    ///
+    /// For constants. Panics, which stops the compiler, with the words of a [`CameraError`].
+    pub const fn look_at(position: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Self {
+        Self::checked(CameraDescription {
+            position: Position::new(position),
+            target: Position::new(target),
+            up: Position::new(up),
+            fov: Number::new(50.0),
+        })
+    }
+
+    /// The same camera with another full horizontal field of view, in degrees.
+    ///
+    /// For constants. Panics, which stops the compiler, outside 0 to 180.
+    pub const fn fov(self, degrees: f64) -> Self {
+        Self::checked(CameraDescription {
+            fov: Number::new(degrees),
+            ..self.description
+        })
+    }
+
+    /// A camera from numbers known at run time; no float instruction is executed.
+    ///
+    /// # Errors
+    /// The first field that is wrong.
+    pub fn new(
+        position: impl Into<Position>,
+        target: impl Into<Position>,
+        up: impl Into<Position>,
+        fov: impl Into<Number>,
+    ) -> Result<Self, CameraError> {
+        Self::try_from_description(CameraDescription {
+            position: position.into(),
+            target: target.into(),
+            up: up.into(),
+            fov: fov.into(),
+        })
+    }
+
+    /// What the camera was made from.
+    pub const fn description(&self) -> CameraDescription {
+        self.description
+    }
+
+    /// The same camera turned around its target: `azimuth` degrees about `up`, to the right for
+    /// positive angles, and `elevation` degrees upwards. The distance is kept to 2⁻²⁷ of it.
+    ///
+    /// No float instruction is executed.
+    ///
+    /// # Errors
+    /// [`CameraError::Up`] where the camera would look along `up`, and
+    /// [`CameraError::Coordinate`] where an angle or the new position is out of range.
+    pub fn orbited(
+        &self,
+        azimuth: impl Into<Number>,
+        elevation: impl Into<Number>,
+    ) -> Result<Self, CameraError> {
+        let (azimuth, elevation) = (azimuth.into(), elevation.into());
+        if !Position([azimuth, elevation, Number::ZERO]).is_in_range() {
+            return Err(CameraError::Coordinate);
+        }
+        let CameraDescription {
+            position,
+            target,
+            up,
+            ..
+        } = self.description;
+        let offset = position.minus(target).leading().ok_or(CameraError::View)?;
+        let axis = up.direction().ok_or(CameraError::Up)?;
+        let raised = self
+            .forward
+            .reversed()
+            .turned_towards(self.up, sine_and_cosine_of(elevation));
+        let turned = raised.turned_about(axis, sine_and_cosine_of(azimuth));
+        Self::try_from_description(CameraDescription {
+            position: target.plus(turned, offset),
+            ..self.description
+        })
+    }
+
+    const fn checked(description: CameraDescription) -> Self {
+        match Self::try_from_description(description) {
+            Ok(camera) => camera,
+            Err(error) => panic!("{}", error.words()),
+        }
+    }
+
+    const fn try_from_description(description: CameraDescription) -> Result<Self, CameraError> {
+        let CameraDescription {
+            position,
+            target,
+            up,
+            fov,
+        } = description;
+        if !(position.is_in_range() && target.is_in_range() && up.is_in_range()) {
+            return Err(CameraError::Coordinate);
+        }
+        let Some(forward) = target.minus(position).direction() else {
+            return Err(CameraError::View);
+        };
+        let Some(upward) = up.direction() else {
+            return Err(CameraError::Up);
+        };
+        let Some(right) = forward.perpendicular(upward) else {
+            return Err(CameraError::Up);
+        };
+        let Some(up) = right.perpendicular(forward) else {
+            return Err(CameraError::Up);
+        };
+        if !fov.is_within(0, 180) {
+            return Err(CameraError::FieldOfView);
+        }
+        let Some(cotangent) = cotangent_of_half(fov) else {
+            return Err(CameraError::FieldOfView);
+        };
+        Ok(Self {
+            description,
+            forward,
+            right,
+            up,
+            cotangent,
+        })
+    }
+
+    /// The camera's rays through the pixels of a picture of `width` by `height` (1 to 65535).
+    pub(crate) fn lens(&self, width: u32, height: u32) -> Lens {
+        // In half pixels, the picture lies width · cot(fov / 2) in front of the camera.
+        let product = u64::from(width) * u64::from(self.cotangent.mantissa);
+        let Scaled { exponent, .. } = self.cotangent;
+        let bits = |value: u64| 64 - value.leading_zeros() as i32;
+        let largest = (bits(product) + exponent).max(bits(u64::from(width.max(height))));
+        // The largest part is brought to 2³⁰, so that a ray stays below 2⁶¹ in Q30.
+        let scale = 30 - largest;
+        let ahead = shifted(product as i64, exponent + scale);
+        Lens {
+            ahead: times(self.forward, ahead),
+            right: [0, 1, 2].map(|axis| shifted(raw(self.right)[axis], scale)),
+            up: [0, 1, 2].map(|axis| shifted(raw(self.up)[axis], scale)),
+            width,
+            height,
+        }
+    }
+}
+
+fn raw(direction: Direction) -> [i64; 3] {
+    direction.components().map(|unit| i64::from(unit.to_bits()))
+}
+
+fn times(direction: Direction, factor: i64) -> [i64; 3] {
+    raw(direction).map(|coordinate| coordinate * factor)
+}
+
+/// `value` · 2^`exponent`, rounded down.
+fn shifted(value: i64, exponent: i32) -> i64 {
+    if exponent >= 0 {
+        value << exponent
+    } else {
+        value >> (-exponent).min(63)
+    }
+}
+
+/// A camera made ready for one size of picture: vectors in half pixels, scaled by a power of two.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lens {
+    ahead: [i64; 3],
+    right: [i64; 3],
+    up: [i64; 3],
+    width: u32,
+    height: u32,
+}
+
+impl Lens {
+    /// The directions through the middles of the pixels of row `y`, from column `x` on.
+    ///
+    /// Every direction is the same whatever column the row starts from.
+    pub(crate) fn row(&self, y: u32, x: u32) -> RowDirections {
+        let vertical = i64::from(self.height) - 1 - 2 * i64::from(y);
+        let horizontal = 2 * i64::from(x) + 1 - i64::from(self.width);
+        let next = [0, 1, 2].map(|axis| {
+            self.ahead[axis] + self.up[axis] * vertical + self.right[axis] * horizontal
+        });
+        RowDirections {
+            next,
+            step: self.right.map(|coordinate| 2 * coordinate),
+        }
+    }
+}
+
+/// The directions of a row of pixels, from left to right, without end.
+pub(crate) struct RowDirections {
+    next: [i64; 3],
+    step: [i64; 3],
+}
+
+impl RowDirections {
+    /// The direction through the next pixel.
+    pub(crate) fn next_direction(&mut self) -> Direction {
+        let [x, y, z] = self.next.map(|coordinate| (coordinate >> 32) as i32);
+        for (coordinate, step) in self.next.iter_mut().zip(self.step) {
+            *coordinate = coordinate.wrapping_add(step);
+        }
+        Vector::new(x, y, z).direction_and_length().0
+    }
+}
