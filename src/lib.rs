@@ -1,0 +1,135 @@
+//! Ray-traced mirrors on microcontrollers.
+//!
+//! A bounded scene (spheres, planes, open cylinders, point lights) is rendered in fixed point, a
+//! row at a time and without a frame buffer, into any [embedded-graphics] `DrawTarget`. A pixel is
+//!
+//! > c = Σᵢ (1 − αᵢ) · (Π over k < i of αₖ) · cᵢ
+//!
+//! where αᵢ is how mirror-like the i-th surface met is, and cᵢ its colour by Phong or Blinn-Phong
+//! without reflections. A ray that meets nothing adds the background, black unless it is named.
+//!
+//! # The smallest picture
+//!
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
+//! use reflet::{Camera, Material, Scene, StaticFrame, StaticScene};
+//!
+//! const CHALK: Material = Material::new([0.9, 0.9, 0.8]);
+//!
+//! struct Ball;
+//! impl StaticScene for Ball {
+//!     type Scene = Scene<1, 0, 0, 1>; // spheres, planes, cylinders, lights
+//!     const SCENE: &'static Self::Scene = &Scene::builder()
+//!         .sphere([0.0, 0.0, 0.0], 1.0, CHALK)
+//!         .light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0])
+//!         .build();
+//! }
+//!
+//! const CAMERA: Camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
+//!
+//! let mut display = MockDisplay::<Rgb888>::new(); // 64 by 64
+//! let report = Ball::frame(&CAMERA).draw(&mut display).unwrap();
+//! assert_eq!(report.rays, 64 * 64); // nothing reflects
+//! ```
+//!
+//! # Two ways to a scene
+//!
+//! - [`Scene::builder`] in a constant: plain decimal numbers, checked and prepared by the
+//!   compiler, in flash. A bad scene does not compile. [`StaticScene`] makes it a type.
+//! - [`RuntimeScene`]: filled while the program runs, up to the bounds of its type. A bad part is
+//!   refused with a [`SceneError`].
+//!
+//! Both are drawn by the same kernels and give the same picture, to the bit, on every machine: no
+//! float instruction is executed for a frame.
+//!
+//! # The floors
+//!
+//! | floor | modules | what lives there |
+//! |---|---|---|
+//! | 7 | `render` | rows of pixels into a display |
+//! | 6 | `trace` | one ray to one colour: the accumulation |
+//! | 5 | `shade` | the light at one hit |
+//! | 4 | `scene` | the checked scene; what a ray meets, whether it is blocked |
+//! | 3 | `shape`, `camera` | intersections; a pixel's ray |
+//! | 2 | `ray`, `grid`, `material`, `light` | plain data |
+//! | 1 | `vector`, `color` | points, directions, linear colour |
+//! | 0 | `number`, `fault`, `quality` | the formats, shifts, roots; the words for what is wrong; what a frame may leave out |
+//!
+//! A file uses only floors below its own. Beside them stand `scenes` (behind a feature of that
+//! name) and `host` (likewise: the double-precision reference, image comparison and scene files;
+//! needs `std`).
+//!
+//! # Numbers and their limits
+//!
+//! | what | range |
+//! |---|---|
+//! | coordinates, radii, heights | within ±2³⁰ scene units |
+//! | smallest radius | 2⁻²⁶ of the scene's extent |
+//! | distance at which a plane is still met | 2³³ extents |
+//! | colours, ambient, diffuse, specular, lights | 0 to 16 |
+//! | shininess | 0 to 2²⁰, any real number |
+//! | mirror (α) | 0 to 1 |
+//! | field of view | above 0, below 180 degrees |
+//! | reflections | 0 to 255 |
+//! | picture | 1 to 65535 pixels a side |
+//!
+//! The binary point of a scene is chosen when it is built: its shapes fill a ball of 2²⁸ steps. So
+//! a scene in millimetres and the same scene in kilometres give the same picture.
+//!
+//! # What is not supported
+//!
+//! Refraction, textures, soft shadows, anti-aliasing, triangles, capped cylinders, light that falls
+//! off with distance.
+//!
+//! # Features
+//!
+//! None is on by default. `scenes`: eleven ready scenes. `micromath`: its `F32` and vectors as
+//! input for cameras and run-time scenes. `host`: see above. `window`: the simulator's window for
+//! the `render` example.
+//!
+//! # Oldest supported Rust
+//!
+//! 1.87.
+//!
+//! [embedded-graphics]: https://docs.rs/embedded-graphics
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+#[cfg(any(feature = "host", test))]
+#[macro_use]
+extern crate std;
+
+mod camera;
+mod color;
+mod fault;
+mod grid;
+#[cfg(feature = "host")]
+pub mod host;
+mod light;
+mod material;
+mod number;
+mod quality;
+mod ray;
+mod render;
+mod scene;
+#[cfg(feature = "scenes")]
+pub mod scenes;
+mod shade;
+mod shape;
+mod trace;
+mod vector;
+
+pub use camera::{Camera, CameraDescription, CameraError};
+pub use fault::Fault;
+pub use light::Light;
+pub use material::Material;
+pub use number::Number;
+pub use quality::{Fast, Fine, Quality};
+pub use render::{Frame, Picture, Report, StaticFrame};
+pub use scene::{
+    Description, RuntimeScene, Scene, SceneBuilder, SceneError, Static, StaticScene, World,
+};
+pub use shade::{BlinnPhong, Normals, Phong, Shading};
+pub use shape::{MaterialId, cylinder::Cylinder, plane::Plane, sphere::Sphere};
+pub use vector::Position;

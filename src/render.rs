@@ -1,0 +1,264 @@
+//! Floor 7: rows of pixels into a display. The only floor that names embedded-graphics.
+
+use core::marker::PhantomData;
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
+use embedded_graphics::primitives::Rectangle;
+
+use crate::camera::{Camera, Lens};
+use crate::number::Unit;
+use crate::quality::{Fast, Quality};
+use crate::ray::{Path, Place};
+use crate::scene::{Scene, Static, StaticScene, World};
+use crate::shade::{BlinnPhong, Shading};
+use crate::trace::{Traced, trace};
+
+/// What is known about a picture, or a part of one, when it has been drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Report {
+    /// How many rays were followed: one a pixel and one a reflection; rays to lights not counted.
+    pub rays: u64,
+    /// The largest weight with which a path was ended by the number of reflections or by the
+    /// quality. No colour is wrong by more than this times the brightest colour of the scene on
+    /// account of it.
+    pub cut_off: Unit,
+}
+
+impl Report {
+    /// Of nothing drawn.
+    pub const NONE: Self = Self {
+        rays: 0,
+        cut_off: Unit::ZERO,
+    };
+
+    /// Of two parts together.
+    #[must_use]
+    pub fn merge(self, other: Self) -> Self {
+        Self {
+            rays: self.rays + other.rays,
+            cut_off: self.cut_off.max(other.cut_off),
+        }
+    }
+
+    fn count(&mut self, traced: &Traced) {
+        self.rays += u64::from(traced.rays);
+        self.cut_off = self.cut_off.max(traced.cut_off);
+    }
+}
+
+/// A view of a scene that is still to be drawn: which camera, how many reflections, how exact.
+///
+/// Made by [`StaticFrame::frame`] or [`Scene::frame`].
+pub struct Frame<'a, W, Q = Fast, K = BlinnPhong> {
+    world: W,
+    camera: &'a Camera,
+    reflections: u8,
+    kinds: PhantomData<(Q, K)>,
+}
+
+/// Reflections unless a frame says otherwise.
+const REFLECTIONS: u8 = 4;
+
+impl<'a, W: World + Copy> Frame<'a, W> {
+    pub(crate) const fn new(world: W, camera: &'a Camera) -> Self {
+        Self {
+            world,
+            camera,
+            reflections: REFLECTIONS,
+            kinds: PhantomData,
+        }
+    }
+}
+
+impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
+    /// At most this many reflections a path; 4 unless it is named.
+    #[must_use]
+    pub fn reflections(self, reflections: u8) -> Self {
+        Self {
+            reflections,
+            ..self
+        }
+    }
+
+    /// As exact as [`Fast`] (the default) or [`crate::Fine`].
+    #[must_use]
+    pub fn quality<NewQ: Quality>(self) -> Frame<'a, W, NewQ, K> {
+        self.with_kinds()
+    }
+
+    /// Shaded by [`BlinnPhong`] (the default), [`crate::Phong`] or [`crate::Normals`].
+    #[must_use]
+    pub fn shading<NewK: Shading>(self) -> Frame<'a, W, Q, NewK> {
+        self.with_kinds()
+    }
+
+    fn with_kinds<NewQ, NewK>(self) -> Frame<'a, W, NewQ, NewK> {
+        let Self {
+            world,
+            camera,
+            reflections,
+            ..
+        } = self;
+        Frame {
+            world,
+            camera,
+            reflections,
+            kinds: PhantomData,
+        }
+    }
+
+    /// Makes the frame ready for one size of picture; each side is taken as 1 to 65535 pixels.
+    pub fn sized(&self, size: Size) -> Picture<W, Q, K> {
+        let (width, height) = (size.width.clamp(1, 65_535), size.height.clamp(1, 65_535));
+        Picture {
+            world: self.world,
+            lens: self.camera.lens(width, height),
+            from: self
+                .world
+                .parts()
+                .grid
+                .place(self.camera.description().position),
+            size: Size::new(width, height),
+            reflections: self.reflections,
+            kinds: PhantomData,
+        }
+    }
+
+    /// Draws the frame over the whole target, row by row.
+    ///
+    /// # Errors
+    /// The target's own, at once: no further row is worked out.
+    pub fn draw<D>(&self, target: &mut D) -> Result<Report, D::Error>
+    where
+        D: DrawTarget,
+        D::Color: From<Rgb888>,
+    {
+        let area = target.bounding_box();
+        if area.is_zero_sized() {
+            return Ok(Report::NONE);
+        }
+        self.sized(area.size).draw_at(area.top_left, target)
+    }
+}
+
+/// A frame made ready for one size of picture.
+///
+/// It holds nothing that changes: rows may be drawn in any order, interrupted, or shared between
+/// cores.
+#[derive(Clone, Copy)]
+pub struct Picture<W, Q = Fast, K = BlinnPhong> {
+    world: W,
+    lens: Lens,
+    from: Place,
+    size: Size,
+    reflections: u8,
+    kinds: PhantomData<(Q, K)>,
+}
+
+impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
+    /// The size it was made for.
+    pub fn size(&self) -> Size {
+        self.size
+    }
+
+    /// Fills `pixels` with row `y` from column `x` on; row 0 is at the top.
+    ///
+    /// Pixels beyond the picture's edges are views of what lies there.
+    pub fn row<C: PixelColor + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
+        let mut report = Report::NONE;
+        for (pixel, color) in pixels.iter_mut().zip(self.colors(y, x, &mut report)) {
+            *pixel = color;
+        }
+        report
+    }
+
+    /// Draws the whole picture with its top left corner at `top_left` of the target, row by row;
+    /// what lies outside the target is not worked out.
+    ///
+    /// # Errors
+    /// The target's own, at once: no further row is worked out.
+    pub fn draw_at<D>(&self, top_left: Point, target: &mut D) -> Result<Report, D::Error>
+    where
+        D: DrawTarget,
+        D::Color: From<Rgb888>,
+    {
+        self.draw_area(Rectangle::new(Point::zero(), self.size), top_left, target)
+    }
+
+    /// Draws the part of the picture inside `area` (in the picture's own coordinates), where the
+    /// picture's top left corner is at `top_left` of the target.
+    ///
+    /// # Errors
+    /// The target's own, at once: no further row is worked out.
+    pub fn draw_area<D>(
+        &self,
+        area: Rectangle,
+        top_left: Point,
+        target: &mut D,
+    ) -> Result<Report, D::Error>
+    where
+        D: DrawTarget,
+        D::Color: From<Rgb888>,
+    {
+        let visible = Rectangle::new(
+            target.bounding_box().top_left - top_left,
+            target.bounding_box().size,
+        );
+        let area = Rectangle::new(Point::zero(), self.size)
+            .intersection(&area)
+            .intersection(&visible);
+        let mut report = Report::NONE;
+        if area.is_zero_sized() {
+            return Ok(report);
+        }
+        let (left, width) = (area.top_left.x, area.size.width);
+        for y in area.rows() {
+            let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
+            let colors = self.colors(y as u32, left as u32, &mut report);
+            target.fill_contiguous(&row, colors.take(width as usize))?;
+        }
+        Ok(report)
+    }
+
+    /// The colours of row `y` from column `x` on, worked out as they are asked for.
+    fn colors<'s, C: From<Rgb888> + 's>(
+        &'s self,
+        y: u32,
+        x: u32,
+        report: &'s mut Report,
+    ) -> impl Iterator<Item = C> + 's {
+        let parts = self.world.parts();
+        let mut directions = self.lens.row(y, x);
+        core::iter::repeat_with(move || {
+            let path = Path {
+                from: self.from,
+                direction: directions.next_direction(),
+            };
+            let traced = trace::<K, Q>(&parts, path, self.reflections);
+            report.count(&traced);
+            let [red, green, blue] = traced.sum.to_rgb8();
+            C::from(Rgb888::new(red, green, blue))
+        })
+    }
+}
+
+impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
+    Scene<S, P, C, L, M>
+{
+    /// A view of this scene through `camera`, with 4 reflections, [`Fast`], [`BlinnPhong`].
+    pub const fn frame<'a>(&'a self, camera: &'a Camera) -> Frame<'a, &'a Self> {
+        Frame::new(self, camera)
+    }
+}
+
+/// Gives every [`StaticScene`] its frames.
+pub trait StaticFrame: StaticScene + Sized {
+    /// A view of this scene through `camera`, with 4 reflections, [`Fast`], [`BlinnPhong`].
+    fn frame(camera: &Camera) -> Frame<'_, Static<Self>> {
+        Frame::new(Static::new(), camera)
+    }
+}
+
+impl<T: StaticScene> StaticFrame for T {}

@@ -1,0 +1,146 @@
+//! Paths that start or end beyond the near region: planes near the horizon, distant lights and
+//! cameras. Rare, so kept out of the way of the near ones.
+//!
+//! Planes are met with a distance of 62 bits. Spheres and cylinders lie in the ball, so a path
+//! from far away is moved along itself to where it enters the ball and asks them from there.
+
+use super::Parts;
+use super::query::{Hit, Met, blocked_by_bounded, hit, nearest_bounded, planes_but};
+use crate::number::{Length, square_root};
+use crate::ray::{BALL, Path, Place, REACH, Ray};
+use crate::shape::plane::PreparedPlane;
+use crate::vector::Point;
+
+/// Places further out than this scale see the ball as a point and are not followed.
+const FURTHEST_SCALE: u32 = 32;
+
+/// The nearest plane of any distance below 2⁶² steps, and that distance.
+#[cold]
+pub(super) fn nearest_plane<'a>(
+    parts: &Parts<'a>,
+    path: &Path,
+    left: Option<&PreparedPlane>,
+) -> Option<(u64, Hit<'a>)> {
+    let (distance, plane) = planes_but(parts, left)
+        .filter_map(|plane| Some((plane.intersect_far(path)?, plane)))
+        .min_by_key(|(distance, _)| *distance)?;
+    let at = place_along(path, distance)?;
+    Some((
+        distance,
+        Hit {
+            at,
+            shape: Met::Plane(plane),
+        },
+    ))
+}
+
+/// What a path from a far place meets first.
+#[cold]
+pub(super) fn nearest<'a>(
+    parts: &Parts<'a>,
+    path: &Path,
+    left: Option<&PreparedPlane>,
+) -> Option<Hit<'a>> {
+    let plane = nearest_plane(parts, path, left);
+    let bounded = into_ball(path).and_then(|(ray, skipped)| {
+        let (distance, shape) = nearest_bounded(parts, &ray)?;
+        Some((
+            skipped + distance.to_bits() as u64,
+            hit(&ray, distance, shape),
+        ))
+    });
+    match (plane, bounded) {
+        (Some((to_plane, plane)), Some((to_shape, shape))) => {
+            Some(if to_plane <= to_shape { plane } else { shape })
+        }
+        (plane, bounded) => plane.or(bounded).map(|(_, hit)| hit),
+    }
+}
+
+/// Whether a path is blocked on its way to a light, one of them far.
+#[cold]
+pub(super) fn blocked(
+    parts: &Parts<'_>,
+    path: &Path,
+    left: Option<&PreparedPlane>,
+    light: Place,
+    distance: Length,
+    scale: u32,
+) -> bool {
+    let epsilon = parts.epsilon.to_bits() >> scale.min(31);
+    let reach = Length::from_bits((distance.to_bits() - epsilon).max(0));
+    if planes_but(parts, left).any(|plane| plane.blocks_far(path, reach, scale)) {
+        return true;
+    }
+    let start = if path.from.is_near() {
+        Some((path.ray(), 0))
+    } else {
+        into_ball(path)
+    };
+    let Some((ray, _)) = start else {
+        return false;
+    };
+    let reach = if light.is_near() {
+        let (_, rest) = ray.origin.to(light.point).direction_and_length();
+        Length::from_bits(rest.to_bits() - parts.epsilon.to_bits())
+    } else {
+        REACH
+    };
+    blocked_by_bounded(parts, &ray, reach)
+}
+
+/// A path from a far place as a ray from where it enters the ball, and the steps skipped; `None`
+/// where it does not enter it.
+fn into_ball(path: &Path) -> Option<(Ray, u64)> {
+    let Place { point, scale } = path.from;
+    if scale > FURTHEST_SCALE {
+        return None;
+    }
+    let start = point.to_vector();
+    let along = start.dot(path.direction);
+    let nearest = start.without(path.direction, along);
+    // A few steps more than the ball, for what rounding has moved.
+    let radius = u64::from((BALL as u32 >> scale.min(31)) + 4);
+    let half_chord_square = (radius * radius).checked_sub(nearest.square())?;
+    let entry = -along - square_root(half_chord_square);
+    if entry <= 0 {
+        return None;
+    }
+    let skipped = (entry as u64) << scale;
+    let at = place_along(path, skipped)?;
+    at.is_near().then_some((
+        Ray {
+            origin: at.point,
+            direction: path.direction,
+        },
+        skipped,
+    ))
+}
+
+/// The place `distance` (below 2⁶²) steps along a path.
+fn place_along(path: &Path, distance: u64) -> Option<Place> {
+    let Place {
+        point: Point { x, y, z },
+        scale,
+    } = path.from;
+    if scale > FURTHEST_SCALE {
+        return None;
+    }
+    let excess = 64_u32.saturating_sub(distance.leading_zeros() + 31);
+    let leading = (distance >> excess) as i64;
+    let [dx, dy, dz] = path.direction.components();
+    let coordinate = |start: i32, unit: crate::number::Unit| {
+        let way = leading * i64::from(unit.to_bits());
+        let way = if excess < 30 {
+            way >> (30 - excess)
+        } else {
+            way << (excess - 30)
+        };
+        (i64::from(start) << scale).saturating_add(way)
+    };
+    Some(Place::from_wide([
+        coordinate(x, dx),
+        coordinate(y, dy),
+        coordinate(z, dz),
+    ]))
+}

@@ -1,0 +1,194 @@
+//! Floor 4: the bounded scene, checked and prepared once when it is built, and the two questions
+//! a ray asks it: what it meets first ([`query`]) and whether it is blocked.
+//!
+//! A scene is laid on a grid of its own: its shapes fill a ball of 2²⁸ steps, whatever their size
+//! in scene units, so the binary point is never the user's concern.
+
+mod builder;
+mod error;
+mod far;
+mod prepare;
+pub(crate) mod query;
+mod runtime;
+
+pub use builder::SceneBuilder;
+pub use error::SceneError;
+pub use runtime::RuntimeScene;
+
+use crate::camera::Camera;
+use crate::color::Color;
+use crate::grid::Grid;
+use crate::light::{Light, PreparedLight};
+use crate::material::{Material, PreparedMaterial};
+use crate::number::{Length, Number};
+use crate::shape::cylinder::{Cylinder, PreparedCylinder};
+use crate::shape::plane::{Plane, PreparedPlane};
+use crate::shape::sphere::{PreparedSphere, Sphere};
+
+/// A scene as it was described: plain numbers, before they are laid on the grid.
+#[derive(Clone, Copy, Debug)]
+pub struct Description<'a> {
+    /// The spheres.
+    pub spheres: &'a [Sphere],
+    /// The planes.
+    pub planes: &'a [Plane],
+    /// The cylinders.
+    pub cylinders: &'a [Cylinder],
+    /// The lights.
+    pub lights: &'a [Light],
+    /// The materials the shapes name.
+    pub materials: &'a [Material],
+    /// What a ray that meets nothing adds.
+    pub background: [Number; 3],
+    /// How far a ray is lifted off the surface it leaves.
+    pub epsilon: Number,
+    /// The camera the scene is meant to be seen with first.
+    pub camera: Option<Camera>,
+}
+
+/// How far a ray is lifted off the surface it leaves unless the scene says otherwise.
+pub(crate) const EPSILON: f64 = 1e-3;
+
+/// A scene made ready for the kernels, with room for `S` spheres, `P` planes, `C` cylinders, `L`
+/// lights and `M` materials.
+///
+/// Made by [`SceneBuilder::build`] when the program is compiled, or by [`RuntimeScene::build`]
+/// while it runs.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize = 8>
+{
+    spheres: [PreparedSphere; S],
+    planes: [PreparedPlane; P],
+    cylinders: [PreparedCylinder; C],
+    lights: [PreparedLight; L],
+    materials: [PreparedMaterial; M],
+    counts: Counts,
+    background: Color,
+    epsilon: Length,
+    grid: Grid,
+    camera: Option<Camera>,
+}
+
+/// How much of a scene's room is used.
+#[derive(Clone, Copy, Debug)]
+struct Counts {
+    spheres: usize,
+    planes: usize,
+    cylinders: usize,
+    lights: usize,
+}
+
+impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
+    Scene<S, P, C, L, M>
+{
+    /// Starts the description of a scene that is built when the program is compiled.
+    pub const fn builder() -> SceneBuilder<S, P, C, L, M> {
+        SceneBuilder::new()
+    }
+
+    /// The camera the scene was described with.
+    pub const fn camera(&self) -> Option<&Camera> {
+        self.camera.as_ref()
+    }
+}
+
+/// What the kernels read from a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts<'a> {
+    pub(crate) spheres: &'a [PreparedSphere],
+    pub(crate) planes: &'a [PreparedPlane],
+    pub(crate) cylinders: &'a [PreparedCylinder],
+    pub(crate) lights: &'a [PreparedLight],
+    pub(crate) materials: &'a [PreparedMaterial],
+    pub(crate) background: Color,
+    pub(crate) epsilon: Length,
+    pub(crate) grid: &'a Grid,
+}
+
+/// A scene the kernels can read, wherever it lives.
+///
+/// Implemented by the crate for [`Scene`], for references to one, and for [`Static`]; there is no
+/// need to implement it elsewhere.
+pub trait World {
+    /// The scene's parts.
+    fn parts(&self) -> Parts<'_>;
+}
+
+impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize> World
+    for Scene<S, P, C, L, M>
+{
+    #[inline(always)]
+    fn parts(&self) -> Parts<'_> {
+        Parts {
+            spheres: used(&self.spheres, self.counts.spheres),
+            planes: used(&self.planes, self.counts.planes),
+            cylinders: used(&self.cylinders, self.counts.cylinders),
+            lights: used(&self.lights, self.counts.lights),
+            materials: &self.materials,
+            background: self.background,
+            epsilon: self.epsilon,
+            grid: &self.grid,
+        }
+    }
+}
+
+/// The first `count` items; all of them, rather than a panic, should there be fewer.
+#[inline(always)]
+fn used<T>(items: &[T], count: usize) -> &[T] {
+    items.get(..count).unwrap_or(items)
+}
+
+impl<W: World> World for &W {
+    #[inline(always)]
+    fn parts(&self) -> Parts<'_> {
+        (**self).parts()
+    }
+}
+
+/// A scene that is a constant of a type: it lives in flash, and the compiler keeps only the code
+/// this scene can use.
+///
+/// ```
+/// use reflet::{Material, Scene, StaticScene};
+///
+/// const RED: Material = Material::new([0.9, 0.1, 0.1]);
+///
+/// struct Marble;
+/// impl StaticScene for Marble {
+///     type Scene = Scene<1, 0, 0, 1>; // spheres, planes, cylinders, lights
+///     const SCENE: &'static Self::Scene = &Scene::builder()
+///         .sphere([0.0, 0.0, 1.0], 1.0, RED)
+///         .light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0])
+///         .build();
+/// }
+/// ```
+pub trait StaticScene {
+    /// The scene's type, which carries its bounds.
+    type Scene: World + 'static;
+    /// The scene.
+    const SCENE: &'static Self::Scene;
+}
+
+/// The scene of a [`StaticScene`] as the kernels read it; takes no room.
+pub struct Static<T>(core::marker::PhantomData<T>);
+
+impl<T: StaticScene> Static<T> {
+    pub(crate) const fn new() -> Self {
+        Self(core::marker::PhantomData)
+    }
+}
+
+impl<T: StaticScene> Clone for Static<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T: StaticScene> Copy for Static<T> {}
+
+impl<T: StaticScene> World for Static<T> {
+    #[inline(always)]
+    fn parts(&self) -> Parts<'_> {
+        T::SCENE.parts()
+    }
+}
