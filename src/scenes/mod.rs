@@ -1,0 +1,122 @@
+//! Eleven ready scenes, as constants: for trying things out, and what the tests measure by.
+//!
+//! Each is a type; [`visit`] finds one by its name.
+//!
+//! ```
+//! use reflet::scenes::{BuiltIn, Visitor, visit};
+//!
+//! struct CountSpheres;
+//!
+//! impl Visitor for CountSpheres {
+//!     type Output = usize;
+//!
+//!     fn visit<S: BuiltIn>(self) -> usize {
+//!         S::with_description(|scene| scene.spheres.len())
+//!     }
+//! }
+//!
+//! assert_eq!(visit("castle", CountSpheres), Some(40));
+//! assert_eq!(visit("sandcastle", CountSpheres), None);
+//! ```
+
+mod castle;
+mod columns;
+mod corner1;
+mod cylinders;
+mod empty;
+mod floor;
+mod mirror1;
+mod mirror2;
+mod primitives;
+mod shading_lights;
+mod shading_speculars;
+
+pub use castle::Castle;
+pub use columns::Columns;
+pub use corner1::Corner1;
+pub use cylinders::Cylinders;
+pub use empty::Empty;
+pub use floor::Floor;
+pub use mirror1::Mirror1;
+pub use mirror2::Mirror2;
+pub use primitives::Primitives;
+pub use shading_lights::ShadingLights;
+pub use shading_speculars::ShadingSpeculars;
+
+use crate::{Camera, Description, StaticScene};
+
+/// The names of the scenes, in the order they are shown.
+pub const NAMES: [&str; 11] = [
+    Castle::NAME,
+    ShadingLights::NAME,
+    ShadingSpeculars::NAME,
+    Columns::NAME,
+    Mirror1::NAME,
+    Mirror2::NAME,
+    Primitives::NAME,
+    Empty::NAME,
+    Floor::NAME,
+    Corner1::NAME,
+    Cylinders::NAME,
+];
+
+/// A scene that comes with the library.
+pub trait BuiltIn: StaticScene {
+    /// What it is called.
+    const NAME: &'static str;
+
+    /// The view it was made for.
+    const CAMERA: Camera;
+
+    /// Lends the numbers the scene was written with: not for a frame, but for checking one.
+    fn with_description<R>(read: impl FnOnce(Description<'_>) -> R) -> R;
+}
+
+/// What is done with a scene that is only known by its name: a closure generic over the scene.
+pub trait Visitor {
+    /// What it returns.
+    type Output;
+
+    /// Does it with the scene `S`.
+    fn visit<S: BuiltIn>(self) -> Self::Output;
+}
+
+/// Visits the scene of this name; `None` where there is none.
+pub fn visit<V: Visitor>(name: &str, visitor: V) -> Option<V::Output> {
+    Some(match name {
+        Castle::NAME => visitor.visit::<Castle>(),
+        ShadingLights::NAME => visitor.visit::<ShadingLights>(),
+        ShadingSpeculars::NAME => visitor.visit::<ShadingSpeculars>(),
+        Columns::NAME => visitor.visit::<Columns>(),
+        Mirror1::NAME => visitor.visit::<Mirror1>(),
+        Mirror2::NAME => visitor.visit::<Mirror2>(),
+        Primitives::NAME => visitor.visit::<Primitives>(),
+        Empty::NAME => visitor.visit::<Empty>(),
+        Floor::NAME => visitor.visit::<Floor>(),
+        Corner1::NAME => visitor.visit::<Corner1>(),
+        Cylinders::NAME => visitor.visit::<Cylinders>(),
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_name_leads_to_the_scene_of_that_name() {
+        struct Name;
+
+        impl Visitor for Name {
+            type Output = &'static str;
+
+            fn visit<S: BuiltIn>(self) -> &'static str {
+                S::NAME
+            }
+        }
+
+        for name in NAMES {
+            assert_eq!(visit(name, Name), Some(name));
+        }
+    }
+}
