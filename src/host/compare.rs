@@ -1,0 +1,268 @@
+//! How far two pictures are apart; it never asks what is in them.
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+
+use super::reference::Picture;
+
+/// How far two pictures are apart.
+///
+/// The shares are of pixels, 0 to 1, and a pixel counts if each of its three channels does. Of
+/// pictures without pixels every share is 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Difference {
+    /// Share of pixels that are equal.
+    pub same: f64,
+    /// Share of pixels that are 1 of 255 apart or less.
+    pub within1: f64,
+    /// Share of pixels that are 8 of 255 apart or less.
+    pub within8: f64,
+    /// Peak signal-to-noise ratio in decibels over all channels, 10 log₁₀(255² / mean squared
+    /// difference); infinite where the pictures are equal.
+    pub psnr: f64,
+    /// The largest difference of any channel.
+    pub max: u8,
+}
+
+/// Compares two pictures; the order of the two does not matter.
+///
+/// # Errors
+///
+/// The pictures do not have the same size.
+///
+/// ```
+/// use reflet::host::compare::compare;
+/// use reflet::host::reference::Picture;
+///
+/// let left = Picture { width: 2, height: 1, pixels: vec![[10, 20, 30], [40, 50, 60]] };
+/// let right = Picture { width: 2, height: 1, pixels: vec![[10, 20, 30], [40, 50, 57]] };
+/// let difference = compare(&left, &right).unwrap();
+/// assert_eq!((difference.same, difference.within1, difference.within8), (0.5, 0.5, 1.0));
+/// assert_eq!(difference.max, 3);
+/// assert_eq!(difference.psnr, 10.0 * (255.0_f64.powi(2) * 6.0 / 9.0).log10());
+/// ```
+pub fn compare(a: &Picture, b: &Picture) -> Result<Difference, SizeMismatch> {
+    SizeMismatch::refuse(a, b)?;
+    let pairs = || a.pixels.iter().zip(&b.pixels).map(|(a, b)| apart(a, b));
+    // How many pixels are this far apart in their worst channel.
+    let mut counts = [0_usize; 256];
+    pairs().for_each(|[red, green, blue]| counts[usize::from(red.max(green).max(blue))] += 1);
+    let square = |channel: u8| u64::from(channel).pow(2);
+    let squares: u64 = pairs().flatten().map(square).sum();
+    let channels = 3 * a.pixels.len();
+    let max = counts.iter().rposition(|count| *count > 0).unwrap_or(0);
+    Ok(Difference {
+        same: share(&counts[..1], a.pixels.len()),
+        within1: share(&counts[..=1], a.pixels.len()),
+        within8: share(&counts[..=8], a.pixels.len()),
+        psnr: decibels(squares, channels),
+        max: max as u8,
+    })
+}
+
+/// |a − b| of every channel times `gain`, 255 where that is more: where two pictures differ.
+///
+/// # Errors
+///
+/// The pictures do not have the same size.
+///
+/// ```
+/// use reflet::host::compare::difference_picture;
+/// use reflet::host::reference::Picture;
+///
+/// let left = Picture { width: 1, height: 1, pixels: vec![[10, 20, 30]] };
+/// let right = Picture { width: 1, height: 1, pixels: vec![[10, 22, 0]] };
+/// let difference = difference_picture(&left, &right, 16).unwrap();
+/// assert_eq!(difference.pixels, [[0, 32, 255]]);
+/// ```
+pub fn difference_picture(a: &Picture, b: &Picture, gain: u8) -> Result<Picture, SizeMismatch> {
+    SizeMismatch::refuse(a, b)?;
+    let pairs = a.pixels.iter().zip(&b.pixels).map(|(a, b)| apart(a, b));
+    let amplified = pairs.map(|pixel| pixel.map(|channel| channel.saturating_mul(gain)));
+    Ok(Picture {
+        width: a.width,
+        height: a.height,
+        pixels: amplified.collect(),
+    })
+}
+
+/// Two pictures of different sizes cannot be compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SizeMismatch {
+    a: Size,
+    b: Size,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Size {
+    width: u32,
+    height: u32,
+    pixels: usize,
+}
+
+impl SizeMismatch {
+    fn refuse(a: &Picture, b: &Picture) -> Result<(), Self> {
+        let [a, b] = [a, b].map(|picture| Size {
+            width: picture.width,
+            height: picture.height,
+            pixels: picture.pixels.len(),
+        });
+        if a == b { Ok(()) } else { Err(Self { a, b }) }
+    }
+}
+
+impl Error for SizeMismatch {}
+
+impl Display for SizeMismatch {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        let Self { a, b } = self;
+        write!(
+            formatter,
+            "a picture of {a} and one of {b} cannot be compared"
+        )
+    }
+}
+
+impl Display for Size {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        write!(formatter, "{}x{}", self.width, self.height)?;
+        let expected = u64::from(self.width) * u64::from(self.height);
+        match self.pixels as u64 == expected {
+            true => Ok(()),
+            false => write!(formatter, " with {} pixels", self.pixels),
+        }
+    }
+}
+
+fn apart(a: &[u8; 3], b: &[u8; 3]) -> [u8; 3] {
+    [0, 1, 2].map(|channel| a[channel].abs_diff(b[channel]))
+}
+
+fn share(counts: &[usize], of: usize) -> f64 {
+    match of {
+        0 => 1.0,
+        of => counts.iter().sum::<usize>() as f64 / of as f64,
+    }
+}
+
+fn decibels(squares: u64, channels: usize) -> f64 {
+    match squares {
+        0 => f64::INFINITY,
+        squares => 10.0 * (255.0_f64.powi(2) * channels as f64 / squares as f64).log10(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::string::ToString;
+
+    use super::*;
+
+    fn row(pixels: &[[u8; 3]]) -> Picture {
+        Picture {
+            width: pixels.len() as u32,
+            height: 1,
+            pixels: pixels.to_vec(),
+        }
+    }
+
+    /// The difference of one pixel from [100; 3], with three equal pixels beside it.
+    fn one_of_four(pixel: [u8; 3]) -> Difference {
+        let (a, mut b) = (row(&[[100; 3]; 4]), row(&[[100; 3]; 4]));
+        b.pixels[2] = pixel;
+        let difference = compare(&a, &b).unwrap();
+        assert_eq!(
+            difference,
+            compare(&b, &a).unwrap(),
+            "the order does not matter"
+        );
+        difference
+    }
+
+    #[test]
+    fn equal_pictures_have_no_difference() {
+        let perfect = Difference {
+            same: 1.0,
+            within1: 1.0,
+            within8: 1.0,
+            psnr: f64::INFINITY,
+            max: 0,
+        };
+        assert_eq!(one_of_four([100; 3]), perfect);
+        assert_eq!(compare(&row(&[]), &row(&[])), Ok(perfect));
+    }
+
+    #[test]
+    fn shares_end_at_their_limits_on_both_sides() {
+        let shares = [
+            (1, [0.75, 1.0, 1.0]),
+            (2, [0.75, 0.75, 1.0]),
+            (8, [0.75, 0.75, 1.0]),
+            (9, [0.75, 0.75, 0.75]),
+            (100, [0.75, 0.75, 0.75]),
+        ];
+        for (far, expected) in shares {
+            for channel in 0..3 {
+                for value in [100 - far, 100 + far] {
+                    let mut pixel = [100; 3];
+                    pixel[channel] = value;
+                    let found = one_of_four(pixel);
+                    assert_eq!(
+                        [found.same, found.within1, found.within8],
+                        expected,
+                        "{pixel:?}"
+                    );
+                    assert_eq!(found.max, far);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn pixel_counts_by_its_worst_channel() {
+        let found = one_of_four([101, 99, 109]);
+        assert_eq!([found.same, found.within1, found.within8], [0.75; 3]);
+        assert_eq!(found.max, 9);
+    }
+
+    #[test]
+    fn psnr_is_taken_over_all_channels() {
+        // Squares of 3, 4 and 0 in twelve channels.
+        let expected = 10.0 * (255.0 * 255.0 * 12.0 / 25.0_f64).log10();
+        assert_eq!(one_of_four([103, 96, 100]).psnr, expected);
+        assert!((44.942..44.944).contains(&expected), "{expected}");
+    }
+
+    #[test]
+    fn black_against_white_is_zero_decibels() {
+        let found = compare(&row(&[[0; 3]; 5]), &row(&[[255; 3]; 5])).unwrap();
+        assert_eq!((found.psnr, found.max, found.within8), (0.0, 255, 0.0));
+    }
+
+    #[test]
+    fn different_sizes_are_refused() {
+        let (wide, mut tall) = (row(&[[0; 3]; 6]), row(&[[0; 3]; 6]));
+        (tall.width, tall.height) = (2, 3);
+        let error = compare(&wide, &tall).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "a picture of 6x1 and one of 2x3 cannot be compared"
+        );
+        assert_eq!(difference_picture(&wide, &tall, 1), Err(error));
+
+        tall.pixels.pop();
+        let error = compare(&tall, &wide).unwrap_err();
+        let words = "a picture of 2x3 with 5 pixels and one of 6x1 cannot be compared";
+        assert_eq!(error.to_string(), words);
+    }
+
+    #[test]
+    fn difference_picture_saturates_and_keeps_the_place() {
+        let (a, b) = (row(&[[0, 1, 250], [7; 3]]), row(&[[64, 0, 250], [7; 3]]));
+        for gain in [0, 1, 3, 4, 255] {
+            let expected = [[64_u8, 1, 0], [0; 3]].map(|it| it.map(|far| far.saturating_mul(gain)));
+            assert_eq!(difference_picture(&a, &b, gain).unwrap(), row(&expected));
+            assert_eq!(difference_picture(&b, &a, gain).unwrap(), row(&expected));
+        }
+    }
+}

@@ -1,0 +1,220 @@
+//! What can be wrong with a scene file, said in one line; it never reads a file.
+
+use std::borrow::ToOwned;
+use std::fmt::{self, Display, Formatter, Write};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use crate::camera::CameraError;
+use crate::fault::Fault;
+use crate::scene::SceneError;
+
+/// A scene file that cannot be used, and where in it the reason stands.
+///
+/// Its text is one line: the file, the scene and the [`Problem`].
+///
+/// ```
+/// use reflet::host::file::SceneFile;
+///
+/// let error = SceneFile::parse("{\n  \"camera\": 3\n}", None).unwrap_err();
+/// assert_eq!(
+///     error.to_string(),
+///     "line 2, column 13: invalid type: integer `3`, expected struct Camera"
+/// );
+/// ```
+#[derive(Debug)]
+pub struct FileError {
+    file: Option<PathBuf>,
+    scene: Option<String>,
+    problem: Problem,
+}
+
+/// What is wrong with a scene file.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Problem {
+    /// The file cannot be read.
+    Unreadable(io::Error),
+    /// The text is not JSON or not the JSON of a scene.
+    Json {
+        /// The line of the mistake, counted from 1.
+        line: usize,
+        /// The column of the mistake, counted from 1; 0 at the start of a line.
+        column: usize,
+        /// The mistake.
+        message: String,
+    },
+    /// The file is an array without a scene.
+    Empty,
+    /// The file holds several scenes, and none of them was asked for.
+    Undecided {
+        /// What can be asked for.
+        names: Vec<String>,
+    },
+    /// No scene of the file has the name that was asked for.
+    NotFound {
+        /// The name that was asked for.
+        wanted: String,
+        /// What can be asked for.
+        names: Vec<String>,
+    },
+    /// Two scenes or two materials have the same name.
+    Repeated {
+        /// The second of the two, such as `materials[3]`.
+        place: String,
+        /// The name.
+        name: String,
+        /// The first of the two.
+        first: String,
+    },
+    /// A shape asks for a material that the scene does not have.
+    UnknownMaterial {
+        /// The shape, such as `spheres[3]`.
+        place: String,
+        /// The name of the material.
+        name: String,
+    },
+    /// The core refuses a part of the scene or the scene as a whole.
+    Scene(SceneError),
+    /// The camera is refused.
+    Camera(CameraError),
+}
+
+impl FileError {
+    pub(super) fn new(problem: Problem) -> Self {
+        Self {
+            file: None,
+            scene: None,
+            problem,
+        }
+    }
+
+    pub(super) fn json(error: &serde_json::Error) -> Self {
+        let (line, column) = (error.line(), error.column());
+        let whole = error.to_string();
+        let message = whole
+            .strip_suffix(&format!(" at line {line} column {column}"))
+            .unwrap_or(&whole)
+            .to_owned();
+        Self::new(Problem::Json {
+            line,
+            column,
+            message,
+        })
+    }
+
+    pub(super) fn in_file(mut self, file: Option<&Path>) -> Self {
+        self.file = file.map(Path::to_owned);
+        self
+    }
+
+    pub(super) fn in_scene(mut self, scene: Option<&str>) -> Self {
+        self.scene = scene.map(str::to_owned);
+        self
+    }
+
+    /// The file, where the scene was read from one.
+    pub fn file(&self) -> Option<&Path> {
+        self.file.as_deref()
+    }
+
+    /// The name of the scene, where the problem stands in a scene with a name.
+    pub fn scene(&self) -> Option<&str> {
+        self.scene.as_deref()
+    }
+
+    /// What is wrong.
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+}
+
+impl std::error::Error for FileError {}
+
+impl Display for FileError {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        let mut line = OneLine(formatter);
+        if let Some(file) = &self.file {
+            write!(line, "{}: ", file.display())?;
+        }
+        if let Some(scene) = &self.scene {
+            write!(line, "scene {scene}: ")?;
+        }
+        write!(line, "{}", self.problem)
+    }
+}
+
+impl Display for Problem {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        let mut line = OneLine(formatter);
+        match self {
+            Self::Unreadable(error) => write!(line, "{error}"),
+            Self::Json {
+                line: at,
+                column,
+                message,
+            } => write!(line, "line {at}, column {column}: {message}"),
+            Self::Empty => write!(line, "there is no scene in the file"),
+            Self::Undecided { names } => {
+                write!(line, "choose one of the scenes {}", names.join(", "))
+            }
+            Self::NotFound { wanted, names } => {
+                let names = names.join(", ");
+                write!(line, "there is no scene {wanted}, only {names}")
+            }
+            Self::Repeated { place, name, first } => {
+                write!(line, "{place} has the name {name} of {first}")
+            }
+            Self::UnknownMaterial { place, name } => {
+                write!(line, "{place}.material: there is no material {name}")
+            }
+            Self::Scene(error) => write!(line, "{}{}", Place(*error), reason(error.fault())),
+            Self::Camera(error) => write!(line, "{error}"),
+        }
+    }
+}
+
+/// What the core refuses, as the file calls it.
+struct Place(SceneError);
+
+impl Display for Place {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        let (list, index) = match self.0 {
+            SceneError::Sphere(index, _) => ("spheres", index),
+            SceneError::Plane(index, _) => ("planes", index),
+            SceneError::Cylinder(index, _) => ("cylinders", index),
+            SceneError::Light(index, _) => ("lights", index),
+            SceneError::Material(index, _) => ("materials", index),
+            SceneError::Scene(_) => return Ok(()),
+        };
+        write!(formatter, "{list}[{index}]: ")
+    }
+}
+
+/// Why the core refuses it, where a file has no type to raise the bounds of.
+fn reason(fault: Fault) -> &'static str {
+    match fault {
+        Fault::TooManySpheres => "a file holds 1024 spheres at most",
+        Fault::TooManyPlanes => "a file holds 64 planes at most",
+        Fault::TooManyCylinders => "a file holds 256 cylinders at most",
+        Fault::TooManyLights => "a file holds 32 lights at most",
+        Fault::TooManyMaterials => "a file holds 256 materials at most",
+        fault => fault.words(),
+    }
+}
+
+/// Writes what would break or hide a line as an escape: names and paths come from outside.
+struct OneLine<'a, 'b>(&'a mut Formatter<'b>);
+
+impl Write for OneLine<'_, '_> {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        text.chars().try_for_each(|letter| {
+            match letter.is_control() || matches!(letter, '\u{2028}' | '\u{2029}') {
+                true => write!(self.0, "{}", letter.escape_default()),
+                false => self.0.write_char(letter),
+            }
+        })
+    }
+}

@@ -1,0 +1,53 @@
+//! From the reference's plain numbers to the core, through the calls every user makes; it has no
+//! rules of its own.
+
+use std::vec::Vec;
+
+use super::FileRuntimeScene;
+use crate::camera::{Camera, CameraError};
+use crate::host::reference;
+use crate::material::Material;
+use crate::scene::SceneError;
+
+/// Adds everything in the scene to `target`.
+pub(super) fn scene(
+    target: &mut FileRuntimeScene,
+    scene: &reference::Scene,
+) -> Result<(), SceneError> {
+    let mut ids = Vec::with_capacity(scene.materials.len());
+    for (index, plain) in scene.materials.iter().enumerate() {
+        ids.push(target.add_material(material(index, plain)?)?);
+    }
+    for light in &scene.lights {
+        target.add_light(light.position, light.color)?;
+    }
+    for sphere in &scene.spheres {
+        target.add_sphere(sphere.center, sphere.radius, ids[sphere.material])?;
+    }
+    for plane in &scene.planes {
+        target.add_plane(plane.point, plane.normal, ids[plane.material])?;
+    }
+    for tube in &scene.cylinders {
+        let material = ids[tube.material];
+        target.add_cylinder(tube.center, tube.axis, tube.radius, tube.height, material)?;
+    }
+    target.set_background(scene.background)?;
+    target.set_epsilon(scene.epsilon)
+}
+
+/// The core's camera.
+pub(super) fn camera(camera: &reference::Camera) -> Result<Camera, CameraError> {
+    Camera::new(camera.position, camera.target, camera.up, camera.fov)
+}
+
+fn material(index: usize, plain: &reference::Material) -> Result<Material, SceneError> {
+    let highlight = (plain.specular, plain.shininess);
+    Material::from_numbers(
+        plain.color,
+        plain.ambient,
+        plain.diffuse,
+        highlight,
+        plain.mirror,
+    )
+    .map_err(|fault| SceneError::Material(index, fault))
+}

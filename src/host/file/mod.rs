@@ -1,0 +1,163 @@
+//! Scene files: JSON in, the reference's scene and a run-time scene out; it owns the format and
+//! the place of every mistake, and never draws.
+//!
+//! A file is one scene, or an array of scenes of which one is chosen by its name:
+//!
+//! ```json
+//! {
+//!   "name": "ball",
+//!   "camera": { "position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50 },
+//!   "materials": [
+//!     { "name": "gold", "color": [0.7, 0.6, 0], "ambient": 0.2, "diffuse": 0.4,
+//!       "specular": 0.8, "shininess": 4, "mirror": 0.4 }
+//!   ],
+//!   "lights": [ { "position": [3, -4, 6], "color": [1, 1, 1] } ],
+//!   "spheres": [ { "center": [0, 0, 1], "radius": 1, "material": "gold" } ],
+//!   "planes": [ { "center": [0, 0, 0], "normal": [0, 0, 1], "material": "gold" } ],
+//!   "cylinders": [
+//!     { "center": [2, 0, 1], "axis": [0, 0, 1], "radius": 0.5, "height": 2, "material": "gold" }
+//!   ],
+//!   "background": [0, 0, 0],
+//!   "epsilon": 0.001
+//! }
+//! ```
+//!
+//! `name`, `background`, `epsilon` and every list may be left out; a list is empty then, and the
+//! rest as above. An unknown key is an error.
+
+mod document;
+mod error;
+mod fill;
+mod resolve;
+
+use std::borrow::ToOwned;
+use std::boxed::Box;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::string::String;
+
+pub use self::error::{FileError, Problem};
+use crate::camera;
+use crate::host::reference::{Camera, Scene};
+use crate::scene::{self, RuntimeScene};
+
+/// The scene of a file as it is filled: with room for 1024 spheres, 64 planes, 256 cylinders, 32
+/// lights and 256 materials, the most that a file may hold.
+pub type FileRuntimeScene = RuntimeScene<1024, 64, 256, 32, 256>;
+
+/// The scene of a file when it is built.
+pub type FileScene = scene::Scene<1024, 64, 256, 32, 256>;
+
+/// A scene read from a file: every shape has its material; whether the core takes its numbers is
+/// found by [`SceneFile::runtime`].
+#[derive(Clone, Debug)]
+pub struct SceneFile {
+    path: Option<PathBuf>,
+    name: Option<String>,
+    scene: Scene,
+    camera: Camera,
+}
+
+impl SceneFile {
+    /// Reads a scene from `text`: the one called `name`, or the only one.
+    ///
+    /// # Errors
+    ///
+    /// The text is no scene, holds no scene of that name or several scenes and no name is given,
+    /// has a name twice, or a shape's material is missing.
+    ///
+    /// ```
+    /// use reflet::host::file::SceneFile;
+    ///
+    /// let camera = r#"{"position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50}"#;
+    /// let text = format!(r#"[{{"name": "a", "camera": {camera}}}, {{"name": "b", "camera": {camera}}}]"#);
+    ///
+    /// assert_eq!(SceneFile::parse(&text, Some("b")).unwrap().name(), Some("b"));
+    /// assert_eq!(
+    ///     SceneFile::parse(&text, None).unwrap_err().to_string(),
+    ///     "choose one of the scenes a, b"
+    /// );
+    /// ```
+    pub fn parse(text: &str, name: Option<&str>) -> Result<Self, FileError> {
+        let scenes = document::read(text).map_err(|error| FileError::json(&error))?;
+        let mut chosen = resolve::choose(scenes, name).map_err(FileError::new)?;
+        let name = chosen.name.take();
+        let (scene, camera) = resolve::resolve(chosen)
+            .map_err(|problem| FileError::new(problem).in_scene(name.as_deref()))?;
+        Ok(Self {
+            path: None,
+            name,
+            scene,
+            camera,
+        })
+    }
+
+    /// Reads a scene from the file at `path`: the one called `name`, or the only one.
+    ///
+    /// # Errors
+    ///
+    /// The file cannot be read, and all of [`SceneFile::parse`].
+    pub fn read(path: impl AsRef<Path>, name: Option<&str>) -> Result<Self, FileError> {
+        let path = path.as_ref();
+        let read = fs::read_to_string(path)
+            .map_err(|error| FileError::new(Problem::Unreadable(error)))
+            .and_then(|text| Self::parse(&text, name))
+            .map_err(|error| error.in_file(Some(path)))?;
+        Ok(Self {
+            path: Some(path.to_owned()),
+            ..read
+        })
+    }
+
+    /// The name of the scene, where it has one.
+    pub fn name(&self) -> Option<&str> {
+        self.name.as_deref()
+    }
+
+    /// The scene and the camera of the double-precision reference.
+    pub fn reference(&self) -> (Scene, Camera) {
+        (self.scene.clone(), self.camera.clone())
+    }
+
+    /// The scene and the camera of the fixed-point core, filled at run time and ready to build.
+    ///
+    /// # Errors
+    ///
+    /// The core refuses a part of the scene, or there are more parts than a file may hold.
+    pub fn runtime(&self) -> Result<(Box<FileRuntimeScene>, camera::Camera), FileError> {
+        let mut scene = Box::new(FileRuntimeScene::new());
+        let camera = self
+            .fill(&mut scene)
+            .map_err(|problem| self.error(problem))?;
+        Ok((scene, camera))
+    }
+
+    /// The scene of the fixed-point core, ready to be drawn.
+    ///
+    /// # Errors
+    ///
+    /// All of [`SceneFile::runtime`], and the core refuses the scene as a whole.
+    pub fn build(&self) -> Result<Box<FileScene>, FileError> {
+        let (scene, _) = self.runtime()?;
+        let built = scene
+            .build()
+            .map_err(|error| self.error(Problem::Scene(error)))?;
+        Ok(Box::new(built))
+    }
+
+    fn fill(&self, target: &mut FileRuntimeScene) -> Result<camera::Camera, Problem> {
+        fill::scene(target, &self.scene).map_err(Problem::Scene)?;
+        let camera = fill::camera(&self.camera).map_err(Problem::Camera)?;
+        target.set_camera(camera);
+        Ok(camera)
+    }
+
+    fn error(&self, problem: Problem) -> FileError {
+        FileError::new(problem)
+            .in_file(self.path.as_deref())
+            .in_scene(self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests;

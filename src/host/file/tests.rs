@@ -1,0 +1,426 @@
+use std::io::ErrorKind;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use serde_json::{Value, json};
+
+use super::*;
+use crate::camera::CameraError;
+use crate::fault::Fault;
+use crate::host::reference;
+use crate::scene::SceneError;
+
+/// A scene with one of everything, each number different.
+fn scene() -> Value {
+    json!({
+        "name": "still life",
+        "camera": { "position": [1, -5, 2], "target": [0, 0, 1], "up": [0, 0.5, 1], "fov": 40 },
+        "materials": [
+            { "name": "clay", "color": [0.5, 0.25, 0.125], "ambient": 0.1, "diffuse": 0.75,
+              "specular": 0, "shininess": 1, "mirror": 0 },
+            { "name": "gold", "color": [0.75, 0.625, 0], "ambient": 0.2, "diffuse": 0.4,
+              "specular": 0.8, "shininess": 4, "mirror": 0.5 }
+        ],
+        "lights": [ { "position": [3, -4, 6], "color": [1, 0.5, 0.25] } ],
+        "spheres": [ { "center": [0, 0, 1.5], "radius": 1.25, "material": "gold" } ],
+        "planes": [ { "center": [0, 0, -1], "normal": [0, 0, 2], "material": "clay" } ],
+        "cylinders": [ { "center": [2, 0, 1], "axis": [0, 0, 3], "radius": 0.5, "height": 2.5,
+                         "material": "gold" } ],
+        "background": [0.125, 0.25, 0.375],
+        "epsilon": 0.0078125
+    })
+}
+
+/// The scene with the value at `pointer` replaced.
+fn scene_with(pointer: &str, value: impl Into<Value>) -> String {
+    let mut scene = scene();
+    *scene.pointer_mut(pointer).expect(pointer) = value.into();
+    scene.to_string()
+}
+
+/// The scene without the key in the object at `pointer`.
+fn scene_without(pointer: &str, key: &str) -> String {
+    let mut scene = scene();
+    let object = scene.pointer_mut(pointer).and_then(Value::as_object_mut);
+    object.expect(pointer).remove(key).expect(key);
+    scene.to_string()
+}
+
+fn parsed(text: &str) -> SceneFile {
+    SceneFile::parse(text, None).unwrap()
+}
+
+/// What the reading or the building of a text says.
+fn complaint(text: &str) -> String {
+    let built = SceneFile::parse(text, None).and_then(|file| file.build().map(|_| ()));
+    let complaint = built.unwrap_err().to_string();
+    assert!(
+        !complaint.contains(char::is_control),
+        "{complaint:?} is one line"
+    );
+    complaint
+}
+
+#[test]
+fn every_number_arrives_in_the_reference() {
+    let file = parsed(&scene().to_string());
+    assert_eq!(file.name(), Some("still life"));
+    let (scene, camera) = file.reference();
+    let clay = reference::Material {
+        color: [0.5, 0.25, 0.125],
+        ambient: 0.1,
+        diffuse: 0.75,
+        specular: 0.0,
+        shininess: 1.0,
+        mirror: 0.0,
+    };
+    let gold = reference::Material {
+        color: [0.75, 0.625, 0.0],
+        ambient: 0.2,
+        diffuse: 0.4,
+        specular: 0.8,
+        shininess: 4.0,
+        mirror: 0.5,
+    };
+    let expected = Scene {
+        spheres: vec![reference::Sphere {
+            center: [0.0, 0.0, 1.5],
+            radius: 1.25,
+            material: 1,
+        }],
+        planes: vec![reference::Plane {
+            point: [0.0, 0.0, -1.0],
+            normal: [0.0, 0.0, 2.0],
+            material: 0,
+        }],
+        cylinders: vec![reference::Cylinder {
+            center: [2.0, 0.0, 1.0],
+            axis: [0.0, 0.0, 3.0],
+            radius: 0.5,
+            height: 2.5,
+            material: 1,
+        }],
+        lights: vec![reference::Light {
+            position: [3.0, -4.0, 6.0],
+            color: [1.0, 0.5, 0.25],
+        }],
+        materials: vec![clay, gold],
+        background: [0.125, 0.25, 0.375],
+        epsilon: 0.0078125,
+    };
+    assert_eq!(scene, expected);
+    let expected = Camera {
+        position: [1.0, -5.0, 2.0],
+        target: [0.0, 0.0, 1.0],
+        up: [0.0, 0.5, 1.0],
+        fov: 40.0,
+    };
+    assert_eq!(camera, expected);
+}
+
+#[test]
+fn core_and_reference_are_given_the_same_scene() {
+    let file = parsed(&scene().to_string());
+    let (runtime, core_camera) = file.runtime().unwrap();
+    let described = runtime.description();
+    let (scene, camera) = file.reference();
+    assert_eq!(Scene::from(&described), scene);
+    assert_eq!(Camera::from(&core_camera.description()), camera);
+    assert_eq!(described.camera, Some(core_camera));
+    assert!(file.build().is_ok());
+}
+
+#[test]
+fn what_may_be_left_out_has_a_value() {
+    let camera = &scene()["camera"];
+    let file = parsed(&json!({ "camera": camera }).to_string());
+    assert_eq!(file.name(), None);
+    assert_eq!(file.reference().0, Scene::default());
+    assert!(file.build().is_ok());
+}
+
+#[test]
+fn byte_order_mark_is_skipped() {
+    let text = format!("\u{feff}{}", scene());
+    assert_eq!(parsed(&text).name(), Some("still life"));
+}
+
+#[test]
+fn scene_of_an_array_is_chosen_by_name() {
+    let camera = &scene()["camera"];
+    let nameless = json!({ "camera": camera });
+    let array = |names: &[&str]| {
+        let scene = |name| json!({ "camera": camera, "name": name });
+        let mut scenes: Vec<_> = names.iter().map(scene).collect();
+        scenes.push(nameless.clone());
+        Value::from(scenes).to_string()
+    };
+    let chosen = |text: &str, name| match SceneFile::parse(text, name) {
+        Ok(file) => file.name().map(str::to_owned).unwrap_or_default(),
+        Err(error) => error.to_string(),
+    };
+    assert_eq!(chosen(&array(&["a", "b"]), Some("b")), "b");
+    assert_eq!(chosen(&array(&[]), None), "");
+    assert_eq!(
+        chosen(&scene().to_string(), Some("still life")),
+        "still life"
+    );
+
+    let undecided = "choose one of the scenes a, b, (one without name)";
+    assert_eq!(chosen(&array(&["a", "b"]), None), undecided);
+    let missing = "there is no scene c, only a, b, (one without name)";
+    assert_eq!(chosen(&array(&["a", "b"]), Some("c")), missing);
+    let missing = "there is no scene c, only still life";
+    assert_eq!(chosen(&scene().to_string(), Some("c")), missing);
+    assert_eq!(
+        chosen(&array(&["a", "b", "a"]), Some("a")),
+        "scene 2 has the name a of scene 0"
+    );
+    assert_eq!(chosen("[]", None), "there is no scene in the file");
+    assert_eq!(chosen(" [ ] ", Some("a")), "there is no scene in the file");
+}
+
+#[test]
+fn broken_text_is_reported_with_line_and_column() {
+    let cases = [
+        ("", "line 1, column 0: EOF while parsing a value"),
+        ("{\n  \"camera\": }", "line 2, column 13: expected value"),
+        (
+            "{\n\n  \"camera",
+            "line 3, column 9: EOF while parsing a string",
+        ),
+        ("{} {}", "line 1, column 2: missing field `camera`"),
+        (
+            "3",
+            "line 1, column 1: invalid type: integer `3`, expected struct Scene",
+        ),
+        (
+            "[{\n \"spheres\": 7 }]",
+            "line 2, column 13: invalid type: integer `7`, expected a sequence",
+        ),
+        (
+            "{ \"spheres\": [ { \"center\": [0, 0] } ] }",
+            "line 1, column 33: invalid length 2, expected an array of length 3",
+        ),
+        (
+            "{ \"epsilon\": 1e999 }",
+            "line 1, column 18: number out of range",
+        ),
+        ("{ \"epsilon\": NaN }", "line 1, column 14: expected value"),
+        (
+            "{ \"epsilon\": 1, \"epsilon\": 2 }",
+            "line 1, column 25: duplicate field `epsilon`",
+        ),
+        (
+            "{ \"epsilon\":\n true }",
+            "line 2, column 5: invalid type: boolean `true`, expected f64",
+        ),
+    ];
+    for (text, expected) in cases {
+        assert_eq!(complaint(text), expected, "{text}");
+    }
+}
+
+#[test]
+fn unknown_key_is_named() {
+    let found = complaint("{ \"sheres\": [] }");
+    assert!(
+        found.starts_with("line 1, column 10: unknown field `sheres`, expected"),
+        "{found}"
+    );
+}
+
+#[test]
+fn every_key_but_the_optional_ones_is_required() {
+    let objects = [
+        "/camera",
+        "/materials/0",
+        "/lights/0",
+        "/spheres/0",
+        "/planes/0",
+        "/cylinders/0",
+    ];
+    for pointer in objects {
+        let object = scene();
+        let object = object.pointer(pointer).and_then(Value::as_object).unwrap();
+        for key in object.keys() {
+            let found = complaint(&scene_without(pointer, key));
+            assert!(
+                found.ends_with(&format!(": missing field `{key}`")),
+                "{found}"
+            );
+        }
+    }
+}
+
+#[test]
+fn unknown_material_is_named_with_its_shape() {
+    for list in ["spheres", "planes", "cylinders"] {
+        let found = complaint(&scene_with(&format!("/{list}/0/material"), "brass"));
+        let expected = format!("scene still life: {list}[0].material: there is no material brass");
+        assert_eq!(found, expected);
+    }
+}
+
+#[test]
+fn repeated_material_is_named_with_both_places() {
+    let expected = "scene still life: materials[1] has the name clay of materials[0]";
+    assert_eq!(
+        complaint(&scene_with("/materials/1/name", "clay")),
+        expected
+    );
+}
+
+#[test]
+fn what_the_core_refuses_is_reported_with_its_place() {
+    let camera = CameraError::FieldOfView.words();
+    let cases = [
+        (
+            "/spheres/0/radius",
+            json!(0),
+            "spheres[0]: radius must be greater than 0",
+        ),
+        (
+            "/cylinders/0/radius",
+            json!(-1),
+            "cylinders[0]: radius must be greater than 0",
+        ),
+        (
+            "/cylinders/0/height",
+            json!(0),
+            "cylinders[0]: height must be greater than 0",
+        ),
+        (
+            "/cylinders/0/axis",
+            json!([0, 0, 0]),
+            "cylinders[0]: axis must not be zero",
+        ),
+        (
+            "/planes/0/normal",
+            json!([0, 0, 0]),
+            "planes[0]: normal must not be zero",
+        ),
+        (
+            "/lights/0/color",
+            json!([0, -1, 0]),
+            "lights[0]: color components must be within 0 to 16",
+        ),
+        (
+            "/materials/1/mirror",
+            json!(1.5),
+            "materials[1]: mirror must be within 0 to 1",
+        ),
+        (
+            "/background",
+            json!([0, 0, 17]),
+            "background components must be within 0 to 16",
+        ),
+        (
+            "/epsilon",
+            json!(0),
+            "epsilon must be greater than 0 and smaller than the scene",
+        ),
+        (
+            "/epsilon",
+            json!(1e12),
+            "epsilon must be greater than 0 and smaller than the scene",
+        ),
+        ("/camera/fov", json!(180), camera),
+        (
+            "/camera/up",
+            json!([1e300, 0, 0]),
+            CameraError::Coordinate.words(),
+        ),
+        (
+            "/spheres/0/center/1",
+            json!(1e300),
+            &format!("spheres[0]: {}", Fault::Coordinate),
+        ),
+        (
+            "/spheres/0/radius",
+            json!(1e-12),
+            &format!("spheres[0]: {}", Fault::Tiny),
+        ),
+    ];
+    for (pointer, value, expected) in cases {
+        let expected = format!("scene still life: {expected}");
+        assert_eq!(
+            complaint(&scene_with(pointer, value)),
+            expected,
+            "{pointer}"
+        );
+    }
+}
+
+#[test]
+fn file_may_hold_as_many_parts_as_it_says() {
+    let bounds = [
+        ("spheres", 1024),
+        ("planes", 64),
+        ("cylinders", 256),
+        ("lights", 32),
+        ("materials", 256),
+    ];
+    for (list, bound) in bounds {
+        let mut scene = scene();
+        let parts = scene[list].as_array_mut().unwrap();
+        let used = parts.len();
+        let numbered = |number: usize| {
+            let mut part = parts[0].clone();
+            if list == "materials" {
+                part["name"] = number.to_string().into();
+            }
+            part
+        };
+        let more: Vec<_> = (used..bound).map(numbered).collect();
+        parts.extend(more);
+        assert!(
+            parsed(&scene.to_string()).runtime().is_ok(),
+            "{bound} {list}"
+        );
+
+        let mut last = scene[list][0].clone();
+        if list == "materials" {
+            last["name"] = "last".into();
+        }
+        scene[list].as_array_mut().unwrap().push(last);
+        let expected =
+            format!("scene still life: {list}[{bound}]: a file holds {bound} {list} at most");
+        assert_eq!(complaint(&scene.to_string()), expected);
+    }
+}
+
+#[test]
+fn error_is_one_line_whatever_the_names() {
+    let text = scene_with("/name", "two\nlines\u{2028}").replace("\"gold\"", "\"go\\nld\"");
+    let text = text.replacen("go\\nld", "g", 1);
+    let found = complaint(&text);
+    assert!(found.starts_with("scene two\\nlines\\u{2028}: "), "{found}");
+}
+
+#[test]
+fn file_that_cannot_be_read_is_named() {
+    let error = SceneFile::read("no/such/file.json", None).unwrap_err();
+    assert!(
+        error.to_string().starts_with("no/such/file.json: "),
+        "{error}"
+    );
+    assert_eq!(error.file(), Some(Path::new("no/such/file.json")));
+    let Problem::Unreadable(reason) = error.problem() else {
+        panic!("{error:?}");
+    };
+    assert_eq!(reason.kind(), ErrorKind::NotFound);
+}
+
+#[test]
+fn error_keeps_what_it_says_as_values() {
+    let error = parsed(&scene_with("/spheres/0/radius", 0))
+        .runtime()
+        .unwrap_err();
+    assert_eq!((error.file(), error.scene()), (None, Some("still life")));
+    let expected = SceneError::Sphere(0, Fault::Radius);
+    assert!(
+        matches!(error.problem(), Problem::Scene(found) if *found == expected),
+        "{error:?}"
+    );
+}

@@ -1,0 +1,193 @@
+//! From the core's descriptions to the reference's doubles: the one place that names the core.
+
+use super::Camera;
+use super::scene::{Cylinder, Light, Material, Plane, Scene, Sphere};
+use crate::number::Number;
+use crate::vector::Position;
+use crate::{camera, light, material, scene, shape};
+
+/// What a fixed-point scene was described with, each number as the nearest double.
+///
+/// The description's camera is not part of the scene here; it converts by itself.
+///
+/// ```
+/// use reflet::host::reference::Scene;
+/// use reflet::{Material, SceneBuilder};
+///
+/// const SCENE: SceneBuilder<1, 0, 0, 0> = SceneBuilder::new()
+///     .sphere([0.1, 0.2, 0.3], 0.7, Material::new([0.9; 3]).mirror(0.4))
+///     .background([0.25, 0.5, 1.0]);
+///
+/// let scene = Scene::from(&SCENE.description());
+/// assert_eq!((scene.spheres[0].center, scene.spheres[0].radius), ([0.1, 0.2, 0.3], 0.7));
+/// assert_eq!(scene.materials[scene.spheres[0].material].mirror, 0.4);
+/// assert_eq!((scene.background, scene.epsilon), ([0.25, 0.5, 1.0], 1e-3));
+/// ```
+impl From<&scene::Description<'_>> for Scene {
+    fn from(description: &scene::Description<'_>) -> Self {
+        Self {
+            spheres: description.spheres.iter().map(sphere).collect(),
+            planes: description.planes.iter().map(plane).collect(),
+            cylinders: description.cylinders.iter().map(cylinder).collect(),
+            lights: description.lights.iter().map(light).collect(),
+            materials: description.materials.iter().map(material).collect(),
+            background: triple(description.background),
+            epsilon: description.epsilon.to_f64(),
+        }
+    }
+}
+
+/// What a fixed-point camera was described with, each number as the nearest double.
+impl From<&camera::CameraDescription> for Camera {
+    fn from(description: &camera::CameraDescription) -> Self {
+        Self {
+            position: place(description.position),
+            target: place(description.target),
+            up: place(description.up),
+            fov: description.fov.to_f64(),
+        }
+    }
+}
+
+/// What a fixed-point camera was made from.
+impl From<&camera::Camera> for Camera {
+    fn from(camera: &camera::Camera) -> Self {
+        (&camera.description()).into()
+    }
+}
+
+fn sphere(sphere: &shape::sphere::Sphere) -> Sphere {
+    Sphere {
+        center: place(sphere.center),
+        radius: sphere.radius.to_f64(),
+        material: sphere.material.index(),
+    }
+}
+
+fn plane(plane: &shape::plane::Plane) -> Plane {
+    Plane {
+        point: place(plane.point),
+        normal: place(plane.normal),
+        material: plane.material.index(),
+    }
+}
+
+fn cylinder(cylinder: &shape::cylinder::Cylinder) -> Cylinder {
+    Cylinder {
+        center: place(cylinder.center),
+        axis: place(cylinder.axis),
+        radius: cylinder.radius.to_f64(),
+        height: cylinder.height.to_f64(),
+        material: cylinder.material.index(),
+    }
+}
+
+fn light(light: &light::Light) -> Light {
+    Light {
+        position: place(light.position),
+        color: triple(light.color),
+    }
+}
+
+fn material(material: &material::Material) -> Material {
+    let coefficients = material.described_coefficients().map(Number::to_f64);
+    let [ambient, diffuse, specular, shininess, mirror] = coefficients;
+    Material {
+        color: triple(material.described_color()),
+        ambient,
+        diffuse,
+        specular,
+        shininess,
+        mirror,
+    }
+}
+
+fn place(position: Position) -> [f64; 3] {
+    triple(position.0)
+}
+
+fn triple(numbers: [Number; 3]) -> [f64; 3] {
+    numbers.map(Number::to_f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::RuntimeScene;
+
+    #[test]
+    fn every_number_of_a_description_arrives_in_its_place() {
+        let mut described = RuntimeScene::<1, 1, 1, 1, 2>::new();
+        let gold = material::Material::new([0.1, 0.2, 0.3])
+            .ambient(0.4)
+            .diffuse(0.5)
+            .specular(0.6, 0.7)
+            .mirror(0.8);
+        let chalk = described.add_material(material::Material::new([0.9; 3]));
+        let (chalk, gold) = (chalk.unwrap(), described.add_material(gold).unwrap());
+        described.add_sphere([1.1, 1.2, 1.3], 1.4, gold).unwrap();
+        described
+            .add_plane([2.1, 2.2, 2.3], [2.4, 2.5, 2.6], chalk)
+            .unwrap();
+        described
+            .add_cylinder([3.1, 3.2, 3.3], [3.4, 3.5, 3.6], 3.7, 3.8, gold)
+            .unwrap();
+        described
+            .add_light([4.1, 4.2, 4.3], [0.4, 0.5, 0.6])
+            .unwrap();
+        described.set_background([0.7, 0.8, 0.9]).unwrap();
+        described.set_epsilon(0.01).unwrap();
+
+        let scene = Scene::from(&described.description());
+        let sphere = Sphere {
+            center: [1.1, 1.2, 1.3],
+            radius: 1.4,
+            material: 1,
+        };
+        let plane = Plane {
+            point: [2.1, 2.2, 2.3],
+            normal: [2.4, 2.5, 2.6],
+            material: 0,
+        };
+        let cylinder = Cylinder {
+            center: [3.1, 3.2, 3.3],
+            axis: [3.4, 3.5, 3.6],
+            radius: 3.7,
+            height: 3.8,
+            material: 1,
+        };
+        let light = Light {
+            position: [4.1, 4.2, 4.3],
+            color: [0.4, 0.5, 0.6],
+        };
+        let gold = Material {
+            color: [0.1, 0.2, 0.3],
+            ambient: 0.4,
+            diffuse: 0.5,
+            specular: 0.6,
+            shininess: 0.7,
+            mirror: 0.8,
+        };
+        assert_eq!(scene.spheres, [sphere]);
+        assert_eq!(scene.planes, [plane]);
+        assert_eq!(scene.cylinders, [cylinder]);
+        assert_eq!(scene.lights, [light]);
+        assert_eq!(scene.materials[1], gold);
+        assert_eq!(scene.materials[0].color, [0.9; 3]);
+        assert_eq!(scene.materials.len(), 2);
+        assert_eq!((scene.background, scene.epsilon), ([0.7, 0.8, 0.9], 0.01));
+    }
+
+    #[test]
+    fn camera_arrives_as_it_was_described() {
+        let described = camera::Camera::look_at([0.1, 0.2, 0.3], [1.4, 1.5, 1.6], [0.7, 0.8, -0.9]);
+        let camera = Camera::from(&described.fov(33.3));
+        let expected = Camera {
+            position: [0.1, 0.2, 0.3],
+            target: [1.4, 1.5, 1.6],
+            up: [0.7, 0.8, -0.9],
+            fov: 33.3,
+        };
+        assert_eq!(camera, expected);
+    }
+}

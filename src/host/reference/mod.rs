@@ -1,0 +1,68 @@
+//! The double-precision reference: what a picture should be, in plain `f64` and without a trick.
+//!
+//! It is written independently of the fixed-point core and shares no code with it. A picture is
+//! defined so:
+//!
+//! - **Camera**: rays go through pixel centres, row 0 on top. Forward is unit(target − position),
+//!   right is unit(forward × up), and the vertical half-tangent is the horizontal one times
+//!   height / width.
+//! - **Hit**: the nearest t > 0 of spheres, infinite planes and open cylinders. The normal n faces
+//!   the incoming ray.
+//! - **Leaving a surface**: shadow and reflected rays start at q = p + ε n. Light directions and
+//!   distances are taken from q.
+//! - **Own colour** cᵢ: ambient · colour, and for every light with n·l > 0 that is not blocked
+//!   (diffuse · n·l + specular · s^shininess) · colour · light colour. The highlight's s is n·h
+//!   with h = unit(l + v) for Blinn-Phong and v·r for Phong, 0 where that is negative. A light is
+//!   blocked if the ray from q meets anything at t < distance − ε.
+//! - **Mirrors**: cⁱ = (1 − αᵢ) cᵢ + αᵢ cⁱ⁺¹, where cⁱ is the background if ray i meets nothing
+//!   and 0 if i exceeds the number of reflections.
+//! - **Output**: round(255 c) after clamping to 0 to 1.
+//!
+//! ```
+//! use reflet::host::reference::{Camera, Light, Material, Scene, Shading, Sphere, pixel};
+//!
+//! let chalk = Material {
+//!     color: [1.0, 0.5, 0.0],
+//!     ambient: 0.25,
+//!     diffuse: 0.5,
+//!     specular: 0.0,
+//!     shininess: 1.0,
+//!     mirror: 0.0,
+//! };
+//! let scene = Scene {
+//!     spheres: vec![Sphere { center: [0.0; 3], radius: 1.0, material: 0 }],
+//!     lights: vec![Light { position: [0.0, -9.0, 0.0], color: [1.0; 3] }],
+//!     materials: vec![chalk],
+//!     ..Scene::default()
+//! };
+//! let camera =
+//!     Camera { position: [0.0, -5.0, 0.0], target: [0.0; 3], up: [0.0, 0.0, 1.0], fov: 50.0 };
+//! let color = pixel(&scene, &camera, (1, 1), (0, 0), 4, Shading::BlinnPhong);
+//! assert_eq!(color, [0.75, 0.375, 0.0]);
+//! ```
+
+mod camera;
+mod convert;
+mod picture;
+mod scene;
+mod shade;
+mod shape;
+mod trace;
+mod vector;
+mod world;
+
+pub use self::camera::Camera;
+pub use self::picture::{Picture, pixel, render};
+pub use self::scene::{Cylinder, Light, Material, Plane, Scene, Sphere};
+
+/// How a hit becomes a colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shading {
+    /// The highlight by the angle between the normal and the half-way vector.
+    BlinnPhong,
+    /// The highlight by the angle between the mirrored light and the viewer.
+    Phong,
+    /// No light: the normal n of what is met first, as the colour (n + 1) / 2, and blue where
+    /// nothing is met.
+    Normals,
+}

@@ -1,0 +1,169 @@
+//! Pixels: from linear colours to bytes, and all of a picture in parallel; it knows no light.
+
+use std::vec::Vec;
+
+use rayon::prelude::*;
+
+use super::camera::View;
+use super::trace;
+use super::vector::Vector;
+use super::world::World;
+use super::{Camera, Scene, Shading};
+
+/// A picture of 8 bits a channel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Red, green and blue of `width` × `height` pixels, row by row from the top.
+    pub pixels: Vec<[u8; 3]>,
+}
+
+/// The colour of one pixel before it is clamped and rounded: column `x`, row `y` from the top, of
+/// a picture of `width` × `height`.
+///
+/// After `reflections` reflections nothing more is added. Any number of them can be asked for;
+/// each one that a ray takes holds 32 bytes until the pixel is done.
+///
+/// # Panics
+///
+/// A shape names a material that the scene does not have.
+///
+/// ```
+/// use reflet::host::reference::{Camera, Scene, Shading, pixel};
+///
+/// let scene = Scene { background: [0.25, 1.5, 0.0], ..Scene::default() };
+/// let camera =
+///     Camera { position: [0.0; 3], target: [0.0, 1.0, 0.0], up: [0.0, 0.0, 1.0], fov: 50.0 };
+/// let color = pixel(&scene, &camera, (320, 240), (7, 9), 4, Shading::Phong);
+/// assert_eq!(color, scene.background);
+/// ```
+pub fn pixel(
+    scene: &Scene,
+    camera: &Camera,
+    (width, height): (u32, u32),
+    (x, y): (u32, u32),
+    reflections: u32,
+    shading: Shading,
+) -> [f64; 3] {
+    let ray = View::new(camera, width, height).ray(x, y);
+    let Vector(color) = trace::color(&World::new(scene), ray, reflections, shading);
+    color
+}
+
+/// Every pixel of a picture, by all of the machine's threads; the same bytes whatever their
+/// number.
+///
+/// Each channel is clamped to 0 to 1 and becomes round(255 c).
+///
+/// # Panics
+///
+/// A shape names a material that the scene does not have.
+///
+/// ```
+/// use reflet::host::reference::{Camera, Scene, Shading, render};
+///
+/// let scene = Scene { background: [0.25, 1.5, 0.0], ..Scene::default() };
+/// let camera =
+///     Camera { position: [0.0; 3], target: [0.0, 1.0, 0.0], up: [0.0, 0.0, 1.0], fov: 50.0 };
+/// let picture = render(&scene, &camera, 4, 3, 0, Shading::BlinnPhong);
+/// assert_eq!(picture.pixels, [[64, 255, 0]; 12]);
+/// ```
+pub fn render(
+    scene: &Scene,
+    camera: &Camera,
+    width: u32,
+    height: u32,
+    reflections: u32,
+    shading: Shading,
+) -> Picture {
+    let world = World::new(scene);
+    let view = View::new(camera, width, height);
+    let row = |y| {
+        let (world, view) = (&world, &view);
+        (0..width)
+            .map(move |x| quantised(trace::color(world, view.ray(x, y), reflections, shading)))
+    };
+    let pixels = (0..height).into_par_iter().flat_map_iter(row).collect();
+    Picture {
+        width,
+        height,
+        pixels,
+    }
+}
+
+fn quantised(color: Vector) -> [u8; 3] {
+    color
+        .0
+        .map(|channel| (255.0 * channel.clamp(0.0, 1.0)).round() as u8)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::vec;
+
+    use super::*;
+    use crate::host::reference::{Material, Sphere};
+
+    const CAMERA: Camera = Camera {
+        position: [0.0; 3],
+        target: [0.0, 1.0, 0.0],
+        up: [0.0, 0.0, 1.0],
+        fov: 50.0,
+    };
+
+    #[test]
+    fn channels_are_clamped_and_rounded_to_nearest() {
+        let step = 1.0 / 255.0;
+        assert_eq!(quantised(Vector([-3.0, 0.0, 0.49 * step])), [0, 0, 0]);
+        assert_eq!(
+            quantised(Vector([0.51 * step, 1.49 * step, 254.51 * step])),
+            [1, 1, 255]
+        );
+        assert_eq!(quantised(Vector([1.0, 1.001, f64::INFINITY])), [255; 3]);
+    }
+
+    #[test]
+    fn picture_is_its_pixels_row_by_row_from_the_top() {
+        let ball = Sphere {
+            center: [1.0, 5.0, 0.5],
+            radius: 1.5,
+            material: 0,
+        };
+        let matte = Material {
+            color: [1.0; 3],
+            ambient: 1.0,
+            diffuse: 0.0,
+            specular: 0.0,
+            shininess: 1.0,
+            mirror: 0.0,
+        };
+        let scene = Scene {
+            spheres: vec![ball],
+            materials: vec![matte],
+            ..Scene::default()
+        };
+        for shading in [Shading::BlinnPhong, Shading::Phong, Shading::Normals] {
+            let picture = render(&scene, &CAMERA, 7, 5, 2, shading);
+            let places = (0..5).flat_map(|y| (0..7).map(move |x| (x, y)));
+            let pixels: Vec<_> = places
+                .map(|at| quantised(Vector(pixel(&scene, &CAMERA, (7, 5), at, 2, shading))))
+                .collect();
+            assert_eq!(picture.pixels, pixels);
+        }
+        let lit = render(&scene, &CAMERA, 7, 5, 2, Shading::Phong).pixels;
+        // The ball is up and to the right of the middle.
+        assert_eq!((lit[0], lit[7 + 4], lit[28]), ([0; 3], [255; 3], [0; 3]));
+    }
+
+    #[test]
+    fn picture_without_pixels_is_empty() {
+        for (width, height) in [(0, 0), (0, 3), (3, 0)] {
+            let picture = render(&Scene::default(), &CAMERA, width, height, 4, Shading::Phong);
+            assert_eq!((picture.width, picture.height), (width, height));
+            assert!(picture.pixels.is_empty());
+        }
+    }
+}

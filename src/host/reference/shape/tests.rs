@@ -1,0 +1,253 @@
+use super::*;
+
+const BALL: Sphere = Sphere {
+    center: [0.0, 0.0, 0.0],
+    radius: 2.0,
+    material: 0,
+};
+
+const FLOOR: Plane = Plane {
+    point: [7.0, -3.0, 1.0],
+    normal: [0.0, 0.0, 5.0],
+    material: 0,
+};
+
+const TUBE: Cylinder = Cylinder {
+    center: [0.0, 0.0, 0.0],
+    axis: [0.0, 0.0, 3.0],
+    radius: 2.0,
+    height: 6.0,
+    material: 0,
+};
+
+fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
+    Ray {
+        origin: Vector(origin),
+        direction: Vector(direction).unit(),
+    }
+}
+
+fn meet(shape: impl Into<Shape>, origin: [f64; 3], direction: [f64; 3]) -> Option<f64> {
+    shape.into().meet(&ray(origin, direction))
+}
+
+#[test]
+fn sphere_in_front_is_met_on_its_near_side() {
+    assert_eq!(meet(&BALL, [0.0, -5.0, 0.0], [0.0, 1.0, 0.0]), Some(3.0));
+}
+
+#[test]
+fn sphere_behind_is_not_met() {
+    assert_eq!(meet(&BALL, [0.0, 5.0, 0.0], [0.0, 1.0, 0.0]), None);
+}
+
+#[test]
+fn sphere_is_met_from_inside() {
+    assert_eq!(meet(&BALL, [0.0, 0.5, 0.0], [0.0, 1.0, 0.0]), Some(1.5));
+}
+
+#[test]
+fn sphere_is_met_up_to_its_tangent() {
+    let at = |aside| meet(&BALL, [aside, -5.0, 0.0], [0.0, 1.0, 0.0]);
+    assert_eq!(at(2.0), Some(5.0));
+    assert!((at(2.0 - 1e-12).unwrap() - 5.0).abs() < 1e-5);
+    assert_eq!(at(2.0 + 1e-12), None);
+}
+
+#[test]
+fn ray_leaving_a_sphere_misses_it() {
+    for slope in [0.0, 1e-3, 0.1, 1.0, 1e3] {
+        assert_eq!(meet(&BALL, [0.0, 0.0, 2.0 + 1e-3], [1.0, 0.0, slope]), None);
+    }
+}
+
+#[test]
+fn sphere_far_away_keeps_its_digits() {
+    let near = meet(&BALL, [1.2, -1e8, 0.0], [0.0, 1.0, 0.0]).unwrap();
+    assert!((near - (1e8 - 1.6)).abs() < 2e-8, "{near}");
+}
+
+#[test]
+fn plane_is_met_from_both_sides() {
+    assert_eq!(meet(&FLOOR, [0.0, 0.0, 4.0], [0.0, 0.0, -1.0]), Some(3.0));
+    assert_eq!(meet(&FLOOR, [0.0, 0.0, -4.0], [0.0, 0.0, 1.0]), Some(5.0));
+}
+
+#[test]
+fn plane_behind_or_alongside_is_not_met() {
+    assert_eq!(meet(&FLOOR, [0.0, 0.0, 4.0], [0.0, 0.0, 1.0]), None);
+    assert_eq!(meet(&FLOOR, [0.0, 0.0, 4.0], [0.0, 1.0, 0.0]), None);
+    assert_eq!(meet(&FLOOR, [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]), None);
+}
+
+#[test]
+fn plane_is_not_met_where_the_ray_starts() {
+    assert_eq!(meet(&FLOOR, [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]), None);
+    assert_eq!(meet(&FLOOR, [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]), None);
+}
+
+#[test]
+fn plane_is_met_at_a_slant() {
+    let distance = meet(&FLOOR, [0.0, 0.0, 4.0], [4.0, 0.0, -3.0]).unwrap();
+    assert!((distance - 5.0).abs() < 1e-14, "{distance}");
+}
+
+#[test]
+fn cylinder_in_front_is_met_on_its_near_side() {
+    assert_eq!(meet(&TUBE, [0.0, -5.0, 1.0], [0.0, 1.0, 0.0]), Some(3.0));
+}
+
+#[test]
+fn cylinder_behind_is_not_met() {
+    assert_eq!(meet(&TUBE, [0.0, 5.0, 1.0], [0.0, 1.0, 0.0]), None);
+}
+
+#[test]
+fn cylinder_is_met_from_inside() {
+    assert_eq!(meet(&TUBE, [0.0, 0.5, 1.0], [0.0, 1.0, 0.0]), Some(1.5));
+}
+
+#[test]
+fn cylinder_is_met_up_to_its_tangent() {
+    let at = |aside| meet(&TUBE, [aside, -5.0, 1.0], [0.0, 1.0, 0.0]);
+    assert_eq!(at(2.0), Some(5.0));
+    assert_eq!(at(2.0 + 1e-12), None);
+}
+
+#[test]
+fn cylinder_ends_at_half_its_height_and_the_rim_belongs_to_it() {
+    let at = |height| meet(&TUBE, [0.0, -5.0, height], [0.0, 1.0, 0.0]);
+    for end in [-3.0, 3.0] {
+        assert_eq!(at(end), Some(3.0));
+        assert_eq!(at(end * (1.0 + 1e-12)), None);
+    }
+}
+
+#[test]
+fn ray_over_the_rim_meets_the_far_wall_inside() {
+    // At y = -2 it is 3.5 high, above the rim; at y = 2 it is 1.5 high.
+    let distance = meet(&TUBE, [0.0, -4.0, 4.5], [0.0, 2.0, -1.0]).unwrap();
+    assert!((distance - 45.0_f64.sqrt()).abs() < 1e-14, "{distance}");
+}
+
+#[test]
+fn ray_along_the_axis_passes_through_the_open_ends() {
+    for origin in [
+        [0.0, 0.0, -9.0],
+        [1.0, 1.0, -9.0],
+        [2.0, 0.0, -9.0],
+        [3.0, 0.0, 0.0],
+    ] {
+        assert_eq!(meet(&TUBE, origin, [0.0, 0.0, 1.0]), None, "{origin:?}");
+    }
+}
+
+#[test]
+fn ray_leaving_a_cylinder_misses_it() {
+    for slope in [0.0, 1e-3, 0.1, 1.0, 1e3] {
+        assert_eq!(meet(&TUBE, [0.0, 2.0 + 1e-3, 0.0], [1.0, slope, 0.1]), None);
+    }
+}
+
+#[test]
+fn tilted_cylinder_is_met_as_the_upright_one() {
+    let tilted = Cylinder {
+        axis: [1.0, 1.0, 1.0],
+        ..TUBE
+    };
+    // At right angles to the axis through the centre, from 5 away.
+    let side = Vector([1.0, -1.0, 0.0]).unit();
+    let origin = side * 5.0;
+    let distance = meet(&tilted, origin.0, (-side).0).unwrap();
+    assert!((distance - 3.0).abs() < 1e-14, "{distance}");
+}
+
+#[test]
+fn normals_point_outwards() {
+    let up = Vector([0.0, 0.0, 1.0]);
+    assert_eq!(Shape::from(&BALL).normal(up * 2.0), up);
+    assert_eq!(Shape::from(&FLOOR).normal(Vector([3.0, 9.0, 1.0])), up);
+    let wall = Shape::from(&TUBE).normal(Vector([0.0, -2.0, 1.7]));
+    assert_eq!(wall, Vector([0.0, -1.0, 0.0]));
+}
+
+/// What is zero on the surface and, to first order, the distance from it.
+fn off(shape: &Shape, at: Vector) -> f64 {
+    match *shape {
+        Shape::Sphere { center, radius } => (at - center).length() - radius,
+        Shape::Plane { point, normal } => normal.dot(at - point),
+        Shape::Cylinder {
+            center,
+            axis,
+            radius,
+            ..
+        } => axis.cross(at - center).length() - radius,
+    }
+}
+
+/// Numbers from -1 to 1, the same in every run.
+fn sweep() -> impl FnMut() -> f64 {
+    let mut state = 7_u64;
+    move || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+#[test]
+fn every_hit_of_a_sweep_lies_on_its_surface_and_nothing_lies_before_it() {
+    let mut next = sweep();
+    let mut met = 0;
+    for _ in 0..2000 {
+        let mut vector = |scale: f64| [0; 3].map(|_| next() * scale);
+        let (center, axis, origin, direction) =
+            (vector(2.0), vector(1.0), vector(6.0), vector(1.0));
+        let ray = ray(origin, direction);
+        let tube = Cylinder {
+            center,
+            axis,
+            ..TUBE
+        };
+        let shapes: [Shape; 3] = [
+            (&Sphere { center, ..BALL }).into(),
+            (&Plane {
+                point: center,
+                normal: axis,
+                material: 0,
+            })
+                .into(),
+            (&tube).into(),
+        ];
+        for shape in shapes {
+            let Some(distance) = shape.meet(&ray) else {
+                continue;
+            };
+            met += 1;
+            assert!(distance > 0.0);
+            let at = ray.at(distance);
+            assert!(
+                off(&shape, at).abs() < 1e-11 * (1.0 + distance),
+                "{shape:?} {ray:?}"
+            );
+            assert!((shape.normal(at).length() - 1.0).abs() < 1e-14);
+            if let Shape::Cylinder {
+                center,
+                axis,
+                half_height,
+                ..
+            } = shape
+            {
+                assert!(axis.dot(at - center).abs() <= half_height + 1e-11);
+            } else {
+                // Off the surface on one side all the way: a sphere and a plane have no holes.
+                let sides =
+                    (1..50).map(|step| off(&shape, ray.at(distance * f64::from(step) / 50.0)));
+                let above = sides.filter(|side| *side > 0.0).count();
+                assert!(above == 0 || above == 49, "{shape:?} {ray:?}");
+            }
+        }
+    }
+    assert!((1000..3000).contains(&met), "{met}");
+}
