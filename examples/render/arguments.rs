@@ -1,0 +1,194 @@
+//! The command line; it never opens a file.
+
+use std::path::PathBuf;
+
+use clap::{Parser, ValueEnum, value_parser};
+use embedded_graphics::geometry::Size;
+use reflet::host::reference;
+use reflet::scenes;
+
+use crate::Failure;
+use crate::draw::Settings;
+
+/// Renders a scene of mirrors in fixed point, as a microcontroller does.
+#[derive(Parser)]
+#[command(name = "render", max_term_width = 100, after_long_help = after_help())]
+pub struct Arguments {
+    /// A built-in scene or a scene file
+    #[arg(value_name = "SCENE|FILE.json", default_value = "castle")]
+    pub scene: PathBuf,
+
+    /// The scene to take from a file that holds several
+    #[arg(long = "scene", value_name = "NAME")]
+    pub chosen: Option<String>,
+
+    /// Width and height in pixels, each from 1 to 65535
+    #[arg(long, value_name = "WxH", default_value = "320x320", value_parser = size)]
+    pub size: Size,
+
+    /// How often a ray is reflected, from 0 to 255
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 4,
+        allow_negative_numbers = true
+    )]
+    #[arg(value_parser = value_parser!(u8))]
+    pub reflections: u8,
+
+    /// How light shines on a surface
+    #[arg(long, default_value = "blinn-phong", hide_possible_values = true)]
+    #[arg(value_name = "blinn-phong|phong|normals")]
+    pub shading: Shading,
+
+    /// How exactly fixed point computes
+    #[arg(
+        long,
+        default_value = "fast",
+        hide_possible_values = true,
+        value_name = "fast|fine"
+    )]
+    pub quality: Quality,
+
+    /// Write the picture to a new PNG file
+    #[arg(long, value_name = "F.png")]
+    pub out: Option<PathBuf>,
+
+    /// Write the picture to a new file of width * height * 3 bytes, RGB8 from the top left
+    #[arg(long, value_name = "F.rgb")]
+    pub raw: Option<PathBuf>,
+
+    /// Render the double-precision reference instead
+    #[arg(long)]
+    pub reference: bool,
+
+    /// Print the error of fixed point against the reference
+    #[arg(long)]
+    pub check: bool,
+
+    /// Print one line of JSON and nothing else
+    #[arg(long)]
+    pub json: bool,
+
+    /// Show the scene in a window (feature `window`)
+    #[arg(long)]
+    pub window: bool,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Shading {
+    BlinnPhong,
+    Phong,
+    Normals,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Quality {
+    Fast,
+    Fine,
+}
+
+impl Arguments {
+    /// What the command line says, or the line that says what is wrong with it.
+    ///
+    /// Prints the help and ends the program where that is what was asked for.
+    pub fn read() -> Result<Self, Failure> {
+        Self::try_parse().map_err(|error| {
+            if !error.use_stderr() {
+                error.exit();
+            }
+            in_one_line(&error.render().to_string()).into()
+        })
+    }
+
+    /// How the picture is drawn.
+    pub fn settings(&self) -> Settings {
+        let Self {
+            reflections,
+            shading,
+            quality,
+            ..
+        } = *self;
+        Settings {
+            reflections,
+            shading,
+            quality,
+        }
+    }
+}
+
+impl Shading {
+    /// The word on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::BlinnPhong => "blinn-phong",
+            Self::Phong => "phong",
+            Self::Normals => "normals",
+        }
+    }
+
+    /// The same of the reference.
+    pub fn reference(self) -> reference::Shading {
+        match self {
+            Self::BlinnPhong => reference::Shading::BlinnPhong,
+            Self::Phong => reference::Shading::Phong,
+            Self::Normals => reference::Shading::Normals,
+        }
+    }
+}
+
+impl Quality {
+    /// The word on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fast => "fast",
+            Self::Fine => "fine",
+        }
+    }
+}
+
+fn size(text: &str) -> Result<Size, &'static str> {
+    let side = |digits: &str| match digits.bytes().all(|digit| digit.is_ascii_digit()) {
+        true => digits.parse::<u16>().ok().filter(|&side| side > 0),
+        false => None,
+    };
+    let sides = text
+        .split_once('x')
+        .map(|(width, height)| (side(width), side(height)));
+    match sides {
+        Some((Some(width), Some(height))) => Ok(Size::new(width.into(), height.into())),
+        _ => Err("not a width and a height from 1 to 65535, such as 320x240"),
+    }
+}
+
+/// What clap says over several lines, without its advice to read the help.
+fn in_one_line(text: &str) -> String {
+    let end = |line: &&str| line.starts_with("Usage:") || line.starts_with("For more info");
+    let empty = |line: &&str| line.is_empty() || line.starts_with("tip: to pass");
+    let lines = text.lines().map(str::trim).take_while(|line| !end(line));
+    let lines: Vec<_> = lines.filter(|line| !empty(line)).collect();
+    lines.join("; ").trim_start_matches("error: ").to_owned()
+}
+
+fn after_help() -> String {
+    format!(
+        "\
+Built-in scenes: {}.
+
+A name with a dot or a slash in it is a file: JSON, one scene or an array of scenes.
+
+With none of --out, --raw, --check, --json and --window the picture is written to NAME.png in the
+current folder, or to NAME-2.png and so on where that exists. No file is written over: --out and
+--raw refuse one that exists.
+
+--json prints the keys scene, size, reflections, shading, quality (`reference` where fixed point
+is not rendered) and seconds (for the picture alone), and with --check same, within1, within8
+(shares of the pixels, from 0 to 1), psnr (in dB, null where the pictures are the same) and max.
+
+In the window the arrow keys move the camera around its target, + and - change the number of
+reflections, Tab shows the next scene and Escape leaves.
+
+The exit code is 0, or 2 after an error, which is one line.",
+        scenes::NAMES.join(", ")
+    )
+}

@@ -1,0 +1,61 @@
+//! The same calls as on a board: a frame, its settings, rows into a display.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::primitives::Rectangle;
+use embedded_graphics_simulator::SimulatorDisplay;
+use reflet::{BlinnPhong, Fine, Frame, Normals, Phong, Report, World};
+
+use crate::arguments::{Quality, Shading};
+
+/// How a picture is drawn.
+#[derive(Clone, Copy)]
+pub struct Settings {
+    pub reflections: u8,
+    pub shading: Shading,
+    pub quality: Quality,
+}
+
+/// Draws over the whole display, counting rows.
+pub fn draw<W: World + Copy>(
+    frame: Frame<'_, W>,
+    settings: Settings,
+    display: &mut SimulatorDisplay<Rgb888>,
+    rows: &AtomicU64,
+) -> Report {
+    let frame = frame.reflections(settings.reflections);
+    match settings.quality {
+        Quality::Fast => shaded(frame, settings.shading, display, rows),
+        Quality::Fine => shaded(frame.quality::<Fine>(), settings.shading, display, rows),
+    }
+}
+
+fn shaded<W: World + Copy, Q: reflet::Quality>(
+    frame: Frame<'_, W, Q>,
+    shading: Shading,
+    display: &mut SimulatorDisplay<Rgb888>,
+    rows: &AtomicU64,
+) -> Report {
+    match shading {
+        Shading::BlinnPhong => by_rows(frame.shading::<BlinnPhong>(), display, rows),
+        Shading::Phong => by_rows(frame.shading::<Phong>(), display, rows),
+        Shading::Normals => by_rows(frame.shading::<Normals>(), display, rows),
+    }
+}
+
+fn by_rows<W: World + Copy, Q: reflet::Quality, K: reflet::Shading>(
+    frame: Frame<'_, W, Q, K>,
+    display: &mut SimulatorDisplay<Rgb888>,
+    rows: &AtomicU64,
+) -> Report {
+    let picture = frame.sized(display.size());
+    let Size { width, height } = picture.size();
+    let row = |y| Rectangle::new(Point::new(0, y), Size::new(width, 1));
+    (0..height as i32).fold(Report::NONE, |report, y| {
+        let Ok(of_row) = picture.draw_area(row(y), Point::zero(), display);
+        rows.fetch_add(1, Ordering::Relaxed);
+        report.merge(of_row)
+    })
+}

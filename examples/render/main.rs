@@ -1,0 +1,66 @@
+//! Renders a built-in scene or a scene file into the simulator's display, and says how exact it is.
+//!
+//! `cargo run --release --example render -- --help`
+
+mod arguments;
+mod draw;
+mod file;
+#[cfg(feature = "window")]
+mod orbit;
+mod output;
+mod picture;
+mod progress;
+mod report;
+mod source;
+#[cfg(feature = "window")]
+mod window;
+
+use std::error::Error;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use self::arguments::Arguments;
+use self::output::Outputs;
+use self::picture::Drawing;
+use self::source::Source;
+
+type Failure = Box<dyn Error + Send + Sync>;
+
+fn main() -> ExitCode {
+    match Arguments::read().and_then(|arguments| run(&arguments)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            // Nothing is left to be done if even this cannot be said.
+            let _ = writeln!(io::stderr(), "error: {}", one_line(&failure.to_string()));
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(arguments: &Arguments) -> Result<(), Failure> {
+    #[cfg(not(feature = "window"))]
+    if arguments.window {
+        let call = "cargo run --release --features window --example render -- --window";
+        return Err(format!("--window needs the feature `window`: {call}").into());
+    }
+    let source = Source::open(&arguments.scene, arguments.chosen.as_deref())?;
+    let outputs = Outputs::new(arguments, source.name())?;
+    if outputs.are_wanted() {
+        let drawing = Drawing::new(&source, arguments)?;
+        outputs.write(&drawing)?;
+    }
+    #[cfg(feature = "window")]
+    if arguments.window {
+        window::show(source, arguments)?;
+    }
+    Ok(())
+}
+
+/// What would break the line, which may come from a path or a file, is written as an escape.
+fn one_line(text: &str) -> String {
+    let escaped = |letter: char| match letter.is_control() {
+        true => letter.escape_default().to_string(),
+        false => letter.to_string(),
+    };
+    text.chars().map(escaped).collect()
+}

@@ -1,0 +1,127 @@
+//! A picture of a scene: in fixed point, in double precision, or both compared.
+
+use std::time::Instant;
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Dimensions, OriginDimensions, Size};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics_simulator::SimulatorDisplay;
+use reflet::host::compare::{Difference, compare};
+use reflet::host::reference::{self, Picture};
+use reflet::{Camera, CameraError, Report};
+
+use crate::Failure;
+use crate::arguments::Arguments;
+use crate::draw::Settings;
+use crate::progress;
+use crate::source::Source;
+
+/// A picture and what is known about it.
+pub struct Drawing {
+    pub display: SimulatorDisplay<Rgb888>,
+    /// How long the picture alone took.
+    pub seconds: f64,
+    /// What fixed point reports, if it was rendered.
+    pub report: Option<Report>,
+    /// How far fixed point is from the reference, if both were rendered.
+    pub difference: Option<Difference>,
+}
+
+impl Drawing {
+    /// Renders what the command line asks for.
+    pub fn new(source: &Source, arguments: &Arguments) -> Result<Self, Failure> {
+        afford(arguments.size)?;
+        let (scene, camera) = source.reference();
+        let exactly = || {
+            let Size { width, height } = arguments.size;
+            let (reflections, shading) = (arguments.reflections.into(), arguments.shading);
+            let shading = shading.reference();
+            let render = || reference::render(&scene, &camera, width, height, reflections, shading);
+            progress::watch(None, |_| timed(render))
+        };
+        if arguments.reference && !arguments.check {
+            let (picture, seconds) = exactly();
+            let display = to_display(&picture);
+            return Ok(Self {
+                display,
+                seconds,
+                report: None,
+                difference: None,
+            });
+        }
+        let mut drawing =
+            Self::in_fixed_point(source, &camera, arguments.size, arguments.settings())?;
+        if arguments.check {
+            let (picture, seconds) = exactly();
+            drawing.difference = Some(compare(&to_picture(&drawing.display), &picture)?);
+            if arguments.reference {
+                (drawing.display, drawing.seconds) = (to_display(&picture), seconds);
+            }
+        }
+        Ok(drawing)
+    }
+
+    /// Renders in fixed point through any camera.
+    pub fn in_fixed_point(
+        source: &Source,
+        camera: &reference::Camera,
+        size: Size,
+        settings: Settings,
+    ) -> Result<Self, CameraError> {
+        let camera = Camera::new(camera.position, camera.target, camera.up, camera.fov)?;
+        let mut display = SimulatorDisplay::new(size);
+        let total = u64::from(size.height);
+        let (report, seconds) = progress::watch(Some(total), |rows| {
+            timed(|| source.draw(&camera, settings, &mut display, rows))
+        });
+        Ok(Self {
+            display,
+            seconds,
+            report: Some(report),
+            difference: None,
+        })
+    }
+}
+
+/// Refuses a size that there is no memory for, rather than have the program killed.
+fn afford(size: Size) -> Result<(), Failure> {
+    // The display, its PNG twice, and the reference, at three bytes a pixel each.
+    let bytes = 4 * 3 * u64::from(size.width) * u64::from(size.height);
+    let fits = |bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok();
+    match usize::try_from(bytes).is_ok_and(fits) {
+        true => Ok(()),
+        false => {
+            let (Size { width, height }, gigabytes) = (size, bytes.div_ceil(1_000_000_000));
+            Err(format!("--size {width}x{height} needs {gigabytes} GB of memory").into())
+        }
+    }
+}
+
+fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
+    let started = Instant::now();
+    let result = work();
+    (result, started.elapsed().as_secs_f64())
+}
+
+fn to_picture(display: &SimulatorDisplay<Rgb888>) -> Picture {
+    let Size { width, height } = display.size();
+    let bytes = display.to_be_bytes();
+    let pixels = bytes
+        .chunks_exact(3)
+        .map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+    Picture {
+        width,
+        height,
+        pixels: pixels.collect(),
+    }
+}
+
+fn to_display(picture: &Picture) -> SimulatorDisplay<Rgb888> {
+    let mut display = SimulatorDisplay::new(Size::new(picture.width, picture.height));
+    let colors = picture
+        .pixels
+        .iter()
+        .map(|&[red, green, blue]| Rgb888::new(red, green, blue));
+    let Ok(()) = display.fill_contiguous(&display.bounding_box(), colors);
+    display
+}

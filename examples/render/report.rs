@@ -1,0 +1,87 @@
+//! What is known about a picture, for people and for programs; it never prints.
+
+use embedded_graphics::geometry::Size;
+use reflet::host::compare::Difference;
+use serde_json::Value;
+
+use crate::draw::Settings;
+use crate::picture::Drawing;
+
+/// One line of JSON.
+pub fn json(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> String {
+    let mut fields = vec![
+        ("scene", scene.into()),
+        ("size", words(size).into()),
+        ("reflections", settings.reflections.into()),
+        ("shading", settings.shading.name().into()),
+        ("quality", quality(settings, drawing).into()),
+        ("seconds", drawing.seconds.into()),
+    ];
+    if let Some(Difference {
+        same,
+        within1,
+        within8,
+        psnr,
+        max,
+    }) = drawing.difference
+    {
+        fields.extend([
+            ("same", same.into()),
+            ("within1", within1.into()),
+            ("within8", within8.into()),
+            // Infinity, which JSON does not have, becomes null.
+            ("psnr", Value::from(psnr)),
+            ("max", max.into()),
+        ]);
+    }
+    let fields = fields
+        .into_iter()
+        .map(|(key, value)| format!("\"{key}\":{value}"));
+    format!("{{{}}}", fields.collect::<Vec<_>>().join(","))
+}
+
+/// A line or two of words.
+pub fn text(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> String {
+    let (
+        Settings {
+            reflections,
+            shading,
+            ..
+        },
+        seconds,
+    ) = (settings, drawing.seconds);
+    let (words, shading, quality) = (words(size), shading.name(), quality(settings, drawing));
+    let mut text =
+        format!("{scene} {words}, {reflections} reflections, {shading}, {quality}: {seconds:.3} s");
+    if let Some(report) = drawing.report {
+        let rays = report.rays as f64 / (f64::from(size.width) * f64::from(size.height));
+        let cut_off = report.cut_off.to_num::<f64>();
+        text += &format!(", {rays:.2} rays a pixel, weights cut off up to {cut_off:.1e}");
+    }
+    if let Some(Difference {
+        same,
+        within1,
+        within8,
+        psnr,
+        max,
+    }) = drawing.difference
+    {
+        let [same, within1, within8] = [same, within1, within8].map(|share| 100.0 * share);
+        text += &format!(
+            "\nagainst double precision: same {same:.3} %, within 1 {within1:.3} %, \
+             within 8 {within8:.3} %, PSNR {psnr:.2} dB, largest difference {max}"
+        );
+    }
+    text
+}
+
+fn words(size: Size) -> String {
+    format!("{}x{}", size.width, size.height)
+}
+
+fn quality(settings: Settings, drawing: &Drawing) -> &'static str {
+    match drawing.report {
+        Some(_) => settings.quality.name(),
+        None => "reference",
+    }
+}

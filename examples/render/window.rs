@@ -1,0 +1,163 @@
+//! The simulator's window and its keys; it draws as everything else does.
+
+use std::panic::{self, AssertUnwindSafe};
+use std::thread;
+use std::time::Duration;
+
+use embedded_graphics_simulator::sdl2::Keycode;
+use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorEvent, Window};
+use reflet::host::reference::Camera;
+use reflet::scenes;
+
+use crate::arguments::Arguments;
+use crate::draw::Settings;
+use crate::orbit::orbit;
+use crate::picture::Drawing;
+use crate::source::Source;
+use crate::{Failure, output, report};
+
+const REST: Duration = Duration::from_millis(10);
+
+/// Shows the scene until the window is left.
+pub fn show(source: Source, arguments: &Arguments) -> Result<(), Failure> {
+    let mut view = View::new(source, arguments);
+    let mut drawing = view.draw()?;
+    let mut window = open(arguments, &drawing)?;
+    loop {
+        let events: Vec<_> = window.events().collect();
+        if events.contains(&SimulatorEvent::Quit) {
+            return Ok(());
+        }
+        let news = events.into_iter().map(|event| view.answer(event)).max();
+        match news.unwrap_or(News::Nothing) {
+            News::Nothing => thread::sleep(REST),
+            news => {
+                drawing = view.draw()?;
+                if news == News::Setting {
+                    output::print(&view.describe(&drawing))?;
+                }
+            }
+        }
+        window.update(&drawing.display);
+    }
+}
+
+/// Small pictures are enlarged by a whole factor.
+fn open(arguments: &Arguments, drawing: &Drawing) -> Result<Window, Failure> {
+    let longer = arguments.size.width.max(arguments.size.height);
+    let settings = OutputSettingsBuilder::new()
+        .scale((640 / longer).max(1))
+        .build();
+    let first_update = || {
+        let mut window = Window::new("reflet", &settings);
+        window.update(&drawing.display);
+        window
+    };
+    // The simulator knows no errors: without a screen it panics.
+    let loud = panic::take_hook();
+    panic::set_hook(Box::new(|_| {}));
+    let opened = panic::catch_unwind(AssertUnwindSafe(first_update));
+    panic::set_hook(loud);
+    opened.map_err(|reason| {
+        let reason = reason
+            .downcast_ref::<String>()
+            .map_or("no reason is known", String::as_str);
+        format!("the window cannot be opened: {reason}").into()
+    })
+}
+
+/// What an event changes, the more the greater.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum News {
+    Nothing,
+    Camera,
+    Setting,
+}
+
+struct View<'a> {
+    arguments: &'a Arguments,
+    /// The scene of the command line, then the other built-in ones.
+    sources: Vec<Source>,
+    shown: usize,
+    camera: Camera,
+    settings: Settings,
+}
+
+impl<'a> View<'a> {
+    fn new(source: Source, arguments: &'a Arguments) -> Self {
+        let (_, camera) = source.reference();
+        let start = scenes::NAMES
+            .iter()
+            .position(|&name| name == source.name())
+            .unwrap_or(0);
+        let names = scenes::NAMES
+            .iter()
+            .cycle()
+            .skip(start)
+            .take(scenes::NAMES.len());
+        let others = names
+            .filter(|&&name| name != source.name())
+            .filter_map(|name| Source::built_in(name));
+        let others: Vec<_> = others.collect();
+        let sources = [source].into_iter().chain(others).collect();
+        let settings = arguments.settings();
+        Self {
+            arguments,
+            sources,
+            shown: 0,
+            camera,
+            settings,
+        }
+    }
+
+    fn draw(&self) -> Result<Drawing, Failure> {
+        let source = &self.sources[self.shown];
+        Ok(Drawing::in_fixed_point(
+            source,
+            &self.camera,
+            self.arguments.size,
+            self.settings,
+        )?)
+    }
+
+    fn describe(&self, drawing: &Drawing) -> String {
+        report::text(
+            self.sources[self.shown].name(),
+            self.arguments.size,
+            self.settings,
+            drawing,
+        )
+    }
+
+    fn answer(&mut self, event: SimulatorEvent) -> News {
+        let SimulatorEvent::KeyDown { keycode, .. } = event else {
+            return News::Nothing;
+        };
+        match keycode {
+            Keycode::Left => self.orbit(-1, 0),
+            Keycode::Right => self.orbit(1, 0),
+            Keycode::Up => self.orbit(0, 1),
+            Keycode::Down => self.orbit(0, -1),
+            Keycode::Plus | Keycode::KpPlus | Keycode::Equals => self.reflect(1),
+            Keycode::Minus | Keycode::KpMinus => self.reflect(-1),
+            Keycode::Tab => self.next_scene(),
+            _ => News::Nothing,
+        }
+    }
+
+    fn orbit(&mut self, around: i32, over: i32) -> News {
+        orbit(&mut self.camera, around, over);
+        News::Camera
+    }
+
+    fn reflect(&mut self, more: i8) -> News {
+        self.settings.reflections = self.settings.reflections.saturating_add_signed(more);
+        News::Setting
+    }
+
+    fn next_scene(&mut self) -> News {
+        self.shown = (self.shown + 1) % self.sources.len();
+        (_, self.camera) = self.sources[self.shown].reference();
+        News::Setting
+    }
+}
