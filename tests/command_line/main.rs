@@ -1,0 +1,476 @@
+//! The render example as its users call it: what it writes, what it prints, what it refuses.
+
+mod program;
+
+use std::fs;
+use std::path::Path;
+
+use image::ImageReader;
+use program::{Folder, Outcome};
+use reflet::scenes;
+use serde_json::{Value, json};
+
+/// The built-in scene `floor` as a file.
+fn floor() -> Value {
+    json!({
+        "name": "floor",
+        "camera": { "position": [-2, 0, 1], "target": [0, 0, 0], "up": [1, 0, 0.75], "fov": 75 },
+        "materials": [
+            { "name": "white", "color": [0.9, 0.9, 0.9], "ambient": 0.6, "diffuse": 0.9,
+              "specular": 0.1, "shininess": 4, "mirror": 0.1 }
+        ],
+        "planes": [ { "center": [0, 0, -0.5], "normal": [0, 0, 1], "material": "white" } ]
+    })
+}
+
+/// A call that succeeds, and what it prints.
+fn printed(folder: &Folder, arguments: &str) -> String {
+    let Outcome {
+        code,
+        stdout,
+        stderr,
+    } = folder.render(arguments);
+    assert_eq!((code, stderr.as_str()), (0, ""), "{arguments}");
+    stdout
+}
+
+/// A call that fails as it should, and the line it says.
+fn refused(folder: &Folder, arguments: &str) -> String {
+    let Outcome {
+        code,
+        stdout,
+        stderr,
+    } = folder.render(arguments);
+    assert_eq!((code, stdout.as_str()), (2, ""), "{arguments}: {stderr}");
+    let line = stderr.strip_suffix('\n').expect("the line is ended");
+    assert!(!line.contains('\n'), "{arguments}: {stderr}");
+    line.strip_prefix("error: ")
+        .expect("it is an error")
+        .to_owned()
+}
+
+fn line_of_json(folder: &Folder, arguments: &str) -> Value {
+    let printed = printed(folder, arguments);
+    assert_eq!(printed.lines().count(), 1, "{printed}");
+    serde_json::from_str(&printed).expect("the line is JSON")
+}
+
+fn keys(object: &Value) -> Vec<&str> {
+    let mut keys: Vec<_> = object
+        .as_object()
+        .unwrap()
+        .keys()
+        .map(String::as_str)
+        .collect();
+    keys.sort();
+    keys
+}
+
+/// Width, height and RGB8 of a PNG file.
+fn png(path: &Path) -> (u32, u32, Vec<u8>) {
+    let image = ImageReader::open(path).unwrap().decode().unwrap();
+    (image.width(), image.height(), image.to_rgb8().into_raw())
+}
+
+#[test]
+fn bare_command_writes_the_castle_and_says_where() {
+    let folder = Folder::new("bare");
+    let printed = printed(&folder, "");
+    assert!(
+        printed.starts_with("castle 320x320, 4 reflections, blinn-phong, fast: "),
+        "{printed}"
+    );
+    assert!(printed.ends_with("\nwritten to castle.png\n"), "{printed}");
+    let (width, height, _) = png(&folder.path("castle.png"));
+    assert_eq!((width, height), (320, 320));
+}
+
+#[test]
+fn picture_without_a_path_takes_a_free_name() {
+    let folder = Folder::new("free_name");
+    fs::write(folder.path("floor.png"), "kept").unwrap();
+    fs::write(folder.path("floor-2.png"), "kept").unwrap();
+    let printed = printed(&folder, "floor --size 3x2");
+    assert!(printed.ends_with("written to floor-3.png\n"), "{printed}");
+    assert_eq!(folder.files(), ["floor-2.png", "floor-3.png", "floor.png"]);
+    assert_eq!(fs::read(folder.path("floor.png")).unwrap(), b"kept");
+}
+
+#[test]
+fn name_of_a_scene_cannot_lead_to_another_folder() {
+    let folder = Folder::new("name");
+    let mut scene = floor();
+    scene["name"] = "../a\nb".into();
+    fs::write(folder.path("scene.json"), scene.to_string()).unwrap();
+    printed(&folder, "scene.json --size 1x1");
+    assert_eq!(folder.files(), ["___a_b.png", "scene.json"]);
+}
+
+#[test]
+fn png_and_raw_are_the_same_picture_of_the_size_asked_for() {
+    let folder = Folder::new("formats");
+    let printed = printed(&folder, "mirror1 --size 21x13 --out a.png --raw a.rgb");
+    assert!(
+        printed.ends_with("\nwritten to a.png\nwritten to a.rgb\n"),
+        "{printed}"
+    );
+    let raw = fs::read(folder.path("a.rgb")).unwrap();
+    assert_eq!(raw.len(), 21 * 13 * 3);
+    assert_eq!(png(&folder.path("a.png")), (21, 13, raw));
+    assert_eq!(folder.files(), ["a.png", "a.rgb"]);
+}
+
+#[test]
+fn nothing_is_written_over() {
+    let folder = Folder::new("kept");
+    fs::write(folder.path("kept"), "kept").unwrap();
+    fs::create_dir(folder.path("folder")).unwrap();
+    let exists = "exists and is not written over";
+    for option in ["--out", "--raw"] {
+        let call = |path| refused(&folder, &format!("floor --size 2x2 {option} {path}"));
+        assert_eq!(call("kept"), format!("kept {exists}"));
+        assert_eq!(call("folder"), format!("folder {exists}"));
+        let missing = "no/such/folder/a cannot be written: there is no folder no/such/folder";
+        assert_eq!(call("no/such/folder/a"), missing);
+    }
+    let both = refused(&folder, "floor --size 2x2 --out a --raw a");
+    assert_eq!(both, "--out and --raw name the same file");
+    assert_eq!(fs::read(folder.path("kept")).unwrap(), b"kept");
+    assert_eq!(folder.files(), ["folder", "kept"]);
+}
+
+#[test]
+fn json_has_the_promised_keys() {
+    let folder = Folder::new("json");
+    let call = "castle --size 8x6 --reflections 2 --shading phong --quality fine --json";
+    let plain = line_of_json(&folder, call);
+    let expected = [
+        "quality",
+        "reflections",
+        "scene",
+        "seconds",
+        "shading",
+        "size",
+    ];
+    assert_eq!(keys(&plain), expected);
+    assert_eq!(plain["scene"], "castle");
+    assert_eq!(plain["size"], "8x6");
+    assert_eq!(plain["reflections"], 2);
+    assert_eq!(plain["shading"], "phong");
+    assert_eq!(plain["quality"], "fine");
+    assert!(plain["seconds"].as_f64().unwrap() > 0.0);
+
+    let checked = line_of_json(&folder, &format!("{call} --check"));
+    let more = ["max", "psnr", "same", "within1", "within8"];
+    let mut all = [expected.as_slice(), more.as_slice()].concat();
+    all.sort();
+    assert_eq!(keys(&checked), all);
+    for share in ["same", "within1", "within8"] {
+        let value = checked[share].as_f64().unwrap();
+        assert!((0.0..=1.0).contains(&value), "{share} {value}");
+    }
+    assert!(folder.files().is_empty(), "no picture was asked for");
+}
+
+#[test]
+fn equal_pictures_have_no_psnr_in_json() {
+    let folder = Folder::new("equal");
+    let line = line_of_json(&folder, "empty --size 5x5 --check --json");
+    assert_eq!(
+        (&line["psnr"], &line["max"], &line["same"]),
+        (&Value::Null, &json!(0), &json!(1.0))
+    );
+    let words = printed(&folder, "empty --size 5x5 --check");
+    let expected = "against double precision: same 100.000 %, within 1 100.000 %, \
+                    within 8 100.000 %, PSNR inf dB, largest difference 0\n";
+    assert!(words.ends_with(expected), "{words}");
+}
+
+#[test]
+fn reference_is_named_where_it_is_all_that_is_rendered() {
+    let folder = Folder::new("reference");
+    let alone = line_of_json(&folder, "columns --size 9x9 --reference --json --raw exact");
+    assert_eq!(alone["quality"], "reference");
+    let both = line_of_json(
+        &folder,
+        "columns --size 9x9 --reference --check --json --raw both",
+    );
+    assert_eq!(both["quality"], "fast");
+    assert!(both["max"].is_u64());
+    let exact = fs::read(folder.path("exact")).unwrap();
+    assert_eq!(exact, fs::read(folder.path("both")).unwrap());
+    assert_eq!(exact.len(), 9 * 9 * 3);
+}
+
+#[test]
+fn scene_file_is_drawn_like_the_same_constants() {
+    let folder = Folder::new("file");
+    let mut other = floor();
+    other["name"] = "other".into();
+    other["camera"]["fov"] = 20.into();
+    fs::write(folder.path("one.json"), floor().to_string()).unwrap();
+    fs::write(folder.path("two.json"), json!([other, floor()]).to_string()).unwrap();
+    printed(&folder, "floor --size 16x12 --raw constant");
+    printed(&folder, "one.json --size 16x12 --raw one");
+    printed(&folder, "two.json --scene floor --size 16x12 --raw two");
+    printed(&folder, "two.json --scene other --size 16x12 --raw other");
+    let read = |name| fs::read(folder.path(name)).unwrap();
+    assert_eq!(read("constant"), read("one"));
+    assert_eq!(read("constant"), read("two"));
+    assert_ne!(read("constant"), read("other"));
+}
+
+#[test]
+fn file_without_a_name_is_called_after_the_file() {
+    let folder = Folder::new("nameless");
+    let mut scene = floor();
+    scene.as_object_mut().unwrap().remove("name");
+    fs::write(folder.path("my floor.json"), scene.to_string()).unwrap();
+    let outcome = folder.run(&["my floor.json", "--size", "2x2"]);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    assert_eq!(folder.files(), ["my floor.json", "my floor.png"]);
+}
+
+#[test]
+fn every_scene_shading_and_quality_renders() {
+    let folder = Folder::new("all");
+    for scene in scenes::NAMES {
+        for shading in ["blinn-phong", "phong", "normals"] {
+            for quality in ["fast", "fine"] {
+                let call = format!("{scene} --size 4x3 --shading {shading} --quality {quality}");
+                let line = line_of_json(&folder, &format!("{call} --json"));
+                assert_eq!(line["scene"], scene);
+            }
+        }
+    }
+}
+
+#[test]
+fn shadings_and_reflections_reach_the_picture() {
+    let folder = Folder::new("settings");
+    let calls = [
+        "--shading blinn-phong",
+        "--shading phong",
+        "--shading normals",
+        "--reflections 0",
+        "--reflections 1",
+    ];
+    let mut pictures = Vec::new();
+    for (number, call) in calls.into_iter().enumerate() {
+        printed(
+            &folder,
+            &format!("mirror1 --size 40x40 --raw {number} {call}"),
+        );
+        pictures.push(fs::read(folder.path(&number.to_string())).unwrap());
+    }
+    for (at, picture) in pictures.iter().enumerate() {
+        assert!(!pictures[..at].contains(picture), "{}", calls[at]);
+    }
+}
+
+#[test]
+fn wrong_arguments_are_named_in_one_line() {
+    let folder = Folder::new("arguments");
+    let sizes = "not a width and a height from 1 to 65535, such as 320x240";
+    let wrong_size = |size| format!("invalid value '{size}' for '--size <WxH>': {sizes}");
+    let cases = [
+        ("--size 0x5", wrong_size("0x5")),
+        ("--size 5x0", wrong_size("5x0")),
+        ("--size 65536x1", wrong_size("65536x1")),
+        ("--size 5", wrong_size("5")),
+        ("--size x", wrong_size("x")),
+        ("--size 5x5x5", wrong_size("5x5x5")),
+        ("--size +5x5", wrong_size("+5x5")),
+        ("--reflections 256", "256 is not in 0..=255".to_owned()),
+        ("--reflections -1", "-1 is not in 0..=255".to_owned()),
+        (
+            "--reflections many",
+            "invalid digit found in string".to_owned(),
+        ),
+        (
+            "--shading gouraud",
+            "possible values: blinn-phong, phong, normals".to_owned(),
+        ),
+        ("--quality best", "possible values: fast, fine".to_owned()),
+        (
+            "--out",
+            "a value is required for '--out <F.png>'".to_owned(),
+        ),
+        ("--json --json", "cannot be used multiple times".to_owned()),
+        ("--bogus", "unexpected argument '--bogus' found".to_owned()),
+        (
+            "castle floor",
+            "unexpected argument 'floor' found".to_owned(),
+        ),
+        (
+            "sandcastle",
+            "there is no built-in scene sandcastle, only castle, ".to_owned(),
+        ),
+        (
+            "castle --scene floor",
+            "--scene chooses from a file, and castle is built in".to_owned(),
+        ),
+    ];
+    for (call, expected) in cases {
+        let line = refused(&folder, call);
+        assert!(line.contains(&expected), "{call}: {line}");
+    }
+    assert!(folder.files().is_empty());
+}
+
+#[test]
+fn argument_of_two_lines_is_refused_in_one() {
+    let folder = Folder::new("lines");
+    for argument in [
+        "two\nlines",
+        "two\nlines.json",
+        "--two\nlines",
+        "--size=1\n2",
+    ] {
+        let Outcome { code, stderr, .. } = folder.run(&[argument]);
+        assert_eq!((code, stderr.lines().count()), (2, 1), "{stderr}");
+    }
+}
+
+#[test]
+fn wrong_files_are_named_in_one_line() {
+    let folder = Folder::new("files");
+    let mut small = floor();
+    small["spheres"] = json!([{ "center": [0, 0, 0], "radius": 0, "material": "white" }]);
+    let mut unknown = floor();
+    unknown["planes"][0]["material"] = "black".into();
+    let mut closed = floor();
+    closed["camera"]["fov"] = 0.into();
+    let two = json!([floor(), small]);
+    let files = [
+        ("broken.json", "{\n  \"camera\": ]\n}".to_owned()),
+        ("empty.json", "[]".to_owned()),
+        ("small.json", small.to_string()),
+        ("unknown.json", unknown.to_string()),
+        ("closed.json", closed.to_string()),
+        ("two.json", two.to_string()),
+    ];
+    for (name, text) in files {
+        fs::write(folder.path(name), text).unwrap();
+    }
+    fs::write(folder.path("bytes.json"), b"\xff\xfe\x00").unwrap();
+    fs::create_dir(folder.path("folder.json")).unwrap();
+    let cases = [
+        ("missing.json", "missing.json: "),
+        ("folder.json", "folder.json: "),
+        ("bytes.json", "bytes.json: "),
+        (
+            "broken.json",
+            "broken.json: line 2, column 13: expected value",
+        ),
+        ("empty.json", "empty.json: there is no scene in the file"),
+        (
+            "small.json",
+            "small.json: scene floor: spheres[0]: radius must be greater than 0",
+        ),
+        (
+            "unknown.json",
+            "unknown.json: scene floor: planes[0].material: there is no material black",
+        ),
+        (
+            "closed.json",
+            "closed.json: scene floor: camera fov must be between 0 and 180 degrees",
+        ),
+        (
+            "two.json",
+            "two.json: choose one of the scenes floor, floor (--scene NAME)",
+        ),
+        (
+            "two.json --scene floor",
+            "two.json: scene 1 has the name floor of scene 0",
+        ),
+        (
+            "two.json --scene roof",
+            "two.json: there is no scene roof, only floor, floor",
+        ),
+    ];
+    for (call, expected) in cases {
+        let line = refused(&folder, call);
+        assert!(line.starts_with(expected), "{call}: {line}");
+    }
+    assert_eq!(folder.files().len(), 8, "nothing was written");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn picture_beyond_the_memory_is_refused() {
+    let folder = Folder::new("memory");
+    let outcome = folder.render_in_4_gigabytes("--size 65535x65535 --json");
+    assert_eq!(outcome.code, 2);
+    assert_eq!(
+        outcome.stderr,
+        "error: --size 65535x65535 needs 52 GB of memory\n"
+    );
+}
+
+#[test]
+fn help_names_every_scene_and_option() {
+    let folder = Folder::new("help");
+    let help = printed(&folder, "--help");
+    for name in scenes::NAMES {
+        assert!(help.contains(name), "{name}");
+    }
+    let options = "scene size reflections shading quality out raw reference check json window";
+    for option in options.split(' ') {
+        assert!(help.contains(&format!("--{option}")), "{option}");
+    }
+}
+
+#[test]
+fn reader_that_leaves_early_is_no_error() {
+    let folder = Folder::new("pipe");
+    for call in ["floor --size 2x2 --json", "--help"] {
+        let outcome = folder.render_unread(call);
+        assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""), "{call}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn device_may_be_written_to() {
+    let folder = Folder::new("device");
+    printed(&folder, "floor --size 2x2 --out /dev/null --raw /dev/zero");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn disk_that_is_full_is_named() {
+    let folder = Folder::new("full");
+    let line = refused(&folder, "floor --size 2x2 --raw /dev/full");
+    assert!(
+        line.starts_with("/dev/full cannot be written: No space left"),
+        "{line}"
+    );
+}
+
+#[cfg(not(feature = "window"))]
+#[test]
+fn window_needs_its_feature() {
+    let folder = Folder::new("window");
+    let line = refused(&folder, "--window");
+    assert!(
+        line.starts_with("--window needs the feature `window`: cargo run "),
+        "{line}"
+    );
+}
+
+#[cfg(feature = "window")]
+#[test]
+fn window_shows_the_picture() {
+    let folder = Folder::new("window");
+    printed(&folder, "floor --size 700x5 --out file.png");
+    let dump = folder.path("window.png");
+    // The simulator writes its first picture and leaves.
+    let variables = [
+        ("SDL_VIDEODRIVER", "dummy"),
+        ("EG_SIMULATOR_DUMP", dump.to_str().unwrap()),
+    ];
+    let outcome = folder.render_with("floor --size 700x5 --window", &variables);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    assert_eq!(png(&dump), png(&folder.path("file.png")));
+}

@@ -1,0 +1,155 @@
+//! The example's binary, built once, and folders to run it in.
+
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::OnceLock;
+
+use serde_json::Value;
+
+/// What a call leaves behind.
+pub struct Outcome {
+    pub code: i32,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+/// A folder of its own for one test, empty at its start.
+pub struct Folder(PathBuf);
+
+impl Folder {
+    pub fn new(test: &str) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .join("command_line")
+            .join(test);
+        if path.exists() {
+            fs::remove_dir_all(&path).expect("what an earlier run left can be removed");
+        }
+        fs::create_dir_all(&path).expect("a folder can be made");
+        Self(path)
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+
+    /// The names of what is in it, sorted.
+    pub fn files(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0).expect("the folder can be read");
+        let name = |entry: fs::DirEntry| entry.file_name().into_string().expect("plain names");
+        let mut names: Vec<_> = entries
+            .map(|entry| name(entry.expect("an entry")))
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// Runs the program with arguments that are separated by spaces.
+    pub fn render(&self, arguments: &str) -> Outcome {
+        self.run(&arguments.split_whitespace().collect::<Vec<_>>())
+    }
+
+    pub fn run(&self, arguments: &[&str]) -> Outcome {
+        finish(self.command(arguments).stdout(Stdio::piped()))
+    }
+
+    /// Runs the program with a standard output that nobody reads.
+    pub fn render_unread(&self, arguments: &str) -> Outcome {
+        let (reader, writer) = std::io::pipe().expect("a pipe");
+        drop(reader);
+        finish(
+            self.command(&arguments.split_whitespace().collect::<Vec<_>>())
+                .stdout(writer),
+        )
+    }
+
+    /// Runs the program with less memory than the machine may have.
+    #[cfg(target_os = "linux")]
+    pub fn render_in_4_gigabytes(&self, arguments: &str) -> Outcome {
+        let mut shell = Command::new("sh");
+        shell
+            .args(["-c", "ulimit -v 4000000 && exec \"$0\" \"$@\""])
+            .arg(binary());
+        shell
+            .args(arguments.split_whitespace())
+            .current_dir(&self.0);
+        finish(shell.stdout(Stdio::piped()).stderr(Stdio::piped()))
+    }
+
+    /// Runs the program with environment variables.
+    #[cfg(feature = "window")]
+    pub fn render_with(&self, arguments: &str, variables: &[(&str, &str)]) -> Outcome {
+        let mut command = self.command(&arguments.split_whitespace().collect::<Vec<_>>());
+        finish(
+            command
+                .envs(variables.iter().copied())
+                .stdout(Stdio::piped()),
+        )
+    }
+
+    fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(binary());
+        command
+            .args(arguments)
+            .current_dir(&self.0)
+            .stdin(Stdio::null())
+            .stderr(Stdio::piped());
+        command
+    }
+}
+
+fn finish(command: &mut Command) -> Outcome {
+    let output = command.spawn().and_then(|child| child.wait_with_output());
+    let output = output.expect("the example runs");
+    let text = |bytes| String::from_utf8(bytes).expect("the example prints UTF-8");
+    Outcome {
+        code: output.status.code().expect("the example ends by itself"),
+        stdout: text(output.stdout),
+        stderr: text(output.stderr),
+    }
+}
+
+/// The example as the sources say it is now.
+///
+/// Cargo tells a test nothing about examples, so it is asked: with the profile, the features and
+/// the folder of this test there is nothing to be built after a whole `cargo test`.
+fn binary() -> &'static Path {
+    static BINARY: OnceLock<PathBuf> = OnceLock::new();
+    BINARY.get_or_init(|| {
+        let target = Path::new(env!("CARGO_TARGET_TMPDIR"))
+            .parent()
+            .expect("target/tmp");
+        let profile = if cfg!(debug_assertions) {
+            "test"
+        } else {
+            "release"
+        };
+        let features = [
+            ("micromath", cfg!(feature = "micromath")),
+            ("window", cfg!(feature = "window")),
+        ];
+        let features: Vec<_> = features.iter().filter(|it| it.1).map(|it| it.0).collect();
+        let output = Command::new(env!("CARGO"))
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .args(["build", "--example", "render", "--message-format", "json"])
+            .args(["--profile", profile, "--features", &features.join(",")])
+            .arg("--target-dir")
+            .arg(target)
+            .output()
+            .expect("cargo runs");
+        let messages = String::from_utf8_lossy(&output.stdout);
+        let complaints = String::from_utf8_lossy(&output.stderr);
+        let executable = messages.lines().rev().find_map(executable);
+        executable.unwrap_or_else(|| panic!("the example is built: {complaints}"))
+    })
+}
+
+/// The path in one of Cargo's messages, if it is the one about the example.
+fn executable(message: &str) -> Option<PathBuf> {
+    let message: Value = serde_json::from_str(message).ok()?;
+    let is_example = message["target"]["name"] == "render";
+    is_example
+        .then(|| message["executable"].as_str().map(PathBuf::from))
+        .flatten()
+}

@@ -1,0 +1,247 @@
+//! The house rules that a compiler does not know: a file names only its own floor and those below,
+//! a display is known on the top floor alone, and no file grows out of sight.
+
+mod source;
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use source::{paths, tokens};
+
+/// The rooms of the stack and their floors. Rooms of one floor may know each other.
+const FLOORS: [(&str, u8); 15] = [
+    ("number", 0),
+    ("fault", 0),
+    ("quality", 0),
+    ("vector", 1),
+    ("color", 1),
+    ("ray", 2),
+    ("material", 2),
+    ("light", 2),
+    ("grid", 2),
+    ("shape", 3),
+    ("camera", 3),
+    ("scene", 4),
+    ("shade", 5),
+    ("trace", 6),
+    ("render", 7),
+];
+
+/// The rooms beside the stack: they use it, and nothing in it knows them.
+const BESIDE: [&str; 2] = ["host", "scenes"];
+
+/// The one room of the stack that draws.
+const DRAWS: &str = "render";
+
+/// Where the whole crate is put together; it may name everything.
+const ROOF: &str = "lib";
+
+/// Lines of a file past which it is time to look for the second idea in it.
+const LONG: usize = 400;
+
+/// Lines of a file past which this test fails.
+const TOO_LONG: usize = 500;
+
+#[test]
+fn no_file_names_a_floor_above_its_own() {
+    let complaints = complaints_about_all(upward_names);
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+#[test]
+fn only_the_top_floor_names_embedded_graphics() {
+    let complaints = complaints_about_all(displays_named);
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+#[test]
+fn first_line_of_a_file_tells_its_floor_truly() {
+    let complaints = complaints_about_all(floor_misnamed);
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+#[test]
+fn no_file_is_too_long() {
+    let complaints = complaints_about_all(|_, source| match source.lines().count() {
+        ..=LONG => Vec::new(),
+        lines @ ..=TOO_LONG => {
+            println!("a file of {lines} lines: is it still one idea?");
+            Vec::new()
+        }
+        lines => vec![(lines, format!("more than {TOO_LONG} lines"))],
+    });
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+/// What one rule has against one file: line and words.
+type Complaints = Vec<(usize, String)>;
+
+fn complaints_about_all(rule: impl Fn(&[String], &str) -> Complaints) -> Vec<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let source = root.join("src");
+    let mut complaints = Vec::new();
+    for file in files_below(&source) {
+        let text = fs::read_to_string(&file).unwrap();
+        let name = file.strip_prefix(root).unwrap().display();
+        let found = rule(&module_of(file.strip_prefix(&source).unwrap()), &text);
+        complaints.extend(
+            found
+                .iter()
+                .map(|(line, words)| format!("{name}:{line}: {words}")),
+        );
+    }
+    complaints
+}
+
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let mut entries: Vec<PathBuf> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .collect();
+    entries.sort();
+    let (folders, files): (Vec<_>, Vec<_>) = entries.into_iter().partition(|path| path.is_dir());
+    files
+        .into_iter()
+        .filter(|file| file.extension().is_some_and(|it| it == "rs"))
+        .chain(folders.iter().flat_map(|folder| files_below(folder)))
+        .collect()
+}
+
+/// `shape/sphere.rs` is `[shape, sphere]`, `shape/mod.rs` is `[shape]`.
+fn module_of(file: &Path) -> Vec<String> {
+    let whole = file.with_extension("");
+    let mut names: Vec<String> = whole
+        .iter()
+        .map(|name| name.to_string_lossy().into_owned())
+        .collect();
+    names.pop_if(|last| last == "mod");
+    names
+}
+
+fn floor_of(room: &str) -> Option<u8> {
+    let known = FLOORS.iter().find(|(name, _)| *name == room);
+    known.map(|(_, floor)| *floor)
+}
+
+fn upward_names(module: &[String], source: &str) -> Complaints {
+    let own = module[0].as_str();
+    if own == ROOF || BESIDE.contains(&own) {
+        return Vec::new();
+    }
+    let Some(floor) = floor_of(own) else {
+        return vec![(1, format!("the room `{own}` has no floor yet"))];
+    };
+    let wrong = |room: &str| match floor_of(room) {
+        _ if room == own => None,
+        _ if BESIDE.contains(&room) => Some("stands beside the stack".to_owned()),
+        None => Some("is no room: name the room, not what the roof re-exports".to_owned()),
+        Some(other) if other > floor => Some(format!("is on floor {other}, this is {floor}")),
+        Some(_) => None,
+    };
+    paths(module, source)
+        .into_iter()
+        .filter_map(|(line, room)| Some((line, format!("`{room}` {}", wrong(&room)?))))
+        .collect()
+}
+
+fn displays_named(module: &[String], source: &str) -> Complaints {
+    let own = module[0].as_str();
+    if own == DRAWS || BESIDE.contains(&own) {
+        return Vec::new();
+    }
+    tokens(source)
+        .into_iter()
+        .filter(|(_, token)| token.starts_with("embedded_graphics"))
+        .map(|(line, token)| (line, format!("`{token}` is for `{DRAWS}` alone")))
+        .collect()
+}
+
+fn floor_misnamed(module: &[String], source: &str) -> Complaints {
+    let told = source
+        .strip_prefix("//! Floor ")
+        .and_then(|rest| rest.split(':').next());
+    let is = floor_of(&module[0]).map_or("none".to_owned(), |floor| floor.to_string());
+    match told {
+        Some(told) if told != is => vec![(1, format!("says floor {told}, stands on {is}"))],
+        _ => Vec::new(),
+    }
+}
+
+mod the_rules {
+    use super::*;
+
+    fn upward(module: &[&str], source: &str) -> Vec<String> {
+        let module: Vec<String> = module.iter().map(|name| (*name).to_owned()).collect();
+        let complaints = upward_names(&module, source).into_iter();
+        complaints
+            .map(|(line, words)| format!("{line}: {words}"))
+            .collect()
+    }
+
+    #[test]
+    fn name_of_an_upper_floor_is_found() {
+        let source = "use core::fmt;\nuse crate::trace::Path;";
+        let complaint = "2: `trace` is on floor 6, this is 5";
+        assert_eq!(upward(&["shade"], source), [complaint]);
+        assert_eq!(upward(&["trace"], source), [""; 0]);
+        assert_eq!(upward(&["render"], source), [""; 0]);
+    }
+
+    #[test]
+    fn name_inside_a_tree_is_found() {
+        let source = "pub use crate::{number::{self, Unit as U}, scene::{Scene, *}, ray::Ray};";
+        let complaint = "1: `scene` is on floor 4, this is 3";
+        assert_eq!(upward(&["shape", "sphere"], source), [complaint; 2]);
+    }
+
+    #[test]
+    fn name_inside_code_is_found() {
+        let source = "fn f(x: &'static str) -> crate::render::Frame<crate::scene::Scene> { }";
+        let complaints = [
+            "1: `render` is on floor 7, this is 6",
+            "1: `host` stands beside the stack",
+        ];
+        let source = format!("{source} const C: char = '\\''; fn g() {{ crate::host::f() }}");
+        assert_eq!(upward(&["trace"], &source), complaints);
+    }
+
+    #[test]
+    fn relative_name_is_followed() {
+        let upper = "use super::super::scene::Scene;";
+        assert_eq!(upward(&["shape", "plane"], upper).len(), 1);
+        let tests = "mod tests { use super::*; use super::super::scene::Scene; } use super::ray;";
+        assert_eq!(
+            upward(&["camera"], tests),
+            ["1: `scene` is on floor 4, this is 3"]
+        );
+    }
+
+    #[test]
+    fn name_that_the_roof_re_exports_is_no_way_around() {
+        let complaints = upward(&["number"], "use crate::Scene;");
+        assert!(complaints[0].starts_with("1: `Scene` is no room"));
+    }
+
+    #[test]
+    fn comments_and_texts_name_nothing() {
+        let source = "//! [`crate::render`]\n/* crate::trace::x */ const A: &str = \"crate::host::x \\\" \
+             crate::scene::y\"; const B: &str = r#\"crate::\"scene::z\"#;";
+        assert_eq!(upward(&["number"], source), [""; 0]);
+    }
+
+    #[test]
+    fn display_below_the_top_floor_is_found() {
+        let source = "use embedded_graphics::prelude::*;";
+        assert_eq!(displays_named(&["shade".to_owned()], source).len(), 1);
+        assert_eq!(displays_named(&["render".to_owned()], source), []);
+    }
+
+    #[test]
+    fn floor_told_wrongly_is_found() {
+        let module = ["color".to_owned()];
+        assert_eq!(floor_misnamed(&module, "//! Floor 1: colours."), []);
+        assert_eq!(floor_misnamed(&module, "//! Floor 2: colours.").len(), 1);
+    }
+}

@@ -1,0 +1,169 @@
+//! Reads Rust source just well enough to see which rooms it names: words, paths and trees of
+//! paths. It never knows which names are allowed.
+
+/// The rooms a file names by paths that start with `crate`, `self` or `super`, with their lines.
+pub fn paths(module: &[String], source: &str) -> Vec<(usize, String)> {
+    let tokens = tokens(source);
+    let mut scope = Scope::new(module);
+    let mut found = Vec::new();
+    for at in 0..tokens.len() {
+        let word = tokens[at].1;
+        scope.pass(&tokens[..=at]);
+        let is_inner = at > 0 && tokens[at - 1].1 == "::";
+        let starts_path = tokens.get(at + 1).is_some_and(|next| next.1 == "::");
+        if is_inner || !starts_path {
+            continue;
+        }
+        let base = match word {
+            "crate" => Vec::new(),
+            "self" => scope.module.clone(),
+            "super" => scope.module[..scope.module.len() - 1].to_vec(),
+            _ => continue,
+        };
+        follow(&tokens, at + 2, base, &mut found);
+    }
+    found
+}
+
+/// Follows a path or a tree of them from its next name on; returns where it ends.
+fn follow(
+    tokens: &[(usize, &str)],
+    mut at: usize,
+    mut base: Vec<String>,
+    found: &mut Vec<(usize, String)>,
+) -> usize {
+    while let Some((line, token)) = tokens.get(at) {
+        match *token {
+            "super" => drop(base.pop()),
+            "self" => {}
+            "{" => {
+                at += 1;
+                while tokens[at].1 != "}" {
+                    at = match tokens[at].1 {
+                        "," => at + 1,
+                        _ => follow(tokens, at, base.clone(), found),
+                    };
+                }
+                return at + 1;
+            }
+            name => base.push(name.to_owned()),
+        }
+        at += 1;
+        if tokens.get(at).is_none_or(|next| next.1 != "::") {
+            // A path to the crate's root alone names no room.
+            found.extend(base.first().map(|room| (*line, room.clone())));
+            if tokens.get(at).is_some_and(|next| next.1 == "as") {
+                at += 2;
+            }
+            return at;
+        }
+        at += 1;
+    }
+    at
+}
+
+/// The module a token stands in, with those opened inside the file.
+struct Scope {
+    module: Vec<String>,
+    depth: usize,
+    opened: Vec<usize>,
+}
+
+impl Scope {
+    fn new(module: &[String]) -> Self {
+        Self {
+            module: module.to_vec(),
+            depth: 0,
+            opened: Vec::new(),
+        }
+    }
+
+    /// Takes in the last of the tokens passed so far.
+    fn pass(&mut self, passed: &[(usize, &str)]) {
+        match passed {
+            [.., (_, "mod"), (_, name), (_, "{")] => {
+                self.module.push((*name).to_owned());
+                self.opened.push(self.depth);
+                self.depth += 1;
+            }
+            [.., (_, "{")] => self.depth += 1,
+            [.., (_, "}")] => {
+                self.depth -= 1;
+                if self.opened.pop_if(|depth| *depth == self.depth).is_some() {
+                    self.module.pop();
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The words and marks of Rust source with their lines, without comments, texts and characters.
+pub fn tokens(source: &str) -> Vec<(usize, &str)> {
+    let mut found = Vec::new();
+    let mut rest = source;
+    while let Some(first) = rest.chars().next() {
+        let line = source[..source.len() - rest.len()].matches('\n').count() + 1;
+        let skipped = skipped(rest);
+        let length = match first {
+            _ if skipped > 0 => skipped,
+            _ if rest.starts_with("::") => 2,
+            _ if is_word(first) => rest.find(|c| !is_word(c)).unwrap_or(rest.len()),
+            _ => first.len_utf8(),
+        };
+        if skipped == 0 && !first.is_whitespace() {
+            found.push((line, &rest[..length]));
+        }
+        rest = &rest[length..];
+    }
+    found
+}
+
+fn is_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// The length of what stands at the start and is no code: a comment, a text, a character.
+fn skipped(rest: &str) -> usize {
+    let until = |end: &str, from: usize| {
+        let found = rest[from..].find(end);
+        found.map_or(rest.len(), |at| from + at + end.len())
+    };
+    if rest.starts_with("//") {
+        until("\n", 2)
+    } else if rest.starts_with("/*") {
+        until("*/", 2)
+    } else if rest.starts_with('"') {
+        quoted(rest, '"')
+    } else if rest.starts_with("'\\") {
+        quoted(rest, '\'')
+    } else if rest.starts_with('\'') {
+        // A character has its closing mark; a lifetime has none.
+        let mut chars = rest.char_indices().skip(2);
+        chars
+            .next()
+            .map_or(1, |(at, c)| if c == '\'' { at + 1 } else { 1 })
+    } else {
+        let hashes = rest.strip_prefix('r').map_or("", |text| {
+            &text[..text.find(|c| c != '#').unwrap_or(text.len())]
+        });
+        let opening = 1 + hashes.len();
+        match rest.starts_with('r') && rest[opening..].starts_with('"') {
+            true => until(&format!("\"{hashes}"), opening + 1),
+            false => 0,
+        }
+    }
+}
+
+/// The length of a text in `mark`s, in which a backslash protects the next character.
+fn quoted(rest: &str, mark: char) -> usize {
+    let mut chars = rest.char_indices().skip(1);
+    while let Some((at, c)) = chars.next() {
+        match c {
+            '\\' => drop(chars.next()),
+            c if c == mark => return at + 1,
+            _ => {}
+        }
+    }
+    rest.len()
+}
