@@ -5,8 +5,6 @@
 mod arguments;
 mod draw;
 mod file;
-#[cfg(feature = "window")]
-mod orbit;
 mod output;
 mod picture;
 mod progress;

@@ -27,6 +27,11 @@ pub struct Drawing {
     pub difference: Option<Difference>,
 }
 
+/// The library's camera for the reference's.
+pub fn exact(camera: &reference::Camera) -> Result<Camera, CameraError> {
+    Camera::new(camera.position, camera.target, camera.up, camera.fov)
+}
+
 impl Drawing {
     /// Renders what the command line asks for.
     pub fn new(source: &Source, arguments: &Arguments) -> Result<Self, Failure> {
@@ -68,7 +73,7 @@ impl Drawing {
         size: Size,
         settings: Settings,
     ) -> Result<Self, CameraError> {
-        let camera = Camera::new(camera.position, camera.target, camera.up, camera.fov)?;
+        let camera = exact(camera)?;
         let mut display = SimulatorDisplay::new(size);
         let total = u64::from(size.height);
         let (report, seconds) = progress::watch(Some(total), |rows| {

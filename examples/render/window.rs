@@ -11,10 +11,12 @@ use reflet::scenes;
 
 use crate::arguments::Arguments;
 use crate::draw::Settings;
-use crate::orbit::orbit;
-use crate::picture::Drawing;
+use crate::picture::{Drawing, exact};
 use crate::source::Source;
 use crate::{Failure, output, report};
+
+/// One press of an arrow key, in degrees.
+const STEP: i32 = 5;
 
 const REST: Duration = Duration::from_millis(10);
 
@@ -134,10 +136,10 @@ impl<'a> View<'a> {
             return News::Nothing;
         };
         match keycode {
-            Keycode::Left => self.orbit(-1, 0),
-            Keycode::Right => self.orbit(1, 0),
-            Keycode::Up => self.orbit(0, 1),
-            Keycode::Down => self.orbit(0, -1),
+            Keycode::Left => self.orbit(-STEP, 0),
+            Keycode::Right => self.orbit(STEP, 0),
+            Keycode::Up => self.orbit(0, STEP),
+            Keycode::Down => self.orbit(0, -STEP),
             Keycode::Plus | Keycode::KpPlus | Keycode::Equals => self.reflect(1),
             Keycode::Minus | Keycode::KpMinus => self.reflect(-1),
             Keycode::Tab => self.next_scene(),
@@ -145,9 +147,15 @@ impl<'a> View<'a> {
         }
     }
 
-    fn orbit(&mut self, around: i32, over: i32) -> News {
-        orbit(&mut self.camera, around, over);
-        News::Camera
+    /// Turns the camera, unless it would look along its `up`.
+    fn orbit(&mut self, azimuth: i32, elevation: i32) -> News {
+        match exact(&self.camera).and_then(|camera| camera.orbited(azimuth, elevation)) {
+            Ok(camera) => {
+                self.camera = Camera::from(&camera);
+                News::Camera
+            }
+            Err(_) => News::Nothing,
+        }
     }
 
     fn reflect(&mut self, more: i8) -> News {
