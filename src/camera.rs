@@ -3,7 +3,8 @@
 use core::fmt;
 
 use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of};
-use crate::vector::{Direction, Position, Vector};
+use crate::ray::Fan;
+use crate::vector::{Direction, Point, Position, Vector};
 
 /// What is wrong with a camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -218,6 +219,8 @@ impl Camera {
             ahead: times(self.forward, ahead),
             right: [0, 1, 2].map(|axis| shifted(raw(self.right)[axis], scale)),
             up: [0, 1, 2].map(|axis| shifted(raw(self.up)[axis], scale)),
+            side: self.right,
+            scale,
             width,
             height,
         }
@@ -247,11 +250,30 @@ pub(crate) struct Lens {
     ahead: [i64; 3],
     right: [i64; 3],
     up: [i64; 3],
+    side: Direction,
+    scale: i32,
     width: u32,
     height: u32,
 }
 
 impl Lens {
+    /// The rays of row `y`, all from `origin`.
+    pub(crate) fn fan(&self, y: u32, origin: Point) -> Fan {
+        let vertical = i64::from(self.height) - 1 - 2 * i64::from(y);
+        let [x, y, z] =
+            [0, 1, 2].map(|axis| ((self.ahead[axis] + self.up[axis] * vertical) >> 32) as i32);
+        let (ahead, distance) = Vector::new(x, y, z).direction_and_length();
+        Fan {
+            origin,
+            ahead,
+            aside: self.side,
+            normal: self.side.crossed(ahead),
+            distance: distance.to_bits(),
+            scale: 2 - self.scale,
+            width: self.width,
+        }
+    }
+
     /// The directions through the middles of the pixels of row `y`, from column `x` on.
     ///
     /// Every direction is the same whatever column the row starts from.

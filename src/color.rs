@@ -74,7 +74,7 @@ pub(crate) const fn brightness(number: Number) -> Brightness {
 /// The sum of weighted colours along one path: Q8.56, so that nothing is rounded while it grows.
 ///
 /// With weights that sum to at most one and colours below 32 it stays below 32.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sum([i64; 3]);
 
 impl Sum {

@@ -138,3 +138,20 @@ impl Path {
         }
     }
 }
+
+/// The rays of one row of pixels: from one near point, in one plane.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fan {
+    pub(crate) origin: Point,
+    /// Into the picture, in the plane.
+    pub(crate) ahead: Direction,
+    /// Along the row.
+    pub(crate) aside: Direction,
+    /// Across the plane.
+    pub(crate) normal: Direction,
+    /// How far ahead the row's half pixels lie: `distance` · 2^`scale` half pixels.
+    pub(crate) distance: i32,
+    pub(crate) scale: i32,
+    /// How many pixels the row has.
+    pub(crate) width: u32,
+}

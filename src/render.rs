@@ -10,7 +10,8 @@ use embedded_graphics::primitives::Rectangle;
 use crate::camera::{Camera, Lens};
 use crate::number::Unit;
 use crate::quality::{Fast, Quality};
-use crate::ray::{Path, Place};
+use crate::ray::{Fan, Path, Place};
+use crate::scene::sight::Sight;
 use crate::scene::{Scene, Static, StaticScene, World};
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, trace};
@@ -222,6 +223,13 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         Ok(report)
     }
 
+    /// The rays of row `y`, where it pays to know which shapes they can meet.
+    fn fan(&self, y: u32) -> Option<Fan> {
+        let parts = self.world.parts();
+        let is_bounded = parts.spheres.len() + parts.cylinders.len() > 0;
+        (is_bounded && self.from.is_near()).then(|| self.lens.fan(y, self.from.point))
+    }
+
     /// The colours of row `y` from column `x` on, worked out as they are asked for.
     fn colors<'s, C: From<Rgb888> + 's>(
         &'s self,
@@ -229,14 +237,16 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         x: u32,
         report: &'s mut Report,
     ) -> impl Iterator<Item = C> + 's {
-        let parts = self.world.parts();
         let mut directions = self.lens.row(y, x);
+        let mut sight = Sight::new(&self.world, self.fan(y));
+        let mut column = x;
         core::iter::repeat_with(move || {
             let path = Path {
                 from: self.from,
                 direction: directions.next_direction(),
             };
-            let traced = trace::<K, Q>(&parts, path, self.reflections);
+            let traced = trace::<W, K, Q>(&self.world, &mut sight, column, path, self.reflections);
+            column += 1;
             report.count(&traced);
             let [red, green, blue] = traced.sum.to_rgb8();
             C::from(Rgb888::new(red, green, blue))

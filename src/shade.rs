@@ -2,12 +2,11 @@
 //! hidden. Knows no reflection.
 
 use crate::color::{Color, halved};
-use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{Brightness, Unit, lit, power, reciprocal_root, scaled_by_unit};
 use crate::ray::{Path, Place};
-use crate::scene::Parts;
 use crate::scene::query::{Hit, blocked};
+use crate::scene::{Lamp, World};
 use crate::shape::plane::PreparedPlane;
 use crate::vector::Direction;
 
@@ -29,7 +28,7 @@ pub(crate) struct Surface<'a> {
 
 impl<'a> Surface<'a> {
     /// The surface at a hit of a ray that came along `view`.
-    pub(crate) fn new(parts: &Parts<'a>, hit: &Hit<'a>, view: Direction) -> Self {
+    pub(crate) fn new<W: World>(world: &'a W, hit: &Hit<'a>, view: Direction) -> Self {
         let outward = hit.shape.normal(hit.at);
         let climb = view.dot(outward).to_bits();
         let (normal, facing) = if climb > 0 {
@@ -38,12 +37,13 @@ impl<'a> Surface<'a> {
             (outward, -climb)
         };
         Self {
-            place: hit.at.lifted(normal, parts.epsilon),
+            place: hit.at.lifted(normal, world.parts().epsilon),
             normal,
             view,
             facing: Unit::from_bits(facing),
             plane: hit.shape.plane(),
-            material: parts
+            material: world
+                .parts()
                 .materials
                 .get(hit.shape.material().index())
                 .unwrap_or(const { &PreparedMaterial::NONE }),
@@ -66,7 +66,7 @@ pub trait Shading: sealed::Shading {}
 impl<T: sealed::Shading> Shading for T {}
 
 pub(crate) mod sealed {
-    use super::{Color, Parts, Surface};
+    use super::{Color, Surface, World};
 
     pub trait Shading {
         /// Whether mirrors are followed.
@@ -74,10 +74,10 @@ pub(crate) mod sealed {
 
         /// The colour of a surface without reflections.
         #[allow(private_interfaces)]
-        fn color(parts: &Parts<'_>, surface: &Surface<'_>) -> Color;
+        fn color<W: World>(world: &W, surface: &Surface<'_>) -> Color;
 
         /// What a ray that meets nothing adds.
-        fn missed(parts: &Parts<'_>) -> Color;
+        fn missed<W: World>(world: &W) -> Color;
     }
 }
 
@@ -99,12 +99,12 @@ impl sealed::Shading for BlinnPhong {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]
-    fn color(parts: &Parts<'_>, surface: &Surface<'_>) -> Color {
-        lit_color(parts, surface, half_way_cosine)
+    fn color<W: World>(world: &W, surface: &Surface<'_>) -> Color {
+        lit_color(world, surface, half_way_cosine)
     }
 
-    fn missed(parts: &Parts<'_>) -> Color {
-        parts.background
+    fn missed<W: World>(world: &W) -> Color {
+        world.parts().background
     }
 }
 
@@ -112,12 +112,12 @@ impl sealed::Shading for Phong {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]
-    fn color(parts: &Parts<'_>, surface: &Surface<'_>) -> Color {
-        lit_color(parts, surface, mirrored_cosine)
+    fn color<W: World>(world: &W, surface: &Surface<'_>) -> Color {
+        lit_color(world, surface, mirrored_cosine)
     }
 
-    fn missed(parts: &Parts<'_>) -> Color {
-        parts.background
+    fn missed<W: World>(world: &W) -> Color {
+        world.parts().background
     }
 }
 
@@ -125,11 +125,11 @@ impl sealed::Shading for Normals {
     const REFLECTS: bool = false;
 
     #[allow(private_interfaces)]
-    fn color(_: &Parts<'_>, surface: &Surface<'_>) -> Color {
+    fn color<W: World>(_: &W, surface: &Surface<'_>) -> Color {
         Color::new(surface.normal.components().map(halved))
     }
 
-    fn missed(_: &Parts<'_>) -> Color {
+    fn missed<W: World>(_: &W) -> Color {
         Color::new([Brightness::ZERO, Brightness::ZERO, Brightness::ONE])
     }
 }
@@ -165,25 +165,25 @@ fn mirrored_cosine(cosines: &Cosines) -> Unit {
 }
 
 /// ambient + Σ (diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ) · light, all times the material's colour.
-fn lit_color(parts: &Parts<'_>, surface: &Surface<'_>, highlight: fn(&Cosines) -> Unit) -> Color {
+fn lit_color<W: World>(world: &W, surface: &Surface<'_>, highlight: fn(&Cosines) -> Unit) -> Color {
     let material = surface.material;
     let mut received = Color::grey(material.ambient);
-    for light in parts.lights {
-        if let Some(strength) = strength(parts, surface, light, highlight) {
-            received = received.plus(light.color.times(strength));
+    for lamp in world.parts().lamps {
+        if let Some(strength) = strength(world, surface, lamp, highlight) {
+            received = received.plus(lamp.light.color.times(strength));
         }
     }
     received.filtered(material.color)
 }
 
 /// What the surface sends on of one light; `None` where the light is behind it or hidden.
-fn strength(
-    parts: &Parts<'_>,
+fn strength<W: World>(
+    world: &W,
     surface: &Surface<'_>,
-    light: &PreparedLight,
+    lamp: &Lamp,
     highlight: fn(&Cosines) -> Unit,
 ) -> Option<Brightness> {
-    let (way, scale) = surface.place.to(light.place);
+    let (way, scale) = surface.place.to(lamp.light.place);
     let (direction, distance) = way.direction_and_length();
     let cosine = surface.normal.dot(direction);
     if cosine <= Unit::ZERO {
@@ -193,7 +193,7 @@ fn strength(
         from: surface.place,
         direction,
     };
-    if blocked(parts, &path, surface.plane, light.place, distance, scale) {
+    if blocked(world, &path, surface.plane, lamp, distance, scale) {
         return None;
     }
     let material = surface.material;

@@ -7,8 +7,10 @@ use crate::color::Sum;
 use crate::number::{Unit, unit_product};
 use crate::quality::Quality;
 use crate::ray::Path;
-use crate::scene::Parts;
+use crate::scene::World;
+use crate::scene::mask::Mask;
 use crate::scene::query::nearest;
+use crate::scene::sight::Sight;
 use crate::shade::{Surface, sealed::Shading};
 
 /// The colour of one path and what is known about it.
@@ -22,8 +24,11 @@ pub(crate) struct Traced {
 }
 
 /// Follows a path for at most `reflections` reflections.
-pub(crate) fn trace<K: Shading, Q: Quality>(
-    parts: &Parts<'_>,
+#[inline(never)]
+pub(crate) fn trace<'a, W: World, K: Shading, Q: Quality>(
+    world: &'a W,
+    sight: &mut Sight<'a>,
+    column: u32,
     mut path: Path,
     reflections: u8,
 ) -> Traced {
@@ -33,22 +38,27 @@ pub(crate) fn trace<K: Shading, Q: Quality>(
     let mut rays = 0;
     loop {
         rays += 1;
-        let Some(hit) = nearest(parts, &path, left) else {
-            sum.add(weight, K::missed(parts));
+        let mask = match (rays, left) {
+            (1, _) => sight.first(column),
+            (2, Some(plane)) => sight.mirrored(world, plane, column),
+            _ => Mask::ALL,
+        };
+        let Some(hit) = nearest(world, mask, &path, left) else {
+            sum.add(weight, K::missed(world));
             return Traced {
                 sum,
                 rays,
                 cut_off: Unit::ZERO,
             };
         };
-        let surface = Surface::new(parts, &hit, path.direction);
+        let surface = Surface::new(world, &hit, path.direction);
         let reflected = if K::REFLECTS {
             unit_product(weight, surface.material.mirror)
         } else {
             Unit::ZERO
         };
         if reflected < weight {
-            sum.add(weight - reflected, K::color(parts, &surface));
+            sum.add(weight - reflected, K::color(world, &surface));
         }
         weight = reflected;
         if weight < Q::SMALLEST_WEIGHT || rays > u32::from(reflections) {

@@ -184,6 +184,9 @@ pub struct Vector {
 }
 
 impl Vector {
+    /// No way at all.
+    pub const ZERO: Self = Self::new(0, 0, 0);
+
     /// From raw steps.
     pub const fn new(x: i32, y: i32, z: i32) -> Self {
         Self { x, y, z }

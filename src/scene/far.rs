@@ -4,7 +4,8 @@
 //! Planes are met with a distance of 62 bits. Spheres and cylinders lie in the ball, so a path
 //! from far away is moved along itself to where it enters the ball and asks them from there.
 
-use super::Parts;
+use super::World;
+use super::mask::Mask;
 use super::query::{Hit, Met, blocked_by_bounded, hit, nearest_bounded, planes_but};
 use crate::number::{Length, square_root};
 use crate::ray::{BALL, Path, Place, REACH, Ray};
@@ -16,12 +17,12 @@ const FURTHEST_SCALE: u32 = 32;
 
 /// The nearest plane of any distance below 2⁶² steps, and that distance.
 #[cold]
-pub(super) fn nearest_plane<'a>(
-    parts: &Parts<'a>,
+pub(super) fn nearest_plane<'a, W: World>(
+    world: &'a W,
     path: &Path,
     left: Option<&PreparedPlane>,
 ) -> Option<(u64, Hit<'a>)> {
-    let (distance, plane) = planes_but(parts, left)
+    let (distance, plane) = planes_but(world, left)
         .filter_map(|plane| Some((plane.intersect_far(path)?, plane)))
         .min_by_key(|(distance, _)| *distance)?;
     let at = place_along(path, distance)?;
@@ -36,14 +37,14 @@ pub(super) fn nearest_plane<'a>(
 
 /// What a path from a far place meets first.
 #[cold]
-pub(super) fn nearest<'a>(
-    parts: &Parts<'a>,
+pub(super) fn nearest<'a, W: World>(
+    world: &'a W,
     path: &Path,
     left: Option<&PreparedPlane>,
 ) -> Option<Hit<'a>> {
-    let plane = nearest_plane(parts, path, left);
+    let plane = nearest_plane(world, path, left);
     let bounded = into_ball(path).and_then(|(ray, skipped)| {
-        let (distance, shape) = nearest_bounded(parts, &ray)?;
+        let (distance, shape) = nearest_bounded(world, Mask::ALL, &ray)?;
         Some((
             skipped + distance.to_bits() as u64,
             hit(&ray, distance, shape),
@@ -59,17 +60,17 @@ pub(super) fn nearest<'a>(
 
 /// Whether a path is blocked on its way to a light, one of them far.
 #[cold]
-pub(super) fn blocked(
-    parts: &Parts<'_>,
+pub(super) fn blocked<W: World>(
+    world: &W,
     path: &Path,
     left: Option<&PreparedPlane>,
     light: Place,
     distance: Length,
     scale: u32,
 ) -> bool {
-    let epsilon = parts.epsilon.to_bits() >> scale.min(31);
+    let epsilon = world.parts().epsilon.to_bits() >> scale.min(31);
     let reach = Length::from_bits((distance.to_bits() - epsilon).max(0));
-    if planes_but(parts, left).any(|plane| plane.blocks_far(path, reach, scale)) {
+    if planes_but(world, left).any(|plane| plane.blocks_far(path, reach, scale)) {
         return true;
     }
     let start = if path.from.is_near() {
@@ -82,11 +83,11 @@ pub(super) fn blocked(
     };
     let reach = if light.is_near() {
         let (_, rest) = ray.origin.to(light.point).direction_and_length();
-        Length::from_bits(rest.to_bits() - parts.epsilon.to_bits())
+        Length::from_bits((rest.to_bits() - world.parts().epsilon.to_bits()).max(0))
     } else {
         REACH
     };
-    blocked_by_bounded(parts, &ray, reach)
+    blocked_by_bounded(world, Mask::ALL, &ray, reach)
 }
 
 /// A path from a far place as a ray from where it enters the ball, and the steps skipped; `None`

@@ -5,15 +5,22 @@
 //! in scene units, so the binary point is never the user's concern.
 
 mod builder;
+pub(crate) mod cells;
 mod error;
 mod far;
+pub(crate) mod mask;
 mod prepare;
 pub(crate) mod query;
+mod row;
 mod runtime;
+pub(crate) mod sight;
 
 pub use builder::SceneBuilder;
 pub use error::SceneError;
 pub use runtime::RuntimeScene;
+
+use cells::Cells;
+use mask::Runs;
 
 use crate::camera::Camera;
 use crate::color::Color;
@@ -60,7 +67,7 @@ pub struct Scene<const S: usize, const P: usize, const C: usize, const L: usize,
     spheres: [PreparedSphere; S],
     planes: [PreparedPlane; P],
     cylinders: [PreparedCylinder; C],
-    lights: [PreparedLight; L],
+    lamps: [Lamp; L],
     materials: [PreparedMaterial; M],
     counts: Counts,
     background: Color,
@@ -92,17 +99,40 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     }
 }
 
+/// A light, and which shapes lie around it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Lamp {
+    pub(crate) light: PreparedLight,
+    pub(crate) cells: Cells,
+}
+
+impl Lamp {
+    /// Fills the room of a light that a scene's type allows but the scene does not use.
+    const NONE: Self = Self {
+        light: PreparedLight::NONE,
+        cells: Cells::ALL,
+    };
+}
+
 /// What the kernels read from a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Parts<'a> {
     pub(crate) spheres: &'a [PreparedSphere],
     pub(crate) planes: &'a [PreparedPlane],
     pub(crate) cylinders: &'a [PreparedCylinder],
-    pub(crate) lights: &'a [PreparedLight],
+    pub(crate) lamps: &'a [Lamp],
     pub(crate) materials: &'a [PreparedMaterial],
     pub(crate) background: Color,
     pub(crate) epsilon: Length,
     pub(crate) grid: &'a Grid,
+}
+
+impl Parts<'_> {
+    /// How the shapes are spread over the bits of a mask.
+    #[inline(always)]
+    pub(crate) fn runs(&self) -> Runs {
+        Runs::new(self.spheres.len(), self.cylinders.len())
+    }
 }
 
 /// A scene the kernels can read, wherever it lives.
@@ -123,7 +153,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             spheres: used(&self.spheres, self.counts.spheres),
             planes: used(&self.planes, self.counts.planes),
             cylinders: used(&self.cylinders, self.counts.cylinders),
-            lights: used(&self.lights, self.counts.lights),
+            lamps: used(&self.lamps, self.counts.lights),
             materials: &self.materials,
             background: self.background,
             epsilon: self.epsilon,
@@ -134,8 +164,11 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
 
 /// The first `count` items; all of them, rather than a panic, should there be fewer.
 #[inline(always)]
-fn used<T>(items: &[T], count: usize) -> &[T] {
-    items.get(..count).unwrap_or(items)
+const fn used<T>(items: &[T], count: usize) -> &[T] {
+    match items.split_at_checked(count) {
+        Some((used, _)) => used,
+        None => items,
+    }
 }
 
 impl<W: World> World for &W {

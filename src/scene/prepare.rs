@@ -1,6 +1,7 @@
 //! Checks a description and lays it on its grid: integers only, by the compiler or at run time.
 
-use super::{Counts, Description, Scene, SceneError};
+use super::cells::Cells;
+use super::{Counts, Description, Lamp, Scene, SceneError, used};
 use crate::color::Color;
 use crate::fault::Fault;
 use crate::grid::Grid;
@@ -110,7 +111,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             spheres: [PreparedSphere::NONE; S],
             planes: [PreparedPlane::NONE; P],
             cylinders: [PreparedCylinder::NONE; C],
-            lights: [PreparedLight::NONE; L],
+            lamps: [Lamp::NONE; L],
             materials: [PreparedMaterial::NONE; M],
             counts: Counts {
                 spheres: scene.spheres.len(),
@@ -123,9 +124,9 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             grid,
             camera: scene.camera,
         };
-        // Constants know no iterators.
+        // Constants know no iterators. The second bounds always hold; with them, nothing can panic.
         let mut index = 0;
-        while index < scene.spheres.len() {
+        while index < scene.spheres.len() && index < S {
             prepared.spheres[index] = match prepare_sphere(&scene.spheres[index], &grid) {
                 Some(sphere) => sphere,
                 None => return Err(SceneError::Sphere(index, Fault::Tiny)),
@@ -133,7 +134,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             index += 1;
         }
         index = 0;
-        while index < scene.planes.len() {
+        while index < scene.planes.len() && index < P {
             prepared.planes[index] = match prepare_plane(&scene.planes[index], &grid) {
                 Some(plane) => plane,
                 None => return Err(SceneError::Plane(index, Fault::Normal)),
@@ -141,7 +142,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             index += 1;
         }
         index = 0;
-        while index < scene.cylinders.len() {
+        while index < scene.cylinders.len() && index < C {
             prepared.cylinders[index] = match prepare_cylinder(&scene.cylinders[index], &grid) {
                 Some(cylinder) => cylinder,
                 None => return Err(SceneError::Cylinder(index, Fault::Tiny)),
@@ -149,17 +150,23 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             index += 1;
         }
         index = 0;
-        while index < scene.lights.len() {
+        while index < scene.lights.len() && index < L {
             let Light { position, color } = scene.lights[index];
             let color = Color::from_numbers(color);
-            prepared.lights[index] = PreparedLight {
-                place: grid.place(position),
-                color,
+            let place = grid.place(position);
+            let cells = if place.is_near() {
+                let spheres = used(&prepared.spheres, scene.spheres.len());
+                let cylinders = used(&prepared.cylinders, scene.cylinders.len());
+                Cells::around(place.point, spheres, cylinders)
+            } else {
+                Cells::ALL
             };
+            let light = PreparedLight { place, color };
+            prepared.lamps[index] = Lamp { light, cells };
             index += 1;
         }
         index = 0;
-        while index < scene.materials.len() {
+        while index < scene.materials.len() && index < M {
             let material = PreparedMaterial::new(&scene.materials[index]);
             if is_too_bright(&material, scene.lights) {
                 return Err(SceneError::Material(index, Fault::Brightness));

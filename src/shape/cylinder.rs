@@ -8,7 +8,7 @@
 use super::{MaterialId, Normaliser};
 use crate::number::{Length, Number, reciprocal_root, scaled_by_unit, square_root, unit_shift};
 use crate::ray::Ray;
-use crate::vector::{Direction, Point, Position};
+use crate::vector::{Direction, Point, Position, Vector};
 
 /// A cylinder as it is described.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +77,18 @@ impl PreparedCylinder {
             normaliser: Normaliser::new(radius),
             material,
         }
+    }
+
+    /// Its middle, the way from there to one end, and its radius.
+    pub(crate) const fn capsule(&self) -> (Point, Vector, i32) {
+        let half = self.half_height;
+        let [x, y, z] = self.axis.components();
+        let half_axis = Vector::new(
+            scaled_by_unit(half, x),
+            scaled_by_unit(half, y),
+            scaled_by_unit(half, z),
+        );
+        (self.center, half_axis, self.bound - half)
     }
 
     /// The distance at which the ray first meets the wall, from outside or from inside, above 0

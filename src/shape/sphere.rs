@@ -65,6 +65,11 @@ impl PreparedSphere {
         }
     }
 
+    /// Its middle and radius.
+    pub(crate) const fn ball(&self) -> (Point, i32) {
+        (self.center, self.radius)
+    }
+
     /// `None` where the line misses, or the sphere lies behind or beyond `reach` as a whole.
     fn approach(&self, ray: &Ray, reach: Length) -> Option<Approach> {
         let center = ray.origin.to(self.center);

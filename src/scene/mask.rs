@@ -1,0 +1,104 @@
+//! Sets of spheres and cylinders: which of them a ray need ask.
+//!
+//! A set is a mask of 64 bits. Where a scene has more shapes, a bit stands for a run of them. Every
+//! set that is made here or in [`super::cells`] and [`super::row`] holds all shapes that a ray can
+//! meet, and may hold more: it changes the work, never the picture.
+
+/// A set of runs of shapes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Mask(u64);
+
+impl Mask {
+    /// No shape.
+    pub(crate) const NONE: Self = Self(0);
+
+    /// Every shape.
+    pub(crate) const ALL: Self = Self(u64::MAX);
+
+    /// One run.
+    pub(crate) const fn of(bit: usize) -> Self {
+        Self(1 << (bit % 64))
+    }
+
+    pub(crate) const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// The numbers of the runs, in rising order.
+    #[inline(always)]
+    pub(crate) fn bits(self) -> impl Iterator<Item = usize> {
+        let mut rest = self.0;
+        core::iter::from_fn(move || {
+            let bit = rest.trailing_zeros();
+            rest &= rest.wrapping_sub(1);
+            (bit < 64).then_some(bit as usize)
+        })
+    }
+}
+
+/// How the shapes of a scene are spread over the bits of a mask: spheres from the lowest bit on,
+/// cylinders after them, and the same number of shapes to a bit.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Runs {
+    length: usize,
+    sphere_bits: usize,
+}
+
+impl Runs {
+    #[inline(always)]
+    pub(crate) const fn new(spheres: usize, cylinders: usize) -> Self {
+        let total = spheres + cylinders;
+        // Spheres and cylinders may both end with a run that is not full, hence 63.
+        let length = if total <= 64 { 1 } else { total.div_ceil(63) };
+        Self {
+            length,
+            sphere_bits: spheres.div_ceil(length),
+        }
+    }
+
+    /// The bit of the sphere with this number.
+    pub(crate) const fn sphere_bit(self, index: usize) -> usize {
+        index / self.length
+    }
+
+    /// The bit of the cylinder with this number.
+    pub(crate) const fn cylinder_bit(self, index: usize) -> usize {
+        self.sphere_bits + index / self.length
+    }
+
+    /// The spheres of a set.
+    #[inline(always)]
+    pub(crate) fn spheres<T>(self, mask: Mask, spheres: &[T]) -> impl Iterator<Item = &T> {
+        let low = 1_u64
+            .checked_shl(self.sphere_bits as u32)
+            .map_or(u64::MAX, |end| end - 1);
+        self.chosen(Mask(mask.0 & low), spheres)
+    }
+
+    /// The cylinders of a set.
+    #[inline(always)]
+    pub(crate) fn cylinders<T>(self, mask: Mask, cylinders: &[T]) -> impl Iterator<Item = &T> {
+        let high = mask.0.checked_shr(self.sphere_bits as u32).unwrap_or(0);
+        self.chosen(Mask(high), cylinders)
+    }
+
+    #[inline(always)]
+    fn chosen<T>(self, mask: Mask, shapes: &[T]) -> impl Iterator<Item = &T> {
+        let mut bits = mask.bits();
+        let mut run: &[T] = &[];
+        core::iter::from_fn(move || {
+            loop {
+                if let [first, rest @ ..] = run {
+                    run = rest;
+                    return Some(first);
+                }
+                let first = bits.next()? * self.length;
+                if self.length == 1 {
+                    // What stands for no shape comes after all that do.
+                    return shapes.get(first);
+                }
+                run = shapes.get(first..(first + self.length).min(shapes.len()))?;
+            }
+        })
+    }
+}
