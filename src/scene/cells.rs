@@ -1,8 +1,8 @@
 //! Which spheres and cylinders lie in which direction from one fixed point: from a light.
 //!
 //! A direction belongs to one of six faces by its largest coordinate, and on the face to one of
-//! 6 x 6 cells by the leading bits of the other two (a cube map over coordinates, so no division
-//! is needed to find a cell). A cell holds a mask of the shapes that reach into it. A shape's ball
+//! 8 x 8 cells by the other two (a cube map over coordinates, so no division is needed to find a
+//! cell). A cell holds a mask of the shapes that reach into it. A shape's ball
 //! is seen as a cap of angle φ around a direction c, and the coordinates of a cap are bounded by
 //! cos(θ ± φ) where θ is the angle from c to the axis; rounding is covered by a margin.
 
@@ -13,10 +13,10 @@ use crate::shape::sphere::PreparedSphere;
 use crate::vector::{Direction, Point, Vector};
 
 /// Cells along one side of a face.
-const SIDE: usize = 6;
+const SIDE: usize = 8;
 
-/// How far a coordinate of Q2.30 is shifted for the number of its cell, -3 to 2.
-const SHIFT: u32 = 28;
+/// A coordinate of Q2.30 times this, without its low 32 bits, is the number of its cell: -4 to 3.
+const CELLS: i64 = ((SIDE as i64 / 2) << 32) / (LARGEST_SECOND as i64 + 2);
 
 const FACE: usize = SIDE * SIDE;
 
@@ -73,12 +73,7 @@ impl Cells {
         } else {
             (2, z, x, y)
         };
-        let index = cell(
-            axis,
-            largest < 0,
-            (a >> SHIFT) as isize,
-            (b >> SHIFT) as isize,
-        );
+        let index = cell(axis, largest < 0, cell_number(a), cell_number(b));
         self.0.get(index).copied().unwrap_or(Mask::ALL)
     }
 
@@ -139,11 +134,11 @@ impl Cells {
         b: (i32, i32),
         shape: Mask,
     ) {
-        let mut i = clamp(a.0) >> SHIFT;
-        while i <= clamp(a.1) >> SHIFT {
-            let mut j = clamp(b.0) >> SHIFT;
-            while j <= clamp(b.1) >> SHIFT {
-                let index = cell(axis, negative, i as isize, j as isize);
+        let mut i = cell_number(clamp(a.0));
+        while i <= cell_number(clamp(a.1)) {
+            let mut j = cell_number(clamp(b.0));
+            while j <= cell_number(clamp(b.1)) {
+                let index = cell(axis, negative, i, j);
                 // It always is; said so, nothing can panic.
                 if index < self.0.len() {
                     self.0[index] = self.0[index].with(shape);
@@ -153,6 +148,11 @@ impl Cells {
             i += 1;
         }
     }
+}
+
+/// The number of the cell that a coordinate lies in.
+const fn cell_number(coordinate: i32) -> isize {
+    ((coordinate as i64 * CELLS) >> 32) as isize
 }
 
 const fn clamp(value: i32) -> i32 {

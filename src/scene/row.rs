@@ -9,7 +9,7 @@ use heapless::Vec;
 
 use super::World;
 use super::mask::Mask;
-use crate::number::{divide, square_root};
+use crate::number::{Quotient, divide, square_root};
 use crate::ray::Fan;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Point, Vector};
@@ -209,10 +209,11 @@ impl Fan {
         let radius = i64::from(radius);
         let tangent = square_root((ahead * ahead + aside * aside - radius * radius) as u64);
         let spread = radius * i64::from(tangent);
-        let denominator = ahead * ahead - radius * radius;
+        let scale = self.columns_for_each(ahead * ahead - radius * radius);
+        let middle = ahead * aside;
         Columns {
-            first: self.column(ahead * aside - spread, denominator) - 1,
-            last: self.column(ahead * aside + spread, denominator) + 2,
+            first: self.column(middle - spread, scale) - 1,
+            last: self.column(middle + spread, scale) + 2,
         }
     }
 
@@ -220,16 +221,28 @@ impl Fan {
         (columns.last >= 0 && columns.first < self.width as i32).then_some(columns)
     }
 
-    /// The column of the ray with the tangent `numerator / denominator`, rounded down and held
-    /// near the picture.
-    fn column(&self, numerator: i64, denominator: i64) -> i32 {
+    /// How many half pixels a unit of a numerator over this denominator is.
+    fn columns_for_each(&self, denominator: i64) -> Quotient {
         let drop = 33_u32.saturating_sub(denominator.leading_zeros());
-        let quotient = divide(numerator.unsigned_abs(), (denominator >> drop) as u32);
-        let product = u64::from(quotient.mantissa) * self.distance as u64;
-        let shift = quotient.exponent - drop as i32 + self.scale;
-        let half_pixels = match shift {
-            0.. => 1 << 20,
-            -63..0 => (product >> -shift).min(1 << 20),
+        let Quotient { mantissa, exponent } =
+            divide((self.distance as u64) << 31, (denominator >> drop) as u32);
+        Quotient {
+            mantissa,
+            exponent: exponent - 31 - drop as i32 + self.scale,
+        }
+    }
+
+    /// The column of a ray whose tangent has this numerator, rounded down and held near the
+    /// picture.
+    fn column(&self, numerator: i64, scale: Quotient) -> i32 {
+        let size = numerator.unsigned_abs();
+        let drop = 32_u32.saturating_sub(size.leading_zeros());
+        let product = (size >> drop) * u64::from(scale.mantissa);
+        // Further to the side than any picture is wide.
+        const BESIDE: u64 = 1 << 20;
+        let half_pixels = match scale.exponent + drop as i32 {
+            0.. => BESIDE,
+            shift @ -63..0 => (product >> -shift).min(BESIDE),
             _ => 0,
         } as i32;
         let half_pixels = if numerator < 0 {
