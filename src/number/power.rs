@@ -115,6 +115,9 @@ const fn powers() -> [u32; STEPS] {
     table
 }
 
+/// One in Q30; a division by a constant is a product with its reciprocal.
+const ONE: i64 = 1 << 30;
+
 /// ln 2 and 1 / ln 2 in Q30.
 const LN_2: i64 = 744_261_118;
 const LOG2_E: i64 = 1_549_082_005;
@@ -134,7 +137,8 @@ const fn fractional_power(base: Unit, fraction: u32) -> Unit {
     let mantissa = (base << zeros) as i64;
     // log₂ base in Q30, at most 0
     let logarithm = logarithm(mantissa) - ((zeros as i64) << 30);
-    let product = ((logarithm as i128 * fraction as i128) >> 32) as i64;
+    // Below 2^35 in size, times Q0.28: below 2^63.
+    let product = (logarithm * (fraction >> 4) as i64) >> 28;
     let whole = -(product >> 30);
     Unit::from_bits((exponential(product & ((1 << 30) - 1)) >> whole) as i32)
 }
@@ -145,7 +149,7 @@ const fn logarithm(mantissa: i64) -> i64 {
     // |z| < 2⁻⁶: the fifth term of the series of ln(1 + z) is below 2⁻³².
     let z = q30(mantissa, reciprocal as i64) - (1 << 30);
     let z2 = q30(z, z);
-    let series = z - z2 / 2 + q30(z2, z) / 3 - q30(z2, z2) / 4;
+    let series = z - (z2 >> 1) + q30(q30(z2, z), ONE / 3) - (q30(z2, z2) >> 2);
     base as i64 + q30(series, LOG2_E)
 }
 
@@ -154,7 +158,7 @@ const fn exponential(fraction: i64) -> i64 {
     let start = POWERS[(fraction >> 25) as usize % STEPS] as i64;
     let z = q30(fraction & ((1 << 25) - 1), LN_2);
     let z2 = q30(z, z);
-    let series = z + z2 / 2 + q30(z2, z) / 6 + q30(z2, z2) / 24;
+    let series = z + (z2 >> 1) + q30(q30(z2, z), ONE / 6) + q30(q30(z2, z2), ONE / 24);
     start + q30(start, series)
 }
 
