@@ -184,8 +184,10 @@ impl Camera {
         let Some(upward) = up.direction() else {
             return Err(CameraError::Up);
         };
-        let Some(right) = forward.perpendicular(upward) else {
-            return Err(CameraError::Up);
+        // Closer to parallel than 2⁻²⁴, rounding alone would say where right is.
+        let right = match forward.cross(upward) {
+            Some((vector, shift)) if shift >= 8 => vector.precise_direction(),
+            _ => return Err(CameraError::Up),
         };
         let Some(up) = right.perpendicular(forward) else {
             return Err(CameraError::Up);
@@ -306,3 +308,6 @@ impl RowDirections {
         Vector::new(x, y, z).direction_and_length().0
     }
 }
+
+#[cfg(test)]
+mod sweeps;

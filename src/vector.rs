@@ -318,7 +318,13 @@ impl Direction {
     ///
     /// The length is kept to a few last bits.
     pub const fn reflected(self, normal: Self, cosine: Unit) -> Self {
-        Self::from_raw(self.raw().without(normal, cosine.to_bits() * 2))
+        let Vector { x, y, z } = self.raw();
+        // Head-on along an axis the part taken away reaches 2³¹; what is left fits again.
+        Self::from_raw(Vector::new(
+            x.wrapping_sub(twice(cosine, normal.x)),
+            y.wrapping_sub(twice(cosine, normal.y)),
+            z.wrapping_sub(twice(cosine, normal.z)),
+        ))
     }
 
     /// `self` cos + `other` sin, for perpendicular directions.
@@ -401,6 +407,11 @@ impl Direction {
     }
 }
 
+/// 2 `a` `b`, rounded down; 2 wraps to -2.
+const fn twice(a: Unit, b: Unit) -> i32 {
+    ((a.to_bits() as i64 * b.to_bits() as i64) >> 29) as i32
+}
+
 /// `coordinate` (1 + `excess`), rounded to nearest.
 const fn grown(coordinate: i32, excess: i32) -> i32 {
     coordinate + ((coordinate as i64 * excess as i64 + (1 << 29)) >> 30) as i32
@@ -439,3 +450,6 @@ mod tests {
         );
     }
 }
+
+#[cfg(test)]
+mod sweeps;

@@ -1,0 +1,190 @@
+use super::*;
+use crate::number::sweep::Sweep;
+
+type Triple = [f64; 3];
+
+fn dot(a: Triple, b: Triple) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn unit(a: Triple) -> Triple {
+    a.map(|coordinate| coordinate / dot(a, a).sqrt())
+}
+
+fn cross(a: Triple, b: Triple) -> Triple {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// The ray through the middle of a pixel, as the model has it.
+fn in_double_precision(
+    [position, target, up]: [Triple; 3],
+    degrees: f64,
+    (width, height): (u32, u32),
+    (x, y): (u32, u32),
+) -> Triple {
+    let forward = unit([0, 1, 2].map(|axis| target[axis] - position[axis]));
+    let right = unit(cross(forward, up));
+    let upward = cross(right, forward);
+    let half = (degrees / 2.0).to_radians().tan();
+    let [width, height] = [width, height].map(f64::from);
+    let across = (2.0 * (f64::from(x) + 0.5) / width - 1.0) * half;
+    let above = (1.0 - 2.0 * (f64::from(y) + 0.5) / height) * half * height / width;
+    unit([0, 1, 2].map(|axis| forward[axis] + across * right[axis] + above * upward[axis]))
+}
+
+fn in_doubles(direction: Direction) -> Triple {
+    direction.components().map(|unit| unit.to_num::<f64>())
+}
+
+/// Fails where a ray of the camera is not the one of double precision.
+fn assert_ray(at: [Triple; 3], degrees: f64, size: (u32, u32), pixel: (u32, u32)) {
+    let [position, target, up] = at;
+    let camera = Camera::new(position, target, up, degrees).unwrap();
+    let (x, y) = pixel;
+    let found = in_doubles(camera.lens(size.0, size.1).row(y, x).next_direction());
+    let truth = in_double_precision(at, degrees, size, pixel);
+    // The axes are right to 2^-29, a reciprocal root to 2^-27.5; and the way to a pixel is rounded
+    // to 2^-28 of the way to the corner, which is as long as the tangent of half the wider angle.
+    let tangent = (degrees / 2.0).to_radians().tan();
+    let corner = tangent * (f64::from(size.1) / f64::from(size.0)).max(1.0);
+    let bound = 2f64.powi(-26) + corner * 2f64.powi(-26);
+    for axis in 0..3 {
+        let off = (found[axis] - truth[axis]).abs();
+        assert!(off <= bound, "{off:e}: {at:?} {degrees} {size:?} {pixel:?}");
+    }
+}
+
+#[test]
+fn every_ray_is_the_one_of_double_precision() {
+    let mut sweep = Sweep::new(1);
+    let mut checked = 0;
+    while checked < 50_000 {
+        let at = [0; 3].map(|_| sweep.triple(1 << 20).map(|it| f64::from(it) / 1024.0));
+        let [position, target, up] = at;
+        let forward = unit([0, 1, 2].map(|axis| target[axis] - position[axis]));
+        // An up that is almost parallel to the view turns the picture by what it is rounded.
+        if dot(forward, unit(up)).abs() > 0.9 {
+            continue;
+        }
+        let degrees = f64::from(sweep.within(1, 179_000)) / 1000.0;
+        let (width, height) = (sweep.octaves(0, 12) as u32, sweep.octaves(0, 12) as u32);
+        let x = sweep.within(0, width as i32 - 1) as u32;
+        let y = sweep.within(0, height as i32 - 1) as u32;
+        assert_ray(at, degrees, (width, height), (x, y));
+        checked += 1;
+    }
+}
+
+#[test]
+fn corners_of_the_largest_picture_are_the_ones_of_double_precision() {
+    let at = [[1.0, 2.0, 3.0], [-4.0, 5.0, 6.5], [0.1, 0.2, 1.0]];
+    for (width, height) in [(65_535, 65_535), (65_535, 1), (1, 65_535), (1, 1)] {
+        for x in [0, width - 1] {
+            for y in [0, height - 1] {
+                for degrees in [0.001, 1.0, 50.0, 179.0] {
+                    assert_ray(at, degrees, (width, height), (x, y));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn middle_of_a_picture_looks_straight_at_the_target() {
+    let camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
+    let middle = camera.lens(65, 33).row(16, 32).next_direction();
+    let [x, y, z] = in_doubles(middle);
+    assert_eq!((x, z), (0.0, 0.0));
+    assert!((y - 1.0).abs() <= 2f64.powi(-29), "{y}");
+}
+
+#[test]
+fn row_is_the_same_whatever_column_it_starts_from() {
+    let camera = Camera::look_at([1.0, -5.0, 2.0], [0.3; 3], [0.1, 0.0, 1.0]).fov(77.0);
+    let lens = camera.lens(97, 61);
+    let mut whole = lens.row(13, 0);
+    for x in 0..97 {
+        assert_eq!(
+            lens.row(13, x).next_direction(),
+            whole.next_direction(),
+            "column {x}"
+        );
+    }
+}
+
+#[test]
+fn orbit_keeps_target_and_distance() {
+    let mut sweep = Sweep::new(2);
+    for _ in 0..2000 {
+        let position = sweep.triple(1 << 20).map(|it| f64::from(it) / 1024.0);
+        let camera = Camera::new(position, [0.5, 0.25, -0.75], [0.0, 0.0, 1.0], 50.0).unwrap();
+        let (azimuth, elevation) = (sweep.within(-720, 720), sweep.within(-3, 3));
+        let turned = camera.orbited(azimuth, elevation).unwrap().description();
+        assert_eq!(turned.target, camera.description().target);
+        let distance = |position: Position| {
+            let offset = position.minus(turned.target).0.map(Number::to_f64);
+            dot(offset, offset).sqrt()
+        };
+        let ratio = distance(turned.position) / distance(camera.description().position);
+        assert!(
+            (ratio - 1.0).abs() <= 2f64.powi(-26),
+            "{ratio}: {position:?} {azimuth} {elevation}"
+        );
+    }
+}
+
+#[test]
+fn orbit_of_four_quarters_comes_back() {
+    let mut camera = Camera::look_at([3.0, -5.0, 2.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
+    let start = camera.description().position.0.map(Number::to_f64);
+    for _ in 0..4 {
+        camera = camera.orbited(90, 0).unwrap();
+    }
+    let end = camera.description().position.0.map(Number::to_f64);
+    for axis in 0..3 {
+        assert!(
+            (end[axis] - start[axis]).abs() <= 1e-6,
+            "{end:?}, not {start:?}"
+        );
+    }
+}
+
+#[test]
+fn orbit_to_the_right_shows_the_right_side() {
+    let camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
+    let [x, y, z] = camera
+        .orbited(90, 0)
+        .unwrap()
+        .description()
+        .position
+        .0
+        .map(Number::to_f64);
+    assert!(
+        (x - 5.0).abs() < 1e-6 && y.abs() < 1e-6 && z.abs() < 1e-6,
+        "{x} {y} {z}"
+    );
+    let [x, y, z] = camera
+        .orbited(0, 45)
+        .unwrap()
+        .description()
+        .position
+        .0
+        .map(Number::to_f64);
+    let half = 12.5_f64.sqrt();
+    let off = [x, y + half, z - half];
+    assert!(off.into_iter().all(|it| it.abs() < 1e-6), "{x} {y} {z}");
+}
+
+#[test]
+fn orbit_over_the_pole_is_refused() {
+    let camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
+    assert_eq!(camera.orbited(0, 90).unwrap_err(), CameraError::Up);
+    assert_eq!(
+        camera.orbited(f64::NAN, 0).unwrap_err(),
+        CameraError::Coordinate
+    );
+}
