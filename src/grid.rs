@@ -63,3 +63,6 @@ impl Grid {
         Place::new(point, drop - self.drop)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -155,3 +155,6 @@ pub(crate) struct Fan {
     /// How many pixels the row has.
     pub(crate) width: u32,
 }
+
+#[cfg(test)]
+mod tests;

@@ -211,3 +211,6 @@ fn strength<W: World>(
     }
     Some(strength)
 }
+
+#[cfg(test)]
+mod tests;

@@ -72,3 +72,6 @@ pub(crate) fn trace<'a, W: World, K: Shading, Q: Quality>(
         left = surface.plane;
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -14,6 +14,8 @@ mod angle;
 mod decimal;
 mod power;
 mod root;
+#[cfg(test)]
+pub(crate) mod sweep;
 
 pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;

@@ -211,3 +211,6 @@ const fn refuse_when(wrong: bool, fault: Fault) {
         Fault::refuse(Some(fault));
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -145,3 +145,6 @@ fn place_along(path: &Path, distance: u64) -> Option<Place> {
         coordinate(z, dz),
     ]))
 }
+
+#[cfg(test)]
+mod tests;

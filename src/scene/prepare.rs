@@ -418,3 +418,6 @@ const fn distance_to_plane(position: Position, plane: &Plane) -> u128 {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

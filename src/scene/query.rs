@@ -166,3 +166,6 @@ pub(crate) fn blocked_by_bounded<W: World>(
             .cylinders(mask, parts.cylinders)
             .any(|cylinder| cylinder.blocks(ray, reach))
 }
+
+#[cfg(test)]
+mod tests;

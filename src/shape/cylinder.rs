@@ -139,3 +139,6 @@ impl PreparedCylinder {
             .direction(outward.without(self.axis, outward.dot(self.axis)))
     }
 }
+
+#[cfg(test)]
+mod tests;

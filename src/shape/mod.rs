@@ -3,6 +3,8 @@
 //! normal. Knows no scene.
 
 pub mod cylinder;
+#[cfg(test)]
+mod fixture;
 pub mod plane;
 pub mod sphere;
 

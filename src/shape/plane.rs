@@ -137,3 +137,6 @@ fn descent(height: i64, climb: i32) -> Option<(u64, u32)> {
     let descends = (height > 0 && climb < 0) || (height < 0 && climb > 0);
     descends.then_some((height.unsigned_abs(), climb.unsigned_abs()))
 }
+
+#[cfg(test)]
+mod tests;

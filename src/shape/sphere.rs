@@ -131,3 +131,6 @@ impl PreparedSphere {
         self.center.to(at)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,115 @@
+use super::*;
+use crate::number::sweep::Sweep;
+
+const NORMAL: Direction = Direction::X;
+
+/// The coordinates of a place in raw steps.
+fn wide(place: Place) -> [i64; 3] {
+    let Point { x, y, z } = place.point;
+    [x, y, z].map(|coordinate| i64::from(coordinate) << place.scale)
+}
+
+/// Whether the scale is 0 or no smaller one would do.
+fn is_normal(place: Place) -> bool {
+    let Point { x, y, z } = place.point;
+    let largest = x.abs().max(y.abs()).max(z.abs());
+    // Rounding down may take one step off a coordinate that was too far by less than two.
+    largest <= NEAR && (place.scale == 0 || 2 * largest + 2 > NEAR)
+}
+
+#[test]
+fn point_that_is_near_stays_as_it_is() {
+    let mut sweep = Sweep::new(1);
+    for edge in [[0; 3], [NEAR; 3], [-NEAR; 3]]
+        .into_iter()
+        .chain((0..9999).map(|_| sweep.triple(NEAR)))
+    {
+        let [x, y, z] = edge;
+        let place = Place::new(Point::new(x, y, z), 0);
+        assert!(place.is_near());
+        assert_eq!(place.point, Point::new(x, y, z));
+    }
+}
+
+#[test]
+fn point_beyond_the_near_region_is_kept_in_coarser_steps() {
+    for (x, found) in [
+        (NEAR + 1, (NEAR / 2, 1)),
+        (-NEAR - 1, (-NEAR / 2 - 1, 1)),
+        (i32::MAX, (i32::MAX >> 3, 3)),
+        (i32::MIN, (i32::MIN >> 3, 3)),
+    ] {
+        let place = Place::new(Point::new(x, 0, 1), 0);
+        assert_eq!((place.point.x, place.scale), found, "{x}");
+        assert!(!place.is_near() && is_normal(place));
+    }
+}
+
+#[test]
+fn wide_coordinates_lose_less_than_a_step_of_their_scale() {
+    let mut sweep = Sweep::new(2);
+    for _ in 0..100_000 {
+        let up = sweep.within(0, 32);
+        let coordinates = sweep.triple(1 << 30).map(|it| i64::from(it) << up | 1);
+        let place = Place::from_wide(coordinates);
+        assert!(is_normal(place), "{coordinates:?}: {place:?}");
+        for (found, truth) in wide(place).into_iter().zip(coordinates) {
+            let lost = truth - found;
+            assert!(
+                (0..1 << place.scale).contains(&lost),
+                "{coordinates:?}: {place:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn way_between_near_places_is_exact() {
+    let mut sweep = Sweep::new(3);
+    for _ in 0..10_000 {
+        let ([ax, ay, az], [bx, by, bz]) = (sweep.triple(NEAR), sweep.triple(NEAR));
+        let a = Place::new(Point::new(ax, ay, az), 0);
+        let b = Place::new(Point::new(bx, by, bz), 0);
+        assert_eq!(a.to(b), (Vector::new(bx - ax, by - ay, bz - az), 0));
+    }
+}
+
+#[test]
+fn way_between_places_of_any_scale_loses_less_than_two_steps_of_the_larger() {
+    let mut sweep = Sweep::new(4);
+    for _ in 0..100_000 {
+        let [a, b] = [0; 2].map(|_| {
+            let up = sweep.within(0, 32);
+            Place::from_wide(sweep.triple(NEAR).map(|it| i64::from(it) << up))
+        });
+        let (way, scale) = a.to(b);
+        assert_eq!(scale, a.scale.max(b.scale));
+        let found = [way.x, way.y, way.z].map(|it| i128::from(it) << scale);
+        for (axis, found) in found.into_iter().enumerate() {
+            let truth = i128::from(wide(b)[axis]) - i128::from(wide(a)[axis]);
+            let lost = truth - found;
+            assert!(lost.abs() < 1 << scale, "{lost}: {a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn leaving_point_lies_epsilon_along_the_normal() {
+    let epsilon = Length::from_bits(1000);
+    let at = |scale| Place::new(Point::new(NEAR / 2 + 7, -5, 3), scale);
+    for (scale, lift) in [(0, 1000), (1, 500), (3, 125), (9, 1), (10, 0), (40, 0)] {
+        let (from, lifted) = (at(scale), at(scale).lifted(NORMAL, epsilon));
+        let way = from.point.to(lifted.point);
+        assert_eq!(
+            (way, lifted.scale),
+            (Vector::new(lift, 0, 0), scale),
+            "at scale {scale}"
+        );
+        let below = from.lifted(NORMAL.reversed(), epsilon);
+        assert_eq!(
+            from.point.to(below.point),
+            Vector::new(-lift, 0, 0),
+            "at scale {scale}"
+        );
+    }
+}

@@ -1,0 +1,250 @@
+use super::*;
+use crate::material::Material;
+use crate::number::sweep::Sweep;
+use crate::ray::BALL;
+use crate::scene::RuntimeScene;
+
+type Scenery = RuntimeScene<4, 4, 4, 4, 4>;
+
+/// A scene that a function has filled with shapes of one white material.
+fn scenery(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId)) -> Scenery {
+    let mut scene = Scenery::new();
+    let white = scene.add_material(Material::new([1.0; 3])).unwrap();
+    fill(&mut scene, white);
+    scene
+}
+
+/// One sphere of radius 1 around the origin, and what a function adds.
+fn marble(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId)) -> Scenery {
+    scenery(|scene, white| {
+        scene.add_sphere([0, 0, 0], 1, white).unwrap();
+        fill(scene, white);
+    })
+}
+
+/// How many bits of a step lie behind the point of a scene unit.
+fn fraction_bits(scene: &Scenery) -> i32 {
+    scene.build().unwrap().grid.fraction_bits()
+}
+
+fn middle(scene: &Scenery) -> [f64; 3] {
+    let Position(coordinates) = scene.build().unwrap().grid.middle();
+    coordinates.map(Number::to_f64)
+}
+
+#[test]
+fn shapes_fill_the_ball_but_for_less_than_half() {
+    let mut sweep = Sweep::new(1);
+    for _ in 0..2000 {
+        let factor = 2f64.powi(sweep.within(-26, 6));
+        let scene = scenery(|scene, white| {
+            scene.set_epsilon(factor).unwrap();
+            for _ in 0..sweep.within(1, 4) {
+                let center = sweep.triple(1000).map(|it| f64::from(it) * factor);
+                let radius = f64::from(sweep.within(10, 1000)) * factor;
+                scene.add_sphere(center, radius, white).unwrap();
+            }
+        });
+        let grid = scene.build().unwrap().grid;
+        let furthest = scene.description().spheres.iter().map(|sphere| {
+            let place = grid.place(sphere.center);
+            assert!(place.is_near());
+            let square = place.point.to_vector().square() as f64;
+            square.sqrt() + f64::from(grid.length(sphere.radius).to_bits())
+        });
+        let furthest = furthest.fold(0.0, f64::max);
+        // A coordinate and a radius are rounded by half a step each.
+        let ball = f64::from(BALL);
+        assert!(
+            (ball * 0.499..ball + 2.0).contains(&furthest),
+            "{furthest}: {scene:?}"
+        );
+    }
+}
+
+#[test]
+fn middle_is_that_of_the_box_around_the_shapes() {
+    let scene = scenery(|scene, white| {
+        scene.add_sphere([10, 20, 30], 2, white).unwrap();
+        // From 19 to 31, 17.5 to 29.5 and 15.5 to 27.5: half the height counts on every axis.
+        let (center, axis) = ([25.0, 23.5, 21.5], [0, 0, 1]);
+        scene.add_cylinder(center, axis, 1, 10, white).unwrap();
+        scene.add_plane([900, 900, 900], [1, 2, 3], white).unwrap();
+        scene.add_light([-900, 900, 900], [1, 1, 1]).unwrap();
+    });
+    assert_eq!(
+        middle(&scene),
+        [(8.0 + 31.0) / 2.0, (17.5 + 29.5) / 2.0, (15.5 + 32.0) / 2.0]
+    );
+}
+
+#[test]
+fn light_near_the_shapes_is_given_its_place_in_the_ball() {
+    // Radius 1 takes 28 bits; a light up to 2, 4 and 8 times as far takes one more each.
+    for (x, is_near, bits) in [
+        (0.5, true, 28),
+        (1.5, true, 27),
+        (3.0, true, 26),
+        (7.9, true, 25),
+        (8.1, false, 28),
+        (1e6, false, 28),
+    ] {
+        let scene = marble(|scene, _| scene.add_light([x, 0.0, 0.0], [1, 1, 1]).unwrap());
+        let prepared = scene.build().unwrap();
+        assert_eq!(prepared.lamps[0].light.place.is_near(), is_near, "{x}");
+        assert_eq!(fraction_bits(&scene), bits, "{x}");
+    }
+}
+
+#[test]
+fn far_light_costs_the_shapes_no_bits() {
+    let alone = fraction_bits(&marble(|_, _| {}));
+    for far in [100.0, 1e5, 1e9] {
+        let scene = marble(|scene, _| scene.add_light([0.0, far, 0.0], [1, 1, 1]).unwrap());
+        assert_eq!(fraction_bits(&scene), alone, "{far}");
+    }
+}
+
+#[test]
+fn far_plane_costs_the_shapes_no_bits() {
+    let alone = fraction_bits(&marble(|_, _| {}));
+    for far in [100.0, 1e5, 1e9] {
+        let scene = marble(|scene, white| {
+            scene.add_plane([0.0, far, 0.0], [0, 3, 0], white).unwrap();
+        });
+        assert_eq!(fraction_bits(&scene), alone, "{far}");
+    }
+    let through = marble(|scene, white| {
+        scene.add_plane([1e9, 0.5, 1e9], [0, 3, 0], white).unwrap();
+    });
+    assert_eq!(fraction_bits(&through), alone);
+}
+
+#[test]
+fn scene_without_shapes_is_laid_around_its_lights_and_camera() {
+    assert_eq!(fraction_bits(&scenery(|_, _| {})), 28);
+    let lit = scenery(|scene, white| {
+        scene.add_light([10, 0, 0], [1, 1, 1]).unwrap();
+        scene.add_light([14, 0, 0], [1, 1, 1]).unwrap();
+        scene.add_plane([0, 0, 5], [0, 0, 1], white).unwrap();
+    });
+    assert_eq!(middle(&lit), [12.0, 0.0, 0.0]);
+    // The plane is 5 from the middle, the lights 2: 5 needs 3 bits before the point.
+    assert_eq!(fraction_bits(&lit), 25);
+}
+
+#[test]
+fn size_below_four_steps_is_too_tiny() {
+    // The large sphere's radius of 2^20 units is 2^28 steps: a step is 2^-8.
+    let with = |radius: f64| {
+        let scene = scenery(|scene, white| {
+            scene.add_sphere([0, 0, 0], 1 << 20, white).unwrap();
+            scene.add_sphere([1, 2, 3], radius, white).unwrap();
+        });
+        scene.build().map(|_| ())
+    };
+    assert_eq!(with(4.0 / 256.0), Ok(()));
+    assert_eq!(with(3.49 / 256.0), Err(SceneError::Sphere(1, Fault::Tiny)));
+    let with = |radius: f64, height: f64| {
+        let scene = scenery(|scene, white| {
+            scene.add_sphere([0, 0, 0], 1 << 20, white).unwrap();
+            let (center, axis) = ([1, 2, 3], [1, 0, 0]);
+            scene
+                .add_cylinder(center, axis, radius, height, white)
+                .unwrap();
+        });
+        scene.build().map(|_| ())
+    };
+    assert_eq!(with(4.0 / 256.0, 2.0 / 256.0), Ok(()));
+    assert_eq!(
+        with(3.49 / 256.0, 1.0),
+        Err(SceneError::Cylinder(0, Fault::Tiny))
+    );
+    assert_eq!(
+        with(1.0, 0.9 / 256.0),
+        Err(SceneError::Cylinder(0, Fault::Tiny))
+    );
+}
+
+#[test]
+fn scene_smaller_than_the_format_is_refused() {
+    let with = |radius: f64| {
+        let scene = scenery(|scene, white| scene.add_sphere([5, 5, 5], radius, white).unwrap());
+        // Epsilon must stay below the ball.
+        let mut scene = scene;
+        scene.set_epsilon(2f64.powi(-40)).unwrap();
+        scene.build().map(|scene| scene.grid.fraction_bits())
+    };
+    assert_eq!(with(2f64.powi(-30)), Ok(58));
+    assert_eq!(
+        with(2f64.powi(-30) * 0.99),
+        Err(SceneError::Scene(Fault::Extent))
+    );
+}
+
+#[test]
+fn epsilon_is_at_least_what_a_hit_may_be_off() {
+    let with = |epsilon: f64| {
+        let mut scene = marble(|_, _| {});
+        scene.set_epsilon(epsilon).unwrap();
+        scene.build().map(|scene| scene.epsilon.to_bits())
+    };
+    let step = 2f64.powi(-28);
+    assert_eq!(with(1000.0 * step), Ok(1000));
+    assert_eq!(with(step), Ok(SMALLEST_EPSILON));
+    assert_eq!(with(1.0 - step), Ok(BALL - 1));
+    assert_eq!(with(1.0), Err(SceneError::Scene(Fault::Epsilon)));
+    assert_eq!(with(1e9), Err(SceneError::Scene(Fault::Epsilon)));
+}
+
+#[test]
+fn material_may_shine_up_to_thirty() {
+    let with = |color: f64, ambient: f64, diffuse: f64, specular: f64, lights: &[f64]| {
+        let mut scene = Scenery::new();
+        let highlight = (specular, 4);
+        let made = Material::from_numbers([color; 3], ambient, diffuse, highlight, 0);
+        scene.add_material(made.unwrap()).unwrap();
+        for &light in lights {
+            scene.add_light([1, 2, 3], [0.0, light, 0.0]).unwrap();
+        }
+        scene.build().map(|_| ())
+    };
+    let too_bright = Err(SceneError::Material(0, Fault::Brightness));
+    assert_eq!(with(1.0, 16.0, 14.0, 0.0, &[1.0]), Ok(()));
+    assert_eq!(with(1.0, 16.0, 13.0, 1.0, &[1.0]), Ok(()));
+    assert_eq!(with(1.0, 16.0, 13.0, 1.1, &[1.0]), too_bright);
+    assert_eq!(with(1.0, 2.0, 14.0, 0.0, &[1.0, 1.0]), Ok(()));
+    assert_eq!(with(1.0, 2.1, 14.0, 0.0, &[1.0, 1.0]), too_bright);
+    assert_eq!(with(2.0, 1.0, 14.0, 0.0, &[1.0]), Ok(()));
+    assert_eq!(with(2.1, 1.0, 14.0, 0.0, &[1.0]), too_bright);
+    // What is summed up before the colour counts by itself, dark as that may be.
+    assert_eq!(with(0.0, 1.0, 2.0, 0.0, &[16.0]), too_bright);
+    assert_eq!(with(0.0, 1.0, 15.0, 16.0, &[0.1]), too_bright);
+    assert_eq!(with(16.0, 1.8, 16.0, 16.0, &[]), too_bright);
+}
+
+#[test]
+fn brightest_scene_that_is_allowed_does_not_overflow() {
+    let mut scene = Scenery::new();
+    let made = Material::from_numbers([1, 1, 1], 2, 7, (7, 0), 0).unwrap();
+    let bright = scene.add_material(made).unwrap();
+    scene.add_plane([0, 0, 0], [0, 0, 1], bright).unwrap();
+    scene.add_light([0, 0, 1], [1, 1, 1]).unwrap();
+    scene.add_light([0, 0, 1], [1, 1, 1]).unwrap();
+    assert!(scene.build().is_ok());
+}
+
+#[test]
+fn plane_goes_through_its_point() {
+    let mut sweep = Sweep::new(2);
+    for _ in 0..2000 {
+        let point = sweep.triple(1000).map(|it| f64::from(it) / 2048.0);
+        let normal = sweep.triple(1000).map(|it| f64::from(it) + 0.5);
+        let scene = marble(|scene, white| scene.add_plane(point, normal, white).unwrap());
+        let prepared = scene.build().unwrap();
+        let at = prepared.grid.place(Position::new(point)).point;
+        // The point lies on the grid and in the ball, and the offset is rounded down to 2^-30 steps.
+        let height = prepared.planes[0].height(at);
+        assert!((0..=1).contains(&height), "{height}: {point:?} {normal:?}");
+    }
+}

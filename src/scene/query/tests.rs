@@ -1,0 +1,217 @@
+use std::vec::Vec;
+
+use super::*;
+use crate::light::PreparedLight;
+use crate::material::Material;
+use crate::number::Number;
+use crate::scene::cells::Cells;
+use crate::scene::{RuntimeScene, Scene};
+use crate::vector::{Direction, Position};
+
+type Scenery = RuntimeScene<4, 3, 2, 2, 1>;
+type Built = Scene<4, 3, 2, 2, 1>;
+
+/// A step of the scenes here, in their units: 1 is the radius of the ball.
+const STEP: f64 = 1.0 / (1 << 28) as f64;
+
+/// A scene on a grid of 2⁻²⁸ that a function has filled, with an epsilon of 1000 steps. Two small
+/// spheres out of the way give it its size.
+fn scenery(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Built {
+    let mut scene = Scenery::new();
+    let white = scene.add_material(Material::new([1.0; 3])).unwrap();
+    scene.set_epsilon(1000.0 * STEP).unwrap();
+    for y in [-0.75, 0.75] {
+        scene.add_sphere([0.0, y, 0.0], 0.125, white).unwrap();
+    }
+    fill(&mut scene, white);
+    let built = scene.build().unwrap();
+    assert_eq!(built.grid.fraction_bits(), 28);
+    assert_eq!(built.grid.middle(), Position::ORIGIN);
+    built
+}
+
+/// A light that stands somewhere near, and the shapes around it.
+fn lamp(scene: &Built, place: Place) -> Lamp {
+    let parts = scene.parts();
+    Lamp {
+        light: PreparedLight {
+            place,
+            ..PreparedLight::NONE
+        },
+        cells: Cells::around(place.point, parts.spheres, parts.cylinders),
+    }
+}
+
+/// A path from a point on the x axis along it.
+fn along_x(scene: &Built, x: f64) -> Path {
+    let from = scene
+        .grid
+        .place(Position([Number::new(x), Number::ZERO, Number::ZERO]));
+    Path {
+        from,
+        direction: Direction::X,
+    }
+}
+
+/// How far along the x axis a path from `x` is ended, in scene units.
+fn met_at(scene: &Built, x: f64, left: Option<&PreparedPlane>) -> Option<f64> {
+    let hit = nearest(scene, Mask::ALL, &along_x(scene, x), left)?;
+    Some(f64::from(hit.at.point.x) * 2f64.powi(hit.at.scale as i32) * STEP)
+}
+
+/// Planes at ±x.
+fn two_planes(x: f64) -> Built {
+    scenery(|scene, white| {
+        scene.add_plane([x, 0.0, 0.0], [1, 0, 0], white).unwrap();
+        scene.add_plane([-x, 0.0, 0.0], [1, 0, 0], white).unwrap();
+    })
+}
+
+#[test]
+fn nearest_shape_is_met_whatever_its_kind() {
+    let scene = scenery(|scene, white| {
+        scene
+            .add_sphere([0.46875, 0.0, 0.0], 0.09375, white)
+            .unwrap();
+        scene.add_sphere([-0.8125, 0.0, 0.0], 0.125, white).unwrap();
+        scene
+            .add_cylinder([0, 0, 0], [0, 0, 1], 0.25, 0.25, white)
+            .unwrap();
+        scene
+            .add_cylinder([0.75, 0.0, 0.0], [0, 0, 1], 0.125, 0.125, white)
+            .unwrap();
+        scene.add_plane([-0.5, 0.0, 0.0], [2, 0, 0], white).unwrap();
+        scene
+            .add_plane([0.3125, 0.0, 0.0], [-1, 0, 0], white)
+            .unwrap();
+    });
+    // A sphere, a plane, a cylinder, a plane, a sphere and a cylinder.
+    let surfaces = [
+        -0.9375, -0.6875, -0.5, -0.25, 0.25, 0.3125, 0.375, 0.5625, 0.625, 0.875,
+    ];
+    let mut before = -1.25;
+    for surface in surfaces {
+        let from = (before + surface) / 2.0;
+        let found = met_at(&scene, from, None).unwrap();
+        assert!(
+            (found - surface).abs() <= 4.0 * STEP,
+            "from {from}: {found}, not {surface}"
+        );
+        before = surface;
+    }
+    assert_eq!(met_at(&scene, 1.125, None), None);
+}
+
+#[test]
+fn plane_just_left_is_not_met() {
+    let scene = two_planes(0.5);
+    let planes: Vec<_> = scene.parts().planes.iter().collect();
+    for (left, truth) in [
+        (None, -0.5),
+        (Some(planes[0]), -0.5),
+        (Some(planes[1]), 0.5),
+    ] {
+        let found = met_at(&scene, -0.75, left).unwrap();
+        assert!((found - truth).abs() <= 2.0 * STEP, "{found}, not {truth}");
+    }
+}
+
+#[test]
+fn plane_beyond_the_reach_of_near_rays_is_met() {
+    for x in [8.0, 100.0, 1e6, 1e9] {
+        let scene = scenery(|scene, white| {
+            scene.add_plane([x, 0.0, 0.0], [1, 0, 0], white).unwrap();
+            scene.add_sphere([0, 0, 0], 0.5, white).unwrap();
+        });
+        let found = nearest(&scene, Mask::ALL, &along_x(&scene, 1.25), None).unwrap();
+        let found = f64::from(found.at.point.x) * 2f64.powi(found.at.scale as i32) * STEP;
+        assert!(
+            (found / x - 1.0).abs() <= 2f64.powi(-25),
+            "{found}, not {x}"
+        );
+    }
+}
+
+/// Whether the way along x from 0 to a light at 0.75 is blocked, by a plane at `x`.
+fn is_blocked_by_a_plane_at(x: f64) -> bool {
+    let scene = scenery(|scene, white| {
+        scene.add_plane([x, 0.0, 0.0], [1, 0, 0], white).unwrap();
+    });
+    let path = along_x(&scene, 0.0);
+    let light = scene.grid.place(Position::new([0.75, 0.0, 0.0]));
+    let (way, scale) = path.from.to(light);
+    blocked(
+        &scene,
+        &path,
+        None,
+        &lamp(&scene, light),
+        Length::from_bits(way.x),
+        scale,
+    )
+}
+
+#[test]
+fn light_is_blocked_by_what_lies_more_than_epsilon_before_it() {
+    // Epsilon is 1000 steps; a plane is crossed where it lies, to the step.
+    for (steps, is_blocked) in [(-2000, true), (-1001, true), (-1000, false), (-999, false)] {
+        let x = 0.75 + f64::from(steps) * STEP;
+        assert_eq!(
+            is_blocked_by_a_plane_at(x),
+            is_blocked,
+            "{steps} steps from the light"
+        );
+    }
+    for (x, is_blocked) in [(1.0, false), (0.0, false), (-STEP, false), (STEP, true)] {
+        assert_eq!(is_blocked_by_a_plane_at(x), is_blocked, "{x}");
+    }
+}
+
+#[test]
+fn light_is_blocked_by_every_kind_of_shape_and_by_none_behind_it() {
+    let scene = scenery(|scene, white| {
+        scene.add_sphere([-0.8125, 0.0, 0.0], 0.125, white).unwrap();
+        scene.add_plane([0.25, 0.0, 0.0], [1, 0, 0], white).unwrap();
+        scene
+            .add_cylinder([0.75, 0.0, 0.0], [0, 0, 1], 0.125, 0.125, white)
+            .unwrap();
+    });
+    let is_blocked = |from: f64, to: f64| {
+        let path = along_x(&scene, from);
+        let light = scene.grid.place(Position::new([to, 0.0, 0.0]));
+        let distance = Length::from_bits(path.from.to(light).0.x);
+        blocked(&scene, &path, None, &lamp(&scene, light), distance, 0)
+    };
+    for (from, to, truth) in [
+        (-0.99, -0.95, false), // before the sphere
+        (-0.99, -0.5, true),   // through it
+        (-0.75, -0.5, true),   // out of it
+        (-0.5, 0.2, false),    // behind it, before the plane
+        (-0.5, 0.3, true),     // through the plane
+        (0.3, 0.6, false),     // behind the plane, before the cylinder
+        (0.3, 0.7, true),      // into the cylinder
+        (0.75, 0.9, true),     // out of it
+        (0.9, 1.4, false),     // behind everything
+    ] {
+        assert_eq!(is_blocked(from, to), truth, "from {from} to {to}");
+    }
+}
+
+#[test]
+fn light_closer_than_epsilon_is_not_blocked() {
+    let scene = two_planes(0.5);
+    for steps in [0, 1, 999, 1000] {
+        let path = along_x(&scene, 1.0);
+        let light = Place {
+            point: path
+                .from
+                .point
+                .along(Direction::X, Length::from_bits(steps)),
+            scale: 0,
+        };
+        let distance = Length::from_bits(steps);
+        assert!(
+            !blocked(&scene, &path, None, &lamp(&scene, light), distance, 0),
+            "{steps} steps"
+        );
+    }
+}

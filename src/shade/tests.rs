@@ -1,0 +1,340 @@
+use super::*;
+use crate::material::Material;
+use crate::number::sweep::Sweep;
+use crate::scene::mask::Mask;
+use crate::scene::query::nearest;
+use crate::scene::{RuntimeScene, Scene, World};
+use crate::vector::Position;
+
+type Scenery = RuntimeScene<2, 2, 1, 4, 2>;
+type Built = Scene<2, 2, 1, 4, 2>;
+
+/// A step of Q6.26.
+const STEP: f64 = 1.0 / (1 << 26) as f64;
+
+fn scenery(material: Material, fill: impl FnOnce(&mut Scenery)) -> Built {
+    let mut scene = Scenery::new();
+    let made = scene.add_material(material).unwrap();
+    scene.add_sphere([0, 0, 0], 1, made).unwrap();
+    fill(&mut scene);
+    scene.build().unwrap()
+}
+
+/// The colour of what is seen from `from` towards `towards`.
+fn seen<K: sealed::Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) -> [f64; 3] {
+    let parts = scene.parts();
+    let from = parts.grid.place(Position::new(from));
+    let direction = Position::new(towards).direction().unwrap();
+    let hit = nearest(scene, Mask::ALL, &Path { from, direction }, None).unwrap();
+    let color = K::color(scene, &Surface::new(scene, &hit, direction));
+    color
+        .components()
+        .map(|component| component.to_num::<f64>())
+}
+
+/// The colour of the sphere's point that is nearest to (5, 0, 0), seen from there.
+fn facing<K: sealed::Shading>(scene: &Built) -> [f64; 3] {
+    seen::<K>(scene, [5.0, 0.0, 0.0], [-1.0, 0.0, 0.0])
+}
+
+fn assert_color(found: [f64; 3], truth: [f64; 3], bound: f64) {
+    for channel in 0..3 {
+        let off = (found[channel] - truth[channel]).abs();
+        assert!(off <= bound, "{found:?}, not {truth:?}");
+    }
+}
+
+const RED: Material = Material::new([1.0, 0.25, 0.0]).ambient(0.125).diffuse(0.5);
+
+#[test]
+fn surface_without_light_shows_its_ambient_share() {
+    let scene = scenery(RED, |_| {});
+    assert_color(facing::<BlinnPhong>(&scene), [0.125, 0.03125, 0.0], 0.0);
+    assert_color(facing::<Phong>(&scene), [0.125, 0.03125, 0.0], 0.0);
+}
+
+#[test]
+fn light_overhead_is_scattered_whole() {
+    let scene = scenery(RED, |scene| {
+        scene.add_light([9, 0, 0], [1.0, 1.0, 0.5]).unwrap()
+    });
+    // The cosine is one but for 2^-27.
+    assert_color(
+        facing::<BlinnPhong>(&scene),
+        [0.625, 0.15625, 0.0],
+        8.0 * STEP,
+    );
+}
+
+#[test]
+fn light_aside_is_scattered_by_its_cosine() {
+    // 60 degrees aside, far enough that the distance does not matter.
+    let (x, y) = (1e6, 1e6 * 3f64.sqrt());
+    let scene = scenery(RED, |scene| {
+        scene.add_light([x, y, 0.0], [1, 1, 1]).unwrap()
+    });
+    // The sphere's radius of one is 2^-21 of the way.
+    assert_color(
+        facing::<Phong>(&scene),
+        [0.375, 0.09375, 0.0],
+        2f64.powi(-20),
+    );
+}
+
+#[test]
+fn light_behind_the_surface_adds_nothing() {
+    for position in [[-9, 0, 0], [-9, 8, 0], [0, 9, 0], [0, 0, -9], [1, 9, 0]] {
+        let scene = scenery(RED, |scene| scene.add_light(position, [1, 1, 1]).unwrap());
+        assert_color(facing::<BlinnPhong>(&scene), [0.125, 0.03125, 0.0], 0.0);
+    }
+}
+
+#[test]
+fn lights_add_up() {
+    let lit = |count: usize| {
+        let scene = scenery(RED, |scene| {
+            for _ in 0..count {
+                scene.add_light([9, 1, 2], [0.5, 0.25, 0.125]).unwrap();
+            }
+        });
+        facing::<BlinnPhong>(&scene)
+    };
+    let (none, one) = (lit(0), lit(1));
+    for count in 2..=4 {
+        let sum = [0, 1, 2].map(|it| none[it] + (one[it] - none[it]) * count as f64);
+        assert_color(lit(count), sum, 4.0 * STEP);
+    }
+}
+
+#[test]
+fn black_surface_absorbs_everything() {
+    let black = Material::new([0.0; 3])
+        .ambient(1.0)
+        .diffuse(16.0)
+        .specular(12.0, 3.0);
+    let scene = scenery(black, |scene| {
+        scene.add_light([9, 0, 0], [1, 1, 1]).unwrap()
+    });
+    assert_eq!(facing::<BlinnPhong>(&scene), [0.0; 3]);
+    assert_eq!(facing::<Phong>(&scene), [0.0; 3]);
+}
+
+#[test]
+fn light_of_one_colour_shows_nothing_of_another() {
+    let scene = scenery(RED.ambient(0.0), |scene| {
+        scene.add_light([9, 0, 0], [0, 0, 1]).unwrap()
+    });
+    assert_eq!(facing::<BlinnPhong>(&scene), [0.0; 3]);
+}
+
+#[test]
+fn surface_sends_out_no_more_than_its_share_of_the_light() {
+    let chalk = Material::new([1.0; 3])
+        .ambient(0.0)
+        .diffuse(0.75)
+        .specular(0.25, 0.5);
+    let mut sweep = Sweep::new(1);
+    for _ in 0..20_000 {
+        let light = sweep.triple(1000).map(|it| f64::from(it) / 100.0);
+        let from = sweep.triple(1000).map(|it| f64::from(it) / 100.0);
+        if from.into_iter().all(|it| it.abs() < 1.0) {
+            continue;
+        }
+        let scene = scenery(chalk, |scene| scene.add_light(light, [1, 1, 1]).unwrap());
+        let towards = from.map(|it| -it);
+        for [red, ..] in [
+            seen::<BlinnPhong>(&scene, from, towards),
+            seen::<Phong>(&scene, from, towards),
+        ] {
+            // A cosine of one is known to 2^-27.
+            assert!(
+                (0.0..=1.0 + 4.0 * STEP).contains(&red),
+                "{red}: {light:?} {from:?}"
+            );
+        }
+    }
+}
+
+/// How bright a white floor of z = 0 is at the origin, seen from (0, 3, 4).
+fn floor_lit_from(light: [f64; 3], fill: impl FnOnce(&mut Scenery)) -> f64 {
+    let mut scene = Scenery::new();
+    let white = Material::new([1.0; 3]).ambient(0.0).diffuse(1.0);
+    let white = scene.add_material(white).unwrap();
+    scene.add_plane([0, 0, 0], [0, 0, 1], white).unwrap();
+    scene.add_sphere([0, 0, -7], 1, white).unwrap();
+    scene.add_light(light, [1, 1, 1]).unwrap();
+    fill(&mut scene);
+    seen::<BlinnPhong>(&scene.build().unwrap(), [0.0, 3.0, 4.0], [0.0, -3.0, -4.0])[0]
+}
+
+#[test]
+fn floor_darkens_evenly_to_black_where_the_light_sinks_into_it() {
+    // The way to the light starts epsilon above the floor, and its cosine is that of the rest.
+    for height in [4.0, 1.0, 0.5, 0.1, 0.01, 0.002, 0.0011] {
+        let rest: f64 = height - 0.001;
+        let cosine = rest / (16.0 + rest * rest).sqrt();
+        let found = floor_lit_from([-4.0, 0.0, height], |_| {});
+        // Epsilon is rounded to a step of 2^-24, which counts a quarter at a distance of 4.
+        assert!(
+            (found - cosine).abs() <= 2f64.powi(-24),
+            "{found}, not {cosine}, at {height}"
+        );
+    }
+    for height in [0.001 - 1e-6, 0.0, -0.1, -4.0] {
+        assert_eq!(
+            floor_lit_from([-4.0, 0.0, height], |_| {}),
+            0.0,
+            "at {height}"
+        );
+    }
+}
+
+#[test]
+fn floor_is_dark_where_something_hides_the_light() {
+    let dot = |x: f64| {
+        floor_lit_from([-4.0, 0.0, 4.0], |scene| {
+            let white = scene.description().planes[0].material;
+            scene
+                .add_sphere([-2.0 + x, 0.0, 2.0 + x], 0.125, white)
+                .unwrap();
+        })
+    };
+    assert_eq!(dot(0.0), 0.0);
+    // The sphere's radius counts √(1/2) on each axis.
+    let rim = 0.125 * 0.5_f64.sqrt();
+    for (x, hides) in [
+        (rim - 1e-3, true),
+        (rim + 1e-3, false),
+        (1e-3 - rim, true),
+        (-rim - 1e-3, false),
+    ] {
+        assert_eq!(dot(x) == 0.0, hides, "{x} aside");
+    }
+}
+
+#[test]
+fn surface_is_hidden_from_a_light_behind_its_own_sphere() {
+    // Seen from (5, 0, 0), a point low on the sphere; the light is high, over the horizon of it.
+    let scene = scenery(RED, |scene| scene.add_light([1, 0, 9], [1, 1, 1]).unwrap());
+    let low = seen::<BlinnPhong>(&scene, [5.0, 0.0, -0.5], [-1.0, 0.0, 0.0]);
+    assert_color(low, [0.125, 0.03125, 0.0], 0.0);
+    let [high, ..] = seen::<BlinnPhong>(&scene, [5.0, 0.0, 0.5], [-1.0, 0.0, 0.0]);
+    assert!(high > 0.3, "{high}");
+}
+
+#[test]
+fn inside_of_a_surface_is_lit_from_inside() {
+    for (light, truth) in [([0, 0, 0], 0.625), ([9, 0, 0], 0.125)] {
+        let scene = scenery(RED, |scene| scene.add_light(light, [1, 1, 1]).unwrap());
+        let [red, ..] = seen::<BlinnPhong>(&scene, [0.5, 0.0, 0.0], [1.0, 0.0, 0.0]);
+        assert!((red - truth).abs() <= 8.0 * STEP, "{red}, not {truth}");
+    }
+}
+
+#[test]
+fn highlight_without_shininess_is_everywhere_the_light_is() {
+    let glossy = Material::new([1.0; 3])
+        .ambient(0.0)
+        .diffuse(0.0)
+        .specular(0.5, 0.0);
+    let scene = scenery(glossy, |scene| {
+        scene.add_light([9, 9, 0], [1, 1, 1]).unwrap()
+    });
+    assert_eq!(facing::<BlinnPhong>(&scene), [0.5; 3]);
+    assert_eq!(facing::<Phong>(&scene), [0.5; 3]);
+}
+
+#[test]
+fn highlight_is_whole_in_the_mirror_direction_and_for_all_kinds() {
+    let glossy = Material::new([1.0; 3])
+        .ambient(0.0)
+        .diffuse(0.0)
+        .specular(0.5, 9.5);
+    let scene = scenery(glossy, |scene| {
+        scene.add_light([9, 0, 0], [1, 1, 1]).unwrap()
+    });
+    // A cosine of one is known to 2^-27, and its power ten times worse.
+    assert_color(facing::<BlinnPhong>(&scene), [0.5; 3], 16.0 * STEP);
+    assert_color(facing::<Phong>(&scene), [0.5; 3], 16.0 * STEP);
+}
+
+#[test]
+fn normals_are_shown_as_colours() {
+    let scene = scenery(RED, |_| {});
+    assert_color(facing::<Normals>(&scene), [1.0, 0.5, 0.5], 2f64.powi(-20));
+    let above = seen::<Normals>(&scene, [0.0, 0.0, 5.0], [0.0, 0.0, -1.0]);
+    assert_color(above, [0.5, 0.5, 1.0], 2f64.powi(-20));
+    let inside = seen::<Normals>(&scene, [0.0; 3], [0.0, 1.0, 0.0]);
+    assert_color(inside, [0.5, 0.0, 0.5], 2f64.powi(-20));
+}
+
+#[test]
+fn miss_is_the_background_and_blue_among_normals() {
+    let scene = scenery(RED, |scene| scene.set_background([0.5, 0.25, 2.0]).unwrap());
+    let shown = |color: Color| color.components().map(|it| it.to_num::<f64>());
+    assert_eq!(
+        shown(<BlinnPhong as sealed::Shading>::missed(&scene)),
+        [0.5, 0.25, 2.0]
+    );
+    assert_eq!(
+        shown(<Phong as sealed::Shading>::missed(&scene)),
+        [0.5, 0.25, 2.0]
+    );
+    assert_eq!(
+        shown(<Normals as sealed::Shading>::missed(&scene)),
+        [0.0, 0.0, 1.0]
+    );
+}
+
+/// Unit vectors to the light and to the viewer on the upper side of a surface, with their cosines.
+fn angles(seed: u64) -> impl Iterator<Item = ([f64; 3], [f64; 3], Cosines)> {
+    let mut sweep = Sweep::new(seed);
+    (0..200_000).map(move |_| {
+        let [light, viewer] = [0; 2].map(|_| {
+            let [x, y, z] = sweep.triple(1 << 20).map(f64::from);
+            let length = (x * x + y * y + (z * z + 1.0)).sqrt();
+            [x / length, y / length, (z * z + 1.0).sqrt() / length]
+        });
+        let quantised = |cosine: f64| Unit::from_bits((cosine * 2f64.powi(30)).floor() as i32);
+        let cosines = Cosines {
+            light: quantised(light[2]),
+            viewer: quantised(viewer[2]),
+            between: quantised(dot(light, viewer)),
+        };
+        (light, viewer, cosines)
+    })
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+#[test]
+fn half_way_cosine_is_the_one_of_the_half_way_vector() {
+    for (light, viewer, cosines) in angles(2) {
+        let sum = [0, 1, 2].map(|axis| light[axis] + viewer[axis]);
+        let length = dot(sum, sum).sqrt();
+        let truth = sum[2] / length;
+        let found = half_way_cosine(&cosines).to_num::<f64>();
+        // A root is known to 2^-27.5; where light and viewer face each other, the sum of the two
+        // is short, and what is rounded counts more.
+        let bound = 2f64.powi(-27) + 2f64.powi(-28) / length + 2f64.powi(-28) / (length * length);
+        assert!(
+            (found - truth).abs() <= bound,
+            "{found}, not {truth}: {light:?} {viewer:?}"
+        );
+    }
+}
+
+#[test]
+fn mirrored_cosine_is_the_one_of_the_mirrored_light() {
+    for (light, viewer, cosines) in angles(3) {
+        let mirrored = [-light[0], -light[1], light[2]];
+        let truth = dot(mirrored, viewer).max(0.0);
+        let found = mirrored_cosine(&cosines).to_num::<f64>();
+        assert!(
+            (found - truth).abs() <= 8.0 * 2f64.powi(-30),
+            "{found}, not {truth}"
+        );
+    }
+}

@@ -1,0 +1,399 @@
+use super::*;
+use crate::number::sweep::Sweep;
+use crate::ray::Place;
+use crate::shape::fixture::*;
+
+const RADIUS: i32 = 1 << 24;
+const HALF_HEIGHT: i32 = 1 << 25;
+
+fn cylinder(center: [i32; 3], axis: Direction, radius: i32, half: i32) -> PreparedCylinder {
+    let (radius, half) = (Length::from_bits(radius), Length::from_bits(half));
+    PreparedCylinder::new(point(center), axis, radius, half, MaterialId(0))
+}
+
+/// An upright tube around the middle.
+fn tube() -> PreparedCylinder {
+    cylinder([0; 3], direction([0, 0, 1]), RADIUS, HALF_HEIGHT)
+}
+
+fn met(origin: [i32; 3], towards: [i32; 3]) -> Option<i32> {
+    steps(tube().intersect(&ray(origin, towards), EVERYWHERE))
+}
+
+/// Fails unless the tube is met `truth` steps along the ray, but for what three factors rounded
+/// to 2⁻³⁰ to 2⁻²⁷ make of it.
+fn assert_met(origin: [i32; 3], towards: [i32; 3], truth: i32) {
+    let distance = met(origin, towards).unwrap();
+    assert!((distance - truth).abs() <= 4, "{distance}, not {truth}");
+}
+
+/// What double precision knows about a ray and a cylinder.
+struct Truth {
+    /// Where the line meets the endless cylinder, in order.
+    roots: Vec<f64>,
+    /// How far beyond the rim that is, negative on the wall; for each root.
+    beyond: Vec<f64>,
+    /// How far the line passes from the axis.
+    aside: f64,
+    /// The sine of the angle between ray and axis.
+    sine: f64,
+}
+
+impl Truth {
+    fn new(cylinder: &PreparedCylinder, ray: &Ray) -> Self {
+        let axis = unit(in_doubles(cylinder.axis.raw()));
+        let center = in_doubles(ray.origin.to(cylinder.center));
+        let along = unit(in_doubles(ray.direction.raw()));
+        let flat = |vector: Triple| plus(vector, -dot(vector, axis), axis);
+        let square = dot(flat(along), flat(along));
+        let middle = dot(flat(center), flat(along)) / square;
+        let aside = length(plus(flat(center), -middle, flat(along)));
+        let roots = roots(middle, ((cylinder.square as f64) - aside * aside) / square);
+        let height = |root: &f64| (dot(along, axis) * root - dot(center, axis)).abs();
+        let beyond = roots
+            .iter()
+            .map(|root| height(root) - f64::from(cylinder.half_height));
+        Self {
+            beyond: beyond.collect(),
+            roots,
+            aside,
+            sine: square.sqrt(),
+        }
+    }
+
+    fn nearest(&self) -> Option<f64> {
+        let on_the_wall = self.roots.iter().zip(&self.beyond);
+        on_the_wall
+            .filter(|(root, beyond)| **root > 0.0 && **beyond <= 0.0)
+            .map(|(r, _)| *r)
+            .next()
+    }
+
+    /// Whether rounding decides if a root counts; across the axis it is a few steps.
+    fn is_close_call(&self, cylinder: &PreparedCylinder) -> bool {
+        let slack = SLACK / self.sine;
+        (self.aside - (cylinder.square as f64).sqrt()).abs() <= SLACK
+            || self.roots.iter().any(|root| root.abs() <= slack)
+            || self.beyond.iter().any(|beyond| beyond.abs() <= slack)
+    }
+}
+
+/// Cylinders from 64 steps to half of the ball, and rays from anywhere near at and past them.
+fn pairs(seed: u64) -> impl Iterator<Item = (PreparedCylinder, Ray)> {
+    let mut sweep = Sweep::new(seed);
+    (0..200_000).map(move |_| {
+        let center = sweep.triple(1 << 26);
+        let axis = any_direction(&mut sweep).renormalised();
+        let (radius, half) = (sweep.octaves(6, 27), sweep.octaves(6, 27));
+        let ray = ray_towards(&mut sweep, center, radius.max(half));
+        (cylinder(center, axis, radius, half), ray)
+    })
+}
+
+#[test]
+fn cylinder_in_front_is_met_on_its_near_side() {
+    assert_met([-4 * RADIUS, 0, 0], [1, 0, 0], 3 * RADIUS);
+    assert_met([0, 4 * RADIUS, 0], [0, -1, 0], 3 * RADIUS);
+    // Three across and four up: 5/3 of the way across.
+    assert_met([-4 * RADIUS, 0, -4 * RADIUS], [3, 0, 4], 5 * RADIUS);
+}
+
+#[test]
+fn cylinder_behind_is_missed() {
+    assert_eq!(met([4 * RADIUS, 0, 0], [1, 0, 0]), None);
+    assert_eq!(met([RADIUS + 1, 0, 0], [1, 0, 0]), None);
+    assert_eq!(met([RADIUS + 1, 0, 0], [1, 7, 3]), None);
+}
+
+#[test]
+fn ray_from_inside_meets_the_wall() {
+    assert_met([0; 3], [0, 1, 0], RADIUS);
+    assert_met([RADIUS / 2, 0, 0], [-1, 0, 0], 3 * RADIUS / 2);
+}
+
+#[test]
+fn ray_through_the_open_ends_meets_nothing() {
+    for origin in [[0, 0, 4 * RADIUS], [RADIUS / 2, 9, 4 * RADIUS], [0; 3]] {
+        assert_eq!(
+            met(origin, [0, 0, -1]),
+            None,
+            "along the axis from {origin:?}"
+        );
+    }
+    assert_eq!(met([0, 0, 4 * RADIUS], [1, 0, -9]), None);
+}
+
+#[test]
+fn ray_through_one_open_end_meets_the_wall_from_inside() {
+    // From the axis, two heights up: the wall is met one step across for two down.
+    let distance = met([0, 0, 2 * HALF_HEIGHT], [3, 0, -10]).unwrap();
+    let truth = f64::from(RADIUS) * (9.0_f64 + 100.0).sqrt() / 3.0;
+    assert!(
+        (f64::from(distance) - truth).abs() <= 5.0,
+        "{distance}, not {truth}"
+    );
+}
+
+#[test]
+fn wall_ends_at_its_rim() {
+    for (height, is_met) in [
+        (0, true),
+        (1, false),
+        (-2 * HALF_HEIGHT, true),
+        (-2 * HALF_HEIGHT - 1, false),
+    ] {
+        let origin = [-4 * RADIUS, 0, HALF_HEIGHT + height];
+        assert_eq!(
+            met(origin, [1, 0, 0]).is_some(),
+            is_met,
+            "{height} above the rim"
+        );
+    }
+}
+
+#[test]
+fn tangent_is_met_where_it_touches_and_missed_two_steps_further_out() {
+    // A line seen one step further in has a half chord of √(2 r); three more for rounding.
+    let half_chord = f64::from(2 * RADIUS).sqrt() as i32 + 3;
+    let distance = met([-4 * RADIUS, RADIUS, 0], [1, 0, 0]).unwrap();
+    assert!(
+        (4 * RADIUS - half_chord..=4 * RADIUS).contains(&distance),
+        "{distance}"
+    );
+    assert_eq!(met([-4 * RADIUS, RADIUS + 2, 0], [1, 0, 0]), None);
+}
+
+#[test]
+fn reach_ends_before_the_distance_it_names() {
+    let ray = ray([-4 * RADIUS, 0, 0], [1, 0, 0]);
+    let distance = tube().intersect(&ray, EVERYWHERE).unwrap();
+    assert_eq!(tube().intersect(&ray, distance), None);
+    assert!(!tube().blocks(&ray, distance));
+    let further = Length::from_bits(distance.to_bits() + 1);
+    assert_eq!(tube().intersect(&ray, further), Some(distance));
+    assert!(tube().blocks(&ray, further));
+}
+
+#[test]
+fn blocks_agrees_with_intersect() {
+    let mut sweep = Sweep::new(1);
+    let mut counts = [0; 2];
+    for (cylinder, ray) in pairs(2) {
+        let reach = Length::from_bits(sweep.within(1, 1 << 30));
+        let blocks = cylinder.blocks(&ray, reach);
+        counts[usize::from(blocks)] += 1;
+        let truth = Truth::new(&cylinder, &ray);
+        let reach_in_steps = f64::from(reach.to_bits());
+        let at_the_end = |root: &f64| (root - reach_in_steps).abs() <= SLACK / truth.sine;
+        assert!(
+            blocks == cylinder.intersect(&ray, reach).is_some()
+                || truth.is_close_call(&cylinder)
+                || truth.roots.iter().any(at_the_end),
+            "{cylinder:?} {ray:?} {reach:?}"
+        );
+    }
+    assert!(counts.into_iter().all(|count| count > 10_000), "{counts:?}");
+}
+
+#[test]
+fn every_cylinder_is_met_where_double_precision_meets_it() {
+    let (mut hits, mut misses) = (0, 0);
+    for (cylinder, ray) in pairs(3) {
+        let truth = Truth::new(&cylinder, &ray);
+        if truth.is_close_call(&cylinder) {
+            continue;
+        }
+        let found = steps(cylinder.intersect(&ray, EVERYWHERE)).map(f64::from);
+        let nearest = truth.nearest();
+        assert_eq!(found.is_some(), nearest.is_some(), "{cylinder:?} {ray:?}");
+        let (Some(found), Some(nearest)) = (found, nearest) else {
+            misses += 1;
+            continue;
+        };
+        hits += 1;
+        // Half a chord of c is known to 2 r / c steps where its line is known to 2, and
+        // lengths across the axis count 1 / sine along the ray.
+        let half_chord = (truth.roots[1] - truth.roots[0]) / 2.0 * truth.sine;
+        let radius = (cylinder.square as f64).sqrt();
+        let bound = (SLACK + 2.0 * radius / half_chord) / truth.sine;
+        assert!(
+            (found - nearest).abs() <= bound,
+            "{found}, not {nearest}: {cylinder:?} {ray:?}"
+        );
+    }
+    assert!(hits > 15_000 && misses > 50_000, "{hits} {misses}");
+}
+
+#[test]
+fn hit_lies_on_its_cylinder() {
+    let mut hits = 0;
+    for (cylinder, ray) in pairs(4) {
+        let Some(distance) = cylinder.intersect(&ray, EVERYWHERE) else {
+            continue;
+        };
+        hits += 1;
+        let at = in_doubles(
+            cylinder
+                .center
+                .to(ray.origin.along(ray.direction, distance)),
+        );
+        let axis = unit(in_doubles(cylinder.axis.raw()));
+        let up = dot(at, axis);
+        let off = length(plus(at, -up, axis)) - (cylinder.square as f64).sqrt();
+        assert!(off.abs() <= SLACK, "{off} steps off: {cylinder:?} {ray:?}");
+        let beyond = up.abs() - f64::from(cylinder.half_height);
+        assert!(
+            beyond <= SLACK,
+            "{beyond} steps beyond: {cylinder:?} {ray:?}"
+        );
+    }
+    assert!(hits > 15_000, "{hits}");
+}
+
+#[test]
+fn ray_almost_along_the_axis_keeps_its_bits() {
+    // From the middle of the lower end, up by 2^26 while it goes across by one radius.
+    for bits in 6..24 {
+        let radius = 1 << bits;
+        let cylinder = cylinder([0; 3], direction([0, 0, 1]), radius, 1 << 27);
+        let inside = ray([0, 0, -(1 << 26)], [radius, 0, 1 << 26]);
+        let distance = f64::from(cylinder.intersect(&inside, EVERYWHERE).unwrap().to_bits());
+        let truth = &Truth::new(&cylinder, &inside).roots[1];
+        // One step across is 1 / sine along.
+        let step = 2f64.powi(26) / f64::from(radius);
+        assert!(
+            (distance - truth).abs() <= 2.0 * step + 2.0,
+            "{distance}, not {truth}"
+        );
+    }
+}
+
+#[test]
+fn normal_points_away_from_the_axis_and_has_length_one() {
+    let mut sweep = Sweep::new(5);
+    for _ in 0..100_000 {
+        let radius = sweep.octaves(10, 28);
+        let axis = any_direction(&mut sweep).renormalised();
+        let Some(outward) = axis.perpendicular(any_direction(&mut sweep)) else {
+            continue;
+        };
+        let cylinder = cylinder([0; 3], axis, radius, 1 << 27);
+        let foot = Point::ORIGIN.along(axis, Length::from_bits(sweep.within(-(1 << 27), 1 << 27)));
+        let at = foot.along(outward, Length::from_bits(radius));
+        let normal = in_doubles(cylinder.normal(at).raw());
+        let normal = normal.map(|coordinate| coordinate / 2f64.powi(30));
+        // The foot is at most √3 steps off, and so is the wall.
+        let aside = length(plus(unit(normal), -1.0, unit(in_doubles(outward.raw()))));
+        assert!(
+            aside <= 6.0 / f64::from(radius) + 4.0 * 2f64.powi(-30),
+            "{aside:e}: {radius}"
+        );
+        // Being e off the wall leaves 3/2 (e / r)² of the length.
+        let lost = 1.5 * (6.0 / f64::from(radius)).powi(2) * 1.1 + 4.0 * 2f64.powi(-30);
+        let long = length(normal) - 1.0;
+        assert!(
+            -lost <= long && long <= 4.0 * 2f64.powi(-30),
+            "{long:e}: {radius}"
+        );
+    }
+}
+
+#[test]
+fn ray_leaving_a_cylinder_outward_misses_it() {
+    let mut sweep = Sweep::new(6);
+    let mut left_outside = 0;
+    for (cylinder, arriving) in pairs(7) {
+        let Some(distance) = cylinder.intersect(&arriving, EVERYWHERE) else {
+            continue;
+        };
+        let at = arriving.origin.along(arriving.direction, distance);
+        let normal = cylinder.normal(at);
+        if arriving.direction.dot(normal).to_bits() > 0 {
+            continue; // It has come from inside.
+        }
+        left_outside += 1;
+        let origin = Place::new(at, 0)
+            .lifted(normal, Length::from_bits(16))
+            .point;
+        let any = any_direction(&mut sweep);
+        let upward = if any.dot(normal).to_bits() < 0 {
+            any.reversed()
+        } else {
+            any
+        };
+        let mirrored = arriving
+            .direction
+            .reflected(normal, arriving.direction.dot(normal));
+        for direction in [upward, mirrored] {
+            let leaving = Ray { origin, direction };
+            assert_eq!(
+                cylinder.intersect(&leaving, EVERYWHERE),
+                None,
+                "{cylinder:?} {leaving:?}"
+            );
+            assert!(
+                !cylinder.blocks(&leaving, EVERYWHERE),
+                "{cylinder:?} {leaving:?}"
+            );
+        }
+    }
+    assert!(left_outside > 10_000, "{left_outside}");
+}
+
+#[test]
+fn ray_leaving_the_inside_of_a_cylinder_crosses_it() {
+    let mut sweep = Sweep::new(8);
+    let (mut met, mut out_of_an_end) = (0, 0);
+    for _ in 0..100_000 {
+        let axis = any_direction(&mut sweep).renormalised();
+        let cylinder = cylinder([0; 3], axis, sweep.octaves(12, 27), 1 << 27);
+        let arriving = Ray {
+            origin: Point::ORIGIN,
+            direction: any_direction(&mut sweep),
+        };
+        let Some(distance) = cylinder.intersect(&arriving, EVERYWHERE) else {
+            continue;
+        };
+        let at = arriving.origin.along(arriving.direction, distance);
+        let normal = cylinder.normal(at).reversed();
+        let origin = Place::new(at, 0)
+            .lifted(normal, Length::from_bits(64))
+            .point;
+        let any = any_direction(&mut sweep);
+        let upward = if any.dot(normal).to_bits() < 0 {
+            any.reversed()
+        } else {
+            any
+        };
+        let leaving = Ray {
+            origin,
+            direction: upward,
+        };
+        let truth = Truth::new(&cylinder, &leaving);
+        if truth.is_close_call(&cylinder) {
+            continue;
+        }
+        let found = steps(cylinder.intersect(&leaving, EVERYWHERE)).map(f64::from);
+        assert_eq!(
+            found.is_some(),
+            truth.nearest().is_some(),
+            "{cylinder:?} {leaving:?}"
+        );
+        let Some(found) = found else {
+            out_of_an_end += 1;
+            continue;
+        };
+        met += 1;
+        let chord = (truth.roots[1] - truth.roots[0]) * truth.sine;
+        let bound = (SLACK + 4.0 * (cylinder.square as f64).sqrt() / chord) / truth.sine;
+        assert!(
+            (found - truth.roots[1]).abs() <= bound,
+            "{found}: {:?} {leaving:?}",
+            truth.roots
+        );
+    }
+    assert!(
+        met > 30_000 && out_of_an_end > 1000,
+        "{met} {out_of_an_end}"
+    );
+}

@@ -1,0 +1,256 @@
+use std::vec::Vec;
+
+use super::*;
+use crate::material::Material;
+use crate::number::sweep::Sweep;
+use crate::quality::{Fast, Fine};
+use crate::scene::{RuntimeScene, Scene, World};
+use crate::shade::{BlinnPhong, Normals, Phong};
+use crate::vector::Position;
+
+/// A last place of a weight.
+const ULP: f64 = 1.0 / (1 << 30) as f64;
+
+/// A closed sphere of radius 1 around the origin that shines evenly with `brightness` and
+/// reflects the share `alpha`.
+fn room(brightness: f64, alpha: f64) -> Scene<1, 0, 0, 0, 1> {
+    let mut scene = RuntimeScene::<1, 0, 0, 0, 1>::new();
+    let shining = Material::from_numbers([brightness; 3], 1, 0, (0, 1), alpha).unwrap();
+    let shining = scene.add_material(shining).unwrap();
+    scene.add_sphere([0, 0, 0], 1, shining).unwrap();
+    scene.build().unwrap()
+}
+
+/// Follows one path, and asks every shape of the scene.
+fn followed_by<K: Shading, Q: Quality>(world: &impl World, path: Path, reflections: u8) -> Traced {
+    trace::<_, K, Q>(world, &mut Sight::new(world, None), 0, path, reflections)
+}
+
+/// Follows paths from inside the room into many directions, one result each.
+fn followed<Q: Quality>(room: &Scene<1, 0, 0, 0, 1>, reflections: u8) -> Vec<Traced> {
+    let parts = room.parts();
+    let mut sweep = Sweep::new(u64::from(reflections));
+    let paths = (0..40).map(|_| {
+        let from = sweep.triple(1000).map(|it| f64::from(it) / 2000.0);
+        let towards = sweep.triple(1000).map(|it| f64::from(it) + 0.5);
+        Path {
+            from: parts.grid.place(Position::new(from)),
+            direction: Position::new(towards).direction().unwrap(),
+        }
+    });
+    paths
+        .map(|path| followed_by::<BlinnPhong, Q>(room, path, reflections))
+        .collect()
+}
+
+const ALPHAS: [f64; 7] = [0.0, 0.25, 0.5, 0.9, 0.99, 0.999, 1.0];
+
+const REFLECTIONS: [u8; 8] = [0, 1, 2, 4, 16, 63, 254, 255];
+
+#[test]
+fn closed_mirrored_room_shines_as_the_sum_of_its_series() {
+    for alpha in ALPHAS {
+        for brightness in [1.0, 0.6] {
+            let room = room(brightness, alpha);
+            for reflections in REFLECTIONS {
+                // c Σ (1 - α) αⁱ for i up to N
+                let truth = brightness * (1.0 - alpha.powi(i32::from(reflections) + 1)) * 255.0;
+                for traced in followed::<Fine>(&room, reflections) {
+                    for channel in traced.sum.to_rgb8() {
+                        // Rounded to an integer, which weights off by 2^-22 may tip over.
+                        let off = f64::from(channel) - truth;
+                        assert!(
+                            off.abs() <= 0.501,
+                            "{channel}, not {truth}: α {alpha}, N {reflections}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn weight_cut_off_is_the_product_of_the_shares() {
+    for alpha in ALPHAS {
+        let room = room(1.0, alpha);
+        let held = Unit::from_num(alpha).to_num::<f64>();
+        for reflections in REFLECTIONS {
+            let steps = i32::from(reflections) + 1;
+            for traced in followed::<Fine>(&room, reflections) {
+                // Every product is rounded down by less than a last place, and what was rounded
+                // off before is weakened by every α after it; α itself is rounded to half of one.
+                let lost = held.powi(steps) - traced.cut_off.to_num::<f64>();
+                let weakened: f64 = (0..steps).map(|step| held.powi(step)).sum();
+                let bound = weakened * ULP;
+                assert!(
+                    -ULP <= lost && lost <= bound + ULP,
+                    "{lost:e} of {alpha}^{steps} is lost, not 0 to {bound:e}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn weight_of_half_mirrors_is_exact() {
+    let room = room(1.0, 0.5);
+    for reflections in 0..30 {
+        for traced in followed::<Fine>(&room, reflections) {
+            assert_eq!(
+                traced.cut_off.to_bits(),
+                1 << (29 - reflections),
+                "N {reflections}"
+            );
+            assert_eq!(traced.rays, u32::from(reflections) + 1);
+        }
+    }
+}
+
+#[test]
+fn path_stops_where_its_weight_is_spent() {
+    // 2^-30 is the smallest weight, and half of it is none: the 31st ray is the last.
+    for (alpha, rays) in [
+        (0.0, 1),
+        (0.5, 31),
+        (0.25, 16),
+        (2f64.powi(-30), 2),
+        (1.0, 256),
+    ] {
+        for traced in followed::<Fine>(&room(1.0, alpha), 255) {
+            assert_eq!(traced.rays, rays, "α {alpha}");
+            let cut_off = if alpha == 1.0 { Unit::ONE } else { Unit::ZERO };
+            assert_eq!(traced.cut_off, cut_off, "α {alpha}");
+        }
+    }
+}
+
+#[test]
+fn perfect_mirrors_show_nothing_of_themselves() {
+    for traced in followed::<Fine>(&room(1.0, 1.0), 255) {
+        assert_eq!(traced.sum.to_rgb8(), [0; 3]);
+    }
+}
+
+#[test]
+fn number_of_reflections_bounds_the_rays() {
+    for reflections in REFLECTIONS {
+        for traced in followed::<Fine>(&room(1.0, 0.999), reflections) {
+            assert_eq!(traced.rays, u32::from(reflections) + 1);
+        }
+    }
+}
+
+#[test]
+fn fast_path_stops_at_a_weight_that_cannot_be_seen() {
+    for (alpha, rays) in [
+        (0.5, 11),
+        (0.25, 6),
+        (0.03, 2),
+        (0.9, 66),
+        (0.0, 1),
+        (1.0, 256),
+    ] {
+        for traced in followed::<Fast>(&room(1.0, alpha), 255) {
+            // The first power of α below 2^-10.
+            assert_eq!(traced.rays, rays, "α {alpha}");
+            let cut_off = traced.cut_off.to_num::<f64>();
+            let truth = alpha.powi(rays as i32);
+            assert!(
+                (cut_off - truth).abs() <= 70.0 * ULP,
+                "{cut_off}, not {truth}: α {alpha}"
+            );
+        }
+    }
+}
+
+#[test]
+fn fast_differs_from_fine_by_no_more_than_the_weight_it_reports() {
+    for alpha in ALPHAS {
+        let room = room(1.0, alpha);
+        for reflections in REFLECTIONS {
+            let pairs = followed::<Fast>(&room, reflections)
+                .into_iter()
+                .zip(followed::<Fine>(&room, reflections));
+            for (fast, fine) in pairs {
+                assert!(
+                    fast.rays <= fine.rays && fast.cut_off >= fine.cut_off,
+                    "{fast:?} {fine:?}"
+                );
+                let bound = (fast.cut_off.to_num::<f64>() * 255.0).ceil() as u8;
+                for (low, high) in fast.sum.to_rgb8().into_iter().zip(fine.sum.to_rgb8()) {
+                    assert!(low <= high && high - low <= bound, "{fast:?} {fine:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn path_that_meets_nothing_adds_the_background_with_its_weight() {
+    let mut scene = RuntimeScene::<1, 0, 0, 0, 1>::new();
+    let mirror = Material::from_numbers([1, 1, 1], 0, 0, (0, 1), 0.5).unwrap();
+    let mirror = scene.add_material(mirror).unwrap();
+    scene.add_sphere([0, 0, 0], 1, mirror).unwrap();
+    scene.set_background([1.0, 0.5, 0.0]).unwrap();
+    let scene = scene.build().unwrap();
+    let parts = scene.parts();
+    let from = parts.grid.place(Position::new([0.0, -3.0, 0.0]));
+    let path = |towards: [f64; 3]| Path {
+        from,
+        direction: Position::new(towards).direction().unwrap(),
+    };
+    let past = followed_by::<Phong, Fine>(&scene, path([1.0, 0.0, 0.0]), 9);
+    assert_eq!(
+        (past.sum.to_rgb8(), past.rays, past.cut_off),
+        ([255, 128, 0], 1, Unit::ZERO)
+    );
+    let mirrored = followed_by::<Phong, Fine>(&scene, path([0.0, 1.0, 0.0]), 9);
+    assert_eq!(
+        (mirrored.sum.to_rgb8(), mirrored.rays, mirrored.cut_off),
+        ([128, 64, 0], 2, Unit::ZERO)
+    );
+    let cut = followed_by::<Phong, Fine>(&scene, path([0.0, 1.0, 0.0]), 0);
+    assert_eq!(
+        (cut.sum.to_rgb8(), cut.rays, cut.cut_off.to_bits()),
+        ([0; 3], 1, 1 << 29)
+    );
+}
+
+#[test]
+fn normals_are_seen_in_no_mirror() {
+    let room = room(1.0, 1.0);
+    let parts = room.parts();
+    let direction = Position::new([0.0, 1.0, 0.0]).direction().unwrap();
+    let path = Path {
+        from: parts.grid.place(Position::ORIGIN),
+        direction,
+    };
+    let traced = followed_by::<Normals, Fine>(&room, path, 255);
+    assert_eq!((traced.rays, traced.cut_off), (1, Unit::ZERO));
+    assert_eq!(traced.sum.to_rgb8(), [128, 0, 128]);
+}
+
+#[test]
+fn path_between_facing_mirrors_stays_between_them() {
+    // Nobody leaves, and no plane is met twice in a row.
+    let mut scene = RuntimeScene::<0, 2, 0, 0, 1>::new();
+    let shining = Material::from_numbers([1, 1, 1], 1, 0, (0, 1), 0.875).unwrap();
+    let shining = scene.add_material(shining).unwrap();
+    scene.add_plane([0, 0, 0], [0, 0, 1], shining).unwrap();
+    scene.add_plane([0, 0, 1], [0, 0, 1], shining).unwrap();
+    let scene = scene.build().unwrap();
+    let parts = scene.parts();
+    let from = parts.grid.place(Position::new([0.0, 0.0, 0.5]));
+    for towards in [
+        [0.0, 0.0, 1.0],
+        [1.0, 2.0, 9.0],
+        [1.0, 0.0, 1.0],
+        [9.0, 0.0, -1.0],
+    ] {
+        let direction = Position::new(towards).direction().unwrap();
+        let traced = followed_by::<BlinnPhong, Fine>(&scene, Path { from, direction }, 100);
+        assert_eq!(traced.rays, 101, "{towards:?}");
+        assert_eq!(traced.sum.to_rgb8(), [255; 3], "{towards:?}");
+    }
+}

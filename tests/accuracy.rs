@@ -1,0 +1,196 @@
+//! How far fixed point is from double precision, on every built-in scene and in a telephoto view.
+
+mod painting;
+
+use std::fmt::Display;
+
+use embedded_graphics::prelude::Size;
+use painting::painted;
+use reflet::host::compare::{Difference, compare};
+use reflet::host::reference::{self, render};
+use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
+use reflet::{
+    BlinnPhong, Camera, Fast, Fine, Material, Normals, Phong, Quality, Scene, SceneBuilder,
+    Shading, StaticFrame,
+};
+
+const SIDE: u32 = 320;
+const REFLECTIONS: u8 = 4;
+
+/// What a picture must reach.
+struct Bar {
+    name: &'static str,
+    same: f64,
+    within1: f64,
+    psnr: f64,
+}
+
+const FAST: Bar = Bar {
+    name: "fast",
+    same: 0.0,
+    within1: 0.999,
+    psnr: 46.0,
+};
+
+/// As good as single precision, or better.
+const FINE: Bar = Bar {
+    name: "fine",
+    same: 0.998,
+    within1: 0.999,
+    psnr: 55.0,
+};
+
+const NORMALS: Bar = Bar {
+    name: "normals",
+    same: 0.0,
+    within1: 0.999,
+    psnr: 46.0,
+};
+
+impl Bar {
+    /// Prints a line of the table, and what is wrong where the bar is missed.
+    fn missed(&self, name: impl Display, found: &Difference) -> Option<String> {
+        let Difference {
+            same,
+            within1,
+            psnr,
+            max,
+            ..
+        } = found;
+        let line = format!(
+            "{name:<18} {:<8} same {same:.5}  within 1 {within1:.5}  {psnr:6.2} dB  max {max}",
+            self.name
+        );
+        println!("{line}");
+        let is_met = *same >= self.same && *within1 >= self.within1 && *psnr >= self.psnr;
+        (!is_met).then_some(line)
+    }
+}
+
+/// Paints a scene in one shading and compares it with the reference; returns what is too far off.
+struct Check<K> {
+    shading: reference::Shading,
+    kind: std::marker::PhantomData<K>,
+}
+
+fn difference<S: BuiltIn + StaticFrame, Q: Quality, K: Shading>(
+    truth: &reference::Picture,
+) -> Difference {
+    let frame = S::frame(&S::CAMERA).reflections(REFLECTIONS);
+    let picture = frame
+        .quality::<Q>()
+        .shading::<K>()
+        .sized(Size::new(SIDE, SIDE));
+    compare(&painted(&picture), truth).unwrap()
+}
+
+impl<K: Shading> Visitor for Check<K> {
+    type Output = Vec<String>;
+
+    fn visit<S: BuiltIn>(self) -> Vec<String> {
+        let scene = S::with_description(|scene| reference::Scene::from(&scene));
+        let camera = reference::Camera::from(&S::CAMERA);
+        let n = u32::from(REFLECTIONS);
+        let truth = render(&scene, &camera, SIDE, SIDE, n, self.shading);
+        let bars = match self.shading {
+            reference::Shading::Normals => vec![(NORMALS, difference::<S, Fast, K>(&truth))],
+            _ => vec![
+                (FAST, difference::<S, Fast, K>(&truth)),
+                (FINE, difference::<S, Fine, K>(&truth)),
+            ],
+        };
+        let missed = bars
+            .iter()
+            .filter_map(|(bar, found)| bar.missed(S::NAME, found));
+        missed.collect()
+    }
+}
+
+fn assert_bars_are_met<K: Shading>(shading: reference::Shading) {
+    println!("{shading:?}");
+    let check = || Check::<K> {
+        shading,
+        kind: std::marker::PhantomData,
+    };
+    let missed = NAMES
+        .into_iter()
+        .flat_map(|name| visit(name, check()).unwrap());
+    let missed: Vec<_> = missed.collect();
+    assert!(missed.is_empty(), "{shading:?}: {}", missed.join("\n"));
+}
+
+#[test]
+fn every_scene_in_blinn_phong_is_close_to_double_precision() {
+    assert_bars_are_met::<BlinnPhong>(reference::Shading::BlinnPhong);
+}
+
+#[test]
+fn every_scene_in_phong_is_close_to_double_precision() {
+    assert_bars_are_met::<Phong>(reference::Shading::Phong);
+}
+
+#[test]
+fn normals_of_every_scene_are_close_to_double_precision() {
+    assert_bars_are_met::<Normals>(reference::Shading::Normals);
+}
+
+const GOLD: Material = Material::new([0.7, 0.6, 0.0])
+    .ambient(0.2)
+    .diffuse(0.4)
+    .specular(0.8, 4.0)
+    .mirror(0.4);
+const WATER: Material = Material::new([0.6, 0.8, 1.0])
+    .ambient(0.2)
+    .diffuse(0.3)
+    .specular(1.0, 50.0)
+    .mirror(0.5);
+const CHALK: Material = Material::new([0.9, 0.9, 0.8]).ambient(0.2).diffuse(0.8);
+
+/// A few shapes on a floor, from 90 units away and hardly above the horizon: single precision is
+/// down to 30 decibels here.
+const TELEPHOTO: SceneBuilder<4, 1, 1, 2> = SceneBuilder::new()
+    .sphere([-1.0, 0.0, 0.6], 0.6, GOLD)
+    .sphere([0.6, -0.4, 0.4], 0.4, WATER)
+    .sphere([1.3, 0.7, 0.8], 0.8, CHALK)
+    .sphere([-0.1, -1.1, 0.2], 0.2, GOLD)
+    .cylinder([0.2, 1.2, 0.7], [0.1, 0.0, 1.0], 0.4, 1.4, GOLD)
+    .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], WATER)
+    .light([30.0, -50.0, 40.0], [0.8, 0.8, 0.7])
+    .light([-20.0, -60.0, 15.0], [0.3, 0.3, 0.4])
+    .background([0.3, 0.5, 0.9])
+    .camera(FAR_AWAY);
+
+const FAR_AWAY: Camera =
+    Camera::look_at([12.0, -89.0, 4.5], [0.1, 0.0, 0.5], [0.0, 0.0, 1.0]).fov(2.5);
+
+const TELEPHOTO_SCENE: Scene<4, 1, 1, 2> = TELEPHOTO.build();
+
+#[test]
+fn telephoto_view_does_not_hurt_fixed_point() {
+    let bar = Bar {
+        name: "fine",
+        same: 0.998,
+        within1: 0.999,
+        psnr: 60.0,
+    };
+    let scene = reference::Scene::from(&TELEPHOTO.description());
+    let camera = reference::Camera::from(&FAR_AWAY);
+    let frame = TELEPHOTO_SCENE
+        .frame(&FAR_AWAY)
+        .reflections(REFLECTIONS)
+        .quality::<Fine>();
+    let size = Size::new(SIDE, SIDE);
+    let n = u32::from(REFLECTIONS);
+    let pairs = [
+        (painted(&frame.sized(size)), reference::Shading::BlinnPhong),
+        (
+            painted(&frame.shading::<Phong>().sized(size)),
+            reference::Shading::Phong,
+        ),
+    ];
+    for (picture, shading) in pairs {
+        let truth = render(&scene, &camera, SIDE, SIDE, n, shading);
+        let found = compare(&picture, &truth).unwrap();
+        assert_eq!(bar.missed(format!("{shading:?}"), &found), None);
+    }
+}
