@@ -1,0 +1,32 @@
+//! The chores of the repository, one module a concern: [`accuracy`] measures pictures, [`setup`]
+//! knows what a machine needs, [`gate`] what a change must pass, [`toolchain`] how to build for a
+//! bare-metal target, [`emulator`] how to run what was built, [`board`] the default board,
+//! [`pico`] the Raspberry Pi Pico, [`screenshot`] where their pictures go, [`measure`] what a
+//! scene takes, [`cycles`] how instructions become cycles, [`scene_source`] makes Rust of scene files, [`apt`] Debian's packages and
+//! [`command`] how to run another program.
+
+pub mod accuracy;
+pub mod apt;
+pub mod board;
+pub mod command;
+pub mod cycles;
+pub mod emulator;
+pub mod gate;
+pub mod measure;
+pub mod misuse;
+pub mod pico;
+pub mod scene_source;
+pub mod screenshot;
+pub mod setup;
+pub mod toolchain;
+
+use std::path::{Path, PathBuf};
+
+/// The folder of the repository.
+pub fn root() -> PathBuf {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    package
+        .parent()
+        .expect("xtask lies in the repository")
+        .to_owned()
+}

@@ -1,0 +1,85 @@
+//! The command line of the chores: `cargo xtask --help` lists them.
+
+use std::{env, path::PathBuf, process::ExitCode};
+
+use anyhow::{Context, Result};
+use clap::Parser;
+use xtask::{
+    accuracy, board, gate, measure, misuse::Misuse, pico, root, scene_source, screenshot, setup,
+};
+
+/// The chores of the reflet repository.
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask")]
+enum Chore {
+    /// Gets what the tests need and is not on this machine; quick when nothing is missing.
+    Setup,
+    /// Sets up, then runs the whole gate and stops at the first step that fails.
+    Test,
+    /// Measures every built-in scene against the reference and writes docs/accuracy.md.
+    Accuracy,
+    /// Boots the default board unseen and saves what its display shows.
+    Board(screenshot::Arguments),
+    /// Emulates a Raspberry Pi Pico and saves what its display shows.
+    Pico(screenshot::Arguments),
+    /// Boots a firmware on the default board, in a window if there is a screen: `cargo run` does.
+    Show {
+        /// The linked firmware
+        #[arg(value_name = "ELF")]
+        firmware: PathBuf,
+    },
+    Measure(measure::arguments::Arguments),
+    /// Prints a scene file as the Rust source of a constant scene.
+    Scene {
+        /// JSON, one scene or an array of scenes
+        #[arg(value_name = "FILE.json")]
+        file: PathBuf,
+
+        /// The scene to take from a file that holds several
+        #[arg(long, value_name = "SCENE")]
+        name: Option<String>,
+    },
+}
+
+fn main() -> ExitCode {
+    match read().and_then(|chore| run(&chore)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            match error.is::<Misuse>() {
+                true => ExitCode::from(2),
+                false => ExitCode::FAILURE,
+            }
+        }
+    }
+}
+
+/// What the command line says; prints the help and ends where that is what was asked for.
+fn read() -> Result<Chore> {
+    Ok(Chore::try_parse().map_err(|error| {
+        if !error.use_stderr() {
+            error.exit();
+        }
+        Misuse::from_clap(&error)
+    })?)
+}
+
+fn run(chore: &Chore) -> Result<()> {
+    // These read or write a file by the name it has where the command is given.
+    match chore {
+        Chore::Board(arguments) => return board::run(arguments),
+        Chore::Pico(arguments) => return pico::run(arguments),
+        Chore::Show { firmware } => return board::show(firmware),
+        Chore::Measure(arguments) => return measure::run(arguments),
+        Chore::Scene { file, name } => return scene_source::run(file, name.as_deref()),
+        _ => {}
+    }
+    let root = root();
+    env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))?;
+    match chore {
+        Chore::Setup => setup::run(),
+        Chore::Accuracy => accuracy::run(),
+        Chore::Test => setup::run().and_then(|()| gate::run()),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,150 @@
+//! What a machine needs before the gate can run, and how to get it.
+//!
+//! A need is a row of [`NEEDS`]; setting up goes through the rows, gets what is missing, and says
+//! at the end what it could not get and how to get it by hand.
+
+use std::time::Instant;
+
+use anyhow::{Context, Result, bail};
+
+use crate::{apt, command::Program, emulator::rp2040, toolchain};
+
+/// Something outside the repository that the gate uses.
+struct Need {
+    name: &'static str,
+    is_there: fn() -> bool,
+    get: fn() -> Result<()>,
+    by_hand: &'static str,
+}
+
+const NEEDS: &[Need] = &[
+    Need {
+        name: "rustfmt",
+        is_there: || Program::new("cargo").args(["fmt", "--version"]).succeeds(),
+        get: || toolchain::add_component("rustfmt"),
+        by_hand: "rustup component add rustfmt",
+    },
+    Need {
+        name: "clippy",
+        is_there: || {
+            Program::new("cargo")
+                .args(["clippy", "--version"])
+                .succeeds()
+        },
+        get: || toolchain::add_component("clippy"),
+        by_hand: "rustup component add clippy",
+    },
+    Need {
+        name: "bare-metal targets",
+        is_there: || toolchain::BareMetal::find().is_some(),
+        get: toolchain::get_bare_metal,
+        by_hand: toolchain::BARE_METAL_BY_HAND,
+    },
+    Need {
+        name: "QEMU",
+        is_there: || {
+            let has_version = |name| Program::new(name).args(["--version"]).succeeds();
+            ["qemu-system-arm", "qemu-system-riscv32"]
+                .into_iter()
+                .all(has_version)
+        },
+        get: || apt::install(&["qemu-system-arm", "qemu-system-misc"]),
+        by_hand: "as root: apt-get install --no-install-recommends qemu-system-arm qemu-system-misc",
+    },
+    Need {
+        name: "node and npm",
+        is_there: || {
+            let has_version = |name| Program::new(name).args(["--version"]).succeeds();
+            ["node", "npm"].into_iter().all(has_version)
+        },
+        get: || apt::install(&["nodejs", "npm"]),
+        by_hand: "as root: apt-get install --no-install-recommends nodejs npm",
+    },
+    Need {
+        name: "RP2040 emulator",
+        is_there: rp2040::is_installed,
+        get: || Ok(rp2040::install()?),
+        by_hand: "npm ci --prefix xtask/emulator/rp2040, with npm's registry in reach",
+    },
+];
+
+/// Gets what this machine lacks.
+pub fn run() -> Result<()> {
+    meet_all(NEEDS)
+}
+
+/// Tries all the needs, so that one run names everything that is missing.
+fn meet_all(needs: &[Need]) -> Result<()> {
+    let mut missing = Vec::new();
+    for need in needs {
+        if let Err(error) = meet(need) {
+            println!("setup: {}: not got: {error:#}", need.name);
+            missing.push(format!("\n  {}: {}", need.name, need.by_hand));
+        }
+    }
+    if missing.is_empty() {
+        return Ok(());
+    }
+    bail!(
+        "setup could not get all the tests need. By hand:{}",
+        missing.concat()
+    )
+}
+
+fn meet(need: &Need) -> Result<()> {
+    if (need.is_there)() {
+        println!("setup: {}: there", need.name);
+        return Ok(());
+    }
+    println!("setup: {}: not there, getting", need.name);
+    let start = Instant::now();
+    (need.get)()?;
+    (need.is_there)()
+        .then_some(())
+        .context("it was installed and still does not work")?;
+    println!(
+        "setup: {}: got in {:.0} s",
+        need.name,
+        start.elapsed().as_secs_f64()
+    );
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HERE: Need = Need {
+        name: "tea",
+        is_there: || true,
+        get: || panic!("nobody asked for it"),
+        by_hand: "boil water",
+    };
+
+    #[test]
+    fn what_is_there_is_not_fetched() {
+        meet_all(&[HERE]).unwrap();
+    }
+
+    #[test]
+    fn everything_that_cannot_be_got_is_named_with_the_way_by_hand() {
+        let refused = Need {
+            name: "milk",
+            is_there: || false,
+            get: || bail!("no cow"),
+            by_hand: "milk a cow",
+        };
+        let useless = Need {
+            name: "sugar",
+            is_there: || false,
+            get: || Ok(()),
+            by_hand: "grow a beet",
+        };
+        let error = meet_all(&[refused, HERE, useless]).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "setup could not get all the tests need. By hand:\n  \
+             milk: milk a cow\n  sugar: grow a beet"
+        );
+    }
+}

@@ -1,0 +1,184 @@
+//! The Rust toolchain: its components, and how to build for a microcontroller.
+//!
+//! The ready-made core library of a target comes from rustup. Where that cannot be had, Debian
+//! packages a compiler together with the source of the core library, and cargo builds that on
+//! the way.
+
+use std::{
+    env,
+    ffi::OsString,
+    path::{Path, PathBuf},
+    time::Duration,
+};
+
+use anyhow::{Context, Result};
+use serde_json::Value;
+
+use crate::{apt, command::Program, root};
+
+/// The cores reflet is built for: Cortex-M0, M3, M4F and M7, M33, and RV32IMAC.
+pub const TARGETS: [&str; 5] = [
+    "thumbv6m-none-eabi",
+    "thumbv7m-none-eabi",
+    "thumbv7em-none-eabihf",
+    "thumbv8m.main-none-eabihf",
+    "riscv32imac-unknown-none-elf",
+];
+
+/// What a person types to get the bare-metal targets.
+pub const BARE_METAL_BY_HAND: &str = "rustup target add thumbv6m-none-eabi thumbv7m-none-eabi \
+     thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf, \
+     or as root: apt-get install --no-install-recommends rustc-web rust-web-src";
+
+/// rustup takes seconds where it works; where its server is out of reach it may wait forever.
+const RUSTUP_LIMIT: Duration = Duration::from_secs(5 * 60);
+
+/// A first build compiles dozens of crates; later ones take seconds.
+const BUILD_LIMIT: Duration = Duration::from_secs(10 * 60);
+
+/// The compiler of Debian's package `rustc-web`.
+const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
+
+/// Adds a component to the toolchain in use.
+pub fn add_component(name: &str) -> Result<()> {
+    rustup(&["component", "add", name])
+}
+
+/// Gets the core library for the bare-metal targets: ready-made, or else as source.
+pub fn get_bare_metal() -> Result<()> {
+    let Err(refusal) = rustup(&[&["target", "add"], &TARGETS[..]].concat()) else {
+        return Ok(());
+    };
+    println!("setup: {refusal:#}; Debian's compiler and library source instead");
+    apt::install(&["rustc-web", "rust-web-src"]).context(refusal)
+}
+
+fn rustup(arguments: &[&str]) -> Result<()> {
+    let rustup = Program::new("rustup")
+        .args(arguments)
+        .env("RUST_BACKTRACE", "0")
+        .limit(RUSTUP_LIMIT);
+    println!("       {rustup}");
+    Ok(rustup.stream()?)
+}
+
+/// A working way to build for every target of [`TARGETS`].
+#[derive(Debug)]
+pub enum BareMetal {
+    /// The toolchain in use brings their core library.
+    Prebuilt,
+    /// `rustc` brings the core library's source, and `linker` can link for them.
+    BuildStd {
+        rustc: OsString,
+        linker: Option<PathBuf>,
+    },
+}
+
+impl BareMetal {
+    /// The way that works on this machine, if one does. Quick: it looks for files only.
+    pub fn find() -> Option<Self> {
+        let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+        let library = rust_library(&rustc)?;
+        if TARGETS.iter().all(|target| library.join(target).is_dir()) {
+            return Some(Self::Prebuilt);
+        }
+        let source = |rustc: &OsString| {
+            rust_library(rustc).is_some_and(|it| it.join("src/rust/library/core").is_dir())
+        };
+        Some(Self::BuildStd {
+            rustc: [rustc, DEBIAN_RUSTC.into()].into_iter().find(source)?,
+            linker: find_linker(&library),
+        })
+    }
+
+    /// `cargo SUBCOMMAND` for `targets`. What this needs in the environment stays in this one
+    /// program: no build for the host may see it.
+    pub fn cargo(&self, subcommand: &str, targets: &[&str]) -> Program {
+        let flags = targets.iter().flat_map(|target| ["--target", target]);
+        let cargo = Program::new("cargo").args([subcommand]).args(flags);
+        let Self::BuildStd { rustc, linker } = self else {
+            return cargo;
+        };
+        let cargo = cargo
+            .env("RUSTC", rustc)
+            .env("RUSTC_BOOTSTRAP", "1")
+            .env("CARGO_UNSTABLE_BUILD_STD", "core,compiler_builtins")
+            .env("CARGO_TARGET_DIR", target_directory().join("build-std"));
+        targets.iter().fold(cargo, |cargo, target| match linker {
+            Some(linker) => cargo.env(linker_variable(target), linker),
+            None => cargo,
+        })
+    }
+}
+
+/// Builds one program in release mode, `arguments` being what `cargo build` needs to know to find
+/// it, and returns where it is. Run in the folder whose configuration is meant.
+pub fn build(target: &str, arguments: &[&str]) -> Result<PathBuf> {
+    let bare_metal = BareMetal::find()
+        .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
+    let messages = bare_metal
+        .cargo("build", &[target])
+        .args([
+            "--release",
+            "--locked",
+            "--message-format=json-render-diagnostics",
+        ])
+        .args(arguments)
+        .limit(BUILD_LIMIT)
+        .read()?;
+    let mut programs = messages.lines().filter_map(|line| {
+        let message: Value = serde_json::from_str(line).ok()?;
+        message["executable"].as_str().map(PathBuf::from)
+    });
+    programs.next_back().context("cargo built no program")
+}
+
+/// The folder with the libraries of `rustc`, one folder a target.
+fn rust_library(rustc: &OsString) -> Option<PathBuf> {
+    let sysroot = Program::new(rustc)
+        .args(["--print", "sysroot"])
+        .read()
+        .ok()?;
+    Some(Path::new(&sysroot).join("lib/rustlib"))
+}
+
+/// The linker of rustup's toolchain: Debian's has none that knows these targets.
+fn find_linker(library: &Path) -> Option<PathBuf> {
+    let tools = library.read_dir().ok()?.flatten();
+    tools
+        .map(|host| host.path().join("bin/rust-lld"))
+        .find(|linker| linker.is_file())
+}
+
+/// Where cargo puts what it builds.
+pub fn target_directory() -> PathBuf {
+    root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
+}
+
+/// The environment variable by which cargo learns a target's linker.
+fn linker_variable(target: &str) -> String {
+    let name = target.replace(['-', '.'], "_").to_uppercase();
+    format!("CARGO_TARGET_{name}_LINKER")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn advice_by_hand_names_every_target() {
+        assert!(
+            TARGETS
+                .iter()
+                .all(|target| BARE_METAL_BY_HAND.contains(target))
+        );
+    }
+
+    #[test]
+    fn linker_variable_is_spelt_as_cargo_reads_it() {
+        assert_eq!(
+            linker_variable("thumbv8m.main-none-eabihf"),
+            "CARGO_TARGET_THUMBV8M_MAIN_NONE_EABIHF_LINKER"
+        );
+    }
+}
