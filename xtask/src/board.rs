@@ -1,0 +1,110 @@
+//! The default board, examples/board in QEMU: builds it, boots it, presses its keys and looks at
+//! its display.
+
+use std::{
+    env,
+    path::{Path, PathBuf},
+    time::Duration,
+};
+
+use anyhow::{Context, Result};
+use image::RgbImage;
+use reflet::scenes::NAMES;
+
+use crate::{
+    emulator::qemu::{Failure, Key, Qemu, Running},
+    root,
+    screenshot::{self, Arguments},
+    toolchain,
+};
+
+/// What rustc calls the board's core.
+const TARGET: &str = "thumbv7m-none-eabi";
+
+/// A picture takes a fraction of a second, and there are eleven scenes.
+const LIMIT: Duration = Duration::from_secs(60);
+
+/// `cargo xtask board`.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let path = arguments.path("board")?;
+    println!("board: building");
+    let firmware = build()?;
+    println!("board: booting");
+    let mut board = Board::boot(&firmware)?;
+    let line = board.go_to(&arguments.scene)?;
+    println!("{line}");
+    screenshot::save(&board.screen()?, &path)?;
+    println!("written to {}", path.display());
+    Ok(())
+}
+
+/// `cargo xtask show`: for a person, until they close the window or stop it.
+pub fn show(firmware: &Path) -> Result<()> {
+    Ok(machine().show(firmware)?)
+}
+
+/// Builds the firmware and returns where it is.
+pub fn build() -> Result<PathBuf> {
+    let root = root();
+    env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))?;
+    toolchain::build(TARGET, &["--package", "reflet", "--example", "board"])
+}
+
+fn machine() -> Qemu {
+    Qemu::arm("lm3s6965evb").limit(LIMIT)
+}
+
+/// The board, switched on.
+#[derive(Debug)]
+pub struct Board {
+    running: Running,
+    /// The line that came with the picture that is shown.
+    line: String,
+}
+
+impl Board {
+    /// Boots the board and waits for its first picture.
+    pub fn boot(firmware: &Path) -> Result<Self, Failure> {
+        let mut running = machine().boot(firmware)?;
+        let line = running.line(is_report)?;
+        Ok(Self { running, line })
+    }
+
+    /// Presses a key, waits for the next picture, and returns the line that comes with it.
+    pub fn press(&mut self, key: Key) -> Result<&str, Failure> {
+        self.running.press(key)?;
+        self.line = self.running.line(is_report)?;
+        Ok(&self.line)
+    }
+
+    /// Presses the select key until a scene is shown, and returns the line that came with it.
+    pub fn go_to(&mut self, scene: &str) -> Result<&str, Failure> {
+        while !self.line.starts_with(&format!("{scene}: ")) {
+            self.press(Key::Control)?;
+        }
+        Ok(&self.line)
+    }
+
+    /// What the display shows, four dots a pixel.
+    pub fn screen(&mut self) -> Result<RgbImage, Failure> {
+        self.running.screen()
+    }
+}
+
+/// Whether a line reports a finished picture: `castle: 13509 rays, ...`.
+fn is_report(line: &str) -> bool {
+    line.split_once(": ")
+        .is_some_and(|(name, _)| NAMES.contains(&name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_report_is_taken_for_one() {
+        assert!(is_report("castle: 13509 rays, weight cut off 0.0000"));
+        assert!(!is_report("qemu-system-arm: warning"));
+        assert!(!is_report("castle"));
+    }
+}

@@ -1,0 +1,189 @@
+//! The default board in QEMU: its display shows what the simulator shows, dot for dot, also after
+//! its keys have been pressed; and what goes wrong on a board is named and never hangs.
+
+use std::{fs, path::PathBuf, process::Command, time::Duration};
+
+use embedded_graphics::{geometry::Size, pixelcolor::Gray4};
+use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
+use image::RgbImage;
+use reflet::{
+    Camera, Report, StaticFrame,
+    scenes::{BuiltIn, Castle, Columns, Mirror1, ShadingLights},
+};
+use xtask::{
+    board::{self, Board},
+    emulator::qemu::{Failure, Key, Qemu},
+    root, toolchain,
+};
+
+/// Degrees an arrow key turns the camera by.
+const STEP: i32 = 10;
+
+/// The simulator's picture, enlarged as QEMU enlarges the display's.
+fn simulated<S: BuiltIn>(camera: &Camera) -> RgbImage {
+    let mut display = SimulatorDisplay::<Gray4>::new(Size::new(128, 64));
+    S::frame(camera).draw(&mut display).unwrap();
+    let settings = OutputSettingsBuilder::new().scale(4).build();
+    let output = display.to_rgb_output_image(&settings);
+    let buffer = output.as_image_buffer();
+    RgbImage::from_raw(buffer.width(), buffer.height(), buffer.as_raw().to_vec()).unwrap()
+}
+
+fn assert_shows(board: &mut Board, expected: &RgbImage) {
+    let shown = board.screen().unwrap();
+    assert_eq!(shown.dimensions(), (512, 256));
+    assert_eq!(shown.dimensions(), expected.dimensions());
+    let dots = shown.enumerate_pixels().zip(expected.pixels());
+    let wrong = dots.filter(|((_, _, shown), expected)| shown != expected);
+    let wrong: Vec<_> = wrong.take(3).collect();
+    assert!(wrong.is_empty(), "{wrong:?}");
+}
+
+#[test]
+fn display_shows_the_simulators_picture_and_follows_the_keys() {
+    let mut board = Board::boot(&board::build().unwrap()).unwrap();
+    assert_shows(&mut board, &simulated::<Castle>(&Castle::CAMERA));
+
+    board.press(Key::Right).unwrap();
+    let turned = Castle::CAMERA.orbited(STEP, 0).unwrap();
+    assert_shows(&mut board, &simulated::<Castle>(&turned));
+
+    board.press(Key::Up).unwrap();
+    let raised = turned.orbited(0, STEP).unwrap();
+    assert_shows(&mut board, &simulated::<Castle>(&raised));
+
+    board.press(Key::Left).unwrap();
+    board.press(Key::Down).unwrap();
+    let back = raised.orbited(-STEP, 0).unwrap().orbited(0, -STEP).unwrap();
+    assert_shows(&mut board, &simulated::<Castle>(&back));
+
+    let line = board.press(Key::Control).unwrap();
+    assert!(line.starts_with("shading_lights: "), "{line}");
+    assert_shows(
+        &mut board,
+        &simulated::<ShadingLights>(&ShadingLights::CAMERA),
+    );
+}
+
+#[test]
+fn select_key_leads_to_any_scene_and_around_to_the_first() {
+    let mut board = Board::boot(&board::build().unwrap()).unwrap();
+    board.go_to("mirror1").unwrap();
+    assert_shows(&mut board, &simulated::<Mirror1>(&Mirror1::CAMERA));
+    board.go_to("castle").unwrap();
+    assert_shows(&mut board, &simulated::<Castle>(&Castle::CAMERA));
+}
+
+#[test]
+fn report_counts_the_rays_of_the_picture() {
+    let mut display = SimulatorDisplay::<Gray4>::new(Size::new(128, 64));
+    let report = Castle::frame(&Castle::CAMERA).draw(&mut display).unwrap();
+    let Report { rays, cut_off, .. } = report;
+    let expected = format!("castle: {rays} rays, weight cut off {cut_off:.4}");
+    let mut board = Board::boot(&board::build().unwrap()).unwrap();
+    assert_eq!(board.go_to("castle").unwrap(), expected);
+    let page = fs::read_to_string(root().join("examples/board/README.md")).unwrap();
+    assert!(page.contains(&format!("\n{expected}\n")), "{expected}");
+}
+
+#[test]
+fn picture_on_the_boards_page_is_what_it_shows() {
+    let picture = image::open(root().join("docs/board.png")).unwrap();
+    assert!(picture.to_rgb8() == simulated::<Castle>(&Castle::CAMERA));
+}
+
+#[test]
+fn command_saves_what_the_display_shows_and_replaces_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("columns.png");
+    let call = || {
+        Command::new(env!("CARGO_BIN_EXE_xtask"))
+            .args(["board", "--scene", "columns", "--screenshot"])
+            .arg(&path)
+            .output()
+            .unwrap()
+    };
+    let first = call();
+    assert!(first.status.success(), "{first:?}");
+    let said = String::from_utf8(first.stdout).unwrap();
+    assert!(said.contains("\ncolumns: "), "{said}");
+    assert!(
+        said.ends_with(&format!("written to {}\n", path.display())),
+        "{said}"
+    );
+    let saved = image::open(&path).unwrap().to_rgb8();
+    assert!(saved == simulated::<Columns>(&Columns::CAMERA));
+
+    let second = call();
+    assert_eq!(second.status.code(), Some(2), "{second:?}");
+    let said = String::from_utf8(second.stderr).unwrap();
+    assert_eq!(
+        said,
+        format!("error: {} exists and is not written over\n", path.display())
+    );
+}
+
+/// A firmware of xtask/faulty.
+fn faulty(name: &str) -> PathBuf {
+    let manifest = root().join("xtask/faulty/Cargo.toml");
+    let target = toolchain::target_directory().join("faulty");
+    let arguments = [
+        "--manifest-path",
+        manifest.to_str().unwrap(),
+        "--target-dir",
+        target.to_str().unwrap(),
+        "--bin",
+        name,
+    ];
+    std::env::set_current_dir(root()).unwrap();
+    toolchain::build("thumbv7m-none-eabi", &arguments).unwrap()
+}
+
+fn machine() -> Qemu {
+    Qemu::arm("lm3s6965evb").limit(Duration::from_secs(20))
+}
+
+#[test]
+fn hard_fault_is_named_with_its_cause() {
+    let failure = machine().run(&faulty("hard_fault")).unwrap_err();
+    assert!(matches!(failure, Failure::Fault { .. }), "{failure}");
+    let words = failure.to_string();
+    assert!(words.contains("exit status: 1"), "{words}");
+    assert!(words.contains("so far, so good"), "{words}");
+    let fault = "HardFault (undefined instruction) at 0x0000";
+    assert!(words.contains(fault), "{words}");
+}
+
+#[test]
+fn panic_is_repeated_with_its_message_and_place() {
+    let failure = machine().run(&faulty("panic")).unwrap_err();
+    let words = failure.to_string();
+    assert!(words.contains("panicked at src/bin/panic.rs:"), "{words}");
+    assert!(words.contains("out of tea"), "{words}");
+}
+
+#[test]
+fn waiting_for_a_line_ends_with_the_panic() {
+    let mut running = machine().boot(&faulty("panic")).unwrap();
+    running.line(|line| line == "so far, so good").unwrap();
+    let failure = running.line(|line| line == "tea").unwrap_err();
+    assert!(failure.to_string().contains("out of tea"), "{failure}");
+}
+
+#[test]
+fn core_stuck_in_a_fault_is_ended_and_the_fault_is_named() {
+    let limit = Duration::from_secs(2);
+    let failure = machine().limit(limit).run(&faulty("stuck")).unwrap_err();
+    assert!(matches!(failure, Failure::TimeOut { .. }), "{failure}");
+    let words = failure.to_string();
+    let start = "the firmware was ended after 2 s: it is in HardFault at 0x0000";
+    assert!(words.starts_with(start), "{words}");
+}
+
+#[test]
+fn file_that_is_no_firmware_is_a_failure() {
+    let manifest = root().join("Cargo.toml");
+    let failure = machine().run(&manifest.with_file_name("no-such-firmware"));
+    let words = failure.unwrap_err().to_string();
+    assert!(words.contains("no-such-firmware"), "{words}");
+}

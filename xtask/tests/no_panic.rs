@@ -1,0 +1,78 @@
+//! What reflet does on a board cannot panic and needs no soft float: xtask/no_panic draws in every
+//! way, and links only if no panic is left.
+
+use std::{
+    env, fs,
+    path::Path,
+    sync::{Mutex, PoisonError},
+};
+
+use anyhow::Result;
+use object::{Object, ObjectSymbol};
+use xtask::{board, root, toolchain};
+
+const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7m-none-eabi"];
+
+/// Builds xtask/no_panic and returns the float routines in it.
+fn build(target: &str, features: &str) -> Result<Vec<String>> {
+    // All are built in the same place, where the next would replace it.
+    static PLACE: Mutex<()> = Mutex::new(());
+    let _one_at_a_time = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
+    let place = toolchain::target_directory().join("no_panic");
+    let place = place.to_string_lossy();
+    env::set_current_dir(root())?;
+    let manifest = ["--manifest-path", "xtask/no_panic/Cargo.toml"];
+    let arguments = ["--target-dir", &*place, "--features", features];
+    let program = toolchain::build(target, &[&manifest[..], &arguments[..]].concat())?;
+    float_routines(&program)
+}
+
+fn float_routines(program: &Path) -> Result<Vec<String>> {
+    let bytes = fs::read(program)?;
+    let file = object::File::parse(&*bytes)?;
+    let names = file.symbols().filter_map(|symbol| symbol.name().ok());
+    let names: Vec<_> = names.map(str::to_owned).collect();
+    assert!(names.len() > 20, "the symbols are there");
+    Ok(names.into_iter().filter(|name| is_float(name)).collect())
+}
+
+/// Run-time ABI for the Arm Architecture, chapter 5.1; and Rust's own name for the module.
+fn is_float(name: &str) -> bool {
+    let is_routine = name.strip_prefix("__aeabi_").is_some_and(|name| {
+        let computes = ["d", "f", "cd", "cf"].iter().any(|it| name.starts_with(it));
+        let converts = ["2d", "2f"].iter().any(|it| name.ends_with(it));
+        computes || converts
+    });
+    is_routine || name.contains("compiler_builtins5float")
+}
+
+#[test]
+fn nothing_panics_and_nothing_needs_soft_float() {
+    for target in TARGETS {
+        assert!(build(target, "").unwrap().is_empty(), "{target}");
+    }
+}
+
+#[test]
+fn panic_would_be_noticed() {
+    for target in TARGETS {
+        let refusal = format!("{:#}", build(target, "panic").unwrap_err());
+        let reason = "undefined symbol: a_panic_path_is_left";
+        assert!(refusal.contains(reason), "{refusal}");
+    }
+}
+
+#[test]
+fn soft_float_would_be_noticed() {
+    for target in TARGETS {
+        let found = build(target, "float").unwrap();
+        let is_product = |name: &&String| *name == "__aeabi_fmul";
+        assert!(found.iter().any(|name| is_product(&name)), "{found:?}");
+    }
+}
+
+#[test]
+fn default_board_needs_no_soft_float() {
+    let found = float_routines(&board::build().unwrap()).unwrap();
+    assert!(found.is_empty(), "{found:?}");
+}

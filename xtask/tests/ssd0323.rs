@@ -1,0 +1,246 @@
+//! The driver of the default board's display, on a desk: what goes over the wire, and that an
+//! error of the wire comes back from the call that draws.
+
+#[path = "../../examples/board/firmware/ssd0323.rs"]
+mod ssd0323;
+
+use std::{cell::RefCell, rc::Rc};
+
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Point, Size},
+    pixelcolor::Gray4,
+    primitives::Rectangle,
+};
+use embedded_hal::{digital, spi};
+use reflet::{
+    StaticFrame,
+    scenes::{BuiltIn, Castle},
+};
+use ssd0323::{Error, Ssd0323};
+
+/// What was sent, a letter for the level of the data/command pin before every byte; and how many
+/// calls go well before one fails.
+#[derive(Default)]
+struct Wire {
+    is_data: bool,
+    sent: Vec<(char, u8)>,
+    calls_left: Option<u32>,
+}
+
+impl Wire {
+    fn call(&mut self) -> Result<(), Broken> {
+        match &mut self.calls_left {
+            Some(0) => Err(Broken),
+            Some(calls) => {
+                *calls -= 1;
+                Ok(())
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Broken;
+
+impl spi::Error for Broken {
+    fn kind(&self) -> spi::ErrorKind {
+        spi::ErrorKind::Other
+    }
+}
+
+impl digital::Error for Broken {
+    fn kind(&self) -> digital::ErrorKind {
+        digital::ErrorKind::Other
+    }
+}
+
+#[derive(Clone)]
+struct Spi(Rc<RefCell<Wire>>);
+
+#[derive(Clone)]
+struct DataCommand(Rc<RefCell<Wire>>);
+
+impl spi::ErrorType for Spi {
+    type Error = Broken;
+}
+
+impl spi::SpiBus for Spi {
+    fn write(&mut self, words: &[u8]) -> Result<(), Broken> {
+        let mut wire = self.0.borrow_mut();
+        wire.call()?;
+        let letter = if wire.is_data { 'd' } else { 'c' };
+        wire.sent.extend(words.iter().map(|&word| (letter, word)));
+        Ok(())
+    }
+
+    fn flush(&mut self) -> Result<(), Broken> {
+        self.0.borrow_mut().call()
+    }
+
+    fn read(&mut self, _: &mut [u8]) -> Result<(), Broken> {
+        unreachable!("nothing can be read back")
+    }
+
+    fn transfer(&mut self, _: &mut [u8], _: &[u8]) -> Result<(), Broken> {
+        unreachable!("nothing can be read back")
+    }
+
+    fn transfer_in_place(&mut self, _: &mut [u8]) -> Result<(), Broken> {
+        unreachable!("nothing can be read back")
+    }
+}
+
+impl digital::ErrorType for DataCommand {
+    type Error = Broken;
+}
+
+impl digital::OutputPin for DataCommand {
+    fn set_low(&mut self) -> Result<(), Broken> {
+        self.0.borrow_mut().call()?;
+        self.0.borrow_mut().is_data = false;
+        Ok(())
+    }
+
+    fn set_high(&mut self) -> Result<(), Broken> {
+        self.0.borrow_mut().call()?;
+        self.0.borrow_mut().is_data = true;
+        Ok(())
+    }
+}
+
+type Display = Ssd0323<Spi, DataCommand>;
+
+/// A display that has been set up, and its wire, which has forgotten that.
+fn display() -> (Display, Rc<RefCell<Wire>>) {
+    let wire = Rc::new(RefCell::new(Wire::default()));
+    let display = Ssd0323::new(Spi(wire.clone()), DataCommand(wire.clone())).unwrap();
+    wire.borrow_mut().sent.clear();
+    (display, wire)
+}
+
+fn commands(bytes: [u8; 6]) -> Vec<(char, u8)> {
+    bytes.map(|byte| ('c', byte)).to_vec()
+}
+
+#[test]
+fn row_is_sent_at_once_with_its_window_two_pixels_a_byte() {
+    let (mut display, wire) = display();
+    let area = Rectangle::new(Point::new(4, 9), Size::new(4, 2));
+    let colors = (1..=8).map(Gray4::new).inspect(|color| {
+        if *color == Gray4::new(5) {
+            assert_eq!(wire.borrow().sent.len(), 8, "the first row is out");
+        }
+    });
+    display.fill_contiguous(&area, colors).unwrap();
+    let mut expected = commands([0x15, 2, 3, 0x75, 9, 9]);
+    expected.extend([('d', 0x12), ('d', 0x34)]);
+    expected.extend(commands([0x15, 2, 3, 0x75, 10, 10]));
+    expected.extend([('d', 0x56), ('d', 0x78)]);
+    assert_eq!(wire.borrow().sent, expected);
+}
+
+#[test]
+fn pair_of_single_pixels_is_sent() {
+    let (mut display, wire) = display();
+    let pixels =
+        [(126, 0xa), (127, 0xb)].map(|(x, grey)| Pixel(Point::new(x, 63), Gray4::new(grey)));
+    display.draw_iter(pixels).unwrap();
+    let mut expected = commands([0x15, 63, 63, 0x75, 63, 63]);
+    expected.push(('d', 0xab));
+    assert_eq!(wire.borrow().sent, expected);
+}
+
+#[test]
+fn half_a_pair_is_refused() {
+    let (mut display, wire) = display();
+    let lines = [
+        ((0, 0), 1),
+        ((1, 0), 2),
+        ((2, 5), 3),
+        ((127, 0), 2),
+        ((-1, 0), 2),
+    ];
+    for ((x, y), width) in lines {
+        let area = Rectangle::new(Point::new(x, y), Size::new(width, 1));
+        let refused = display.fill_solid(&area, Gray4::new(15));
+        assert_eq!(refused, Err(Error::HalfPair), "{area:?}");
+    }
+    assert!(
+        wire.borrow().sent.len() <= 7,
+        "all pairs but one are refused whole"
+    );
+}
+
+#[test]
+fn what_lies_outside_is_left_out() {
+    let (mut display, wire) = display();
+    let area = Rectangle::new(Point::new(-2, -1), Size::new(4, 2));
+    display
+        .fill_contiguous(&area, (1..=8).map(Gray4::new))
+        .unwrap();
+    let mut expected = commands([0x15, 0, 0, 0x75, 0, 0]);
+    expected.push(('d', 0x78));
+    assert_eq!(wire.borrow().sent, expected);
+    let outside = Rectangle::new(Point::new(128, 0), Size::new(8, 8));
+    display.fill_solid(&outside, Gray4::new(15)).unwrap();
+    assert_eq!(wire.borrow().sent.len(), 7);
+}
+
+#[test]
+fn fewer_colors_than_pixels_leave_the_rest_as_it_is() {
+    let (mut display, wire) = display();
+    let area = Rectangle::new(Point::zero(), Size::new(4, 2));
+    display
+        .fill_contiguous(&area, (1..=2).map(Gray4::new))
+        .unwrap();
+    let mut expected = commands([0x15, 0, 0, 0x75, 0, 0]);
+    expected.push(('d', 0x12));
+    assert_eq!(wire.borrow().sent, expected);
+}
+
+#[test]
+fn display_is_black_and_only_then_switched_on() {
+    let wire = Rc::new(RefCell::new(Wire::default()));
+    Ssd0323::new(Spi(wire.clone()), DataCommand(wire.clone())).unwrap();
+    let sent = &wire.borrow().sent;
+    assert_eq!(sent.first(), Some(&('c', 0xae)));
+    assert_eq!(sent.last(), Some(&('c', 0xaf)));
+    let data: Vec<_> = sent.iter().filter(|(letter, _)| *letter == 'd').collect();
+    assert_eq!(data.len(), 64 * 64);
+    assert!(data.iter().all(|(_, byte)| *byte == 0));
+}
+
+#[test]
+fn error_of_spi_comes_back_from_the_call_that_draws() {
+    let frame = Castle::frame(&Castle::CAMERA);
+    // Of the calls of a row, in this order, some go to the pin and the others to SPI.
+    let errors = "pbbpbbpbb".repeat(2);
+    for (calls, kind) in errors.chars().enumerate() {
+        let (mut display, wire) = display();
+        wire.borrow_mut().calls_left = Some(calls as u32);
+        let expected = match kind {
+            'p' => Error::Pin(Broken),
+            _ => Error::Bus(Broken),
+        };
+        assert_eq!(
+            frame.draw(&mut display),
+            Err(expected),
+            "after {calls} calls"
+        );
+        // The last call of a row only waits for its end.
+        let rows_sent = wire.borrow().sent.len() / (6 + 64);
+        assert_eq!(rows_sent, (calls + 1) / 9, "nothing more is drawn");
+    }
+    for calls in 0..50 {
+        let wire = Wire {
+            calls_left: Some(calls),
+            ..Wire::default()
+        };
+        let wire = Rc::new(RefCell::new(wire));
+        let failed = Ssd0323::new(Spi(wire.clone()), DataCommand(wire));
+        assert!(failed.is_err(), "set-up after {calls} calls");
+    }
+}
