@@ -1,0 +1,115 @@
+//! What is wired to which pin, and how it is switched on.
+
+use core::fmt::Debug;
+
+use cortex_m::singleton;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_hal::digital::OutputPin;
+use embedded_hal::spi::{MODE_0, SpiBus};
+use embedded_hal_bus::spi::ExclusiveDevice;
+use mipidsi::Builder;
+use mipidsi::interface::SpiInterface;
+use mipidsi::models::ST7789;
+use mipidsi::options::{ColorInversion, Orientation, Rotation};
+use rp2040_hal::clocks::{Clock, init_clocks_and_plls};
+use rp2040_hal::fugit::RateExtU32;
+use rp2040_hal::gpio::{FunctionSpi, Pins};
+use rp2040_hal::pac::Peripherals;
+use rp2040_hal::{Sio, Spi, Timer, Watchdog};
+
+use crate::cores::Cores;
+use crate::keys::Keys;
+use crate::view::SIDE;
+
+/// The crystal of a Raspberry Pi Pico, in Hz.
+const CRYSTAL: u32 = 12_000_000;
+
+/// What the program works with, switched on.
+pub struct Board<D> {
+    /// The panel, black and lit.
+    pub display: D,
+    pub keys: Keys,
+    pub cores: Cores,
+    pub timer: Timer,
+}
+
+/// Switches the board on.
+///
+/// # Panics
+/// Where a clock does not start, the panel takes nothing, or when called again.
+pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
+    let mut chip = Peripherals::take().expect("the board is switched on once");
+    let clocks = init_clocks_and_plls(
+        CRYSTAL,
+        chip.XOSC,
+        chip.CLOCKS,
+        chip.PLL_SYS,
+        chip.PLL_USB,
+        &mut chip.RESETS,
+        &mut Watchdog::new(chip.WATCHDOG),
+    )
+    .expect("the crystal oscillates");
+    let mut timer = Timer::new(chip.TIMER, &mut chip.RESETS, &clocks);
+    let mut sio = Sio::new(chip.SIO);
+    let pins = Pins::new(
+        chip.IO_BANK0,
+        chip.PADS_BANK0,
+        sio.gpio_bank0,
+        &mut chip.RESETS,
+    );
+
+    let keys = [
+        pins.gpio2.into_pull_up_input().into_dyn_pin(),
+        pins.gpio18.into_pull_up_input().into_dyn_pin(),
+        pins.gpio16.into_pull_up_input().into_dyn_pin(),
+        pins.gpio20.into_pull_up_input().into_dyn_pin(),
+        pins.gpio3.into_pull_up_input().into_dyn_pin(),
+    ];
+    let keys = Keys::new(keys, timer);
+
+    let data = pins.gpio11.into_function::<FunctionSpi>();
+    let clock = pins.gpio10.into_function::<FunctionSpi>();
+    let bus = Spi::<_, _, _, 8>::new(chip.SPI1, (data, clock)).init(
+        &mut chip.RESETS,
+        clocks.peripheral_clock.freq(),
+        31_250_000.Hz(),
+        MODE_0,
+    );
+    let chip_select = pins.gpio9.into_push_pull_output();
+    let data_command = pins.gpio8.into_push_pull_output();
+    let reset = pins.gpio12.into_push_pull_output();
+    let display = panel(bus, chip_select, data_command, reset, &mut timer);
+    let mut backlight = pins.gpio13.into_push_pull_output();
+    backlight.set_high().expect("a pin can be set");
+
+    Board {
+        display,
+        keys,
+        cores: Cores::new(&mut chip.PSM, &mut chip.PPB, &mut sio.fifo, timer),
+        timer,
+    }
+}
+
+/// The panel behind these pins, black.
+fn panel(
+    bus: impl SpiBus<Error: Debug>,
+    chip_select: impl OutputPin<Error: Debug>,
+    data_command: impl OutputPin<Error: Debug>,
+    reset: impl OutputPin<Error: Debug>,
+    timer: &mut Timer,
+) -> impl DrawTarget<Color = Rgb565, Error: Debug> {
+    let device = ExclusiveDevice::new_no_delay(bus, chip_select).expect("a pin can be set");
+    let buffer = singleton!(: [u8; 512] = [0; 512]).expect("the board is switched on once");
+    let mut display = Builder::new(ST7789, SpiInterface::new(device, data_command, buffer))
+        .reset_pin(reset)
+        .display_size(SIDE as u16, SIDE as u16)
+        .invert_colors(ColorInversion::Inverted)
+        .orientation(Orientation::new().rotate(Rotation::Deg90))
+        .init(timer)
+        .expect("the panel takes commands");
+    display
+        .clear(Rgb565::BLACK)
+        .expect("the panel takes pixels");
+    display
+}

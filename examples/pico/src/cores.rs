@@ -1,0 +1,124 @@
+//! Rows worked out by both cores: the first takes the even ones, the second the odd ones.
+//!
+//! Where no second core answers, as in most emulators, the first works out all of them.
+
+use cortex_m::singleton;
+use heapless::spsc::{Consumer, Producer, Queue};
+use rp2040_hal::Timer;
+use rp2040_hal::fugit::ExtU64;
+use rp2040_hal::multicore::{Multicore, Stack};
+use rp2040_hal::pac::{PPB, PSM};
+use rp2040_hal::sio::SioFifo;
+
+use crate::view::{BLACK_ROW, Row, View};
+
+/// The second core's stack, in words.
+static STACK: Stack<2048> = Stack::new();
+
+/// How many words the FIFO between the cores holds.
+const FIFO_DEPTH: usize = 8;
+
+/// The cores at work.
+pub struct Cores {
+    second: Option<Second>,
+}
+
+impl Cores {
+    /// Starts the second core if there is one.
+    pub fn new(psm: &mut PSM, ppb: &mut PPB, fifo: &mut SioFifo, timer: Timer) -> Self {
+        let is_there = second_answers(psm, fifo, timer);
+        Self {
+            second: is_there.then(|| Second::start(psm, ppb, fifo)).flatten(),
+        }
+    }
+
+    /// How many cores there are.
+    pub fn count(&self) -> usize {
+        1 + usize::from(self.second.is_some())
+    }
+
+    /// Works out rows `y` and `y + 1`.
+    pub fn work_out(&mut self, view: &View, y: u32, [even, odd]: &mut [Row; 2]) {
+        match &mut self.second {
+            Some(second) => {
+                second.ask(*view, y + 1);
+                view.row(y, even);
+                *odd = second.answer();
+            }
+            None => {
+                view.row(y, even);
+                view.row(y + 1, odd);
+            }
+        }
+    }
+}
+
+/// The second core, asked for one row at a time.
+struct Second {
+    questions: Producer<'static, (View, u32)>,
+    answers: Consumer<'static, Row>,
+}
+
+impl Second {
+    fn start(psm: &mut PSM, ppb: &mut PPB, fifo: &mut SioFifo) -> Option<Self> {
+        // A queue holds one item less than it has room for.
+        let questions = singleton!(: Queue<(View, u32), 2> = Queue::new())?;
+        let answers = singleton!(: Queue<Row, 2> = Queue::new())?;
+        let (questions, asked) = questions.split();
+        let (answered, answers) = answers.split();
+        let mut cores = Multicore::new(psm, ppb, fifo);
+        let [_, second] = cores.cores() else {
+            return None;
+        };
+        second
+            .spawn(STACK.take()?, move || answer_all(asked, answered))
+            .ok()?;
+        Some(Self { questions, answers })
+    }
+
+    fn ask(&mut self, view: View, y: u32) {
+        assert!(
+            self.questions.enqueue((view, y)).is_ok(),
+            "every row is awaited"
+        );
+    }
+
+    fn answer(&mut self) -> Row {
+        loop {
+            if let Some(row) = self.answers.dequeue() {
+                return row;
+            }
+        }
+    }
+}
+
+/// What the second core does, for ever.
+fn answer_all(mut asked: Consumer<'static, (View, u32)>, mut answered: Producer<'static, Row>) {
+    let mut row = BLACK_ROW;
+    loop {
+        if let Some((view, y)) = asked.dequeue() {
+            view.row(y, &mut row);
+            assert!(answered.enqueue(row).is_ok(), "every row is fetched");
+        }
+    }
+}
+
+/// Resets the second core and says whether its boot ROM greets the first with a 0, as it does
+/// before it can be started. Starting a core that is not there would wait for ever.
+fn second_answers(psm: &mut PSM, fifo: &mut SioFifo, timer: Timer) -> bool {
+    psm.frce_off().modify(|_, power| power.proc1().set_bit());
+    while psm.frce_off().read().proc1().bit_is_clear() {}
+    for _ in 0..FIFO_DEPTH {
+        fifo.read();
+    }
+    psm.frce_off().modify(|_, power| power.proc1().clear_bit());
+    let deadline = timer.get_counter() + 10.millis::<1, 1_000_000>();
+    loop {
+        if let Some(greeting) = fifo.read() {
+            return greeting == 0;
+        }
+        if timer.get_counter() > deadline {
+            return false;
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! The scenes of reflet on a Raspberry Pi Pico: an ST7789 of 240 by 240 pixels, five keys, both
+//! cores. The README has the wiring.
+
+#![no_std]
+#![no_main]
+
+mod board;
+mod cores;
+mod keys;
+mod view;
+
+use core::panic::PanicInfo;
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::primitives::Rectangle;
+use rp2040_hal::Timer;
+use rtt_target::{rprintln, rtt_init_print};
+
+use crate::board::Board;
+use crate::cores::Cores;
+use crate::keys::{Keys, Request};
+use crate::view::{BLACK_ROW, SIDE, View};
+
+/// The second stage of the boot loader: makes the flash readable as memory.
+#[used]
+#[unsafe(link_section = ".boot2")]
+static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
+
+#[rp2040_hal::entry]
+fn main() -> ! {
+    rtt_init_print!();
+    let Board {
+        mut display,
+        mut keys,
+        mut cores,
+        timer,
+    } = board::switch_on();
+    rprintln!("cores: {}", cores.count());
+    let mut view = View::FIRST;
+    loop {
+        let request = draw(&view, &mut display, &mut keys, &mut cores, timer)
+            .expect("the display takes every row")
+            .unwrap_or_else(|| keys.wait());
+        view = view.after(request);
+    }
+}
+
+/// Draws a view, two rows at a time, unless a key is pressed before it is done.
+fn draw<D: DrawTarget<Color = Rgb565>>(
+    view: &View,
+    display: &mut D,
+    keys: &mut Keys,
+    cores: &mut Cores,
+    timer: Timer,
+) -> Result<Option<Request>, D::Error> {
+    let start = timer.get_counter();
+    let mut rows = [BLACK_ROW; 2];
+    for y in (0..SIDE).step_by(2) {
+        cores.work_out(view, y, &mut rows);
+        let area = Rectangle::new(Point::new(0, y as i32), Size::new(SIDE, 2));
+        display.fill_contiguous(&area, rows.iter().flatten().copied())?;
+        if let Some(request) = keys.pressed() {
+            return Ok(Some(request));
+        }
+    }
+    let time = timer.get_counter() - start;
+    rprintln!("{}: {} ms", view.name(), time.to_millis());
+    Ok(None)
+}
+
+/// Says what went wrong to a debugger that listens, and stops.
+#[panic_handler]
+fn panic(info: &PanicInfo<'_>) -> ! {
+    rprintln!("{}", info);
+    cortex_m::asm::udf()
+}

@@ -1,0 +1,38 @@
+// What firmware says by RTT: text in a ring buffer in its memory, found by its symbol.
+
+const CONTROL_BLOCK = "_SEGGER_RTT";
+
+/** Where in the control block the first buffer to the debugger is described. */
+const BUFFER = 0x18;
+
+export class Rtt {
+  #chip;
+  #control;
+  #text = "";
+
+  constructor(chip) {
+    this.#chip = chip;
+    this.#control = chip.elf.address(CONTROL_BLOCK);
+  }
+
+  /** The lines said so far. */
+  get lines() {
+    this.#collect();
+    return this.#text.split("\n").filter((line) => line !== "");
+  }
+
+  #collect() {
+    if (this.#control === undefined) {
+      return;
+    }
+    const at = this.#control + BUFFER;
+    const [buffer, size, written, read] = [4, 8, 12, 16].map((offset) => this.#chip.word(at + offset));
+    if (written >= size) {
+      return;
+    }
+    this.#text += written >= read
+      ? this.#chip.text(buffer + read, written - read)
+      : this.#chip.text(buffer + read, size - read) + this.#chip.text(buffer, written);
+    this.#chip.rp2040.writeUint32(at + 16, written);
+  }
+}

@@ -1,0 +1,322 @@
+//! The RP2040: runs a firmware of `examples/pico` on both cores, presses its keys and looks at its
+//! display; or runs the measurement firmware for thumbv6m and counts its cycles.
+//!
+//! The emulator is rp2040js, driven by the script in `xtask/emulator/rp2040`. A run is the same
+//! every time, and ends after a number of cycles if not before. A firmware that ends badly is a
+//! [`Failure`] that repeats its words and names the fault.
+
+use std::{
+    fmt, fs, io,
+    path::{Path, PathBuf},
+    time::Duration,
+};
+
+use serde::Deserialize;
+use serde_json::Value;
+use tempfile::TempDir;
+
+use crate::{
+    command::{self, Program},
+    root,
+};
+
+/// The pixels of a side of the display.
+pub const SIDE: u32 = 240;
+
+/// Longer than any run takes that ends by itself, on a machine that has other work to do.
+const LIMIT: Duration = Duration::from_secs(20 * 60);
+
+/// A minute of the chip's time.
+const CYCLES: u64 = 60 * 125_000_000;
+
+/// The folder with the script and the packages it needs.
+pub fn folder() -> PathBuf {
+    root().join("xtask/emulator/rp2040")
+}
+
+/// Whether the packages are there, in the versions that are meant.
+pub fn is_installed() -> bool {
+    let packages = |file: &str| {
+        let lock: Value = serde_json::from_slice(&fs::read(folder().join(file)).ok()?).ok()?;
+        let mut packages = lock["packages"].as_object()?.clone();
+        packages.remove("");
+        Some(packages)
+    };
+    let wanted = packages("package-lock.json");
+    wanted.is_some() && wanted == packages("node_modules/.package-lock.json")
+}
+
+/// Gets the packages from npm's registry.
+pub fn install() -> Result<(), command::Failure> {
+    let npm = Program::new("npm").args(["ci", "--no-audit", "--no-fund", "--prefix"]);
+    npm.args([folder()]).limit(LIMIT).stream()
+}
+
+/// A key of the board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Key {
+    Up,
+    Down,
+    Left,
+    Right,
+    Select,
+}
+
+impl Key {
+    /// The script's name for it.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Up => "up",
+            Self::Down => "down",
+            Self::Left => "left",
+            Self::Right => "right",
+            Self::Select => "select",
+        }
+    }
+}
+
+/// An RP2040 about to be switched on, and what is to be done with it.
+#[derive(Clone, Debug)]
+pub struct Rp2040 {
+    cores: u32,
+    cycles: u64,
+    rows: u32,
+    frames: Vec<String>,
+    counts: &'static str,
+}
+
+impl Default for Rp2040 {
+    fn default() -> Self {
+        Self {
+            cores: 2,
+            cycles: CYCLES,
+            rows: SIDE,
+            frames: Vec::new(),
+            counts: "cycles",
+        }
+    }
+}
+
+impl Rp2040 {
+    /// With a second core that does not answer, as most emulators have it.
+    pub fn with_one_core(self) -> Self {
+        Self { cores: 1, ..self }
+    }
+
+    /// The cycles after which the firmware is ended, and has failed; a minute's worth
+    /// unless they are named.
+    pub fn limit(self, cycles: u64) -> Self {
+        Self { cycles, ..self }
+    }
+
+    /// Waits for one more picture after these keys have been pressed, one after the other; those of
+    /// the first picture are pressed while it is being drawn. The last picture ends the run.
+    pub fn picture(mut self, keys: &[Key]) -> Self {
+        let names: Vec<_> = keys.iter().map(|key| key.name()).collect();
+        self.frames.push(match names[..] {
+            [] => "-".into(),
+            _ => names.join("+"),
+        });
+        self
+    }
+
+    /// Takes a picture as soon as so many rows of it are drawn, counted from the top.
+    pub fn rows(self, rows: u32) -> Self {
+        Self { rows, ..self }
+    }
+
+    /// Lets the timer of the measurement firmware count instructions as QEMU's does, not cycles.
+    pub fn counting_instructions(self) -> Self {
+        let counts = "instructions";
+        Self { counts, ..self }
+    }
+
+    /// Runs a firmware until its last picture is drawn, or else until it ends itself.
+    pub fn run(&self, firmware: &Path) -> Result<Run, Failure> {
+        if !is_installed() {
+            return Err(Failure::NotInstalled);
+        }
+        let pictures = TempDir::with_prefix("reflet-").map_err(Failure::Picture)?;
+        let prefix = pictures.path().join("picture");
+        let report = Program::new("node")
+            .args([folder().join("run.js"), firmware.to_owned()])
+            .args(["--counts", self.counts])
+            .args([format!("--cores={}", self.cores)])
+            .args([format!("--limit={}", self.cycles)])
+            .args([format!("--rows={}", self.rows)])
+            // A list that begins with a hyphen is not an option.
+            .args([format!("--frames={}", self.frames.join(","))])
+            .args(["--pictures".as_ref(), prefix.as_os_str()])
+            .limit(LIMIT)
+            .read()
+            .map_err(Failure::Emulator)?;
+        let report: Report = serde_json::from_str(&report).map_err(Failure::Report)?;
+        report.judge()?.with_pictures(&prefix)
+    }
+}
+
+/// What the script prints.
+#[derive(Deserialize)]
+struct Report {
+    fault: Option<Fault>,
+    cycles: u64,
+    instructions: u64,
+    frames: Vec<Counts>,
+    said: Words,
+    display: Display,
+}
+
+#[derive(Deserialize)]
+struct Fault {
+    reason: String,
+    function: Option<String>,
+}
+
+#[derive(Deserialize)]
+struct Words {
+    rtt: Vec<String>,
+    semihosting: Vec<Line>,
+}
+
+#[derive(Deserialize)]
+struct Line {
+    text: String,
+}
+
+/// How far a run had come.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+pub struct Counts {
+    /// Cycles since the reset.
+    pub cycles: u64,
+    /// Instructions since the reset, of both cores together.
+    pub instructions: u64,
+}
+
+/// How the controller of the display has been set.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "camelCase")]
+pub struct Display {
+    /// Whether it inverts the colours, as in-plane switching panels want it.
+    pub inverted: bool,
+    /// Which way it fills its memory: MADCTL in the data sheet.
+    pub address_mode: u8,
+}
+
+/// A run that went well.
+#[derive(Debug)]
+pub struct Run {
+    /// The pictures that were waited for.
+    pub pictures: Vec<Picture>,
+    /// What the firmware said, by RTT and then by semihosting.
+    pub said: Vec<String>,
+    /// How the display was set at the end.
+    pub display: Display,
+    /// At the end.
+    pub counts: Counts,
+}
+
+/// What the display showed.
+#[derive(Debug)]
+pub struct Picture {
+    /// When it was complete.
+    pub counts: Counts,
+    /// Row by row from the top, as RGB565.
+    pub pixels: Vec<u16>,
+}
+
+impl Report {
+    fn judge(self) -> Result<Run, Failure> {
+        let mut said = self.said.rtt;
+        said.extend(self.said.semihosting.into_iter().map(|line| line.text));
+        if let Some(Fault { reason, function }) = self.fault {
+            let function = function.map(|name| rustc_demangle::demangle(&name).to_string());
+            return Err(Failure::Fault {
+                reason,
+                function,
+                said: said.join("\n"),
+            });
+        }
+        let (cycles, instructions) = (self.cycles, self.instructions);
+        let unread = |counts| Picture {
+            counts,
+            pixels: Vec::new(),
+        };
+        Ok(Run {
+            pictures: self.frames.into_iter().map(unread).collect(),
+            said,
+            display: self.display,
+            counts: Counts {
+                cycles,
+                instructions,
+            },
+        })
+    }
+}
+
+impl Run {
+    /// Reads the pictures from `PREFIX-0.rgb565` and so on.
+    fn with_pictures(mut self, prefix: &Path) -> Result<Self, Failure> {
+        for (index, picture) in self.pictures.iter_mut().enumerate() {
+            let file = format!("{}-{index}.rgb565", prefix.display());
+            let bytes = fs::read(file).map_err(Failure::Picture)?;
+            let pixels = bytes.chunks_exact(2);
+            picture.pixels = pixels
+                .map(|it| u16::from_be_bytes([it[0], it[1]]))
+                .collect();
+        }
+        Ok(self)
+    }
+}
+
+/// What can go wrong with a run.
+#[derive(Debug)]
+pub enum Failure {
+    /// The packages of the emulator are missing.
+    NotInstalled,
+    /// The emulator does not start or fails.
+    Emulator(command::Failure),
+    /// The emulator says something that is not understood.
+    Report(serde_json::Error),
+    /// A picture cannot be handed over.
+    Picture(io::Error),
+    /// The firmware failed, or was ended because it reached its limit.
+    Fault {
+        reason: String,
+        function: Option<String>,
+        said: String,
+    },
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotInstalled => {
+                let folder = folder();
+                let folder = folder.display();
+                write!(
+                    f,
+                    "the packages of {folder} are missing: `cargo xtask setup` gets them"
+                )
+            }
+            Self::Emulator(failure) => failure.fmt(f),
+            Self::Report(error) => write!(f, "the emulator's report is unreadable: {error}"),
+            Self::Picture(error) => write!(f, "a picture cannot be handed over: {error}"),
+            Self::Fault {
+                reason,
+                function,
+                said,
+            } => {
+                write!(f, "the firmware failed: {reason}")?;
+                if let Some(function) = function {
+                    write!(f, " in {function}")?;
+                }
+                match said.as_str() {
+                    "" => Ok(()),
+                    said => write!(f, "; it said:\n{said}"),
+                }
+            }
+        }
+    }
+}
+
+impl std::error::Error for Failure {}

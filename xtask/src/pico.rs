@@ -1,0 +1,54 @@
+//! The Raspberry Pi Pico, examples/pico in rp2040js: builds it, emulates it, and looks at its
+//! display.
+
+use std::{env, path::PathBuf};
+
+use anyhow::{Context, Result};
+use image::{Rgb, RgbImage};
+use reflet::scenes::NAMES;
+
+use crate::{
+    emulator::rp2040::{Key, Picture, Rp2040, SIDE},
+    root,
+    screenshot::{self, Arguments},
+    toolchain,
+};
+
+/// What rustc calls the board's cores.
+const TARGET: &str = "thumbv6m-none-eabi";
+
+/// `cargo xtask pico`.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let path = arguments.path("pico")?;
+    println!("pico: building");
+    let firmware = build()?;
+    println!("pico: emulating, which may take some minutes");
+    let place = NAMES.iter().position(|name| *name == arguments.scene);
+    let presses = vec![Key::Select; place.context("the names of the scenes are known")?];
+    let run = Rp2040::default().picture(&presses).run(&firmware)?;
+    run.said.iter().for_each(|line| println!("{line}"));
+    let picture = run.pictures.first().context("one was waited for")?;
+    screenshot::save(&as_seen(picture), &path)?;
+    println!("written to {}", path.display());
+    Ok(())
+}
+
+/// Builds the firmware and returns where it is.
+pub fn build() -> Result<PathBuf> {
+    let root = root();
+    env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))?;
+    toolchain::build(TARGET, &["--manifest-path", "examples/pico/Cargo.toml"])
+}
+
+/// A picture in the colours of a screen.
+fn as_seen(picture: &Picture) -> RgbImage {
+    let scaled = |value: u16, most: u16| ((value * 255 + most / 2) / most) as u8;
+    RgbImage::from_fn(SIDE, SIDE, |x, y| {
+        let pixel = picture.pixels[(y * SIDE + x) as usize];
+        Rgb([
+            scaled(pixel >> 11, 31),
+            scaled(pixel >> 5 & 63, 63),
+            scaled(pixel & 31, 31),
+        ])
+    })
+}
