@@ -1,0 +1,90 @@
+//! The boards without a display: the castle is drawn row by row, and it is the picture that is
+//! drawn here.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    time::Duration,
+};
+
+use embedded_graphics::{
+    geometry::Size,
+    pixelcolor::{Rgb888, RgbColor},
+};
+use frame_hash::FrameHash;
+use object::{Object, ObjectSection, SectionFlags, elf};
+use reflet::{
+    StaticFrame,
+    scenes::{BuiltIn, Castle},
+};
+use xtask::{emulator::qemu::Qemu, root, toolchain};
+
+const SIDE: u32 = 240;
+
+/// A Cortex-M0 takes some thousand million instructions for the frame.
+const LIMIT: Duration = Duration::from_secs(300);
+
+/// Builds a board's package. The configuration of the repository is found from here; a package's
+/// own has to be named.
+fn build(target: &str, package: &str) -> PathBuf {
+    let folder = root().join("examples").join(package);
+    let path = |file: &str| folder.join(file).display().to_string();
+    let (manifest, config) = (path("Cargo.toml"), path(".cargo/config.toml"));
+    let arguments = ["--manifest-path", &manifest, "--config", &config];
+    toolchain::build(target, &arguments).unwrap_or_else(|error| panic!("{error:#}"))
+}
+
+/// The stack that the program says it needed, if it drew the picture that is drawn here.
+fn stack_of_right_picture(said: &str) -> u64 {
+    let start = format!(
+        "castle {SIDE}x{SIDE}: {SIDE} rows, hash {:016x}, stack ",
+        hash()
+    );
+    let bytes = said
+        .strip_prefix(&start)
+        .and_then(|rest| rest.strip_suffix(" bytes"))
+        .and_then(|bytes| bytes.parse().ok());
+    bytes.unwrap_or_else(|| panic!("{start} expected, and it said: {said}"))
+}
+
+fn hash() -> u64 {
+    let picture = Castle::frame(&Castle::CAMERA).sized(Size::new_equal(SIDE));
+    let mut row = [Rgb888::BLACK; SIDE as usize];
+    let mut hash = FrameHash::NONE;
+    for y in 0..SIDE {
+        picture.row(y, 0, &mut row);
+        row.iter()
+            .for_each(|pixel| hash.add([pixel.r(), pixel.g(), pixel.b()]));
+    }
+    hash.value()
+}
+
+/// Bytes of static variables.
+fn statics(program: &Path) -> u64 {
+    let bytes = fs::read(program).unwrap();
+    let program = object::File::parse(&*bytes).unwrap();
+    let is_variable = |flags| {
+        let wanted = u64::from(elf::SHF_ALLOC | elf::SHF_WRITE);
+        matches!(flags, SectionFlags::Elf { sh_flags } if sh_flags & wanted == wanted)
+    };
+    let variables = program
+        .sections()
+        .filter(|section| is_variable(section.flags()));
+    variables.map(|section| section.size()).sum()
+}
+
+#[test]
+fn castle_on_a_microbit_is_the_same_picture_in_6_kib_of_ram() {
+    let program = build("thumbv6m-none-eabi", "microbit");
+    let said = Qemu::arm("microbit").limit(LIMIT).run(&program);
+    let stack = stack_of_right_picture(&said.unwrap_or_else(|error| panic!("{error}")));
+    let ram = statics(&program) + stack;
+    assert!(ram <= 6 * 1024, "{ram} bytes");
+}
+
+#[test]
+fn castle_on_risc_v_is_the_same_picture() {
+    let program = build("riscv32imac-unknown-none-elf", "riscv");
+    let said = Qemu::riscv32().limit(LIMIT).run(&program);
+    stack_of_right_picture(&said.unwrap_or_else(|error| panic!("{error}")));
+}
