@@ -1,0 +1,21 @@
+//! Draws the job's scene.
+#![no_std]
+#![no_main]
+
+use core::ptr;
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+
+mod job {
+    include!(env!("MEASURE_JOB"));
+}
+
+/// The row that is being drawn. Not on the stack, so that the stack is the contestant's.
+static mut ROW: [Rgb888; job::ORDER.size.0 as usize] = [Rgb888::BLACK; job::ORDER.size.0 as usize];
+
+#[unsafe(no_mangle)]
+extern "C" fn main() -> ! {
+    // Sound: nothing else names the row, and the start-up code calls this once.
+    let row = unsafe { &mut *ptr::addr_of_mut!(ROW) };
+    firmware::measure::<job::Job>(&job::ORDER, row)
+}

@@ -1,0 +1,97 @@
+//! What can be measured: a renderer with its scene and its settings.
+
+use core::hint::black_box;
+use core::marker::PhantomData;
+
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::Rgb888;
+use reflet::{Camera, Picture, Quality, Shading, Static, StaticFrame, StaticScene};
+
+/// A renderer, ready to be measured. What a program may learn only while it runs (camera, size,
+/// reflections) is hidden from the optimiser, for all contestants alike.
+pub trait Contestant {
+    /// A frame made ready for one size.
+    type Picture;
+
+    /// All that is done once a frame.
+    fn prepare(size: (u32, u32)) -> Self::Picture;
+
+    /// Fills the row `y`.
+    fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]);
+}
+
+/// How the library's scene is seen.
+pub trait View {
+    /// From where.
+    const CAMERA: Camera;
+    /// With at most this many reflections.
+    const REFLECTIONS: u8;
+}
+
+/// The library, with scene `S`, view `V`, quality `Q` and shading `K`.
+pub struct Fixed<S, V, Q, K>(PhantomData<(S, V, Q, K)>);
+
+impl<S: StaticScene, V: View, Q: Quality, K: Shading> Contestant for Fixed<S, V, Q, K> {
+    type Picture = Picture<Static<S>, Q, K>;
+
+    #[inline(never)]
+    fn prepare((width, height): (u32, u32)) -> Self::Picture {
+        S::frame(black_box(&V::CAMERA))
+            .reflections(black_box(V::REFLECTIONS))
+            .quality::<Q>()
+            .shading::<K>()
+            .sized(Size::new(width, height))
+    }
+
+    #[inline(never)]
+    fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]) {
+        picture.row(y, 0, row);
+    }
+}
+
+/// How the float port's scene is seen.
+pub trait FloatView {
+    /// The scene.
+    const SCENE: float_port::Scene<'static>;
+    /// From where.
+    const CAMERA: float_port::Camera;
+    /// With at most this many reflections.
+    const REFLECTIONS: u32;
+    /// How light shines.
+    const SHADING: float_port::Shading;
+}
+
+/// The float port, with view `V`; its scene and shading are constants, as the library's are.
+pub struct Float<V>(PhantomData<V>);
+
+impl<V: FloatView> Contestant for Float<V> {
+    type Picture = float_port::View;
+
+    #[inline(never)]
+    fn prepare(size: (u32, u32)) -> Self::Picture {
+        float_port::View::new(black_box(&V::CAMERA), size)
+    }
+
+    #[inline(never)]
+    fn row(view: &Self::Picture, y: u32, row: &mut [Rgb888]) {
+        let reflections = black_box(V::REFLECTIONS);
+        for (x, pixel) in (0..).zip(row) {
+            let [red, green, blue] =
+                float_port::pixel(&V::SCENE, V::SHADING, &view.ray(x, y), reflections);
+            *pixel = Rgb888::new(red, green, blue);
+        }
+    }
+}
+
+/// The empty frame.
+pub struct Nothing;
+
+impl Contestant for Nothing {
+    type Picture = ();
+
+    #[inline(never)]
+    fn prepare(_: (u32, u32)) {}
+
+    #[inline(never)]
+    fn row(_: &(), _: u32, _: &mut [Rgb888]) {}
+}

@@ -1,0 +1,58 @@
+//! Renders one scene on an emulated core and reports what it took.
+//!
+//! `cargo xtask measure` builds this with a job, a generated file that names the contestant, the
+//! size and the settings, and runs it under QEMU's instruction counting. The report is one line
+//! on the semihosting console: `measured`, then hexadecimal numbers by name.
+//!
+//! There are two programs: `scene` draws the job's scene, `empty` draws nothing. What the first
+//! has in flash and static RAM beyond the second is the contestant's. So nothing of either
+//! formats with `core::fmt` or can panic: where a linked program does, it is the contestant who
+//! needs it.
+#![no_std]
+
+mod clock;
+mod contestant;
+mod fault;
+mod report;
+
+use core::hint::black_box;
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use frame_hash::FrameHash;
+
+use clock::Clock;
+pub use contestant::{Contestant, Fixed, Float, FloatView, Nothing, View};
+
+/// What a program is asked for.
+pub struct Order {
+    /// Width and height of the picture.
+    pub size: (u32, u32),
+    /// Printed with the report, so that no report is taken for another's.
+    pub ticket: u64,
+}
+
+/// Draws a frame of contestant `C` row by row into `row`, reports and ends the emulation.
+pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
+    let clock = Clock::start();
+    stack_peak::paint();
+    let mut hash = FrameHash::NONE;
+    let (prepare, picture) = clock.count(|| C::prepare(black_box(order.size)));
+    let mut instructions = u64::from(prepare);
+    for y in 0..order.size.1 {
+        let (count, ()) = clock.count(|| C::row(black_box(&picture), y, black_box(row)));
+        instructions += u64::from(count);
+        for pixel in row.iter() {
+            hash.add([pixel.r(), pixel.g(), pixel.b()]);
+        }
+    }
+    let stack = stack_peak::peak();
+
+    report::text("measured");
+    report::number(" ticket=", order.ticket);
+    report::number(" instructions=", instructions);
+    report::number(" prepare=", u64::from(prepare));
+    report::number(" stack=", u64::from(stack));
+    report::number(" hash=", hash.value());
+    report::text("\n");
+    semihosting::process::exit(0)
+}

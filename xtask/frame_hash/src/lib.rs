@@ -1,0 +1,38 @@
+//! The hash by which frames of different machines are compared: FNV-1a, 64 bits, over the RGB8
+//! bytes, row by row from the top.
+//!
+//! Small and without tables, so that it runs on every core; it tells pictures apart and protects
+//! nothing.
+#![no_std]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+/// A hash to which bytes are added.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FrameHash(u64);
+
+impl FrameHash {
+    /// Of nothing.
+    pub const NONE: Self = Self(0xcbf2_9ce4_8422_2325);
+
+    /// Adds the bytes of one pixel.
+    ///
+    /// ```
+    /// use frame_hash::FrameHash;
+    ///
+    /// let mut hash = FrameHash::NONE;
+    /// hash.add(*b"foo");
+    /// hash.add(*b"bar");
+    /// assert_eq!(hash.value(), 0x8594_4171_f739_67e8); // published for "foobar"
+    /// ```
+    pub fn add(&mut self, pixel: [u8; 3]) {
+        for byte in pixel {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    /// The hash of all that was added.
+    pub const fn value(self) -> u64 {
+        self.0
+    }
+}

@@ -1,0 +1,198 @@
+//! How many cycles an instruction takes, as Arm publishes it.
+//!
+//! | core | source |
+//! |---|---|
+//! | M0+ | Cortex-M0+ Technical Reference Manual, ARM DDI 0484C, table 3-1 |
+//! | M3 | Cortex-M3 Technical Reference Manual, ARM DDI 0337I, table 3-1 and section 3.3.2 |
+//! | M4 | Cortex-M4 Technical Reference Manual, ARM DDI 0439D, table 3-1, section 3.3.2, table 7-1 |
+//!
+//! All of them are for memory without wait states.
+
+use super::decode::{Instruction, Kind};
+
+/// An executed instruction and what lies around it.
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    pub instruction: Instruction,
+    pub previous: Option<Instruction>,
+    /// Whether something else than the following instruction comes next.
+    pub jumps: bool,
+}
+
+/// The timings of a core.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Timing {
+    /// With the multiplier that takes one cycle.
+    M0Plus,
+    M3,
+    M4,
+}
+
+/// The cycles in which an M3 or an M4 fills its pipeline again: 1 to 3.
+const REFILL: f64 = 2.0;
+
+/// A division, by its operands: 2 to 12.
+const DIVIDE: f64 = 7.0;
+
+/// A long multiplication of an M3, by its operands: 3 to 5, with an addition 4 to 7.
+const M3_LONG_MULTIPLY: f64 = 4.0;
+const M3_LONG_MULTIPLY_ADD: f64 = 5.5;
+
+impl Timing {
+    /// What a step takes.
+    pub fn cycles(self, step: &Step) -> f64 {
+        match self {
+            Self::M0Plus => f64::from(m0_plus(step)),
+            Self::M3 => m3_or_m4(step, m3_multiply),
+            Self::M4 => m3_or_m4(step, m4_multiply),
+        }
+    }
+}
+
+fn m0_plus(step: &Step) -> u32 {
+    let instruction = &step.instruction;
+    match instruction.kind {
+        Kind::Load | Kind::Store | Kind::StoreIndexed => 2,
+        Kind::LoadMany(words) if instruction.sets_counter() => 3 + words,
+        Kind::LoadMany(words) | Kind::StoreMany(words) => 1 + words,
+        Kind::Call | Kind::Special | Kind::Barrier => 3,
+        // A branch not taken takes one.
+        _ if step.jumps => 2,
+        _ => 1,
+    }
+}
+
+fn m3_or_m4(step: &Step, multiply: fn(Kind) -> f64) -> f64 {
+    let instruction = &step.instruction;
+    let refill = match instruction.kind {
+        // Three are part of what it takes.
+        Kind::TableJump => 0.0,
+        _ if step.jumps => REFILL,
+        _ => 0.0,
+    };
+    let words = |words: u32| 1.0 + f64::from(words);
+    let own = match instruction.kind {
+        Kind::Load => 2.0 - overlap(step),
+        Kind::Store => 1.0,
+        Kind::StoreIndexed => 2.0 - overlap(step),
+        Kind::LoadMany(count) | Kind::StoreMany(count) => words(count),
+        Kind::FloatLoad(count) | Kind::FloatStore(count) | Kind::FloatMany(count) => words(count),
+        Kind::Divide => DIVIDE,
+        Kind::TableJump => 6.0,
+        Kind::FloatMovePair => 2.0,
+        Kind::FloatMultiplyAdd => 3.0,
+        Kind::FloatDivideOrRoot => 14.0,
+        kind => multiply(kind),
+    };
+    own + refill + late_address(step)
+}
+
+fn m3_multiply(kind: Kind) -> f64 {
+    match kind {
+        Kind::MultiplyAdd => 2.0,
+        Kind::LongMultiply => M3_LONG_MULTIPLY,
+        Kind::LongMultiplyAdd => M3_LONG_MULTIPLY_ADD,
+        _ => 1.0,
+    }
+}
+
+fn m4_multiply(kind: Kind) -> f64 {
+    match kind {
+        Kind::MultiplyAdd => 2.0,
+        _ => 1.0,
+    }
+}
+
+/// The cycle that a load or a store shares with the load before it, unless it waits for what is
+/// loaded.
+fn overlap(step: &Step) -> f64 {
+    let shares = step.previous.is_some_and(|previous| {
+        previous.kind == Kind::Load && previous.sets & step.instruction.address == 0
+    });
+    if shares { 1.0 } else { 0.0 }
+}
+
+/// The cycle that a load or a store waits for an address that has just been computed.
+fn late_address(step: &Step) -> f64 {
+    let waits = step.previous.is_some_and(|previous| {
+        let is_loaded = matches!(previous.kind, Kind::Load | Kind::LoadMany(_));
+        !is_loaded && previous.sets & step.instruction.address != 0
+    });
+    if waits { 1.0 } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plain(kind: Kind) -> Instruction {
+        Instruction {
+            size: 2,
+            kind,
+            sets: 0,
+            address: 0,
+        }
+    }
+
+    fn cycles(timing: Timing, instruction: Instruction, jumps: bool) -> f64 {
+        let previous = None;
+        timing.cycles(&Step {
+            instruction,
+            previous,
+            jumps,
+        })
+    }
+
+    #[test]
+    fn branches_take_more_where_they_are_taken() {
+        let branch = plain(Kind::Branch);
+        let both = |timing| [false, true].map(|jumps| cycles(timing, branch, jumps));
+        assert_eq!(both(Timing::M0Plus), [1.0, 2.0]);
+        assert_eq!(both(Timing::M3), [1.0, 3.0]);
+        assert_eq!(both(Timing::M4), [1.0, 3.0]);
+    }
+
+    #[test]
+    fn long_multiplications_are_what_sets_the_cores_apart() {
+        let all = |kind| {
+            [Timing::M0Plus, Timing::M3, Timing::M4].map(|it| cycles(it, plain(kind), false))
+        };
+        assert_eq!(all(Kind::Multiply), [1.0, 1.0, 1.0]);
+        assert_eq!(all(Kind::LongMultiply)[1..], [4.0, 1.0]);
+        assert_eq!(all(Kind::LongMultiplyAdd)[1..], [5.5, 1.0]);
+    }
+
+    #[test]
+    fn returning_by_popping_takes_a_refill_more() {
+        let pop = Instruction {
+            sets: 1 << 4 | 1 << 15,
+            ..plain(Kind::LoadMany(2))
+        };
+        assert_eq!(cycles(Timing::M0Plus, pop, true), 5.0);
+        assert_eq!(cycles(Timing::M3, pop, true), 5.0);
+    }
+
+    #[test]
+    fn loads_in_a_row_overlap_unless_one_needs_the_other() {
+        let load = |sets, address| Instruction {
+            sets,
+            address,
+            ..plain(Kind::Load)
+        };
+        let after = |previous, instruction| {
+            let previous = Some(previous);
+            Timing::M3.cycles(&Step {
+                instruction,
+                previous,
+                jumps: false,
+            })
+        };
+        assert_eq!(after(load(1, 2), load(2, 4)), 1.0);
+        assert_eq!(after(load(4, 2), load(2, 4)), 2.0);
+        let sum = Instruction {
+            sets: 4,
+            ..plain(Kind::Plain)
+        };
+        assert_eq!(after(sum, load(2, 4)), 3.0);
+    }
+}

@@ -1,0 +1,96 @@
+//! The command line of `cargo xtask measure`.
+
+use std::path::PathBuf;
+
+use anyhow::Result;
+use clap::{Args, builder::PossibleValuesParser, value_parser};
+
+use super::{
+    cores::{CORES, Core},
+    scene::Scene,
+    task::{Quality, Settings, Shading, Size, Task},
+};
+
+/// Builds a firmware that renders one scene, runs it on an emulated core and counts.
+#[derive(Args, Debug)]
+#[command(after_long_help = AFTER_HELP)]
+pub struct Arguments {
+    /// The core [default: m3, and with --all every one]
+    #[arg(long, value_parser = PossibleValuesParser::new(CORES.map(|core| core.name)))]
+    core: Option<String>,
+
+    /// A built-in scene, or a scene file
+    #[arg(long, value_name = "NAME|FILE.json", default_value = "castle")]
+    scene: PathBuf,
+
+    /// The scene to take from a file that holds several
+    #[arg(long, value_name = "SCENE")]
+    name: Option<String>,
+
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "64x64")]
+    size: Size,
+
+    /// How often a ray is reflected, from 0 to 255
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 4,
+        allow_negative_numbers = true
+    )]
+    #[arg(value_parser = value_parser!(u8))]
+    reflections: u8,
+
+    /// How light shines on a surface
+    #[arg(long, value_enum, default_value_t = Shading::BlinnPhong)]
+    shading: Shading,
+
+    /// How exactly fixed point computes, or the float port instead
+    #[arg(long, value_enum, default_value_t = Quality::Fast)]
+    quality: Quality,
+
+    /// Print a line of JSON instead of a table
+    #[arg(long)]
+    pub(super) json: bool,
+
+    /// Measure everything again and write docs/measured and docs/boards.md
+    #[arg(long, conflicts_with_all = ["scene", "name", "size", "reflections", "shading", "quality", "json"])]
+    pub(super) all: bool,
+}
+
+const AFTER_HELP: &str = "\
+instr/pixel counts the executed instructions of the whole frame, from the frame call to the last
+pixel, preparation included, over the number of pixels; prepare is the preparation alone. flash and
+RAM are what the firmware has beyond the same firmware with an empty frame: the library's and the
+scene's code, constants and static variables. stack is the most in use at a time. cycles/pixel is an
+estimate by the timings that Arm publishes, for memory without wait states.
+
+A FILE.json is turned into a constant scene on the way, as `cargo xtask scene FILE.json` does.
+
+The JSON keys are core, scene, size, reflections, shading, quality, instructions_per_pixel,
+prepare_instructions, flash, ram, stack, hash (FNV-1a, 64 bits, of the RGB8 bytes) and
+cycles_per_pixel (null where no timings are published).";
+
+impl Arguments {
+    /// The core that is asked for.
+    pub(super) fn core(&self) -> Option<&'static Core> {
+        self.core.as_deref().and_then(Core::find)
+    }
+
+    /// The one measurement that is asked for.
+    pub(super) fn task(&self) -> Result<Task> {
+        let core = self
+            .core()
+            .unwrap_or(Core::find("m3").expect("it is in the list"));
+        Ok(Task {
+            core,
+            scene: Scene::open(&self.scene, self.name.as_deref())?,
+            settings: Settings {
+                size: self.size,
+                reflections: self.reflections,
+                shading: self.shading,
+                quality: self.quality,
+            },
+        })
+    }
+}

@@ -1,0 +1,103 @@
+//! The cores that can be measured, and the emulated machines that have them.
+
+use crate::{cycles::Timing, emulator::qemu::Qemu};
+
+/// A core.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Core {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Its name in prose.
+    pub title: &'static str,
+    /// What the compiler calls it.
+    pub target: &'static str,
+    /// By which cycles are estimated, where Arm publishes timings.
+    pub timing: Option<Timing>,
+    machine: Machine,
+}
+
+#[derive(Debug, PartialEq, Eq)]
+enum Machine {
+    Arm(&'static str),
+    Riscv,
+}
+
+/// All of them. QEMU has no Cortex-M0 with a timer fine enough, so the M0's instructions run on an
+/// M3, which executes them all and counts them alike.
+pub const CORES: [Core; 6] = [
+    Core {
+        name: "m0",
+        title: "Cortex-M0",
+        target: "thumbv6m-none-eabi",
+        timing: Some(Timing::M0Plus),
+        machine: Machine::Arm("mps2-an385"),
+    },
+    Core {
+        name: "m3",
+        title: "Cortex-M3",
+        target: "thumbv7m-none-eabi",
+        timing: Some(Timing::M3),
+        machine: Machine::Arm("mps2-an385"),
+    },
+    Core {
+        name: "m4f",
+        title: "Cortex-M4F",
+        target: "thumbv7em-none-eabihf",
+        timing: Some(Timing::M4),
+        machine: Machine::Arm("mps2-an386"),
+    },
+    Core {
+        name: "m33",
+        title: "Cortex-M33",
+        target: "thumbv8m.main-none-eabihf",
+        // Arm publishes none for it; no instruction is known to take longer than on an M4.
+        timing: Some(Timing::M4),
+        machine: Machine::Arm("mps2-an505"),
+    },
+    Core {
+        name: "m7",
+        title: "Cortex-M7",
+        target: "thumbv7em-none-eabihf",
+        timing: None,
+        machine: Machine::Arm("mps2-an500"),
+    },
+    Core {
+        name: "rv32",
+        title: "RV32IMAC",
+        target: "riscv32imac-unknown-none-elf",
+        timing: None,
+        machine: Machine::Riscv,
+    },
+];
+
+impl Core {
+    /// The core of this name.
+    pub fn find(name: &str) -> Option<&'static Self> {
+        CORES.iter().find(|core| core.name == name)
+    }
+
+    /// A machine with this core.
+    pub fn emulator(&self) -> Qemu {
+        match self.machine {
+            Machine::Arm(machine) => Qemu::arm(machine),
+            Machine::Riscv => Qemu::riscv32(),
+        }
+    }
+
+    /// A machine with this core that counts instructions the way the firmware reads them.
+    pub fn counting_emulator(&self) -> Qemu {
+        self.emulator().counting_instructions(match self.machine {
+            Machine::Arm(_) => 7,
+            // The core's own count is in nanoseconds of the machine's time.
+            Machine::Riscv => 0,
+        })
+    }
+
+    /// The linker scripts of the start-up code.
+    pub fn link_arguments(&self) -> &'static str {
+        match self.machine {
+            Machine::Arm(_) => "-Clink-arg=-Tlink.x",
+            Machine::Riscv => "-Clink-arg=-Tmemory.x\u{1f}-Clink-arg=-Tlink.x",
+        }
+    }
+}

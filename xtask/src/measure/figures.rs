@@ -1,0 +1,131 @@
+//! What a measurement comes to, for people and for programs.
+
+use anyhow::{Context, Result};
+use serde::{Deserialize, Serialize};
+
+use super::{firmware::Outcome, task::Task};
+
+/// One row. In JSON the keys are the names of the fields.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Figures {
+    pub core: String,
+    pub scene: String,
+    pub size: String,
+    pub reflections: u8,
+    pub shading: String,
+    pub quality: String,
+    /// Executed instructions of the whole frame, preparation included, over its pixels.
+    pub instructions_per_pixel: f64,
+    /// Executed instructions of the preparation alone.
+    pub prepare_instructions: u64,
+    /// Bytes of code and constants that belong to the library and the scene.
+    pub flash: u64,
+    /// Bytes of static variables that belong to the library and the scene.
+    pub ram: u64,
+    /// Most bytes of stack in use at a time.
+    pub stack: u64,
+    /// FNV-1a, 64 bits, of the frame's RGB8 bytes.
+    pub hash: String,
+    /// An estimate, for memory as fast as the core; `None` where no timings are published.
+    pub cycles_per_pixel: Option<f64>,
+}
+
+impl Figures {
+    pub(super) fn new(task: &Task, outcome: &Outcome) -> Self {
+        let settings = task.settings;
+        let per_pixel = outcome.instructions as f64 / settings.size.pixels() as f64;
+        Self {
+            core: task.core.name.to_owned(),
+            scene: task.scene.name().to_owned(),
+            size: settings.size.to_string(),
+            reflections: settings.reflections,
+            shading: settings.shading.name().to_owned(),
+            quality: settings.quality.name().to_owned(),
+            instructions_per_pixel: tenths(per_pixel),
+            prepare_instructions: outcome.prepare,
+            flash: outcome.weight.flash,
+            ram: outcome.weight.ram,
+            stack: outcome.stack,
+            hash: format!("{:016x}", outcome.hash),
+            cycles_per_pixel: None,
+        }
+    }
+
+    /// Sets the estimate of cycles.
+    pub(super) fn set_cycles(&mut self, per_instruction: f64) {
+        self.cycles_per_pixel = Some(tenths(per_instruction * self.instructions_per_pixel));
+    }
+
+    /// One line of JSON.
+    pub fn json(&self) -> Result<String> {
+        serde_json::to_string(self).context("figures are plain")
+    }
+}
+
+fn tenths(number: f64) -> f64 {
+    (10.0 * number).round() / 10.0
+}
+
+/// A table, one row a measurement.
+pub fn table(rows: &[Figures]) -> String {
+    let head = [
+        "core",
+        "scene",
+        "size",
+        "refl.",
+        "shading",
+        "quality",
+        "instr/pixel",
+        "prepare",
+        "flash",
+        "RAM",
+        "stack",
+        "hash",
+        "cycles/pixel",
+    ];
+    let mut cells = vec![head.map(str::to_owned)];
+    cells.extend(rows.iter().map(|row| {
+        [
+            row.core.clone(),
+            row.scene.clone(),
+            row.size.clone(),
+            row.reflections.to_string(),
+            row.shading.clone(),
+            row.quality.clone(),
+            format!("{:.1}", row.instructions_per_pixel),
+            row.prepare_instructions.to_string(),
+            row.flash.to_string(),
+            row.ram.to_string(),
+            row.stack.to_string(),
+            row.hash.clone(),
+            row.cycles_per_pixel
+                .map_or_else(|| "-".to_owned(), |cycles| format!("{cycles:.0}")),
+        ]
+    }));
+    aligned(&cells)
+}
+
+/// Columns as wide as their widest cell; numbers to the right.
+fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
+    let width = |column: usize| {
+        let cells = rows.iter().map(|row| row[column].chars().count());
+        cells.max().unwrap_or(0)
+    };
+    let widths: [usize; N] = std::array::from_fn(width);
+    let is_number = |column: usize| {
+        let mut cells = rows.iter().skip(1).map(|row| &row[column]);
+        cells.all(|cell| cell.parse::<f64>().is_ok())
+    };
+    let lines = rows.iter().map(|row| {
+        let cells = row.iter().enumerate().map(|(column, cell)| {
+            let width = widths[column];
+            match is_number(column) {
+                true => format!("{cell:>width$}"),
+                false => format!("{cell:<width$}"),
+            }
+        });
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}

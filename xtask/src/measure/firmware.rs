@@ -1,0 +1,221 @@
+//! Builds the measurement firmware for a task, and weighs and runs what was built.
+
+use std::{
+    fs::{self, File},
+    path::{Path, PathBuf},
+    time::Duration,
+};
+
+use anyhow::{Context, Result, bail, ensure};
+use object::{Object, ObjectSection, SectionFlags, elf};
+use rustix::fs::FlockOperation;
+
+use super::{cores::Core, scene::Scene, task::Task};
+use crate::{root, toolchain};
+
+/// A first build compiles a dozen crates; later ones take seconds.
+const BUILD_LIMIT: Duration = Duration::from_secs(10 * 60);
+
+/// Ten thousand million instructions take about a minute.
+pub const RUN_LIMIT: Duration = Duration::from_secs(10 * 60);
+
+/// What a task came to.
+#[derive(Clone, Copy, Debug)]
+pub struct Outcome {
+    /// Instructions of the whole frame.
+    pub instructions: u64,
+    /// Those of its preparation.
+    pub prepare: u64,
+    /// Most bytes of stack at a time.
+    pub stack: u64,
+    /// Hash of the frame.
+    pub hash: u64,
+    /// What is in flash and static RAM beyond the same firmware with an empty frame.
+    pub weight: Weight,
+}
+
+/// Bytes of a linked program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Weight {
+    /// Code, constants, and first values of variables.
+    pub flash: u64,
+    /// Static variables.
+    pub ram: u64,
+}
+
+/// Builds and runs the firmware for a task.
+pub fn run(task: &Task) -> Result<Outcome> {
+    let place = Place::take(task.core)?;
+    let programs = build(task, &place)?;
+    let empty = weigh(&programs.empty)?;
+    let full = weigh(&programs.scene)?;
+    let said = task
+        .core
+        .counting_emulator()
+        .limit(RUN_LIMIT)
+        .run(&programs.scene)?;
+    let report = Report::find(&said)?;
+    ensure!(
+        report.number("ticket")? == programs.ticket,
+        "the firmware reports another task"
+    );
+    Ok(Outcome {
+        instructions: report.number("instructions")?,
+        prepare: report.number("prepare")?,
+        stack: report.number("stack")?,
+        hash: report.number("hash")?,
+        weight: Weight {
+            flash: full.flash.saturating_sub(empty.flash),
+            ram: full.ram.saturating_sub(empty.ram),
+        },
+    })
+}
+
+/// Builds the firmware for a task and does something with the program that draws the scene.
+pub fn with_program<R>(task: &Task, run: impl FnOnce(&Path) -> Result<R>) -> Result<R> {
+    let place = Place::take(task.core)?;
+    run(&build(task, &place)?.scene)
+}
+
+/// Whether a symbol is that of a function whose instructions are counted.
+pub fn is_counted(symbol: &str) -> bool {
+    symbol.contains("Contestant") && (symbol.contains("7prepare") || symbol.contains("3row"))
+}
+
+/// The two programs of the firmware.
+struct Programs {
+    scene: PathBuf,
+    empty: PathBuf,
+    ticket: u64,
+}
+
+/// Where the firmware for a core is built: every task for the same target is built there, so it is
+/// one task's alone until its programs have run.
+struct Place {
+    /// The job, and the source of a scene from a file.
+    jobs: PathBuf,
+    /// What cargo builds.
+    target: PathBuf,
+    /// Held until it is dropped.
+    _lock: File,
+}
+
+impl Place {
+    /// Waits until nobody else is there, in this process or another.
+    fn take(core: &Core) -> Result<Self> {
+        let place = toolchain::target_directory().join("firmware");
+        let (jobs, target) = (place.join(core.name), place.join(core.target));
+        let lock = [&jobs, &target]
+            .into_iter()
+            .try_for_each(fs::create_dir_all)
+            .and_then(|()| File::create(target.join("lock")))
+            .with_context(|| format!("cannot write in {}", place.display()))?;
+        rustix::fs::flock(&lock, FlockOperation::LockExclusive)
+            .with_context(|| format!("cannot lock {}", target.display()))?;
+        Ok(Self {
+            jobs,
+            target,
+            _lock: lock,
+        })
+    }
+}
+
+fn build(task: &Task, place: &Place) -> Result<Programs> {
+    let scene = place.jobs.join("scene.rs");
+    if let Scene::File { source, .. } = &task.scene {
+        write(&scene, &source.text)?;
+    }
+    let source = place.jobs.join("job.rs");
+    let job = task.job(&scene);
+    write(&source, &job.source)?;
+    compile(task.core, &source, &place.target)?;
+    let programs = place.target.join(task.core.target).join("release");
+    Ok(Programs {
+        scene: programs.join("scene"),
+        empty: programs.join("empty"),
+        ticket: job.ticket,
+    })
+}
+
+fn compile(core: &Core, job: &Path, target: &Path) -> Result<()> {
+    let bare_metal = toolchain::BareMetal::find()
+        .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
+    let manifest = root().join("xtask/firmware/Cargo.toml");
+    bare_metal
+        .cargo("build", &[core.target])
+        .args(["--quiet", "--release", "--locked", "--manifest-path"])
+        .args([&manifest])
+        .args(["--target-dir"])
+        .args([target])
+        // Instead of what any configuration says: figures must not depend on it.
+        .env("CARGO_ENCODED_RUSTFLAGS", core.link_arguments())
+        .env("MEASURE_JOB", job)
+        .limit(BUILD_LIMIT)
+        .read()?;
+    Ok(())
+}
+
+/// Writes a file, unless it says that already: then nothing has to be compiled again.
+fn write(path: &Path, text: &str) -> Result<()> {
+    if fs::read_to_string(path).is_ok_and(|old| old == text) {
+        return Ok(());
+    }
+    fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
+}
+
+/// The bytes of a program that flash and RAM hold.
+fn weigh(program: &Path) -> Result<Weight> {
+    let unreadable = || format!("cannot read {}", program.display());
+    let bytes = fs::read(program).with_context(unreadable)?;
+    let program = object::File::parse(&*bytes).with_context(unreadable)?;
+    let mut weight = Weight { flash: 0, ram: 0 };
+    for section in program.sections() {
+        let SectionFlags::Elf { sh_flags } = section.flags() else {
+            bail!("a firmware is an ELF file");
+        };
+        // The start-up code's names for what is left over.
+        let is_room = matches!(section.name()?, ".stack" | ".heap");
+        if sh_flags & u64::from(elf::SHF_ALLOC) == 0 || is_room {
+            continue;
+        }
+        let has_content = section.file_range().is_some();
+        weight.flash += if has_content { section.size() } else { 0 };
+        let is_variable = sh_flags & u64::from(elf::SHF_WRITE) != 0;
+        weight.ram += if is_variable { section.size() } else { 0 };
+    }
+    Ok(weight)
+}
+
+/// The firmware's line of numbers.
+struct Report<'a>(&'a str);
+
+impl<'a> Report<'a> {
+    fn find(said: &'a str) -> Result<Self> {
+        let mut lines = said.lines();
+        let line = lines.find_map(|line| line.strip_prefix("measured "));
+        let line = line.with_context(|| format!("the firmware reports nothing, but: {said}"))?;
+        Ok(Self(line))
+    }
+
+    fn number(&self, name: &str) -> Result<u64> {
+        let mut words = self.0.split(' ').filter_map(|word| word.split_once('='));
+        let (_, digits) = words
+            .find(|(key, _)| *key == name)
+            .with_context(|| format!("the firmware reports no `{name}`: {}", self.0))?;
+        u64::from_str_radix(digits, 16).with_context(|| format!("`{digits}` is no number"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_found_by_name() {
+        let report = Report::find("noise\nmeasured a=000000000000001f b=2\n").unwrap();
+        assert_eq!(report.number("a").unwrap(), 31);
+        assert_eq!(report.number("b").unwrap(), 2);
+        assert!(report.number("c").is_err());
+        assert!(Report::find("noise").is_err());
+    }
+}

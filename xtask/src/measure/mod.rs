@@ -1,0 +1,76 @@
+//! `cargo xtask measure`: what a scene takes on a core, in instructions and bytes.
+//!
+//! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds and runs it;
+//! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
+
+pub mod arguments;
+mod boards;
+pub mod cores;
+pub mod figures;
+mod firmware;
+mod float_source;
+mod page;
+pub mod record;
+pub mod scene;
+pub mod task;
+
+use std::io::{self, Write};
+
+use anyhow::Result;
+
+pub use self::firmware::with_program;
+use self::{arguments::Arguments, figures::Figures, task::Task};
+use crate::cycles::{self, Estimate};
+
+/// Does what the command line asks for.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    if arguments.all {
+        return record::renew(arguments.core());
+    }
+    let figures = measure(&arguments.task()?)?;
+    let text = match arguments.json {
+        true => figures.json()?,
+        false => figures::table(&[figures]),
+    };
+    writeln!(io::stdout(), "{text}")?;
+    Ok(())
+}
+
+/// Measures one scene on one core.
+pub fn measure(task: &Task) -> Result<Figures> {
+    let mut figures = count(task)?;
+    if let Some(estimate) = estimate(&small(task, &figures))? {
+        figures.set_cycles(estimate.per_instruction());
+    }
+    Ok(figures)
+}
+
+/// Measures one scene on one core, without the estimate of cycles.
+pub fn count(task: &Task) -> Result<Figures> {
+    Ok(Figures::new(task, &firmware::run(task)?))
+}
+
+/// Estimates the cycles of a frame on a core whose timings are known. Every instruction is looked
+/// at, so the task had better be small.
+pub fn estimate(task: &Task) -> Result<Option<Estimate>> {
+    let Some(timing) = task.core.timing else {
+        return Ok(None);
+    };
+    firmware::with_program(task, |program| {
+        let emulator = task.core.emulator().limit(firmware::RUN_LIMIT);
+        cycles::estimate(emulator, program, timing, firmware::is_counted).map(Some)
+    })
+}
+
+/// The same task with so few pixels that every instruction can be looked at: what one takes on
+/// average is much the same.
+fn small(task: &Task, figures: &Figures) -> Task {
+    /// A second or two.
+    const INSTRUCTIONS: f64 = 1e6;
+    let side = (INSTRUCTIONS / figures.instructions_per_pixel).sqrt();
+    let side = side.clamp(4.0, 16.0) as u16;
+    let mut task = task.clone();
+    let size = &mut task.settings.size;
+    (size.width, size.height) = (size.width.min(side), size.height.min(side));
+    task
+}

@@ -1,0 +1,220 @@
+//! `docs/boards.md`, from what was measured.
+
+use reflet::scenes;
+
+use super::{
+    boards::BOARDS,
+    cores::{CORES, Core},
+    figures::Figures,
+};
+
+const HEAD: &str = "\
+<!-- Written by `cargo xtask measure --all`. Do not edit: the next run writes over it. -->
+
+# What a frame takes
+
+Measured by `cargo xtask measure --all`, which renders every built-in scene at 64x64 with four
+reflections and Blinn-Phong shading on emulated cores (QEMU), and counts every executed instruction.
+The same command measures one scene, yours too: `cargo xtask measure --help`.
+
+The numbers behind the tables are in `docs/measured`, a file a core.
+";
+
+const INSTRUCTIONS: &str = "\
+Executed instructions of the whole frame, from the frame call to the last pixel and with its
+preparation, over the number of pixels. An instruction is not a cycle. The instructions of the
+Cortex-M0 are counted on an emulated M3, which executes all of them.
+";
+
+const FLOAT: &str = "\
+Against the same model in `f32` as one would write it without this crate (`xtask/float_port`, with
+`libm`): on the Cortex-M3 in software, on the Cortex-M4F in the hardware, with its instruction for
+roots. The quotient is how many times the instructions of `Fast` the float port takes.
+";
+
+const FLASH: &str = "\
+Bytes of code and constants that belong to the library and the scene, quality `Fast`: what the
+firmware has in flash beyond the same firmware with an empty frame. A routine of the compiler's
+that the empty firmware needs as well is not counted.
+";
+
+const RAM: &str = "\
+Most bytes of stack in use at a time, quality `Fast`, from the start of the program on: the stack is
+painted before the frame and looked at after it. Rows are drawn into a buffer outside of the stack,
+which is not counted; a display that takes pixels as they come needs none.
+";
+
+const CYCLES: &str = "\
+Estimates, not measurements: every instruction that a small frame of the same scene executes is
+given the cycles that Arm publishes for it (Technical Reference Manuals of the Cortex-M0+, M3 and
+M4; where they give a range, its middle), for memory without wait states. The column of the M0 is
+for an M0+ with the multiplier that takes one cycle; the M33, for which Arm publishes nothing, is
+given the M4's. On the M0+ the estimate is held to the cycles that an emulated RP2040 counts.
+";
+
+const SECONDS: &str = "\
+Estimates: the cycles above, quality `Fast`, times the pixels of the display, over the clock. A real
+chip waits for its flash, too: how long depends on the chip and its settings. Beside it stands how
+long the bus is busy with the frame's pixels, which may be while the next rows are drawn.
+";
+
+/// The page.
+pub fn write(rows: &[Figures]) -> String {
+    let page = Page(rows);
+    [
+        HEAD.to_owned(),
+        format!("## Instructions a pixel\n\n{INSTRUCTIONS}"),
+        format!("### `Fast`\n\n{}", page.instructions("fast")),
+        format!("### `Fine`\n\n{}", page.instructions("fine")),
+        format!("### Fixed point against float\n\n{FLOAT}\n{}", page.float()),
+        format!(
+            "## Flash\n\n{FLASH}\n{}",
+            page.by_core("fast", |row| row.flash.to_string())
+        ),
+        format!(
+            "## RAM\n\n{RAM}\n{}\n{}",
+            page.by_core("fast", |row| row.stack.to_string()),
+            page.statics()
+        ),
+        format!("## Cycles a pixel\n\n{CYCLES}\n{}", page.cycles()),
+        format!("## Seconds a frame\n\n{SECONDS}\n{}", page.seconds()),
+    ]
+    .join("\n")
+}
+
+struct Page<'a>(&'a [Figures]);
+
+impl Page<'_> {
+    fn row(&self, core: &str, scene: &str, quality: &str) -> Option<&Figures> {
+        let mut rows = self.0.iter();
+        rows.find(|row| row.core == core && row.scene == scene && row.quality == quality)
+    }
+
+    fn instructions(&self, quality: &str) -> String {
+        self.by_core(quality, |row| format!("{:.0}", row.instructions_per_pixel))
+    }
+
+    /// A row a scene, a column a core.
+    fn by_core(&self, quality: &str, cell: impl Fn(&Figures) -> String) -> String {
+        let mut head = vec!["scene".to_owned()];
+        head.extend(CORES.iter().map(|core| core.title.to_owned()));
+        let rows = scenes::NAMES.map(|scene| {
+            let cells = CORES.iter().map(|core| {
+                let row = self.row(core.name, scene, quality);
+                row.map_or_else(|| "-".to_owned(), &cell)
+            });
+            [scene.to_owned()].into_iter().chain(cells).collect()
+        });
+        table(1, &head, &rows)
+    }
+
+    fn float(&self) -> String {
+        const CORES: [&str; 2] = ["m3", "m4f"];
+        let mut head = vec!["scene".to_owned()];
+        for core in CORES {
+            head.extend(["Fast", "Fine", "float"].map(|name| format!("{core} {name}")));
+            head.push("float / Fast".to_owned());
+        }
+        let rows = scenes::NAMES.map(|scene| {
+            let mut cells = vec![scene.to_owned()];
+            for core in CORES {
+                let figure = |quality| {
+                    let row = self.row(core, scene, quality);
+                    row.map(|row| row.instructions_per_pixel)
+                };
+                let [fast, fine, float] = ["fast", "fine", "float"].map(figure);
+                let whole = |figure: Option<f64>| figure.map(|figure| format!("{figure:.0}"));
+                let quotient = fast
+                    .zip(float)
+                    .map(|(fast, float)| format!("{:.1}", float / fast));
+                let figures = [whole(fast), whole(fine), whole(float), quotient];
+                cells.extend(figures.map(|figure| figure.unwrap_or_else(|| "-".to_owned())));
+            }
+            cells
+        });
+        table(1, &head, &rows)
+    }
+
+    /// A column a core whose timings are known, and the float port where it is measured.
+    fn cycles(&self) -> String {
+        let is_known = |core: &&Core| core.timing.is_some();
+        let columns = CORES.iter().filter(is_known).flat_map(|core| {
+            let measured = |quality: &&str| self.row(core.name, "castle", quality).is_some();
+            let qualities = ["fast", "float"].into_iter().filter(measured);
+            qualities.map(move |quality| (core, quality))
+        });
+        let columns: Vec<_> = columns.collect();
+        let mut head = vec!["scene".to_owned()];
+        head.extend(columns.iter().map(|(core, quality)| match *quality {
+            "float" => format!("{}, float", core.title),
+            _ => core.title.to_owned(),
+        }));
+        let rows = scenes::NAMES.map(|scene| {
+            let cells = columns.iter().map(|(core, quality)| {
+                let row = self.row(core.name, scene, quality);
+                let cycles = row.and_then(|row| row.cycles_per_pixel);
+                cycles.map_or_else(|| "-".to_owned(), |cycles| format!("{cycles:.0}"))
+            });
+            [scene.to_owned()].into_iter().chain(cells).collect()
+        });
+        table(1, &head, &rows)
+    }
+
+    /// A row a board, a column a scene.
+    fn seconds(&self) -> String {
+        const SCENES: [&str; 5] = [
+            "castle",
+            "mirror1",
+            "columns",
+            "primitives",
+            "shading_lights",
+        ];
+        let head = ["board", "core", "display"].into_iter().chain(SCENES);
+        let head: Vec<_> = head.chain(["sending"]).map(str::to_owned).collect();
+        let rows = BOARDS.iter().map(|board| {
+            let display = &board.display;
+            let mut cells = vec![
+                board.name.to_owned(),
+                format!("{}, {} MHz", board.title, board.clock),
+                format!("{}x{} {}", display.width, display.height, display.name),
+            ];
+            cells.extend(SCENES.map(|scene| {
+                let row = self.row(board.core, scene, "fast");
+                let cycles = row.and_then(|row| row.cycles_per_pixel);
+                cycles.map_or_else(|| "-".to_owned(), |cycles| seconds(board.frame(cycles)))
+            }));
+            cells.push(seconds(display.transfer()));
+            cells
+        });
+        table(3, &head, &rows.collect::<Vec<_>>())
+    }
+
+    fn statics(&self) -> String {
+        let fixed = self.0.iter().filter(|row| row.quality != "float");
+        match fixed.map(|row| row.ram).max().unwrap_or(0) {
+            0 => "Static variables: none, on any core.\n".to_owned(),
+            most => format!("Static variables: {most} bytes at most.\n"),
+        }
+    }
+}
+
+/// A Markdown table: so many columns of text, and then numbers, which stand to the right.
+fn table(texts: usize, head: &[String], rows: &[Vec<String>]) -> String {
+    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+    let rule = |column| if column < texts { "---" } else { "--:" };
+    let rule: Vec<_> = (0..head.len()).map(rule).collect();
+    let mut text = line(head) + &format!("|{}|\n", rule.join("|"));
+    text.extend(rows.iter().map(|cells| line(cells)));
+    text
+}
+
+/// Two digits that count.
+fn seconds(time: f64) -> String {
+    match time {
+        _ if time >= 10.0 => format!("{time:.0} s"),
+        _ if time >= 1.0 => format!("{time:.1} s"),
+        _ if time >= 0.1 => format!("{:.0} ms", 10.0 * (100.0 * time).round()),
+        _ if time >= 0.01 => format!("{:.0} ms", 1e3 * time),
+        _ => format!("{:.1} ms", 1e3 * time),
+    }
+}

@@ -1,0 +1,111 @@
+//! The scene that is measured: a built-in one, or one from a file.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Result, bail};
+use reflet::{
+    host::{file::SceneFile, reference},
+    scenes::{self, BuiltIn, Visitor},
+};
+
+use crate::{misuse::Misuse, scene_source};
+
+/// A scene.
+#[derive(Clone, Debug)]
+pub enum Scene {
+    /// One that comes with the library, by its name.
+    BuiltIn(&'static str),
+    /// One from a file.
+    File {
+        /// What it is called.
+        name: String,
+        /// The numbers.
+        file: Box<SceneFile>,
+        /// The Rust source of the same scene.
+        source: scene_source::Source,
+    },
+}
+
+impl Scene {
+    /// The built-in scene of this name, or the scene of a file: a name with a dot or a slash in
+    /// it is a file. From a file with several scenes, `chosen` names one.
+    ///
+    /// # Errors
+    /// [`Misuse`] where there is no such scene or it cannot be used.
+    pub fn open(scene: &Path, chosen: Option<&str>) -> Result<Self> {
+        let text = scene.to_string_lossy();
+        if text.contains(['.', '/', '\\']) {
+            return Self::read(scene, chosen);
+        }
+        if chosen.is_some() {
+            bail!(Misuse::new("--name chooses from a file"));
+        }
+        match scenes::NAMES.into_iter().find(|name| *name == text) {
+            Some(name) => Ok(Self::BuiltIn(name)),
+            None => bail!(Misuse::new(format!(
+                "there is no built-in scene {text}, only {}",
+                scenes::NAMES.join(", ")
+            ))),
+        }
+    }
+
+    fn read(path: &Path, chosen: Option<&str>) -> Result<Self> {
+        let (file, source) = scene_source::read(path, chosen)?;
+        let stem = || PathBuf::from(path.file_stem().unwrap_or(path.as_os_str()));
+        let name = file
+            .name()
+            .map_or_else(|| stem().display().to_string(), str::to_owned);
+        Ok(Self::File {
+            name,
+            file: Box::new(file),
+            source,
+        })
+    }
+
+    /// What it is called.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::BuiltIn(name) => name,
+            Self::File { name, .. } => name,
+        }
+    }
+
+    /// The numbers it was written with.
+    pub fn reference(&self) -> (reference::Scene, reference::Camera) {
+        match self {
+            Self::BuiltIn(name) => visit(name, Describe),
+            Self::File { file, .. } => file.reference(),
+        }
+    }
+
+    /// The name of a built-in scene's type.
+    pub fn type_name(name: &str) -> &'static str {
+        visit(name, TypeName)
+    }
+}
+
+fn visit<V: Visitor>(name: &str, visitor: V) -> V::Output {
+    scenes::visit(name, visitor).expect("the name was found in the list of names")
+}
+
+struct Describe;
+
+impl Visitor for Describe {
+    type Output = (reference::Scene, reference::Camera);
+
+    fn visit<S: BuiltIn>(self) -> Self::Output {
+        let scene = S::with_description(|description| reference::Scene::from(&description));
+        (scene, reference::Camera::from(&S::CAMERA.description()))
+    }
+}
+
+struct TypeName;
+
+impl Visitor for TypeName {
+    type Output = &'static str;
+
+    fn visit<S: BuiltIn>(self) -> &'static str {
+        let path = std::any::type_name::<S>();
+        path.rsplit("::").next().unwrap_or(path)
+    }
+}

@@ -1,0 +1,198 @@
+//! What is measured: which scene on which core, with which settings; and the job it makes for
+//! the firmware.
+
+use std::{
+    fmt::{self, Write as _},
+    hash::{DefaultHasher, Hash, Hasher},
+    path::Path,
+    str::FromStr,
+};
+
+use clap::ValueEnum;
+
+use super::{cores::Core, float_source, scene::Scene};
+
+/// Width and height in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    pub width: u16,
+    pub height: u16,
+}
+
+impl Size {
+    /// How many pixels there are.
+    pub fn pixels(self) -> u64 {
+        u64::from(self.width) * u64::from(self.height)
+    }
+}
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}", self.width, self.height)
+    }
+}
+
+impl FromStr for Size {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let side = |digits: &str| match digits.bytes().all(|digit| digit.is_ascii_digit()) {
+            true => digits.parse::<u16>().ok().filter(|&side| side > 0),
+            false => None,
+        };
+        let sides = text
+            .split_once('x')
+            .map(|(width, height)| (side(width), side(height)));
+        match sides {
+            Some((Some(width), Some(height))) => Ok(Self { width, height }),
+            _ => Err("not a width and a height from 1 to 65535, such as 320x240"),
+        }
+    }
+}
+
+/// How light shines on a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Shading {
+    BlinnPhong,
+    Phong,
+    Normals,
+}
+
+impl Shading {
+    /// The word on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::BlinnPhong => "blinn-phong",
+            Self::Phong => "phong",
+            Self::Normals => "normals",
+        }
+    }
+
+    /// The name of the type.
+    fn type_name(self) -> &'static str {
+        match self {
+            Self::BlinnPhong => "BlinnPhong",
+            Self::Phong => "Phong",
+            Self::Normals => "Normals",
+        }
+    }
+}
+
+/// How exactly fixed point computes, or the float port instead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Quality {
+    Fast,
+    Fine,
+    Float,
+}
+
+impl Quality {
+    /// The word on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fast => "fast",
+            Self::Fine => "fine",
+            Self::Float => "float",
+        }
+    }
+}
+
+/// How a scene is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    pub size: Size,
+    pub reflections: u8,
+    pub shading: Shading,
+    pub quality: Quality,
+}
+
+/// One measurement.
+#[derive(Clone, Debug)]
+pub struct Task {
+    pub core: &'static Core,
+    pub scene: Scene,
+    pub settings: Settings,
+}
+
+/// A task as the firmware is built from it.
+pub struct Job {
+    /// The Rust source that the firmware includes.
+    pub source: String,
+    /// Comes back with the report.
+    pub ticket: u64,
+}
+
+impl Task {
+    /// The firmware's source for this; `scene` is where the source of a file's scene lies.
+    pub fn job(&self, scene: &Path) -> Job {
+        let Settings { size, .. } = self.settings;
+        let contestant = match self.settings.quality {
+            Quality::Fast => self.fixed("Fast", scene),
+            Quality::Fine => self.fixed("Fine", scene),
+            Quality::Float => self.float(),
+        };
+        let mut hasher = DefaultHasher::new();
+        (self.core.name, size.width, size.height, &contestant).hash(&mut hasher);
+        let ticket = hasher.finish();
+        let Size { width, height } = size;
+        let mut source = String::from("// Written by `cargo xtask measure`.\n\n");
+        write!(
+            source,
+            "pub const ORDER: firmware::Order =\n    \
+             firmware::Order {{ size: ({width}, {height}), ticket: {ticket:#x} }};\n\n{contestant}"
+        )
+        .expect("a string takes all");
+        Job { source, ticket }
+    }
+
+    fn fixed(&self, quality: &str, scene: &Path) -> String {
+        let Settings {
+            reflections,
+            shading,
+            ..
+        } = self.settings;
+        let (module, scene, camera) = match &self.scene {
+            Scene::BuiltIn(name) => {
+                let scene = format!("reflet::scenes::{}", Scene::type_name(name));
+                let camera = format!("<{scene} as reflet::scenes::BuiltIn>::CAMERA");
+                (String::new(), scene, camera)
+            }
+            Scene::File { source, .. } => (
+                format!("#[path = {scene:?}]\nmod scene;\n\n"),
+                format!("scene::{}", source.type_name),
+                "scene::CAMERA".to_owned(),
+            ),
+        };
+        let shading = shading.type_name();
+        format!(
+            "{module}\
+             pub struct Seen;\n\n\
+             impl firmware::View for Seen {{\n    \
+                 const CAMERA: reflet::Camera = {camera};\n    \
+                 const REFLECTIONS: u8 = {reflections};\n\
+             }}\n\n\
+             pub type Job = firmware::Fixed<{scene}, Seen, reflet::{quality}, reflet::{shading}>;\n"
+        )
+    }
+
+    fn float(&self) -> String {
+        let (scene, camera) = self.scene.reference();
+        let Settings {
+            reflections,
+            shading,
+            ..
+        } = self.settings;
+        let shading = shading.type_name();
+        let (scene, camera) = (float_source::scene(&scene), float_source::camera(&camera));
+        format!(
+            "pub struct Seen;\n\n\
+             impl firmware::FloatView for Seen {{\n\
+                 const SCENE: float_port::Scene<'static> = {scene};\n\
+                 const CAMERA: float_port::Camera = {camera};\n\
+                 const REFLECTIONS: u32 = {reflections};\n\
+                 const SHADING: float_port::Shading = float_port::Shading::{shading};\n\
+             }}\n\n\
+             pub type Job = firmware::Float<Seen>;\n"
+        )
+    }
+}

@@ -1,0 +1,90 @@
+//! Identifiers from names that may be anything.
+
+use std::collections::HashSet;
+
+/// What the source imports or defines; a scene's type must be called otherwise.
+const TAKEN: [&str; 6] = [
+    "CAMERA",
+    "Camera",
+    "Material",
+    "Scene",
+    "Self",
+    "StaticScene",
+];
+
+/// The name of a scene's type: `shading_lights` becomes `ShadingLights`.
+pub fn type_name(name: &str) -> String {
+    let capitalised = |word: &str| {
+        let (first, rest) = word.split_at(1);
+        first.to_ascii_uppercase() + rest
+    };
+    let name: String = words(name).iter().map(|word| capitalised(word)).collect();
+    match name.chars().next() {
+        Some(first) if first.is_ascii_digit() => format!("Scene{name}"),
+        Some(_) if !TAKEN.contains(&name.as_str()) => name,
+        Some(_) => format!("{name}Scene"),
+        None => "TheScene".to_owned(),
+    }
+}
+
+/// The names of the materials' constants: `old gold` becomes `OLD_GOLD`. All are different, and
+/// none is that of the scene's type or its camera.
+pub fn constants(names: &[String], type_name: &str) -> Vec<String> {
+    let mut taken = HashSet::from(["CAMERA".to_owned(), type_name.to_owned()]);
+    let unique = |name: String| {
+        let numbered = (2..).map(|number| format!("{name}_{number}"));
+        let mut candidates = std::iter::once(name.clone()).chain(numbered);
+        let free = candidates.find(|name| taken.insert(name.clone()));
+        free.expect("numbers do not end")
+    };
+    names
+        .iter()
+        .map(|name| constant(name))
+        .map(unique)
+        .collect()
+}
+
+fn constant(name: &str) -> String {
+    let name = words(name).join("_").to_ascii_uppercase();
+    match name.chars().next() {
+        Some(first) if !first.is_ascii_digit() => name,
+        Some(_) => format!("MATERIAL_{name}"),
+        None => "MATERIAL".to_owned(),
+    }
+}
+
+/// The runs of letters and digits that an identifier may hold.
+fn words(name: &str) -> Vec<&str> {
+    let words = name.split(|letter: char| !letter.is_ascii_alphanumeric());
+    words.filter(|word| !word.is_empty()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn types_are_named_in_camel_case_and_apart_from_the_imports() {
+        let named = [
+            ("castle", "Castle"),
+            ("shading_lights", "ShadingLights"),
+            ("my scene-2", "MyScene2"),
+            ("2 balls", "Scene2Balls"),
+            ("scene", "SceneScene"),
+            ("self", "SelfScene"),
+            ("été", "T"),
+            ("", "TheScene"),
+            ("雪", "TheScene"),
+        ];
+        for (name, expected) in named {
+            assert_eq!(type_name(name), expected, "{name}");
+        }
+    }
+
+    #[test]
+    fn constants_are_shouted_and_all_different() {
+        let names = ["gold", "Gold", "old gold", "2", "", "雪", "camera", "Box"].map(str::to_owned);
+        let expected = "GOLD GOLD_2 OLD_GOLD MATERIAL_2 MATERIAL MATERIAL_3 CAMERA_2 BOX_2";
+        assert_eq!(constants(&names, "BOX").join(" "), expected);
+    }
+}

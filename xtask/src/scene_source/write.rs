@@ -1,0 +1,143 @@
+//! The source text, before it is laid out.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use reflet::host::reference::{Camera, Cylinder, Material, Plane, Scene, Sphere};
+
+/// How far rays are lifted off surfaces unless the scene says otherwise.
+const EPSILON: f64 = 1e-3;
+
+/// The source of a constant scene; `materials` are the names of the materials' constants.
+pub fn source(
+    name: &str,
+    type_name: &str,
+    materials: &[String],
+    scene: &Scene,
+    camera: &Camera,
+) -> String {
+    let used = used_materials(scene);
+    let mut constants = String::new();
+    for index in &used {
+        let material = constant(&materials[*index], &scene.materials[*index]);
+        constants += &material;
+    }
+    let scene_type = format!(
+        "Scene<{}, {}, {}, {}, {}>",
+        scene.spheres.len(),
+        scene.planes.len(),
+        scene.cylinders.len(),
+        scene.lights.len(),
+        used.len(),
+    );
+    let import = if used.is_empty() { "" } else { "Material, " };
+    let name = name.escape_debug();
+    format!(
+        "//! The scene `{name}`, written from a scene file by `cargo xtask scene`.\n\n\
+         use reflet::{{Camera, {import}Scene, StaticScene}};\n\n\
+         {constants}\n\
+         /// The view the scene was made for.\n\
+         pub const CAMERA: Camera = Camera::look_at({}, {}, {}).fov({});\n\n\
+         /// The scene `{name}`.\n\
+         #[derive(Clone, Copy, Debug)]\n\
+         pub struct {type_name};\n\n\
+         impl StaticScene for {type_name} {{\n\
+             type Scene = {scene_type}; // spheres, planes, cylinders, lights, materials\n\
+             const SCENE: &'static Self::Scene = &{};\n\
+         }}\n",
+        vector(camera.position),
+        vector(camera.target),
+        vector(camera.up),
+        number(camera.fov),
+        builder(scene, materials),
+    )
+}
+
+/// The places of the materials that shapes are made of.
+fn used_materials(scene: &Scene) -> BTreeSet<usize> {
+    let spheres = scene.spheres.iter().map(|sphere| sphere.material);
+    let planes = scene.planes.iter().map(|plane| plane.material);
+    let cylinders = scene.cylinders.iter().map(|cylinder| cylinder.material);
+    spheres.chain(planes).chain(cylinders).collect()
+}
+
+fn constant(name: &str, material: &Material) -> String {
+    let mut text = format!(
+        "const {name}: Material = Material::new({}).ambient({}).diffuse({}).specular({}, {})",
+        vector(material.color),
+        number(material.ambient),
+        number(material.diffuse),
+        number(material.specular),
+        number(material.shininess),
+    );
+    if material.mirror != 0.0 {
+        text += &format!(".mirror({})", number(material.mirror));
+    }
+    text + ";\n"
+}
+
+fn builder(scene: &Scene, materials: &[String]) -> String {
+    let mut text = String::from("Scene::builder()");
+    for Sphere {
+        center,
+        radius,
+        material,
+    } in &scene.spheres
+    {
+        let (center, radius) = (vector(*center), number(*radius));
+        let _ = write!(
+            text,
+            ".sphere({center}, {radius}, {})",
+            materials[*material]
+        );
+    }
+    for Plane {
+        point,
+        normal,
+        material,
+    } in &scene.planes
+    {
+        let (point, normal) = (vector(*point), vector(*normal));
+        let _ = write!(text, ".plane({point}, {normal}, {})", materials[*material]);
+    }
+    for Cylinder {
+        center,
+        axis,
+        radius,
+        height,
+        material,
+    } in &scene.cylinders
+    {
+        let (center, axis) = (vector(*center), vector(*axis));
+        let (radius, height) = (number(*radius), number(*height));
+        let material = &materials[*material];
+        let _ = write!(
+            text,
+            ".cylinder({center}, {axis}, {radius}, {height}, {material})"
+        );
+    }
+    for light in &scene.lights {
+        let _ = write!(
+            text,
+            ".light({}, {})",
+            vector(light.position),
+            vector(light.color)
+        );
+    }
+    if scene.background != [0.0; 3] {
+        let _ = write!(text, ".background({})", vector(scene.background));
+    }
+    if scene.epsilon != EPSILON {
+        let _ = write!(text, ".epsilon({})", number(scene.epsilon));
+    }
+    text + ".camera(CAMERA).build()"
+}
+
+fn vector([x, y, z]: [f64; 3]) -> String {
+    format!("[{}, {}, {}]", number(x), number(y), number(z))
+}
+
+/// The shortest digits that are read as the same number again.
+fn number(value: f64) -> String {
+    format!("{value:?}")
+}

@@ -1,0 +1,54 @@
+//! The estimate of cycles against another's count.
+
+use xtask::{
+    emulator::rp2040::Rp2040,
+    measure::{
+        cores::Core,
+        estimate,
+        scene::Scene,
+        task::{Quality, Settings, Shading, Size, Task},
+        with_program,
+    },
+};
+
+/// A number that the measurement firmware reports.
+fn reported(said: &[String], name: &str) -> f64 {
+    let report = said.iter().find_map(|line| line.strip_prefix("measured "));
+    let mut words = report.unwrap().split(' ');
+    let digits = words.find_map(|word| word.strip_prefix(name)?.strip_prefix('='));
+    u64::from_str_radix(digits.unwrap(), 16).unwrap() as f64
+}
+
+#[test]
+fn estimate_for_m0_plus_is_within_10_percent_of_what_an_rp2040_counts() {
+    for scene in ["castle", "columns", "shading_speculars"] {
+        let task = Task {
+            core: Core::find("m0").unwrap(),
+            scene: Scene::BuiltIn(scene),
+            settings: Settings {
+                size: Size {
+                    width: 8,
+                    height: 8,
+                },
+                reflections: 4,
+                shading: Shading::BlinnPhong,
+                quality: Quality::Fast,
+            },
+        };
+        let estimate = estimate(&task).unwrap().unwrap();
+        let run = |rp2040: Rp2040| {
+            let said = with_program(&task, |program| Ok(rp2040.run(program)?.said));
+            reported(
+                &said.unwrap_or_else(|error| panic!("{error:#}")),
+                "instructions",
+            )
+        };
+        let cycles = run(Rp2040::default());
+        let instructions = run(Rp2040::default().counting_instructions());
+        println!("{scene}: {estimate:?}, {cycles} cycles, {instructions} instructions");
+        assert!((estimate.cycles / cycles - 1.0).abs() < 0.1, "{scene}");
+        // What is looked at is what is counted, but for the calls themselves.
+        let seen = estimate.instructions as f64;
+        assert!((seen / instructions - 1.0).abs() < 0.001, "{scene}");
+    }
+}

@@ -1,0 +1,307 @@
+//! `cargo xtask measure` and `cargo xtask scene`, as a user calls them.
+
+use std::{fs, path::Path, process::Command};
+
+use serde_json::Value;
+use xtask::measure::{cores::Core, count, figures::Figures, record};
+
+const SCENES: &str = r#"[
+    {
+        "name": "ball",
+        "camera": { "position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50 },
+        "materials": [
+            { "name": "gold", "color": [0.7, 0.6, 0], "ambient": 0.2, "diffuse": 0.4,
+              "specular": 0.8, "shininess": 4, "mirror": 0.4 },
+            { "name": "unused", "color": [1, 1, 1], "ambient": 1, "diffuse": 0,
+              "specular": 0, "shininess": 1, "mirror": 0 }
+        ],
+        "lights": [ { "position": [3, -4, 6.125], "color": [1, 1, 1] } ],
+        "spheres": [ { "center": [0, 0, 1], "radius": 1, "material": "gold" } ],
+        "planes": [ { "center": [0, 0, 0], "normal": [0, 0, 1], "material": "gold" } ],
+        "cylinders": [
+            { "center": [2, 0, 1], "axis": [0, 0, 1], "radius": 0.5, "height": 2e-1,
+              "material": "gold" }
+        ],
+        "background": [0.25, 0.5, 1],
+        "epsilon": 0.0005
+    },
+    {
+        "name": "nothing",
+        "camera": { "position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50 }
+    }
+]"#;
+
+/// What a command came to.
+struct Done {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+/// Calls the command in a folder that holds `scenes.json`.
+fn xtask(arguments: &str) -> Done {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("scenes.json"), SCENES).unwrap();
+    fs::write(folder.path().join("broken.json"), "{\n").unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
+        .args(arguments.split_whitespace())
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    Done {
+        code: output.status.code().unwrap(),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+fn measured(arguments: &str) -> Value {
+    let done = xtask(&format!("measure --json {arguments}"));
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    assert_eq!(done.out.lines().count(), 1);
+    serde_json::from_str(&done.out).unwrap()
+}
+
+#[test]
+fn json_has_these_keys_and_the_defaults() {
+    let figures = measured("--size 16x8");
+    let keys: Vec<_> = figures.as_object().unwrap().keys().cloned().collect();
+    let mut expected = vec![
+        "core",
+        "scene",
+        "size",
+        "reflections",
+        "shading",
+        "quality",
+        "instructions_per_pixel",
+        "prepare_instructions",
+        "flash",
+        "ram",
+        "stack",
+        "hash",
+        "cycles_per_pixel",
+    ];
+    expected.sort_unstable();
+    assert_eq!(keys, expected);
+    let settings = ["core", "scene", "size", "reflections", "shading", "quality"];
+    assert_eq!(
+        settings.map(|key| figures[key].to_string()).join(" "),
+        r#""m3" "castle" "16x8" 4 "blinn-phong" "fast""#
+    );
+    let [instructions, cycles] =
+        ["instructions_per_pixel", "cycles_per_pixel"].map(|key| figures[key].as_f64().unwrap());
+    assert!(instructions > 10.0);
+    assert!((1.2..2.5).contains(&(cycles / instructions)));
+    assert_eq!(figures["hash"].as_str().unwrap().len(), 16);
+}
+
+#[test]
+fn same_measurement_comes_to_the_same_figures() {
+    let settings = "--scene mirror1 --size 17x9 --reflections 7 --shading phong --quality fine";
+    let figures = measured(settings);
+    assert_eq!(figures, measured(settings));
+    assert_eq!(figures["reflections"], 7);
+    assert_eq!(figures["shading"], "phong");
+    assert_eq!(figures["quality"], "fine");
+}
+
+#[test]
+fn table_names_what_it_shows() {
+    let done = xtask("measure --scene empty --size 8x8 --shading normals");
+    let [head, row] = [0, 1].map(|line| done.out.lines().nth(line).unwrap());
+    assert!(head.starts_with("core  scene  size"), "{head}");
+    assert!(row.starts_with("m3    empty  8x8"), "{row}");
+}
+
+#[test]
+fn scene_of_a_file_is_measured() {
+    let figures = measured("--scene scenes.json --name ball --size 16x16");
+    assert_eq!(figures["scene"], "ball");
+    // A scene with all kinds of shapes takes more than the empty one.
+    let nothing = measured("--scene scenes.json --name nothing --size 16x16");
+    let instructions = |figures: &Value| figures["instructions_per_pixel"].as_f64().unwrap();
+    assert!(instructions(&figures) > 2.0 * instructions(&nothing));
+    assert_ne!(figures["hash"], nothing["hash"]);
+}
+
+#[test]
+fn float_port_is_measured_by_the_same_command() {
+    let figures = measured("--core m4f --scene mirror1 --size 16x16 --quality float");
+    assert_eq!(figures["quality"], "float");
+    let per_pixel = figures["instructions_per_pixel"].as_f64().unwrap();
+    // With roots in software it would be far above.
+    assert!((500.0..3000.0).contains(&per_pixel), "{per_pixel}");
+}
+
+#[test]
+fn scene_file_becomes_source_that_rustfmt_leaves_alone() {
+    let done = xtask("scene scenes.json --name ball");
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    let expected = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/measure/ball.rs");
+    assert_eq!(done.out, fs::read_to_string(&expected).unwrap());
+    let rustfmt = Command::new("rustfmt")
+        .args(["--edition", "2024", "--check"])
+        .arg(expected)
+        .status();
+    assert!(rustfmt.unwrap().success());
+}
+
+/// What the command made of the file above: that it is here means that it compiles.
+mod ball;
+
+#[test]
+fn source_describes_the_scene_of_the_file() {
+    use reflet::{StaticFrame, StaticScene, host::file::SceneFile};
+
+    let file = SceneFile::parse(SCENES, Some("ball")).unwrap();
+    let (scene, camera) = file.runtime().unwrap();
+    assert_eq!(camera, ball::CAMERA);
+    assert_eq!(ball::Ball::SCENE.camera(), Some(&camera));
+    let size = embedded_graphics::geometry::Size::new(40, 30);
+    let black = <embedded_graphics::pixelcolor::Rgb888 as Default>::default();
+    let (mut one, mut other) = (vec![black; 40], vec![black; 40]);
+    let scene = Box::new(scene.build().unwrap());
+    for y in 0..30 {
+        ball::Ball::frame(&camera).sized(size).row(y, 0, &mut one);
+        scene.frame(&camera).sized(size).row(y, 0, &mut other);
+        assert_eq!(one, other, "row {y}");
+    }
+}
+
+#[test]
+fn mistakes_are_one_line_and_exit_code_2() {
+    let mistakes = [
+        (
+            "measure --core m5",
+            "invalid value 'm5' for '--core <CORE>'",
+        ),
+        (
+            "measure --size 0x3",
+            "not a width and a height from 1 to 65535",
+        ),
+        (
+            "measure --size 3",
+            "not a width and a height from 1 to 65535",
+        ),
+        ("measure --reflections 256", "256 is not in 0..=255"),
+        ("measure --reflections -1", "-1 is not in 0..=255"),
+        (
+            "measure --shading flat",
+            "invalid value 'flat' for '--shading <SHADING>'",
+        ),
+        (
+            "measure --quality best",
+            "invalid value 'best' for '--quality <QUALITY>'",
+        ),
+        (
+            "measure --scene sandcastle",
+            "there is no built-in scene sandcastle, only castle,",
+        ),
+        (
+            "measure --scene castle --name ball",
+            "--name chooses from a file",
+        ),
+        (
+            "measure --scene missing.json",
+            "missing.json: No such file or directory",
+        ),
+        (
+            "measure --scene broken.json",
+            "broken.json: line 2, column 0: EOF",
+        ),
+        (
+            "measure --scene scenes.json",
+            "scenes.json: choose one of the scenes ball, nothing",
+        ),
+        ("measure --all --scene castle", "cannot be used with"),
+        (
+            "measure --everything",
+            "unexpected argument '--everything' found",
+        ),
+        (
+            "scene",
+            "the following required arguments were not provided",
+        ),
+        (
+            "scene missing.json",
+            "missing.json: No such file or directory",
+        ),
+        (
+            "scene scenes.json",
+            "scenes.json: choose one of the scenes ball, nothing",
+        ),
+        (
+            "scene scenes.json --name x",
+            "scenes.json: there is no scene x, only ball, nothing",
+        ),
+        ("dance", "unrecognized subcommand 'dance'"),
+    ];
+    for (arguments, words) in mistakes {
+        let done = xtask(arguments);
+        let lines = done.err.lines().count();
+        assert_eq!(
+            (done.code, lines, done.out.as_str()),
+            (2, 1, ""),
+            "{arguments}: {}",
+            done.err
+        );
+        assert!(done.err.starts_with("error: "), "{}", done.err);
+        assert!(done.err.contains(words), "{arguments}: {}", done.err);
+    }
+}
+
+#[test]
+fn figures_of_m3_in_the_repository_are_within_2_percent() {
+    let core = Core::find("m3").unwrap();
+    let kept = record::read(core).unwrap_or_else(|error| panic!("{error:#}"));
+    let tasks = record::tasks(core);
+    assert_eq!(kept.len(), tasks.len());
+    let mut off = String::new();
+    for (task, kept) in tasks.iter().zip(&kept) {
+        let found = count(task).unwrap_or_else(|error| panic!("{error:#}"));
+        if !is_within_2_percent(kept, &found) {
+            off += &format!(
+                "\nkept  {}\nfound {}",
+                kept.json().unwrap(),
+                found.json().unwrap()
+            );
+        }
+    }
+    assert!(
+        off.is_empty(),
+        "`cargo xtask measure --all` has to be run again and what it writes committed:{off}"
+    );
+}
+
+/// Counts may be 2 % off; settings and pictures have to be the same. The estimate of cycles follows
+/// from the counts.
+fn is_within_2_percent(kept: &Figures, found: &Figures) -> bool {
+    let counts = |figures: &Figures| {
+        [
+            figures.instructions_per_pixel,
+            figures.flash as f64,
+            figures.ram as f64,
+            figures.stack as f64,
+        ]
+    };
+    let rest = |figures: &Figures| Figures {
+        instructions_per_pixel: 0.0,
+        prepare_instructions: 0,
+        flash: 0,
+        ram: 0,
+        stack: 0,
+        cycles_per_pixel: None,
+        ..figures.clone()
+    };
+    let mut pairs = counts(kept).into_iter().zip(counts(found));
+    rest(kept) == rest(found) && pairs.all(|(kept, found)| (kept - found).abs() <= 0.02 * found)
+}
+
+#[test]
+fn castle_240_pixels_wide_needs_at_most_6_kib_on_m0() {
+    let figures = measured("--core m0 --size 240x16");
+    let bytes = |key: &str| figures[key].as_u64().unwrap();
+    // And a row of three bytes a pixel, though a display that takes pixels as they come needs none.
+    let ram = bytes("ram") + bytes("stack") + 3 * 240;
+    assert!(ram <= 6 * 1024, "{ram} bytes");
+}

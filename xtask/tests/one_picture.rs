@@ -1,0 +1,99 @@
+//! A frame is the same, to the bit, on the machine that runs the tests and on every core.
+
+use embedded_graphics::{
+    geometry::Size,
+    pixelcolor::{Rgb888, RgbColor},
+};
+use frame_hash::FrameHash;
+use reflet::{
+    Fast, Fine, Quality as Exactness, StaticFrame,
+    scenes::{self, BuiltIn, Visitor},
+};
+use xtask::measure::{
+    cores::Core,
+    count,
+    scene::Scene,
+    task::{Quality, Settings, Shading, Size as Pixels, Task},
+};
+
+const SIDE: u16 = 64;
+
+/// The hash of a scene's frame, drawn here.
+struct Hash(Quality);
+
+impl Visitor for Hash {
+    type Output = String;
+
+    fn visit<S: BuiltIn>(self) -> String {
+        match self.0 {
+            Quality::Fast => hash::<S, Fast>(),
+            Quality::Fine => hash::<S, Fine>(),
+            Quality::Float => unreachable!("floats are another matter"),
+        }
+    }
+}
+
+fn hash<S: BuiltIn, Q: Exactness>() -> String {
+    let size = Size::new_equal(SIDE.into());
+    let picture = S::frame(&S::CAMERA)
+        .reflections(4)
+        .quality::<Q>()
+        .sized(size);
+    let mut row = [Rgb888::BLACK; SIDE as usize];
+    let mut hash = FrameHash::NONE;
+    for y in 0..size.height {
+        picture.row(y, 0, &mut row);
+        row.iter()
+            .for_each(|pixel| hash.add([pixel.r(), pixel.g(), pixel.b()]));
+    }
+    format!("{:016x}", hash.value())
+}
+
+fn is_the_same_picture_as_here(core: &str) {
+    let core = Core::find(core).expect("it is in the list");
+    for name in ["castle", "mirror1", "columns"] {
+        for quality in [Quality::Fast, Quality::Fine] {
+            let task = Task {
+                core,
+                scene: Scene::BuiltIn(name),
+                settings: Settings {
+                    size: Pixels {
+                        width: SIDE,
+                        height: SIDE,
+                    },
+                    reflections: 4,
+                    shading: Shading::BlinnPhong,
+                    quality,
+                },
+            };
+            let figures = count(&task).unwrap_or_else(|error| panic!("{error:#}"));
+            let here = scenes::visit(name, Hash(quality)).expect("it is in the list");
+            assert_eq!(figures.hash, here, "{name}, {quality:?}");
+        }
+    }
+}
+
+#[test]
+fn cortex_m0_draws_the_same_picture() {
+    is_the_same_picture_as_here("m0");
+}
+
+#[test]
+fn cortex_m3_draws_the_same_picture() {
+    is_the_same_picture_as_here("m3");
+}
+
+#[test]
+fn cortex_m4f_draws_the_same_picture() {
+    is_the_same_picture_as_here("m4f");
+}
+
+#[test]
+fn cortex_m33_draws_the_same_picture() {
+    is_the_same_picture_as_here("m33");
+}
+
+#[test]
+fn rv32imac_draws_the_same_picture() {
+    is_the_same_picture_as_here("rv32");
+}
