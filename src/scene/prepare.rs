@@ -82,7 +82,7 @@ const fn size_fault(size: Number, fault: Fault) -> Option<Fault> {
 const SMALLEST: i32 = 4;
 
 /// The smallest epsilon, in steps: a hit is within this of its surface.
-const SMALLEST_EPSILON: i32 = 4;
+const SMALLEST_EPSILON: i32 = 8;
 
 /// A light or camera within this many radii of the shapes is given its place in the ball; what is
 /// further out is kept as a far place, so that a distant sun costs the shapes no bits.

@@ -223,6 +223,47 @@ fn surface_is_hidden_from_a_light_behind_its_own_sphere() {
 }
 
 #[test]
+fn light_in_the_plane_of_a_surface_makes_no_highlight() {
+    let lit = |height: f64| {
+        let mut scene = Scenery::new();
+        let glossy = Material::new([1.0; 3]).ambient(0.0).diffuse(0.0);
+        let glossy = scene.add_material(glossy.specular(0.5, 0.0)).unwrap();
+        scene.add_plane([0, 0, 0], [0, 0, 1], glossy).unwrap();
+        scene.add_light([-4.0, 0.0, height], [1, 1, 1]).unwrap();
+        scene.add_sphere([0, 0, -7], 1, glossy).unwrap();
+        scene.set_epsilon(1.0 / 1024.0).unwrap();
+        let scene = scene.build().unwrap();
+        seen::<BlinnPhong>(&scene, [0.0, 3.0, 4.0], [0.0, -3.0, -4.0])[0]
+    };
+    // The way to the light starts an epsilon above the surface.
+    assert_eq!(lit(1.0 / 1024.0), 0.0);
+    assert_eq!(lit(1.1 / 1024.0), 0.5);
+}
+
+#[test]
+fn sphere_does_not_shadow_itself_however_small_epsilon_is() {
+    // Seen from as far as near rays start, where a hit is rounded most, across a scene that is
+    // as large as two small spheres at its ends make it.
+    let mut scene = Scenery::new();
+    let white = Material::new([1.0; 3]).ambient(0.0).diffuse(1.0);
+    let white = scene.add_material(white).unwrap();
+    scene.add_sphere([-0.55; 3], 0.04, white).unwrap();
+    scene.add_sphere([0.55; 3], 0.04, white).unwrap();
+    scene.add_light([90, 90, 80], [1, 1, 1]).unwrap();
+    scene.set_epsilon(1e-15).unwrap();
+    let scene = scene.build().unwrap();
+    let from = [1.49, 1.49, 1.2];
+    let mut sweep = Sweep::new(4);
+    for _ in 0..50_000 {
+        let aim = sweep.triple(1000).map(|it| f64::from(it) * 1e-5 - 0.55);
+        let towards = [0, 1, 2].map(|axis| aim[axis] - from[axis]);
+        let [brightness, ..] = seen::<BlinnPhong>(&scene, from, towards);
+        // What is seen lies at most half a radius aside, and the light stands 2 degrees aside.
+        assert!(brightness > 0.8, "{brightness}: {aim:?}");
+    }
+}
+
+#[test]
 fn inside_of_a_surface_is_lit_from_inside() {
     for (light, truth) in [([0, 0, 0], 0.625), ([9, 0, 0], 0.125)] {
         let scene = scenery(RED, |scene| scene.add_light(light, [1, 1, 1]).unwrap());

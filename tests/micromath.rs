@@ -1,0 +1,115 @@
+//! micromath's numbers and vectors are taken where a camera or a scene is made at run time.
+#![cfg(feature = "micromath")]
+
+mod painting;
+
+use embedded_graphics::prelude::Size;
+use micromath::F32;
+use micromath::vector::F32x3;
+use painting::painted;
+use reflet::{Camera, CameraError, Fault, Material, Number, Position, RuntimeScene, SceneError};
+
+fn vector([x, y, z]: [f32; 3]) -> F32x3 {
+    F32x3 { x, y, z }
+}
+
+#[test]
+fn number_is_the_one_of_the_float_it_wraps() {
+    for value in [0.0, 1.0, -0.1, 3.25e9, 1e-9, f32::MIN_POSITIVE] {
+        assert_eq!(Number::from(F32(value)), Number::from(value), "{value}");
+    }
+    for value in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        assert_eq!(Number::from(F32(value)), Number::OUT_OF_RANGE, "{value}");
+    }
+}
+
+#[test]
+fn vector_is_the_position_of_its_coordinates() {
+    let coordinates = [0.1, -55.742, 1e6];
+    assert_eq!(
+        Position::from(vector(coordinates)),
+        Position::from(coordinates)
+    );
+}
+
+#[test]
+fn camera_made_of_them_is_the_camera_made_of_floats() {
+    let [position, target, up] = [
+        [24.186, -55.742, 26.689],
+        [20.357, -47.128, 23.352],
+        [-0.136, 0.305, 0.943],
+    ];
+    let camera = Camera::new(vector(position), vector(target), vector(up), F32(50.5));
+    assert_eq!(camera, Camera::new(position, target, up, 50.5_f32));
+    assert!(camera.is_ok());
+    let turned = camera.unwrap().orbited(F32(35.0), F32(-5.0));
+    assert_eq!(turned, camera.unwrap().orbited(35, -5));
+    let nowhere = Camera::new(vector(position), vector(position), vector(up), F32(50.5));
+    assert_eq!(nowhere, Err(CameraError::View));
+}
+
+type Scenery = RuntimeScene<1, 1, 1, 1, 1>;
+
+fn filled<N, V>(number: fn(f32) -> N, vector: fn([f32; 3]) -> V) -> Scenery
+where
+    N: Into<Number>,
+    V: Into<Position>,
+{
+    let mut scene = Scenery::new();
+    let color = [0.9, 0.8, 0.1].map(number);
+    let [ambient, diffuse, specular, shininess, mirror] = [0.1, 0.7, 0.3, 9.5, 0.2].map(number);
+    let made = Material::from_numbers(color, ambient, diffuse, (specular, shininess), mirror);
+    let gold = scene.add_material(made.unwrap()).unwrap();
+    scene
+        .add_sphere(vector([0.1, 0.2, 0.3]), number(0.7), gold)
+        .unwrap();
+    scene
+        .add_plane(vector([0.0, 0.0, -0.4]), vector([0.1, 0.0, 1.0]), gold)
+        .unwrap();
+    let axis = vector([0.0, 0.3, 1.0]);
+    scene
+        .add_cylinder(
+            vector([1.5, 0.4, 0.5]),
+            axis,
+            number(0.3),
+            number(1.1),
+            gold,
+        )
+        .unwrap();
+    scene
+        .add_light(vector([3.3, -4.4, 5.5]), [0.9, 0.9, 0.8].map(number))
+        .unwrap();
+    scene.set_background([0.1, 0.2, 0.4].map(number)).unwrap();
+    scene.set_epsilon(number(0.002)).unwrap();
+    scene
+}
+
+#[test]
+fn scene_made_of_them_is_the_scene_made_of_floats() {
+    let (wrapped, plain) = (filled(F32, vector), filled(|it| it, |it| it));
+    assert_eq!(
+        format!("{:?}", wrapped.description()),
+        format!("{:?}", plain.description())
+    );
+    let camera = Camera::look_at([0.0, -6.0, 2.0], [0.0; 3], [0.0, 0.0, 1.0]);
+    let painted = |scene: &Scenery| {
+        painted(
+            &scene
+                .build()
+                .unwrap()
+                .frame(&camera)
+                .sized(Size::new(32, 24)),
+        )
+    };
+    assert!(painted(&wrapped) == painted(&plain));
+}
+
+#[test]
+fn what_is_not_finite_is_refused() {
+    let mut scene = Scenery::new();
+    let id = scene.add_material(Material::new([1.0; 3])).unwrap();
+    let refused = scene.add_sphere(vector([0.0, f32::NAN, 0.0]), F32(1.0), id);
+    assert_eq!(refused, Err(SceneError::Sphere(0, Fault::Coordinate)));
+    let refused = scene.add_sphere(vector([0.0; 3]), F32(f32::INFINITY), id);
+    assert_eq!(refused, Err(SceneError::Sphere(0, Fault::Coordinate)));
+}
