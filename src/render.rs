@@ -166,10 +166,15 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
 
     /// Fills `pixels` with row `y` from column `x` on; row 0 is at the top.
     ///
-    /// Pixels beyond the picture's edges are views of what lies there.
+    /// What would lie beyond the picture's edges stays as it is.
     pub fn row<C: PixelColor + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
         let mut report = Report::NONE;
-        for (pixel, color) in pixels.iter_mut().zip(self.colors(y, x, &mut report)) {
+        if y >= self.size.height || x >= self.size.width {
+            return report;
+        }
+        let inside = (self.size.width - x) as usize;
+        let pixels = pixels.iter_mut().take(inside);
+        for (pixel, color) in pixels.zip(self.colors(y, x, &mut report)) {
             *pixel = color;
         }
         report

@@ -231,7 +231,8 @@ impl Vector {
         )
     }
 
-    /// The direction and the length, for a length below 2³¹; a relative error below 2⁻²⁷.
+    /// The direction and the length, for a length below 2³¹; a relative error below 2⁻²⁶ for
+    /// lengths from 2¹³ on, and below 1 / (2 length²) for shorter ones.
     ///
     /// The direction of the zero vector is zero.
     pub const fn direction_and_length(self) -> (Direction, Length) {
@@ -251,7 +252,8 @@ impl Vector {
     }
 }
 
-/// A vector of length one, Q2.30 a coordinate; within 2⁻²⁷ of length one.
+/// A vector of length one, Q2.30 a coordinate: within 2⁻²⁶ of it, but for the normals of shapes
+/// with a radius below 2¹⁰ steps, which rounding may leave shorter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Direction {
     pub(crate) x: Unit,

@@ -491,3 +491,16 @@ fn scene_may_change_between_frames() {
     assert!(full.pixels[8 * 16 + 8][0] > 50);
     assert_eq!(full.pixels[0], [0; 3]);
 }
+
+#[test]
+fn row_beyond_the_picture_stays_as_it_is() {
+    const MARK: Rgb888 = Rgb888::new(1, 2, 3);
+    let picture = picture(33, 20);
+    let mut row = [MARK; 40];
+    for (y, x) in [(20, 0), (0, 33), (u32::MAX, 0), (0, u32::MAX)] {
+        assert_eq!(picture.row(y, x, &mut row), Report::NONE, "{y}, {x}");
+    }
+    assert_eq!(row, [MARK; 40]);
+    assert!(picture.row(19, 30, &mut row).rays >= 3);
+    assert_eq!(row[3..], [MARK; 37]);
+}

@@ -51,7 +51,8 @@ pub const fn reciprocal_root(mantissa: u32) -> i32 {
 /// How far a vector whose squared length is `square` is shifted left to get a length of
 /// 2³⁰ to 2³¹, and the square of that length · 2⁻³⁰, ready for [`reciprocal_root`].
 ///
-/// `square` is 1 to 2⁶² - 1; zero is taken for one.
+/// `square` is 1 to 2⁶² - 1. Its lowest bit is set so that zero needs no test, which makes an even
+/// square larger by one part in itself: less than 2⁻²⁶ for lengths from 2¹³ on.
 pub const fn unit_shift(square: u64) -> (u32, u32) {
     let square = square | 1;
     let zeros = square.leading_zeros() & !1;
