@@ -50,7 +50,7 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
         &mut Watchdog::new(chip.WATCHDOG),
     )
     .expect("the crystal oscillates");
-    let mut timer = Timer::new(chip.TIMER, &mut chip.RESETS, &clocks);
+    let timer = Timer::new(chip.TIMER, &mut chip.RESETS, &clocks);
     let mut sio = Sio::new(chip.SIO);
     let pins = Pins::new(
         chip.IO_BANK0,
@@ -79,7 +79,7 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
     let chip_select = pins.gpio9.into_push_pull_output();
     let data_command = pins.gpio8.into_push_pull_output();
     let reset = pins.gpio12.into_push_pull_output();
-    let display = panel(bus, chip_select, data_command, reset, &mut timer);
+    let display = panel(bus, chip_select, data_command, reset, timer);
     let mut backlight = pins.gpio13.into_push_pull_output();
     backlight.set_high().expect("a pin can be set");
 
@@ -97,7 +97,7 @@ fn panel(
     chip_select: impl OutputPin<Error: Debug>,
     data_command: impl OutputPin<Error: Debug>,
     reset: impl OutputPin<Error: Debug>,
-    timer: &mut Timer,
+    mut timer: Timer,
 ) -> impl DrawTarget<Color = Rgb565, Error: Debug> {
     let device = ExclusiveDevice::new_no_delay(bus, chip_select).expect("a pin can be set");
     let buffer = singleton!(: [u8; 512] = [0; 512]).expect("the board is switched on once");
@@ -106,7 +106,7 @@ fn panel(
         .display_size(SIDE as u16, SIDE as u16)
         .invert_colors(ColorInversion::Inverted)
         .orientation(Orientation::new().rotate(Rotation::Deg90))
-        .init(timer)
+        .init(&mut timer)
         .expect("the panel takes commands");
     display
         .clear(Rgb565::BLACK)

@@ -229,7 +229,7 @@ impl Report {
         let mut said = self.said.rtt;
         said.extend(self.said.semihosting.into_iter().map(|line| line.text));
         if let Some(Fault { reason, function }) = self.fault {
-            let function = function.map(|name| rustc_demangle::demangle(&name).to_string());
+            let function = function.map(|name| format!("{:#}", rustc_demangle::demangle(&name)));
             return Err(Failure::Fault {
                 reason,
                 function,
@@ -320,3 +320,30 @@ impl fmt::Display for Failure {
 }
 
 impl std::error::Error for Failure {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lock_file_names_no_server() {
+        let lock = fs::read_to_string(folder().join("package-lock.json")).unwrap();
+        assert!(lock.contains("\"integrity\"") && !lock.contains("://"));
+    }
+
+    #[test]
+    fn fault_is_named_with_where_it_was_and_the_last_words() {
+        let report = r#"{
+            "fault": { "reason": "no such memory", "function": "_ZN4pico5cores4main17h0123456789abcdefE" },
+            "cycles": 2, "instructions": 1, "frames": [],
+            "said": { "rtt": ["cores: 2"], "semihosting": [] },
+            "display": { "inverted": false, "addressMode": 0 }
+        }"#;
+        let report: Report = serde_json::from_str(report).unwrap();
+        assert_eq!(
+            report.judge().unwrap_err().to_string(),
+            "the firmware failed: no such memory in pico::cores::main; it said:\n\
+             cores: 2"
+        );
+    }
+}
