@@ -23,6 +23,7 @@ use serde_json::{Value, json};
 use tempfile::TempDir;
 
 use super::qmp::{self, Monitor};
+use crate::command::Program;
 
 /// An emulated board about to boot a firmware, and for how long it may run.
 #[derive(Clone, Debug)]
@@ -84,8 +85,9 @@ impl Qemu {
         firmware: &Path,
         mut see: impl FnMut(u32) -> ControlFlow<()>,
     ) -> Result<(), Failure> {
-        let stepping = self.args(["-d", "exec,nochain", "-singlestep"]);
-        let mut running = stepping.boot(firmware)?;
+        let stepping = one_by_one(self.program);
+        let logged = self.args(["-d", "exec,nochain"]).args(stepping);
+        let mut running = logged.boot(firmware)?;
         while let Some(line) = running.receive()? {
             match executed(&line).map(&mut see) {
                 Some(ControlFlow::Break(())) => return Ok(()),
@@ -325,6 +327,22 @@ fn connect(socket: &Path) -> Result<Monitor<UnixStream>, Failure> {
     Monitor::new(stream).map_err(Failure::Monitor)
 }
 
+/// The options by which QEMU executes one instruction at a time: they changed in version 8.1.
+fn one_by_one(program: &str) -> &'static [&'static str] {
+    let printed = Program::new(program).args(["--version"]).read();
+    match printed.ok().as_deref().and_then(version) {
+        Some(version) if version < (8, 1) => &["-singlestep"],
+        _ => &["-accel", "tcg,one-insn-per-tb=on"],
+    }
+}
+
+/// Reads `QEMU emulator version 7.2.22 (Debian ...)`.
+fn version(printed: &str) -> Option<(u32, u32)> {
+    let (_, numbers) = printed.split_once(" version ")?;
+    let mut numbers = numbers.split(|letter: char| !letter.is_ascii_digit());
+    Some((numbers.next()?.parse().ok()?, numbers.next()?.parse().ok()?))
+}
+
 /// The address in a line of QEMU's log of what it executes:
 /// `Trace 0: 0x7f65b0004940 [00800400/00002f44/00000110/ff000201] function`.
 fn executed(line: &str) -> Option<u32> {
@@ -469,6 +487,14 @@ mod tests {
         let line = "Trace 0: 0x7f65b0004940 [00800400/00002f44/00000110/ff000201] _ZN8firmware";
         assert_eq!(executed(line), Some(0x2f44));
         assert_eq!(executed("fault: HardFault"), None);
+    }
+
+    #[test]
+    fn version_is_read_from_the_first_line() {
+        let printed = "QEMU emulator version 7.2.22 (Debian 1:7.2+dfsg)\nCopyright (c) 2003";
+        assert_eq!(version(printed), Some((7, 2)));
+        assert_eq!(version("QEMU emulator version 10.0.2"), Some((10, 0)));
+        assert_eq!(version("nothing"), None);
     }
 
     #[test]
