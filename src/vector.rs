@@ -23,14 +23,14 @@ impl Position {
     }
 
     /// Whether every coordinate is within ±[`Position::MAX_COORDINATE`].
-    pub const fn is_in_range(self) -> bool {
+    pub(crate) const fn is_in_range(self) -> bool {
         const MAX: i64 = Position::MAX_COORDINATE;
         let [x, y, z] = self.0;
         x.is_within(-MAX, MAX) && y.is_within(-MAX, MAX) && z.is_within(-MAX, MAX)
     }
 
     /// `self - other`, for coordinates in range.
-    pub const fn minus(self, other: Self) -> Self {
+    pub(crate) const fn minus(self, other: Self) -> Self {
         let ([ax, ay, az], [bx, by, bz]) = (self.0, other.0);
         Self([
             Number::from_bits(ax.to_bits() - bx.to_bits()),
@@ -62,7 +62,7 @@ impl Position {
     }
 
     /// The largest magnitude of a coordinate, in the bits of a [`Number`].
-    pub const fn magnitude(self) -> u128 {
+    pub(crate) const fn magnitude(self) -> u128 {
         let [x, y, z] = self.0;
         max(
             max(x.to_bits().unsigned_abs(), y.to_bits().unsigned_abs()),
@@ -72,7 +72,7 @@ impl Position {
 
     /// As a vector scaled by the power of two that gives its largest coordinate 29 bits, and
     /// how far it was shifted right for that; `None` for zero.
-    pub const fn leading(self) -> Option<(Vector, i32)> {
+    pub(crate) const fn leading(self) -> Option<(Vector, i32)> {
         let magnitude = self.magnitude();
         if magnitude == 0 {
             return None;
@@ -88,7 +88,7 @@ impl Position {
     }
 
     /// The direction it points in, to the last bit; `None` for zero.
-    pub const fn direction(self) -> Option<Direction> {
+    pub(crate) const fn direction(self) -> Option<Direction> {
         match self.leading() {
             Some((vector, _)) => Some(vector.precise_direction()),
             None => None,
@@ -252,8 +252,7 @@ impl Vector {
     }
 }
 
-/// A vector of length one, Q2.30 a coordinate: within 2⁻²⁶ of it, but for the normals of shapes
-/// with a radius below 2¹⁰ steps, which rounding may leave shorter.
+/// A vector of length one, Q2.30 a coordinate: within 2⁻²⁶ of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Direction {
     pub(crate) x: Unit,

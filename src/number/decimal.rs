@@ -71,7 +71,7 @@ impl Number {
     }
 
     /// Whether `low <= self <= high`, for whole bounds.
-    pub const fn is_within(self, low: i64, high: i64) -> bool {
+    pub(crate) const fn is_within(self, low: i64, high: i64) -> bool {
         let bits = self.to_bits();
         (low as i128) << 64 <= bits && bits <= (high as i128) << 64
     }
@@ -79,13 +79,13 @@ impl Number {
     /// The number with `fraction_bits` bits behind the point, rounded to nearest.
     ///
     /// The caller has checked that the result fits an `i32`.
-    pub const fn quantised(self, fraction_bits: u32) -> i32 {
+    pub(crate) const fn quantised(self, fraction_bits: u32) -> i32 {
         let drop = 64 - fraction_bits;
         ((self.to_bits() + (1 << (drop - 1))) >> drop) as i32
     }
 
     /// Whether both are the same number; usable in constants.
-    pub const fn same(self, other: Self) -> bool {
+    pub(crate) const fn same(self, other: Self) -> bool {
         self.to_bits() == other.to_bits()
     }
 }

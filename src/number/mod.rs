@@ -38,9 +38,6 @@ pub type Brightness = I6F26;
 pub struct Length(i32);
 
 impl Length {
-    /// No length at all.
-    pub const ZERO: Self = Self(0);
-
     /// From raw steps.
     pub const fn from_bits(bits: i32) -> Self {
         Self(bits)

@@ -49,6 +49,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
 {
     /// An empty scene with a black background and an epsilon of 0.001.
     pub const fn new() -> Self {
+        const { assert!(M <= 1 << 16, "a scene has 65536 materials at most") };
         Self {
             spheres: [Sphere::NONE; S],
             planes: [Plane::NONE; P],

@@ -15,8 +15,9 @@ use crate::vector::{Direction, Point, Vector};
 /// Cells along one side of a face.
 const SIDE: usize = 8;
 
-/// A coordinate of Q2.30 times this, without its low 32 bits, is the number of its cell: -4 to 3.
-const CELLS: i64 = ((SIDE as i64 / 2) << 32) / (LARGEST_SECOND as i64 + 2);
+/// A coordinate of Q2.30 times this, without its low 32 bits, is the number of its cell: -4 to 3,
+/// for directions that are 64 steps too long, too.
+const CELLS: i64 = ((SIDE as i64 / 2) << 32) / (LARGEST_SECOND as i64 + 64);
 
 const FACE: usize = SIDE * SIDE;
 

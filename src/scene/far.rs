@@ -78,16 +78,23 @@ pub(super) fn blocked<W: World>(
     } else {
         into_ball(path)
     };
-    let Some((ray, _)) = start else {
+    let Some((ray, skipped)) = start else {
         return false;
     };
-    let reach = if light.is_near() {
-        let (_, rest) = ray.origin.to(light.point).direction_and_length();
-        Length::from_bits((rest.to_bits() - world.parts().epsilon.to_bits()).max(0))
-    } else {
-        REACH
+    // The ball may begin behind the light.
+    let total = u128::from(reach.to_bits() as u32) << scale.min(64);
+    let Some(rest) = total.checked_sub(u128::from(skipped)) else {
+        return false;
     };
-    blocked_by_bounded(world, Mask::ALL, &ray, reach)
+    let rest = rest.min(REACH.to_bits() as u128) as i32;
+    let reach = if light.is_near() {
+        // Finer than what is left of a far distance.
+        let (_, rest) = ray.origin.to(light.point).direction_and_length();
+        rest.to_bits() - world.parts().epsilon.to_bits()
+    } else {
+        rest
+    };
+    blocked_by_bounded(world, Mask::ALL, &ray, Length::from_bits(reach.max(0)))
 }
 
 /// A path from a far place as a ray from where it enters the ball, and the steps skipped; `None`

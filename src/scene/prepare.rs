@@ -85,7 +85,8 @@ const SMALLEST: i32 = 4;
 const SMALLEST_EPSILON: i32 = 8;
 
 /// A light or camera within this many radii of the shapes is given its place in the ball; what is
-/// further out is kept as a far place, so that a distant sun costs the shapes no bits.
+/// further out is kept as a far place, so that a distant sun costs the shapes no bits. A scene of
+/// planes alone goes by the nearest plane.
 const COMPANIONS: u128 = 8;
 
 /// The most a material may shine in its scene, in Q6.26: below 32 with room for rounding.
@@ -326,7 +327,12 @@ const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
         radius = larger(radius, far_side);
         index += 1;
     }
-    let shapes = radius;
+    let shapes = if radius > 0 {
+        radius
+    } else {
+        nearest_plane(middle, scene.planes)
+    };
+    radius = shapes;
     index = 0;
     while index < scene.lights.len() {
         radius = accompanied(
@@ -345,9 +351,8 @@ const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
     }
     index = 0;
     while index < scene.planes.len() {
-        let alone = radius == 0;
         let away = distance_to_plane(middle, &scene.planes[index]);
-        radius = accompanied(radius, if alone { 0 } else { shapes }, away);
+        radius = accompanied(radius, shapes, away);
         index += 1;
     }
     if radius == 0 {
@@ -360,7 +365,22 @@ const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
     }
 }
 
-/// The middle of the shapes; where there are none, of the lights and the camera.
+/// The distance to the nearest plane that does not go through `middle`; 0 where there is none.
+const fn nearest_plane(middle: Position, planes: &[Plane]) -> u128 {
+    let mut nearest = 0;
+    let mut index = 0;
+    while index < planes.len() {
+        let away = distance_to_plane(middle, &planes[index]);
+        if away > 0 && (nearest == 0 || away < nearest) {
+            nearest = away;
+        }
+        index += 1;
+    }
+    nearest
+}
+
+/// The middle of the shapes; where there are none, the camera, and without one the middle of the
+/// lights.
 const fn middle_of(scene: &Description<'_>) -> Position {
     let mut bounds = Bounds::EMPTY;
     let mut index = 0;
@@ -375,15 +395,16 @@ const fn middle_of(scene: &Description<'_>) -> Position {
         bounds.add(cylinder.center, cylinder_size(cylinder));
         index += 1;
     }
-    if bounds.is_empty {
-        index = 0;
-        while index < scene.lights.len() {
-            bounds.add(scene.lights[index].position, 0);
-            index += 1;
-        }
-        if let Some(camera) = scene.camera {
-            bounds.add(camera.description().position, 0);
-        }
+    if !bounds.is_empty {
+        return bounds.middle();
+    }
+    if let Some(camera) = scene.camera {
+        return camera.description().position;
+    }
+    index = 0;
+    while index < scene.lights.len() {
+        bounds.add(scene.lights[index].position, 0);
+        index += 1;
     }
     bounds.middle()
 }

@@ -69,6 +69,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     /// # Errors
     /// [`Fault::TooManyMaterials`].
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, SceneError> {
+        const { assert!(M <= 1 << 16, "a scene has 65536 materials at most") };
         let index = self.materials.len();
         match self.materials.push(material) {
             Ok(()) => Ok(MaterialId(index as u16)),

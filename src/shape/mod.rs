@@ -54,6 +54,12 @@ impl Normaliser {
 
     /// The direction of `vector`, whose length is the one given, but for a few steps.
     const fn direction(&self, vector: Vector) -> Direction {
+        // A radius below 2^16 steps: rounding moves the length by more than one Newton step mends.
+        if self.lift > 13 {
+            let Vector { x, y, z } = vector;
+            let lifted = Vector::new(x << self.lift, y << self.lift, z << self.lift);
+            return lifted.precise_direction();
+        }
         Direction {
             x: self.coordinate(vector.x),
             y: self.coordinate(vector.y),

@@ -77,7 +77,7 @@ impl PreparedPlane {
     pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
         let (height, descent) = self.crossing(ray, reach)?;
         let Quotient { mantissa, exponent } = divide(height, descent);
-        // Below reach, so the exponent is negative; 31 and more leave nothing.
+        // Below reach, so the exponent is at most 0; -32 and less leave nothing.
         let distance = mantissa.checked_shr(-exponent as u32).unwrap_or(0);
         Some(Length::from_bits(distance as i32))
     }
