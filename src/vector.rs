@@ -23,7 +23,7 @@ impl Position {
     }
 
     /// Whether every coordinate is within ±[`Position::MAX_COORDINATE`].
-    pub(crate) const fn is_in_range(self) -> bool {
+    pub const fn is_in_range(self) -> bool {
         const MAX: i64 = Position::MAX_COORDINATE;
         let [x, y, z] = self.0;
         x.is_within(-MAX, MAX) && y.is_within(-MAX, MAX) && z.is_within(-MAX, MAX)

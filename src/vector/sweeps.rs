@@ -93,7 +93,7 @@ fn precise_direction_is_right_to_the_last_places() {
 fn zero_vector_has_no_direction_and_no_length() {
     let zero = Vector::new(0, 0, 0);
     let (direction, length) = zero.direction_and_length();
-    assert_eq!((direction.raw(), length), (zero, Length::ZERO));
+    assert_eq!((direction.raw(), length), (zero, Length::from_bits(0)));
     assert_eq!(Position::ORIGIN.direction(), None);
     assert_eq!(Position::ORIGIN.leading(), None);
 }
