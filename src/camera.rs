@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of};
+use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of, wide};
 use crate::ray::Fan;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -222,6 +222,7 @@ impl Camera {
             right: [0, 1, 2].map(|axis| shifted(raw(self.right)[axis], scale)),
             up: [0, 1, 2].map(|axis| shifted(raw(self.up)[axis], scale)),
             side: self.right,
+            down: self.up.reversed(),
             scale,
             width,
             height,
@@ -253,27 +254,25 @@ pub(crate) struct Lens {
     right: [i64; 3],
     up: [i64; 3],
     side: Direction,
+    down: Direction,
     scale: i32,
     width: u32,
     height: u32,
 }
 
 impl Lens {
-    /// The rays of row `y`, all from `origin`.
-    pub(crate) fn fan(&self, y: u32, origin: Point) -> Fan {
-        let vertical = i64::from(self.height) - 1 - 2 * i64::from(y);
-        let [x, y, z] =
-            [0, 1, 2].map(|axis| ((self.ahead[axis] + self.up[axis] * vertical) >> 32) as i32);
+    /// The rays from `origin` through the middles of the columns, and of the rows.
+    pub(crate) fn fans(&self, origin: Point) -> [Fan; 2] {
+        let [x, y, z] = self.ahead.map(|coordinate| (coordinate >> 32) as i32);
         let (ahead, distance) = Vector::new(x, y, z).direction_and_length();
-        Fan {
+        [(self.side, self.width), (self.down, self.height)].map(|(aside, width)| Fan {
             origin,
             ahead,
-            aside: self.side,
-            normal: self.side.crossed(ahead),
+            aside,
             distance: distance.to_bits(),
             scale: 2 - self.scale,
-            width: self.width,
-        }
+            width,
+        })
     }
 
     /// The directions through the middles of the pixels of row `y`, from column `x` on.
@@ -282,30 +281,49 @@ impl Lens {
     pub(crate) fn row(&self, y: u32, x: u32) -> RowDirections {
         let vertical = i64::from(self.height) - 1 - 2 * i64::from(y);
         let horizontal = 2 * i64::from(x) + 1 - i64::from(self.width);
-        let next = [0, 1, 2].map(|axis| {
-            self.ahead[axis] + self.up[axis] * vertical + self.right[axis] * horizontal
-        });
+        let middle = [0, 1, 2].map(|axis| self.ahead[axis] + self.up[axis] * vertical);
+        let [x, y, z] = middle.map(|coordinate| (coordinate >> 32) as i32);
+        let side = shifted(1 << 30, self.scale);
         RowDirections {
-            next,
+            next: [0, 1, 2].map(|axis| middle[axis] + self.right[axis] * horizontal),
             step: self.right.map(|coordinate| 2 * coordinate),
+            square: Vector::new(x, y, z).square(),
+            aside: side * horizontal,
+            step_aside: 2 * side,
         }
     }
 }
 
 /// The directions of a row of pixels, from left to right, without end.
+///
+/// What lies ahead and what lies aside are perpendicular, so their squares add up to that of the
+/// ray's length, and only the one aside changes along the row.
 pub(crate) struct RowDirections {
     next: [i64; 3],
     step: [i64; 3],
+    /// Of the way to the middle of the row.
+    square: u64,
+    /// The way from there to the pixel.
+    aside: i64,
+    step_aside: i64,
 }
 
 impl RowDirections {
     /// The direction through the next pixel.
+    #[inline(always)]
     pub(crate) fn next_direction(&mut self) -> Direction {
         let [x, y, z] = self.next.map(|coordinate| (coordinate >> 32) as i32);
-        for (coordinate, step) in self.next.iter_mut().zip(self.step) {
-            *coordinate = coordinate.wrapping_add(step);
-        }
-        Vector::new(x, y, z).direction_and_length().0
+        let aside = (self.aside >> 32) as i32;
+        let square = self.square + wide(aside, aside) as u64;
+        let [dx, dy, dz] = self.step;
+        let [nx, ny, nz] = &mut self.next;
+        (*nx, *ny, *nz) = (
+            nx.wrapping_add(dx),
+            ny.wrapping_add(dy),
+            nz.wrapping_add(dz),
+        );
+        self.aside = self.aside.wrapping_add(self.step_aside);
+        Vector::new(x, y, z).direction_of_square(square)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Floor 1: linear colour, its sum over reflections, and the one place where it is quantised.
 
-use crate::number::{Brightness, Number, Unit, tinted};
+use crate::number::{Brightness, Number, Unit, high_unsigned, tinted};
 
 /// A linear colour: red, green and blue in Q6.26, 0 to below 32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,17 +49,25 @@ impl Color {
     }
 
     /// The sum; it must stay below 32.
+    #[inline(always)]
     pub fn plus(self, other: Self) -> Self {
         let ([r, g, b], [dr, dg, db]) = (self.0, other.0);
         Self([r + dr, g + dg, b + db])
     }
 
     /// Every component times `brightness`; the products must stay below 32.
+    #[inline(always)]
     pub fn times(self, brightness: Brightness) -> Self {
-        Self(self.0.map(|component| tinted(component, brightness)))
+        let [r, g, b] = self.0;
+        Self([
+            tinted(r, brightness),
+            tinted(g, brightness),
+            tinted(b, brightness),
+        ])
     }
 
     /// Component by component; the products must stay below 32.
+    #[inline(always)]
     pub fn filtered(self, other: Self) -> Self {
         let ([r, g, b], [dr, dg, db]) = (self.0, other.0);
         Self([tinted(r, dr), tinted(g, dg), tinted(b, db)])
@@ -71,39 +79,48 @@ pub(crate) const fn brightness(number: Number) -> Brightness {
     Brightness::from_bits(number.quantised(26))
 }
 
-/// The sum of weighted colours along one path: Q8.56, so that nothing is rounded while it grows.
+/// The sum of weighted colours along one path: Q8.24.
 ///
-/// With weights that sum to at most one and colours below 32 it stays below 32.
+/// With weights that sum to at most one and colours below 32 it stays below 32. Every term is
+/// rounded down to 2⁻²⁴, so that 256 of them lose less than 2⁻¹⁶, a 257th of an 8-bit step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sum([i64; 3]);
+pub struct Sum([i32; 3]);
 
 impl Sum {
     /// Nothing yet.
     pub const ZERO: Self = Self([0; 3]);
 
-    /// Adds `weight` · `color`, exactly.
+    /// Adds `weight` · `color`, neither below zero.
+    #[inline(always)]
     pub fn add(&mut self, weight: Unit, color: Color) {
-        for (sum, component) in self.0.iter_mut().zip(color.0) {
-            *sum += i64::from(weight.to_bits()) * i64::from(component.to_bits());
-        }
+        let ([r, g, b], [red, green, blue]) = (self.0, color.0);
+        let share = |component: Brightness| {
+            high_unsigned(weight.to_bits() as u32, component.to_bits() as u32) as i32
+        };
+        self.0 = [r + share(red), g + share(green), b + share(blue)];
     }
 
     /// Clamped to 0 to 1 and rounded to 8 bits: round(255 c).
+    #[inline(always)]
     pub fn to_rgb8(self) -> [u8; 3] {
-        self.0.map(|sum| {
-            // Q24 is enough to round by; 255 · 2²⁴ fits 32 bits.
-            let clamped = ((sum >> 32) as i32).clamp(0, 1 << 24) as u32;
-            ((clamped * 255 + (1 << 23)) >> 24) as u8
-        })
+        // 255 · 2²⁴ fits 32 bits; what is above white in the last of 2²⁴ steps is white, too.
+        const WHITE: i32 = (1 << 24) - 1;
+        let level = |sum: i32| {
+            let clamped = sum.clamp(0, WHITE) as u32;
+            (((clamped << 8) - clamped + (1 << 23)) >> 24) as u8
+        };
+        let [red, green, blue] = self.0;
+        [level(red), level(green), level(blue)]
     }
 }
 
 /// (1 + `unit`) / 2 as a brightness: how the normals view shows a coordinate.
 ///
-/// The coordinate is rounded to 2⁻²⁰ first, so that one that is zero but for rounding lands on the
+/// A coordinate a last place beyond ±1 is taken for ±1. The coordinate is rounded to 2⁻²⁰ first, so that one that is zero but for rounding lands on the
 /// same side of level 127.5 everywhere.
 pub fn halved(unit: Unit) -> Brightness {
-    let rounded = (unit.to_bits() + (1 << 9)) >> 10 << 10;
+    let held = unit.to_bits().clamp(-(1 << 30), 1 << 30);
+    let rounded = (held + (1 << 9)) >> 10 << 10;
     Brightness::from_bits((rounded >> 5) + (1 << 25))
 }
 

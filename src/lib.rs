@@ -64,7 +64,7 @@
 //! | what | range |
 //! |---|---|
 //! | coordinates, radii, heights | within ±2³⁰ scene units |
-//! | smallest radius | 2⁻²⁶ of the scene's extent |
+//! | smallest radius | 2⁻²⁶ of the scene's extent, 2⁻²³ of it in a scene with planes |
 //! | distance at which a plane is still met | 2³³ extents |
 //! | colours, ambient, diffuse, specular, lights | 0 to 16 |
 //! | shininess | 0 to 2²⁰, any real number |
@@ -73,7 +73,8 @@
 //! | reflections | 0 to 255 |
 //! | picture | 1 to 65535 pixels a side |
 //!
-//! The binary point of a scene is chosen when it is built: its shapes fill a ball of 2²⁸ steps. So
+//! The binary point of a scene is chosen when it is built: its shapes fill a ball of 2²⁸ steps (of
+//! 2²⁵ where there are planes, fewer where lights, camera or planes stand up to 32 times as far). So
 //! a scene in millimetres and the same scene in kilometres give the same picture.
 //!
 //! # What is not supported

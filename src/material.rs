@@ -175,6 +175,12 @@ impl PreparedMaterial {
     /// Fills the room of a material that a scene's type allows but the scene does not use.
     pub(crate) const NONE: Self = Self::new(&Material::new([0.0; 3]));
 
+    /// Whether it reflects at all.
+    #[inline(always)]
+    pub(crate) fn mirrors(&self) -> bool {
+        self.mirror > Unit::ZERO
+    }
+
     /// Quantises a description: coefficients to 2⁻²⁶, α to 2⁻³⁰.
     pub(crate) const fn new(material: &Material) -> Self {
         Self {

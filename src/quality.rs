@@ -9,13 +9,13 @@ pub trait Quality {
     const SMALLEST_WEIGHT: Unit;
 }
 
-/// The default: a path ends when it can no longer change an 8-bit channel by a quarter of a step
-/// (weights below 1/1024, for colours up to one).
+/// The default: a path ends when it can no longer change an 8-bit channel by more than a step
+/// (weights below 1/256, for colours up to one).
 #[derive(Clone, Copy, Debug)]
 pub struct Fast;
 
 impl Quality for Fast {
-    const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 20);
+    const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 22);
 }
 
 /// Leaves nothing out: a path ends when its weight is exactly zero.

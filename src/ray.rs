@@ -6,7 +6,7 @@
 //! kernels work on it directly) or *far* (its point is in steps of 2ˢ, and a ray that starts
 //! there is first moved to the ball).
 
-use crate::number::{Length, scaled_by_unit};
+use crate::number::{Length, high};
 use crate::vector::{Direction, Point, Vector};
 
 /// The radius of the ball that holds every bounded shape, in raw steps.
@@ -67,18 +67,30 @@ impl Place {
     }
 
     /// Whether the place is near.
+    #[inline(always)]
     pub const fn is_near(self) -> bool {
         self.scale == 0
     }
 
-    /// Where every ray starts that leaves a surface here: `epsilon` along the normal.
+    /// A near point, if it is one.
+    #[inline(always)]
+    pub(crate) const fn near(point: Point) -> Option<Self> {
+        if is_near(point) {
+            Some(Self { point, scale: 0 })
+        } else {
+            None
+        }
+    }
+
+    /// Where every ray starts that leaves a surface here: `epsilon`, below 2²⁸, along the normal.
+    #[inline(always)]
     pub const fn lifted(self, normal: Direction, epsilon: Length) -> Self {
-        let step = epsilon.to_bits() >> shift_of(self.scale);
+        let step = (epsilon.to_bits() >> shift_of(self.scale)) << 2;
         let Point { x, y, z } = self.point;
         let point = Point::new(
-            x + scaled_by_unit(step, normal.x),
-            y + scaled_by_unit(step, normal.y),
-            z + scaled_by_unit(step, normal.z),
+            x + high(step, normal.x.to_bits()),
+            y + high(step, normal.y.to_bits()),
+            z + high(step, normal.z.to_bits()),
         );
         Self {
             point,
@@ -108,6 +120,7 @@ const fn shift_of(difference: u32) -> u32 {
     if difference > 31 { 31 } else { difference }
 }
 
+#[inline(always)]
 const fn is_near(point: Point) -> bool {
     const SPAN: u32 = 2 * NEAR as u32;
     (point.x.wrapping_add(NEAR) as u32) <= SPAN
@@ -122,37 +135,55 @@ pub struct Ray {
     pub(crate) direction: Direction,
 }
 
-/// A ray from any place.
+/// A ray from any place: `ray` starts at a point in steps of 2^`scale`.
 #[derive(Clone, Copy, Debug)]
 pub struct Path {
-    pub(crate) from: Place,
-    pub(crate) direction: Direction,
+    pub(crate) ray: Ray,
+    pub(crate) scale: u32,
 }
 
 impl Path {
-    /// The path as a ray, which it is where it starts near.
-    pub(crate) const fn ray(&self) -> Ray {
-        Ray {
-            origin: self.from.point,
-            direction: self.direction,
+    /// The path from a place.
+    #[inline(always)]
+    pub(crate) const fn new(from: Place, direction: Direction) -> Self {
+        Self {
+            ray: Ray {
+                origin: from.point,
+                direction,
+            },
+            scale: from.scale,
         }
+    }
+
+    /// Where it starts.
+    #[inline(always)]
+    pub(crate) const fn from(&self) -> Place {
+        Place {
+            point: self.ray.origin,
+            scale: self.scale,
+        }
+    }
+
+    /// Its direction.
+    #[inline(always)]
+    pub(crate) const fn direction(&self) -> Direction {
+        self.ray.direction
     }
 }
 
-/// The rays of one row of pixels: from one near point, in one plane.
+/// The rays through the middles of the columns of a picture, as seen along the columns (or through
+/// those of the rows, along the rows): from one near point, in one plane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fan {
     pub(crate) origin: Point,
-    /// Into the picture, in the plane.
+    /// Into the picture.
     pub(crate) ahead: Direction,
-    /// Along the row.
+    /// From column to column.
     pub(crate) aside: Direction,
-    /// Across the plane.
-    pub(crate) normal: Direction,
-    /// How far ahead the row's half pixels lie: `distance` · 2^`scale` half pixels.
+    /// How far ahead half pixels lie: `distance` · 2^`scale` half pixels.
     pub(crate) distance: i32,
     pub(crate) scale: i32,
-    /// How many pixels the row has.
+    /// How many columns there are.
     pub(crate) width: u32,
 }
 

@@ -10,11 +10,12 @@ use embedded_graphics::primitives::Rectangle;
 use crate::camera::{Camera, Lens};
 use crate::number::Unit;
 use crate::quality::{Fast, Quality};
-use crate::ray::{Fan, Path, Place};
+use crate::scene::extent::Outlooks;
 use crate::scene::sight::Sight;
+use crate::scene::view::View;
 use crate::scene::{Scene, Static, StaticScene, World};
 use crate::shade::{BlinnPhong, Shading};
-use crate::trace::{Traced, trace};
+use crate::trace::Tracer;
 
 /// What is known about a picture, or a part of one, when it has been drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,9 +44,9 @@ impl Report {
         }
     }
 
-    fn count(&mut self, traced: &Traced) {
-        self.rays += u64::from(traced.rays);
-        self.cut_off = self.cut_off.max(traced.cut_off);
+    fn count<W: World, K, Q>(&mut self, tracer: &Tracer<'_, W, K, Q>) {
+        self.rays += u64::from(tracer.rays);
+        self.cut_off = self.cut_off.max(tracer.cut_off);
     }
 }
 
@@ -113,14 +114,17 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     /// Makes the frame ready for one size of picture; each side is taken as 1 to 65535 pixels.
     pub fn sized(&self, size: Size) -> Picture<W, Q, K> {
         let (width, height) = (size.width.clamp(1, 65_535), size.height.clamp(1, 65_535));
+        let position = self.camera.description().position;
+        let from = self.world.parts().grid.place(position);
+        let lens = self.camera.lens(width, height);
         Picture {
             world: self.world,
-            lens: self.camera.lens(width, height),
-            from: self
-                .world
-                .parts()
-                .grid
-                .place(self.camera.description().position),
+            view: View::new(&self.world, from),
+            outlook: match from.is_near() {
+                true => W::Outlook::new(&self.world, &lens.fans(from.point)),
+                false => W::Outlook::ALL,
+            },
+            lens,
             size: Size::new(width, height),
             reflections: self.reflections,
             kinds: PhantomData,
@@ -149,10 +153,11 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
 /// It holds nothing that changes: rows may be drawn in any order, interrupted, or shared between
 /// cores.
 #[derive(Clone, Copy)]
-pub struct Picture<W, Q = Fast, K = BlinnPhong> {
+pub struct Picture<W: World, Q = Fast, K = BlinnPhong> {
     world: W,
     lens: Lens,
-    from: Place,
+    view: View,
+    outlook: W::Outlook,
     size: Size,
     reflections: u8,
     kinds: PhantomData<(Q, K)>,
@@ -172,11 +177,14 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         if y >= self.size.height || x >= self.size.width {
             return report;
         }
+        let mut tracer = self.tracer(y);
+        tracer.look();
         let inside = (self.size.width - x) as usize;
         let pixels = pixels.iter_mut().take(inside);
-        for (pixel, color) in pixels.zip(self.colors(y, x, &mut report)) {
+        for (pixel, color) in pixels.zip(self.colors(y, x, &mut tracer)) {
             *pixel = color;
         }
+        report.count(&tracer);
         report
     }
 
@@ -222,17 +230,24 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         let (left, width) = (area.top_left.x, area.size.width);
         for y in area.rows() {
             let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
-            let colors = self.colors(y as u32, left as u32, &mut report);
+            let mut tracer = self.tracer(y as u32);
+            tracer.look();
+            let colors = self.colors(y as u32, left as u32, &mut tracer);
             target.fill_contiguous(&row, colors.take(width as usize))?;
+            report.count(&tracer);
         }
         Ok(report)
     }
 
-    /// The rays of row `y`, where it pays to know which shapes they can meet.
-    fn fan(&self, y: u32) -> Option<Fan> {
-        let parts = self.world.parts();
-        let is_bounded = parts.spheres.len() + parts.cylinders.len() > 0;
-        (is_bounded && self.from.is_near()).then(|| self.lens.fan(y, self.from.point))
+    /// What follows the rays of row `y`.
+    #[inline(always)]
+    fn tracer(&self, y: u32) -> Tracer<'_, W, K, Q> {
+        Tracer::new(
+            &self.world,
+            &self.view,
+            Sight::new(&self.outlook, self.view.from, y),
+            self.reflections,
+        )
     }
 
     /// The colours of row `y` from column `x` on, worked out as they are asked for.
@@ -240,20 +255,18 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         &'s self,
         y: u32,
         x: u32,
-        report: &'s mut Report,
+        tracer: &'s mut Tracer<'_, W, K, Q>,
     ) -> impl Iterator<Item = C> + 's {
         let mut directions = self.lens.row(y, x);
-        let mut sight = Sight::new(&self.world, self.fan(y));
         let mut column = x;
+        let is_empty = self.world.parts().is_empty();
         core::iter::repeat_with(move || {
-            let path = Path {
-                from: self.from,
-                direction: directions.next_direction(),
+            let sum = match is_empty {
+                true => tracer.miss(),
+                false => tracer.trace(column, directions.next_direction()),
             };
-            let traced = trace::<W, K, Q>(&self.world, &mut sight, column, path, self.reflections);
             column += 1;
-            report.count(&traced);
-            let [red, green, blue] = traced.sum.to_rgb8();
+            let [red, green, blue] = sum.to_rgb8();
             C::from(Rgb888::new(red, green, blue))
         })
     }

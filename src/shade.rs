@@ -3,11 +3,15 @@
 
 use crate::color::{Color, halved};
 use crate::material::PreparedMaterial;
-use crate::number::{Brightness, Unit, lit, power, reciprocal_root, scaled_by_unit};
+use crate::number::{
+    Brightness, Exponent, Unit, even_power, high_unsigned, lit, power, ratio, root_of_unit,
+    scaled_by_unit,
+};
 use crate::ray::{Path, Place};
-use crate::scene::query::{Hit, blocked};
-use crate::scene::{Lamp, World};
-use crate::shape::plane::PreparedPlane;
+use crate::scene::query::{Shape, ShapeNumber, blocked, blocked_from, for_first_four};
+use crate::scene::view::{Standing, View};
+use crate::scene::{Lamp, LampParts, World};
+use crate::shape::cylinder::PreparedCylinder;
 use crate::vector::Direction;
 
 /// A point on a surface, seen along a ray, from which rays may leave.
@@ -21,42 +25,63 @@ pub(crate) struct Surface<'a> {
     pub(crate) view: Direction,
     /// The cosine between the normal and the way back to the viewer, 0 to 1.
     pub(crate) facing: Unit,
-    /// The plane it lies on, if it lies on one.
-    pub(crate) plane: Option<&'a PreparedPlane>,
+    /// The shape it belongs to.
+    pub(crate) shape: ShapeNumber,
+    /// The cylinder whose outside it is, if it is one.
+    pub(crate) cylinder: Option<&'a PreparedCylinder>,
     pub(crate) material: &'a PreparedMaterial,
 }
 
+/// How far the cosine at a curved surface may be wrong: 2⁻¹⁶.
+const RIM: Unit = Unit::from_bits(1 << 14);
+
 impl<'a> Surface<'a> {
-    /// The surface at a hit of a ray that came along `view`.
-    pub(crate) fn new<W: World>(world: &'a W, hit: &Hit<'a>, view: Direction) -> Self {
-        let outward = hit.shape.normal(hit.at);
-        let climb = view.dot(outward).to_bits();
-        let (normal, facing) = if climb > 0 {
-            (outward.reversed(), climb)
-        } else {
-            (outward, -climb)
+    /// The surface of a shape at a place that was seen along `view`; `None` where there is no such
+    /// shape.
+    #[inline(always)]
+    pub(crate) fn new<W: World>(
+        world: &'a W,
+        at: Place,
+        shape: ShapeNumber,
+        view: Direction,
+    ) -> Option<Self> {
+        let parts = world.parts();
+        let (outward, material, cylinder) = match parts.shape(shape)? {
+            Shape::Sphere(sphere) => (sphere.normal(at.point), sphere.material, None),
+            Shape::Cylinder(cylinder) => {
+                (cylinder.normal(at.point), cylinder.material, Some(cylinder))
+            }
+            Shape::Plane(plane) => (plane.normal, plane.material, None),
         };
-        Self {
-            place: hit.at.lifted(normal, world.parts().epsilon),
+        let climb = view.short_dot(outward);
+        // At the rim of a shape rounding must not turn its outside into its inside.
+        let is_inside = match parts.is_plane(shape) {
+            true => climb > Unit::ZERO,
+            false => climb > RIM,
+        };
+        let normal = outward.reversed_if(is_inside);
+        Some(Self {
+            place: at.lifted(normal, parts.epsilon),
             normal,
             view,
-            facing: Unit::from_bits(facing),
-            plane: hit.shape.plane(),
-            material: world
-                .parts()
-                .materials
-                .get(hit.shape.material().index())
-                .unwrap_or(const { &PreparedMaterial::NONE }),
-        }
+            facing: climb.wrapping_abs(),
+            shape,
+            cylinder: cylinder.filter(|_| !is_inside),
+            material: parts.material(material),
+        })
     }
 
     /// The mirrored path.
-    pub(crate) fn reflection(&self) -> Path {
+    #[inline(never)]
+    pub(crate) fn reflection<W: World>(&self, world: &W) -> Path {
         let cosine = Unit::from_bits(-self.facing.to_bits());
-        Path {
-            from: self.place,
-            direction: self.view.reflected(self.normal, cosine),
-        }
+        let direction = self.view.reflected(self.normal, cosine);
+        // A curved surface's normal has a length of one but for 2⁻¹⁶.
+        let direction = match world.parts().is_plane(self.shape) {
+            true => direction,
+            false => direction.renormalised(),
+        };
+        Path::new(self.place, direction)
     }
 }
 
@@ -66,7 +91,7 @@ pub trait Shading: sealed::Shading {}
 impl<T: sealed::Shading> Shading for T {}
 
 pub(crate) mod sealed {
-    use super::{Color, Surface, World};
+    use super::{Color, Surface, View, World};
 
     pub trait Shading {
         /// Whether mirrors are followed.
@@ -74,7 +99,7 @@ pub(crate) mod sealed {
 
         /// The colour of a surface without reflections.
         #[allow(private_interfaces)]
-        fn color<W: World>(world: &W, surface: &Surface<'_>) -> Color;
+        fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>) -> Color;
 
         /// What a ray that meets nothing adds.
         fn missed<W: World>(world: &W) -> Color;
@@ -99,8 +124,8 @@ impl sealed::Shading for BlinnPhong {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(world: &W, surface: &Surface<'_>) -> Color {
-        lit_color(world, surface, half_way_cosine)
+    fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>) -> Color {
+        lit_color::<W, Self>(world, view, surface)
     }
 
     fn missed<W: World>(world: &W) -> Color {
@@ -112,8 +137,8 @@ impl sealed::Shading for Phong {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(world: &W, surface: &Surface<'_>) -> Color {
-        lit_color(world, surface, mirrored_cosine)
+    fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>) -> Color {
+        lit_color::<W, Self>(world, view, surface)
     }
 
     fn missed<W: World>(world: &W) -> Color {
@@ -125,7 +150,7 @@ impl sealed::Shading for Normals {
     const REFLECTS: bool = false;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(_: &W, surface: &Surface<'_>) -> Color {
+    fn color<W: World>(_: &W, _: &View, surface: &Surface<'_>) -> Color {
         Color::new(surface.normal.components().map(halved))
     }
 
@@ -144,20 +169,48 @@ struct Cosines {
     between: Unit,
 }
 
-/// h · n, where h is the unit vector half way between light and viewer: the half-way vector is
-/// not built, its length is √(2 + 2 l·v).
-fn half_way_cosine(cosines: &Cosines) -> Unit {
-    let sum = (i64::from(cosines.light.to_bits()) + i64::from(cosines.viewer.to_bits())) / 2;
-    // (1 + l·v) / 2 in Q30; at least one step, as rounding may leave nothing.
-    let square = (((1 << 30) + i64::from(cosines.between.to_bits())) / 2).clamp(1, 1 << 30) as u32;
-    let zeros = square.leading_zeros() & !1;
-    let root = i64::from(reciprocal_root(square << zeros));
-    // Q30 · Q31 · 2^(zeros / 2)
-    let cosine = (sum * root) >> (31 - zeros / 2);
-    Unit::from_bits(cosine.clamp(0, 1 << 30) as i32)
+/// A highlight: the power of a cosine that says how near the viewer is to the mirror direction.
+trait Highlight {
+    fn highlight(cosines: &Cosines, shininess: Exponent) -> Unit;
 }
 
-/// r · v, where r is the light direction mirrored in the normal: 2 (n·l) (n·v) - l·v.
+/// (h · n)ˢʰⁱⁿⁱⁿᵉˢˢ, where h is the unit vector half way between light and viewer. It is not built:
+/// the square of its length is 2 + 2 l·v, and the square of the cosine a quotient, which is all
+/// that an even shininess needs.
+impl Highlight for BlinnPhong {
+    #[inline(always)]
+    fn highlight(cosines: &Cosines, shininess: Exponent) -> Unit {
+        let square = half_way_square(cosines);
+        if shininess.is_even() {
+            even_power(square, shininess)
+        } else {
+            power(root_of_unit(square), shininess)
+        }
+    }
+}
+
+/// (r · v)ˢʰⁱⁿⁱⁿᵉˢˢ, where r is the light direction mirrored in the normal.
+impl Highlight for Phong {
+    #[inline(always)]
+    fn highlight(cosines: &Cosines, shininess: Exponent) -> Unit {
+        power(mirrored_cosine(cosines), shininess)
+    }
+}
+
+/// (h · n)² = ((n·l + n·v) / 2)² / ((1 + l·v) / 2)
+#[inline(always)]
+fn half_way_square(cosines: &Cosines) -> Unit {
+    let sum = (cosines.light.to_bits() as u32) + (cosines.viewer.to_bits() as u32);
+    // Q30: (2 Q30)² / 4
+    let numerator = high_unsigned(sum, sum);
+    let denominator = (((1_u32 << 30) as i32).wrapping_add(cosines.between.to_bits()) as u32) >> 1;
+    if numerator >= denominator {
+        return Unit::ONE;
+    }
+    Unit::from_bits(ratio(numerator, denominator))
+}
+
+/// r · v = 2 (n·l) (n·v) - l·v
 fn mirrored_cosine(cosines: &Cosines) -> Unit {
     let product = scaled_by_unit(cosines.light.to_bits(), cosines.viewer);
     let cosine = 2 * i64::from(product) - i64::from(cosines.between.to_bits());
@@ -165,52 +218,93 @@ fn mirrored_cosine(cosines: &Cosines) -> Unit {
 }
 
 /// ambient + Σ (diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ) · light, all times the material's colour.
-fn lit_color<W: World>(world: &W, surface: &Surface<'_>, highlight: fn(&Cosines) -> Unit) -> Color {
+#[inline(always)]
+fn lit_color<W: World, H: Highlight>(world: &W, view: &View, surface: &Surface<'_>) -> Color {
     let material = surface.material;
     let mut received = Color::grey(material.ambient);
-    for lamp in world.parts().lamps {
-        if let Some(strength) = strength(world, surface, lamp, highlight) {
-            received = received.plus(lamp.light.color.times(strength));
+    let mut receive = |index: usize, spot: &W::Lamp| {
+        let strength = match view.standing(index) {
+            Standing::Hidden => return,
+            Standing::Clear if surface.place.is_near() => {
+                clear_strength::<W, H>(world, surface, spot)
+            }
+            _ => strength::<W, H>(world, surface, spot.lamp()),
+        };
+        if strength > Brightness::ZERO {
+            received = received.plus(spot.lamp().light.color.times(strength));
         }
+    };
+    for_first_four(world.lamps(), &mut receive);
+    for (index, spot) in world.lamps().iter().enumerate().skip(4) {
+        receive(index, spot);
     }
     received.filtered(material.color)
 }
 
-/// What the surface sends on of one light; `None` where the light is behind it or hidden.
-fn strength<W: World>(
+/// What a near surface sends on of a light that stands clear; 0 where the light is behind it or
+/// hidden.
+#[inline(never)]
+fn clear_strength<W: World, H: Highlight>(
     world: &W,
     surface: &Surface<'_>,
-    lamp: &Lamp,
-    highlight: fn(&Cosines) -> Unit,
-) -> Option<Brightness> {
-    let (way, scale) = surface.place.to(lamp.light.place);
+    spot: &W::Lamp,
+) -> Brightness {
+    let way = surface.place.point.to(spot.lamp().light.place.point);
+    if way.quarter_dot(surface.normal) <= 0 {
+        return Brightness::ZERO;
+    }
     let (direction, distance) = way.direction_and_length();
-    let cosine = surface.normal.dot(direction);
-    if cosine <= Unit::ZERO {
-        return None;
+    if blocked_from(
+        world,
+        spot,
+        direction.reversed(),
+        distance,
+        surface.cylinder,
+    ) {
+        return Brightness::ZERO;
     }
-    let path = Path {
-        from: surface.place,
-        direction,
-    };
-    if blocked(world, &path, surface.plane, lamp, distance, scale) {
-        return None;
-    }
-    let material = surface.material;
-    let mut strength = lit(cosine, material.diffuse);
-    if material.specular > Brightness::ZERO {
-        let cosines = Cosines {
-            light: cosine,
-            viewer: surface.facing,
-            between: Unit::from_bits(-surface.view.dot(direction).to_bits()),
-        };
-        strength += lit(
-            power(highlight(&cosines), material.shininess),
-            material.specular,
-        );
-    }
-    Some(strength)
+    surface.sent_on::<H>(direction)
 }
 
+/// What a surface sends on of a light, wherever both are.
+#[cold]
+#[inline(never)]
+fn strength<W: World, H: Highlight>(world: &W, surface: &Surface<'_>, lamp: &Lamp) -> Brightness {
+    let (way, scale) = surface.place.to(lamp.light.place);
+    let (direction, distance) = way.direction_and_length();
+    let path = Path::new(surface.place, direction);
+    if surface.normal.dot(direction) <= Unit::ZERO
+        || blocked(world, &path, surface.shape, lamp, distance, scale)
+    {
+        return Brightness::ZERO;
+    }
+    surface.sent_on::<H>(direction)
+}
+
+impl Surface<'_> {
+    /// diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ, for a light in a direction above the surface.
+    #[inline(always)]
+    fn sent_on<H: Highlight>(&self, light: Direction) -> Brightness {
+        let material = self.material;
+        let cosine = self.normal.short_dot(light).max(Unit::ZERO);
+        let strength = lit(cosine, material.diffuse);
+        if material.specular == Brightness::ZERO {
+            return strength;
+        }
+        let cosines = Cosines {
+            light: cosine,
+            viewer: self.facing,
+            between: Unit::from_bits(-self.view.short_dot(light).to_bits()),
+        };
+        strength
+            + lit(
+                H::highlight(&cosines, material.shininess),
+                material.specular,
+            )
+    }
+}
+
+#[cfg(test)]
+mod leaving;
 #[cfg(test)]
 mod tests;

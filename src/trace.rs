@@ -3,74 +3,143 @@
 //! c = Σᵢ (1 - αᵢ) (Π over k < i of αₖ) cᵢ, in a loop: the weight Π αₖ is carried along, and the
 //! path ends where it is spent, where nothing is met, or after the last reflection.
 
+use core::marker::PhantomData;
+
 use crate::color::Sum;
-use crate::number::{Unit, unit_product};
+use crate::number::{Length, Unit, share};
 use crate::quality::Quality;
 use crate::ray::Path;
 use crate::scene::World;
-use crate::scene::mask::Mask;
-use crate::scene::query::nearest;
+use crate::scene::query::{Hit, ShapeNumber, located, nearest, nearest_bounded};
 use crate::scene::sight::Sight;
+use crate::scene::view::View;
 use crate::shade::{Surface, sealed::Shading};
+use crate::vector::Direction;
 
-/// The colour of one path and what is known about it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Traced {
-    pub(crate) sum: Sum,
+/// Follows the rays of one row of pixels.
+pub(crate) struct Tracer<'a, W: World, K, Q> {
+    world: &'a W,
+    view: &'a View,
+    sight: Sight<'a, W>,
+    /// How often a ray is reflected at most.
+    reflections: u32,
     /// How many rays were followed, those to the lights apart.
     pub(crate) rays: u32,
-    /// The weight with which the path would have gone on.
+    /// The largest weight with which a path would have gone on.
     pub(crate) cut_off: Unit,
+    kinds: PhantomData<(K, Q)>,
 }
 
-/// Follows a path for at most `reflections` reflections.
-#[inline(never)]
-pub(crate) fn trace<'a, W: World, K: Shading, Q: Quality>(
-    world: &'a W,
-    sight: &mut Sight<'a>,
-    column: u32,
-    mut path: Path,
-    reflections: u8,
-) -> Traced {
-    let mut sum = Sum::ZERO;
-    let mut weight = Unit::ONE;
-    let mut left = None;
-    let mut rays = 0;
-    loop {
-        rays += 1;
-        let mask = match (rays, left) {
-            (1, _) => sight.first(column),
-            (2, Some(plane)) => sight.mirrored(world, plane, column),
-            _ => Mask::ALL,
-        };
-        let Some(hit) = nearest(world, mask, &path, left) else {
-            sum.add(weight, K::missed(world));
-            return Traced {
-                sum,
-                rays,
-                cut_off: Unit::ZERO,
-            };
-        };
-        let surface = Surface::new(world, &hit, path.direction);
-        let reflected = if K::REFLECTS {
-            unit_product(weight, surface.material.mirror)
-        } else {
-            Unit::ZERO
-        };
-        if reflected < weight {
-            sum.add(weight - reflected, K::color(world, &surface));
+impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
+    #[inline(always)]
+    pub(crate) fn new(world: &'a W, view: &'a View, sight: Sight<'a, W>, reflections: u8) -> Self {
+        Self {
+            world,
+            view,
+            sight,
+            reflections: reflections.into(),
+            rays: 0,
+            cut_off: Unit::ZERO,
+            kinds: PhantomData,
         }
-        weight = reflected;
-        if weight < Q::SMALLEST_WEIGHT || rays > u32::from(reflections) {
-            return Traced {
-                sum,
-                rays,
-                cut_off: weight,
-            };
-        }
-        path = surface.reflection();
-        left = surface.plane;
     }
+
+    /// Finds out what the rays of the row can meet; before the first is followed.
+    pub(crate) fn look(&mut self) {
+        self.sight.look(self.world);
+    }
+
+    /// A path that meets nothing.
+    #[inline(always)]
+    pub(crate) fn miss(&mut self) -> Sum {
+        self.rays += 1;
+        let mut sum = Sum::ZERO;
+        sum.add(Unit::ONE, K::missed(self.world));
+        sum
+    }
+
+    /// Follows the path that begins in this direction, through the pixel of a column; columns come
+    /// from left to right.
+    #[inline(never)]
+    pub(crate) fn trace(&mut self, column: u32, direction: Direction) -> Sum {
+        let (world, view) = (self.world, self.view);
+        let mut path = Path::new(view.from, direction);
+        let mut sum = Sum::ZERO;
+        let mut weight = Unit::ONE;
+        let mut left = ShapeNumber::NONE;
+        let mut distance = Length::from_bits(0);
+        let mut reflections = 0;
+        loop {
+            let hit = self.nearest(&path, reflections, column, left, distance);
+            let Some(surface) = surface(world, &path, left, hit) else {
+                sum.add(weight, K::missed(world));
+                break;
+            };
+            let mirror = surface.material.mirror;
+            if !K::REFLECTS || mirror == Unit::ZERO {
+                sum.add(weight, K::color(world, view, &surface));
+                break;
+            }
+            let reflected = share(weight, mirror);
+            if reflected < weight {
+                sum.add(weight - reflected, K::color(world, view, &surface));
+            }
+            weight = reflected;
+            if weight < Q::SMALLEST_WEIGHT || reflections >= self.reflections {
+                self.cut_off = self.cut_off.max(weight);
+                break;
+            }
+            reflections += 1;
+            path = surface.reflection(world);
+            left = surface.shape;
+            distance = hit.distance;
+        }
+        self.rays += reflections + 1;
+        sum
+    }
+
+    /// What a path that has been reflected so often meets first.
+    #[inline(always)]
+    fn nearest(
+        &mut self,
+        path: &Path,
+        reflections: u32,
+        column: u32,
+        left: ShapeNumber,
+        distance: Length,
+    ) -> Hit {
+        let (world, ray) = (self.world, &path.ray);
+        if !path.from().is_near() {
+            return Hit::BEYOND;
+        }
+        let parts = world.parts();
+        let bounded = if parts.spheres.is_empty() && parts.cylinders.is_empty() {
+            Hit::NONE
+        } else if reflections == 0 {
+            self.sight.first(world, column, ray)
+        } else {
+            match parts.plane(left) {
+                Some(plane) if reflections == 1 => {
+                    let plane = (left, plane);
+                    self.sight.mirrored(world, plane, column, distance, ray)
+                }
+                _ => nearest_bounded(world, ray, Length::from_bits(0)),
+            }
+        };
+        nearest(world, ray, left, bounded)
+    }
+}
+
+/// The surface where a path meets a shape, if it does.
+#[inline(never)]
+fn surface<'a, W: World>(
+    world: &'a W,
+    path: &Path,
+    left: ShapeNumber,
+    hit: Hit,
+) -> Option<Surface<'a>> {
+    let (at, shape) = located(world, path, left, hit)?;
+    Surface::new(world, at, shape, path.direction())
 }
 
 #[cfg(test)]

@@ -3,7 +3,9 @@
 //! A [`Point`] and a [`Vector`] hold raw scene steps ([`Length`]); a [`Direction`] holds
 //! Q2.30 and has length one by construction. Knows no ray and no scene.
 
-use crate::number::{Length, Number, Unit, reciprocal_root, scaled_by_unit, unit_shift};
+use crate::number::{
+    Length, Number, Unit, high, high_unsigned, reciprocal_root, scaled_by_unit, unit_shift, wide,
+};
 
 /// Three coordinates of a description: a position, or a normal, axis or view direction that is
 /// not normalised yet.
@@ -153,17 +155,14 @@ impl Point {
         Vector::new(self.x, self.y, self.z)
     }
 
-    /// The point `distance` along `direction`.
+    /// The point `distance` along `direction`, an even number of steps away a coordinate.
     ///
-    /// With coordinates within ±3 · 2²⁷ and a distance of at most 2³⁰ the sum stays below
+    /// With coordinates within ±3 · 2²⁷ and a distance below 2³⁰ the sum stays below
     /// 1.375 · 2³⁰.
+    #[inline(always)]
     pub const fn along(self, direction: Direction, distance: Length) -> Self {
-        let t = distance.to_bits();
-        Self::new(
-            self.x + scaled_by_unit(t, direction.x),
-            self.y + scaled_by_unit(t, direction.y),
-            self.z + scaled_by_unit(t, direction.z),
-        )
+        let Vector { x, y, z } = direction.scaled(distance.to_bits());
+        Self::new(self.x + x, self.y + y, self.z + z)
     }
 
     /// All coordinates divided by 2^`shift`, rounded down.
@@ -205,50 +204,80 @@ impl Vector {
     /// The length along `direction` with 30 more fraction bits: below 2⁶² for coordinates
     /// within ±2³⁰.
     pub const fn dot_wide(self, direction: Direction) -> i64 {
-        self.x as i64 * direction.x.to_bits() as i64
-            + self.y as i64 * direction.y.to_bits() as i64
-            + self.z as i64 * direction.z.to_bits() as i64
+        wide(self.x, direction.x.to_bits())
+            + wide(self.y, direction.y.to_bits())
+            + wide(self.z, direction.z.to_bits())
     }
 
     /// The length along `direction`, rounded down.
+    #[inline(always)]
     pub const fn dot(self, direction: Direction) -> i32 {
         (self.dot_wide(direction) >> 30) as i32
     }
 
+    /// A quarter of the length along `direction`, rounded down.
+    #[inline(always)]
+    pub const fn quarter_dot(self, direction: Direction) -> i32 {
+        (self.dot_wide(direction) >> 32) as i32
+    }
+
     /// The squared length, for coordinates within ±2³⁰.
     pub const fn square(self) -> u64 {
-        (self.x as i64 * self.x as i64) as u64
-            + (self.y as i64 * self.y as i64) as u64
-            + (self.z as i64 * self.z as i64) as u64
+        wide(self.x, self.x) as u64 + wide(self.y, self.y) as u64 + wide(self.z, self.z) as u64
+    }
+
+    /// Whether a line whose nearest point to the end of this way is `distance` along passes it by
+    /// more than `radius`, or comes no nearer than that before its beginning, for sure: directions
+    /// are within 2⁻²⁶ of length one.
+    #[inline(always)]
+    pub(crate) const fn passes_by(self, distance: i32, radius: i32) -> bool {
+        if distance < -radius {
+            return true;
+        }
+        let along = wide(distance, distance);
+        let aside = self.square() as i64 - along - (along >> 24) - (1 << 32);
+        aside > wide(radius, radius)
     }
 
     /// What is left when the part of length `length` along `direction` is taken away.
+    #[inline(always)]
     pub const fn without(self, direction: Direction, length: i32) -> Self {
-        Self::new(
-            self.x - scaled_by_unit(length, direction.x),
-            self.y - scaled_by_unit(length, direction.y),
-            self.z - scaled_by_unit(length, direction.z),
-        )
+        self.minus(direction.raw_times(length))
     }
 
     /// The direction and the length, for a length below 2³¹; a relative error below 2⁻²⁶ for
     /// lengths from 2¹³ on, and below 1 / (2 length²) for shorter ones.
     ///
     /// The direction of the zero vector is zero.
+    #[inline(always)]
     pub const fn direction_and_length(self) -> (Direction, Length) {
         let square = self.square();
         let (shift, mantissa) = unit_shift(square);
         let root = reciprocal_root(mantissa);
-        let length = ((mantissa as u64 * root as u64) >> 31 >> shift) as i32;
+        let length = high_unsigned(mantissa, (root as u32) << 1) >> shift;
         (
             Direction::lengthened(self, shift, root),
-            Length::from_bits(length),
+            Length::from_bits(length as i32),
         )
+    }
+
+    /// The direction, given the squared length, which may be off by 2⁻²⁸ of it.
+    #[inline(always)]
+    pub(crate) const fn direction_of_square(self, square: u64) -> Direction {
+        let (shift, mantissa) = unit_shift(square);
+        Direction::lengthened(self, shift, reciprocal_root(mantissa))
     }
 
     /// The direction, corrected to the last bit by one Newton step on its squared length.
     pub const fn precise_direction(self) -> Direction {
-        self.direction_and_length().0.renormalised()
+        let (shift, mantissa) = unit_shift(self.square());
+        let root = reciprocal_root(mantissa);
+        Direction::from_raw(Vector::new(
+            (wide(self.x << shift, root) >> 31) as i32,
+            (wide(self.y << shift, root) >> 31) as i32,
+            (wide(self.z << shift, root) >> 31) as i32,
+        ))
+        .renormalised()
     }
 }
 
@@ -274,8 +303,15 @@ impl Direction {
     }
 
     /// The cosine of the angle to `other`.
+    #[inline(always)]
     pub const fn dot(self, other: Self) -> Unit {
         Unit::from_bits((self.dot_wide(other) >> 30) as i32)
+    }
+
+    /// The cosine of the angle to `other`, rounded down to 2⁻²⁸.
+    #[inline(always)]
+    pub const fn short_dot(self, other: Self) -> Unit {
+        Unit::from_bits(self.raw().quarter_dot(other) << 2)
     }
 
     /// The cosine with 60 fraction bits.
@@ -297,12 +333,25 @@ impl Direction {
     }
 
     /// The direction of a vector, given the shift that gives it a length L of 2³⁰ to 2³¹ and
-    /// `root` = 2⁶¹ / L.
+    /// `root` = 2⁶¹ / L; coordinates are rounded down to 2⁻²⁹.
+    #[inline(always)]
     pub(crate) const fn lengthened(vector: Vector, shift: u32, root: i32) -> Self {
         Self::from_raw(Vector::new(
-            (((vector.x << shift) as i64 * root as i64) >> 31) as i32,
-            (((vector.y << shift) as i64 * root as i64) >> 31) as i32,
-            (((vector.z << shift) as i64 * root as i64) >> 31) as i32,
+            high(vector.x << shift, root) << 1,
+            high(vector.y << shift, root) << 1,
+            high(vector.z << shift, root) << 1,
+        ))
+    }
+
+    /// The opposite direction where `is_reversed`, without a branch.
+    #[inline(always)]
+    pub const fn reversed_if(self, is_reversed: bool) -> Self {
+        let sign = -(is_reversed as i32);
+        let Vector { x, y, z } = self.raw();
+        Self::from_raw(Vector::new(
+            (x ^ sign) - sign,
+            (y ^ sign) - sign,
+            (z ^ sign) - sign,
         ))
     }
 
@@ -330,26 +379,42 @@ impl Direction {
 
     /// `self` cos + `other` sin, for perpendicular directions.
     pub(crate) fn turned_towards(self, other: Self, (sine, cosine): (Unit, Unit)) -> Self {
-        Self::from_raw(self.scaled(cosine).plus(other.scaled(sine))).renormalised()
+        Self::from_raw(
+            self.raw_times(cosine.to_bits())
+                .plus(other.raw_times(sine.to_bits())),
+        )
+        .renormalised()
     }
 
     /// `self` turned about a unit axis (Rodrigues' formula).
     pub(crate) fn turned_about(self, axis: Self, (sine, cosine): (Unit, Unit)) -> Self {
-        let along = axis.scaled(self.dot(axis));
+        let along = axis.raw_times(self.dot(axis).to_bits());
         let across = self.raw().minus(along);
         let turned = along
-            .plus(Self::from_raw(across).scaled(cosine))
-            .plus(axis.crossed(self).scaled(sine));
+            .plus(Self::from_raw(across).raw_times(cosine.to_bits()))
+            .plus(axis.crossed(self).raw_times(sine.to_bits()));
         Self::from_raw(turned).renormalised()
     }
 
-    /// Every coordinate times `unit`, in Q2.30.
-    fn scaled(self, unit: Unit) -> Vector {
-        let Vector { x, y, z } = self.raw();
+    /// The way of `length` steps along it, within ±2³⁰, each coordinate rounded down.
+    #[inline(always)]
+    const fn raw_times(self, length: i32) -> Vector {
         Vector::new(
-            scaled_by_unit(x, unit),
-            scaled_by_unit(y, unit),
-            scaled_by_unit(z, unit),
+            scaled_by_unit(length, self.x),
+            scaled_by_unit(length, self.y),
+            scaled_by_unit(length, self.z),
+        )
+    }
+
+    /// The way of `length` steps along it, below 2³⁰, each coordinate rounded down to an even
+    /// number: half the instructions.
+    #[inline(always)]
+    const fn scaled(self, length: i32) -> Vector {
+        let twice = length << 1;
+        Vector::new(
+            high(twice, self.x.to_bits()) << 1,
+            high(twice, self.y.to_bits()) << 1,
+            high(twice, self.z.to_bits()) << 1,
         )
     }
 
@@ -371,9 +436,9 @@ impl Direction {
     pub const fn cross(self, other: Self) -> Option<(Vector, u32)> {
         let (a, b) = (self.raw(), other.raw());
         // Exact in Q60.
-        let x = a.y as i64 * b.z as i64 - a.z as i64 * b.y as i64;
-        let y = a.z as i64 * b.x as i64 - a.x as i64 * b.z as i64;
-        let z = a.x as i64 * b.y as i64 - a.y as i64 * b.x as i64;
+        let x = wide(a.y, b.z) - wide(a.z, b.y);
+        let y = wide(a.z, b.x) - wide(a.x, b.z);
+        let z = wide(a.x, b.y) - wide(a.y, b.x);
         let bits = 64 - (x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs()).leading_zeros();
         if bits < 30 {
             return None;
@@ -391,12 +456,17 @@ impl Direction {
 
     /// The cross product of two perpendicular directions.
     pub const fn crossed(self, other: Self) -> Self {
-        let (a, b) = (self.raw(), other.raw());
-        Self::from_raw(Vector::new(
-            ((a.y as i64 * b.z as i64 - a.z as i64 * b.y as i64) >> 30) as i32,
-            ((a.z as i64 * b.x as i64 - a.x as i64 * b.z as i64) >> 30) as i32,
-            ((a.x as i64 * b.y as i64 - a.y as i64 * b.x as i64) >> 30) as i32,
-        ))
+        Self::from_raw(self.crossed_with(other.raw()))
+    }
+
+    /// The cross product with a way, each coordinate rounded down.
+    pub(crate) const fn crossed_with(self, b: Vector) -> Vector {
+        let a = self.raw();
+        Vector::new(
+            ((wide(a.y, b.z) - wide(a.z, b.y)) >> 30) as i32,
+            ((wide(a.z, b.x) - wide(a.x, b.z)) >> 30) as i32,
+            ((wide(a.x, b.y) - wide(a.y, b.x)) >> 30) as i32,
+        )
     }
 
     /// The direction of the cross product, to the last bit; `None` where the two are parallel.
@@ -410,46 +480,12 @@ impl Direction {
 
 /// 2 `a` `b`, rounded down; 2 wraps to -2.
 const fn twice(a: Unit, b: Unit) -> i32 {
-    ((a.to_bits() as i64 * b.to_bits() as i64) >> 29) as i32
+    (wide(a.to_bits(), b.to_bits()) >> 29) as i32
 }
 
 /// `coordinate` (1 + `excess`), rounded to nearest.
 const fn grown(coordinate: i32, excess: i32) -> i32 {
-    coordinate + ((coordinate as i64 * excess as i64 + (1 << 29)) >> 30) as i32
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::number::sine_and_cosine_of;
-
-    #[test]
-    fn a_turn_about_an_axis_is_a_turn() {
-        let axis = Position::new([0.0, 0.0, 1.0]).direction().unwrap();
-        let quarter = sine_and_cosine_of(Number::from(90));
-        let turned = Direction::X.turned_about(axis, quarter);
-        let [x, y, z] = turned.components().map(|unit| unit.to_num::<f64>());
-        assert!(
-            x.abs() < 1e-8 && (y - 1.0).abs() < 1e-8 && z.abs() < 1e-8,
-            "{x} {y} {z}"
-        );
-    }
-
-    #[test]
-    fn directions_of_axes_are_exact() {
-        assert_eq!(
-            Position::new([3.7, 0.0, 0.0]).direction(),
-            Some(Direction::X)
-        );
-        assert_eq!(
-            Position::new([1e-12, 0.0, 0.0]).direction(),
-            Some(Direction::X)
-        );
-        assert_eq!(
-            Position::new([1e9, 0.0, 0.0]).direction(),
-            Some(Direction::X)
-        );
-    }
+    coordinate + ((wide(coordinate, excess) + (1 << 29)) >> 30) as i32
 }
 
 #[cfg(test)]

@@ -6,21 +6,26 @@
 //! | Q2.30 | [`Unit`] | directions, weights, cosines |
 //! | Q6.26 | [`Brightness`] | colours and the light on a surface |
 //! | Q32.0 | [`Length`] | positions and distances, in steps of a power of two that the scene chooses |
-//! | Q8.56 | `i64` in [`crate::color`] | the sum over reflections |
+//! | Q8.24 | `i32` in [`crate::color`] | the sum over reflections |
 //!
 //! Nothing here knows a scene, a ray or a colour.
 
 mod angle;
 mod decimal;
 mod power;
+mod product;
 mod root;
 #[cfg(test)]
 pub(crate) mod sweep;
 
 pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;
-pub use power::{Exponent, power};
-pub use root::{Quotient, divide, reciprocal_root, square_root, unit_shift};
+pub use power::{Exponent, even_power, power};
+pub use product::{high, high_unsigned, wide, wide_unsigned};
+pub use root::{
+    Quotient, divide, quarter_quotient, ratio, reciprocal_root, root_of_unit, square_root,
+    unit_shift,
+};
 
 use fixed::types::{I2F30, I6F26};
 
@@ -54,17 +59,26 @@ pub const fn unit_product(a: Unit, b: Unit) -> Unit {
     Unit::from_bits(scaled_by_unit(a.to_bits(), b))
 }
 
+/// The share `part` of a share, neither below zero: rounded down to Q2.30.
+#[inline(always)]
+pub const fn share(whole: Unit, part: Unit) -> Unit {
+    let product = wide_unsigned(whole.to_bits() as u32, part.to_bits() as u32);
+    Unit::from_bits((product >> 30) as i32)
+}
+
 /// `raw · unit`, rounded down, in the format of `raw`; `|raw · unit|` must stay below 2³¹.
 pub const fn scaled_by_unit(raw: i32, unit: Unit) -> i32 {
-    ((raw as i64 * unit.to_bits() as i64) >> 30) as i32
+    (wide(raw, unit.to_bits()) >> 30) as i32
 }
 
-/// A cosine times a coefficient: Q2.30 · Q6.26, rounded down to Q6.26.
+/// A cosine times a coefficient: Q2.30 · Q6.26, rounded down to 2⁻²⁴.
+#[inline(always)]
 pub const fn lit(cosine: Unit, coefficient: Brightness) -> Brightness {
-    Brightness::from_bits(scaled_by_unit(coefficient.to_bits(), cosine))
+    Brightness::from_bits(high(coefficient.to_bits(), cosine.to_bits()) << 2)
 }
 
-/// The product of two brightnesses, rounded down to Q6.26; it must stay below 32.
+/// The product of two brightnesses, rounded down to 2⁻²⁰; it must stay below 32.
+#[inline(always)]
 pub const fn tinted(a: Brightness, b: Brightness) -> Brightness {
-    Brightness::from_bits(((a.to_bits() as i64 * b.to_bits() as i64) >> 26) as i32)
+    Brightness::from_bits(high(a.to_bits(), b.to_bits()) << 6)
 }

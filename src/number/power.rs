@@ -4,7 +4,7 @@
 //! Computer Programming, vol. 2, 4.6.3), which keeps its relative error near
 //! exponent · 2⁻³⁰; only the fraction, below one, goes through a logarithm.
 
-use super::{Number, Unit, unit_product};
+use super::{Number, Unit, high_unsigned, unit_product};
 
 /// A real exponent from 0 to [`Exponent::MAX`], split at its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +15,12 @@ pub struct Exponent {
 }
 
 impl Exponent {
+    /// Whether it is an even number.
+    #[inline(always)]
+    pub const fn is_even(self) -> bool {
+        self.fraction == 0 && self.whole & 1 == 0
+    }
+
     /// The largest exponent: 2²⁰.
     pub const MAX: i64 = 1 << 20;
 
@@ -32,6 +38,7 @@ impl Exponent {
 /// `base` to the power of `exponent`, for a base from 0 to 1; 0⁰ is 1.
 ///
 /// The error is below (exponent + 4) · 2⁻²⁸.
+#[inline(always)]
 pub const fn power(base: Unit, exponent: Exponent) -> Unit {
     let whole = whole_power(base, exponent.whole);
     if exponent.fraction == 0 {
@@ -41,20 +48,35 @@ pub const fn power(base: Unit, exponent: Exponent) -> Unit {
     }
 }
 
+/// The power of a base whose square is `square`, for an even exponent: no root is needed.
+#[inline(always)]
+pub const fn even_power(square: Unit, exponent: Exponent) -> Unit {
+    whole_power(square, exponent.whole / 2)
+}
+
+/// In Q0.32, where a product is the high word of one.
+#[inline(always)]
 const fn whole_power(base: Unit, exponent: u32) -> Unit {
-    let mut square = base;
+    let base = base.to_bits();
+    if base >= 1 << 30 || exponent == 0 {
+        return Unit::ONE;
+    }
+    let mut square = (base as u32) << 2;
     let mut rest = exponent;
-    let mut result = Unit::ONE;
-    loop {
+    while rest & 1 == 0 {
+        square = high_unsigned(square, square);
+        rest >>= 1;
+    }
+    let mut result = square;
+    rest >>= 1;
+    while rest != 0 {
+        square = high_unsigned(square, square);
         if rest & 1 == 1 {
-            result = unit_product(result, square);
+            result = high_unsigned(result, square);
         }
         rest >>= 1;
-        if rest == 0 {
-            return result;
-        }
-        square = unit_product(square, square);
     }
+    Unit::from_bits((result >> 2) as i32)
 }
 
 /// Intervals an octave in the tables of logarithms and powers of two.

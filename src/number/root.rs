@@ -5,6 +5,8 @@
 //! y₀ (1 + e/2 + 3e²/8), and the first term left out, 5e³/16, is below 2⁻²⁸ because the
 //! table has 256 entries a unit; rounding adds about as much.
 
+use super::{Unit, high, high_unsigned};
+
 /// Entry i is 2¹⁶ / √(x) at the middle of x = i/256 .. (i+1)/256; x is 1 to 4, so the
 /// first quarter is never read and only keeps the index provably inside.
 static TABLE: [u16; 1024] = table();
@@ -34,18 +36,14 @@ pub const fn reciprocal_root(mantissa: u32) -> i32 {
     debug_assert!(mantissa >= 1 << 30);
     let start = TABLE[(mantissa >> 22) as usize] as u32;
     // Q30 · Q32 >> 32: x y₀² in Q30, within 2⁻⁸ of one.
-    let product = ((mantissa as u64 * (start * start) as u64) >> 32) as i32;
+    let product = high_unsigned(mantissa, start * start) as i32;
     let error = (1 << 30) - product;
     let coarse = error >> 6;
+    // Within ±2²¹·⁵, so that its product with the start, shifted up, is one with a high half.
     let correction = (error >> 1) + ((3 * (coarse * coarse) as u32) >> 21) as i32;
-    let refined = (start as i32 as i64 * correction as i64) >> 15;
-    let root = (start << 15).wrapping_add(refined as u32);
-    // Only x = 1 reaches 2^31.
-    if root > i32::MAX as u32 {
-        i32::MAX
-    } else {
-        root as i32
-    }
+    let refined = high((start << 15) as i32, correction << 2);
+    // The terms left out are negative where x is 1 and the start too small, so this stays below 2³¹.
+    (start << 15).wrapping_add(refined as u32) as i32
 }
 
 /// How far a vector whose squared length is `square` is shifted left to get a length of
@@ -54,25 +52,26 @@ pub const fn reciprocal_root(mantissa: u32) -> i32 {
 /// `square` is 1 to 2⁶² - 1. Its lowest bit is set so that zero needs no test, which makes an even
 /// square larger by one part in itself: less than 2⁻²⁶ for lengths from 2¹³ on.
 pub const fn unit_shift(square: u64) -> (u32, u32) {
-    let square = square | 1;
-    let zeros = square.leading_zeros() & !1;
+    let (leading, rest) = ((square >> 32) as u32, square as u32 | 1);
+    if leading == 0 {
+        let zeros = rest.leading_zeros() & !1;
+        return (15 + zeros / 2, rest << zeros);
+    }
+    let zeros = leading.leading_zeros() & !1;
     (
-        (zeros / 2).saturating_sub(1),
-        ((square << zeros) >> 32) as u32,
+        (zeros / 2).wrapping_sub(1) & 31,
+        (leading << zeros) | ((rest >> 1) >> (31 - zeros)),
     )
 }
 
 /// The square root of `square` (below 2⁶²), rounded down, with a relative error below 2⁻²⁷.
 pub const fn square_root(square: u64) -> i32 {
-    if square == 0 {
-        return 0;
-    }
     let (shift, mantissa) = unit_shift(square);
-    let root = (mantissa as u64 * reciprocal_root(mantissa) as u64) >> 31;
-    (root >> shift) as i32
+    let root = high_unsigned(mantissa, (reciprocal_root(mantissa) as u32) << 1);
+    (root >> shift) as i32 & -((square != 0) as i32)
 }
 
-/// A quotient `mantissa` · 2^`exponent` with a mantissa of 2²⁸ to 2³².
+/// A quotient `mantissa` · 2^`exponent` with a mantissa of 2³⁰ - 1 to 2³².
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quotient {
     /// The leading bits.
@@ -81,19 +80,75 @@ pub struct Quotient {
     pub exponent: i32,
 }
 
-/// `numerator / denominator`, with a relative error below 2⁻²⁶; `denominator` is 1 to 2³¹ - 1,
+/// The square root of a number from 0 to 1, Q2.30, with a relative error below 2⁻²⁷.
+pub const fn root_of_unit(square: Unit) -> Unit {
+    let square = square.to_bits() as u32 | 1;
+    let zeros = square.leading_zeros() & !1;
+    let mantissa = square << zeros;
+    let root = high_unsigned(mantissa, (reciprocal_root(mantissa) as u32) << 1) >> (zeros / 2);
+    // √(2³⁰) · 2¹⁵
+    Unit::from_bits(root as i32)
+}
+
+/// Entry i is 2¹⁶ / x at the middle of x = 1 + i/256 .. 1 + (i + 1)/256.
+static RECIPROCALS: [u16; 256] = reciprocals();
+
+const fn reciprocals() -> [u16; 256] {
+    let mut entries = [0; 256];
+    let mut index = 0;
+    while index < 256 {
+        let middle = 2 * (256 + index as u32) + 1;
+        entries[index] = (((1 << 25) + middle / 2) / middle) as u16;
+        index += 1;
+    }
+    entries
+}
+
+/// 2³² / x for x = `mantissa` · 2⁻³¹ in 1 to 2, with a relative error below 2⁻²⁶.
+///
+/// From the table by one step of third order, y₀ (1 + e + e²) with e = 1 - x y₀ below 2⁻⁹.
+const fn reciprocal(mantissa: u32) -> u32 {
+    let start = RECIPROCALS[(mantissa >> 23) as usize & 0xff] as u32;
+    let error = (1_u32 << 31).wrapping_sub(high_unsigned(mantissa, start << 16)) as i32;
+    let coarse = error >> 8;
+    let correction = error + ((coarse * coarse) >> 15);
+    let refined = high((start << 15) as i32, correction << 2);
+    // The term left out is negative where x is 1 and the start too small: this stays below 2³².
+    (start << 16).wrapping_add(refined as u32)
+}
+
+/// 2³⁰ `numerator` / `denominator` for a numerator below the denominator, with a relative error
+/// below 2⁻²⁶; the denominator is 1 to 2³⁰.
+pub const fn ratio(numerator: u32, denominator: u32) -> i32 {
+    let denominator = denominator | (denominator == 0) as u32;
+    let zeros = denominator.leading_zeros();
+    let reciprocal = reciprocal(denominator << zeros);
+    high_unsigned(numerator << (zeros - 1), reciprocal) as i32
+}
+
+/// A quarter of `numerator / denominator`, with a relative error below 2⁻²⁶, where that is below
+/// 2³⁰; `denominator` is 1 to 2³⁰.
+#[inline(always)]
+pub const fn quarter_quotient(numerator: u64, denominator: u32) -> u32 {
+    let denominator = denominator | (denominator == 0) as u32;
+    let zeros = denominator.leading_zeros();
+    // The numerator's leading bits: the quotient is below 2³², so that no bit is lost above.
+    let (high, low) = ((numerator >> 32) as u32, numerator as u32);
+    let leading = (high << (zeros - 1)) | (low >> 1 >> (32 - zeros));
+    high_unsigned(leading, reciprocal(denominator << zeros))
+}
+
+/// `numerator / denominator`, with a relative error below 2⁻²⁶; `denominator` is 1 to 2³² - 1,
 /// `numerator` at least 1 (zero is taken for one).
 pub const fn divide(numerator: u64, denominator: u32) -> Quotient {
     let numerator = numerator | 1;
     let denominator = denominator | (denominator == 0) as u32;
-    let up = denominator.leading_zeros() as i32 - 1;
-    let root = reciprocal_root(denominator << up) as u64;
-    let reciprocal = (root * root) >> 31;
-    let zeros = numerator.leading_zeros() as i32;
-    let leading = (numerator << zeros) >> 32;
+    let up = denominator.leading_zeros();
+    let zeros = numerator.leading_zeros();
+    let leading = ((numerator << zeros) >> 32) as u32;
     Quotient {
-        mantissa: ((leading * reciprocal) >> 32) as u32,
-        exponent: 3 + up - zeros,
+        mantissa: high_unsigned(leading, reciprocal(denominator << up)),
+        exponent: 1 + up as i32 - zeros as i32,
     }
 }
 
@@ -140,6 +195,49 @@ mod tests {
             }
         }
         assert_eq!(square_root(0), 0);
+    }
+
+    #[test]
+    fn the_reciprocal_is_within_its_bound() {
+        let mut worst = 0.0_f64;
+        for mantissa in mantissas().map(|mantissa| mantissa | 1 << 31) {
+            let truth = 2f64.powi(63) / f64::from(mantissa);
+            let error = (f64::from(reciprocal(mantissa)) - truth).abs() / truth;
+            worst = worst.max(error);
+        }
+        assert!(worst < 2f64.powi(-26), "{worst:e} = 2^{}", worst.log2());
+    }
+
+    #[test]
+    fn a_ratio_is_within_its_bound() {
+        let mut sweep = crate::number::sweep::Sweep::new(5);
+        for _ in 0..200_000 {
+            let denominator = sweep.octaves(1, 30);
+            let numerator = sweep.within(0, denominator - 1);
+            let truth = f64::from(numerator) / f64::from(denominator) * 2f64.powi(30);
+            let found = f64::from(ratio(numerator as u32, denominator as u32));
+            assert!(
+                (found - truth).abs() <= 1.0 + truth * 2f64.powi(-26),
+                "{numerator}/{denominator}: {found}, not {truth}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_quarter_of_a_quotient_is_within_its_bound() {
+        let mut sweep = crate::number::sweep::Sweep::new(6);
+        for _ in 0..200_000 {
+            let denominator = sweep.octaves(0, 30) as u32;
+            let quotient = sweep.octaves(0, 30);
+            let numerator = 4 * u64::from(denominator) * quotient as u64 + 3;
+            let truth = numerator as f64 / f64::from(denominator) / 4.0;
+            let found = f64::from(quarter_quotient(numerator, denominator));
+            // The numerator's leading bits are rounded down, and so is their product.
+            assert!(
+                (found - truth).abs() <= 2.0 + truth * 2f64.powi(-26),
+                "{numerator}/{denominator}: {found}, not {truth}"
+            );
+        }
     }
 
     #[test]

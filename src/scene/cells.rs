@@ -1,10 +1,11 @@
 //! Which spheres and cylinders lie in which direction from one fixed point: from a light.
 //!
-//! A direction belongs to one of six faces by its largest coordinate, and on the face to one of
-//! 8 x 8 cells by the other two (a cube map over coordinates, so no division is needed to find a
-//! cell). A cell holds a mask of the shapes that reach into it. A shape's ball
-//! is seen as a cap of angle φ around a direction c, and the coordinates of a cap are bounded by
-//! cos(θ ± φ) where θ is the angle from c to the axis; rounding is covered by a margin.
+//! Each coordinate of a direction is cut into eighths of its range, so that a direction belongs to
+//! one of 8 x 8 x 8 cells without a comparison of coordinates; those that the sphere of directions
+//! does not pass through stay empty. A cell holds a mask of the shapes that reach into it. A shape's
+//! ball is seen as a cap of angle φ around a direction c, the coordinates of a cap are bounded by
+//! cos(θ ± φ) where θ is the angle from c to the axis, and a cell is left out as well where all of
+//! its points have a smaller cosine to c than cos φ; rounding is covered by a margin.
 
 use super::mask::{Mask, Runs};
 use crate::number::{Unit, divide, square_root};
@@ -12,30 +13,21 @@ use crate::shape::cylinder::PreparedCylinder;
 use crate::shape::sphere::PreparedSphere;
 use crate::vector::{Direction, Point, Vector};
 
-/// Cells along one side of a face.
+/// Cells along one axis.
 const SIDE: usize = 8;
 
-/// A coordinate of Q2.30 times this, without its low 32 bits, is the number of its cell: -4 to 3,
-/// for directions that are 64 steps too long, too.
-const CELLS: i64 = ((SIDE as i64 / 2) << 32) / (LARGEST_SECOND as i64 + 64);
-
-const FACE: usize = SIDE * SIDE;
+/// A coordinate of Q2.30 without these bits is the number of its cell, -4 to 3.
+const CELL_BITS: u32 = 28;
 
 /// The shapes in each cell.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Cells([Mask; 6 * FACE]);
-
-/// 1/√3 in Q2.30, rounded down: the largest coordinate of a direction is at least this.
-const SMALLEST_LARGEST: i32 = 619_925_130;
-
-/// 1/√2 in Q2.30, rounded up: the second largest coordinate is at most this.
-const LARGEST_SECOND: i32 = 759_250_126;
+pub(crate) struct Cells([Mask; SIDE * SIDE * SIDE]);
 
 /// What a bound of a coordinate is widened by: 2⁻¹⁶.
 const MARGIN: i32 = 1 << 14;
 
 impl Cells {
-    pub(crate) const ALL: Self = Self([Mask::ALL; 6 * FACE]);
+    pub(crate) const ALL: Self = Self([Mask::ALL; SIDE * SIDE * SIDE]);
 
     /// The cells around a near point.
     pub(crate) const fn around(
@@ -44,7 +36,7 @@ impl Cells {
         cylinders: &[PreparedCylinder],
     ) -> Self {
         let runs = Runs::new(spheres.len(), cylinders.len());
-        let mut cells = Self([Mask::NONE; 6 * FACE]);
+        let mut cells = Self([Mask::NONE; SIDE * SIDE * SIDE]);
         let mut index = 0;
         while index < spheres.len() {
             let (center, radius) = spheres[index].ball();
@@ -64,17 +56,11 @@ impl Cells {
     }
 
     /// The shapes that can be met in a direction.
+    #[inline(always)]
     pub(crate) fn mask(&self, direction: Direction) -> Mask {
         let Vector { x, y, z } = direction.raw();
-        let (ax, ay, az) = (x.unsigned_abs(), y.unsigned_abs(), z.unsigned_abs());
-        let (axis, largest, a, b) = if ax >= ay && ax >= az {
-            (0, x, y, z)
-        } else if ay >= az {
-            (1, y, z, x)
-        } else {
-            (2, z, x, y)
-        };
-        let index = cell(axis, largest < 0, cell_number(a), cell_number(b));
+        // Never out of range.
+        let index = cell(cell_number(x), cell_number(y), cell_number(z));
         self.0.get(index).copied().unwrap_or(Mask::ALL)
     }
 
@@ -101,93 +87,102 @@ impl Cells {
     const fn add_ball(&mut self, way: Vector, radius: i32, shape: Mask) {
         let (direction, distance) = way.direction_and_length();
         let radius = radius + (radius >> 12) + 16;
-        let mut bounds = [(-LARGEST_SECOND, LARGEST_SECOND); 3];
-        let mut ends = [(-(1 << 30), 1 << 30); 3];
-        if distance.to_bits() > radius {
-            let cap = Cap::new(radius, distance.to_bits());
+        let cap = if distance.to_bits() > radius {
+            Some(Cap::new(direction, radius, distance.to_bits()))
+        } else {
+            None
+        };
+        let mut bounds = [(-(SIDE as i32) / 2, SIDE as i32 / 2 - 1); 3];
+        if let Some(cap) = &cap {
             let coordinates = direction.components();
             let mut axis = 0;
             while axis < 3 {
-                ends[axis] = cap.bounds(coordinates[axis].to_bits());
-                bounds[axis] = ends[axis];
+                let (low, high) = cap.bounds(coordinates[axis].to_bits());
+                bounds[axis] = (cell_number(low), cell_number(high));
                 axis += 1;
             }
         }
-        let mut axis = 0;
-        while axis < 3 {
-            let (low, high) = ends[axis];
-            let (a, b) = (bounds[(axis + 1) % 3], bounds[(axis + 2) % 3]);
-            if high >= SMALLEST_LARGEST {
-                self.fill(axis, false, a, b, shape);
-            }
-            if low <= -SMALLEST_LARGEST {
-                self.fill(axis, true, a, b, shape);
-            }
-            axis += 1;
-        }
-    }
-
-    const fn fill(
-        &mut self,
-        axis: usize,
-        negative: bool,
-        a: (i32, i32),
-        b: (i32, i32),
-        shape: Mask,
-    ) {
-        let mut i = cell_number(clamp(a.0));
-        while i <= cell_number(clamp(a.1)) {
-            let mut j = cell_number(clamp(b.0));
-            while j <= cell_number(clamp(b.1)) {
-                let index = cell(axis, negative, i, j);
-                // It always is; said so, nothing can panic.
-                if index < self.0.len() {
-                    self.0[index] = self.0[index].with(shape);
+        let [x, y, z] = bounds;
+        let mut at = [x.0, y.0, z.0];
+        while at[0] <= x.1 {
+            at[1] = y.0;
+            while at[1] <= y.1 {
+                at[2] = z.0;
+                while at[2] <= z.1 {
+                    let reaches = match &cap {
+                        Some(cap) => cap.reaches(at),
+                        None => true,
+                    };
+                    let index = cell(at[0], at[1], at[2]);
+                    // It always is; said so, nothing can panic.
+                    if reaches && index < self.0.len() {
+                        self.0[index] = self.0[index].with(shape);
+                    }
+                    at[2] += 1;
                 }
-                j += 1;
+                at[1] += 1;
             }
-            i += 1;
+            at[0] += 1;
         }
     }
 }
 
 /// The number of the cell that a coordinate lies in.
-const fn cell_number(coordinate: i32) -> isize {
-    ((coordinate as i64 * CELLS) >> 32) as isize
-}
-
-const fn clamp(value: i32) -> i32 {
-    if value > LARGEST_SECOND {
-        LARGEST_SECOND
-    } else if value < -LARGEST_SECOND {
-        -LARGEST_SECOND
+#[inline(always)]
+const fn cell_number(coordinate: i32) -> i32 {
+    const LAST: i32 = SIDE as i32 / 2 - 1;
+    let number = coordinate >> CELL_BITS;
+    if number > LAST {
+        LAST
+    } else if number < -LAST - 1 {
+        -LAST - 1
     } else {
-        value
+        number
     }
 }
 
-const fn cell(axis: usize, negative: bool, i: isize, j: isize) -> usize {
-    let half = SIDE as isize / 2;
-    (2 * axis + negative as usize) * FACE + ((i + half) * SIDE as isize + j + half) as usize
+#[inline(always)]
+const fn cell(x: i32, y: i32, z: i32) -> usize {
+    const SIDES: i32 = SIDE as i32;
+    const MIDDLE: i32 = (SIDES / 2) * (SIDES * SIDES + SIDES + 1);
+    ((x * SIDES + y) * SIDES + z + MIDDLE) as usize
 }
 
 /// A cap of directions: everything within an angle φ of one direction.
 struct Cap {
+    direction: Direction,
     sine: Unit,
     cosine: Unit,
 }
 
 impl Cap {
     /// Of a ball of this radius at this distance.
-    const fn new(radius: i32, distance: i32) -> Self {
+    const fn new(direction: Direction, radius: i32, distance: i32) -> Self {
         let quotient = divide((radius as u64) << 30, distance as u32);
         let sine = (quotient.mantissa >> -quotient.exponent) as i64 + 64;
         let sine = if sine > 1 << 30 { 1 << 30 } else { sine };
         let cosine = square_root(((1 << 60) - sine * sine) as u64);
         Self {
+            direction,
             sine: Unit::from_bits(sine as i32),
             cosine: Unit::from_bits(cosine),
         }
+    }
+
+    /// Whether a point of a cell has as large a cosine to the middle as the cap.
+    const fn reaches(&self, cell: [i32; 3]) -> bool {
+        let coordinates = self.direction.components();
+        let mut largest = 0_i64;
+        let mut axis = 0;
+        while axis < 3 {
+            // From 2⁻¹⁶ below the cell to as much above it.
+            let low = ((cell[axis] as i64) << CELL_BITS) - MARGIN as i64;
+            let high = ((cell[axis] as i64 + 1) << CELL_BITS) + MARGIN as i64;
+            let coordinate = coordinates[axis].to_bits() as i64;
+            largest += coordinate * if coordinate > 0 { high } else { low };
+            axis += 1;
+        }
+        largest >> 30 >= (self.cosine.to_bits() - MARGIN) as i64
     }
 
     /// The least and the largest value of a coordinate whose value in the middle is `middle`.

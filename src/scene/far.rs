@@ -6,10 +6,9 @@
 
 use super::World;
 use super::mask::Mask;
-use super::query::{Hit, Met, blocked_by_bounded, hit, nearest_bounded, planes_but};
+use super::query::{Hit, NOWHERE, ShapeNumber, blocked_by_bounded, nearest_bounded, planes_but};
 use crate::number::{Length, square_root};
 use crate::ray::{BALL, Path, Place, REACH, Ray};
-use crate::shape::plane::PreparedPlane;
 use crate::vector::Point;
 
 /// Places further out than this scale see the ball as a point and are not followed.
@@ -17,45 +16,46 @@ const FURTHEST_SCALE: u32 = 32;
 
 /// The nearest plane of any distance below 2⁶² steps, and that distance.
 #[cold]
-pub(super) fn nearest_plane<'a, W: World>(
-    world: &'a W,
+fn nearest_plane<W: World>(
+    world: &W,
     path: &Path,
-    left: Option<&PreparedPlane>,
-) -> Option<(u64, Hit<'a>)> {
-    let (distance, plane) = planes_but(world, left)
-        .filter_map(|plane| Some((plane.intersect_far(path)?, plane)))
+    left: ShapeNumber,
+) -> Option<(u64, Place, ShapeNumber)> {
+    let (distance, shape) = planes_but(world, left)
+        .filter_map(|(number, plane)| Some((plane.intersect_far(path)?, number)))
         .min_by_key(|(distance, _)| *distance)?;
-    let at = place_along(path, distance)?;
-    Some((
-        distance,
-        Hit {
-            at,
-            shape: Met::Plane(plane),
-        },
-    ))
+    Some((distance, place_along(path, distance)?, shape))
 }
 
-/// What a path from a far place meets first.
+/// What a path that has left the shape `left` meets first, wherever it starts, and where.
 #[cold]
-pub(super) fn nearest<'a, W: World>(
-    world: &'a W,
+#[inline(never)]
+pub(crate) fn nearest<W: World>(
+    world: &W,
     path: &Path,
-    left: Option<&PreparedPlane>,
-) -> Option<Hit<'a>> {
+    left: ShapeNumber,
+) -> Option<(Place, ShapeNumber)> {
     let plane = nearest_plane(world, path, left);
-    let bounded = into_ball(path).and_then(|(ray, skipped)| {
-        let (distance, shape) = nearest_bounded(world, Mask::ALL, &ray)?;
-        Some((
-            skipped + distance.to_bits() as u64,
-            hit(&ray, distance, shape),
-        ))
+    let start = match path.from().is_near() {
+        true => Some((path.ray, 0)),
+        false => into_ball(path),
+    };
+    let bounded = start.and_then(|(ray, skipped)| {
+        let Hit { distance, shape } = nearest_bounded(world, &ray, NOWHERE);
+        let at = Place::new(ray.origin.along(ray.direction, distance), 0);
+        (shape != ShapeNumber::NONE).then_some((skipped + distance.to_bits() as u64, at, shape))
     });
-    match (plane, bounded) {
-        (Some((to_plane, plane)), Some((to_shape, shape))) => {
-            Some(if to_plane <= to_shape { plane } else { shape })
+    let nearest = match (plane, bounded) {
+        (Some(plane), Some(bounded)) => {
+            if plane.0 <= bounded.0 {
+                plane
+            } else {
+                bounded
+            }
         }
-        (plane, bounded) => plane.or(bounded).map(|(_, hit)| hit),
-    }
+        (plane, bounded) => plane.or(bounded)?,
+    };
+    Some((nearest.1, nearest.2))
 }
 
 /// Whether a path is blocked on its way to a light, one of them far.
@@ -63,18 +63,18 @@ pub(super) fn nearest<'a, W: World>(
 pub(super) fn blocked<W: World>(
     world: &W,
     path: &Path,
-    left: Option<&PreparedPlane>,
+    left: ShapeNumber,
     light: Place,
     distance: Length,
     scale: u32,
 ) -> bool {
     let epsilon = world.parts().epsilon.to_bits() >> scale.min(31);
     let reach = Length::from_bits((distance.to_bits() - epsilon).max(0));
-    if planes_but(world, left).any(|plane| plane.blocks_far(path, reach, scale)) {
+    if planes_but(world, left).any(|(_, plane)| plane.blocks_far(path, reach, scale)) {
         return true;
     }
-    let start = if path.from.is_near() {
-        Some((path.ray(), 0))
+    let start = if path.from().is_near() {
+        Some((path.ray, 0))
     } else {
         into_ball(path)
     };
@@ -100,13 +100,13 @@ pub(super) fn blocked<W: World>(
 /// A path from a far place as a ray from where it enters the ball, and the steps skipped; `None`
 /// where it does not enter it.
 fn into_ball(path: &Path) -> Option<(Ray, u64)> {
-    let Place { point, scale } = path.from;
+    let Place { point, scale } = path.from();
     if scale > FURTHEST_SCALE {
         return None;
     }
     let start = point.to_vector();
-    let along = start.dot(path.direction);
-    let nearest = start.without(path.direction, along);
+    let along = start.dot(path.direction());
+    let nearest = start.without(path.direction(), along);
     // A few steps more than the ball, for what rounding has moved.
     let radius = u64::from((BALL as u32 >> scale.min(31)) + 4);
     let half_chord_square = (radius * radius).checked_sub(nearest.square())?;
@@ -119,7 +119,7 @@ fn into_ball(path: &Path) -> Option<(Ray, u64)> {
     at.is_near().then_some((
         Ray {
             origin: at.point,
-            direction: path.direction,
+            direction: path.direction(),
         },
         skipped,
     ))
@@ -130,13 +130,13 @@ fn place_along(path: &Path, distance: u64) -> Option<Place> {
     let Place {
         point: Point { x, y, z },
         scale,
-    } = path.from;
+    } = path.from();
     if scale > FURTHEST_SCALE {
         return None;
     }
     let excess = 64_u32.saturating_sub(distance.leading_zeros() + 31);
     let leading = (distance >> excess) as i64;
-    let [dx, dy, dz] = path.direction.components();
+    let [dx, dy, dz] = path.direction().components();
     let coordinate = |start: i32, unit: crate::number::Unit| {
         let way = leading * i64::from(unit.to_bits());
         let way = if excess < 30 {

@@ -24,15 +24,21 @@ impl Mask {
         Self(self.0 | other.0)
     }
 
-    /// The numbers of the runs, in rising order.
+    /// The numbers of the runs, in rising order: a word at a time.
     #[inline(always)]
     pub(crate) fn bits(self) -> impl Iterator<Item = usize> {
-        let mut rest = self.0;
-        core::iter::from_fn(move || {
-            let bit = rest.trailing_zeros();
-            rest &= rest.wrapping_sub(1);
-            (bit < 64).then_some(bit as usize)
-        })
+        let word = |bits: u32, first: usize| {
+            let mut rest = bits;
+            core::iter::from_fn(move || {
+                if rest == 0 {
+                    return None;
+                }
+                let bit = rest.trailing_zeros() as usize;
+                rest &= rest - 1;
+                Some(first + bit)
+            })
+        };
+        word(self.0 as u32, 0).chain(word((self.0 >> 32) as u32, 32))
     }
 }
 

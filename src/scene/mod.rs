@@ -7,19 +7,22 @@
 mod builder;
 pub(crate) mod cells;
 mod error;
-mod far;
+pub(crate) mod extent;
+pub(crate) mod far;
 pub(crate) mod mask;
 mod prepare;
 pub(crate) mod query;
 mod row;
 mod runtime;
 pub(crate) mod sight;
+pub(crate) mod view;
 
 pub use builder::SceneBuilder;
 pub use error::SceneError;
 pub use runtime::RuntimeScene;
 
 use cells::Cells;
+use extent::{Outlook, Outlooks};
 use mask::Runs;
 
 use crate::camera::Camera;
@@ -28,9 +31,10 @@ use crate::grid::Grid;
 use crate::light::{Light, PreparedLight};
 use crate::material::{Material, PreparedMaterial};
 use crate::number::{Length, Number};
-use crate::shape::cylinder::{Cylinder, PreparedCylinder};
+use crate::shape::MaterialId;
+use crate::shape::cylinder::{Cylinder, PreparedCylinder, SeenCylinder};
 use crate::shape::plane::{Plane, PreparedPlane};
-use crate::shape::sphere::{PreparedSphere, Sphere};
+use crate::shape::sphere::{PreparedSphere, SeenSphere, Sphere};
 
 /// A scene as it was described: plain numbers, before they are laid on the grid.
 #[derive(Clone, Copy, Debug)]
@@ -67,7 +71,7 @@ pub struct Scene<const S: usize, const P: usize, const C: usize, const L: usize,
     spheres: [PreparedSphere; S],
     planes: [PreparedPlane; P],
     cylinders: [PreparedCylinder; C],
-    lamps: [Lamp; L],
+    lamps: [Spot<S, C>; L],
     materials: [PreparedMaterial; M],
     counts: Counts,
     background: Color,
@@ -104,6 +108,9 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
 pub(crate) struct Lamp {
     pub(crate) light: PreparedLight,
     pub(crate) cells: Cells,
+    /// Whether it stands near and outside of all spheres, so that what is hidden from it can be
+    /// told by how it sees the shapes.
+    pub(crate) is_plain: bool,
 }
 
 impl Lamp {
@@ -111,7 +118,60 @@ impl Lamp {
     const NONE: Self = Self {
         light: PreparedLight::NONE,
         cells: Cells::ALL,
+        is_plain: false,
     };
+}
+
+/// A light with the shapes as it sees them.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot<const S: usize, const C: usize> {
+    lamp: Lamp,
+    spheres: [SeenSphere; S],
+    cylinders: [SeenCylinder; C],
+}
+
+impl<const S: usize, const C: usize> Spot<S, C> {
+    /// Fills the room of a light that a scene's type allows but the scene does not use.
+    const NONE: Self = Self {
+        lamp: Lamp::NONE,
+        spheres: [SeenSphere::NONE; S],
+        cylinders: [SeenCylinder::NONE; C],
+    };
+}
+
+/// What the kernels read from a [`Spot`], whatever its room.
+pub trait LampParts {
+    /// The light itself.
+    #[allow(private_interfaces)]
+    fn lamp(&self) -> &Lamp;
+
+    /// The scene's spheres as the light sees them; what stands for none is never met.
+    #[allow(private_interfaces)]
+    fn spheres(&self) -> &[SeenSphere];
+
+    /// The scene's cylinders as the light sees them, and maybe more.
+    #[allow(private_interfaces)]
+    fn cylinders(&self) -> &[SeenCylinder];
+}
+
+impl<const S: usize, const C: usize> LampParts for Spot<S, C> {
+    #[allow(private_interfaces)]
+    #[inline(always)]
+    fn lamp(&self) -> &Lamp {
+        &self.lamp
+    }
+
+    #[allow(private_interfaces)]
+    #[inline(always)]
+    fn spheres(&self) -> &[SeenSphere] {
+        &self.spheres
+    }
+
+    #[allow(private_interfaces)]
+    #[inline(always)]
+    fn cylinders(&self) -> &[SeenCylinder] {
+        &self.cylinders
+    }
 }
 
 /// What the kernels read from a scene.
@@ -120,14 +180,26 @@ pub struct Parts<'a> {
     pub(crate) spheres: &'a [PreparedSphere],
     pub(crate) planes: &'a [PreparedPlane],
     pub(crate) cylinders: &'a [PreparedCylinder],
-    pub(crate) lamps: &'a [Lamp],
     pub(crate) materials: &'a [PreparedMaterial],
     pub(crate) background: Color,
     pub(crate) epsilon: Length,
     pub(crate) grid: &'a Grid,
 }
 
-impl Parts<'_> {
+impl<'a> Parts<'a> {
+    /// A material; black if there is none of that number.
+    #[inline(always)]
+    pub(crate) fn material(&self, material: MaterialId) -> &'a PreparedMaterial {
+        const NONE: &PreparedMaterial = &PreparedMaterial::NONE;
+        self.materials.get(material.index()).unwrap_or(NONE)
+    }
+
+    /// Whether there is nothing to be met.
+    #[inline(always)]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.spheres.is_empty() && self.cylinders.is_empty() && self.planes.is_empty()
+    }
+
     /// How the shapes are spread over the bits of a mask.
     #[inline(always)]
     pub(crate) fn runs(&self) -> Runs {
@@ -140,25 +212,41 @@ impl Parts<'_> {
 /// Implemented by the crate for [`Scene`], for references to one, and for [`Static`]; there is no
 /// need to implement it elsewhere.
 pub trait World {
+    /// A light with the shapes as it sees them.
+    type Lamp: LampParts;
+
+    /// Which pixels of a frame the shapes cover.
+    type Outlook: Outlooks;
+
     /// The scene's parts.
     fn parts(&self) -> Parts<'_>;
+
+    /// The scene's lights.
+    fn lamps(&self) -> &[Self::Lamp];
 }
 
 impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize> World
     for Scene<S, P, C, L, M>
 {
+    type Lamp = Spot<S, C>;
+    type Outlook = Outlook<S, P, C>;
+
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
         Parts {
             spheres: used(&self.spheres, self.counts.spheres),
             planes: used(&self.planes, self.counts.planes),
             cylinders: used(&self.cylinders, self.counts.cylinders),
-            lamps: used(&self.lamps, self.counts.lights),
             materials: &self.materials,
             background: self.background,
             epsilon: self.epsilon,
             grid: &self.grid,
         }
+    }
+
+    #[inline(always)]
+    fn lamps(&self) -> &[Self::Lamp] {
+        used(&self.lamps, self.counts.lights)
     }
 }
 
@@ -172,9 +260,17 @@ const fn used<T>(items: &[T], count: usize) -> &[T] {
 }
 
 impl<W: World> World for &W {
+    type Lamp = W::Lamp;
+    type Outlook = W::Outlook;
+
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
         (**self).parts()
+    }
+
+    #[inline(always)]
+    fn lamps(&self) -> &[Self::Lamp] {
+        (**self).lamps()
     }
 }
 
@@ -220,8 +316,16 @@ impl<T: StaticScene> Clone for Static<T> {
 impl<T: StaticScene> Copy for Static<T> {}
 
 impl<T: StaticScene> World for Static<T> {
+    type Lamp = <T::Scene as World>::Lamp;
+    type Outlook = <T::Scene as World>::Outlook;
+
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
         T::SCENE.parts()
+    }
+
+    #[inline(always)]
+    fn lamps(&self) -> &[Self::Lamp] {
+        T::SCENE.lamps()
     }
 }

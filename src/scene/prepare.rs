@@ -1,7 +1,7 @@
 //! Checks a description and lays it on its grid: integers only, by the compiler or at run time.
 
 use super::cells::Cells;
-use super::{Counts, Description, Lamp, Scene, SceneError, used};
+use super::{Counts, Description, Scene, SceneError, Spot, used};
 use crate::color::Color;
 use crate::fault::Fault;
 use crate::grid::Grid;
@@ -82,12 +82,19 @@ const fn size_fault(size: Number, fault: Fault) -> Option<Fault> {
 const SMALLEST: i32 = 4;
 
 /// The smallest epsilon, in steps: a hit is within this of its surface.
-const SMALLEST_EPSILON: i32 = 8;
+const SMALLEST_EPSILON: i32 = 64;
 
-/// A light or camera within this many radii of the shapes is given its place in the ball; what is
-/// further out is kept as a far place, so that a distant sun costs the shapes no bits. A scene of
-/// planes alone goes by the nearest plane.
-const COMPANIONS: u128 = 8;
+/// A light, camera or plane within this many radii of the shapes is given its place in the ball:
+/// rays to what is near are short. What is further out is kept as a far place, so that a distant sun
+/// costs the shapes no bits; these at most 5. A scene of planes alone goes by the nearest plane.
+const COMPANIONS: u128 = 32;
+
+/// How many times larger than it need be the ball of a scene with planes is, so that most of what is
+/// seen of them is near: 3 bits.
+const EXPANSE: u128 = 8;
+
+/// The same for a scene of planes alone, which has no shape to see less exactly.
+const EXPANSE_OF_PLANES: u128 = 256;
 
 /// The most a material may shine in its scene, in Q6.26: below 32 with room for rounding.
 const BRIGHTEST: i64 = 30 << 26;
@@ -112,7 +119,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             spheres: [PreparedSphere::NONE; S],
             planes: [PreparedPlane::NONE; P],
             cylinders: [PreparedCylinder::NONE; C],
-            lamps: [Lamp::NONE; L],
+            lamps: [Spot::NONE; L],
             materials: [PreparedMaterial::NONE; M],
             counts: Counts {
                 spheres: scene.spheres.len(),
@@ -152,18 +159,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         }
         index = 0;
         while index < scene.lights.len() && index < L {
-            let Light { position, color } = scene.lights[index];
-            let color = Color::from_numbers(color);
-            let place = grid.place(position);
-            let cells = if place.is_near() {
-                let spheres = used(&prepared.spheres, scene.spheres.len());
-                let cylinders = used(&prepared.cylinders, scene.cylinders.len());
-                Cells::around(place.point, spheres, cylinders)
-            } else {
-                Cells::ALL
-            };
-            let light = PreparedLight { place, color };
-            prepared.lamps[index] = Lamp { light, cells };
+            prepared.add_light(index, &scene.lights[index]);
             index += 1;
         }
         index = 0;
@@ -176,6 +172,34 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             index += 1;
         }
         Ok(prepared)
+    }
+
+    /// Prepares a light; the shapes are prepared.
+    const fn add_light(&mut self, index: usize, light: &Light) {
+        let place = self.grid.place(light.position);
+        let mut spot = Spot::NONE;
+        spot.lamp.light = PreparedLight {
+            place,
+            color: Color::from_numbers(light.color),
+        };
+        if place.is_near() {
+            let spheres = used(&self.spheres, self.counts.spheres);
+            let cylinders = used(&self.cylinders, self.counts.cylinders);
+            spot.lamp.cells = Cells::around(place.point, spheres, cylinders);
+            spot.lamp.is_plain = true;
+            let mut shape = 0;
+            while shape < spheres.len() && shape < S {
+                spot.spheres[shape] = spheres[shape].seen_from(place.point);
+                spot.lamp.is_plain &= !spot.spheres[shape].is_around();
+                shape += 1;
+            }
+            shape = 0;
+            while shape < cylinders.len() && shape < C {
+                spot.cylinders[shape] = cylinders[shape].seen_from(place.point);
+                shape += 1;
+            }
+        }
+        self.lamps[index] = spot;
     }
 }
 
@@ -357,6 +381,14 @@ const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
     }
     if radius == 0 {
         radius = 1 << 64;
+    }
+    if !scene.planes.is_empty() {
+        let is_bounded = !(scene.spheres.is_empty() && scene.cylinders.is_empty());
+        radius *= if is_bounded {
+            EXPANSE
+        } else {
+            EXPANSE_OF_PLANES
+        };
     }
     if radius < 1 << 34 {
         Err(Fault::Extent)

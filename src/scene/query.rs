@@ -1,131 +1,333 @@
 //! What a ray asks the scene: what it meets first, and whether it is blocked before a light.
 
 use super::mask::Mask;
-use super::{Lamp, World, far};
+use super::{Lamp, LampParts, Parts, World, far};
 use crate::number::Length;
 use crate::ray::{Path, Place, REACH, Ray};
-use crate::shape::MaterialId;
-use crate::shape::cylinder::PreparedCylinder;
-use crate::shape::plane::PreparedPlane;
+use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
+use crate::shape::plane::{Approach, PreparedPlane};
 use crate::shape::sphere::PreparedSphere;
-use crate::vector::Direction;
+use crate::vector::{Direction, Vector};
 
-/// The shape a ray has met.
+/// Names a shape of a scene, or none: spheres come first, then cylinders, then planes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct ShapeNumber(u32);
+
+impl ShapeNumber {
+    /// No shape.
+    pub(crate) const NONE: Self = Self(u32::MAX);
+
+    /// Not known: further away than near rays look.
+    pub(crate) const BEYOND: Self = Self(u32::MAX - 1);
+
+    pub(super) const fn of_sphere(index: usize) -> Self {
+        Self(index as u32)
+    }
+}
+
+impl Parts<'_> {
+    pub(super) fn cylinder_number(&self, index: usize) -> ShapeNumber {
+        ShapeNumber((self.spheres.len() + index) as u32)
+    }
+
+    /// The number that the planes begin with.
+    #[inline(always)]
+    fn first_plane(&self) -> u32 {
+        (self.spheres.len() + self.cylinders.len()) as u32
+    }
+
+    /// Whether a shape is a plane.
+    #[inline(always)]
+    pub(crate) fn is_plane(&self, shape: ShapeNumber) -> bool {
+        shape != ShapeNumber::NONE && shape.0 >= self.first_plane()
+    }
+}
+
+/// A shape of a scene.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Met<'a> {
+pub(crate) enum Shape<'a> {
     Sphere(&'a PreparedSphere),
-    Plane(&'a PreparedPlane),
     Cylinder(&'a PreparedCylinder),
+    Plane(&'a PreparedPlane),
 }
 
-impl<'a> Met<'a> {
-    /// The normal where the shape has been met; it may face away from the ray.
-    pub(crate) fn normal(&self, at: Place) -> Direction {
-        match self {
-            Self::Sphere(sphere) => sphere.normal(at.point),
-            Self::Plane(plane) => plane.normal,
-            Self::Cylinder(cylinder) => cylinder.normal(at.point),
+impl<'a> Parts<'a> {
+    /// The shape with a number.
+    #[inline(always)]
+    pub(crate) fn shape(&self, shape: ShapeNumber) -> Option<Shape<'a>> {
+        let number = shape.0 as usize;
+        if let Some(sphere) = self.spheres.get(number) {
+            return Some(Shape::Sphere(sphere));
         }
+        let number = number - self.spheres.len();
+        if let Some(cylinder) = self.cylinders.get(number) {
+            return Some(Shape::Cylinder(cylinder));
+        }
+        let plane = self.planes.get(number - self.cylinders.len())?;
+        Some(Shape::Plane(plane))
     }
 
-    pub(crate) fn material(&self) -> MaterialId {
-        match self {
-            Self::Sphere(sphere) => sphere.material,
-            Self::Plane(plane) => plane.material,
-            Self::Cylinder(cylinder) => cylinder.material,
-        }
+    /// The plane with a number, if it is one.
+    #[inline(always)]
+    pub(crate) fn plane(&self, shape: ShapeNumber) -> Option<&'a PreparedPlane> {
+        self.planes.get(self.plane_index(shape)?)
     }
 
-    /// The plane that has been met, if it is one: no ray that leaves it meets it again.
-    pub(crate) fn plane(&self) -> Option<&'a PreparedPlane> {
-        match self {
-            Self::Plane(plane) => Some(plane),
-            _ => None,
-        }
-    }
-}
-
-/// Where a path meets a shape.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Hit<'a> {
-    pub(crate) at: Place,
-    pub(crate) shape: Met<'a>,
-}
-
-/// What a path that has left the plane `left`, if any, meets first.
-pub(crate) fn nearest<'a, W: World>(
-    world: &'a W,
-    mask: Mask,
-    path: &Path,
-    left: Option<&PreparedPlane>,
-) -> Option<Hit<'a>> {
-    if !path.from.is_near() {
-        return far::nearest(world, path, left);
-    }
-    let ray = path.ray();
-    let mut met = nearest_bounded(world, mask, &ray);
-    for plane in planes_but(world, left) {
-        let reach = met.map_or(REACH, |(distance, _)| distance);
-        if let Some(distance) = plane.intersect(&ray, reach) {
-            met = Some((distance, Met::Plane(plane)));
-        }
-    }
-    match met {
-        Some((distance, shape)) => Some(hit(&ray, distance, shape)),
-        None => far::nearest_plane(world, path, left).map(|(_, hit)| hit),
+    /// Where a plane stands among the planes.
+    #[inline(always)]
+    pub(super) fn plane_index(&self, shape: ShapeNumber) -> Option<usize> {
+        shape
+            .0
+            .checked_sub(self.first_plane())
+            .map(|it| it as usize)
     }
 }
 
-/// The nearest sphere or cylinder.
-#[inline(never)]
-pub(super) fn nearest_bounded<'a, W: World>(
-    world: &'a W,
-    mask: Mask,
-    ray: &Ray,
-) -> Option<(Length, Met<'a>)> {
-    let mut met: Option<(Length, Met<'a>)> = None;
-    let reach = |met: &Option<(Length, Met)>| met.as_ref().map_or(REACH, |(distance, _)| *distance);
+/// Where a near ray meets a shape first: [`ShapeNumber::NONE`] where it meets none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Hit {
+    pub(crate) distance: Length,
+    pub(crate) shape: ShapeNumber,
+}
+
+impl Hit {
+    /// Nothing as far as a near ray looks.
+    pub(crate) const NONE: Self = Self {
+        distance: REACH,
+        shape: ShapeNumber::NONE,
+    };
+
+    /// Not known to a near ray.
+    pub(crate) const BEYOND: Self = Self {
+        distance: REACH,
+        shape: ShapeNumber::BEYOND,
+    };
+}
+
+/// What a near ray that has left the shape `left` meets first, given what it meets first of the
+/// spheres and cylinders.
+#[inline(always)]
+pub(crate) fn nearest<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit) -> Hit {
     let parts = world.parts();
-    let runs = parts.runs();
-    for sphere in runs.spheres(mask, parts.spheres) {
-        if let Some(distance) = sphere.intersect(ray, reach(&met)) {
-            met = Some((distance, Met::Sphere(sphere)));
-        }
+    // A ray that leaves a plane does not meet it again.
+    if parts.planes.is_empty() || (parts.planes.len() == 1 && parts.is_plane(left)) {
+        return bounded;
     }
-    for cylinder in runs.cylinders(mask, parts.cylinders) {
-        if let Some(distance) = cylinder.intersect(ray, reach(&met)) {
-            met = Some((distance, Met::Cylinder(cylinder)));
-        }
-    }
-    met
+    nearest_plane(world, ray, left, bounded)
 }
 
-/// The hit at a distance below [`REACH`] along a near ray.
-pub(super) fn hit<'a>(ray: &Ray, distance: Length, shape: Met<'a>) -> Hit<'a> {
+#[inline(never)]
+fn nearest_plane<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit) -> Hit {
+    let parts = world.parts();
+    let mut nearest = NearestPlane {
+        approach: Approach::at(bounded.distance),
+        shape: bounded.shape,
+        is_met: false,
+    };
+    let number = |index: usize| ShapeNumber(parts.first_plane() + index as u32);
+    // One by one, so that the compiler can work with the planes of a constant scene: most have
+    // coordinates that are 0 or 1.
+    for_first_four(parts.planes, |index, plane| {
+        nearest.meet(plane, number(index), ray, left);
+    });
+    for (index, plane) in parts.planes.iter().enumerate().skip(4) {
+        nearest.meet(plane, number(index), ray, left);
+    }
     Hit {
-        at: Place::new(ray.origin.along(ray.direction, distance), 0),
-        shape,
+        distance: if nearest.is_met {
+            nearest.approach.distance()
+        } else {
+            bounded.distance
+        },
+        shape: nearest.shape,
     }
 }
 
-/// The planes but the one a ray has just left.
-pub(super) fn planes_but<'a, W: World>(
-    world: &'a W,
-    left: Option<&PreparedPlane>,
-) -> impl Iterator<Item = &'a PreparedPlane> {
-    world
-        .parts()
-        .planes
-        .iter()
-        .filter(move |plane| !left.is_some_and(|left| core::ptr::eq(*plane, left)))
+/// Calls with each of the first four items by itself, so that each call is compiled for its item.
+#[inline(always)]
+pub(crate) fn for_first_four<'a, T>(items: &'a [T], mut call: impl FnMut(usize, &'a T)) {
+    if let Some(item) = items.first() {
+        call(0, item);
+    }
+    if let Some(item) = items.get(1) {
+        call(1, item);
+    }
+    if let Some(item) = items.get(2) {
+        call(2, item);
+    }
+    if let Some(item) = items.get(3) {
+        call(3, item);
+    }
+}
+
+/// The nearest of the planes that a ray has been held against, or what is nearer.
+struct NearestPlane {
+    approach: Approach,
+    shape: ShapeNumber,
+    /// Whether it is one of the planes.
+    is_met: bool,
+}
+
+impl NearestPlane {
+    #[inline(always)]
+    fn meet(&mut self, plane: &PreparedPlane, number: ShapeNumber, ray: &Ray, left: ShapeNumber) {
+        if number == left {
+            return;
+        }
+        let Some(approach) = plane.approach(ray) else {
+            return;
+        };
+        if approach.is_before(&self.approach) {
+            (self.approach, self.shape, self.is_met) = (approach, number, true);
+        } else if self.shape == ShapeNumber::NONE {
+            self.shape = ShapeNumber::BEYOND;
+        }
+    }
+}
+
+/// Where a path that has left the shape `left` meets what its ray has hit, and what that is where
+/// the ray did not see it.
+#[inline(always)]
+pub(crate) fn located<W: World>(
+    world: &W,
+    path: &Path,
+    left: ShapeNumber,
+    hit: Hit,
+) -> Option<(Place, ShapeNumber)> {
+    if hit.shape == ShapeNumber::NONE {
+        return None;
+    }
+    if hit.shape != ShapeNumber::BEYOND {
+        let at = path.ray.origin.along(path.direction(), hit.distance);
+        // Only a plane can be met so far out that this is not near.
+        if let Some(at) = Place::near(at) {
+            return Some((at, hit.shape));
+        }
+    }
+    far::nearest(world, path, left)
+}
+
+/// What a path that has left the shape `left` meets first, and where, with every shape asked.
+#[cfg(test)]
+pub(crate) fn first<W: World>(
+    world: &W,
+    path: &Path,
+    left: ShapeNumber,
+) -> Option<(Place, ShapeNumber)> {
+    let hit = match path.from().is_near() {
+        true => nearest(
+            world,
+            &path.ray,
+            left,
+            nearest_bounded(world, &path.ray, NOWHERE),
+        ),
+        false => Hit::BEYOND,
+    };
+    located(world, path, left, hit)
+}
+
+/// No distance at all.
+pub(super) const NOWHERE: Length = Length::from_bits(0);
+
+/// The nearest sphere or cylinder of all, further than `start` along the ray; the distance is
+/// from there.
+#[inline(never)]
+pub(crate) fn nearest_bounded<W: World>(world: &W, ray: &Ray, start: Length) -> Hit {
+    let mut nearest = Nearest::beyond(start);
+    let parts = world.parts();
+    for (index, sphere) in parts.spheres.iter().enumerate() {
+        let (center, radius) = sphere.ball();
+        let way = ray.origin.to(center);
+        if !way.passes_by(way.dot(ray.direction), radius) {
+            let number = ShapeNumber::of_sphere(index);
+            nearest.meet_sphere(sphere, way, ray.direction, number);
+        }
+    }
+    for (index, cylinder) in parts.cylinders.iter().enumerate() {
+        if !cylinder.is_passed_by(ray) {
+            let number = parts.cylinder_number(index);
+            let seen = cylinder.seen_from(ray.origin);
+            nearest.meet_cylinder(cylinder, &seen, ray.direction, number);
+        }
+    }
+    nearest.hit()
+}
+
+/// The nearest of the shapes that a ray has been held against.
+pub(super) struct Nearest {
+    start: Length,
+    hit: Hit,
+}
+
+impl Nearest {
+    /// Nothing yet, and nothing that is met before `start`.
+    #[inline(always)]
+    pub(super) fn beyond(start: Length) -> Self {
+        Self {
+            start,
+            hit: Hit::NONE,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn meet_sphere(
+        &mut self,
+        sphere: &PreparedSphere,
+        way: Vector,
+        along: Direction,
+        shape: ShapeNumber,
+    ) {
+        if let Some(distance) = sphere.met(way, along, self.start, self.hit.distance) {
+            self.hit = Hit { distance, shape };
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn meet_cylinder(
+        &mut self,
+        cylinder: &PreparedCylinder,
+        seen: &SeenCylinder,
+        along: Direction,
+        shape: ShapeNumber,
+    ) {
+        if let Some(distance) = cylinder.met(seen, along, self.start, self.hit.distance) {
+            self.hit = Hit { distance, shape };
+        }
+    }
+
+    /// The nearest, and how far behind `start` it is met.
+    #[inline(always)]
+    pub(super) fn hit(self) -> Hit {
+        let distance = self.hit.distance.to_bits() - self.start.to_bits();
+        Hit {
+            distance: if self.hit.shape == ShapeNumber::NONE {
+                REACH
+            } else {
+                Length::from_bits(distance)
+            },
+            shape: self.hit.shape,
+        }
+    }
+}
+
+/// The planes but the one a ray has just left, and their numbers.
+pub(super) fn planes_but<W: World>(
+    world: &W,
+    left: ShapeNumber,
+) -> impl Iterator<Item = (ShapeNumber, &PreparedPlane)> {
+    let parts = world.parts();
+    let numbers = (parts.first_plane()..).map(ShapeNumber);
+    numbers
+        .zip(parts.planes)
+        .filter(move |(number, _)| *number != left)
 }
 
 /// Whether a path towards a light that is `distance` · 2^`scale` steps away meets anything more
-/// than epsilon before it.
+/// than epsilon before it, with nothing known about camera and light.
 pub(crate) fn blocked<W: World>(
     world: &W,
     path: &Path,
-    left: Option<&PreparedPlane>,
+    left: ShapeNumber,
     lamp: &Lamp,
     distance: Length,
     scale: u32,
@@ -133,21 +335,47 @@ pub(crate) fn blocked<W: World>(
     if scale != 0 {
         return far::blocked(world, path, left, lamp.light.place, distance, scale);
     }
-    let ray = path.ray();
+    let ray = &path.ray;
     let reach = Length::from_bits((distance.to_bits() - world.parts().epsilon.to_bits()).max(0));
-    planes_but(world, left).any(|plane| plane.blocks(&ray, reach))
-        || blocked_by_bounded(world, seen_from(world, lamp, &ray), &ray, reach)
+    let mask = lamp.cells.mask(ray.direction.reversed());
+    planes_but(world, left).any(|(_, plane)| plane.blocks(ray, reach))
+        || blocked_by_bounded(world, mask, ray, reach)
 }
 
-/// The shapes that may lie between a light and the start of a ray towards it.
-fn seen_from<W: World>(world: &W, lamp: &Lamp, ray: &Ray) -> Mask {
+/// Whether a sphere or cylinder lies between a light that stands clear and what is `distance` away
+/// from it in a direction: the outside of the cylinder `left`, which is not in the way, or anything
+/// else.
+#[inline(always)]
+pub(crate) fn blocked_from<W: World>(
+    world: &W,
+    spot: &W::Lamp,
+    direction: Direction,
+    distance: Length,
+    left: Option<&PreparedCylinder>,
+) -> bool {
     let parts = world.parts();
+    let hides = |(cylinder, seen): (&PreparedCylinder, &SeenCylinder)| {
+        !left.is_some_and(|left| core::ptr::eq(left, cylinder))
+            && cylinder
+                .met(seen, direction, parts.epsilon, distance)
+                .is_some()
+    };
+    let (spheres, cylinders) = (spot.spheres(), spot.cylinders());
     // So few are asked in less time than it takes to choose.
-    const FEW: usize = 2;
+    const FEW: usize = 3;
     if parts.spheres.len() + parts.cylinders.len() <= FEW {
-        return Mask::ALL;
+        return spheres
+            .iter()
+            .any(|seen| seen.is_before(direction, distance))
+            || parts.cylinders.iter().zip(cylinders).any(hides);
     }
-    lamp.cells.mask(ray.direction.reversed())
+    let (mask, runs) = (spot.lamp().cells.mask(direction), parts.runs());
+    runs.spheres(mask, spheres)
+        .any(|seen| seen.is_before(direction, distance))
+        || runs
+            .cylinders(mask, parts.cylinders)
+            .zip(runs.cylinders(mask, cylinders))
+            .any(hides)
 }
 
 /// Whether a sphere or cylinder of a set lies on the ray before `reach`.

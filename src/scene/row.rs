@@ -1,255 +1,212 @@
-//! Which spheres and cylinders the rays of one row of pixels can meet, and in which columns.
-//!
-//! The rays of a row leave one point and lie in one plane. That plane cuts a sphere in a disc, and
-//! the tangents from the point to the disc bound the columns in which the sphere can be met. A
-//! cylinder lies between the discs around its ends. The rays that a mirroring plane sends on do
-//! the same with the shapes mirrored in it. Bounds are widened by more than rounding can be wrong.
+//! Which spheres and cylinders the rays of one row of pixels can meet, and in which columns: the
+//! row of the rectangles in which they can be seen ([`super::extent`]), from left to right.
 
 use heapless::Vec;
 
 use super::World;
-use super::mask::Mask;
-use crate::number::{Quotient, divide, square_root};
-use crate::ray::Fan;
-use crate::shape::plane::PreparedPlane;
-use crate::vector::{Point, Vector};
+use super::extent::Covered;
+use super::query::{Hit, Nearest, ShapeNumber, nearest_bounded};
+use crate::number::Length;
+use crate::ray::Ray;
+use crate::shape::cylinder::SeenCylinder;
+use crate::shape::sphere::SeenSphere;
+use crate::vector::{Direction, Point};
 
-/// The columns, first and last, in which a shape can be met.
-#[derive(Clone, Copy, Debug)]
-struct Columns {
-    first: i32,
-    last: i32,
-}
-
-impl Columns {
-    const ALL: Self = Self {
-        first: 0,
-        last: i32::MAX,
-    };
-
-    fn with(self, other: Self) -> Self {
-        Self {
-            first: self.first.min(other.first),
-            last: self.last.max(other.last),
-        }
-    }
-}
-
-/// The columns in which a run of shapes can be met, held to the 16 bits of a picture's side.
+/// The columns in which a shape can be met, held to the 16 bits of a picture's side.
 #[derive(Clone, Copy, Debug)]
 struct Span {
     first: u16,
     last: u16,
-    bit: u8,
+    /// Spheres come first, then cylinders.
+    shape: u16,
 }
 
+/// A shape that can be met in the column a row has come to, as its rays see it.
+#[derive(Clone, Copy, Debug)]
+struct Open<T> {
+    seen: T,
+    /// The last column.
+    last: u16,
+    /// Which of its kind.
+    index: u16,
+}
+
+/// How many spans a row holds.
+const SPANS: usize = 64;
+
+/// How many spheres can be met in one column.
+const SPHERES: usize = 16;
+
+/// How many cylinders can be met in one column.
+const CYLINDERS: usize = 8;
+
 /// The shapes that can be met in each column of a row.
+///
+/// Where there are too many for the room, every ray of the row asks every shape.
 #[derive(Debug)]
 pub(crate) struct Row {
-    /// In rising order of bits, a bit once.
-    spans: Vec<Span, 64>,
-    /// The set for the columns from `since` to before `until`.
-    mask: Mask,
-    since: u32,
+    /// Where its rays come from.
+    origin: Point,
+    /// In rising order of their first columns.
+    spans: Vec<Span, SPANS>,
+    /// The first span that has not been opened.
+    next: usize,
+    /// Up to which column what is open stays the same.
     until: u32,
+    spheres: Vec<Open<SeenSphere>, SPHERES>,
+    cylinders: Vec<Open<SeenCylinder>, CYLINDERS>,
+    /// Whether every shape is in every column.
+    is_full: bool,
 }
 
 impl Row {
     /// Every shape in every column.
-    pub(crate) const ALL: Self = Self {
-        spans: Vec::new(),
-        mask: Mask::ALL,
-        since: 0,
-        until: u32::MAX,
-    };
-
-    /// Turns into what the rays of a fan can meet.
-    pub(crate) fn see<W: World>(&mut self, world: &W, fan: &Fan) {
-        self.fill(world, fan, 0, |center, half_axis| {
-            Some((fan.origin.to(center), half_axis))
-        });
-    }
-
-    /// Turns into what the rays of a fan can meet once `plane` has mirrored them.
-    pub(crate) fn see_mirrored<W: World>(&mut self, world: &W, fan: &Fan, plane: &PreparedPlane) {
-        // Rays leave epsilon above the plane: as good as shapes that much larger.
-        let lift = 2 * world.parts().epsilon.to_bits();
-        self.fill(world, fan, lift, |center, half_axis| {
-            let height = i32::try_from(plane.height(center) >> 30).ok()?;
-            if height.unsigned_abs() > 1 << 28 {
-                return None;
-            }
-            let way = fan.origin.to(center).without(plane.normal, 2 * height);
-            let along = half_axis.dot(plane.normal);
-            Some((way, half_axis.without(plane.normal, 2 * along)))
-        });
-    }
-
-    /// `seen` gives the way to a shape's middle and its half axis as the fan's rays see them, or
-    /// nothing where that cannot be told; every radius is widened by `lift`.
-    fn fill<W: World>(
-        &mut self,
-        world: &W,
-        fan: &Fan,
-        lift: i32,
-        seen: impl Fn(Point, Vector) -> Option<(Vector, Vector)>,
-    ) {
-        let parts = world.parts();
-        let runs = parts.runs();
-        self.spans.clear();
-        (self.since, self.until) = (0, 0);
-        for (index, sphere) in parts.spheres.iter().enumerate() {
-            let (center, radius) = sphere.ball();
-            let columns = match seen(center, Vector::ZERO) {
-                Some((way, _)) => fan.sphere_columns(way, widened(radius) + lift),
-                None => Some(Columns::ALL),
-            };
-            self.add(runs.sphere_bit(index), columns);
-        }
-        for (index, cylinder) in parts.cylinders.iter().enumerate() {
-            let (center, half_axis, radius) = cylinder.capsule();
-            let columns = match seen(center, half_axis) {
-                Some((way, half)) => fan.capsule_columns(way, half, widened(radius) + lift),
-                None => Some(Columns::ALL),
-            };
-            self.add(runs.cylinder_bit(index), columns);
-        }
-    }
-
-    fn add(&mut self, bit: usize, columns: Option<Columns>) {
-        let Some(Columns { first, last }) = columns else {
-            return;
-        };
-        let held = |column: i32| column.clamp(0, 0xffff) as u16;
-        let (first, last, bit) = (held(first), held(last), bit as u8);
-        match self.spans.last_mut() {
-            Some(span) if span.bit == bit => {
-                span.first = span.first.min(first);
-                span.last = span.last.max(last);
-            }
-            _ => {
-                // There are 64 bits, so there is room.
-                let _ = self.spans.push(Span { first, last, bit });
-            }
-        }
-    }
-
-    /// The shapes that can be met in a column.
     #[inline(always)]
-    pub(crate) fn at(&mut self, column: u32) -> Mask {
-        if column < self.since || column >= self.until {
-            self.find(column);
+    pub(crate) fn of_everything(origin: Point) -> Self {
+        Self {
+            origin,
+            spans: Vec::new(),
+            next: 0,
+            until: u32::MAX,
+            spheres: Vec::new(),
+            cylinders: Vec::new(),
+            is_full: true,
         }
-        self.mask
     }
 
-    /// Finds the set for a column, and up to which column it stays the same.
-    #[inline(never)]
-    fn find(&mut self, column: u32) {
-        self.mask = Mask::NONE;
-        self.since = column;
-        self.until = u32::MAX;
-        for span in &self.spans {
-            if column < u32::from(span.first) {
-                self.until = self.until.min(span.first.into());
-            } else if column <= u32::from(span.last) {
-                self.mask = self.mask.with(Mask::of(span.bit.into()));
-                self.until = self.until.min(u32::from(span.last) + 1);
+    /// Turns into every shape in every column, seen from another point.
+    pub(crate) fn look_from(&mut self, origin: Point) {
+        self.origin = origin;
+        self.fill_up();
+    }
+
+    fn fill_up(&mut self) {
+        (self.is_full, self.until) = (true, u32::MAX);
+    }
+
+    /// The nearest shape further than `start` along a ray of the column; the distance is from there.
+    #[inline(always)]
+    pub(crate) fn meet<W: World>(&self, world: &W, direction: Direction, start: Length) -> Hit {
+        if self.is_full {
+            let origin = self.origin;
+            return nearest_bounded(world, &Ray { origin, direction }, start);
+        }
+        self.nearest(world, direction, start)
+    }
+
+    /// Turns into what can be met in the row `y` of the pixels that shapes cover.
+    pub(crate) fn see(&mut self, covered: &Covered<'_>, y: u16) {
+        self.is_full = false;
+        (self.next, self.until) = (0, 0);
+        self.spans.clear();
+        self.spheres.clear();
+        self.cylinders.clear();
+        let shapes = covered.spheres.iter().chain(covered.cylinders);
+        for (extent, shape) in shapes.zip(0..) {
+            if extent.top <= y && y <= extent.bottom {
+                self.add(Span {
+                    first: extent.left,
+                    last: extent.right,
+                    shape,
+                });
             }
         }
     }
-}
 
-/// A radius widened by what rounding can be wrong.
-fn widened(radius: i32) -> i32 {
-    radius + (radius >> 10) + 64
-}
-
-impl Fan {
-    /// The columns in which a sphere can be met.
-    fn sphere_columns(&self, way: Vector, radius: i32) -> Option<Columns> {
-        let beside = way.dot(self.normal);
-        if beside.abs() > radius {
-            return None;
+    fn add(&mut self, span: Span) {
+        if self.spans.push(span).is_err() {
+            self.fill_up();
         }
-        let square = i64::from(radius) * i64::from(radius) - i64::from(beside) * i64::from(beside);
-        self.disc_columns(way, square_root(square as u64) + 2)
-    }
-
-    /// The columns in which a cylinder with rounded ends can be met.
-    fn capsule_columns(&self, way: Vector, half_axis: Vector, radius: i32) -> Option<Columns> {
-        if way.dot(self.normal).abs() > radius + half_axis.dot(self.normal).abs() {
-            return None;
-        }
-        let ends = [way.plus(half_axis), way.minus(half_axis)];
-        // An end behind the picture has no columns, but what lies between may be seen.
-        if ends.iter().any(|end| end.dot(self.ahead) <= radius) {
-            return Some(Columns::ALL);
-        }
-        let [a, b] = ends.map(|end| self.disc_bounds(end, radius));
-        self.visible(a.with(b))
-    }
-
-    /// The columns in which a disc in the fan's plane can be met.
-    fn disc_columns(&self, way: Vector, radius: i32) -> Option<Columns> {
-        let ahead = way.dot(self.ahead);
-        if ahead <= radius {
-            // Around the origin, or reaching behind it.
-            return (ahead >= -radius).then_some(Columns::ALL);
-        }
-        self.visible(self.disc_bounds(way, radius))
-    }
-
-    /// The columns between the tangents of a disc that is ahead.
-    fn disc_bounds(&self, way: Vector, radius: i32) -> Columns {
-        let (ahead, aside) = (
-            i64::from(way.dot(self.ahead)),
-            i64::from(way.dot(self.aside)),
-        );
-        let radius = i64::from(radius);
-        let tangent = square_root((ahead * ahead + aside * aside - radius * radius) as u64);
-        let spread = radius * i64::from(tangent);
-        let scale = self.columns_for_each(ahead * ahead - radius * radius);
-        let middle = ahead * aside;
-        Columns {
-            first: self.column(middle - spread, scale) - 1,
-            last: self.column(middle + spread, scale) + 2,
+        // Sorted by insertion: rows see few shapes.
+        let mut rest = self.spans.as_mut_slice();
+        while let [earlier @ .., before, span] = rest {
+            if before.first <= span.first {
+                break;
+            }
+            core::mem::swap(before, span);
+            rest = match earlier {
+                [] => break,
+                _ => {
+                    let end = rest.len() - 1;
+                    rest.get_mut(..end).unwrap_or_default()
+                }
+            };
         }
     }
 
-    fn visible(&self, columns: Columns) -> Option<Columns> {
-        (columns.last >= 0 && columns.first < self.width as i32).then_some(columns)
-    }
-
-    /// How many half pixels a unit of a numerator over this denominator is.
-    fn columns_for_each(&self, denominator: i64) -> Quotient {
-        let drop = 33_u32.saturating_sub(denominator.leading_zeros());
-        let Quotient { mantissa, exponent } =
-            divide((self.distance as u64) << 31, (denominator >> drop) as u32);
-        Quotient {
-            mantissa,
-            exponent: exponent - 31 - drop as i32 + self.scale,
+    /// Goes on to a column, which is not before the last one.
+    #[inline(always)]
+    pub(crate) fn turn_to<W: World>(&mut self, world: &W, column: u32) {
+        if column >= self.until {
+            self.open(world, column);
         }
     }
 
-    /// The column of a ray whose tangent has this numerator, rounded down and held near the
-    /// picture.
-    fn column(&self, numerator: i64, scale: Quotient) -> i32 {
-        let size = numerator.unsigned_abs();
-        let drop = 32_u32.saturating_sub(size.leading_zeros());
-        let product = (size >> drop) * u64::from(scale.mantissa);
-        // Further to the side than any picture is wide.
-        const BESIDE: u64 = 1 << 20;
-        let half_pixels = match scale.exponent + drop as i32 {
-            0.. => BESIDE,
-            shift @ -63..0 => (product >> -shift).min(BESIDE),
-            _ => 0,
-        } as i32;
-        let half_pixels = if numerator < 0 {
-            -half_pixels
-        } else {
-            half_pixels
-        };
-        (half_pixels + self.width as i32 - 1) >> 1
+    /// Closes what has ended before a column, and opens what begins up to it.
+    #[inline(never)]
+    fn open<W: World>(&mut self, world: &W, column: u32) {
+        self.until = u32::MAX;
+        self.spheres.retain(|open| u32::from(open.last) >= column);
+        self.cylinders.retain(|open| u32::from(open.last) >= column);
+        while let Some(span) = self.spans.get(self.next) {
+            if u32::from(span.first) > column {
+                self.until = span.first.into();
+                break;
+            }
+            let span = *span;
+            self.next += 1;
+            if u32::from(span.last) >= column && !self.open_span(world, span) {
+                return self.fill_up();
+            }
+        }
+        let ends = self.spheres.iter().map(|open| open.last);
+        let ends = ends.chain(self.cylinders.iter().map(|open| open.last));
+        for last in ends {
+            self.until = self.until.min(u32::from(last) + 1);
+        }
+    }
+
+    /// Opens a span; false where there is no room for it.
+    fn open_span<W: World>(&mut self, world: &W, span: Span) -> bool {
+        let parts = world.parts();
+        let (last, shape) = (span.last, usize::from(span.shape));
+        if let Some(sphere) = parts.spheres.get(shape) {
+            let seen = sphere.surely_seen_from(self.origin);
+            let index = span.shape;
+            return self.spheres.push(Open { seen, last, index }).is_ok();
+        }
+        let index = shape - parts.spheres.len();
+        match parts.cylinders.get(index) {
+            Some(cylinder) => {
+                let seen = cylinder.seen_from(self.origin);
+                let index = index as u16;
+                self.cylinders.push(Open { seen, last, index }).is_ok()
+            }
+            None => true,
+        }
+    }
+
+    /// The nearest of the shapes that are open.
+    #[inline(never)]
+    fn nearest<W: World>(&self, world: &W, direction: Direction, start: Length) -> Hit {
+        let parts = world.parts();
+        let mut nearest = Nearest::beyond(start);
+        for Open { seen, index, .. } in &self.spheres {
+            if !seen.may_be_met(direction) {
+                continue;
+            }
+            let index = usize::from(*index);
+            if let Some(sphere) = parts.spheres.get(index) {
+                let number = ShapeNumber::of_sphere(index);
+                nearest.meet_sphere(sphere, seen.way(), direction, number);
+            }
+        }
+        for Open { seen, index, .. } in &self.cylinders {
+            let index = usize::from(*index);
+            if let Some(cylinder) = parts.cylinders.get(index) {
+                nearest.meet_cylinder(cylinder, seen, direction, parts.cylinder_number(index));
+            }
+        }
+        nearest.hit()
     }
 }

@@ -1,54 +1,103 @@
 //! What the rays of one row of pixels can meet: first of all, and after the first mirror.
 
 use super::World;
-use super::mask::Mask;
+use super::extent::Outlooks;
+use super::query::{Hit, ShapeNumber, nearest_bounded};
 use super::row::Row;
-use crate::ray::Fan;
+use crate::number::Length;
+use crate::ray::{Place, Ray};
 use crate::shape::plane::PreparedPlane;
+use crate::vector::Point;
 
 /// What the rays of a row can meet.
-pub(crate) struct Sight<'a> {
-    /// The row's rays; none where there is nothing to tell apart or the camera is far away.
-    fan: Option<Fan>,
+pub(crate) struct Sight<'a, W: World> {
+    /// What the shapes cover; everything is everywhere where the camera is far away.
+    outlook: &'a W::Outlook,
+    /// Where the camera is, if it is near.
+    camera: Option<Point>,
+    y: u16,
+    /// Whether shapes that cannot be met are left out.
+    is_choosy: bool,
     first: Row,
     /// The plane that mirrored the latest ray of this row.
-    plane: Option<&'a PreparedPlane>,
+    plane: ShapeNumber,
     /// What can be met after it.
     mirrored: Row,
 }
 
-impl<'a> Sight<'a> {
-    /// Of a fan; without one, everything.
-    pub(crate) fn new<W: World>(world: &W, fan: Option<Fan>) -> Self {
-        let mut sight = Self {
-            fan,
-            first: Row::ALL,
-            plane: None,
-            mirrored: Row::ALL,
-        };
-        if let Some(fan) = &sight.fan {
-            sight.first.see(world, fan);
+impl<'a, W: World> Sight<'a, W> {
+    /// Of the row `y`.
+    #[inline(always)]
+    pub(crate) fn new(outlook: &'a W::Outlook, from: Place, y: u32) -> Self {
+        Self {
+            is_choosy: true,
+            y: y as u16,
+            ..Self::of_everything(outlook, from)
         }
-        sight
     }
 
-    /// What the ray of a column can meet.
-    pub(crate) fn first(&mut self, column: u32) -> Mask {
-        self.first.at(column)
+    /// Of every shape in every column.
+    #[inline(always)]
+    pub(crate) fn of_everything(outlook: &'a W::Outlook, from: Place) -> Self {
+        Self {
+            outlook,
+            camera: from.is_near().then_some(from.point),
+            y: 0,
+            is_choosy: false,
+            first: Row::of_everything(from.point),
+            plane: ShapeNumber::NONE,
+            mirrored: Row::of_everything(Point::ORIGIN),
+        }
     }
 
-    /// What the ray of a column can meet once `plane` has mirrored it.
-    pub(crate) fn mirrored<W: World>(
+    /// Finds out what the rays of the row can meet.
+    #[inline(never)]
+    pub(crate) fn look(&mut self, world: &W) {
+        if self.is_choosy && self.camera.is_some() {
+            self.first.see(&self.outlook.first().of(world), self.y);
+        }
+    }
+
+    /// What a ray of the camera meets first of the spheres and cylinders; columns rise.
+    #[inline(always)]
+    pub(crate) fn first(&mut self, world: &W, column: u32, ray: &Ray) -> Hit {
+        if self.camera.is_none() {
+            return nearest_bounded(world, ray, Length::from_bits(0));
+        }
+        self.first.turn_to(world, column);
+        self.first.meet(world, ray.direction, Length::from_bits(0))
+    }
+
+    /// What the ray of a column meets first of them once a plane with a number has mirrored it,
+    /// `start` steps from the camera.
+    #[inline(never)]
+    pub(crate) fn mirrored(
         &mut self,
         world: &W,
-        plane: &'a PreparedPlane,
+        (number, plane): (ShapeNumber, &PreparedPlane),
         column: u32,
-    ) -> Mask {
-        let is_known = self.plane.is_some_and(|known| core::ptr::eq(known, plane));
-        if let (Some(fan), false) = (&self.fan, is_known) {
-            self.plane = Some(plane);
-            self.mirrored.see_mirrored(world, fan, plane);
+        start: Length,
+        ray: &Ray,
+    ) -> Hit {
+        if self.plane != number && self.look_into(world, number, plane).is_none() {
+            return nearest_bounded(world, ray, Length::from_bits(0));
         }
-        self.mirrored.at(column)
+        self.mirrored.turn_to(world, column);
+        self.mirrored.meet(world, ray.direction, start)
+    }
+
+    /// Turns to what the row's rays can meet once a plane has mirrored them; `None` where that is
+    /// not known.
+    #[inline(never)]
+    fn look_into(&mut self, world: &W, number: ShapeNumber, plane: &PreparedPlane) -> Option<()> {
+        let parts = world.parts();
+        let origin = plane.mirrored(self.camera?, parts.epsilon)?;
+        let covered = self.outlook.mirrored(parts.plane_index(number)?)?;
+        self.plane = number;
+        self.mirrored.look_from(origin);
+        if self.is_choosy {
+            self.mirrored.see(&covered.of(world), self.y);
+        }
+        Some(())
     }
 }

@@ -1,13 +1,21 @@
-//! Tests: the sets of shapes that a scene keeps change the work, never the picture.
+//! Tests: the sets of shapes that a scene keeps, and what a view knows about its planes, change the
+//! work, never the picture.
 
 use super::{BuiltIn, NAMES, Visitor, visit};
+use crate::number::{Length, Unit};
 use crate::quality::Fine;
-use crate::ray::Path;
-use crate::scene::World;
+use crate::ray::{Path, Place, REACH};
+use crate::scene::extent::Outlooks;
+use crate::scene::query::{ShapeNumber, blocked, blocked_from, first};
 use crate::scene::sight::Sight;
-use crate::scene::{RuntimeScene, Scene, Static};
-use crate::shade::BlinnPhong;
-use crate::trace::trace;
+use crate::scene::view::{Standing, View};
+use crate::scene::{LampParts, RuntimeScene, Scene, Static, World};
+use crate::shade::{BlinnPhong, Surface};
+use crate::shape::MaterialId;
+use crate::shape::cylinder::PreparedCylinder;
+use crate::shape::plane::{PreparedPlane, Side};
+use crate::trace::Tracer;
+use crate::vector::{Direction, Point, Position};
 use crate::{Camera, Material};
 
 const SIZE: (u32, u32) = (40, 32);
@@ -16,19 +24,21 @@ const SIZE: (u32, u32) = (40, 32);
 fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
     let lens = camera.lens(SIZE.0, SIZE.1);
     let from = world.parts().grid.place(camera.description().position);
+    let view = View::new(world, from);
+    let outlook = match from.is_near() {
+        true => W::Outlook::new(world, &lens.fans(from.point)),
+        false => W::Outlook::ALL,
+    };
     for y in 0..SIZE.1 {
-        let fan = from.is_near().then(|| lens.fan(y, from.point));
-        let mut sight = Sight::new(world, fan);
-        let mut everything = Sight::new(world, None);
+        let tracer = |sight| Tracer::<W, BlinnPhong, Fine>::new(world, &view, sight, 3);
+        let mut some = tracer(Sight::new(&outlook, from, y));
+        some.look();
+        let mut all = tracer(Sight::of_everything(&outlook, from));
         let mut directions = lens.row(y, 0);
         for x in 0..SIZE.0 {
-            let path = Path {
-                from,
-                direction: directions.next_direction(),
-            };
-            let some = trace::<W, BlinnPhong, Fine>(world, &mut sight, x, path, 3);
-            let all = trace::<W, BlinnPhong, Fine>(world, &mut everything, x, path, 3);
-            assert_eq!(some.sum, all.sum, "{name}: pixel {x}, {y} of {camera:?}");
+            let direction = directions.next_direction();
+            let [some, all] = [&mut some, &mut all].map(|it| it.trace(x, direction));
+            assert_eq!(some, all, "{name}: pixel {x}, {y} of {camera:?}");
         }
     }
 }
@@ -72,75 +82,294 @@ impl Random {
     }
 }
 
-type Crowd = Scene<100, 2, 40, 2, 1>;
+/// A scene full of spheres and cylinders.
+type Crowd<const S: usize, const C: usize> = Scene<S, 2, C, 2, 1>;
 
-/// More shapes than a mask has bits, some mirrors, two lights; one of them among the shapes.
-fn crowd(random: &mut Random) -> Crowd {
-    let mut scene = RuntimeScene::<100, 2, 40, 2, 1>::new();
+/// How a crowd is described; its only material comes first.
+type Description<const S: usize, const C: usize> = RuntimeScene<S, 2, C, 2, 1>;
+
+/// Some spheres and cylinders, all mirrors, and two lights; one of them among the shapes.
+fn described<const S: usize, const C: usize>(
+    random: &mut Random,
+    (spheres, cylinders): (usize, usize),
+) -> (Description<S, C>, MaterialId) {
+    let mut scene = Description::new();
     let glass = Material::new([0.9, 0.8, 0.7]).mirror(0.5);
     let glass = scene.add_material(glass).unwrap();
-    for _ in 0..100 {
+    for _ in 0..spheres {
         let radius = 0.02 + 0.08 * random.number().abs();
         scene.add_sphere(random.point(), radius, glass).unwrap();
     }
-    for _ in 0..40 {
+    for _ in 0..cylinders {
         let (radius, height) = (0.01 + 0.03 * random.number().abs(), random.number().abs());
         let (center, axis) = (random.point(), random.point());
         scene
             .add_cylinder(center, axis, radius, height + 0.01, glass)
             .unwrap();
     }
+    for place in [random.point(), random.point().map(|x| 4.0 * x)] {
+        scene.add_light(place, [0.5, 0.5, 0.5]).unwrap();
+    }
+    (scene, glass)
+}
+
+/// A crowd between two mirrors.
+fn crowd<const S: usize, const C: usize>(random: &mut Random) -> Crowd<S, C> {
+    let (mut scene, glass) = described(random, (S, C));
     scene
         .add_plane([0.0, 0.0, -1.1], [0.0, 0.0, 1.0], glass)
         .unwrap();
     scene
         .add_plane(random.point().map(|x| 3.0 * x), random.point(), glass)
         .unwrap();
-    for place in [random.point(), random.point().map(|x| 4.0 * x)] {
-        scene.add_light(place, [0.5, 0.5, 0.5]).unwrap();
-    }
     scene.build().unwrap()
 }
 
+/// A crowd in a scene with room for more of everything.
+fn roomy_crowd(random: &mut Random) -> Crowd<40, 24> {
+    let (mut scene, glass) = described(random, (18, 9));
+    scene
+        .add_plane([0.0, 0.0, -1.1], [0.0, 0.0, 1.0], glass)
+        .unwrap();
+    scene.build().unwrap()
+}
+
+/// A camera that looks at the middle of a crowd.
+fn camera(random: &mut Random, position: [f64; 3]) -> Camera {
+    let fov = 60.0 + 50.0 * random.number();
+    Camera::new(position, [0.0; 3], [0.1, 0.2, 1.0], fov).unwrap()
+}
+
 #[test]
-fn rows_and_cells_of_crowded_scenes_miss_no_shape() {
+fn rows_of_crowded_scenes_miss_no_shape() {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     for round in 0..6 {
-        let scene = crowd(&mut random);
+        // More shapes than a mask has bits and rows have room for, and few enough for both.
+        let (many, few) = (crowd::<100, 40>(&mut random), crowd::<24, 8>(&mut random));
+        let (tubes, roomy) = (crowd::<0, 12>(&mut random), roomy_crowd(&mut random));
         let position = random.point().map(|x| 2.5 * x);
-        let fov = 60.0 + 50.0 * random.number();
-        let camera = Camera::new(position, [0.0; 3], [0.1, 0.2, 1.0], fov).unwrap();
-        compare(&scene, &camera, &format!("crowd {round}"));
+        let camera = camera(&mut random, position);
+        compare(&many, &camera, &format!("crowd {round}"));
+        compare(&few, &camera, &format!("small crowd {round}"));
+        compare(&tubes, &camera, &format!("crowd of cylinders {round}"));
+        compare(&roomy, &camera, &format!("crowd with room {round}"));
     }
+}
+
+/// A position within a share of its radius of a sphere's middle, on every axis.
+fn about<W: World>(world: &W, random: &mut Random, share: f64, sphere: usize) -> [f64; 3] {
+    let (parts, aside) = (world.parts(), random.point());
+    let (center, radius) = parts.spheres[sphere].ball();
+    let center = [center.x, center.y, center.z].map(f64::from);
+    let aside = aside.map(|it| share * it * f64::from(radius));
+    let step = 2_f64.powi(-parts.grid.fraction_bits());
+    let middle = parts.grid.middle().0.map(|it| it.to_f64());
+    [0, 1, 2].map(|it| middle[it] + step * (center[it] + aside[it]))
+}
+
+#[test]
+fn rows_that_show_a_rim_large_miss_no_shape() {
+    let mut random = Random(0xa54f_f53a_5f1d_36f1);
+    for round in 0..40 {
+        let scene = crowd::<24, 8>(&mut random);
+        let position = random.point().map(|x| 2.5 * x);
+        let target = about(&scene, &mut random, 1.2, round % 24);
+        // A sphere is wider than the picture.
+        let camera = Camera::new(position, target, [0.1, 0.2, 1.0], 0.6).unwrap();
+        compare(&scene, &camera, &format!("rim {round}"));
+    }
+}
+
+#[test]
+fn rows_seen_from_far_away_miss_no_shape() {
+    let mut random = Random(0x6a09_e667_f3bc_c908);
+    for round in 0..3 {
+        let scene = crowd::<24, 8>(&mut random);
+        let camera = Camera::new([900.0, 700.0, 500.0], [0.0; 3], [0.0, 0.0, 1.0], 0.2).unwrap();
+        let from = scene.parts().grid.place(camera.description().position);
+        assert!(!from.is_near());
+        compare(&scene, &camera, &format!("far crowd {round}"));
+    }
+}
+
+#[test]
+fn rows_seen_from_inside_a_sphere_miss_no_shape() {
+    let mut random = Random(0xbb67_ae85_84ca_a73b);
+    for round in 0..4 {
+        // Inside of one of the spheres of the crowd, which others reach into.
+        let scene = crowd::<100, 40>(&mut random);
+        let position = about(&scene, &mut random, 0.5, round);
+        let inside = camera(&mut random, position);
+        is_inside(&scene, &inside);
+        compare(&scene, &inside, &format!("inside of the crowd {round}"));
+
+        // Inside of a sphere around everything; behind it nothing can be seen.
+        let (mut scene, glass) = described::<61, 20>(&mut random, (60, 20));
+        scene.add_sphere([0.1, 0.2, 0.3], 3.5, glass).unwrap();
+        scene
+            .add_plane([0.0, 0.0, -0.8], [0.0, 0.1, 1.0], glass)
+            .unwrap();
+        let scene = scene.build().unwrap();
+        let position = random.point().map(|x| 1.5 * x);
+        let inside = camera(&mut random, position);
+        is_inside(&scene, &inside);
+        compare(&scene, &inside, &format!("crowd inside {round}"));
+    }
+}
+
+/// Fails unless a camera stands inside of a sphere.
+fn is_inside<W: World>(world: &W, camera: &Camera) {
+    let from = world.parts().grid.place(camera.description().position);
+    let mut spheres = world.parts().spheres.iter();
+    assert!(spheres.any(|sphere| sphere.seen_from(from.point).is_around()));
+}
+
+/// Whether any sphere or cylinder of all lies between a light and what is `distance` away from it
+/// in a direction: the same as [`blocked_from`], with every shape asked.
+fn blocked_by_any<W: World>(
+    world: &W,
+    spot: &W::Lamp,
+    direction: Direction,
+    distance: Length,
+    left: Option<&PreparedCylinder>,
+) -> bool {
+    let parts = world.parts();
+    let spheres = spot.spheres().iter().take(parts.spheres.len());
+    let mut cylinders = parts.cylinders.iter().zip(spot.cylinders());
+    spheres
+        .clone()
+        .any(|seen| seen.is_before(direction, distance))
+        || cylinders.any(|(cylinder, seen)| {
+            let is_left = left.is_some_and(|left| core::ptr::eq(left, cylinder));
+            let met = cylinder.met(seen, direction, parts.epsilon, distance);
+            !is_left && met.is_some()
+        })
+}
+
+/// Asks in many directions what the cells around a scene's lights know and what all shapes say;
+/// how often a light was hidden, and how often it was not.
+fn asked<W: World>(world: &W, random: &mut Random) -> [u32; 2] {
+    let mut counts = [0; 2];
+    let cylinders = world.parts().cylinders;
+    for spot in world.lamps().iter().filter(|it| it.lamp().is_plain) {
+        for round in 0..4000 {
+            // As far as can be seen to all sides, or to a place among the shapes.
+            let light = spot.lamp().light.place;
+            let (direction, reach) = match round % 2 {
+                0 => (Position::new(random.point()).direction().unwrap(), REACH),
+                _ => {
+                    let place = world.parts().grid.place(Position::new(random.point()));
+                    light.to(place).0.direction_and_length()
+                }
+            };
+            let left = cylinders.get(round % (2 * cylinders.len() + 1));
+            let all = blocked_by_any(world, spot, direction, reach, left);
+            let some = blocked_from(world, spot, direction, reach, left);
+            assert_eq!(some, all, "{direction:?} {reach:?} {left:?}");
+            counts[usize::from(all)] += 1;
+        }
+    }
+    counts
 }
 
 #[test]
 fn cells_miss_no_shape() {
-    use crate::ray::{REACH, Ray};
-    use crate::scene::mask::Mask;
-    use crate::scene::query::blocked_by_bounded;
-    use crate::vector::Position;
     let mut random = Random(0x2545_f491_4f6c_dd1d);
-    let mut blocked = 0;
-    for _ in 0..4 {
-        let scene = crowd(&mut random);
-        for lamp in scene.parts().lamps {
-            for _ in 0..4000 {
-                let direction = Position::new(random.point()).direction().unwrap();
-                let ray = Ray {
-                    origin: lamp.light.place.point,
-                    direction,
-                };
-                let all = blocked_by_bounded(&scene, Mask::ALL, &ray, REACH);
-                let mask = lamp.cells.mask(direction);
-                assert_eq!(
-                    blocked_by_bounded(&scene, mask, &ray, REACH),
-                    all,
-                    "{ray:?}"
-                );
-                blocked += u32::from(all);
-            }
+    // Runs of shapes, a bit for each shape, also with room for more, and so few that all are asked.
+    let mut counts = [[0; 2]; 4];
+    for _ in 0..6 {
+        let asked = [
+            asked(&crowd::<100, 40>(&mut random), &mut random),
+            asked(&crowd::<30, 20>(&mut random), &mut random),
+            asked(&roomy_crowd(&mut random), &mut random),
+            asked(&crowd::<2, 1>(&mut random), &mut random),
+        ];
+        for (sum, counts) in counts.iter_mut().zip(asked) {
+            *sum = [0, 1].map(|it| sum[it] + counts[it]);
         }
     }
-    assert!(blocked > 4000, "too few shapes to say anything: {blocked}");
+    let [runs, bits, roomy, few] = counts.map(|[clear, hidden]| clear.min(hidden));
+    assert!(
+        runs > 4000 && bits > 2000 && roomy > 500 && few > 20,
+        "too few to say anything: {counts:?}"
+    );
 }
+
+/// Whether what a light that stands clear hides is told alike by the way from it and by the way to it,
+/// at what a camera sees of a scene without planes; counted are lights that are hidden or not, and
+/// where rounding decided.
+fn told<W: World>(world: &W, random: &mut Random) -> [u32; 3] {
+    let parts = world.parts();
+    let mut counts = [0; 3];
+    let from = parts
+        .grid
+        .place(Position::new(random.point().map(|x| 2.5 * x)));
+    let view = View::new(world, from);
+    for _ in 0..10_000 {
+        let towards = parts.grid.place(Position::new(random.point()));
+        let (direction, _) = from.to(towards).0.direction_and_length();
+        let Some((at, shape)) = first(world, &Path::new(from, direction), ShapeNumber::NONE) else {
+            continue;
+        };
+        let surface = Surface::new(world, at, shape, direction).unwrap();
+        for (light, spot) in world.lamps().iter().enumerate() {
+            if view.standing(light) != Standing::Clear {
+                continue;
+            }
+            let lamp = spot.lamp();
+            let to_light = |from: Place| {
+                let (direction, distance) = from.to(lamp.light.place).0.direction_and_length();
+                (Path::new(from, direction), distance)
+            };
+            let general = |from: Place| {
+                let (path, distance) = to_light(from);
+                blocked(world, &path, shape, lamp, distance, 0)
+            };
+            let (path, distance) = to_light(surface.place);
+            if surface.normal.dot(path.direction()) <= Unit::ZERO {
+                continue;
+            }
+            let way = path.direction().reversed();
+            let hidden = blocked_from(world, spot, way, distance, surface.cylinder);
+            if general(surface.place) == hidden {
+                counts[usize::from(hidden)] += 1;
+                continue;
+            }
+            counts[2] += 1;
+            // Rounding decides if it does so a few steps aside.
+            let Point { x, y, z } = surface.place.point;
+            let aside = (0..200).any(|_| {
+                let [dx, dy, dz] = random.point().map(|it| (it * 64.0) as i32);
+                general(Place::new(Point::new(x + dx, y + dy, z + dz), 0)) == hidden
+            });
+            assert!(aside, "{hidden}: {surface:?} {:?}", lamp.light);
+        }
+    }
+    counts
+}
+
+#[test]
+fn clear_lights_are_hidden_by_what_blocks_the_way_to_them() {
+    let mut random = Random(0x510e_527f_ade6_82d1);
+    let mut counts = [0; 3];
+    for _ in 0..20 {
+        let (mut many, _) = described::<100, 40>(&mut random, (100, 40));
+        let (mut few, _) = described::<5, 12>(&mut random, (5, 12));
+        many.set_epsilon(1e-6).unwrap();
+        few.set_epsilon(1e-6).unwrap();
+        let told = [
+            told(&many.build().unwrap(), &mut random),
+            told(&few.build().unwrap(), &mut random),
+        ];
+        for told in told {
+            counts = [0, 1, 2].map(|it| counts[it] + told[it]);
+        }
+    }
+    let [clear, hidden, close] = counts;
+    assert!(
+        clear > 10_000 && hidden > 10_000 && close < 10,
+        "{counts:?}"
+    );
+}
+
+mod planes;

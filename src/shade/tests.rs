@@ -1,8 +1,7 @@
 use super::*;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
-use crate::scene::mask::Mask;
-use crate::scene::query::nearest;
+use crate::scene::query::first;
 use crate::scene::{RuntimeScene, Scene, World};
 use crate::vector::Position;
 
@@ -11,6 +10,18 @@ type Built = Scene<2, 2, 1, 4, 2>;
 
 /// A step of Q6.26.
 const STEP: f64 = 1.0 / (1 << 26) as f64;
+
+/// What is lost where two colours are multiplied: the product is rounded down to this.
+const TINT: f64 = 1.0 / (1 << 20) as f64;
+
+/// What the length of a normal is known to where a sphere with a radius of 2²⁴ steps is met head-on
+/// along an axis: a distance is known to a step or two, and a coordinate is rounded to an even one.
+const LENGTH: f64 = 4.0 / (1 << 24) as f64;
+
+/// What a colour is known to where the light comes from straight ahead and half of it is scattered:
+/// it is multiplied with the light and with the material, and the cosine is one but for the length of
+/// the normal.
+const STRAIGHT: f64 = 2.0 * TINT + 0.5 * LENGTH;
 
 fn scenery(material: Material, fill: impl FnOnce(&mut Scenery)) -> Built {
     let mut scene = Scenery::new();
@@ -25,8 +36,10 @@ fn seen<K: sealed::Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) ->
     let parts = scene.parts();
     let from = parts.grid.place(Position::new(from));
     let direction = Position::new(towards).direction().unwrap();
-    let hit = nearest(scene, Mask::ALL, &Path { from, direction }, None).unwrap();
-    let color = K::color(scene, &Surface::new(scene, &hit, direction));
+    let path = Path::new(from, direction);
+    let (at, shape) = first(scene, &path, ShapeNumber::NONE).unwrap();
+    let surface = Surface::new(scene, at, shape, direction).unwrap();
+    let color = K::color(scene, &View::new(scene, from), &surface);
     color
         .components()
         .map(|component| component.to_num::<f64>())
@@ -58,11 +71,11 @@ fn light_overhead_is_scattered_whole() {
     let scene = scenery(RED, |scene| {
         scene.add_light([9, 0, 0], [1.0, 1.0, 0.5]).unwrap()
     });
-    // The cosine is one but for 2^-27.
+    assert_eq!(scene.parts().grid.fraction_bits(), 24);
     assert_color(
         facing::<BlinnPhong>(&scene),
         [0.625, 0.15625, 0.0],
-        8.0 * STEP,
+        STRAIGHT,
     );
 }
 
@@ -174,9 +187,11 @@ fn floor_darkens_evenly_to_black_where_the_light_sinks_into_it() {
         let rest: f64 = height - 0.001;
         let cosine = rest / (16.0 + rest * rest).sqrt();
         let found = floor_lit_from([-4.0, 0.0, height], |_| {});
-        // Epsilon is rounded to a step of 2^-24, which counts a quarter at a distance of 4.
+        // The light's colour is multiplied, and what it is multiplied with rounded down to 2^-24.
+        // Epsilon and the light's height are rounded to half a step of 2^-21, which counts a quarter
+        // at a distance of 4.
         assert!(
-            (found - cosine).abs() <= 2f64.powi(-24),
+            (found - cosine).abs() <= TINT + 3.0 * 2f64.powi(-24) + 2f64.powi(-28),
             "{found}, not {cosine}, at {height}"
         );
     }
@@ -268,7 +283,7 @@ fn inside_of_a_surface_is_lit_from_inside() {
     for (light, truth) in [([0, 0, 0], 0.625), ([9, 0, 0], 0.125)] {
         let scene = scenery(RED, |scene| scene.add_light(light, [1, 1, 1]).unwrap());
         let [red, ..] = seen::<BlinnPhong>(&scene, [0.5, 0.0, 0.0], [1.0, 0.0, 0.0]);
-        assert!((red - truth).abs() <= 8.0 * STEP, "{red}, not {truth}");
+        assert!((red - truth).abs() <= STRAIGHT, "{red}, not {truth}");
     }
 }
 
@@ -294,9 +309,12 @@ fn highlight_is_whole_in_the_mirror_direction_and_for_all_kinds() {
     let scene = scenery(glossy, |scene| {
         scene.add_light([9, 0, 0], [1, 1, 1]).unwrap()
     });
-    // A cosine of one is known to 2^-27, and its power ten times worse.
-    assert_color(facing::<BlinnPhong>(&scene), [0.5; 3], 16.0 * STEP);
-    assert_color(facing::<Phong>(&scene), [0.5; 3], 16.0 * STEP);
+    assert_eq!(scene.parts().grid.fraction_bits(), 24);
+    // A cosine of one is known to 2^-27, and its power ten times worse; two products follow. What the
+    // normal is too short counts once in the half-way cosine, and four times in 2 (n·l) (n·v) - l·v.
+    let bound = |times: f64| 16.0 * STEP + 2.0 * TINT + 0.5 * 9.5 * times * LENGTH;
+    assert_color(facing::<BlinnPhong>(&scene), [0.5; 3], bound(1.0));
+    assert_color(facing::<Phong>(&scene), [0.5; 3], bound(4.0));
 }
 
 #[test]
@@ -356,12 +374,19 @@ fn half_way_cosine_is_the_one_of_the_half_way_vector() {
         let sum = [0, 1, 2].map(|axis| light[axis] + viewer[axis]);
         let length = dot(sum, sum).sqrt();
         let truth = sum[2] / length;
-        let found = half_way_cosine(&cosines).to_num::<f64>();
-        // A root is known to 2^-27.5; where light and viewer face each other, the sum of the two
-        // is short, and what is rounded counts more.
-        let bound = 2f64.powi(-27) + 2f64.powi(-28) / length + 2f64.powi(-28) / (length * length);
+        let square = half_way_square(&cosines);
+        // A quotient is known to 2^-26 of it and rounded to a last place. With s = n·l + n·v, known
+        // to two last places, and L the length of the sum of light and viewer, which is at least s:
+        // s² / 4 is known to s + 1 last places and L² / 4 to 3/2. Where light and viewer face each
+        // other, L is short, and what is rounded counts more.
+        let rounded = (length + 2.5) * 2f64.powi(-28) / (length * length);
+        let bound = 2f64.powi(-26) + 2f64.powi(-30) + rounded;
+        let off = (square.to_num::<f64>() - truth * truth).abs();
+        assert!(off <= bound, "{off:e}: {light:?} {viewer:?}");
+        // a² - b² = (a - b) (a + b); a root is known to 2^-27 of it.
+        let found = root_of_unit(square).to_num::<f64>();
         assert!(
-            (found - truth).abs() <= bound,
+            (found - truth).abs() <= bound / (found + truth) + 2f64.powi(-27) + 2f64.powi(-30),
             "{found}, not {truth}: {light:?} {viewer:?}"
         );
     }

@@ -1,12 +1,14 @@
 //! Open finite cylinders without caps.
 //!
-//! The ray is looked at along the axis: in the plane across it the cylinder is a circle. The
-//! direction across, d × axis, is worked out exactly and normalised, so a ray that runs almost
-//! along the axis keeps all its bits (Cychosz and Waggenspack, "Intersecting a ray with a
-//! cylinder", Graphics Gems IV).
+//! The ray is looked at along the axis: in the plane across it the cylinder is a circle. How far
+//! the ray's line passes from the axis is measured by a cross product of axis and origin, which is
+//! worked out once for all rays from one point.
 
 use super::{MaterialId, Normaliser};
-use crate::number::{Length, Number, reciprocal_root, scaled_by_unit, square_root, unit_shift};
+use crate::number::{
+    Length, Number, Unit, high, high_unsigned, ratio, reciprocal_root, scaled_by_unit, square_root,
+    unit_product, unit_shift, wide,
+};
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -40,14 +42,49 @@ impl Cylinder {
 pub struct PreparedCylinder {
     center: Point,
     axis: Direction,
-    /// radius²
-    square: i64,
+    radius: i32,
+    /// (radius << lift)² · 2⁻³⁰: 2²⁸ to 2³⁰.
+    lifted_square: i32,
     half_height: i32,
-    /// At least the distance from the middle to the rim.
-    bound: i32,
     normaliser: Normaliser,
     pub(crate) material: MaterialId,
 }
+
+/// A cylinder as the rays from one point see it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SeenCylinder {
+    /// From the point to the middle of the cylinder.
+    way: Vector,
+    /// axis × way: its length along a ray is how far the ray's line passes from the axis's, times
+    /// the sine of the angle between them.
+    across: Vector,
+    /// way · axis
+    rise: i32,
+}
+
+impl SeenCylinder {
+    /// Fills the room of a cylinder that a scene's type allows but the scene does not use.
+    pub(crate) const NONE: Self = Self {
+        way: Vector::ZERO,
+        across: Vector::ZERO,
+        rise: 0,
+    };
+}
+
+/// Where a line goes through the endless cylinder: `ahead` ± `half_chord`, measured across the
+/// axis and times `flat` sine of the angle between line and axis.
+struct Crossing {
+    ahead: i32,
+    half_chord: i32,
+    /// The cosine of the angle between line and axis.
+    climb: Unit,
+    /// The square of the sine, Q2.30.
+    flat: i32,
+}
+
+/// Rays closer to the axis than this (the square of the sine is below 1/16) are measured with the
+/// direction across the axis normalised.
+const STEEP: i32 = 1 << 26;
 
 impl PreparedCylinder {
     /// Fills the room of a cylinder that a scene's type allows but the scene does not use.
@@ -67,14 +104,15 @@ impl PreparedCylinder {
         half_height: Length,
         material: MaterialId,
     ) -> Self {
-        let (raw, half) = (radius.to_bits(), half_height.to_bits());
+        let normaliser = Normaliser::new(radius);
+        let lifted = radius.to_bits() << normaliser.lift;
         Self {
             center,
             axis,
-            square: raw as i64 * raw as i64,
-            half_height: half,
-            bound: raw + half,
-            normaliser: Normaliser::new(radius),
+            radius: radius.to_bits(),
+            lifted_square: (wide(lifted, lifted) >> 30) as i32,
+            half_height: half_height.to_bits(),
+            normaliser,
             material,
         }
     }
@@ -88,43 +126,137 @@ impl PreparedCylinder {
             scaled_by_unit(half, y),
             scaled_by_unit(half, z),
         );
-        (self.center, half_axis, self.bound - half)
+        (self.center, half_axis, self.radius)
     }
 
-    /// The distance at which the ray first meets the wall, from outside or from inside, above 0
+    /// Whether a ray from a near point passes by the ball around the cylinder.
+    #[inline(always)]
+    pub(crate) fn is_passed_by(&self, ray: &Ray) -> bool {
+        let way = ray.origin.to(self.center);
+        let bound = self.radius + self.half_height;
+        way.passes_by(way.dot(ray.direction), bound)
+    }
+
+    /// As seen from a near point.
+    pub(crate) const fn seen_from(&self, origin: Point) -> SeenCylinder {
+        let way = origin.to(self.center);
+        SeenCylinder {
+            way,
+            across: self.axis.crossed_with(way),
+            rise: way.dot(self.axis),
+        }
+    }
+
+    /// The distance at which a ray meets the wall first, from outside or from inside, above `start`
     /// and below `reach`.
-    pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
-        let center = ray.origin.to(self.center);
-        let along = center.dot(ray.direction);
-        if along < -self.bound || along - self.bound > reach.to_bits() {
+    ///
+    /// With d the direction and s the square of its sine to the axis, the distances are the roots
+    /// of s t² - 2 t way · (d - (d · axis) axis) + ..., whose discriminant is r² s - (across · d)².
+    /// A division is left to what lies on the wall.
+    #[inline(always)]
+    pub(crate) fn met(
+        &self,
+        seen: &SeenCylinder,
+        direction: Direction,
+        start: Length,
+        reach: Length,
+    ) -> Option<Length> {
+        let sideways = seen.across.dot(direction);
+        if sideways.unsigned_abs() > self.radius as u32 {
             return None;
         }
-        // |across| = sin(ray, axis) · 2^(60 - shift)
-        let (across, shift) = ray.direction.cross(self.axis)?;
-        let (up, mantissa) = unit_shift(across.square());
-        let root = reciprocal_root(mantissa);
-        let across = Direction::lengthened(across, up, root);
-        let sideways = i64::from(center.dot(across));
-        let half_chord_square = self.square - sideways * sideways;
+        self.met_beside(seen, direction, sideways, start, reach)
+    }
+
+    /// The same for a line that passes `sideways` from the axis, times the sine.
+    #[inline(never)]
+    fn met_beside(
+        &self,
+        seen: &SeenCylinder,
+        direction: Direction,
+        sideways: i32,
+        start: Length,
+        reach: Length,
+    ) -> Option<Length> {
+        let climb = direction.dot(self.axis);
+        let flat = (1 << 30) - unit_product(climb, climb).to_bits();
+        if flat < STEEP {
+            return self.met_steeply(seen, direction, start, reach);
+        }
+        let lifted = sideways << self.normaliser.lift;
+        let half_chord_square = high(self.lifted_square, flat) - high(lifted, lifted);
         if half_chord_square < 0 {
             return None;
         }
-        let half_chord = i64::from(square_root(half_chord_square as u64));
-        let ahead = i64::from(center.dot(self.axis.crossed(across)));
-        let climb = ray.direction.dot(self.axis);
-        let base = center.dot(self.axis);
+        let crossing = Crossing {
+            ahead: seen.way.dot(direction) - scaled_by_unit(seen.rise, climb),
+            half_chord: root_of_lifted(half_chord_square as u32, self.normaliser.lift),
+            climb,
+            flat,
+        };
+        [-crossing.half_chord, crossing.half_chord]
+            .into_iter()
+            .find_map(|half_chord| {
+                let ahead = crossing.ahead + half_chord;
+                if ahead <= 0 || ahead >= crossing.flat || !self.is_wall(seen, &crossing, ahead) {
+                    return None;
+                }
+                let distance = Length::from_bits(ratio(ahead as u32, crossing.flat as u32));
+                (start < distance && distance < reach).then_some(distance)
+            })
+    }
+
+    /// Whether what is met `ahead` lies between the rims.
+    #[inline(always)]
+    fn is_wall(&self, seen: &SeenCylinder, crossing: &Crossing, ahead: i32) -> bool {
+        let height = wide(ahead, crossing.climb.to_bits()) - wide(seen.rise, crossing.flat);
+        height.abs() <= wide(self.half_height, crossing.flat)
+    }
+
+    /// The same for rays almost along the axis. The direction across, d × axis, is worked out
+    /// exactly and normalised, so that all bits are kept (Cychosz and Waggenspack, "Intersecting a
+    /// ray with a cylinder", Graphics Gems IV).
+    #[cold]
+    fn met_steeply(
+        &self,
+        seen: &SeenCylinder,
+        direction: Direction,
+        start: Length,
+        reach: Length,
+    ) -> Option<Length> {
+        // |across| = sin(ray, axis) · 2^(60 - shift)
+        let (across, shift) = direction.cross(self.axis)?;
+        let (up, mantissa) = unit_shift(across.square());
+        let root = reciprocal_root(mantissa);
+        let across = Direction::lengthened(across, up, root);
+        let sideways = seen.way.dot(across);
+        let half_chord_square = wide(self.radius, self.radius) - wide(sideways, sideways);
+        if half_chord_square < 0 {
+            return None;
+        }
+        let half_chord = square_root(half_chord_square as u64);
+        let ahead = seen.way.dot(self.axis.crossed(across));
+        let climb = direction.dot(self.axis);
         // Distances across the axis grow by 1 / sin(ray, axis) along the ray.
         let down = shift + 1 - up;
         [ahead - half_chord, ahead + half_chord]
             .into_iter()
             .find_map(|flat| {
-                let distance = (flat * i64::from(root)) >> down;
-                if distance <= 0 || distance >= i64::from(reach.to_bits()) {
+                let distance = wide(flat, root) >> down;
+                if distance <= i64::from(start.to_bits()) || distance >= i64::from(reach.to_bits())
+                {
                     return None;
                 }
-                let height = scaled_by_unit(distance as i32, climb) - base;
+                let height = scaled_by_unit(distance as i32, climb) - seen.rise;
                 (height.abs() <= self.half_height).then_some(Length::from_bits(distance as i32))
             })
+    }
+
+    /// The distance at which the ray first meets the wall, from outside or from inside, above 0
+    /// and below `reach`.
+    pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
+        let seen = self.seen_from(ray.origin);
+        self.met(&seen, ray.direction, Length::from_bits(0), reach)
     }
 
     /// Whether the ray meets the wall above 0 and below `reach`.
@@ -138,6 +270,17 @@ impl PreparedCylinder {
         self.normaliser
             .direction(outward.without(self.axis, outward.dot(self.axis)))
     }
+}
+
+/// √(`square` · 2³²) >> `lift`, for a square below 2²⁸.
+#[inline(always)]
+fn root_of_lifted(square: u32, lift: u32) -> i32 {
+    let square = square | 1;
+    let zeros = square.leading_zeros() & !1;
+    let mantissa = square << zeros;
+    // √mantissa · 2¹⁴
+    let root = high_unsigned(mantissa, reciprocal_root(mantissa) as u32);
+    (root >> (zeros / 2 + lift - 2)) as i32
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ pub mod plane;
 pub mod sphere;
 
 use crate::number::Unit;
-use crate::number::{Length, divide};
+use crate::number::{Length, divide, high};
 use crate::vector::{Direction, Vector};
 
 /// Names a material of one scene.
@@ -28,47 +28,57 @@ impl MaterialId {
 struct Normaliser {
     /// How far a vector of the length is shifted left to have 2²⁹ to 2³⁰.
     lift: u32,
-    /// 2⁵⁹ / (length << lift), above 2²⁹, at most 2³⁰.
+    /// 2⁶⁰ / (length << lift), above 2³⁰, below 2³¹.
     inverse: i32,
 }
+
+/// Vectors shorter than 2¹⁸ steps, which are lifted by more than this, are made as long as one by
+/// their own length: rounded coordinates do not have the length of the shape any more.
+const LIFT: u32 = 11;
 
 impl Normaliser {
     const fn new(length: Length) -> Self {
         let length = length.to_bits() as u32;
         let lift = length.leading_zeros() - 2;
         let lifted = (length << lift) as i64;
-        let quotient = divide(1 << 59, lifted as u32);
+        let quotient = divide(1 << 60, lifted as u32);
         let estimate = (quotient.mantissa >> -quotient.exponent) as i64;
         // One Newton step leaves the last bit.
-        let residue = (1_i64 << 59) - lifted * estimate;
-        let inverse = estimate + ((residue * estimate + (1 << 58)) >> 59);
+        let residue = (1_i64 << 60) - lifted * estimate;
+        let inverse = estimate + (((residue >> 8) * estimate + (1 << 51)) >> 52);
         Self {
             lift,
-            inverse: if inverse > 1 << 30 {
-                1 << 30
+            inverse: if inverse > i32::MAX as i64 {
+                i32::MAX
             } else {
                 inverse as i32
             },
         }
     }
 
-    /// The direction of `vector`, whose length is the one given, but for a few steps.
+    /// The direction of `vector`, whose length is the one given, but for a few steps; its length is
+    /// within 2⁻¹⁶ of one.
+    #[inline(always)]
     const fn direction(&self, vector: Vector) -> Direction {
-        // A radius below 2^16 steps: rounding moves the length by more than one Newton step mends.
-        if self.lift > 13 {
-            let Vector { x, y, z } = vector;
-            let lifted = Vector::new(x << self.lift, y << self.lift, z << self.lift);
-            return lifted.precise_direction();
+        if self.lift > LIFT {
+            return self.precise_direction(vector);
         }
         Direction {
             x: self.coordinate(vector.x),
             y: self.coordinate(vector.y),
             z: self.coordinate(vector.z),
         }
-        .renormalised()
     }
 
+    /// The same for short vectors.
+    #[cold]
+    const fn precise_direction(&self, vector: Vector) -> Direction {
+        let Vector { x, y, z } = vector;
+        Vector::new(x << self.lift, y << self.lift, z << self.lift).precise_direction()
+    }
+
+    #[inline(always)]
     const fn coordinate(&self, raw: i32) -> Unit {
-        Unit::from_bits((((raw << self.lift) as i64 * self.inverse as i64) >> 29) as i32)
+        Unit::from_bits(high(raw << self.lift, self.inverse) << 2)
     }
 }

@@ -1,9 +1,9 @@
 //! Infinite planes.
 
 use super::MaterialId;
-use crate::number::{Length, Quotient, divide};
-use crate::ray::{Path, Ray};
-use crate::vector::{Direction, Point, Position};
+use crate::number::{Length, Quotient, divide, quarter_quotient, wide_unsigned};
+use crate::ray::{Path, Place, Ray};
+use crate::vector::{Direction, Point, Position, Vector};
 
 /// A plane as it is described.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +40,52 @@ pub struct PreparedPlane {
 /// The largest offset that near rays work with.
 const MAX_OFFSET: i64 = 1 << 61;
 
+/// Where a place lies, as a plane sees it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// Where the normal points.
+    Above,
+    /// On the other side.
+    Below,
+    /// Within epsilon.
+    Close,
+    /// In the plane, as far as can be told.
+    In,
+}
+
+/// How a ray comes down on a plane: the distance is the height over the descent.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Approach {
+    /// With 30 more fraction bits than a step.
+    height: u64,
+    /// How much height is lost a step, Q4.28.
+    descent: u32,
+}
+
+impl Approach {
+    /// Of what is met at a distance.
+    #[inline(always)]
+    pub(crate) const fn at(distance: Length) -> Self {
+        Self {
+            height: (distance.to_bits() as u64) << 30,
+            descent: 1 << 28,
+        }
+    }
+
+    /// Whether this meets its plane before another, with heights in steps of 4; no division.
+    #[inline(always)]
+    pub(crate) const fn is_before(&self, other: &Self) -> bool {
+        let (a, b) = ((self.height >> 32) as u32, (other.height >> 32) as u32);
+        wide_unsigned(a, other.descent) < wide_unsigned(b, self.descent)
+    }
+
+    /// The distance, which is below 2³⁰.
+    #[inline(always)]
+    pub(crate) const fn distance(&self) -> Length {
+        Length::from_bits(quarter_quotient(self.height, self.descent) as i32)
+    }
+}
+
 impl PreparedPlane {
     /// Fills the room of a plane that a scene's type allows but the scene does not use.
     pub(crate) const NONE: Self = Self::new(Direction::X, 0, 0, MaterialId(0));
@@ -73,13 +119,38 @@ impl PreparedPlane {
         point.to_vector().dot_wide(self.normal) - self.offset
     }
 
+    /// Where the rays that this plane mirrors seem to come from: a near point mirrored in it, and
+    /// lifted by epsilon to the side it was on. `None` where that is not near for sure.
+    pub(crate) fn mirrored(&self, origin: Point, epsilon: Length) -> Option<Point> {
+        let height = i32::try_from(self.height(origin) >> 30).ok()?;
+        if height.unsigned_abs() > 1 << 28 {
+            return None;
+        }
+        let lift = epsilon.to_bits() * if height < 0 { -1 } else { 1 };
+        let Vector { x, y, z } = origin.to_vector().without(self.normal, 2 * height - lift);
+        let place = Place::new(Point::new(x, y, z), 0);
+        place.is_near().then_some(place.point)
+    }
+
+    /// How the ray comes down on the plane, if it does.
+    #[inline(always)]
+    pub(crate) fn approach(&self, ray: &Ray) -> Option<Approach> {
+        let climb = ray.direction.raw().quarter_dot(self.normal);
+        let height = self.height(ray.origin);
+        let comes_down = (climb ^ (height >> 32) as i32) < 0 && height != 0;
+        comes_down.then_some(Approach {
+            height: height.unsigned_abs(),
+            descent: climb.unsigned_abs(),
+        })
+    }
+
     /// The distance at which the ray meets the plane, below `reach`.
+    #[cfg(test)]
     pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
-        let (height, descent) = self.crossing(ray, reach)?;
-        let Quotient { mantissa, exponent } = divide(height, descent);
-        // Below reach, so the exponent is at most 0; -32 and less leave nothing.
-        let distance = mantissa.checked_shr(-exponent as u32).unwrap_or(0);
-        Some(Length::from_bits(distance as i32))
+        let approach = self.approach(ray)?;
+        approach
+            .is_before(&Approach::at(reach))
+            .then(|| approach.distance())
     }
 
     /// Whether the ray meets the plane above 0 and below `reach`; no division.
@@ -97,8 +168,8 @@ impl PreparedPlane {
 
     /// The distance in raw steps at which a path from any place meets the plane, below 2⁶².
     pub(crate) fn intersect_far(&self, path: &Path) -> Option<u64> {
-        let (height, scale) = self.height_far(path);
-        let climb = path.direction.dot(self.normal).to_bits();
+        let (height, scale) = self.height_far(path.from());
+        let climb = path.direction().dot(self.normal).to_bits();
         let (height, descent) = descent(height, climb)?;
         let Quotient { mantissa, exponent } = divide(height, descent);
         match exponent + scale as i32 {
@@ -108,22 +179,36 @@ impl PreparedPlane {
         }
     }
 
-    /// How far the start of a path lies along the normal from the plane, with 30 more fraction
-    /// bits, and the scale this is in.
-    fn height_far(&self, path: &Path) -> (i64, u32) {
-        let scale = path.from.scale.max(self.far_scale);
-        let along = path.from.point.to_vector().dot_wide(self.normal);
+    /// How far a place lies along the normal from the plane, with 30 more fraction bits, and the
+    /// scale this is in.
+    fn height_far(&self, place: Place) -> (i64, u32) {
+        let scale = place.scale.max(self.far_scale);
+        let along = place.point.to_vector().dot_wide(self.normal);
         let shifted = |value: i64, from: u32| value >> (scale - from).min(63);
         (
-            shifted(along, path.from.scale) - shifted(self.far_offset, self.far_scale),
+            shifted(along, place.scale) - shifted(self.far_offset, self.far_scale),
             scale,
         )
     }
 
+    /// Where a place lies.
+    pub(crate) fn side(&self, place: Place, epsilon: Length) -> Side {
+        let (height, scale) = self.height_far(place);
+        // A few steps of the scale, for what rounding has moved.
+        const IN: i64 = 4;
+        let close = i64::from(epsilon.to_bits() >> scale.min(31)) + IN;
+        match height >> 30 {
+            steps if steps.abs() <= IN => Side::In,
+            steps if steps > close => Side::Above,
+            steps if steps < -close => Side::Below,
+            _ => Side::Close,
+        }
+    }
+
     /// Whether a path meets the plane before it has gone `reach` · 2^`scale` steps; no division.
     pub(crate) fn blocks_far(&self, path: &Path, reach: Length, scale: u32) -> bool {
-        let (height, height_scale) = self.height_far(path);
-        let climb = path.direction.dot(self.normal).to_bits();
+        let (height, height_scale) = self.height_far(path.from());
+        let climb = path.direction().dot(self.normal).to_bits();
         let Some((height, descent)) = descent(height, climb) else {
             return false;
         };

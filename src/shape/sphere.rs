@@ -6,7 +6,7 @@
 //! count, so a small sphere far away keeps a clean edge.
 
 use super::{MaterialId, Normaliser};
-use crate::number::{Length, Number, square_root};
+use crate::number::{Length, Number, square_root, wide};
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -40,12 +40,49 @@ pub struct PreparedSphere {
     pub(crate) material: MaterialId,
 }
 
-/// Where a ray's line comes nearest to a sphere's centre, for a line that meets the sphere.
-struct Approach {
-    /// Distance along the ray, in steps.
-    distance: i32,
-    /// The square of half the chord, in steps.
-    half_chord_square: i64,
+/// A sphere as the rays from one point see it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SeenSphere {
+    /// From the point to the centre.
+    way: Vector,
+    /// A quarter of the length of the tangents from the point; the least number where the point
+    /// lies inside.
+    tangent: i32,
+}
+
+impl SeenSphere {
+    /// Fills the room of a sphere that a scene's type allows but the scene does not use.
+    pub(crate) const NONE: Self = Self {
+        way: Vector::ZERO,
+        tangent: i32::MAX,
+    };
+
+    /// Whether a ray in this direction may meet the sphere: it comes nearest to the centre of a
+    /// sphere that it touches where the tangent does, and later where it goes through.
+    #[inline(always)]
+    pub(crate) const fn may_be_met(&self, direction: Direction) -> bool {
+        self.way.quarter_dot(direction) >= self.tangent
+    }
+
+    /// From the point to the centre.
+    #[inline(always)]
+    pub(crate) const fn way(&self) -> Vector {
+        self.way
+    }
+
+    /// Whether the point lies inside the sphere.
+    pub(crate) const fn is_around(&self) -> bool {
+        self.tangent == i32::MIN
+    }
+
+    /// Whether the sphere, which the point is outside of, lies on the ray before `reach`, where
+    /// something else that is not inside the sphere ends the ray.
+    ///
+    /// No root: the sphere is entered before its tangents' length and left after it.
+    #[inline(always)]
+    pub(crate) const fn is_before(&self, direction: Direction, reach: Length) -> bool {
+        self.may_be_met(direction) && self.tangent < reach.to_bits() >> 2
+    }
 }
 
 impl PreparedSphere {
@@ -59,7 +96,7 @@ impl PreparedSphere {
         Self {
             center,
             radius: raw,
-            square: raw as i64 * raw as i64,
+            square: wide(raw, raw),
             normaliser,
             material,
         }
@@ -70,55 +107,90 @@ impl PreparedSphere {
         (self.center, self.radius)
     }
 
-    /// `None` where the line misses, or the sphere lies behind or beyond `reach` as a whole.
-    fn approach(&self, ray: &Ray, reach: Length) -> Option<Approach> {
-        let center = ray.origin.to(self.center);
-        let distance = center.dot(ray.direction);
-        if distance < -self.radius || distance - self.radius > reach.to_bits() {
-            return None;
+    /// As seen from a near point.
+    pub(crate) const fn seen_from(&self, origin: Point) -> SeenSphere {
+        let way = origin.to(self.center);
+        let square = way.square() as i64 - self.square;
+        SeenSphere {
+            way,
+            tangent: if square <= 0 {
+                i32::MIN
+            } else {
+                square_root(square as u64) >> 2
+            },
         }
-        let nearest = center.without(ray.direction, distance);
-        let half_chord_square = self.square - nearest.square() as i64;
-        (half_chord_square >= 0).then_some(Approach {
-            distance,
-            half_chord_square,
-        })
     }
 
-    /// The distance at which the ray meets the sphere from outside, or else from inside, above 0
-    /// and below `reach`.
-    pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
-        let Approach {
-            distance,
-            half_chord_square,
-        } = self.approach(ray, reach)?;
+    /// As seen from a near point, but that no ray that meets the sphere is told otherwise by
+    /// rounding: a direction is within 2⁻²⁷ of length one.
+    pub(crate) const fn surely_seen_from(&self, origin: Point) -> SeenSphere {
+        let SeenSphere { way, tangent } = self.seen_from(origin);
+        SeenSphere {
+            way,
+            tangent: if tangent < 0 {
+                tangent
+            } else {
+                tangent - (tangent >> 24) - 4
+            },
+        }
+    }
+
+    /// The distance at which a ray meets the sphere, above `start` and below `reach`; from inside
+    /// where it enters before `start`.
+    #[inline(always)]
+    pub(crate) fn met(
+        &self,
+        way: Vector,
+        direction: Direction,
+        start: Length,
+        reach: Length,
+    ) -> Option<Length> {
+        let distance = way.dot(direction);
+        let nearest = way.without(direction, distance);
+        let half_chord_square = self.square - nearest.square() as i64;
+        if half_chord_square < 0 || distance - self.radius >= reach.to_bits() {
+            return None;
+        }
         let half_chord = square_root(half_chord_square as u64);
         let entry = distance - half_chord;
-        let met = if entry > 0 {
+        let met = if entry > start.to_bits() {
             entry
         } else {
             distance + half_chord
         };
-        (0 < met && met < reach.to_bits()).then_some(Length::from_bits(met))
+        (start.to_bits() < met && met < reach.to_bits()).then_some(Length::from_bits(met))
+    }
+
+    /// The distance at which the ray meets the sphere from outside, or else from inside, above 0
+    /// and below `reach`.
+    #[cfg(test)]
+    pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
+        let way = ray.origin.to(self.center);
+        if way.dot(ray.direction) < -self.radius {
+            return None;
+        }
+        self.met(way, ray.direction, Length::from_bits(0), reach)
     }
 
     /// Whether the ray meets the sphere above 0 and below `reach`; no root is taken.
     pub(crate) fn blocks(&self, ray: &Ray, reach: Length) -> bool {
-        let Some(Approach {
-            distance,
-            half_chord_square,
-        }) = self.approach(ray, reach)
-        else {
+        let way = ray.origin.to(self.center);
+        let distance = way.dot(ray.direction);
+        if distance < -self.radius || distance - self.radius > reach.to_bits() {
             return false;
-        };
-        let distance = i64::from(distance);
-        let past = distance - i64::from(reach.to_bits());
-        let entry_is_ahead = distance > 0 && distance * distance > half_chord_square;
+        }
+        let nearest = way.without(ray.direction, distance);
+        let half_chord_square = self.square - nearest.square() as i64;
+        if half_chord_square < 0 {
+            return false;
+        }
+        let past = distance - reach.to_bits();
+        let entry_is_ahead = distance > 0 && wide(distance, distance) > half_chord_square;
         if entry_is_ahead {
-            past < 0 || past * past < half_chord_square
+            past < 0 || wide(past, past) < half_chord_square
         } else {
-            let exit_is_ahead = distance > 0 || distance * distance < half_chord_square;
-            exit_is_ahead && past < 0 && past * past > half_chord_square
+            let exit_is_ahead = distance > 0 || wide(distance, distance) < half_chord_square;
+            exit_is_ahead && past < 0 && wide(past, past) > half_chord_square
         }
     }
 

@@ -1,4 +1,5 @@
 use super::*;
+use crate::number::sine_and_cosine_of;
 use crate::number::sweep::Sweep;
 
 /// A last place of Q2.30.
@@ -219,7 +220,7 @@ fn crossed_axes_make_the_third() {
 }
 
 #[test]
-fn point_along_a_direction_is_rounded_down() {
+fn point_along_a_direction_is_rounded_down_to_even_steps() {
     let mut sweep = Sweep::new(14);
     for direction in directions(15).take(20_000) {
         let [x, y, z] = sweep.triple(3 << 27);
@@ -230,7 +231,7 @@ fn point_along_a_direction_is_rounded_down() {
         for axis in 0..3 {
             let below = exact[axis] - way[axis];
             assert!(
-                (0.0..1.0).contains(&below),
+                (0.0..2.0).contains(&below),
                 "{below}: {from:?} {direction:?} {distance:?}"
             );
         }
@@ -294,4 +295,32 @@ fn range_of_a_description_ends_at_two_to_the_thirtieth() {
             assert!(!at(limit + 2f64.powi(-22)) && !at(f64::NAN) && !at(f64::INFINITY));
         }
     }
+}
+
+#[test]
+fn a_turn_about_an_axis_is_a_turn() {
+    let axis = Position::new([0.0, 0.0, 1.0]).direction().unwrap();
+    let quarter = sine_and_cosine_of(Number::from(90));
+    let turned = Direction::X.turned_about(axis, quarter);
+    let [x, y, z] = turned.components().map(|unit| unit.to_num::<f64>());
+    assert!(
+        x.abs() < 1e-8 && (y - 1.0).abs() < 1e-8 && z.abs() < 1e-8,
+        "{x} {y} {z}"
+    );
+}
+
+#[test]
+fn directions_of_axes_are_exact() {
+    assert_eq!(
+        Position::new([3.7, 0.0, 0.0]).direction(),
+        Some(Direction::X)
+    );
+    assert_eq!(
+        Position::new([1e-12, 0.0, 0.0]).direction(),
+        Some(Direction::X)
+    );
+    assert_eq!(
+        Position::new([1e9, 0.0, 0.0]).direction(),
+        Some(Direction::X)
+    );
 }

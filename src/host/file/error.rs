@@ -196,10 +196,10 @@ impl Display for Place {
 /// Why the core refuses it, where a file has no type to raise the bounds of.
 fn reason(fault: Fault) -> &'static str {
     match fault {
-        Fault::TooManySpheres => "a file holds 1024 spheres at most",
-        Fault::TooManyPlanes => "a file holds 64 planes at most",
-        Fault::TooManyCylinders => "a file holds 256 cylinders at most",
-        Fault::TooManyLights => "a file holds 32 lights at most",
+        Fault::TooManySpheres => "a file holds 512 spheres at most",
+        Fault::TooManyPlanes => "a file holds 32 planes at most",
+        Fault::TooManyCylinders => "a file holds 128 cylinders at most",
+        Fault::TooManyLights => "a file holds 16 lights at most",
         Fault::TooManyMaterials => "a file holds 256 materials at most",
         fault => fault.words(),
     }

@@ -41,12 +41,12 @@ use crate::camera;
 use crate::host::reference::{Camera, Scene};
 use crate::scene::{self, RuntimeScene};
 
-/// The scene of a file as it is filled: with room for 1024 spheres, 64 planes, 256 cylinders, 32
+/// The scene of a file as it is filled: with room for 512 spheres, 32 planes, 128 cylinders, 16
 /// lights and 256 materials, the most that a file may hold.
-pub type FileRuntimeScene = RuntimeScene<1024, 64, 256, 32, 256>;
+pub type FileRuntimeScene = RuntimeScene<512, 32, 128, 16, 256>;
 
 /// The scene of a file when it is built.
-pub type FileScene = scene::Scene<1024, 64, 256, 32, 256>;
+pub type FileScene = scene::Scene<512, 32, 128, 16, 256>;
 
 /// A scene read from a file: every shape has its material; whether the core takes its numbers is
 /// found by [`SceneFile::runtime`].

@@ -355,10 +355,10 @@ fn what_the_core_refuses_is_reported_with_its_place() {
 #[test]
 fn file_may_hold_as_many_parts_as_it_says() {
     let bounds = [
-        ("spheres", 1024),
-        ("planes", 64),
-        ("cylinders", 256),
-        ("lights", 32),
+        ("spheres", 512),
+        ("planes", 32),
+        ("cylinders", 128),
+        ("lights", 16),
         ("materials", 256),
     ];
     for (list, bound) in bounds {

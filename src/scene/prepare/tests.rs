@@ -80,18 +80,21 @@ fn middle_is_that_of_the_box_around_the_shapes() {
 
 #[test]
 fn light_near_the_shapes_is_given_its_place_in_the_ball() {
-    // Radius 1 takes 28 bits; a light up to 2, 4 and 8 times as far takes one more each.
+    // Radius 1 takes 28 bits; a light up to 2, 4, 8, 16 and 32 times as far takes one more each.
     for (x, is_near, bits) in [
         (0.5, true, 28),
         (1.5, true, 27),
         (3.0, true, 26),
         (7.9, true, 25),
-        (8.1, false, 28),
+        (8.1, true, 24),
+        (16.1, true, 23),
+        (31.9, true, 23),
+        (32.1, false, 28),
         (1e6, false, 28),
     ] {
         let scene = marble(|scene, _| scene.add_light([x, 0.0, 0.0], [1, 1, 1]).unwrap());
         let prepared = scene.build().unwrap();
-        assert_eq!(prepared.lamps[0].light.place.is_near(), is_near, "{x}");
+        assert_eq!(prepared.lamps[0].lamp.light.place.is_near(), is_near, "{x}");
         assert_eq!(fraction_bits(&scene), bits, "{x}");
     }
 }
@@ -106,18 +109,68 @@ fn far_light_costs_the_shapes_no_bits() {
 }
 
 #[test]
-fn far_plane_costs_the_shapes_no_bits() {
-    let alone = fraction_bits(&marble(|_, _| {}));
-    for far in [100.0, 1e5, 1e9] {
-        let scene = marble(|scene, white| {
-            scene.add_plane([0.0, far, 0.0], [0, 3, 0], white).unwrap();
-        });
-        assert_eq!(fraction_bits(&scene), alone, "{far}");
+fn light_is_plain_where_it_is_near_and_outside_of_all_spheres() {
+    for (x, is_plain) in [
+        (0.0, false),
+        (0.99, false),
+        (1.01, true),
+        (31.9, true),
+        (32.1, false),
+    ] {
+        let scene = marble(|scene, _| scene.add_light([x, 0.0, 0.0], [1, 1, 1]).unwrap());
+        let lamp = scene.build().unwrap().lamps[0].lamp;
+        assert_eq!(lamp.is_plain, is_plain, "{x}");
     }
+    let in_a_cylinder = marble(|scene, white| {
+        let (center, axis) = ([3, 0, 0], [1, 0, 0]);
+        scene.add_cylinder(center, axis, 1, 2, white).unwrap();
+        scene.add_light(center, [1, 1, 1]).unwrap();
+    });
+    assert!(in_a_cylinder.build().unwrap().lamps[0].lamp.is_plain);
+}
+
+#[test]
+fn far_plane_costs_the_shapes_no_bits_but_those_of_any_plane() {
+    // Beside a plane the ball is eight times larger than the shapes need.
     let through = marble(|scene, white| {
         scene.add_plane([1e9, 0.5, 1e9], [0, 3, 0], white).unwrap();
     });
-    assert_eq!(fraction_bits(&through), alone);
+    let alone = fraction_bits(&marble(|_, _| {}));
+    assert_eq!(fraction_bits(&through), alone - 3);
+    for (away, bits) in [
+        (1.5, 1),
+        (31.9, 5),
+        (32.1, 0),
+        (100.0, 0),
+        (1e5, 0),
+        (1e9, 0),
+    ] {
+        let scene = marble(|scene, white| {
+            scene.add_plane([0.0, away, 0.0], [0, 3, 0], white).unwrap();
+        });
+        assert_eq!(fraction_bits(&scene), alone - 3 - bits, "{away}");
+    }
+}
+
+#[test]
+fn scene_of_planes_alone_goes_by_the_nearest() {
+    // 5 needs 3 bits before the point, and the ball is 256 times larger than that.
+    for (away, bits) in [
+        (5.0, 17),
+        (7.9, 17),
+        (8.1, 16),
+        (159.0, 12),
+        (161.0, 17),
+        (1e9, 17),
+    ] {
+        let scene = scenery(|scene, white| {
+            // One through the middle says nothing about the size.
+            scene.add_plane([1e9, 0.0, 7.0], [0, 1, 0], white).unwrap();
+            scene.add_plane([0, 0, 5], [0, 0, 1], white).unwrap();
+            scene.add_plane([away, 0.0, 0.0], [1, 0, 0], white).unwrap();
+        });
+        assert_eq!(fraction_bits(&scene), bits, "{away}");
+    }
 }
 
 #[test]
@@ -129,8 +182,9 @@ fn scene_without_shapes_is_laid_around_its_lights_and_camera() {
         scene.add_plane([0, 0, 5], [0, 0, 1], white).unwrap();
     });
     assert_eq!(middle(&lit), [12.0, 0.0, 0.0]);
-    // The plane is 5 from the middle, the lights 2: 5 needs 3 bits before the point.
-    assert_eq!(fraction_bits(&lit), 25);
+    // The plane is 5 from the middle, the lights 2: 5 needs 3 bits before the point. Without shapes
+    // the ball is 256 times larger than that.
+    assert_eq!(fraction_bits(&lit), 25 - 8);
 }
 
 #[test]
@@ -191,9 +245,10 @@ fn epsilon_is_at_least_what_a_hit_may_be_off() {
     };
     let step = 2f64.powi(-28);
     assert_eq!(with(1000.0 * step), Ok(1000));
-    // The shapes' own tests find hits up to 8 steps off their surfaces.
-    assert_eq!(with(step), Ok(8));
-    assert_eq!(with(9.0 * step), Ok(9));
+    // What leaves a surface must not be stopped by it: the tests of shading find out.
+    assert_eq!(with(step), Ok(SMALLEST_EPSILON));
+    let more = SMALLEST_EPSILON + 1;
+    assert_eq!(with(f64::from(more) * step), Ok(more));
     assert_eq!(with(1.0 - step), Ok(BALL - 1));
     assert_eq!(with(1.0), Err(SceneError::Scene(Fault::Epsilon)));
     assert_eq!(with(1e9), Err(SceneError::Scene(Fault::Epsilon)));

@@ -1,21 +1,21 @@
-use std::vec::Vec;
-
 use super::*;
 use crate::light::PreparedLight;
 use crate::material::Material;
 use crate::number::Number;
 use crate::scene::cells::Cells;
 use crate::scene::{RuntimeScene, Scene};
+use crate::shape::MaterialId;
 use crate::vector::{Direction, Position};
 
 type Scenery = RuntimeScene<4, 3, 2, 2, 1>;
 type Built = Scene<4, 3, 2, 2, 1>;
 
-/// A step of the scenes here, in their units: 1 is the radius of the ball.
-const STEP: f64 = 1.0 / (1 << 28) as f64;
+/// A step of the scenes here, in their units: 1 is the radius of the ball that the shapes need, an
+/// eighth of the one they are given beside planes.
+const STEP: f64 = 1.0 / (1 << 25) as f64;
 
-/// A scene on a grid of 2⁻²⁸ that a function has filled, with an epsilon of 1000 steps. Two small
-/// spheres out of the way give it its size.
+/// A scene with planes on a grid of 2⁻²⁵ that a function has filled, with an epsilon of 1000 steps.
+/// Two small spheres out of the way give it its size.
 fn scenery(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Built {
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
@@ -25,7 +25,7 @@ fn scenery(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Built {
     }
     fill(&mut scene, white);
     let built = scene.build().unwrap();
-    assert_eq!(built.grid.fraction_bits(), 28);
+    assert_eq!(built.grid.fraction_bits(), 25);
     assert_eq!(built.grid.middle(), Position::ORIGIN);
     built
 }
@@ -39,6 +39,7 @@ fn lamp(scene: &Built, place: Place) -> Lamp {
             ..PreparedLight::NONE
         },
         cells: Cells::around(place.point, parts.spheres, parts.cylinders),
+        ..Lamp::NONE
     }
 }
 
@@ -47,16 +48,19 @@ fn along_x(scene: &Built, x: f64) -> Path {
     let from = scene
         .grid
         .place(Position([Number::new(x), Number::ZERO, Number::ZERO]));
-    Path {
-        from,
-        direction: Direction::X,
-    }
+    Path::new(from, Direction::X)
 }
 
-/// How far along the x axis a path from `x` is ended, in scene units.
-fn met_at(scene: &Built, x: f64, left: Option<&PreparedPlane>) -> Option<f64> {
-    let hit = nearest(scene, Mask::ALL, &along_x(scene, x), left)?;
-    Some(f64::from(hit.at.point.x) * 2f64.powi(hit.at.scale as i32) * STEP)
+/// The number of the plane that stands in this place among the planes.
+fn plane_number(scene: &Built, index: u32) -> ShapeNumber {
+    ShapeNumber(scene.parts().first_plane() + index)
+}
+
+/// Where on the x axis a path from `x` is ended, in scene units, and by what.
+fn met_at(scene: &Built, x: f64, left: ShapeNumber) -> Option<(f64, ShapeNumber)> {
+    let (at, shape) = first(scene, &along_x(scene, x), left)?;
+    let x = f64::from(at.point.x) * 2f64.powi(at.scale as i32) * STEP;
+    Some((x, shape))
 }
 
 /// Planes at ±x.
@@ -85,50 +89,94 @@ fn nearest_shape_is_met_whatever_its_kind() {
             .add_plane([0.3125, 0.0, 0.0], [-1, 0, 0], white)
             .unwrap();
     });
-    // A sphere, a plane, a cylinder, a plane, a sphere and a cylinder.
+    // Two spheres give the scene its size; these are numbers 2 and 3, the cylinders 4 and 5, and
+    // the planes 6 and 7.
     let surfaces = [
-        -0.9375, -0.6875, -0.5, -0.25, 0.25, 0.3125, 0.375, 0.5625, 0.625, 0.875,
+        (-0.9375, 3),
+        (-0.6875, 3),
+        (-0.5, 6),
+        (-0.25, 4),
+        (0.25, 4),
+        (0.3125, 7),
+        (0.375, 2),
+        (0.5625, 2),
+        (0.625, 5),
+        (0.875, 5),
     ];
     let mut before = -1.25;
-    for surface in surfaces {
+    for (surface, number) in surfaces {
         let from = (before + surface) / 2.0;
-        let found = met_at(&scene, from, None).unwrap();
+        let (found, shape) = met_at(&scene, from, ShapeNumber::NONE).unwrap();
         assert!(
             (found - surface).abs() <= 4.0 * STEP,
             "from {from}: {found}, not {surface}"
         );
+        assert_eq!(shape, ShapeNumber(number), "from {from}");
         before = surface;
     }
-    assert_eq!(met_at(&scene, 1.125, None), None);
+    assert_eq!(met_at(&scene, 1.125, ShapeNumber::NONE), None);
 }
 
 #[test]
 fn plane_just_left_is_not_met() {
     let scene = two_planes(0.5);
-    let planes: Vec<_> = scene.parts().planes.iter().collect();
-    for (left, truth) in [
-        (None, -0.5),
-        (Some(planes[0]), -0.5),
-        (Some(planes[1]), 0.5),
+    let [right, left] = [0, 1].map(|index| plane_number(&scene, index));
+    for (just_left, truth, number) in [
+        (ShapeNumber::NONE, -0.5, left),
+        (right, -0.5, left),
+        (left, 0.5, right),
     ] {
-        let found = met_at(&scene, -0.75, left).unwrap();
-        assert!((found - truth).abs() <= 2.0 * STEP, "{found}, not {truth}");
+        let (found, shape) = met_at(&scene, -0.75, just_left).unwrap();
+        assert!((found - truth).abs() <= 8.0 * STEP, "{found}, not {truth}");
+        assert_eq!(shape, number);
     }
 }
 
 #[test]
+fn numbers_name_spheres_then_cylinders_then_planes() {
+    let scene = scenery(|scene, white| {
+        scene.add_sphere([0, 0, 0], 0.5, white).unwrap();
+        let (axis, radius) = ([0, 0, 1], 0.25);
+        for _ in 0..2 {
+            scene
+                .add_cylinder([0, 0, 0], axis, radius, 0.25, white)
+                .unwrap();
+        }
+        scene.add_plane([0, 0, 0], [1, 0, 0], white).unwrap();
+    });
+    let parts = scene.parts();
+    for number in 0..6 {
+        let (shape, number) = (parts.shape(ShapeNumber(number)).unwrap(), number as usize);
+        let is_it = match shape {
+            Shape::Sphere(sphere) => core::ptr::eq(sphere, &parts.spheres[number]),
+            Shape::Cylinder(cylinder) => core::ptr::eq(cylinder, &parts.cylinders[number - 3]),
+            Shape::Plane(plane) => core::ptr::eq(plane, &parts.planes[number - 5]),
+        };
+        assert!(is_it, "{number}: {shape:?}");
+        let number = ShapeNumber(number as u32);
+        assert_eq!(parts.is_plane(number), number.0 == 5);
+        assert_eq!(parts.plane(number).is_some(), number.0 == 5);
+    }
+    for none in [ShapeNumber(6), ShapeNumber::NONE, ShapeNumber::BEYOND] {
+        assert!(parts.shape(none).is_none() && parts.plane(none).is_none());
+    }
+    assert!(!parts.is_plane(ShapeNumber::NONE));
+}
+
+#[test]
 fn plane_beyond_the_reach_of_near_rays_is_met() {
-    for x in [8.0, 100.0, 1e6, 1e9] {
+    // Near rays look four radii of the ball far.
+    for x in [40.0, 100.0, 1e6, 1e9] {
         let scene = scenery(|scene, white| {
             scene.add_plane([x, 0.0, 0.0], [1, 0, 0], white).unwrap();
             scene.add_sphere([0, 0, 0], 0.5, white).unwrap();
         });
-        let found = nearest(&scene, Mask::ALL, &along_x(&scene, 1.25), None).unwrap();
-        let found = f64::from(found.at.point.x) * 2f64.powi(found.at.scale as i32) * STEP;
+        let (found, shape) = met_at(&scene, 1.25, ShapeNumber::NONE).unwrap();
         assert!(
             (found / x - 1.0).abs() <= 2f64.powi(-25),
             "{found}, not {x}"
         );
+        assert_eq!(shape, plane_number(&scene, 0));
     }
 }
 
@@ -139,11 +187,11 @@ fn is_blocked_by_a_plane_at(x: f64) -> bool {
     });
     let path = along_x(&scene, 0.0);
     let light = scene.grid.place(Position::new([0.75, 0.0, 0.0]));
-    let (way, scale) = path.from.to(light);
+    let (way, scale) = path.from().to(light);
     blocked(
         &scene,
         &path,
-        None,
+        ShapeNumber::NONE,
         &lamp(&scene, light),
         Length::from_bits(way.x),
         scale,
@@ -178,8 +226,15 @@ fn light_is_blocked_by_every_kind_of_shape_and_by_none_behind_it() {
     let is_blocked = |from: f64, to: f64| {
         let path = along_x(&scene, from);
         let light = scene.grid.place(Position::new([to, 0.0, 0.0]));
-        let distance = Length::from_bits(path.from.to(light).0.x);
-        blocked(&scene, &path, None, &lamp(&scene, light), distance, 0)
+        let distance = Length::from_bits(path.from().to(light).0.x);
+        blocked(
+            &scene,
+            &path,
+            ShapeNumber::NONE,
+            &lamp(&scene, light),
+            distance,
+            0,
+        )
     };
     for (from, to, truth) in [
         (-0.99, -0.95, false), // before the sphere
@@ -203,14 +258,21 @@ fn light_closer_than_epsilon_is_not_blocked() {
         let path = along_x(&scene, 1.0);
         let light = Place {
             point: path
-                .from
+                .from()
                 .point
                 .along(Direction::X, Length::from_bits(steps)),
             scale: 0,
         };
         let distance = Length::from_bits(steps);
         assert!(
-            !blocked(&scene, &path, None, &lamp(&scene, light), distance, 0),
+            !blocked(
+                &scene,
+                &path,
+                ShapeNumber::NONE,
+                &lamp(&scene, light),
+                distance,
+                0,
+            ),
             "{steps} steps"
         );
     }

@@ -31,6 +31,13 @@ fn in_double_precision(plane: &PreparedPlane, ray: &Ray) -> f64 {
     -height / dot(in_doubles(ray.direction.raw()), normal) * 2f64.powi(30)
 }
 
+/// How many steps along a ray the place is known to where it meets a plane: a quotient is known to
+/// 2⁻²⁶ and rounded down, and what a ray descends a step is known to 2⁻²⁸.
+fn known_to(plane: &PreparedPlane, ray: &Ray, distance: f64) -> f64 {
+    let climb = ray.direction.dot(plane.normal).to_num::<f64>();
+    2.0 + distance.abs() * (2f64.powi(-26) + 2f64.powi(-28) / climb.abs())
+}
+
 #[test]
 fn plane_in_front_is_met_from_both_sides() {
     for (start, towards) in [(1 << 26, [0, 0, -1]), (-(1 << 26), [0, 0, 1])] {
@@ -88,9 +95,13 @@ fn reach_ends_before_the_distance_it_names() {
     for (reach, blocks) in [(-1, false), (0, false), (1, true)] {
         let reach = Length::from_bits((1 << 26) + reach);
         assert_eq!(floor_at(0).blocks(&from_above, reach), blocks, "{reach:?}");
+    }
+    // Which of two is met first is told by their heights in steps of 4.
+    for (reach, is_met) in [(-1, false), (0, false), (4, true)] {
+        let reach = Length::from_bits((1 << 26) + reach);
         assert_eq!(
             floor_at(0).intersect(&from_above, reach).is_some(),
-            blocks,
+            is_met,
             "{reach:?}"
         );
     }
@@ -124,9 +135,7 @@ fn every_plane_is_met_where_double_precision_meets_it() {
         let truth = in_double_precision(&plane, &ray);
         let found = steps(plane.intersect(&ray, EVERYWHERE));
         let reach = f64::from(EVERYWHERE.to_bits());
-        // The quotient is known to 2^-26, and so is the rate of descent beyond 2^-4.
-        let climb = ray.direction.dot(plane.normal).to_num::<f64>();
-        let bound = 2.0 + truth.abs() * (2f64.powi(-26) + 2f64.powi(-30) / climb.abs());
+        let bound = known_to(&plane, &ray, truth);
         if truth.abs() <= bound || (truth - reach).abs() <= bound {
             continue;
         }
@@ -152,16 +161,18 @@ fn every_plane_is_met_where_double_precision_meets_it() {
 fn paths_meet_near_planes_where_rays_do() {
     let mut hits = 0;
     for (plane, ray) in pairs(4) {
-        let path = Path {
-            from: Place::new(ray.origin, 0),
-            direction: ray.direction,
-        };
+        let path = Path::new(Place::new(ray.origin, 0), ray.direction);
         let Some(near) = steps(plane.intersect(&ray, EVERYWHERE)) else {
             continue;
         };
         hits += 1;
-        let far = plane.intersect_far(&path);
-        assert_eq!(far, Some(near as u64), "{plane:?} {ray:?}");
+        let far = plane.intersect_far(&path).unwrap() as f64;
+        // The far one knows the descent to 2^-30, and its quotient to 2^-26 as well.
+        let bound = known_to(&plane, &ray, far) * 1.25 + far * 2f64.powi(-26);
+        assert!(
+            (f64::from(near) - far).abs() <= bound,
+            "{near}, not {far}: {plane:?} {ray:?}"
+        );
     }
     assert!(hits > 50_000, "{hits}");
 }
@@ -170,10 +181,7 @@ fn paths_meet_near_planes_where_rays_do() {
 fn paths_are_blocked_where_rays_are() {
     let mut sweep = Sweep::new(5);
     for (plane, ray) in pairs(6) {
-        let path = Path {
-            from: Place::new(ray.origin, 0),
-            direction: ray.direction,
-        };
+        let path = Path::new(Place::new(ray.origin, 0), ray.direction);
         let reach = Length::from_bits(sweep.within(1, 1 << 30));
         let near = plane.blocks(&ray, reach);
         assert_eq!(
@@ -186,10 +194,7 @@ fn paths_are_blocked_where_rays_are() {
 
 #[test]
 fn reach_of_a_path_counts_in_its_scale() {
-    let path = Path {
-        from: Place::ORIGIN,
-        direction: direction([0, 0, -1]),
-    };
+    let path = Path::new(Place::ORIGIN, direction([0, 0, -1]));
     let plane = floor_at(-(1 << 28));
     for (reach, scale, blocks) in [
         (1 << 28, 0, false),
@@ -209,10 +214,7 @@ fn plane_too_far_for_rays_is_met_by_paths() {
     let down = ray([0, 0, 1 << 20], [0, 0, -1]);
     assert_eq!(far.intersect(&down, EVERYWHERE), None);
     assert!(!far.blocks(&down, EVERYWHERE));
-    let path = Path {
-        from: Place::new(down.origin, 0),
-        direction: down.direction,
-    };
+    let path = Path::new(Place::new(down.origin, 0), down.direction);
     let distance = far.intersect_far(&path).unwrap() as f64;
     let truth = 2f64.powi(41) + 2f64.powi(20);
     assert!(
@@ -235,20 +237,14 @@ fn plane_too_far_for_rays_is_met_by_paths() {
 fn path_from_far_away_comes_down_on_a_near_plane() {
     for scale in [1, 5, 20, 30] {
         let from = Place::new(Point::new(1 << 28, 0, 1 << 28), scale);
-        let path = Path {
-            from,
-            direction: direction([-3, 0, -4]),
-        };
+        let path = Path::new(from, direction([-3, 0, -4]));
         let distance = floor_at(0).intersect_far(&path).unwrap() as f64;
         let truth = 2f64.powi(28 + scale as i32) / 0.8;
         assert!(
             (distance / truth - 1.0).abs() < 2f64.powi(-26),
             "{distance}, not {truth}"
         );
-        let upward = Path {
-            from,
-            direction: direction([-3, 0, 4]),
-        };
+        let upward = Path::new(from, direction([-3, 0, 4]));
         assert_eq!(floor_at(0).intersect_far(&upward), None);
         assert!(!floor_at(0).blocks_far(&upward, EVERYWHERE, 40));
     }

@@ -1,0 +1,120 @@
+//! Products of two 32-bit numbers, to the last bit.
+//!
+//! A core with a long multiply takes one instruction for each of these. Armv6-M (Cortex-M0) has
+//! none, and would be given a product of 64 by 64 bits; there, four products of 16 by 16 bits are
+//! put together (Warren, Hacker's Delight, section 8-2), and the result is the same.
+
+/// The product of two signed numbers.
+#[inline(always)]
+pub const fn wide(a: i32, b: i32) -> i64 {
+    multiplier::wide(a, b)
+}
+
+/// The product of two numbers without a sign.
+#[inline(always)]
+pub const fn wide_unsigned(a: u32, b: u32) -> u64 {
+    multiplier::wide_unsigned(a, b)
+}
+
+/// `a · b` · 2⁻³², rounded down.
+#[inline(always)]
+pub const fn high(a: i32, b: i32) -> i32 {
+    multiplier::high(a, b)
+}
+
+/// `a · b` · 2⁻³², rounded down.
+#[inline(always)]
+pub const fn high_unsigned(a: u32, b: u32) -> u32 {
+    (wide_unsigned(a, b) >> 32) as u32
+}
+
+// Of the Arm cores, the ones without a long multiply are those without atomic exchanges.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+mod multiplier {
+    #[inline(always)]
+    pub(super) const fn wide(a: i32, b: i32) -> i64 {
+        a as i64 * b as i64
+    }
+
+    #[inline(always)]
+    pub(super) const fn wide_unsigned(a: u32, b: u32) -> u64 {
+        a as u64 * b as u64
+    }
+
+    #[inline(always)]
+    pub(super) const fn high(a: i32, b: i32) -> i32 {
+        (wide(a, b) >> 32) as i32
+    }
+}
+
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+use halves as multiplier;
+
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+mod halves {
+    /// The low half, without a sign.
+    const fn low_half(a: i32) -> i32 {
+        a & 0xffff
+    }
+
+    /// The product without its low 16 bits, and those.
+    #[inline(always)]
+    const fn parts(a: i32, b: i32) -> (i32, i32, u32) {
+        let (a_low, a_high, b_low, b_high) = (low_half(a), a >> 16, low_half(b), b >> 16);
+        let low = a_low.wrapping_mul(b_low) as u32;
+        // Within ±2³¹, both of them.
+        let first = a_high * b_low + (low >> 16) as i32;
+        let second = a_low * b_high + low_half(first);
+        (
+            a_high * b_high + (first >> 16) + (second >> 16),
+            second,
+            low,
+        )
+    }
+
+    #[inline(always)]
+    pub(super) const fn wide(a: i32, b: i32) -> i64 {
+        let (high, middle, low) = parts(a, b);
+        ((high as i64) << 32) | ((middle as u32) << 16 | low & 0xffff) as i64
+    }
+
+    #[inline(always)]
+    pub(super) const fn high(a: i32, b: i32) -> i32 {
+        parts(a, b).0
+    }
+
+    #[inline(always)]
+    pub(super) const fn wide_unsigned(a: u32, b: u32) -> u64 {
+        let (a_low, a_high, b_low, b_high) = (a & 0xffff, a >> 16, b & 0xffff, b >> 16);
+        let low = a_low * b_low;
+        let first = a_high * b_low + (low >> 16);
+        let second = a_low * b_high + (first & 0xffff);
+        let high = a_high * b_high + (first >> 16) + (second >> 16);
+        ((high as u64) << 32) | (second << 16 | low & 0xffff) as u64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::halves;
+    use crate::number::sweep::Sweep;
+
+    #[test]
+    fn products_put_together_of_halves_are_exact() {
+        let edges = [i32::MIN, i32::MIN + 1, -65_537, -65_536, -65_535, -1, 0, 1];
+        let edges = edges.into_iter().flat_map(|edge| [edge, !edge]);
+        let mut sweep = Sweep::new(11);
+        let any = (0..1000).map(|_| sweep.within(i32::MIN, i32::MAX));
+        let all: std::vec::Vec<i32> = edges.chain(any).collect();
+        for &a in &all {
+            for &b in &all {
+                let product = i64::from(a) * i64::from(b);
+                assert_eq!(halves::wide(a, b), product, "{a} * {b}");
+                assert_eq!(i64::from(halves::high(a, b)), product >> 32, "{a} * {b}");
+                let (a, b) = (a as u32, b as u32);
+                let product = u64::from(a) * u64::from(b);
+                assert_eq!(halves::wide_unsigned(a, b), product, "{a} * {b}");
+            }
+        }
+    }
+}

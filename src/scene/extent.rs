@@ -1,0 +1,290 @@
+//! Which pixels a sphere or cylinder can be seen in: rectangles, worked out once a frame.
+//!
+//! Seen along the columns of pixels a sphere is a circle, and the tangents from the camera to it
+//! bound the columns in which it can be seen; seen along the rows likewise. A cylinder lies between
+//! the spheres around its ends. What a mirroring plane shows first are the shapes mirrored in it, as
+//! the camera sees them. Bounds are widened by more than rounding can be wrong.
+
+use super::{World, used};
+use crate::number::{Quotient, divide, square_root};
+use crate::ray::Fan;
+use crate::shape::plane::PreparedPlane;
+use crate::vector::{Point, Vector};
+
+/// A rectangle of pixels, the last row and column included.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Extent {
+    pub(super) left: u16,
+    pub(super) right: u16,
+    pub(super) top: u16,
+    pub(super) bottom: u16,
+}
+
+impl Extent {
+    const ALL: Self = Self {
+        left: 0,
+        right: u16::MAX,
+        top: 0,
+        bottom: u16::MAX,
+    };
+
+    const NONE: Self = Self {
+        left: 1,
+        right: 0,
+        top: 1,
+        bottom: 0,
+    };
+
+    fn new(columns: Option<Columns>, rows: Option<Columns>) -> Self {
+        let (Some(columns), Some(rows)) = (columns, rows) else {
+            return Self::NONE;
+        };
+        let held = |column: i32| column.clamp(0, 0xffff) as u16;
+        Self {
+            left: held(columns.first),
+            right: held(columns.last),
+            top: held(rows.first),
+            bottom: held(rows.last),
+        }
+    }
+}
+
+/// What the shapes of a scene cover.
+#[derive(Clone, Copy, Debug)]
+pub struct Covered<'a> {
+    pub(super) spheres: &'a [Extent],
+    pub(super) cylinders: &'a [Extent],
+}
+
+impl Covered<'_> {
+    /// Without what stands for no shape.
+    pub(super) fn of<W: World>(self, world: &W) -> Self {
+        let parts = world.parts();
+        Self {
+            spheres: used(self.spheres, parts.spheres.len()),
+            cylinders: used(self.cylinders, parts.cylinders.len()),
+        }
+    }
+}
+
+/// What the shapes of a scene cover, themselves and mirrored in each plane.
+#[derive(Clone, Copy, Debug)]
+pub struct Outlook<const S: usize, const P: usize, const C: usize> {
+    spheres: [Extent; S],
+    cylinders: [Extent; C],
+    mirrored: [([Extent; S], [Extent; C]); P],
+}
+
+/// An [`Outlook`], whatever its room.
+pub trait Outlooks: Copy {
+    /// Everything everywhere.
+    const ALL: Self;
+
+    /// As the rays through the columns and those through the rows of a picture see a scene; mirrored
+    /// only where a plane mirrors.
+    #[allow(private_interfaces)]
+    fn new<W: World>(world: &W, fans: &[Fan; 2]) -> Self;
+
+    /// What the shapes themselves cover.
+    fn first(&self) -> Covered<'_>;
+
+    /// What the shapes mirrored in a plane cover.
+    fn mirrored(&self, plane: usize) -> Option<Covered<'_>>;
+}
+
+impl<const S: usize, const P: usize, const C: usize> Outlooks for Outlook<S, P, C> {
+    const ALL: Self = Self {
+        spheres: [Extent::ALL; S],
+        cylinders: [Extent::ALL; C],
+        mirrored: [([Extent::ALL; S], [Extent::ALL; C]); P],
+    };
+
+    #[allow(private_interfaces)]
+    fn new<W: World>(world: &W, fans: &[Fan; 2]) -> Self {
+        let mut outlook = Self::ALL;
+        let parts = world.parts();
+        look(
+            world,
+            fans,
+            None,
+            (&mut outlook.spheres, &mut outlook.cylinders),
+        );
+        for (plane, mirrored) in parts.planes.iter().zip(&mut outlook.mirrored) {
+            if parts.material(plane.material).mirrors() {
+                look(world, fans, Some(plane), (&mut mirrored.0, &mut mirrored.1));
+            }
+        }
+        outlook
+    }
+
+    fn first(&self) -> Covered<'_> {
+        Covered {
+            spheres: &self.spheres,
+            cylinders: &self.cylinders,
+        }
+    }
+
+    fn mirrored(&self, plane: usize) -> Option<Covered<'_>> {
+        let (spheres, cylinders) = self.mirrored.get(plane)?;
+        Some(Covered { spheres, cylinders })
+    }
+}
+
+/// Finds out what the shapes cover, mirrored in a plane if there is one.
+#[inline(never)]
+fn look<W: World>(
+    world: &W,
+    fans: &[Fan; 2],
+    plane: Option<&PreparedPlane>,
+    (spheres, cylinders): (&mut [Extent], &mut [Extent]),
+) {
+    let parts = world.parts();
+    let origin = fans[0].origin;
+    // Rays leave epsilon above a plane: as good as shapes that much larger.
+    let lift = plane.map_or(0, |_| 2 * parts.epsilon.to_bits());
+    for (sphere, extent) in parts.spheres.iter().zip(spheres) {
+        let (center, radius) = sphere.ball();
+        if let Some((way, _)) = seen(plane, origin, center, Vector::ZERO) {
+            let [columns, rows] = [0, 1].map(|it| {
+                let fan: &Fan = &fans[it];
+                fan.sphere_columns(way, widened(radius) + lift)
+            });
+            *extent = Extent::new(columns, rows);
+        }
+    }
+    for (cylinder, extent) in parts.cylinders.iter().zip(cylinders) {
+        let (center, half_axis, radius) = cylinder.capsule();
+        if let Some((way, half)) = seen(plane, origin, center, half_axis) {
+            let [columns, rows] = [0, 1].map(|it| {
+                let fan: &Fan = &fans[it];
+                fan.capsule_columns(way, half, widened(radius) + lift)
+            });
+            *extent = Extent::new(columns, rows);
+        }
+    }
+}
+
+/// The way to a shape's middle and its half axis, mirrored in a plane if there is one; `None` where
+/// that is too far away to be told.
+fn seen(
+    plane: Option<&PreparedPlane>,
+    origin: Point,
+    center: Point,
+    half_axis: Vector,
+) -> Option<(Vector, Vector)> {
+    let way = origin.to(center);
+    let Some(plane) = plane else {
+        return Some((way, half_axis));
+    };
+    let height = i32::try_from(plane.height(center) >> 30).ok()?;
+    if height.unsigned_abs() > 1 << 28 {
+        return None;
+    }
+    let along = half_axis.dot(plane.normal);
+    Some((
+        way.without(plane.normal, 2 * height),
+        half_axis.without(plane.normal, 2 * along),
+    ))
+}
+
+/// The columns, first and last, in which a shape can be met.
+#[derive(Clone, Copy, Debug)]
+struct Columns {
+    first: i32,
+    last: i32,
+}
+
+impl Columns {
+    const ALL: Self = Self {
+        first: 0,
+        last: i32::MAX,
+    };
+
+    fn with(self, other: Self) -> Self {
+        Self {
+            first: self.first.min(other.first),
+            last: self.last.max(other.last),
+        }
+    }
+}
+
+/// A radius widened by what rounding can be wrong.
+fn widened(radius: i32) -> i32 {
+    radius + (radius >> 10) + 64
+}
+
+impl Fan {
+    /// The columns in which a cylinder with rounded ends can be met.
+    fn capsule_columns(&self, way: Vector, half_axis: Vector, radius: i32) -> Option<Columns> {
+        let ends = [way.plus(half_axis), way.minus(half_axis)];
+        // An end behind the picture has no columns, but what lies between may be seen.
+        if ends.iter().any(|end| end.dot(self.ahead) <= radius) {
+            return Some(Columns::ALL);
+        }
+        let [a, b] = ends.map(|end| self.sphere_bounds(end, radius));
+        self.visible(a.with(b))
+    }
+
+    /// The columns in which a sphere can be met.
+    fn sphere_columns(&self, way: Vector, radius: i32) -> Option<Columns> {
+        let ahead = way.dot(self.ahead);
+        if ahead <= radius {
+            // Around the origin, or reaching behind it.
+            return (ahead >= -radius).then_some(Columns::ALL);
+        }
+        self.visible(self.sphere_bounds(way, radius))
+    }
+
+    /// The columns between the tangents to a sphere that is ahead, as seen along the columns.
+    fn sphere_bounds(&self, way: Vector, radius: i32) -> Columns {
+        let (ahead, aside) = (
+            i64::from(way.dot(self.ahead)),
+            i64::from(way.dot(self.aside)),
+        );
+        let radius = i64::from(radius);
+        let tangent = square_root((ahead * ahead + aside * aside - radius * radius) as u64);
+        let spread = radius * i64::from(tangent);
+        let scale = self.columns_for_each(ahead * ahead - radius * radius);
+        let middle = ahead * aside;
+        Columns {
+            first: self.column(middle - spread, scale) - 1,
+            last: self.column(middle + spread, scale) + 2,
+        }
+    }
+
+    fn visible(&self, columns: Columns) -> Option<Columns> {
+        (columns.last >= 0 && columns.first < self.width as i32).then_some(columns)
+    }
+
+    /// How many half pixels a unit of a numerator over this denominator is.
+    fn columns_for_each(&self, denominator: i64) -> Quotient {
+        let drop = 33_u32.saturating_sub(denominator.leading_zeros());
+        let Quotient { mantissa, exponent } =
+            divide((self.distance as u64) << 31, (denominator >> drop) as u32);
+        Quotient {
+            mantissa,
+            exponent: exponent - 31 - drop as i32 + self.scale,
+        }
+    }
+
+    /// The column of a ray whose tangent has this numerator, rounded down and held near the
+    /// picture.
+    fn column(&self, numerator: i64, scale: Quotient) -> i32 {
+        let size = numerator.unsigned_abs();
+        let drop = 32_u32.saturating_sub(size.leading_zeros());
+        let product = (size >> drop) * u64::from(scale.mantissa);
+        // Further to the side than any picture is wide.
+        const BESIDE: u64 = 1 << 20;
+        let half_pixels = match scale.exponent + drop as i32 {
+            0.. => BESIDE,
+            shift @ -63..0 => (product >> -shift).min(BESIDE),
+            _ => 0,
+        } as i32;
+        let half_pixels = if numerator < 0 {
+            -half_pixels
+        } else {
+            half_pixels
+        };
+        (half_pixels + self.width as i32 - 1) >> 1
+    }
+}

@@ -1,0 +1,88 @@
+//! What is the same for all rays of a frame: where they come from, and what that says about
+//! shadows.
+//!
+//! No ray crosses a plane. So all surfaces that a frame's rays come to lie on the camera's side of
+//! every plane, and a light on the other side of one is hidden from all of them; planes in front of
+//! which camera and light both stand hide it from none.
+
+use super::{LampParts, World};
+use crate::ray::Place;
+use crate::shape::plane::Side;
+
+/// Whether the planes of a scene stand between a light and what a frame shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Standing {
+    /// No plane hides the light, and what spheres and cylinders hide can be told by how it sees them.
+    Clear,
+    /// A plane hides it from everything.
+    Hidden,
+    /// It depends: the light is far away, or the light or the camera stands inside of a sphere or
+    /// within epsilon of a plane.
+    Unclear,
+}
+
+/// A frame's point of view.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View {
+    /// Where the rays come from.
+    pub(crate) from: Place,
+    /// A bit for each light that is [`Standing::Hidden`].
+    hidden: u32,
+    /// A bit for each light that is [`Standing::Unclear`].
+    unclear: u32,
+}
+
+impl View {
+    /// The view from a place.
+    pub(crate) fn new<W: World>(world: &W, from: Place) -> Self {
+        let parts = world.parts();
+        let mut view = Self {
+            from,
+            hidden: 0,
+            unclear: 0,
+        };
+        // Rays from inside of a sphere stay there.
+        let mut seen = parts.spheres.iter().map(|it| it.seen_from(from.point));
+        if from.is_near() && seen.any(|it| it.is_around()) {
+            view.unclear = u32::MAX;
+        }
+        if world.lamps().len() > u32::BITS as usize {
+            view.unclear = u32::MAX;
+            return view;
+        }
+        for (index, lamp) in world.lamps().iter().enumerate() {
+            let lamp = lamp.lamp();
+            let light = lamp.light.place;
+            if !lamp.is_plain {
+                view.unclear |= 1 << index;
+            }
+            for plane in parts.planes {
+                let (viewer, light) = (
+                    plane.side(from, parts.epsilon),
+                    plane.side(light, parts.epsilon),
+                );
+                match (viewer, light) {
+                    // What ends in a plane does not go through it.
+                    (_, Side::In) => {}
+                    (Side::In | Side::Close, _) | (_, Side::Close) => view.unclear |= 1 << index,
+                    _ if viewer == light => {}
+                    _ => view.hidden |= 1 << index,
+                }
+            }
+        }
+        view
+    }
+
+    /// How the light with a number stands.
+    #[inline(always)]
+    pub(crate) fn standing(&self, light: usize) -> Standing {
+        let bit = 1_u32.wrapping_shl(light as u32);
+        if self.hidden & bit != 0 {
+            Standing::Hidden
+        } else if self.unclear & bit != 0 {
+            Standing::Unclear
+        } else {
+            Standing::Clear
+        }
+    }
+}

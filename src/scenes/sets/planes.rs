@@ -1,0 +1,135 @@
+//! Tests: what a view says about planes and lights is what every plane says.
+
+use super::*;
+
+/// A view of a scene of planes that is held against every plane asked.
+struct Held<'a> {
+    scene: &'a Scene<0, 4, 0, 4, 1>,
+    view: View,
+    /// How often a light stood clear, hidden and unclear.
+    standings: [u32; 3],
+}
+
+impl Held<'_> {
+    /// Holds what the view says about a place that its rays come to: above the plane `left`, with
+    /// the normal there, or in mid-air. False where rounding decides on which side of a plane it is.
+    fn at(&mut self, place: Place, left: ShapeNumber, normal: Option<Direction>) -> bool {
+        let parts = self.scene.parts();
+        // Where planes meet, epsilon above one may be behind another, and a hit is known to 2^-26.
+        let margin = Length::from_bits(4 * parts.epsilon.to_bits() + (64 << place.scale));
+        let own = parts.plane(left).map(core::ptr::from_ref);
+        let is_close = |plane: &PreparedPlane| {
+            Some(core::ptr::from_ref(plane)) != own
+                && matches!(plane.side(place, margin), Side::Close | Side::In)
+        };
+        if parts.planes.iter().any(is_close) {
+            return false;
+        }
+        for light in 0..self.scene.lamps().len() {
+            self.under(light, place, left, normal);
+        }
+        true
+    }
+
+    /// The same for one light.
+    fn under(&mut self, light: usize, place: Place, left: ShapeNumber, normal: Option<Direction>) {
+        let (scene, parts) = (self.scene, self.scene.parts());
+        let lamp = scene.lamps()[light].lamp();
+        let (way, scale) = place.to(lamp.light.place);
+        let (direction, distance) = way.direction_and_length();
+        // A light in a plane is up to 4 steps beyond it, and what comes in flat goes through the
+        // plane more than epsilon before.
+        let is_flat = |plane: &PreparedPlane| {
+            let sine = plane.normal.dot(direction).to_num::<f64>().abs();
+            plane.side(lamp.light.place, parts.epsilon) == Side::In
+                && sine * f64::from(parts.epsilon.to_bits() >> scale.min(31)) < 8.0
+        };
+        if parts.planes.iter().any(is_flat) {
+            return;
+        }
+        let path = Path::new(place, direction);
+        let is_behind = normal.is_some_and(|normal| normal.dot(direction) <= Unit::ZERO);
+        let is_blocked = blocked(scene, &path, left, lamp, distance, scale);
+        let standing = self.view.standing(light);
+        self.standings[standing as usize] += 1;
+        let is_true = match standing {
+            Standing::Clear => !is_blocked,
+            Standing::Hidden => is_behind || is_blocked,
+            Standing::Unclear => true,
+        };
+        assert!(
+            is_true,
+            "{standing:?}: {path:?} of {:?} to {:?} among {:?}",
+            self.view, lamp.light, parts.planes
+        );
+    }
+
+    /// Follows a path from the camera over some mirrors, and holds what is on its way.
+    fn along(&mut self, random: &mut Random, direction: Direction) {
+        let (mut path, mut left) = (Path::new(self.view.from, direction), ShapeNumber::NONE);
+        for _ in 0..4 {
+            let Some((at, shape)) = first(self.scene, &path, left) else {
+                return;
+            };
+            // What is further away is known to too few steps.
+            if at.scale > 16 {
+                return;
+            }
+            if path.from().is_near() && at.is_near() {
+                let (_, length) = path.from().point.to(at.point).direction_and_length();
+                let part = f64::from(length.to_bits()) * random.number().abs();
+                let part = Length::from_bits(part as i32);
+                let on_the_way = Place::new(path.ray.origin.along(path.direction(), part), 0);
+                self.at(on_the_way, ShapeNumber::NONE, None);
+            }
+            let surface = Surface::new(self.scene, at, shape, path.direction()).unwrap();
+            if !self.at(surface.place, shape, Some(surface.normal)) {
+                return;
+            }
+            (path, left) = (surface.reflection(self.scene), shape);
+        }
+    }
+}
+
+#[test]
+fn view_knows_from_which_lights_planes_hide_what_it_shows() {
+    let mut random = Random(0x3c6e_f372_fe94_f82b);
+    let mut standings = [0; 3];
+    for round in 0..3000 {
+        let mut scene = RuntimeScene::<0, 4, 0, 4, 1>::new();
+        let glass = Material::new([1.0; 3]).mirror(0.5);
+        let glass = scene.add_material(glass).unwrap();
+        let points = [0; 4].map(|_| random.point());
+        for point in &points[..1 + round % 4] {
+            scene.add_plane(*point, random.point(), glass).unwrap();
+        }
+        // Among the planes, beside them, in one of them and far away.
+        let [near, beside, far] = [1.0, 8.0, 1e6].map(|size| random.point().map(|x| size * x));
+        for light in [near, beside, points[0], far] {
+            scene.add_light(light, [1, 1, 1]).unwrap();
+        }
+        // The middle of a scene of planes.
+        scene.set_camera(camera(&mut random, [0.1, 0.2, 0.3]));
+        let scene = scene.build().unwrap();
+        let size = [1.0, 3.0, 3.0, 1e6][round / 4 % 4];
+        let position = random.point().map(|x| size * x);
+        let from = scene.parts().grid.place(Position::new(position));
+        let mut held = Held {
+            scene: &scene,
+            view: View::new(&scene, from),
+            standings,
+        };
+        for _ in 0..10 {
+            let target = random.point();
+            let towards = [0, 1, 2].map(|it| 2.0 * target[it] - position[it]);
+            let direction = Position::new(towards).direction().unwrap();
+            held.along(&mut random, direction);
+        }
+        standings = held.standings;
+    }
+    let [clear, hidden, unclear] = standings;
+    assert!(
+        clear > 10_000 && hidden > 10_000 && unclear > 10_000,
+        "{standings:?}"
+    );
+}
