@@ -2,8 +2,10 @@
 //! knows what a machine needs, [`gate`] what a change must pass, [`toolchain`] how to build for a
 //! bare-metal target, [`emulator`] how to run what was built, [`board`] the default board,
 //! [`pico`] the Raspberry Pi Pico, [`screenshot`] where their pictures go, [`measure`] what a
-//! scene takes, [`cycles`] how instructions become cycles, [`scene_source`] makes Rust of scene files, [`apt`] Debian's packages and
-//! [`command`] how to run another program.
+//! scene takes, [`profile`] which part of a frame takes it, [`scale`] how that grows with the
+//! number of shapes, [`cycles`] how instructions become cycles, [`scene_source`] makes Rust of scene
+//! files, [`apt`] knows Debian's packages, [`command`] how to run another program and [`table`] how
+//! a page shows figures.
 
 pub mod accuracy;
 pub mod apt;
@@ -15,9 +17,12 @@ pub mod gate;
 pub mod measure;
 pub mod misuse;
 pub mod pico;
+pub mod profile;
+pub mod scale;
 pub mod scene_source;
 pub mod screenshot;
 pub mod setup;
+pub mod table;
 pub mod toolchain;
 
 use std::path::{Path, PathBuf};

@@ -5,7 +5,8 @@ use std::{env, path::PathBuf, process::ExitCode};
 use anyhow::{Context, Result};
 use clap::Parser;
 use xtask::{
-    accuracy, board, gate, measure, misuse::Misuse, pico, root, scene_source, screenshot, setup,
+    accuracy, board, gate, measure, misuse::Misuse, pico, profile, root, scale, scene_source,
+    screenshot, setup,
 };
 
 /// The chores of the reflet repository.
@@ -29,6 +30,8 @@ enum Chore {
         firmware: PathBuf,
     },
     Measure(measure::arguments::Arguments),
+    Profile(profile::arguments::Arguments),
+    Scale(scale::arguments::Arguments),
     /// Prints a scene file as the Rust source of a constant scene.
     Scene {
         /// JSON, one scene or an array of scenes
@@ -71,6 +74,8 @@ fn run(chore: &Chore) -> Result<()> {
         Chore::Pico(arguments) => return pico::run(arguments),
         Chore::Show { firmware } => return board::show(firmware),
         Chore::Measure(arguments) => return measure::run(arguments),
+        Chore::Profile(arguments) => return profile::run(arguments),
+        Chore::Scale(arguments) => return scale::run(arguments),
         Chore::Scene { file, name } => return scene_source::run(file, name.as_deref()),
         _ => {}
     }

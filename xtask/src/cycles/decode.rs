@@ -110,6 +110,19 @@ impl Code {
         }
     }
 
+    /// Whether the instruction at an address calls a function: BL, or BLX with a register.
+    pub fn calls(&self, address: u32) -> bool {
+        let offset = address.wrapping_sub(self.start) as usize;
+        let mut half_words = self.bytes.get(offset..).unwrap_or(&[]).chunks_exact(2);
+        let mut next = || Some(u16::from_le_bytes(half_words.next()?.try_into().ok()?));
+        // Armv7-M Architecture Reference Manual, A7.7.18 and A7.7.19.
+        match (next(), next()) {
+            (Some(first), _) if first & 0xff80 == 0x4780 => true,
+            (Some(first), Some(second)) => first & 0xf800 == 0xf000 && second & 0xd000 == 0xd000,
+            _ => false,
+        }
+    }
+
     /// What is executed at `now`, after what is at `before` and before what is at `next`.
     pub fn step(&mut self, before: Option<u32>, now: u32, next: u32) -> Result<Step> {
         let previous = before.map(|before| self.at(before)).transpose()?;
@@ -350,5 +363,27 @@ mod tests {
         assert!(instruction("pop", "{r4, pc}", 2).sets_counter());
         assert!(instruction("mov", "pc, r4", 2).sets_counter());
         assert!(!instruction("bx", "lr", 2).sets_counter());
+    }
+
+    #[test]
+    fn calls_are_told_from_jumps() {
+        let code = |bytes: &[u8]| Code {
+            start: 0x100,
+            bytes: bytes.to_vec(),
+            decoded: Vec::new(),
+        };
+        for (bytes, is_call) in [
+            (&[0xff, 0xf7, 0xfe, 0xff][..], true), // bl
+            (&[0x98, 0x47], true),                 // blx r3
+            (&[0xff, 0xf7, 0xfe, 0xbf], false),    // b.w
+            (&[0x70, 0x47], false),                // bx lr
+            (&[0x7f, 0xf5, 0xfe, 0xaf], false),    // bpl.w
+            (&[0xef, 0xf3, 0x10, 0x80], false),    // mrs
+            (&[0xff, 0xf7], false),                // half of one
+        ] {
+            assert_eq!(code(bytes).calls(0x100), is_call, "{bytes:x?}");
+        }
+        assert!(!code(&[0x98, 0x47]).calls(0x102));
+        assert!(!code(&[0x98, 0x47]).calls(0xfe));
     }
 }

@@ -13,8 +13,8 @@ use std::{fs, ops::ControlFlow, path::Path};
 
 use anyhow::{Context, Result, ensure};
 
-pub use self::timing::Timing;
-use self::{decode::Code, trace::Watch};
+use self::trace::Watch;
+pub use self::{decode::Code, timing::Timing};
 use crate::emulator::qemu::Qemu;
 
 /// What was seen of a program.
@@ -41,30 +41,51 @@ pub fn estimate(
     timing: Timing,
     wanted: impl Fn(&str) -> bool,
 ) -> Result<Estimate> {
+    let mut sum = Estimate::default();
+    watch(emulator, program, wanted, |code, executed| {
+        let Executed { before, now, next } = executed;
+        sum.instructions += 1;
+        sum.cycles += timing.cycles(&code.step(before, now, next)?);
+        Ok(())
+    })?;
+    Ok(sum)
+}
+
+/// An executed instruction: the addresses of what came before it in what is watched, of itself,
+/// and of what comes next.
+#[derive(Clone, Copy, Debug)]
+pub struct Executed {
+    pub before: Option<u32>,
+    pub now: u32,
+    pub next: u32,
+}
+
+/// Runs a program and shows `see` every instruction of the functions whose symbols are `wanted`,
+/// and of all that they call.
+pub fn watch(
+    emulator: Qemu,
+    program: &Path,
+    wanted: impl Fn(&str) -> bool,
+    mut see: impl FnMut(&mut Code, Executed) -> Result<()>,
+) -> Result<()> {
     let unreadable = || format!("cannot read {}", program.display());
     let bytes = fs::read(program).with_context(unreadable)?;
     let file = object::File::parse(&*bytes).with_context(unreadable)?;
     let mut code = Code::of(&file)?;
     let mut watch = Watch::over(trace::functions(&file, wanted));
-    let mut sum = Estimate::default();
-    let mut broken = None;
+    let (mut is_seen, mut broken) = (false, None);
     // The last two addresses of the part that is watched.
     let mut past: [Option<u32>; 2] = [None; 2];
-    emulator.trace(program, |address| {
+    emulator.trace(program, |next| {
         if let [before, Some(now)] = past {
-            match code.step(before, now, address) {
-                Ok(step) => {
-                    sum.instructions += 1;
-                    sum.cycles += timing.cycles(&step);
-                }
-                Err(error) => {
-                    broken = Some(error);
-                    return ControlFlow::Break(());
-                }
+            is_seen = true;
+            if let Err(error) = see(&mut code, Executed { before, now, next }) {
+                broken = Some(error);
+                return ControlFlow::Break(());
             }
         }
-        past = match watch.sees(address, &code) {
-            true => [past[1], Some(address)],
+        past = match watch.sees(next, &code) {
+            true => [past[1], Some(next)],
             false => [None; 2],
         };
         ControlFlow::Continue(())
@@ -72,8 +93,8 @@ pub fn estimate(
     match broken {
         Some(error) => Err(error),
         None => {
-            ensure!(sum.instructions > 0, "none of what is wanted was executed");
-            Ok(sum)
+            ensure!(is_seen, "none of what is wanted was executed");
+            Ok(())
         }
     }
 }

@@ -15,7 +15,22 @@ use super::{
 #[derive(Args, Debug)]
 #[command(after_long_help = AFTER_HELP)]
 pub struct Arguments {
-    /// The core [default: m3, and with --all every one]
+    #[command(flatten)]
+    choice: Choice,
+
+    /// Print a line of JSON instead of a table
+    #[arg(long)]
+    pub(super) json: bool,
+
+    /// Measure everything again, on --core or on all, and write docs/measured and docs/boards.md
+    #[arg(long, conflicts_with_all = ["scene", "name", "size", "reflections", "shading", "quality", "json"])]
+    pub(super) all: bool,
+}
+
+/// One measurement, as the command line says it.
+#[derive(Args, Debug)]
+pub struct Choice {
+    /// The core [default: m3]
     #[arg(long, value_parser = PossibleValuesParser::new(CORES.map(|core| core.name)))]
     core: Option<String>,
 
@@ -48,14 +63,6 @@ pub struct Arguments {
     /// How exactly fixed point computes, or the float port instead
     #[arg(long, value_enum, default_value_t = Quality::Fast)]
     quality: Quality,
-
-    /// Print a line of JSON instead of a table
-    #[arg(long)]
-    pub(super) json: bool,
-
-    /// Measure everything again and write docs/measured and docs/boards.md
-    #[arg(long, conflicts_with_all = ["scene", "name", "size", "reflections", "shading", "quality", "json"])]
-    pub(super) all: bool,
 }
 
 const AFTER_HELP: &str = "\
@@ -74,11 +81,25 @@ cycles_per_pixel (null where no timings are published).";
 impl Arguments {
     /// The core that is asked for.
     pub(super) fn core(&self) -> Option<&'static Core> {
-        self.core.as_deref().and_then(Core::find)
+        self.choice.core()
     }
 
     /// The one measurement that is asked for.
     pub(super) fn task(&self) -> Result<Task> {
+        self.choice.task()
+    }
+}
+
+impl Choice {
+    fn core(&self) -> Option<&'static Core> {
+        self.core.as_deref().and_then(Core::find)
+    }
+
+    /// The task that it comes to.
+    ///
+    /// # Errors
+    /// [`Misuse`](crate::misuse::Misuse) where the scene cannot be used.
+    pub fn task(&self) -> Result<Task> {
         let core = self
             .core()
             .unwrap_or(Core::find("m3").expect("it is in the list"));

@@ -18,7 +18,7 @@ use std::io::{self, Write};
 
 use anyhow::Result;
 
-pub use self::firmware::with_program;
+pub use self::firmware::{RUN_LIMIT, is_counted, with_program};
 use self::{arguments::Arguments, figures::Figures, task::Task};
 use crate::cycles::{self, Estimate};
 

@@ -7,6 +7,7 @@ use super::{
     cores::{CORES, Core},
     figures::Figures,
 };
+use crate::table::markdown;
 
 const HEAD: &str = "\
 <!-- Written by `cargo xtask measure --all`. Do not edit: the next run writes over it. -->
@@ -105,7 +106,7 @@ impl Page<'_> {
             });
             [scene.to_owned()].into_iter().chain(cells).collect()
         });
-        table(1, &head, &rows)
+        markdown(1, &head, &rows)
     }
 
     fn float(&self) -> String {
@@ -132,7 +133,7 @@ impl Page<'_> {
             }
             cells
         });
-        table(1, &head, &rows)
+        markdown(1, &head, &rows)
     }
 
     /// A column a core whose timings are known, and the float port where it is measured.
@@ -157,7 +158,7 @@ impl Page<'_> {
             });
             [scene.to_owned()].into_iter().chain(cells).collect()
         });
-        table(1, &head, &rows)
+        markdown(1, &head, &rows)
     }
 
     /// A row a board, a column a scene.
@@ -186,7 +187,7 @@ impl Page<'_> {
             cells.push(seconds(display.transfer()));
             cells
         });
-        table(3, &head, &rows.collect::<Vec<_>>())
+        markdown(3, &head, &rows.collect::<Vec<_>>())
     }
 
     fn statics(&self) -> String {
@@ -196,16 +197,6 @@ impl Page<'_> {
             most => format!("Static variables: {most} bytes at most.\n"),
         }
     }
-}
-
-/// A Markdown table: so many columns of text, and then numbers, which stand to the right.
-fn table(texts: usize, head: &[String], rows: &[Vec<String>]) -> String {
-    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
-    let rule = |column| if column < texts { "---" } else { "--:" };
-    let rule: Vec<_> = (0..head.len()).map(rule).collect();
-    let mut text = line(head) + &format!("|{}|\n", rule.join("|"));
-    text.extend(rows.iter().map(|cells| line(cells)));
-    text
 }
 
 /// Two digits that count.

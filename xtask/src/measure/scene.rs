@@ -62,6 +62,19 @@ impl Scene {
         })
     }
 
+    /// The scene of a file that is only a text, and need not have been written anywhere.
+    ///
+    /// # Errors
+    /// [`Misuse`] where the text cannot be used.
+    pub fn parse(text: &str) -> Result<Self> {
+        let (file, source) = scene_source::parse(text)?;
+        Ok(Self::File {
+            name: file.name().unwrap_or("scene").to_owned(),
+            file: Box::new(file),
+            source,
+        })
+    }
+
     /// What it is called.
     pub fn name(&self) -> &str {
         match self {

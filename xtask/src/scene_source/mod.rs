@@ -37,24 +37,38 @@ pub fn run(path: &Path, chosen: Option<&str>) -> Result<()> {
 /// [`Misuse`] where the file cannot be used.
 pub fn read(path: &Path, chosen: Option<&str>) -> Result<(SceneFile, Source)> {
     let file = SceneFile::read(path, chosen).map_err(Misuse::new)?;
-    file.build().map_err(Misuse::new)?;
-    let stem = path
-        .file_stem()
-        .unwrap_or(path.as_os_str())
-        .to_string_lossy();
-    let name = file.name().unwrap_or(&stem).to_owned();
-    let (scene, camera) = file.reference();
-    let type_name = names::type_name(&name);
-    let materials = names::constants(&material_names(path, file.name())?, &type_name);
-    let text = write::source(&name, &type_name, &materials, &scene, &camera);
-    let text = laid_out(&text)?;
-    Ok((file, Source { type_name, text }))
+    let text = fs::read_to_string(path).map_err(Misuse::new)?;
+    let stem = path.file_stem().unwrap_or(path.as_os_str());
+    let source = source(&file, &text, &stem.to_string_lossy())?;
+    Ok((file, source))
 }
 
-/// The names of the materials, which the library does not keep. The file has been read without
+/// Writes the source of a scene that is given as the text of a file.
+///
+/// # Errors
+/// [`Misuse`] where the text cannot be used.
+pub fn parse(text: &str) -> Result<(SceneFile, Source)> {
+    let file = SceneFile::parse(text, None).map_err(Misuse::new)?;
+    let source = source(&file, text, "scene")?;
+    Ok((file, source))
+}
+
+/// The source of the scene that was read from `text`; `unnamed` is what a scene without a name is
+/// called.
+fn source(file: &SceneFile, text: &str, unnamed: &str) -> Result<Source> {
+    file.build().map_err(Misuse::new)?;
+    let name = file.name().unwrap_or(unnamed);
+    let (scene, camera) = file.reference();
+    let type_name = names::type_name(name);
+    let materials = names::constants(&material_names(text, file.name())?, &type_name);
+    let text = write::source(name, &type_name, &materials, &scene, &camera);
+    let text = laid_out(&text)?;
+    Ok(Source { type_name, text })
+}
+
+/// The names of the materials, which the library does not keep. The text has been read without
 /// an error before.
-fn material_names(path: &Path, scene: Option<&str>) -> Result<Vec<String>> {
-    let text = fs::read_to_string(path).map_err(Misuse::new)?;
+fn material_names(text: &str, scene: Option<&str>) -> Result<Vec<String>> {
     let document: Value = serde_json::from_str(text.trim_start_matches('\u{feff}'))?;
     let scenes = match document {
         Value::Array(scenes) => scenes,

@@ -1,0 +1,282 @@
+//! Which stage of a frame a function belongs to.
+
+/// A stage of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Stage {
+    /// Once a frame.
+    Preparation,
+    /// What the rays of a row can meet.
+    Spans,
+    /// The ray of a pixel, and what it meets first.
+    Primary,
+    /// Normals, cosines, highlights and colours.
+    Shading,
+    /// Whether a light is blocked, and the choice of what may block it.
+    Shadow,
+    /// The mirrored rays, and what they meet.
+    Reflection,
+    /// From the sum of a path to the pixel.
+    Output,
+    /// What no rule names, nor any of its callers.
+    Other,
+}
+
+/// All of them, in the order of a frame.
+pub const STAGES: [Stage; 8] = [
+    Stage::Preparation,
+    Stage::Spans,
+    Stage::Primary,
+    Stage::Shading,
+    Stage::Shadow,
+    Stage::Reflection,
+    Stage::Output,
+    Stage::Other,
+];
+
+impl Stage {
+    /// Its name in a table.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Preparation => "preparation",
+            Self::Spans => "spans",
+            Self::Primary => "primary",
+            Self::Shading => "shading",
+            Self::Shadow => "shadow",
+            Self::Reflection => "reflection",
+            Self::Output => "output",
+            Self::Other => "other",
+        }
+    }
+}
+
+/// What a function says about the stage of its instructions and of all that it calls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// They belong to this stage, unless something called says otherwise.
+    Is(Stage),
+    /// They all belong to this stage, whatever is called.
+    AllIs(Stage),
+    /// They make the first ray of a pixel.
+    MakesRay,
+    /// They make the ray that goes on from a surface.
+    MirrorsRay,
+    /// They find what the latest ray meets.
+    Meets,
+}
+
+/// The rules, by the beginning of a function's [`path`]; the first that fits counts. A function that
+/// none fits belongs to its caller's stage.
+const RULES: [(&str, Rule); 22] = [
+    (
+        "firmware::contestant::Fixed::prepare",
+        Rule::AllIs(Stage::Preparation),
+    ),
+    ("firmware", Rule::Is(Stage::Output)),
+    ("reflet::camera::Lens::fan", Rule::Is(Stage::Spans)),
+    ("reflet::camera", Rule::MakesRay),
+    ("reflet::scene::row::Row::nearest", Rule::Meets),
+    ("reflet::scene::row", Rule::Is(Stage::Spans)),
+    ("reflet::scene::sight", Rule::Is(Stage::Spans)),
+    ("reflet::scene::query::nearest", Rule::Meets),
+    ("reflet::scene::query::blocked", Rule::Is(Stage::Shadow)),
+    ("reflet::scene::far::nearest", Rule::Meets),
+    ("reflet::scene::far::blocked", Rule::Is(Stage::Shadow)),
+    ("reflet::scene::cells", Rule::Is(Stage::Shadow)),
+    ("reflet::scene::view", Rule::Is(Stage::Shadow)),
+    ("reflet::shade::Surface::reflection", Rule::MirrorsRay),
+    ("reflet::shade", Rule::Is(Stage::Shading)),
+    ("reflet::trace::Tracer::new", Rule::Is(Stage::Spans)),
+    ("reflet::trace::Tracer::look", Rule::Is(Stage::Spans)),
+    ("reflet::trace", Rule::Is(Stage::Other)),
+    ("reflet::color::Sum::to_rgb8", Rule::Is(Stage::Output)),
+    ("reflet::color", Rule::Is(Stage::Shading)),
+    ("reflet::render::Picture::tracer", Rule::Is(Stage::Spans)),
+    ("reflet::render", Rule::Is(Stage::Output)),
+];
+
+impl Rule {
+    /// Of a function.
+    pub fn of(name: &str) -> Option<Self> {
+        let path = path(name);
+        let mut rules = RULES.iter();
+        let found = rules.find(|(start, _)| path.starts_with(start))?;
+        Some(found.1)
+    }
+}
+
+/// The modules, type and name of a function, without generics and traits:
+/// `<scene::Static<T> as scene::World>::parts` is `scene::Static::parts`.
+pub fn path(name: &str) -> String {
+    let Some(inside) = name.strip_prefix('<') else {
+        let plain: String = outside(name).map(|(_, letter)| letter).collect();
+        let plain = plain.replace("::::", "::");
+        return plain.trim_end_matches("::").to_owned();
+    };
+    let close = outside(inside).find(|&(_, letter)| letter == '>');
+    let (of, rest) = match close {
+        Some((at, _)) => (&inside[..at], &inside[at + 1..]),
+        None => (inside, ""),
+    };
+    let of = of.split(" as ").next().unwrap_or(of);
+    path(of.trim_start_matches('&')) + &path(rest)
+}
+
+/// The letters of a text that stand outside of all brackets, and where they do; a bracket that
+/// closes what the text does not open is outside.
+fn outside(text: &str) -> impl Iterator<Item = (usize, char)> {
+    let (mut depth, mut before) = (0, ' ');
+    text.char_indices().filter(move |&(_, letter)| {
+        let is_inside = depth > 0;
+        match letter {
+            '<' => depth += 1,
+            // An arrow's is none.
+            '>' if before != '-' && depth > 0 => depth -= 1,
+            _ => {}
+        }
+        before = letter;
+        !is_inside && letter != '<'
+    })
+}
+
+/// Which ray of a pixel is the latest.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Ray {
+    /// The pixel's own, that has not been followed yet.
+    #[default]
+    New,
+    /// The pixel's own.
+    First,
+    /// A mirrored one.
+    Mirrored,
+}
+
+impl Ray {
+    /// After an instruction of a function with this rule. An instruction of the mirrored ray that
+    /// the compiler has moved before the first one is followed changes nothing.
+    pub fn after(self, rule: Option<Rule>) -> Self {
+        match (self, rule) {
+            (_, Some(Rule::MakesRay)) => Self::New,
+            (Self::New, Some(Rule::Meets)) => Self::First,
+            (Self::First, Some(Rule::MirrorsRay)) => Self::Mirrored,
+            _ => self,
+        }
+    }
+}
+
+/// The stage of an instruction, by the rules of the functions it belongs to, the innermost first.
+pub fn stage(rules: impl Iterator<Item = Rule>, ray: Ray) -> Stage {
+    let (mut found, mut all) = (None, None);
+    for rule in rules {
+        let stage = match rule {
+            Rule::Is(stage) | Rule::AllIs(stage) => stage,
+            Rule::MakesRay => Stage::Primary,
+            Rule::MirrorsRay => Stage::Reflection,
+            Rule::Meets if ray == Ray::Mirrored => Stage::Reflection,
+            Rule::Meets => Stage::Primary,
+        };
+        found.get_or_insert(stage);
+        if let Rule::AllIs(stage) = rule {
+            all = Some(stage);
+        }
+    }
+    all.or(found).unwrap_or(Stage::Other)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+    use crate::root;
+
+    #[test]
+    fn path_has_neither_generics_nor_traits() {
+        for (name, expected) in [
+            ("reflet::trace::trace", "reflet::trace::trace"),
+            (
+                "reflet::render::Picture<W,Q,K>::colors::{{closure}}",
+                "reflet::render::Picture::colors::{{closure}}",
+            ),
+            (
+                "<reflet::scene::Static<T> as reflet::scene::World>::parts",
+                "reflet::scene::Static::parts",
+            ),
+            ("<&W as reflet::scene::World>::parts::<X>", "W::parts"),
+            (
+                "reflet::scene::row::<impl reflet::ray::Fan>::column",
+                "reflet::scene::row::column",
+            ),
+            (
+                "<core::iter::Map<I, fn(u8) -> <A as B>::C> as Iterator>::next",
+                "core::iter::Map::next",
+            ),
+            ("<reflet::camera::Lens>::fan", "reflet::camera::Lens::fan"),
+            ("__aeabi_lmul", "__aeabi_lmul"),
+            ("<broken", "broken"),
+            ("<A<B> as C", "A"),
+            ("a>b<c", "a>b"),
+        ] {
+            assert_eq!(path(name), expected);
+        }
+    }
+
+    /// The library's functions are renamed now and then: a rule that names none would only move
+    /// instructions to another stage in silence.
+    #[test]
+    fn rules_name_what_there_is() {
+        for (rule, _) in RULES {
+            let (package, rest) = rule.split_once("::").unwrap_or((rule, ""));
+            let mut folder = root().join(match package {
+                "reflet" => "src",
+                "firmware" => "xtask/firmware/src",
+                _ => panic!("{rule} names no package"),
+            });
+            let mut file = folder.join("lib.rs");
+            for name in rest.split("::").filter(|name| !name.is_empty()) {
+                folder = folder.join(name);
+                let modules = [folder.with_extension("rs"), folder.join("mod.rs")];
+                if let Some(module) = modules.into_iter().find(|module| module.is_file()) {
+                    file = module;
+                    continue;
+                }
+                let text = fs::read_to_string(&file).unwrap();
+                let is_there =
+                    ["fn ", "struct "].map(|word| text.contains(&(word.to_owned() + name)));
+                assert!(
+                    is_there.contains(&true),
+                    "there is no {name} in {}, as the rule {rule} says",
+                    file.display()
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn rays_are_told_apart_by_what_is_made() {
+        let after = |rules: &[Rule]| {
+            let ray = |ray: Ray, rule: &Rule| ray.after(Some(*rule)).after(None);
+            rules.iter().fold(Ray::default(), ray)
+        };
+        use Rule::{MakesRay, Meets, MirrorsRay};
+        let shades = Rule::Is(Stage::Shading);
+        assert_eq!(after(&[MakesRay]), Ray::New);
+        assert_eq!(after(&[MakesRay, Meets, shades]), Ray::First);
+        // What the compiler has moved up.
+        assert_eq!(after(&[MakesRay, MirrorsRay, Meets]), Ray::First);
+        assert_eq!(after(&[MakesRay, Meets, MirrorsRay, Meets]), Ray::Mirrored);
+        assert_eq!(after(&[MakesRay, Meets, MirrorsRay, MakesRay]), Ray::New);
+    }
+
+    #[test]
+    fn innermost_rule_says_the_stage_unless_one_is_for_all() {
+        let of = |rules: &[Rule], ray| stage(rules.iter().copied(), ray);
+        let (spans, output) = (Rule::Is(Stage::Spans), Rule::Is(Stage::Output));
+        let all = Rule::AllIs(Stage::Preparation);
+        assert_eq!(of(&[spans, output], Ray::First), Stage::Spans);
+        assert_eq!(of(&[spans, all, output], Ray::First), Stage::Preparation);
+        assert_eq!(of(&[], Ray::First), Stage::Other);
+        assert_eq!(of(&[Rule::Meets, output], Ray::First), Stage::Primary);
+        assert_eq!(of(&[Rule::Meets, output], Ray::Mirrored), Stage::Reflection);
+        assert_eq!(of(&[Rule::MirrorsRay], Ray::First), Stage::Reflection);
+    }
+}

@@ -1,0 +1,93 @@
+//! Adds up what was executed, by stage and by function.
+
+use std::collections::HashMap;
+
+use super::{
+    names::Names,
+    record::Record,
+    stages::{Rule, STAGES, Stage, path, stage},
+};
+
+/// Instructions by stage and by function.
+#[derive(Debug, Default)]
+pub struct Sums {
+    stages: HashMap<Stage, u64>,
+    /// Of the library's functions, with the foreign ones in them.
+    pub(super) library: HashMap<(Stage, String), Library>,
+    /// Of the functions at the bottom of all inlining.
+    pub(super) innermost: HashMap<(Stage, String), u64>,
+    /// Of the library's lines, with the foreign functions in them.
+    pub(super) lines: HashMap<(Stage, String), u64>,
+    /// Of the functions that are linked.
+    pub(super) linked: HashMap<String, Linked>,
+}
+
+/// A function of the library.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Library {
+    pub own: u64,
+    /// With all that it calls.
+    pub all: u64,
+}
+
+/// A linked function.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Linked {
+    pub own: u64,
+    pub calls: u64,
+}
+
+impl Sums {
+    /// Instructions of a stage.
+    pub fn stage(&self, stage: Stage) -> u64 {
+        self.stages.get(&stage).copied().unwrap_or(0)
+    }
+
+    /// Instructions of all stages.
+    pub fn total(&self) -> u64 {
+        STAGES.iter().map(|&stage| self.stage(stage)).sum()
+    }
+
+    pub(super) fn of(record: &Record, names: &Names) -> Self {
+        let mut sums = Self::default();
+        for (way, ray, address, count) in record.all() {
+            let frames = record.frames(way, address);
+            let rules = frames.iter().filter_map(|frame| Rule::of(&frame.name));
+            let stage = stage(rules, ray);
+            *sums.stages.entry(stage).or_default() += count;
+            let innermost = frames.first().map(|frame| frame.name.clone());
+            let innermost = innermost.unwrap_or_else(|| format!("{address:#x}"));
+            *sums.innermost.entry((stage, innermost)).or_default() += count;
+            let linked = names.function(address).map(|(_, name)| name);
+            let linked = linked.unwrap_or("no function").to_owned();
+            sums.linked.entry(linked).or_default().own += count;
+            let library = frames.iter().filter(|frame| is_of_library(&frame.name));
+            let mut seen = Vec::new();
+            for frame in library {
+                let row = sums.library.entry((stage, frame.name.clone()));
+                let row = row.or_default();
+                if seen.is_empty() {
+                    row.own += count;
+                    let line = frame.line.clone();
+                    let line = line.unwrap_or_else(|| format!("no line in {}", frame.name));
+                    *sums.lines.entry((stage, line)).or_default() += count;
+                }
+                // A closure may stand in its own function again.
+                if !seen.contains(&&frame.name) {
+                    row.all += count;
+                    seen.push(&frame.name);
+                }
+            }
+        }
+        for (call, count) in record.calls.all() {
+            if let Some((_, name)) = names.function(call.callee) {
+                sums.linked.entry(name.to_owned()).or_default().calls += count;
+            }
+        }
+        sums
+    }
+}
+
+fn is_of_library(name: &str) -> bool {
+    path(name).starts_with("reflet::")
+}

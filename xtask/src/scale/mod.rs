@@ -1,0 +1,286 @@
+//! `cargo xtask scale`: what a frame takes with more and more spheres.
+//!
+//! The scenes are [`spiral`]'s, alike but for the number of their spheres; each becomes a constant
+//! scene and is measured as any other ([`crate::measure`]). [`page`] makes `docs/scale.md` of it.
+
+pub mod arguments;
+mod page;
+
+use std::io::{self, Write};
+
+use anyhow::{Context, Result};
+use reflet::host::{file::SceneFile, reference};
+use serde::Serialize;
+use spiral::Order;
+
+use self::arguments::Arguments;
+use crate::{
+    measure::{
+        self,
+        cores::Core,
+        figures::Figures,
+        scene::Scene,
+        task::{Quality, Settings, Shading, Size, Task},
+    },
+    root,
+};
+
+/// How many spheres the scenes have.
+pub const COUNTS: [usize; 9] = [1, 2, 4, 8, 16, 32, 64, 128, 256];
+
+/// The scenes that are held against each other.
+pub const FEW: usize = 16;
+/// See [`FEW`].
+pub const MANY: usize = 256;
+
+/// [`MANY`] spheres have to cost less than this times what [`FEW`] cost. A kernel that asks every
+/// sphere costs [`MANY`] / [`FEW`] times as much.
+pub const BAR: f64 = 6.0;
+
+/// How everything is measured unless the command line says otherwise.
+pub const SIZE: Size = Size {
+    width: 64,
+    height: 64,
+};
+
+/// What the scene with one number of spheres comes to. In JSON the keys are the names of the
+/// fields.
+#[derive(Clone, Debug, Serialize)]
+struct Member {
+    spheres: usize,
+    instructions_per_pixel: f64,
+    /// The quotient to the member before.
+    times: Option<f64>,
+    /// With the spheres listed in random order.
+    shuffled_instructions_per_pixel: f64,
+    prepare_instructions: u64,
+    flash: u64,
+    /// The share of the pixels that show a sphere.
+    seen: f64,
+}
+
+/// All that is measured. In JSON the keys are the names of the fields.
+#[derive(Debug, Serialize)]
+struct Scale {
+    core: &'static str,
+    size: String,
+    members: Vec<Member>,
+    /// What [`MANY`] spheres cost over what [`FEW`] cost.
+    times: f64,
+    /// The same with the spheres listed in random order.
+    shuffled_times: f64,
+    bar: f64,
+}
+
+/// Does what the command line asks for.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let (core, size) = (arguments.core(), arguments.size());
+    let mut out = io::stdout();
+    let mut members = Vec::new();
+    if !arguments.json {
+        writeln!(out, "{}", line(&HEAD))?;
+    }
+    for count in COUNTS {
+        let member = Member::measure(core, size, count, members.last())?;
+        if !arguments.json {
+            writeln!(out, "{}", line(&member.cells()))?;
+        }
+        members.push(member);
+    }
+    let scale = Scale::new(core, size, members)?;
+    match arguments.json {
+        true => writeln!(out, "{}", serde_json::to_string(&scale)?)?,
+        false => writeln!(out, "\n{}", scale.verdict())?,
+    }
+    if arguments.are_defaults() {
+        let page = root().join("docs/scale.md");
+        std::fs::write(&page, page::write(core, &scale))
+            .with_context(|| format!("cannot write {}", page.display()))?;
+        writeln!(out, "{}", page.display())?;
+    }
+    Ok(())
+}
+
+/// Measures the scene with this number of spheres.
+pub fn count(core: &'static Core, size: Size, spheres: usize, order: Order) -> Result<Figures> {
+    measure::count(&Task {
+        core,
+        scene: Scene::parse(&spiral::scene(spheres, order))?,
+        settings: Settings {
+            size,
+            reflections: 4,
+            shading: Shading::BlinnPhong,
+            quality: Quality::Fast,
+        },
+    })
+}
+
+/// The columns of the table.
+const HEAD: [&str; 7] = [
+    "spheres",
+    "instr/pixel",
+    "times",
+    "shuffled",
+    "prepare",
+    "flash",
+    "seen",
+];
+
+impl Member {
+    fn measure(
+        core: &'static Core,
+        size: Size,
+        spheres: usize,
+        before: Option<&Self>,
+    ) -> Result<Self> {
+        let figures = count(core, size, spheres, Order::Spiral)?;
+        let shuffled = count(core, size, spheres, Order::Shuffled)?;
+        let instructions = figures.instructions_per_pixel;
+        Ok(Self {
+            spheres,
+            instructions_per_pixel: instructions,
+            times: before.map(|before| instructions / before.instructions_per_pixel),
+            shuffled_instructions_per_pixel: shuffled.instructions_per_pixel,
+            prepare_instructions: figures.prepare_instructions,
+            flash: figures.flash,
+            seen: seen(size, spheres)?,
+        })
+    }
+
+    /// The figures in the order of [`HEAD`].
+    fn cells(&self) -> [String; 7] {
+        let times = self.times.map(|times| format!("{times:.2}"));
+        [
+            self.spheres.to_string(),
+            format!("{:.1}", self.instructions_per_pixel),
+            times.unwrap_or_else(|| "-".to_owned()),
+            format!("{:.1}", self.shuffled_instructions_per_pixel),
+            self.prepare_instructions.to_string(),
+            self.flash.to_string(),
+            format!("{:.0} %", 100.0 * self.seen),
+        ]
+    }
+}
+
+/// A line of the printed table, which is printed while it is measured.
+fn line(cells: &[impl AsRef<str>]) -> String {
+    let width = HEAD.iter().map(|name| name.len()).max().unwrap_or(0);
+    let cells = cells.iter().map(AsRef::as_ref);
+    let cells: Vec<_> = cells.map(|cell| format!("{cell:>width$}")).collect();
+    cells.join("  ")
+}
+
+impl Scale {
+    fn new(core: &Core, size: Size, members: Vec<Member>) -> Result<Self> {
+        let member = |spheres| {
+            let found = members.iter().find(|member| member.spheres == spheres);
+            found.context("a scene was not measured")
+        };
+        let (few, many) = (member(FEW)?, member(MANY)?);
+        Ok(Self {
+            core: core.name,
+            size: size.to_string(),
+            times: many.instructions_per_pixel / few.instructions_per_pixel,
+            shuffled_times: many.shuffled_instructions_per_pixel
+                / few.shuffled_instructions_per_pixel,
+            bar: BAR,
+            members,
+        })
+    }
+
+    fn verdict(&self) -> String {
+        let Self {
+            times,
+            shuffled_times,
+            ..
+        } = self;
+        format!(
+            "{MANY} spheres cost {times:.2} times what {FEW} cost; the bar is less than {BAR}. \
+             In random order {shuffled_times:.2} times."
+        )
+    }
+}
+
+/// The share of the pixels that show a sphere.
+fn seen(size: Size, spheres: usize) -> Result<f64> {
+    let file = SceneFile::parse(&spiral::scene(spheres, Order::Spiral), None)?;
+    let (mut scene, camera) = file.reference();
+    scene.planes.clear();
+    let (width, height) = (size.width.into(), size.height.into());
+    let shading = reference::Shading::Normals;
+    let picture = reference::render(&scene, &camera, width, height, 0, shading);
+    // What that shading shows where nothing is met; no normal looks so.
+    let is_sphere = |pixel: &&[u8; 3]| **pixel != [0, 0, 255];
+    let shown = picture.pixels.iter().filter(is_sphere).count();
+    Ok(shown as f64 / picture.pixels.len() as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::Value;
+
+    use super::*;
+
+    /// As if the instructions were the spheres' number, and in random order its square.
+    fn scale() -> Scale {
+        let member = |spheres: usize| Member {
+            spheres,
+            instructions_per_pixel: spheres as f64,
+            times: (spheres > 1).then_some(2.0),
+            shuffled_instructions_per_pixel: spheres.pow(2) as f64,
+            prepare_instructions: 5,
+            flash: 6,
+            seen: 0.25,
+        };
+        let core = Core::find("m3").unwrap();
+        Scale::new(core, SIZE, COUNTS.map(member).to_vec()).unwrap()
+    }
+
+    #[test]
+    fn few_are_held_against_many() {
+        assert_eq!(
+            scale().verdict(),
+            "256 spheres cost 16.00 times what 16 cost; the bar is less than 6. \
+             In random order 256.00 times."
+        );
+    }
+
+    #[test]
+    fn json_has_the_keys_that_the_help_names() {
+        let json = serde_json::to_value(scale()).unwrap();
+        let keys = |value: &Value| {
+            value
+                .as_object()
+                .unwrap()
+                .keys()
+                .cloned()
+                .collect::<Vec<_>>()
+        };
+        let expected = ["bar", "core", "members", "shuffled_times", "size", "times"];
+        assert_eq!(keys(&json), expected);
+        let expected = [
+            "flash",
+            "instructions_per_pixel",
+            "prepare_instructions",
+            "seen",
+            "shuffled_instructions_per_pixel",
+            "spheres",
+            "times",
+        ];
+        assert_eq!(keys(&json["members"][0]), expected);
+        assert_eq!(json["members"][0]["times"], Value::Null);
+        assert_eq!(json["members"][8]["times"], 2.0);
+    }
+
+    #[test]
+    fn page_has_a_row_for_every_scene() {
+        let page = page::write(Core::find("m3").unwrap(), &scale());
+        for spheres in COUNTS {
+            assert!(
+                page.contains(&format!("\n| {spheres} | {spheres}.0 | ")),
+                "{page}"
+            );
+        }
+        assert!(page.contains(&scale().verdict()));
+    }
+}

@@ -1,0 +1,11 @@
+//! Tables for the pages that the chores write.
+
+/// A Markdown table: so many columns of text, and then numbers, which stand to the right.
+pub fn markdown(texts: usize, head: &[String], rows: &[Vec<String>]) -> String {
+    let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
+    let rule = |column| if column < texts { "---" } else { "--:" };
+    let rule: Vec<_> = (0..head.len()).map(rule).collect();
+    let mut text = line(head) + &format!("|{}|\n", rule.join("|"));
+    text.extend(rows.iter().map(|cells| line(cells)));
+    text
+}

@@ -1,0 +1,241 @@
+//! `cargo xtask profile`, as a user calls it.
+
+use std::{collections::HashMap, process::Command};
+
+use serde_json::Value;
+use xtask::{
+    measure::{
+        cores::Core,
+        scene::Scene,
+        task::{Quality, Settings, Shading, Size, Task},
+        with_program,
+    },
+    profile::{STAGES, Stage, profile},
+};
+
+const STAGE_NAMES: [&str; 8] = [
+    "preparation",
+    "spans",
+    "primary",
+    "shading",
+    "shadow",
+    "reflection",
+    "output",
+    "other",
+];
+
+/// Exit code, output and complaints.
+fn xtask(arguments: &str) -> (i32, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
+        .args(arguments.split_whitespace())
+        .output()
+        .unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (
+        output.status.code().unwrap(),
+        text(output.stdout),
+        text(output.stderr),
+    )
+}
+
+/// What the command prints as JSON.
+fn lines(arguments: &str) -> Vec<Value> {
+    let (code, out, complaints) = xtask(&format!("profile --json {arguments}"));
+    assert_eq!((code, complaints.as_str()), (0, ""));
+    let line = |line| serde_json::from_str(line).unwrap();
+    out.lines().map(line).collect()
+}
+
+/// Instructions by stage, and of the `total`.
+fn stages(lines: &[Value]) -> HashMap<&str, u64> {
+    let figures = lines.iter().filter(|line| line["table"].is_null());
+    let figure = |line| (text(line, "stage"), count(line));
+    figures.map(figure).collect()
+}
+
+fn text<'a>(line: &'a Value, key: &str) -> &'a str {
+    line[key].as_str().unwrap()
+}
+
+fn count(line: &Value) -> u64 {
+    line["instructions"].as_u64().unwrap()
+}
+
+/// A number that the measurement firmware reports.
+fn reported(said: &str, name: &str) -> u64 {
+    let report = said.lines().find_map(|line| line.strip_prefix("measured "));
+    let mut words = report.unwrap().split(' ');
+    let digits = words.find_map(|word| word.strip_prefix(name)?.strip_prefix('='));
+    u64::from_str_radix(digits.unwrap(), 16).unwrap()
+}
+
+#[test]
+fn total_is_what_measure_counts_but_for_the_calls() {
+    const ROWS: u64 = 16;
+    let task = Task {
+        core: Core::find("m3").unwrap(),
+        scene: Scene::BuiltIn("primitives"),
+        settings: Settings {
+            size: Size {
+                width: 16,
+                height: ROWS as u16,
+            },
+            reflections: 4,
+            shading: Shading::BlinnPhong,
+            quality: Quality::Fast,
+        },
+    };
+    let sums = profile(&task).unwrap();
+    let said = with_program(&task, |program| {
+        Ok(task.core.counting_emulator().run(program)?)
+    });
+    let said = said.unwrap();
+    // Arguments are loaded and the call itself is made between two looks at the clock.
+    let call = 1..=32;
+    let beyond = reported(&said, "prepare") - sums.stage(Stage::Preparation);
+    assert!(call.contains(&beyond), "{beyond} for a call");
+    let beyond = reported(&said, "instructions") - sums.total() - beyond;
+    assert!(call.contains(&(beyond / ROWS)), "{beyond} for {ROWS} calls");
+    for stage in STAGES {
+        assert!(sums.stage(stage) > 0, "{stage:?}");
+    }
+}
+
+#[test]
+fn stages_and_tables_add_up_to_the_total() {
+    // A core that lacks instructions calls for what they do from everywhere.
+    let lines = lines("--core m0 --scene castle --size 8x8 --functions --top 100000");
+    let stages = stages(&lines);
+    let sum: u64 = STAGE_NAMES.iter().map(|name| stages[name]).sum();
+    assert_eq!(
+        (stages.len(), sum),
+        (STAGE_NAMES.len() + 1, stages["total"])
+    );
+    let rows = |table: &str, stage: Option<&str>| {
+        let rows = lines.iter().filter(|line| line["table"] == table);
+        let rows = rows.filter(|line| line["stage"].as_str() == stage);
+        rows.cloned().collect::<Vec<_>>()
+    };
+    let sum = |rows: &[Value]| rows.iter().map(count).sum::<u64>();
+    for name in STAGE_NAMES {
+        assert_eq!(sum(&rows("innermost", Some(name))), stages[name], "{name}");
+        for row in rows("library", Some(name)) {
+            let all = row["all_per_pixel"].as_f64().unwrap() * 64.0;
+            assert!(
+                (count(&row)..=stages[name]).contains(&(all.round() as u64)),
+                "{row}"
+            );
+        }
+    }
+    let linked = rows("linked", None);
+    assert_eq!(sum(&linked), stages["total"]);
+    let calls = |start: &str| {
+        let rows = linked
+            .iter()
+            .filter(|row| text(row, "name").starts_with(start));
+        let calls = rows.map(|row| row["calls_per_pixel"].as_f64().unwrap());
+        calls.sum::<f64>()
+    };
+    assert_eq!(calls("reflet::trace::"), 1.0);
+    // What many call belongs to each of them.
+    let stages_of = |name: &str| {
+        let is_in = |stage: &&str| {
+            let rows = rows("innermost", Some(stage));
+            rows.iter().any(|row| text(row, "name") == name)
+        };
+        STAGE_NAMES.into_iter().filter(is_in).count()
+    };
+    let shared = linked.iter().map(|row| stages_of(text(row, "name")));
+    assert!(shared.max().unwrap() > 2);
+    assert!(stages["other"] < stages["total"] / 10, "{stages:?}");
+}
+
+#[test]
+fn mirrored_rays_are_told_from_the_first() {
+    let of = |reflections| {
+        let lines = lines(&format!(
+            "--scene mirror1 --size 8x8 --reflections {reflections}"
+        ));
+        ["primary", "reflection", "shading", "shadow"].map(|name| stages(&lines)[name])
+    };
+    let [primary, reflection, shading, shadow] = of(0);
+    assert_eq!(reflection, 0);
+    let deep = of(4);
+    assert_eq!(deep[0], primary, "the first rays are the same");
+    assert!(deep[1] > primary / 2);
+    assert!(deep[2] > shading && deep[3] > shadow);
+}
+
+#[test]
+fn empty_scene_is_neither_shaded_nor_mirrored() {
+    let lines = lines("--core m4f --scene empty --size 8x4 --quality fine");
+    let stages = stages(&lines);
+    assert_eq!(
+        ["shading", "shadow", "reflection"].map(|name| stages[name]),
+        [0; 3]
+    );
+    assert!(stages["primary"] > 32 && stages["preparation"] > 0);
+    let line = lines.last().unwrap();
+    assert_eq!(
+        (text(line, "stage"), line["share"].as_f64()),
+        ("total", Some(1.0))
+    );
+    assert_eq!(
+        line["instructions_per_pixel"].as_f64().unwrap() * 32.0,
+        count(line) as f64
+    );
+}
+
+#[test]
+fn tables_name_what_they_show() {
+    let (code, out, complaints) = xtask("profile --scene floor --size 8x8 --functions --top 3");
+    assert_eq!((code, complaints.as_str()), (0, ""));
+    let parts: Vec<_> = out.split("\n\n").collect();
+    assert_eq!(parts.len(), 5, "{out}");
+    let first = |line: &str| line.split_whitespace().next().unwrap_or("").to_owned();
+    let names: Vec<_> = parts[0].lines().map(first).collect();
+    assert_eq!(
+        names.join(" "),
+        format!("stage {} total", STAGE_NAMES.join(" "))
+    );
+    for part in &parts[1..] {
+        // A title, the heads and the rows.
+        assert_eq!(part.lines().count(), 5, "{part}");
+        assert!(part.contains("reflet::") || part.contains("src/"), "{part}");
+    }
+}
+
+#[test]
+fn mistakes_are_one_line_and_exit_code_2() {
+    for (arguments, words) in [
+        ("--core rv32", "rv32 cannot be profiled"),
+        ("--quality float", "the float port cannot be profiled"),
+        ("--core m5", "invalid value 'm5' for '--core <CORE>'"),
+        ("--size 0x3", "not a width and a height from 1 to 65535"),
+        ("--reflections 256", "256 is not in 0..=255"),
+        (
+            "--scene sandcastle",
+            "there is no built-in scene sandcastle, only castle,",
+        ),
+        (
+            "--scene missing.json",
+            "missing.json: No such file or directory",
+        ),
+        ("--name ball", "--name chooses from a file"),
+        (
+            "--top 3",
+            "the following required arguments were not provided:; --functions",
+        ),
+        (
+            "--functions --top many",
+            "invalid value 'many' for '--top <N>'",
+        ),
+        ("--all", "unexpected argument '--all' found"),
+    ] {
+        let (code, out, complaints) = xtask(&format!("profile {arguments}"));
+        assert_eq!((code, out.as_str()), (2, ""), "{arguments}: {complaints}");
+        assert_eq!(complaints.lines().count(), 1, "{complaints}");
+        assert!(complaints.starts_with("error: "), "{complaints}");
+        assert!(complaints.contains(words), "{arguments}: {complaints}");
+    }
+}
