@@ -2,7 +2,8 @@
 //!
 //! Each coordinate of a direction is cut into eighths of its range, so that a direction belongs to
 //! one of 8 x 8 x 8 cells without a comparison of coordinates; those that the sphere of directions
-//! does not pass through stay empty. A cell holds a mask of the shapes that reach into it. A shape's
+//! does not pass through stay empty. A cell names a set of the shapes that reach into it; cells that
+//! are next to each other mostly share one, so the sets are kept apart from the cells. A shape's
 //! ball is seen as a cap of angle φ around a direction c, the coordinates of a cap are bounded by
 //! cos(θ ± φ) where θ is the angle from c to the axis, and a cell is left out as well where all of
 //! its points have a smaller cosine to c than cos φ; rounding is covered by a margin.
@@ -19,15 +20,28 @@ const SIDE: usize = 8;
 /// A coordinate of Q2.30 without these bits is the number of its cell, -4 to 3.
 const CELL_BITS: u32 = 28;
 
+/// How many cells there are.
+const CELLS: usize = SIDE * SIDE * SIDE;
+
+/// How many different sets are kept; where there are more, those that are most alike become one.
+const SETS: usize = 64;
+
 /// The shapes in each cell.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Cells([Mask; SIDE * SIDE * SIDE]);
+pub(crate) struct Cells {
+    /// Which set a cell has.
+    numbers: [u8; CELLS],
+    sets: [Mask; SETS],
+}
 
 /// What a bound of a coordinate is widened by: 2⁻¹⁶.
 const MARGIN: i32 = 1 << 14;
 
 impl Cells {
-    pub(crate) const ALL: Self = Self([Mask::ALL; SIDE * SIDE * SIDE]);
+    pub(crate) const ALL: Self = Self {
+        numbers: [0; CELLS],
+        sets: [Mask::ALL; SETS],
+    };
 
     /// The cells around a near point.
     pub(crate) const fn around(
@@ -36,23 +50,23 @@ impl Cells {
         cylinders: &[PreparedCylinder],
     ) -> Self {
         let runs = Runs::new(spheres.len(), cylinders.len());
-        let mut cells = Self([Mask::NONE; SIDE * SIDE * SIDE]);
+        let mut table = Table([Mask::NONE; CELLS]);
         let mut index = 0;
         while index < spheres.len() {
             let (center, radius) = spheres[index].ball();
-            cells.add_ball(origin.to(center), radius, Mask::of(runs.sphere_bit(index)));
+            table.add_ball(origin.to(center), radius, Mask::of(runs.sphere_bit(index)));
             index += 1;
         }
         index = 0;
         while index < cylinders.len() {
-            cells.add_cylinder(
+            table.add_cylinder(
                 origin,
                 &cylinders[index],
                 Mask::of(runs.cylinder_bit(index)),
             );
             index += 1;
         }
-        cells
+        table.packed()
     }
 
     /// The shapes that can be met in a direction.
@@ -61,7 +75,46 @@ impl Cells {
         let Vector { x, y, z } = direction.raw();
         // Never out of range.
         let index = cell(cell_number(x), cell_number(y), cell_number(z));
-        self.0.get(index).copied().unwrap_or(Mask::ALL)
+        let number = self.numbers.get(index).copied().unwrap_or(0);
+        let set = self.sets.get(usize::from(number) % SETS);
+        set.copied().unwrap_or(Mask::ALL)
+    }
+}
+
+/// The shapes in each cell, each with a set of its own.
+struct Table([Mask; CELLS]);
+
+impl Table {
+    /// With one set for all cells that have the same.
+    const fn packed(&self) -> Cells {
+        let mut cells = Cells {
+            numbers: [0; CELLS],
+            sets: [Mask::NONE; SETS],
+        };
+        // No shape is the first set.
+        let mut used = 1;
+        let mut index = 0;
+        while index < CELLS {
+            let mask = self.0[index];
+            let mut nearest = 0;
+            let mut number = 1;
+            while number < used {
+                if cells.sets[number].difference(mask) < cells.sets[nearest].difference(mask) {
+                    nearest = number;
+                }
+                number += 1;
+            }
+            let is_new = cells.sets[nearest].difference(mask) > 0;
+            if is_new && used < SETS {
+                nearest = used;
+                used += 1;
+            }
+            // What the set held already stays in it: other cells may have it.
+            cells.sets[nearest] = cells.sets[nearest].with(mask);
+            cells.numbers[index] = nearest as u8;
+            index += 1;
+        }
+        cells
     }
 
     /// A chain of balls along the axis covers the wall.

@@ -24,6 +24,11 @@ impl Mask {
         Self(self.0 | other.0)
     }
 
+    /// How many runs are in only one of two sets.
+    pub(crate) const fn difference(self, other: Self) -> u32 {
+        (self.0 ^ other.0).count_ones()
+    }
+
     /// The numbers of the runs, in rising order: a word at a time.
     #[inline(always)]
     pub(crate) fn bits(self) -> impl Iterator<Item = usize> {
