@@ -275,17 +275,15 @@ impl Lens {
         })
     }
 
-    /// The directions through the middles of the pixels of row `y`, from column `x` on.
-    ///
-    /// Every direction is the same whatever column the row starts from.
-    pub(crate) fn row(&self, y: u32, x: u32) -> RowDirections {
+    /// The directions through the middles of the pixels of row `y`.
+    pub(crate) fn row(&self, y: u32) -> RowDirections {
         let vertical = i64::from(self.height) - 1 - 2 * i64::from(y);
-        let horizontal = 2 * i64::from(x) + 1 - i64::from(self.width);
+        let horizontal = 1 - i64::from(self.width);
         let middle = [0, 1, 2].map(|axis| self.ahead[axis] + self.up[axis] * vertical);
         let [x, y, z] = middle.map(|coordinate| (coordinate >> 32) as i32);
         let side = shifted(1 << 30, self.scale);
         RowDirections {
-            next: [0, 1, 2].map(|axis| middle[axis] + self.right[axis] * horizontal),
+            first: [0, 1, 2].map(|axis| middle[axis] + self.right[axis] * horizontal),
             step: self.right.map(|coordinate| 2 * coordinate),
             square: Vector::new(x, y, z).square(),
             aside: side * horizontal,
@@ -294,36 +292,31 @@ impl Lens {
     }
 }
 
-/// The directions of a row of pixels, from left to right, without end.
+/// The directions of a row of pixels.
 ///
 /// What lies ahead and what lies aside are perpendicular, so their squares add up to that of the
 /// ray's length, and only the one aside changes along the row.
 pub(crate) struct RowDirections {
-    next: [i64; 3],
+    /// The way to the first pixel.
+    first: [i64; 3],
     step: [i64; 3],
     /// Of the way to the middle of the row.
     square: u64,
-    /// The way from there to the pixel.
+    /// The way from there to the first pixel.
     aside: i64,
     step_aside: i64,
 }
 
 impl RowDirections {
-    /// The direction through the next pixel.
+    /// The direction through the pixel of a column.
     #[inline(always)]
-    pub(crate) fn next_direction(&mut self) -> Direction {
-        let [x, y, z] = self.next.map(|coordinate| (coordinate >> 32) as i32);
-        let aside = (self.aside >> 32) as i32;
+    pub(crate) fn of(&self, column: u32) -> Direction {
+        let column = i64::from(column);
+        let at = |start: i64, step: i64| (start.wrapping_add(step.wrapping_mul(column)) >> 32) as i32;
+        let aside = at(self.aside, self.step_aside);
         let square = self.square + wide(aside, aside) as u64;
-        let [dx, dy, dz] = self.step;
-        let [nx, ny, nz] = &mut self.next;
-        (*nx, *ny, *nz) = (
-            nx.wrapping_add(dx),
-            ny.wrapping_add(dy),
-            nz.wrapping_add(dz),
-        );
-        self.aside = self.aside.wrapping_add(self.step_aside);
-        Vector::new(x, y, z).direction_of_square(square)
+        let ([x, y, z], [dx, dy, dz]) = (self.first, self.step);
+        Vector::new(at(x, dx), at(y, dy), at(z, dz)).direction_of_square(square)
     }
 }
 

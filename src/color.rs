@@ -100,6 +100,28 @@ impl Sum {
         self.0 = [r + share(red), g + share(green), b + share(blue)];
     }
 
+    /// The sums a quarter, half and three quarters of the way to another one, after this one itself.
+    ///
+    /// Along a parabola: what lies half way between is an eighth of the bend away from the mean.
+    #[inline(always)]
+    pub fn towards(self, end: Self, bend: Bend) -> [Self; 4] {
+        let at = |quarters: i32, share: i32| {
+            let sum = |axis: usize| {
+                let (start, way) = (self.0[axis], end.0[axis] - self.0[axis]);
+                start + ((way * quarters) >> 2) - ((bend.0[axis] * share) >> 5)
+            };
+            Self([sum(0), sum(1), sum(2)])
+        };
+        [self, at(1, 3), at(2, 4), at(3, 3)]
+    }
+
+    /// The sum half way to another one.
+    #[inline(always)]
+    pub fn half_way(self, end: Self, bend: Bend) -> Self {
+        let sum = |axis: usize| ((self.0[axis] + end.0[axis]) >> 1) - (bend.0[axis] >> 3);
+        Self([sum(0), sum(1), sum(2)])
+    }
+
     /// Clamped to 0 to 1 and rounded to 8 bits: round(255 c).
     #[inline(always)]
     pub fn to_rgb8(self) -> [u8; 3] {
@@ -111,6 +133,32 @@ impl Sum {
         };
         let [red, green, blue] = self.0;
         [level(red), level(green), level(blue)]
+    }
+}
+
+/// How much three sums at the same distance from each other deviate from a straight line: the second
+/// difference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bend([i32; 3]);
+
+impl Bend {
+    /// A straight line.
+    pub const NONE: Self = Self([0; 3]);
+
+    /// Of three sums.
+    #[inline(always)]
+    pub fn of(before: Sum, middle: Sum, after: Sum) -> Self {
+        let bend = |axis: usize| before.0[axis] - 2 * middle.0[axis] + after.0[axis];
+        Self([bend(0), bend(1), bend(2)])
+    }
+
+    /// Whether no channel bends by more than a few 8-bit steps.
+    #[inline(always)]
+    pub fn is_small(self) -> bool {
+        const MOST: i32 = 1 << 18;
+        self.0
+            .iter()
+            .all(|bend| bend.wrapping_add(MOST) as u32 <= 2 * MOST as u32)
     }
 }
 

@@ -107,6 +107,7 @@ mod fault;
 mod grid;
 #[cfg(feature = "host")]
 pub mod host;
+mod interpolate;
 mod light;
 mod material;
 mod number;

@@ -7,6 +7,9 @@ pub trait Quality {
     /// A path whose weight has fallen below this is not followed further. The colour it loses is
     /// below this weight times the brightest colour of the scene.
     const SMALLEST_WEIGHT: Unit;
+
+    /// Whether pixels between two whose paths went alike are taken from their colours.
+    const INTERPOLATES: bool;
 }
 
 /// The default: a path ends when it can no longer change an 8-bit channel by more than a step
@@ -16,6 +19,7 @@ pub struct Fast;
 
 impl Quality for Fast {
     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 22);
+    const INTERPOLATES: bool = true;
 }
 
 /// Leaves nothing out: a path ends when its weight is exactly zero.
@@ -24,4 +28,5 @@ pub struct Fine;
 
 impl Quality for Fine {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
+    const INTERPOLATES: bool = false;
 }

@@ -171,6 +171,22 @@ impl Path {
     }
 }
 
+/// What a path has met on its way, as a number: paths that met the same have the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Trail(u32);
+
+impl Trail {
+    /// Of a path that has not met anything.
+    pub(crate) const NEW: Self = Self(0);
+
+    /// Adds what was met. Numbers are spread as in Fibonacci hashing (Knuth, The Art of Computer
+    /// Programming, vol. 3, 6.4).
+    #[inline(always)]
+    pub(crate) fn note(&mut self, met: u32) {
+        self.0 = (self.0 ^ met).wrapping_mul(0x9e37_79b1).rotate_left(15);
+    }
+}
+
 /// The rays through the middles of the columns of a picture, as seen along the columns (or through
 /// those of the rows, along the rows): from one near point, in one plane.
 #[derive(Clone, Copy, Debug)]

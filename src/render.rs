@@ -8,6 +8,7 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 
 use crate::camera::{Camera, Lens};
+use crate::interpolate::Colors;
 use crate::number::Unit;
 use crate::quality::{Fast, Quality};
 use crate::scene::extent::Outlooks;
@@ -250,23 +251,18 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         )
     }
 
-    /// The colours of row `y` from column `x` on, worked out as they are asked for.
+    /// The colours of row `y` from column `x` on, worked out as they are asked for; no more than the
+    /// picture is wide.
+    #[inline(always)]
     fn colors<'s, C: From<Rgb888> + 's>(
         &'s self,
         y: u32,
         x: u32,
         tracer: &'s mut Tracer<'_, W, K, Q>,
     ) -> impl Iterator<Item = C> + 's {
-        let mut directions = self.lens.row(y, x);
-        let mut column = x;
-        let is_empty = self.world.parts().is_empty();
+        let mut colors = Colors::new(tracer, self.lens.row(y), x, self.size.width);
         core::iter::repeat_with(move || {
-            let sum = match is_empty {
-                true => tracer.miss(),
-                false => tracer.trace(column, directions.next_direction()),
-            };
-            column += 1;
-            let [red, green, blue] = sum.to_rgb8();
+            let [red, green, blue] = colors.next_color().to_rgb8();
             C::from(Rgb888::new(red, green, blue))
         })
     }

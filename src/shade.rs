@@ -7,7 +7,7 @@ use crate::number::{
     Brightness, Exponent, Unit, even_power, high_unsigned, lit, power, ratio, root_of_unit,
     scaled_by_unit,
 };
-use crate::ray::{Path, Place};
+use crate::ray::{Path, Place, Trail};
 use crate::scene::query::{Shape, ShapeNumber, blocked, blocked_from, for_first_four};
 use crate::scene::view::{Standing, View};
 use crate::scene::{Lamp, LampParts, World};
@@ -27,6 +27,8 @@ pub(crate) struct Surface<'a> {
     pub(crate) facing: Unit,
     /// The shape it belongs to.
     pub(crate) shape: ShapeNumber,
+    /// Whether it is seen from the inside, or against a plane's normal.
+    pub(crate) is_inside: bool,
     /// The cylinder whose outside it is, if it is one.
     pub(crate) cylinder: Option<&'a PreparedCylinder>,
     pub(crate) material: &'a PreparedMaterial,
@@ -66,6 +68,7 @@ impl<'a> Surface<'a> {
             view,
             facing: climb.wrapping_abs(),
             shape,
+            is_inside,
             cylinder: cylinder.filter(|_| !is_inside),
             material: parts.material(material),
         })
@@ -91,15 +94,20 @@ pub trait Shading: sealed::Shading {}
 impl<T: sealed::Shading> Shading for T {}
 
 pub(crate) mod sealed {
-    use super::{Color, Surface, View, World};
+    use super::{Color, Surface, Trail, View, World};
 
     pub trait Shading {
         /// Whether mirrors are followed.
         const REFLECTS: bool;
 
-        /// The colour of a surface without reflections.
+        /// The colour of a surface without reflections; notes which lights it is lit by.
         #[allow(private_interfaces)]
-        fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>) -> Color;
+        fn color<W: World>(
+            world: &W,
+            view: &View,
+            surface: &Surface<'_>,
+            trail: &mut Trail,
+        ) -> Color;
 
         /// What a ray that meets nothing adds.
         fn missed<W: World>(world: &W) -> Color;
@@ -124,8 +132,13 @@ impl sealed::Shading for BlinnPhong {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>) -> Color {
-        lit_color::<W, Self>(world, view, surface)
+    fn color<W: World>(
+        world: &W,
+        view: &View,
+        surface: &Surface<'_>,
+        trail: &mut Trail,
+    ) -> Color {
+        lit_color::<W, Self>(world, view, surface, trail)
     }
 
     fn missed<W: World>(world: &W) -> Color {
@@ -137,8 +150,13 @@ impl sealed::Shading for Phong {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>) -> Color {
-        lit_color::<W, Self>(world, view, surface)
+    fn color<W: World>(
+        world: &W,
+        view: &View,
+        surface: &Surface<'_>,
+        trail: &mut Trail,
+    ) -> Color {
+        lit_color::<W, Self>(world, view, surface, trail)
     }
 
     fn missed<W: World>(world: &W) -> Color {
@@ -150,7 +168,7 @@ impl sealed::Shading for Normals {
     const REFLECTS: bool = false;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(_: &W, _: &View, surface: &Surface<'_>) -> Color {
+    fn color<W: World>(_: &W, _: &View, surface: &Surface<'_>, _: &mut Trail) -> Color {
         Color::new(surface.normal.components().map(halved))
     }
 
@@ -219,8 +237,14 @@ fn mirrored_cosine(cosines: &Cosines) -> Unit {
 
 /// ambient + Σ (diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ) · light, all times the material's colour.
 #[inline(always)]
-fn lit_color<W: World, H: Highlight>(world: &W, view: &View, surface: &Surface<'_>) -> Color {
+fn lit_color<W: World, H: Highlight>(
+    world: &W,
+    view: &View,
+    surface: &Surface<'_>,
+    trail: &mut Trail,
+) -> Color {
     let material = surface.material;
+    let mut lights = 0_u32;
     let mut received = Color::grey(material.ambient);
     let mut receive = |index: usize, spot: &W::Lamp| {
         let strength = match view.standing(index) {
@@ -232,12 +256,14 @@ fn lit_color<W: World, H: Highlight>(world: &W, view: &View, surface: &Surface<'
         };
         if strength > Brightness::ZERO {
             received = received.plus(spot.lamp().light.color.times(strength));
+            lights |= 1_u32.wrapping_shl(index as u32);
         }
     };
     for_first_four(world.lamps(), &mut receive);
     for (index, spot) in world.lamps().iter().enumerate().skip(4) {
         receive(index, spot);
     }
+    trail.note(lights);
     received.filtered(material.color)
 }
 

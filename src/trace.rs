@@ -8,13 +8,28 @@ use core::marker::PhantomData;
 use crate::color::Sum;
 use crate::number::{Length, Unit, share};
 use crate::quality::Quality;
-use crate::ray::Path;
+use crate::ray::{Path, Trail};
 use crate::scene::World;
 use crate::scene::query::{Hit, ShapeNumber, located, nearest, nearest_bounded};
 use crate::scene::sight::Sight;
 use crate::scene::view::View;
 use crate::shade::{Surface, sealed::Shading};
 use crate::vector::Direction;
+
+/// The colour at the end of a path, and what it met.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Traced {
+    pub(crate) sum: Sum,
+    pub(crate) trail: Trail,
+}
+
+impl Traced {
+    /// Of no path.
+    pub(crate) const NONE: Self = Self {
+        sum: Sum::ZERO,
+        trail: Trail::NEW,
+    };
+}
 
 /// Follows the rays of one row of pixels.
 pub(crate) struct Tracer<'a, W: World, K, Q> {
@@ -58,31 +73,39 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         sum
     }
 
-    /// Follows the path that begins in this direction, through the pixel of a column; columns come
-    /// from left to right.
+    /// Turns to some columns, which do not begin before those it was turned to.
+    #[inline(always)]
+    pub(crate) fn turn_to(&mut self, first: u32, last: u32) {
+        self.sight.turn_to(self.world, first, last);
+    }
+
+    /// Follows the path that begins in this direction, through a pixel of the columns it has been
+    /// turned to.
     #[inline(never)]
-    pub(crate) fn trace(&mut self, column: u32, direction: Direction) -> Sum {
+    pub(crate) fn trace(&mut self, direction: Direction) -> Traced {
         let (world, view) = (self.world, self.view);
         let mut path = Path::new(view.from, direction);
-        let mut sum = Sum::ZERO;
+        let Traced { mut sum, mut trail } = Traced::NONE;
         let mut weight = Unit::ONE;
         let mut left = ShapeNumber::NONE;
         let mut distance = Length::from_bits(0);
         let mut reflections = 0;
         loop {
-            let hit = self.nearest(&path, reflections, column, left, distance);
-            let Some(surface) = surface(world, &path, left, hit) else {
+            let hit = self.nearest(&path, reflections, left, distance, &mut trail);
+            let Some(surface) = surface(world, &path, left, hit, &mut trail) else {
                 sum.add(weight, K::missed(world));
+                trail.note(u32::MAX);
                 break;
             };
+            trail.note(surface.shape.side(surface.is_inside));
             let mirror = surface.material.mirror;
             if !K::REFLECTS || mirror == Unit::ZERO {
-                sum.add(weight, K::color(world, view, &surface));
+                sum.add(weight, K::color(world, view, &surface, &mut trail));
                 break;
             }
             let reflected = share(weight, mirror);
             if reflected < weight {
-                sum.add(weight - reflected, K::color(world, view, &surface));
+                sum.add(weight - reflected, K::color(world, view, &surface, &mut trail));
             }
             weight = reflected;
             if weight < Q::SMALLEST_WEIGHT || reflections >= self.reflections {
@@ -95,7 +118,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             distance = hit.distance;
         }
         self.rays += reflections + 1;
-        sum
+        Traced { sum, trail }
     }
 
     /// What a path that has been reflected so often meets first.
@@ -104,9 +127,9 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         &mut self,
         path: &Path,
         reflections: u32,
-        column: u32,
         left: ShapeNumber,
         distance: Length,
+        trail: &mut Trail,
     ) -> Hit {
         let (world, ray) = (self.world, &path.ray);
         if !path.from().is_near() {
@@ -116,14 +139,14 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         let bounded = if parts.spheres.is_empty() && parts.cylinders.is_empty() {
             Hit::NONE
         } else if reflections == 0 {
-            self.sight.first(world, column, ray)
+            self.sight.first(world, ray, trail)
         } else {
             match parts.plane(left) {
                 Some(plane) if reflections == 1 => {
                     let plane = (left, plane);
-                    self.sight.mirrored(world, plane, column, distance, ray)
+                    self.sight.mirrored(world, plane, distance, ray, trail)
                 }
-                _ => nearest_bounded(world, ray, Length::from_bits(0)),
+                _ => nearest_bounded(world, ray, Length::from_bits(0), trail),
             }
         };
         nearest(world, ray, left, bounded)
@@ -137,8 +160,9 @@ fn surface<'a, W: World>(
     path: &Path,
     left: ShapeNumber,
     hit: Hit,
+    trail: &mut Trail,
 ) -> Option<Surface<'a>> {
-    let (at, shape) = located(world, path, left, hit)?;
+    let (at, shape) = located(world, path, left, hit, trail)?;
     Surface::new(world, at, shape, path.direction())
 }
 

@@ -8,7 +8,7 @@ use super::World;
 use super::mask::Mask;
 use super::query::{Hit, NOWHERE, ShapeNumber, blocked_by_bounded, nearest_bounded, planes_but};
 use crate::number::{Length, square_root};
-use crate::ray::{BALL, Path, Place, REACH, Ray};
+use crate::ray::{BALL, Path, Place, REACH, Ray, Trail};
 use crate::vector::Point;
 
 /// Places further out than this scale see the ball as a point and are not followed.
@@ -34,6 +34,7 @@ pub(crate) fn nearest<W: World>(
     world: &W,
     path: &Path,
     left: ShapeNumber,
+    trail: &mut Trail,
 ) -> Option<(Place, ShapeNumber)> {
     let plane = nearest_plane(world, path, left);
     let start = match path.from().is_near() {
@@ -41,7 +42,7 @@ pub(crate) fn nearest<W: World>(
         false => into_ball(path),
     };
     let bounded = start.and_then(|(ray, skipped)| {
-        let Hit { distance, shape } = nearest_bounded(world, &ray, NOWHERE);
+        let Hit { distance, shape } = nearest_bounded(world, &ray, NOWHERE, trail);
         let at = Place::new(ray.origin.along(ray.direction, distance), 0);
         (shape != ShapeNumber::NONE).then_some((skipped + distance.to_bits() as u64, at, shape))
     });

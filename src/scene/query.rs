@@ -3,7 +3,7 @@
 use super::mask::Mask;
 use super::{Lamp, LampParts, Parts, World, far};
 use crate::number::Length;
-use crate::ray::{Path, Place, REACH, Ray};
+use crate::ray::{Path, Place, REACH, Ray, Trail};
 use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
 use crate::shape::plane::{Approach, PreparedPlane};
 use crate::shape::sphere::PreparedSphere;
@@ -19,6 +19,11 @@ impl ShapeNumber {
 
     /// Not known: further away than near rays look.
     pub(crate) const BEYOND: Self = Self(u32::MAX - 1);
+
+    /// Names one side of it.
+    pub(crate) const fn side(self, is_inside: bool) -> u32 {
+        self.0 << 1 | is_inside as u32
+    }
 
     pub(super) const fn of_sphere(index: usize) -> Self {
         Self(index as u32)
@@ -193,6 +198,7 @@ pub(crate) fn located<W: World>(
     path: &Path,
     left: ShapeNumber,
     hit: Hit,
+    trail: &mut Trail,
 ) -> Option<(Place, ShapeNumber)> {
     if hit.shape == ShapeNumber::NONE {
         return None;
@@ -204,7 +210,7 @@ pub(crate) fn located<W: World>(
             return Some((at, hit.shape));
         }
     }
-    far::nearest(world, path, left)
+    far::nearest(world, path, left, trail)
 }
 
 /// What a path that has left the shape `left` meets first, and where, with every shape asked.
@@ -214,16 +220,17 @@ pub(crate) fn first<W: World>(
     path: &Path,
     left: ShapeNumber,
 ) -> Option<(Place, ShapeNumber)> {
+    let mut trail = Trail::NEW;
     let hit = match path.from().is_near() {
         true => nearest(
             world,
             &path.ray,
             left,
-            nearest_bounded(world, &path.ray, NOWHERE),
+            nearest_bounded(world, &path.ray, NOWHERE, &mut trail),
         ),
         false => Hit::BEYOND,
     };
-    located(world, path, left, hit)
+    located(world, path, left, hit, &mut trail)
 }
 
 /// No distance at all.
@@ -232,7 +239,12 @@ pub(super) const NOWHERE: Length = Length::from_bits(0);
 /// The nearest sphere or cylinder of all, further than `start` along the ray; the distance is
 /// from there.
 #[inline(never)]
-pub(crate) fn nearest_bounded<W: World>(world: &W, ray: &Ray, start: Length) -> Hit {
+pub(crate) fn nearest_bounded<W: World>(
+    world: &W,
+    ray: &Ray,
+    start: Length,
+    trail: &mut Trail,
+) -> Hit {
     let mut nearest = Nearest::beyond(start);
     let parts = world.parts();
     for (index, sphere) in parts.spheres.iter().enumerate() {
@@ -250,13 +262,15 @@ pub(crate) fn nearest_bounded<W: World>(world: &W, ray: &Ray, start: Length) -> 
             nearest.meet_cylinder(cylinder, &seen, ray.direction, number);
         }
     }
-    nearest.hit()
+    nearest.hit(trail)
 }
 
 /// The nearest of the shapes that a ray has been held against.
 pub(super) struct Nearest {
     start: Length,
     hit: Hit,
+    /// On which sides of cylinders the ray passes.
+    passed: u32,
 }
 
 impl Nearest {
@@ -266,6 +280,7 @@ impl Nearest {
         Self {
             start,
             hit: Hit::NONE,
+            passed: 0,
         }
     }
 
@@ -290,14 +305,21 @@ impl Nearest {
         along: Direction,
         shape: ShapeNumber,
     ) {
-        if let Some(distance) = cylinder.met(seen, along, self.start, self.hit.distance) {
+        let sideways = seen.sideways(along);
+        if cylinder.is_beside(sideways) {
+            self.passed = self.passed.rotate_left(1) ^ (sideways as u32 >> 31);
+            return;
+        }
+        let (start, reach) = (self.start, self.hit.distance);
+        if let Some(distance) = cylinder.met_beside(seen, along, sideways, start, reach) {
             self.hit = Hit { distance, shape };
         }
     }
 
     /// The nearest, and how far behind `start` it is met.
     #[inline(always)]
-    pub(super) fn hit(self) -> Hit {
+    pub(super) fn hit(self, trail: &mut Trail) -> Hit {
+        trail.note(self.passed);
         let distance = self.hit.distance.to_bits() - self.start.to_bits();
         Hit {
             distance: if self.hit.shape == ShapeNumber::NONE {

@@ -7,7 +7,7 @@ use super::World;
 use super::extent::Covered;
 use super::query::{Hit, Nearest, ShapeNumber, nearest_bounded};
 use crate::number::Length;
-use crate::ray::Ray;
+use crate::ray::{Ray, Trail};
 use crate::shape::cylinder::SeenCylinder;
 use crate::shape::sphere::SeenSphere;
 use crate::vector::{Direction, Point};
@@ -21,7 +21,7 @@ struct Span {
     shape: u16,
 }
 
-/// A shape that can be met in the column a row has come to, as its rays see it.
+/// A shape that can be met in the columns a row has come to, as its rays see it.
 #[derive(Clone, Copy, Debug)]
 struct Open<T> {
     seen: T,
@@ -34,10 +34,10 @@ struct Open<T> {
 /// How many spans a row holds.
 const SPANS: usize = 64;
 
-/// How many spheres can be met in one column.
+/// How many spheres can be met in the columns a row has come to.
 const SPHERES: usize = 16;
 
-/// How many cylinders can be met in one column.
+/// How many cylinders can be met there.
 const CYLINDERS: usize = 8;
 
 /// The shapes that can be met in each column of a row.
@@ -51,7 +51,7 @@ pub(crate) struct Row {
     spans: Vec<Span, SPANS>,
     /// The first span that has not been opened.
     next: usize,
-    /// Up to which column what is open stays the same.
+    /// What is open stays the same for columns that begin before this one.
     until: u32,
     spheres: Vec<Open<SeenSphere>, SPHERES>,
     cylinders: Vec<Open<SeenCylinder>, CYLINDERS>,
@@ -86,21 +86,25 @@ impl Row {
 
     /// The nearest shape further than `start` along a ray of the column; the distance is from there.
     #[inline(always)]
-    pub(crate) fn meet<W: World>(&self, world: &W, direction: Direction, start: Length) -> Hit {
+    pub(crate) fn meet<W: World>(
+        &self,
+        world: &W,
+        direction: Direction,
+        start: Length,
+        trail: &mut Trail,
+    ) -> Hit {
         if self.is_full {
             let origin = self.origin;
-            return nearest_bounded(world, &Ray { origin, direction }, start);
+            return nearest_bounded(world, &Ray { origin, direction }, start, trail);
         }
-        self.nearest(world, direction, start)
+        self.nearest(world, direction, start, trail)
     }
 
     /// Turns into what can be met in the row `y` of the pixels that shapes cover.
     pub(crate) fn see(&mut self, covered: &Covered<'_>, y: u16) {
-        self.is_full = false;
-        (self.next, self.until) = (0, 0);
+        (self.is_full, self.until) = (false, 0);
         self.spans.clear();
-        self.spheres.clear();
-        self.cylinders.clear();
+        self.begin();
         let shapes = covered.spheres.iter().chain(covered.cylinders);
         for (extent, shape) in shapes.zip(0..) {
             if extent.top <= y && y <= extent.bottom {
@@ -111,6 +115,13 @@ impl Row {
                 });
             }
         }
+    }
+
+    /// Opens nothing yet.
+    fn begin(&mut self) {
+        self.next = 0;
+        self.spheres.clear();
+        self.cylinders.clear();
     }
 
     fn add(&mut self, span: Span) {
@@ -134,29 +145,33 @@ impl Row {
         }
     }
 
-    /// Goes on to a column, which is not before the last one.
+    /// Goes on to some columns, which do not begin before the last ones.
     #[inline(always)]
-    pub(crate) fn turn_to<W: World>(&mut self, world: &W, column: u32) {
-        if column >= self.until {
-            self.open(world, column);
+    pub(crate) fn turn_to<W: World>(&mut self, world: &W, (first, last): (u32, u32)) {
+        if first >= self.until {
+            self.open(world, first, last);
         }
     }
 
-    /// Closes what has ended before a column, and opens what begins up to it.
+    /// Closes what has ended before the first column, and opens what begins up to the last.
     #[inline(never)]
-    fn open<W: World>(&mut self, world: &W, column: u32) {
-        self.until = u32::MAX;
-        self.spheres.retain(|open| u32::from(open.last) >= column);
-        self.cylinders.retain(|open| u32::from(open.last) >= column);
+    fn open<W: World>(&mut self, world: &W, first: u32, last: u32) {
+        (self.is_full, self.until) = (false, u32::MAX);
+        self.spheres.retain(|open| u32::from(open.last) >= first);
+        self.cylinders.retain(|open| u32::from(open.last) >= first);
         while let Some(span) = self.spans.get(self.next) {
-            if u32::from(span.first) > column {
-                self.until = span.first.into();
+            if u32::from(span.first) > last {
+                // As many columns are asked for each time.
+                self.until = u32::from(span.first) - (last - first);
                 break;
             }
             let span = *span;
             self.next += 1;
-            if u32::from(span.last) >= column && !self.open_span(world, span) {
-                return self.fill_up();
+            if u32::from(span.last) >= first && !self.open_span(world, span) {
+                // What is open must not depend on where the row began.
+                self.begin();
+                (self.is_full, self.until) = (true, first + 1);
+                return;
             }
         }
         let ends = self.spheres.iter().map(|open| open.last);
@@ -188,7 +203,13 @@ impl Row {
 
     /// The nearest of the shapes that are open.
     #[inline(never)]
-    fn nearest<W: World>(&self, world: &W, direction: Direction, start: Length) -> Hit {
+    fn nearest<W: World>(
+        &self,
+        world: &W,
+        direction: Direction,
+        start: Length,
+        trail: &mut Trail,
+    ) -> Hit {
         let parts = world.parts();
         let mut nearest = Nearest::beyond(start);
         for Open { seen, index, .. } in &self.spheres {
@@ -207,6 +228,6 @@ impl Row {
                 nearest.meet_cylinder(cylinder, seen, direction, parts.cylinder_number(index));
             }
         }
-        nearest.hit()
+        nearest.hit(trail)
     }
 }

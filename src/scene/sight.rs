@@ -5,7 +5,7 @@ use super::extent::Outlooks;
 use super::query::{Hit, ShapeNumber, nearest_bounded};
 use super::row::Row;
 use crate::number::Length;
-use crate::ray::{Place, Ray};
+use crate::ray::{Place, Ray, Trail};
 use crate::shape::plane::PreparedPlane;
 use crate::vector::Point;
 
@@ -16,6 +16,8 @@ pub(crate) struct Sight<'a, W: World> {
     /// Where the camera is, if it is near.
     camera: Option<Point>,
     y: u16,
+    /// The columns it has been turned to, the last one included.
+    columns: (u32, u32),
     /// Whether shapes that cannot be met are left out.
     is_choosy: bool,
     first: Row,
@@ -43,6 +45,7 @@ impl<'a, W: World> Sight<'a, W> {
             outlook,
             camera: from.is_near().then_some(from.point),
             y: 0,
+            columns: (0, 0),
             is_choosy: false,
             first: Row::of_everything(from.point),
             plane: ShapeNumber::NONE,
@@ -58,32 +61,42 @@ impl<'a, W: World> Sight<'a, W> {
         }
     }
 
-    /// What a ray of the camera meets first of the spheres and cylinders; columns rise.
+    /// Turns to the rays of some columns, which do not begin before those it was turned to.
     #[inline(always)]
-    pub(crate) fn first(&mut self, world: &W, column: u32, ray: &Ray) -> Hit {
-        if self.camera.is_none() {
-            return nearest_bounded(world, ray, Length::from_bits(0));
+    pub(crate) fn turn_to(&mut self, world: &W, first: u32, last: u32) {
+        let parts = world.parts();
+        if parts.spheres.is_empty() && parts.cylinders.is_empty() {
+            return;
         }
-        self.first.turn_to(world, column);
-        self.first.meet(world, ray.direction, Length::from_bits(0))
+        self.columns = (first, last);
+        self.first.turn_to(world, self.columns);
     }
 
-    /// What the ray of a column meets first of them once a plane with a number has mirrored it,
+    /// What a ray of the camera meets first of the spheres and cylinders.
+    #[inline(always)]
+    pub(crate) fn first(&self, world: &W, ray: &Ray, trail: &mut Trail) -> Hit {
+        if self.camera.is_none() {
+            return nearest_bounded(world, ray, Length::from_bits(0), trail);
+        }
+        self.first.meet(world, ray.direction, Length::from_bits(0), trail)
+    }
+
+    /// What such a ray meets first of them once a plane with a number has mirrored it,
     /// `start` steps from the camera.
     #[inline(never)]
     pub(crate) fn mirrored(
         &mut self,
         world: &W,
         (number, plane): (ShapeNumber, &PreparedPlane),
-        column: u32,
         start: Length,
         ray: &Ray,
+        trail: &mut Trail,
     ) -> Hit {
         if self.plane != number && self.look_into(world, number, plane).is_none() {
-            return nearest_bounded(world, ray, Length::from_bits(0));
+            return nearest_bounded(world, ray, Length::from_bits(0), trail);
         }
-        self.mirrored.turn_to(world, column);
-        self.mirrored.meet(world, ray.direction, start)
+        self.mirrored.turn_to(world, self.columns);
+        self.mirrored.meet(world, ray.direction, start, trail)
     }
 
     /// Turns to what the row's rays can meet once a plane has mirrored them; `None` where that is

@@ -69,6 +69,13 @@ impl SeenCylinder {
         across: Vector::ZERO,
         rise: 0,
     };
+
+    /// How far from the axis the line of a ray passes, times the sine of the angle between them;
+    /// below zero on one side of it.
+    #[inline(always)]
+    pub(crate) const fn sideways(&self, direction: Direction) -> i32 {
+        self.across.dot(direction)
+    }
 }
 
 /// Where a line goes through the endless cylinder: `ahead` ± `half_chord`, measured across the
@@ -149,10 +156,6 @@ impl PreparedCylinder {
 
     /// The distance at which a ray meets the wall first, from outside or from inside, above `start`
     /// and below `reach`.
-    ///
-    /// With d the direction and s the square of its sine to the axis, the distances are the roots
-    /// of s t² - 2 t way · (d - (d · axis) axis) + ..., whose discriminant is r² s - (across · d)².
-    /// A division is left to what lies on the wall.
     #[inline(always)]
     pub(crate) fn met(
         &self,
@@ -161,16 +164,28 @@ impl PreparedCylinder {
         start: Length,
         reach: Length,
     ) -> Option<Length> {
-        let sideways = seen.across.dot(direction);
-        if sideways.unsigned_abs() > self.radius as u32 {
+        let sideways = seen.sideways(direction);
+        if self.is_beside(sideways) {
             return None;
         }
         self.met_beside(seen, direction, sideways, start, reach)
     }
 
-    /// The same for a line that passes `sideways` from the axis, times the sine.
+    /// Whether a line that passes so far from the axis, times the sine, does not touch the endless
+    /// cylinder.
+    #[inline(always)]
+    pub(crate) fn is_beside(&self, sideways: i32) -> bool {
+        sideways.unsigned_abs() > self.radius as u32
+    }
+
+    /// The same as [`PreparedCylinder::met`], for a line that passes `sideways` from the axis, times
+    /// the sine.
+    ///
+    /// With d the direction and s the square of its sine to the axis, the distances are the roots
+    /// of s t² - 2 t way · (d - (d · axis) axis) + ..., whose discriminant is r² s - (across · d)².
+    /// A division is left to what lies on the wall.
     #[inline(never)]
-    fn met_beside(
+    pub(crate) fn met_beside(
         &self,
         seen: &SeenCylinder,
         direction: Direction,

@@ -30,27 +30,27 @@ fn path(from: Place, towards: [f64; 3]) -> Path {
 
 /// What is known about one path.
 #[derive(Clone, Copy, Debug)]
-struct Traced {
+struct Followed {
     sum: Sum,
     rays: u32,
     cut_off: Unit,
 }
 
 /// Follows one path, and asks every shape of the scene.
-fn followed_by<K: Shading, Q: Quality, W: World>(world: &W, path: Path, reflections: u8) -> Traced {
+fn followed_by<K: Shading, Q: Quality, W: World>(world: &W, path: Path, reflections: u8) -> Followed {
     let view = View::new(world, path.from());
     let outlook = W::Outlook::ALL;
     let sight = Sight::of_everything(&outlook, path.from());
     let mut tracer = Tracer::<_, K, Q>::new(world, &view, sight, reflections);
-    Traced {
-        sum: tracer.trace(0, path.direction()),
+    Followed {
+        sum: tracer.trace(path.direction()).sum,
         rays: tracer.rays,
         cut_off: tracer.cut_off,
     }
 }
 
 /// Follows paths from inside the room into many directions, one result each.
-fn followed<Q: Quality>(room: &Scene<1, 0, 0, 0, 1>, reflections: u8) -> Vec<Traced> {
+fn followed<Q: Quality>(room: &Scene<1, 0, 0, 0, 1>, reflections: u8) -> Vec<Followed> {
     let parts = room.parts();
     let mut sweep = Sweep::new(u64::from(reflections));
     let paths = (0..40).map(|_| {

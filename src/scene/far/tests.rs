@@ -2,6 +2,7 @@ use super::*;
 use crate::light::PreparedLight;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
+use crate::ray::Trail;
 use crate::ray::NEAR;
 use crate::scene::cells::Cells;
 use crate::scene::query::{Shape, first};
@@ -114,6 +115,7 @@ fn path_from_outside_the_ball_meets_what_a_near_ray_meets() {
                 &scene,
                 &Path::new(coarse, path.direction()),
                 ShapeNumber::NONE,
+                &mut Trail::NEW,
             ),
         );
         kinds[["nothing", "sphere", "plane", "cylinder"]
@@ -145,7 +147,7 @@ fn hit_of_a_far_path_lies_on_path_and_shape() {
     for _ in 0..100_000 {
         let from = far_place(&mut sweep, 20);
         let path = aimed(&mut sweep, from);
-        let hit = nearest(&scene, &path, ShapeNumber::NONE);
+        let hit = nearest(&scene, &path, ShapeNumber::NONE, &mut Trail::NEW);
         if kind(&scene, hit) != "sphere" {
             continue;
         }
@@ -289,6 +291,6 @@ fn path_from_the_end_of_the_world_meets_nothing_but_planes() {
     let from = Place::new(Point::new(0, NEAR, NEAR), FURTHEST_SCALE + 1);
     let (direction, _) = from.to(Place::ORIGIN).0.direction_and_length();
     let path = Path::new(from, direction);
-    assert_eq!(nearest(&scene, &path, ShapeNumber::NONE), None);
+    assert_eq!(nearest(&scene, &path, ShapeNumber::NONE, &mut Trail::NEW), None);
     assert!(into_ball(&path).is_none());
 }
