@@ -11,13 +11,10 @@
 
 use crate::camera::RowDirections;
 use crate::color::{Bend, Sum};
-use crate::quality::Quality;
+use crate::quality::{Quality, STRIDE};
 use crate::scene::World;
 use crate::shade::sealed::Shading;
 use crate::trace::{Traced, Tracer};
-
-/// How many pixels lie from one that is always traced to the next.
-const STRIDE: u32 = 4;
 
 /// The colours of a row from one column on, in the order they are asked for.
 pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
@@ -25,7 +22,8 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     directions: RowDirections,
     /// The column of the next colour.
     column: u32,
-    /// The last column of the picture: beyond it nothing is known about what can be met.
+    /// The last column that may be traced: some beyond the picture, unless it is so narrow that their
+    /// rays would leave the formats.
     last: u32,
     /// The colours of the stretch that the column lies in.
     stretch: [Sum; STRIDE as usize],
@@ -48,7 +46,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             tracer,
             directions,
             column,
-            last: width - 1,
+            last: match width >= 2 * STRIDE {
+                true => width + STRIDE - 1,
+                false => width - 1,
+            },
             stretch: [Sum::ZERO; STRIDE as usize],
             before: None,
             next: Traced::NONE,
@@ -150,6 +151,6 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
 
     #[inline(always)]
     fn trace(&mut self, column: u32) -> Traced {
-        self.tracer.trace(self.directions.of(column))
+        self.tracer.trace(column, self.directions.of(column))
     }
 }

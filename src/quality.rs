@@ -2,6 +2,10 @@
 
 use crate::number::Unit;
 
+/// How many pixels lie from one that is always traced to the next, where those between are taken
+/// from their colours if they can be.
+pub(crate) const STRIDE: u32 = 4;
+
 /// What a frame may leave out. Choose with [`crate::Frame::quality`].
 pub trait Quality {
     /// A path whose weight has fallen below this is not followed further. The colour it loses is

@@ -118,18 +118,20 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         let position = self.camera.description().position;
         let from = self.world.parts().grid.place(position);
         let lens = self.camera.lens(width, height);
-        Picture {
+        let mut picture = Picture {
             world: self.world,
             view: View::new(&self.world, from),
-            outlook: match from.is_near() {
-                true => W::Outlook::new(&self.world, &lens.fans(from.point)),
-                false => W::Outlook::ALL,
-            },
+            outlook: W::Outlook::ALL,
             lens,
             size: Size::new(width, height),
             reflections: self.reflections,
             kinds: PhantomData,
+        };
+        if from.is_near() {
+            let fans = picture.lens.fans(from.point);
+            picture.outlook.look(&self.world, &fans);
         }
+        picture
     }
 
     /// Draws the frame over the whole target, row by row.

@@ -61,7 +61,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
 
     /// Finds out what the rays of the row can meet; before the first is followed.
     pub(crate) fn look(&mut self) {
-        self.sight.look(self.world);
+        self.sight.look();
     }
 
     /// A path that meets nothing.
@@ -79,11 +79,12 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         self.sight.turn_to(self.world, first, last);
     }
 
-    /// Follows the path that begins in this direction, through a pixel of the columns it has been
-    /// turned to.
+    /// Follows the path that begins in this direction, through the pixel of a column: one of those it
+    /// has been turned to.
     #[inline(never)]
-    pub(crate) fn trace(&mut self, direction: Direction) -> Traced {
+    pub(crate) fn trace(&mut self, column: u32, direction: Direction) -> Traced {
         let (world, view) = (self.world, self.view);
+        self.sight.column = column;
         let mut path = Path::new(view.from, direction);
         let Traced { mut sum, mut trail } = Traced::NONE;
         let mut weight = Unit::ONE;

@@ -7,17 +7,23 @@
 
 use super::{World, used};
 use crate::number::{Quotient, divide, square_root};
+use crate::quality::STRIDE;
 use crate::ray::Fan;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Point, Vector};
 
-/// A rectangle of pixels, the last row and column included.
+/// A rectangle of pixels in which a shape can be seen, the last row and column included.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
     pub(super) left: u16,
     pub(super) right: u16,
     pub(super) top: u16,
     pub(super) bottom: u16,
+    /// Which of its kind it is.
+    pub(super) shape: u16,
+    /// The column in the middle of something so thin that it may lie between two pixels that are
+    /// traced in a row; beyond all columns for anything else.
+    pub(super) middle: u16,
 }
 
 impl Extent {
@@ -26,30 +32,51 @@ impl Extent {
         right: u16::MAX,
         top: 0,
         bottom: u16::MAX,
+        shape: 0,
+        middle: u16::MAX,
     };
 
-    const NONE: Self = Self {
-        left: 1,
-        right: 0,
-        top: 1,
-        bottom: 0,
-    };
-
-    fn new(columns: Option<Columns>, rows: Option<Columns>) -> Self {
-        let (Some(columns), Some(rows)) = (columns, rows) else {
-            return Self::NONE;
-        };
+    /// Of the shape with a number.
+    fn new(shape: usize, columns: Option<Columns>, rows: Option<Columns>) -> Self {
         let held = |column: i32| column.clamp(0, 0xffff) as u16;
+        let shape = shape as u16;
+        let (Some(columns), Some(rows)) = (columns, rows) else {
+            let (left, right) = (u16::MAX, 0);
+            return Self {
+                left,
+                right,
+                shape,
+                ..Self::ALL
+            };
+        };
+        let (left, right) = (held(columns.first), held(columns.last));
         Self {
-            left: held(columns.first),
-            right: held(columns.last),
+            left,
+            right,
             top: held(rows.first),
             bottom: held(rows.last),
+            shape,
+            middle: match columns.is_thin {
+                true => left + (right - left) / 2,
+                false => u16::MAX,
+            },
         }
+    }
+
+    /// Whether the shape can be seen in a row of pixels.
+    #[inline(always)]
+    pub(super) fn has_row(&self, y: u16) -> bool {
+        self.top <= y && y <= self.bottom
+    }
+
+    /// Whether it is so thin that it may lie between two pixels that are traced.
+    #[inline(always)]
+    pub(super) fn is_thin(&self) -> bool {
+        self.middle < u16::MAX
     }
 }
 
-/// What the shapes of a scene cover.
+/// What the shapes of a scene cover, in rising order of their left columns.
 #[derive(Clone, Copy, Debug)]
 pub struct Covered<'a> {
     pub(super) spheres: &'a [Extent],
@@ -80,10 +107,10 @@ pub trait Outlooks: Copy {
     /// Everything everywhere.
     const ALL: Self;
 
-    /// As the rays through the columns and those through the rows of a picture see a scene; mirrored
-    /// only where a plane mirrors.
+    /// Turns from everything to a scene as the rays through the columns and those through the rows of
+    /// a picture see it; mirrored only where a plane mirrors.
     #[allow(private_interfaces)]
-    fn new<W: World>(world: &W, fans: &[Fan; 2]) -> Self;
+    fn look<W: World>(&mut self, world: &W, fans: &[Fan; 2]);
 
     /// What the shapes themselves cover.
     fn first(&self) -> Covered<'_>;
@@ -100,21 +127,14 @@ impl<const S: usize, const P: usize, const C: usize> Outlooks for Outlook<S, P, 
     };
 
     #[allow(private_interfaces)]
-    fn new<W: World>(world: &W, fans: &[Fan; 2]) -> Self {
-        let mut outlook = Self::ALL;
+    fn look<W: World>(&mut self, world: &W, fans: &[Fan; 2]) {
         let parts = world.parts();
-        look(
-            world,
-            fans,
-            None,
-            (&mut outlook.spheres, &mut outlook.cylinders),
-        );
-        for (plane, mirrored) in parts.planes.iter().zip(&mut outlook.mirrored) {
+        look(world, fans, None, (&mut self.spheres, &mut self.cylinders));
+        for (plane, mirrored) in parts.planes.iter().zip(&mut self.mirrored) {
             if parts.material(plane.material).mirrors() {
                 look(world, fans, Some(plane), (&mut mirrored.0, &mut mirrored.1));
             }
         }
-        outlook
     }
 
     fn first(&self) -> Covered<'_> {
@@ -142,25 +162,45 @@ fn look<W: World>(
     let origin = fans[0].origin;
     // Rays leave epsilon above a plane: as good as shapes that much larger.
     let lift = plane.map_or(0, |_| 2 * parts.epsilon.to_bits());
-    for (sphere, extent) in parts.spheres.iter().zip(spheres) {
+    for (index, sphere) in parts.spheres.iter().enumerate() {
         let (center, radius) = sphere.ball();
-        if let Some((way, _)) = seen(plane, origin, center, Vector::ZERO) {
-            let [columns, rows] = [0, 1].map(|it| {
-                let fan: &Fan = &fans[it];
-                fan.sphere_columns(way, widened(radius) + lift)
-            });
-            *extent = Extent::new(columns, rows);
-        }
+        let extent = match seen(plane, origin, center, Vector::ZERO) {
+            Some((way, _)) => {
+                let [columns, rows] = [0, 1].map(|it| {
+                    let fan: &Fan = &fans[it];
+                    fan.sphere_columns(way, widened(radius) + lift)
+                });
+                Extent::new(index, columns, rows)
+            }
+            None => Extent::new(index, Some(Columns::ALL), Some(Columns::ALL)),
+        };
+        insert(spheres, index, extent);
     }
-    for (cylinder, extent) in parts.cylinders.iter().zip(cylinders) {
+    for (index, cylinder) in parts.cylinders.iter().enumerate() {
         let (center, half_axis, radius) = cylinder.capsule();
-        if let Some((way, half)) = seen(plane, origin, center, half_axis) {
-            let [columns, rows] = [0, 1].map(|it| {
-                let fan: &Fan = &fans[it];
-                fan.capsule_columns(way, half, widened(radius) + lift)
-            });
-            *extent = Extent::new(columns, rows);
-        }
+        let extent = match seen(plane, origin, center, half_axis) {
+            Some((way, half)) => {
+                let [columns, rows] = [0, 1].map(|it| {
+                    let fan: &Fan = &fans[it];
+                    fan.capsule_columns(way, half, widened(radius) + lift)
+                });
+                Extent::new(index, columns, rows)
+            }
+            None => Extent::new(index, Some(Columns::ALL), Some(Columns::ALL)),
+        };
+        insert(cylinders, index, extent);
+    }
+}
+
+/// Puts an extent among the first `count`, which are in rising order of their left columns.
+fn insert(extents: &mut [Extent], count: usize, extent: Extent) {
+    let Some((sorted, [place, ..])) = extents.split_at_mut_checked(count) else {
+        return;
+    };
+    *place = extent;
+    let at = sorted.partition_point(|it| it.left <= extent.left);
+    if let Some(rest) = extents.get_mut(at..=count) {
+        rest.rotate_right(1);
     }
 }
 
@@ -192,18 +232,25 @@ fn seen(
 struct Columns {
     first: i32,
     last: i32,
+    /// Whether something may be so thin that it lies between two pixels that are traced.
+    is_thin: bool,
 }
+
+/// What is bound to so few columns, or rather some less for the bounds are wide, is thin.
+const THIN: i32 = STRIDE as i32 + 4;
 
 impl Columns {
     const ALL: Self = Self {
         first: 0,
         last: i32::MAX,
+        is_thin: true,
     };
 
     fn with(self, other: Self) -> Self {
         Self {
             first: self.first.min(other.first),
             last: self.last.max(other.last),
+            is_thin: self.is_thin || other.is_thin,
         }
     }
 }
@@ -246,14 +293,19 @@ impl Fan {
         let spread = radius * i64::from(tangent);
         let scale = self.columns_for_each(ahead * ahead - radius * radius);
         let middle = ahead * aside;
+        let first = self.column(middle - spread, scale) - 1;
+        let last = self.column(middle + spread, scale) + 2;
         Columns {
-            first: self.column(middle - spread, scale) - 1,
-            last: self.column(middle + spread, scale) + 2,
+            first,
+            last,
+            is_thin: last - first <= THIN,
         }
     }
 
+    /// Columns that can be seen, or that are traced beside the picture.
     fn visible(&self, columns: Columns) -> Option<Columns> {
-        (columns.last >= 0 && columns.first < self.width as i32).then_some(columns)
+        let end = (self.width + STRIDE) as i32;
+        (columns.last >= 0 && columns.first < end).then_some(columns)
     }
 
     /// How many half pixels a unit of a numerator over this denominator is.

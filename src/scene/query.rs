@@ -259,7 +259,7 @@ pub(crate) fn nearest_bounded<W: World>(
         if !cylinder.is_passed_by(ray) {
             let number = parts.cylinder_number(index);
             let seen = cylinder.seen_from(ray.origin);
-            nearest.meet_cylinder(cylinder, &seen, ray.direction, number);
+            nearest.meet_cylinder(cylinder, (&seen, true), ray.direction, number);
         }
     }
     nearest.hit(trail)
@@ -269,7 +269,7 @@ pub(crate) fn nearest_bounded<W: World>(
 pub(super) struct Nearest {
     start: Length,
     hit: Hit,
-    /// On which sides of cylinders the ray passes.
+    /// On which sides of shapes the ray passes.
     passed: u32,
 }
 
@@ -297,17 +297,25 @@ impl Nearest {
         }
     }
 
+    /// Notes on which side of a shape the ray passes.
+    #[inline(always)]
+    pub(super) fn pass_by(&mut self, is_on_other_side: bool) {
+        self.passed = self.passed.rotate_left(1) ^ u32::from(is_on_other_side);
+    }
+
     #[inline(always)]
     pub(super) fn meet_cylinder(
         &mut self,
         cylinder: &PreparedCylinder,
-        seen: &SeenCylinder,
+        (seen, is_thin): (&SeenCylinder, bool),
         along: Direction,
         shape: ShapeNumber,
     ) {
         let sideways = seen.sideways(along);
         if cylinder.is_beside(sideways) {
-            self.passed = self.passed.rotate_left(1) ^ (sideways as u32 >> 31);
+            if is_thin {
+                self.pass_by(sideways < 0);
+            }
             return;
         }
         let (start, reach) = (self.start, self.hit.distance);

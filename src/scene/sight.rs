@@ -3,7 +3,7 @@
 use super::World;
 use super::extent::Outlooks;
 use super::query::{Hit, ShapeNumber, nearest_bounded};
-use super::row::Row;
+use super::row::{Cut, Row};
 use crate::number::Length;
 use crate::ray::{Place, Ray, Trail};
 use crate::shape::plane::PreparedPlane;
@@ -18,6 +18,8 @@ pub(crate) struct Sight<'a, W: World> {
     y: u16,
     /// The columns it has been turned to, the last one included.
     columns: (u32, u32),
+    /// The column of the ray that is followed.
+    pub(crate) column: u32,
     /// Whether shapes that cannot be met are left out.
     is_choosy: bool,
     first: Row,
@@ -46,6 +48,7 @@ impl<'a, W: World> Sight<'a, W> {
             camera: from.is_near().then_some(from.point),
             y: 0,
             columns: (0, 0),
+            column: 0,
             is_choosy: false,
             first: Row::of_everything(from.point),
             plane: ShapeNumber::NONE,
@@ -55,9 +58,9 @@ impl<'a, W: World> Sight<'a, W> {
 
     /// Finds out what the rays of the row can meet.
     #[inline(never)]
-    pub(crate) fn look(&mut self, world: &W) {
+    pub(crate) fn look(&mut self) {
         if self.is_choosy && self.camera.is_some() {
-            self.first.see(&self.outlook.first().of(world), self.y);
+            self.first.see();
         }
     }
 
@@ -69,16 +72,23 @@ impl<'a, W: World> Sight<'a, W> {
             return;
         }
         self.columns = (first, last);
-        self.first.turn_to(world, self.columns);
+        let cut = Cut {
+            covered: self.outlook.first().of(world),
+            y: self.y,
+        };
+        self.first.turn_to(world, cut, self.columns);
     }
 
     /// What a ray of the camera meets first of the spheres and cylinders.
     #[inline(always)]
     pub(crate) fn first(&self, world: &W, ray: &Ray, trail: &mut Trail) -> Hit {
+        const START: Length = Length::from_bits(0);
         if self.camera.is_none() {
-            return nearest_bounded(world, ray, Length::from_bits(0), trail);
+            return nearest_bounded(world, ray, START, trail);
         }
-        self.first.meet(world, ray.direction, Length::from_bits(0), trail)
+        let covered = self.outlook.first().of(world);
+        let ray = (ray.direction, START);
+        self.first.meet(world, covered, self.column, ray, trail)
     }
 
     /// What such a ray meets first of them once a plane with a number has mirrored it,
@@ -92,24 +102,28 @@ impl<'a, W: World> Sight<'a, W> {
         ray: &Ray,
         trail: &mut Trail,
     ) -> Hit {
-        if self.plane != number && self.look_into(world, number, plane).is_none() {
+        let index = world.parts().plane_index(number);
+        let covered = index.and_then(|index| self.outlook.mirrored(index));
+        let is_known = self.plane == number || self.look_into(world, number, plane).is_some();
+        let (Some(covered), true) = (covered, is_known) else {
             return nearest_bounded(world, ray, Length::from_bits(0), trail);
-        }
-        self.mirrored.turn_to(world, self.columns);
-        self.mirrored.meet(world, ray.direction, start, trail)
+        };
+        let covered = covered.of(world);
+        let cut = Cut { covered, y: self.y };
+        self.mirrored.turn_to(world, cut, self.columns);
+        let ray = (ray.direction, start);
+        self.mirrored.meet(world, covered, self.column, ray, trail)
     }
 
     /// Turns to what the row's rays can meet once a plane has mirrored them; `None` where that is
     /// not known.
     #[inline(never)]
     fn look_into(&mut self, world: &W, number: ShapeNumber, plane: &PreparedPlane) -> Option<()> {
-        let parts = world.parts();
-        let origin = plane.mirrored(self.camera?, parts.epsilon)?;
-        let covered = self.outlook.mirrored(parts.plane_index(number)?)?;
+        let origin = plane.mirrored(self.camera?, world.parts().epsilon)?;
         self.plane = number;
         self.mirrored.look_from(origin);
         if self.is_choosy {
-            self.mirrored.see(&covered.of(world), self.y);
+            self.mirrored.see();
         }
         Some(())
     }

@@ -25,10 +25,10 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
     let lens = camera.lens(SIZE.0, SIZE.1);
     let from = world.parts().grid.place(camera.description().position);
     let view = View::new(world, from);
-    let outlook = match from.is_near() {
-        true => W::Outlook::new(world, &lens.fans(from.point)),
-        false => W::Outlook::ALL,
-    };
+    let mut outlook = W::Outlook::ALL;
+    if from.is_near() {
+        outlook.look(world, &lens.fans(from.point));
+    }
     for y in 0..SIZE.1 {
         let tracer = |sight| Tracer::<W, BlinnPhong, Fine>::new(world, &view, sight, 3);
         let mut some = tracer(Sight::new(&outlook, from, y));
@@ -38,7 +38,7 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         for x in 0..SIZE.0 {
             let [some, all] = [&mut some, &mut all].map(|it| {
                 it.turn_to(x / 4 * 4, x / 4 * 4 + 4);
-                it.trace(directions.of(x)).sum
+                it.trace(x, directions.of(x)).sum
             });
             assert_eq!(some, all, "{name}: pixel {x}, {y} of {camera:?}");
         }

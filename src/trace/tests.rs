@@ -43,7 +43,7 @@ fn followed_by<K: Shading, Q: Quality, W: World>(world: &W, path: Path, reflecti
     let sight = Sight::of_everything(&outlook, path.from());
     let mut tracer = Tracer::<_, K, Q>::new(world, &view, sight, reflections);
     Followed {
-        sum: tracer.trace(path.direction()).sum,
+        sum: tracer.trace(0, path.direction()).sum,
         rays: tracer.rays,
         cut_off: tracer.cut_off,
     }
