@@ -74,6 +74,16 @@ impl<'a> Surface<'a> {
         })
     }
 
+    /// The shape, unless it may be met again by a ray that leaves it here: from inside of a sphere or
+    /// cylinder.
+    #[inline(always)]
+    pub(crate) fn left<W: World>(&self, world: &W) -> ShapeNumber {
+        match self.is_inside && !world.parts().is_plane(self.shape) {
+            true => ShapeNumber::NONE,
+            false => self.shape,
+        }
+    }
+
     /// The mirrored path.
     #[inline(never)]
     pub(crate) fn reflection<W: World>(&self, world: &W) -> Path {

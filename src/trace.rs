@@ -115,7 +115,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             }
             reflections += 1;
             path = surface.reflection(world);
-            left = surface.shape;
+            left = surface.left(world);
             distance = hit.distance;
         }
         self.rays += reflections + 1;
@@ -147,7 +147,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
                     let plane = (left, plane);
                     self.sight.mirrored(world, plane, distance, ray, trail)
                 }
-                _ => nearest_bounded(world, ray, Length::from_bits(0), trail),
+                _ => nearest_bounded(world, ray, Length::from_bits(0), left, trail),
             }
         };
         nearest(world, ray, left, bounded)

@@ -23,7 +23,7 @@ pub use decimal::Number;
 pub use power::{Exponent, even_power, power};
 pub use product::{high, high_unsigned, wide, wide_unsigned};
 pub use root::{
-    Quotient, divide, quarter_quotient, ratio, reciprocal_root, root_of_unit, square_root,
+    Quotient, divide, ratio, reciprocal_root, root_of_unit, square_root,
     unit_shift,
 };
 

@@ -119,23 +119,12 @@ const fn reciprocal(mantissa: u32) -> u32 {
 
 /// 2³⁰ `numerator` / `denominator` for a numerator below the denominator, with a relative error
 /// below 2⁻²⁶; the denominator is 1 to 2³⁰.
+#[inline(always)]
 pub const fn ratio(numerator: u32, denominator: u32) -> i32 {
     let denominator = denominator | (denominator == 0) as u32;
     let zeros = denominator.leading_zeros();
     let reciprocal = reciprocal(denominator << zeros);
     high_unsigned(numerator << (zeros - 1), reciprocal) as i32
-}
-
-/// A quarter of `numerator / denominator`, with a relative error below 2⁻²⁶, where that is below
-/// 2³⁰; `denominator` is 1 to 2³⁰.
-#[inline(always)]
-pub const fn quarter_quotient(numerator: u64, denominator: u32) -> u32 {
-    let denominator = denominator | (denominator == 0) as u32;
-    let zeros = denominator.leading_zeros();
-    // The numerator's leading bits: the quotient is below 2³², so that no bit is lost above.
-    let (high, low) = ((numerator >> 32) as u32, numerator as u32);
-    let leading = (high << (zeros - 1)) | (low >> 1 >> (32 - zeros));
-    high_unsigned(leading, reciprocal(denominator << zeros))
 }
 
 /// `numerator / denominator`, with a relative error below 2⁻²⁶; `denominator` is 1 to 2³² - 1,
@@ -218,23 +207,6 @@ mod tests {
             let found = f64::from(ratio(numerator as u32, denominator as u32));
             assert!(
                 (found - truth).abs() <= 1.0 + truth * 2f64.powi(-26),
-                "{numerator}/{denominator}: {found}, not {truth}"
-            );
-        }
-    }
-
-    #[test]
-    fn a_quarter_of_a_quotient_is_within_its_bound() {
-        let mut sweep = crate::number::sweep::Sweep::new(6);
-        for _ in 0..200_000 {
-            let denominator = sweep.octaves(0, 30) as u32;
-            let quotient = sweep.octaves(0, 30);
-            let numerator = 4 * u64::from(denominator) * quotient as u64 + 3;
-            let truth = numerator as f64 / f64::from(denominator) / 4.0;
-            let found = f64::from(quarter_quotient(numerator, denominator));
-            // The numerator's leading bits are rounded down, and so is their product.
-            assert!(
-                (found - truth).abs() <= 2.0 + truth * 2f64.powi(-26),
                 "{numerator}/{denominator}: {found}, not {truth}"
             );
         }

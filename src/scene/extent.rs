@@ -68,12 +68,6 @@ impl Extent {
     pub(super) fn has_row(&self, y: u16) -> bool {
         self.top <= y && y <= self.bottom
     }
-
-    /// Whether it is so thin that it may lie between two pixels that are traced.
-    #[inline(always)]
-    pub(super) fn is_thin(&self) -> bool {
-        self.middle < u16::MAX
-    }
 }
 
 /// What the shapes of a scene cover, in rising order of their left columns.

@@ -42,7 +42,7 @@ pub(crate) fn nearest<W: World>(
         false => into_ball(path),
     };
     let bounded = start.and_then(|(ray, skipped)| {
-        let Hit { distance, shape } = nearest_bounded(world, &ray, NOWHERE, trail);
+        let Hit { distance, shape } = nearest_bounded(world, &ray, NOWHERE, left, trail);
         let at = Place::new(ray.origin.along(ray.direction, distance), 0);
         (shape != ShapeNumber::NONE).then_some((skipped + distance.to_bits() as u64, at, shape))
     });

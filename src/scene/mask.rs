@@ -28,23 +28,6 @@ impl Mask {
     pub(crate) const fn difference(self, other: Self) -> u32 {
         (self.0 ^ other.0).count_ones()
     }
-
-    /// The numbers of the runs, in rising order: a word at a time.
-    #[inline(always)]
-    pub(crate) fn bits(self) -> impl Iterator<Item = usize> {
-        let word = |bits: u32, first: usize| {
-            let mut rest = bits;
-            core::iter::from_fn(move || {
-                if rest == 0 {
-                    return None;
-                }
-                let bit = rest.trailing_zeros() as usize;
-                rest &= rest - 1;
-                Some(first + bit)
-            })
-        };
-        word(self.0 as u32, 0).chain(word((self.0 >> 32) as u32, 32))
-    }
 }
 
 /// How the shapes of a scene are spread over the bits of a mask: spheres from the lowest bit on,
@@ -77,39 +60,36 @@ impl Runs {
         self.sphere_bits + index / self.length
     }
 
-    /// The spheres of a set.
+    /// Whether any sphere of a set is what is looked for, by its number.
     #[inline(always)]
-    pub(crate) fn spheres<T>(self, mask: Mask, spheres: &[T]) -> impl Iterator<Item = &T> {
+    pub(crate) fn any_sphere(self, mask: Mask, is_it: impl FnMut(usize) -> bool) -> bool {
         let low = 1_u64
             .checked_shl(self.sphere_bits as u32)
             .map_or(u64::MAX, |end| end - 1);
-        self.chosen(Mask(mask.0 & low), spheres)
+        self.any(mask.0 & low, is_it)
     }
 
-    /// The cylinders of a set.
+    /// Whether any cylinder of a set is what is looked for, by its number.
     #[inline(always)]
-    pub(crate) fn cylinders<T>(self, mask: Mask, cylinders: &[T]) -> impl Iterator<Item = &T> {
+    pub(crate) fn any_cylinder(self, mask: Mask, is_it: impl FnMut(usize) -> bool) -> bool {
         let high = mask.0.checked_shr(self.sphere_bits as u32).unwrap_or(0);
-        self.chosen(Mask(high), cylinders)
+        self.any(high, is_it)
     }
 
+    /// A word at a time; the last run may name shapes that there are not.
     #[inline(always)]
-    fn chosen<T>(self, mask: Mask, shapes: &[T]) -> impl Iterator<Item = &T> {
-        let mut bits = mask.bits();
-        let mut run: &[T] = &[];
-        core::iter::from_fn(move || {
-            loop {
-                if let [first, rest @ ..] = run {
-                    run = rest;
-                    return Some(first);
+    fn any(self, bits: u64, mut is_it: impl FnMut(usize) -> bool) -> bool {
+        for (word, first) in [(bits as u32, 0), ((bits >> 32) as u32, 32)] {
+            let mut rest = word;
+            while rest != 0 {
+                let run = first + rest.trailing_zeros() as usize;
+                rest &= rest - 1;
+                let mut shapes = run * self.length..(run + 1) * self.length;
+                if shapes.any(&mut is_it) {
+                    return true;
                 }
-                let first = bits.next()? * self.length;
-                if self.length == 1 {
-                    // What stands for no shape comes after all that do.
-                    return shapes.get(first);
-                }
-                run = shapes.get(first..(first + self.length).min(shapes.len()))?;
             }
-        })
+        }
+        false
     }
 }

@@ -226,7 +226,7 @@ pub(crate) fn first<W: World>(
             world,
             &path.ray,
             left,
-            nearest_bounded(world, &path.ray, NOWHERE, &mut trail),
+            nearest_bounded(world, &path.ray, NOWHERE, left, &mut trail),
         ),
         false => Hit::BEYOND,
     };
@@ -236,28 +236,32 @@ pub(crate) fn first<W: World>(
 /// No distance at all.
 pub(super) const NOWHERE: Length = Length::from_bits(0);
 
-/// The nearest sphere or cylinder of all, further than `start` along the ray; the distance is
-/// from there.
+/// The nearest sphere or cylinder of all but the one whose outside the ray has `left`, further than
+/// `start` along the ray; the distance is from there. Notes on which side of cylinders it passes.
 #[inline(never)]
 pub(crate) fn nearest_bounded<W: World>(
     world: &W,
     ray: &Ray,
     start: Length,
+    left: ShapeNumber,
     trail: &mut Trail,
 ) -> Hit {
     let mut nearest = Nearest::beyond(start);
     let parts = world.parts();
     for (index, sphere) in parts.spheres.iter().enumerate() {
+        let number = ShapeNumber::of_sphere(index);
+        if number == left {
+            continue;
+        }
         let (center, radius) = sphere.ball();
         let way = ray.origin.to(center);
         if !way.passes_by(way.dot(ray.direction), radius) {
-            let number = ShapeNumber::of_sphere(index);
             nearest.meet_sphere(sphere, way, ray.direction, number);
         }
     }
     for (index, cylinder) in parts.cylinders.iter().enumerate() {
-        if !cylinder.is_passed_by(ray) {
-            let number = parts.cylinder_number(index);
+        let number = parts.cylinder_number(index);
+        if number != left && !cylinder.is_passed_by(ray) {
             let seen = cylinder.seen_from(ray.origin);
             nearest.meet_cylinder(cylinder, (&seen, true), ray.direction, number);
         }
@@ -295,6 +299,12 @@ impl Nearest {
         if let Some(distance) = sphere.met(way, along, self.start, self.hit.distance) {
             self.hit = Hit { distance, shape };
         }
+    }
+
+    /// Whether what lies a quarter so far along the ray is in front of what has been met.
+    #[inline(always)]
+    pub(super) fn may_see(&self, quarter: i32) -> bool {
+        quarter < self.hit.distance.to_bits() >> 2
     }
 
     /// Notes on which side of a shape the ray passes.
@@ -384,13 +394,13 @@ pub(crate) fn blocked_from<W: World>(
     left: Option<&PreparedCylinder>,
 ) -> bool {
     let parts = world.parts();
+    let (spheres, cylinders) = (spot.spheres(), spot.cylinders());
     let hides = |(cylinder, seen): (&PreparedCylinder, &SeenCylinder)| {
         !left.is_some_and(|left| core::ptr::eq(left, cylinder))
             && cylinder
                 .met(seen, direction, parts.epsilon, distance)
                 .is_some()
     };
-    let (spheres, cylinders) = (spot.spheres(), spot.cylinders());
     // So few are asked in less time than it takes to choose.
     const FEW: usize = 3;
     if parts.spheres.len() + parts.cylinders.len() <= FEW {
@@ -400,12 +410,13 @@ pub(crate) fn blocked_from<W: World>(
             || parts.cylinders.iter().zip(cylinders).any(hides);
     }
     let (mask, runs) = (spot.lamp().cells.mask(direction), parts.runs());
-    runs.spheres(mask, spheres)
-        .any(|seen| seen.is_before(direction, distance))
-        || runs
-            .cylinders(mask, parts.cylinders)
-            .zip(runs.cylinders(mask, cylinders))
-            .any(hides)
+    runs.any_sphere(mask, |index| {
+        let seen = spheres.get(index);
+        seen.is_some_and(|seen| seen.is_before(direction, distance))
+    }) || runs.any_cylinder(mask, |index| {
+        let cylinder = parts.cylinders.get(index).zip(cylinders.get(index));
+        cylinder.is_some_and(hides)
+    })
 }
 
 /// Whether a sphere or cylinder of a set lies on the ray before `reach`.
@@ -418,11 +429,13 @@ pub(crate) fn blocked_by_bounded<W: World>(
 ) -> bool {
     let parts = world.parts();
     let runs = parts.runs();
-    runs.spheres(mask, parts.spheres)
-        .any(|sphere| sphere.blocks(ray, reach))
-        || runs
-            .cylinders(mask, parts.cylinders)
-            .any(|cylinder| cylinder.blocks(ray, reach))
+    runs.any_sphere(mask, |index| {
+        let sphere = parts.spheres.get(index);
+        sphere.is_some_and(|sphere| sphere.blocks(ray, reach))
+    }) || runs.any_cylinder(mask, |index| {
+        let cylinder = parts.cylinders.get(index);
+        cylinder.is_some_and(|cylinder| cylinder.blocks(ray, reach))
+    })
 }
 
 #[cfg(test)]

@@ -18,8 +18,14 @@ struct Open<T> {
     seen: T,
     /// Which of the extents of its kind is its own.
     extent: u16,
-    /// Which of its kind it is.
-    shape: u16,
+    /// As of the extent.
+    middle: u16,
+}
+
+impl<T> Open<T> {
+    fn extent<'a>(&self, extents: &'a [Extent]) -> Option<&'a Extent> {
+        extents.get(usize::from(self.extent))
+    }
 }
 
 /// The shapes of one kind.
@@ -45,8 +51,9 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
         self.open.clear();
     }
 
-    /// Closes what has ended before the first column, and opens what begins up to the last; says
-    /// for which columns that will not change, or `None` where there is no room.
+    /// Closes what has ended before the first column, and opens what begins up to the last, in an
+    /// order from front to back; says for which columns that will not change, or `None` where there
+    /// is no room.
     #[inline(always)]
     fn turn_to(
         &mut self,
@@ -54,11 +61,9 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
         y: u16,
         (first, last): (u32, u32),
         see: impl Fn(usize) -> Option<T>,
+        is_in_front: impl Fn(&T, &T) -> bool,
     ) -> Option<u32> {
-        let right = |open: &Open<T>| {
-            let extent = extents.get(usize::from(open.extent));
-            extent.map_or(0, |it| u32::from(it.right))
-        };
+        let right = |open: &Open<T>| open.extent(extents).map_or(0, |it| u32::from(it.right));
         self.open.retain(|open| right(open) >= first);
         let mut until = u32::MAX;
         while let Some(extent) = extents.get(self.next) {
@@ -73,9 +78,17 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
                         let open = Open {
                             seen,
                             extent: self.next as u16,
-                            shape: extent.shape,
+                            middle: extent.middle,
                         };
                         self.open.push(open).ok()?;
+                        let mut rest = self.open.as_mut_slice();
+                        while let [.., before, last] = rest {
+                            if !is_in_front(&last.seen, &before.seen) {
+                                break;
+                            }
+                            core::mem::swap(before, last);
+                            rest = rest.split_last_mut().map_or(&mut [], |(_, rest)| rest);
+                        }
                     }
                 }
             }
@@ -153,10 +166,23 @@ impl Row {
         trail: &mut Trail,
     ) -> Hit {
         if self.is_full {
-            let origin = self.origin;
-            return nearest_bounded(world, &Ray { origin, direction }, start, trail);
+            return self.nearest_of_all(world, (direction, start), trail);
         }
         self.nearest(world, covered, column, (direction, start), trail)
+    }
+
+    /// The nearest of all shapes.
+    #[cold]
+    #[inline(never)]
+    fn nearest_of_all<W: World>(
+        &self,
+        world: &W,
+        (direction, start): (Direction, Length),
+        trail: &mut Trail,
+    ) -> Hit {
+        let origin = self.origin;
+        let ray = Ray { origin, direction };
+        nearest_bounded(world, &ray, start, ShapeNumber::NONE, trail)
     }
 
     /// Goes on to some columns, which do not begin before the last ones.
@@ -172,14 +198,20 @@ impl Row {
     fn open<W: World>(&mut self, world: &W, cut: Cut<'_>, columns: (u32, u32)) {
         let (parts, origin) = (world.parts(), self.origin);
         let Cut { covered, y } = cut;
-        let spheres = self.spheres.turn_to(covered.spheres, y, columns, |shape| {
-            Some(parts.spheres.get(shape)?.surely_seen_from(origin))
-        });
-        let cylinders = self
-            .cylinders
-            .turn_to(covered.cylinders, y, columns, |shape| {
-                Some(parts.cylinders.get(shape)?.seen_from(origin))
-            });
+        let spheres = self.spheres.turn_to(
+            covered.spheres,
+            y,
+            columns,
+            |shape| Some(parts.spheres.get(shape)?.surely_seen_from(origin)),
+            SeenSphere::is_in_front_of,
+        );
+        let cylinders = self.cylinders.turn_to(
+            covered.cylinders,
+            y,
+            columns,
+            |shape| Some(parts.cylinders.get(shape)?.seen_from(origin)),
+            |_, _| false,
+        );
         match (spheres, cylinders) {
             (Some(spheres), Some(cylinders)) => {
                 (self.is_full, self.until) = (false, spheres.min(cylinders));
@@ -205,24 +237,26 @@ impl Row {
         let parts = world.parts();
         let mut nearest = Nearest::beyond(start);
         for open in &self.spheres.open {
-            if !open.seen.may_be_met(direction) {
-                if let Some(extent) = covered.spheres.get(usize::from(open.extent)) {
-                    nearest.pass_by(column > u32::from(extent.middle));
+            let approach = open.seen.nearest_approach(direction);
+            if !open.seen.may_be_met(approach) {
+                if nearest.may_see(approach) {
+                    nearest.pass_by(column > u32::from(open.middle));
                 }
                 continue;
             }
-            let index = usize::from(open.shape);
-            if let Some(sphere) = parts.spheres.get(index) {
-                let number = ShapeNumber::of_sphere(index);
+            let shape = open.extent(covered.spheres).map(|it| it.shape.into());
+            let shape = shape.unwrap_or(usize::MAX);
+            if let Some(sphere) = parts.spheres.get(shape) {
+                let number = ShapeNumber::of_sphere(shape);
                 nearest.meet_sphere(sphere, open.seen.way(), direction, number);
             }
         }
         for open in &self.cylinders.open {
-            let index = usize::from(open.shape);
-            if let Some(cylinder) = parts.cylinders.get(index) {
-                let extent = covered.cylinders.get(usize::from(open.extent));
-                let is_thin = extent.is_some_and(Extent::is_thin);
-                let number = parts.cylinder_number(index);
+            let shape = open.extent(covered.cylinders).map(|it| it.shape.into());
+            let shape = shape.unwrap_or(usize::MAX);
+            if let Some(cylinder) = parts.cylinders.get(shape) {
+                let is_thin = open.middle < u16::MAX;
+                let number = parts.cylinder_number(shape);
                 nearest.meet_cylinder(cylinder, (&open.seen, is_thin), direction, number);
             }
         }

@@ -84,7 +84,7 @@ impl<'a, W: World> Sight<'a, W> {
     pub(crate) fn first(&self, world: &W, ray: &Ray, trail: &mut Trail) -> Hit {
         const START: Length = Length::from_bits(0);
         if self.camera.is_none() {
-            return nearest_bounded(world, ray, START, trail);
+            return nearest_bounded(world, ray, START, ShapeNumber::NONE, trail);
         }
         let covered = self.outlook.first().of(world);
         let ray = (ray.direction, START);
@@ -106,7 +106,7 @@ impl<'a, W: World> Sight<'a, W> {
         let covered = index.and_then(|index| self.outlook.mirrored(index));
         let is_known = self.plane == number || self.look_into(world, number, plane).is_some();
         let (Some(covered), true) = (covered, is_known) else {
-            return nearest_bounded(world, ray, Length::from_bits(0), trail);
+            return nearest_bounded(world, ray, Length::from_bits(0), number, trail);
         };
         let covered = covered.of(world);
         let cut = Cut { covered, y: self.y };

@@ -77,12 +77,12 @@ impl View {
     #[inline(always)]
     pub(crate) fn standing(&self, light: usize) -> Standing {
         let bit = 1_u32.wrapping_shl(light as u32);
-        if self.hidden & bit != 0 {
-            Standing::Hidden
-        } else if self.unclear & bit != 0 {
-            Standing::Unclear
-        } else {
+        if (self.hidden | self.unclear) & bit == 0 {
             Standing::Clear
+        } else if self.hidden & bit != 0 {
+            Standing::Hidden
+        } else {
+            Standing::Unclear
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Infinite planes.
 
 use super::MaterialId;
-use crate::number::{Length, Quotient, divide, quarter_quotient, wide_unsigned};
+use crate::number::{Length, Quotient, divide, ratio, wide_unsigned};
 use crate::ray::{Path, Place, Ray};
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -56,8 +56,8 @@ pub(crate) enum Side {
 /// How a ray comes down on a plane: the distance is the height over the descent.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Approach {
-    /// With 30 more fraction bits than a step.
-    height: u64,
+    /// In steps of 4.
+    height: u32,
     /// How much height is lost a step, Q4.28.
     descent: u32,
 }
@@ -67,22 +67,21 @@ impl Approach {
     #[inline(always)]
     pub(crate) const fn at(distance: Length) -> Self {
         Self {
-            height: (distance.to_bits() as u64) << 30,
+            height: distance.to_bits() as u32 >> 2,
             descent: 1 << 28,
         }
     }
 
-    /// Whether this meets its plane before another, with heights in steps of 4; no division.
+    /// Whether this meets its plane before another; no division.
     #[inline(always)]
     pub(crate) const fn is_before(&self, other: &Self) -> bool {
-        let (a, b) = ((self.height >> 32) as u32, (other.height >> 32) as u32);
-        wide_unsigned(a, other.descent) < wide_unsigned(b, self.descent)
+        wide_unsigned(self.height, other.descent) < wide_unsigned(other.height, self.descent)
     }
 
     /// The distance, which is below 2³⁰.
     #[inline(always)]
     pub(crate) const fn distance(&self) -> Length {
-        Length::from_bits(quarter_quotient(self.height, self.descent) as i32)
+        Length::from_bits(ratio(self.height, self.descent))
     }
 }
 
@@ -136,8 +135,8 @@ impl PreparedPlane {
     #[inline(always)]
     pub(crate) fn approach(&self, ray: &Ray) -> Option<Approach> {
         let climb = ray.direction.raw().quarter_dot(self.normal);
-        let height = self.height(ray.origin);
-        let comes_down = (climb ^ (height >> 32) as i32) < 0 && height != 0;
+        let height = (self.height(ray.origin) >> 32) as i32;
+        let comes_down = climb ^ height < 0 && height != 0;
         comes_down.then_some(Approach {
             height: height.unsigned_abs(),
             descent: climb.unsigned_abs(),

@@ -57,11 +57,23 @@ impl SeenSphere {
         tangent: i32::MAX,
     };
 
-    /// Whether a ray in this direction may meet the sphere: it comes nearest to the centre of a
-    /// sphere that it touches where the tangent does, and later where it goes through.
+    /// A quarter of the way along a ray at which it comes nearest to the centre.
     #[inline(always)]
-    pub(crate) const fn may_be_met(&self, direction: Direction) -> bool {
-        self.way.quarter_dot(direction) >= self.tangent
+    pub(crate) const fn nearest_approach(&self, direction: Direction) -> i32 {
+        self.way.quarter_dot(direction)
+    }
+
+    /// Whether a ray may meet the sphere, by its nearest approach: a ray that touches it comes
+    /// nearest where the tangent does, and one that goes through later.
+    #[inline(always)]
+    pub(crate) const fn may_be_met(&self, nearest_approach: i32) -> bool {
+        nearest_approach >= self.tangent
+    }
+
+    /// Whether its tangents are shorter than another's: it is in front of it, or about as far.
+    #[inline(always)]
+    pub(crate) const fn is_in_front_of(&self, other: &Self) -> bool {
+        self.tangent < other.tangent
     }
 
     /// From the point to the centre.
@@ -81,7 +93,7 @@ impl SeenSphere {
     /// No root: the sphere is entered before its tangents' length and left after it.
     #[inline(always)]
     pub(crate) const fn is_before(&self, direction: Direction, reach: Length) -> bool {
-        self.may_be_met(direction) && self.tangent < reach.to_bits() >> 2
+        self.may_be_met(self.nearest_approach(direction)) && self.tangent < reach.to_bits() >> 2
     }
 }
 
@@ -146,9 +158,12 @@ impl PreparedSphere {
         reach: Length,
     ) -> Option<Length> {
         let distance = way.dot(direction);
+        if distance - self.radius >= reach.to_bits() {
+            return None;
+        }
         let nearest = way.without(direction, distance);
         let half_chord_square = self.square - nearest.square() as i64;
-        if half_chord_square < 0 || distance - self.radius >= reach.to_bits() {
+        if half_chord_square < 0 {
             return None;
         }
         let half_chord = square_root(half_chord_square as u64);
