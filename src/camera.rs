@@ -312,7 +312,8 @@ impl RowDirections {
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {
         let column = i64::from(column);
-        let at = |start: i64, step: i64| (start.wrapping_add(step.wrapping_mul(column)) >> 32) as i32;
+        let at =
+            |start: i64, step: i64| (start.wrapping_add(step.wrapping_mul(column)) >> 32) as i32;
         let aside = at(self.aside, self.step_aside);
         let square = self.square + wide(aside, aside) as u64;
         let ([x, y, z], [dx, dy, dz]) = (self.first, self.step);

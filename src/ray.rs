@@ -177,7 +177,9 @@ pub(crate) struct Trail(u32);
 
 impl Trail {
     /// Of a path that has not met anything.
-    pub(crate) const NEW: Self = Self(0);
+    pub(crate) const fn new() -> Self {
+        Self(0)
+    }
 
     /// Adds what was met. Numbers are spread as in Fibonacci hashing (Knuth, The Art of Computer
     /// Programming, vol. 3, 6.4).

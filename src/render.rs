@@ -6,6 +6,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::transform::Transform;
 
 use crate::camera::{Camera, Lens};
 use crate::interpolate::Colors;
@@ -16,12 +17,13 @@ use crate::scene::sight::Sight;
 use crate::scene::view::View;
 use crate::scene::{Scene, Static, StaticScene, World};
 use crate::shade::{BlinnPhong, Shading};
-use crate::trace::Tracer;
+use crate::trace::{Traced, Tracer};
 
 /// What is known about a picture, or a part of one, when it has been drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Report {
-    /// How many rays were followed: one a pixel and one a reflection; rays to lights not counted.
+    /// How many rays were followed: one for each pixel that was traced (with [`Fast`], not all are) and
+    /// one for each reflection; rays to lights not counted.
     pub rays: u64,
     /// The largest weight with which a path was ended by the number of reflections or by the
     /// quality. No colour is wrong by more than this times the brightest colour of the scene on
@@ -177,13 +179,18 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
     /// What would lie beyond the picture's edges stays as it is.
     pub fn row<C: PixelColor + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
         let mut report = Report::NONE;
-        if y >= self.size.height || x >= self.size.width {
+        if y >= self.size.height || x >= self.size.width || pixels.is_empty() {
+            return report;
+        }
+        let inside = (self.size.width - x) as usize;
+        let pixels = pixels.iter_mut().take(inside);
+        if let Some(color) = self.only_color() {
+            report.rays = pixels.len() as u64;
+            pixels.for_each(|pixel| *pixel = color);
             return report;
         }
         let mut tracer = self.tracer(y);
         tracer.look();
-        let inside = (self.size.width - x) as usize;
-        let pixels = pixels.iter_mut().take(inside);
         for (pixel, color) in pixels.zip(self.colors(y, x, &mut tracer)) {
             *pixel = color;
         }
@@ -230,6 +237,11 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         if area.is_zero_sized() {
             return Ok(report);
         }
+        if let Some(color) = self.only_color() {
+            target.fill_solid(&area.translate(top_left), color)?;
+            report.rays = u64::from(area.size.width) * u64::from(area.size.height);
+            return Ok(report);
+        }
         let (left, width) = (area.top_left.x, area.size.width);
         for y in area.rows() {
             let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
@@ -240,6 +252,15 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
             report.count(&tracer);
         }
         Ok(report)
+    }
+
+    /// The colour of every pixel, where there is nothing to be met.
+    fn only_color<C: From<Rgb888>>(&self) -> Option<C> {
+        if !self.world.parts().is_empty() {
+            return None;
+        }
+        let [red, green, blue] = Traced::missed::<W, K>(&self.world).sum.to_rgb8();
+        Some(C::from(Rgb888::new(red, green, blue)))
     }
 
     /// What follows the rays of row `y`.

@@ -142,12 +142,7 @@ impl sealed::Shading for BlinnPhong {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(
-        world: &W,
-        view: &View,
-        surface: &Surface<'_>,
-        trail: &mut Trail,
-    ) -> Color {
+    fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>, trail: &mut Trail) -> Color {
         lit_color::<W, Self>(world, view, surface, trail)
     }
 
@@ -160,12 +155,7 @@ impl sealed::Shading for Phong {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(
-        world: &W,
-        view: &View,
-        surface: &Surface<'_>,
-        trail: &mut Trail,
-    ) -> Color {
+    fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>, trail: &mut Trail) -> Color {
         lit_color::<W, Self>(world, view, surface, trail)
     }
 

@@ -24,11 +24,18 @@ pub(crate) struct Traced {
 }
 
 impl Traced {
-    /// Of no path.
+    /// Of a path that has not met anything.
     pub(crate) const NONE: Self = Self {
         sum: Sum::ZERO,
-        trail: Trail::NEW,
+        trail: Trail::new(),
     };
+
+    /// Of paths that meet nothing.
+    pub(crate) fn missed<W: World, K: Shading>(world: &W) -> Self {
+        let mut missed = Self::NONE;
+        missed.sum.add(Unit::ONE, K::missed(world));
+        missed
+    }
 }
 
 /// Follows the rays of one row of pixels.
@@ -64,15 +71,6 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         self.sight.look();
     }
 
-    /// A path that meets nothing.
-    #[inline(always)]
-    pub(crate) fn miss(&mut self) -> Sum {
-        self.rays += 1;
-        let mut sum = Sum::ZERO;
-        sum.add(Unit::ONE, K::missed(self.world));
-        sum
-    }
-
     /// Turns to some columns, which do not begin before those it was turned to.
     #[inline(always)]
     pub(crate) fn turn_to(&mut self, first: u32, last: u32) {
@@ -106,7 +104,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             }
             let reflected = share(weight, mirror);
             if reflected < weight {
-                sum.add(weight - reflected, K::color(world, view, &surface, &mut trail));
+                sum.add(
+                    weight - reflected,
+                    K::color(world, view, &surface, &mut trail),
+                );
             }
             weight = reflected;
             if weight < Q::SMALLEST_WEIGHT || reflections >= self.reflections {

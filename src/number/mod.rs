@@ -22,10 +22,7 @@ pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;
 pub use power::{Exponent, even_power, power};
 pub use product::{high, high_unsigned, wide, wide_unsigned};
-pub use root::{
-    Quotient, divide, ratio, reciprocal_root, root_of_unit, square_root,
-    unit_shift,
-};
+pub use root::{Quotient, divide, ratio, reciprocal_root, root_of_unit, square_root, unit_shift};
 
 use fixed::types::{I2F30, I6F26};
 

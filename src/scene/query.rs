@@ -220,7 +220,7 @@ pub(crate) fn first<W: World>(
     path: &Path,
     left: ShapeNumber,
 ) -> Option<(Place, ShapeNumber)> {
-    let mut trail = Trail::NEW;
+    let mut trail = Trail::new();
     let hit = match path.from().is_near() {
         true => nearest(
             world,

@@ -59,7 +59,12 @@ fn stopped_by_itself(
             };
             let (to_light, _) = surface.place.to(light).0.direction_and_length();
             if surface.normal.dot(to_light) > 0.1 && is_free(to_light) {
-                let color = <BlinnPhong as sealed::Shading>::color(&scene, &view, &surface, &mut Trail::NEW);
+                let color = <BlinnPhong as sealed::Shading>::color(
+                    &scene,
+                    &view,
+                    &surface,
+                    &mut Trail::new(),
+                );
                 counts[1] += u32::from(color.largest() < 0.05);
             }
             let mirrored = surface.reflection(&scene);

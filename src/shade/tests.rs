@@ -39,7 +39,7 @@ fn seen<K: sealed::Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) ->
     let path = Path::new(from, direction);
     let (at, shape) = first(scene, &path, ShapeNumber::NONE).unwrap();
     let surface = Surface::new(scene, at, shape, direction).unwrap();
-    let color = K::color(scene, &View::new(scene, from), &surface, &mut Trail::NEW);
+    let color = K::color(scene, &View::new(scene, from), &surface, &mut Trail::new());
     color
         .components()
         .map(|component| component.to_num::<f64>())

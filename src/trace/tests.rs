@@ -37,7 +37,11 @@ struct Followed {
 }
 
 /// Follows one path, and asks every shape of the scene.
-fn followed_by<K: Shading, Q: Quality, W: World>(world: &W, path: Path, reflections: u8) -> Followed {
+fn followed_by<K: Shading, Q: Quality, W: World>(
+    world: &W,
+    path: Path,
+    reflections: u8,
+) -> Followed {
     let view = View::new(world, path.from());
     let outlook = W::Outlook::ALL;
     let sight = Sight::of_everything(&outlook, path.from());

@@ -11,7 +11,7 @@ use std::{
 use source::{paths, tokens};
 
 /// The rooms of the stack and their floors. Rooms of one floor may know each other.
-const FLOORS: [(&str, u8); 15] = [
+const FLOORS: [(&str, u8); 16] = [
     ("number", 0),
     ("fault", 0),
     ("quality", 0),
@@ -26,6 +26,7 @@ const FLOORS: [(&str, u8); 15] = [
     ("scene", 4),
     ("shade", 5),
     ("trace", 6),
+    ("interpolate", 6),
     ("render", 7),
 ];
 
