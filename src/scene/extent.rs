@@ -19,12 +19,12 @@ pub(crate) struct Extent {
     pub(super) right: u16,
     pub(super) top: u16,
     pub(super) bottom: u16,
-    /// Which of its kind it is.
-    pub(super) shape: u16,
-    /// The column in the middle of something so thin that it may lie between two pixels that are
-    /// traced in a row; beyond all columns for anything else.
-    pub(super) middle: u16,
+    /// Which of its kind it is, and [`THIN_SHAPE`].
+    shape: u16,
 }
+
+/// Marks a shape that is so thin that it may lie between two pixels that are traced in a row.
+const THIN_SHAPE: u16 = 1 << 15;
 
 impl Extent {
     const ALL: Self = Self {
@@ -33,13 +33,12 @@ impl Extent {
         top: 0,
         bottom: u16::MAX,
         shape: 0,
-        middle: u16::MAX,
     };
 
     /// Of the shape with a number.
     fn new(shape: usize, columns: Option<Columns>, rows: Option<Columns>) -> Self {
         let held = |column: i32| column.clamp(0, 0xffff) as u16;
-        let shape = shape as u16;
+        let shape = shape as u16 % THIN_SHAPE;
         let (Some(columns), Some(rows)) = (columns, rows) else {
             let (left, right) = (u16::MAX, 0);
             return Self {
@@ -49,17 +48,30 @@ impl Extent {
                 ..Self::ALL
             };
         };
-        let (left, right) = (held(columns.first), held(columns.last));
         Self {
-            left,
-            right,
+            left: held(columns.first),
+            right: held(columns.last),
             top: held(rows.first),
             bottom: held(rows.last),
-            shape,
-            middle: match columns.is_thin {
-                true => left + (right - left) / 2,
-                false => u16::MAX,
+            shape: match columns.is_thin {
+                true => shape | THIN_SHAPE,
+                false => shape,
             },
+        }
+    }
+
+    /// Which of its kind the shape is.
+    #[inline(always)]
+    pub(super) fn shape(&self) -> usize {
+        usize::from(self.shape % THIN_SHAPE)
+    }
+
+    /// The column in the middle of a thin shape; beyond all columns for any other.
+    #[inline(always)]
+    pub(super) fn middle(&self) -> u16 {
+        match self.shape & THIN_SHAPE {
+            0 => u16::MAX,
+            _ => self.left + (self.right - self.left) / 2,
         }
     }
 
@@ -122,6 +134,12 @@ impl<const S: usize, const P: usize, const C: usize> Outlooks for Outlook<S, P, 
 
     #[allow(private_interfaces)]
     fn look<W: World>(&mut self, world: &W, fans: &[Fan; 2]) {
+        const {
+            assert!(
+                S <= THIN_SHAPE as usize && C <= THIN_SHAPE as usize,
+                "a scene has room for at most 32768 spheres and 32768 cylinders"
+            );
+        }
         let parts = world.parts();
         look(world, fans, None, (&mut self.spheres, &mut self.cylinders));
         for (plane, mirrored) in parts.planes.iter().zip(&mut self.mirrored) {
@@ -186,15 +204,19 @@ fn look<W: World>(
     }
 }
 
-/// Puts an extent among the first `count`, which are in rising order of their left columns.
+/// Puts an extent behind the first `count`, which are in rising order of their left columns, and
+/// then where it belongs among them.
 fn insert(extents: &mut [Extent], count: usize, extent: Extent) {
-    let Some((sorted, [place, ..])) = extents.split_at_mut_checked(count) else {
-        return;
-    };
-    *place = extent;
-    let at = sorted.partition_point(|it| it.left <= extent.left);
-    if let Some(rest) = extents.get_mut(at..=count) {
-        rest.rotate_right(1);
+    let mut rest = extents.get_mut(..=count).unwrap_or_default();
+    while let [sorted @ .., place] = rest {
+        match sorted.last() {
+            Some(before) if before.left > extent.left => *place = *before,
+            _ => {
+                *place = extent;
+                break;
+            }
+        }
+        rest = sorted;
     }
 }
 

@@ -18,7 +18,7 @@ struct Open<T> {
     seen: T,
     /// Which of the extents of its kind is its own.
     extent: u16,
-    /// As of the extent.
+    /// The column in the middle of a thin shape; beyond all columns for any other.
     middle: u16,
 }
 
@@ -74,11 +74,11 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
                     break;
                 }
                 if u32::from(extent.right) >= first {
-                    if let Some(seen) = see(extent.shape.into()) {
+                    if let Some(seen) = see(extent.shape()) {
                         let open = Open {
                             seen,
                             extent: self.next as u16,
-                            middle: extent.middle,
+                            middle: extent.middle(),
                         };
                         self.open.push(open).ok()?;
                         let mut rest = self.open.as_mut_slice();
@@ -244,7 +244,7 @@ impl Row {
                 }
                 continue;
             }
-            let shape = open.extent(covered.spheres).map(|it| it.shape.into());
+            let shape = open.extent(covered.spheres).map(Extent::shape);
             let shape = shape.unwrap_or(usize::MAX);
             if let Some(sphere) = parts.spheres.get(shape) {
                 let number = ShapeNumber::of_sphere(shape);
@@ -252,7 +252,7 @@ impl Row {
             }
         }
         for open in &self.cylinders.open {
-            let shape = open.extent(covered.cylinders).map(|it| it.shape.into());
+            let shape = open.extent(covered.cylinders).map(Extent::shape);
             let shape = shape.unwrap_or(usize::MAX);
             if let Some(cylinder) = parts.cylinders.get(shape) {
                 let is_thin = open.middle < u16::MAX;
