@@ -105,14 +105,16 @@ impl Sum {
     /// Along a parabola: what lies half way between is an eighth of the bend away from the mean.
     #[inline(always)]
     pub fn towards(self, end: Self, bend: Bend) -> [Self; 4] {
-        let at = |quarters: i32, share: i32| {
-            let sum = |axis: usize| {
-                let (start, way) = (self.0[axis], end.0[axis] - self.0[axis]);
-                start + ((way * quarters) >> 2) - ((bend.0[axis] * share) >> 5)
-            };
-            Self([sum(0), sum(1), sum(2)])
-        };
-        [self, at(1, 3), at(2, 4), at(3, 3)]
+        let mut sums = [self; 4];
+        for axis in 0..3 {
+            let (start, way, bend) = (self.0[axis], end.0[axis] - self.0[axis], bend.0[axis]);
+            // 3/32 of the bend at a quarter and at three quarters, 4/32 half way.
+            let quarter = start + (way >> 2) - ((3 * bend) >> 5);
+            sums[1].0[axis] = quarter;
+            sums[2].0[axis] = start + (way >> 1) - (bend >> 3);
+            sums[3].0[axis] = quarter + (way >> 1);
+        }
+        sums
     }
 
     /// The sum half way to another one.

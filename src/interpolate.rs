@@ -149,7 +149,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         self.trace(column).sum
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn trace(&mut self, column: u32) -> Traced {
         self.tracer.trace(column, self.directions.of(column))
     }

@@ -9,6 +9,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::transform::Transform;
 
 use crate::camera::{Camera, Lens};
+use crate::color::Sum;
 use crate::interpolate::Colors;
 use crate::number::Unit;
 use crate::quality::{Fast, Quality};
@@ -182,17 +183,18 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         if y >= self.size.height || x >= self.size.width || pixels.is_empty() {
             return report;
         }
-        let inside = (self.size.width - x) as usize;
-        let pixels = pixels.iter_mut().take(inside);
+        let inside = pixels.len().min((self.size.width - x) as usize);
+        let (pixels, _) = pixels.split_at_mut(inside);
         if let Some(color) = self.only_color() {
-            report.rays = pixels.len() as u64;
-            pixels.for_each(|pixel| *pixel = color);
+            pixels.fill(color);
+            report.rays = inside as u64;
             return report;
         }
         let mut tracer = self.tracer(y);
         tracer.look();
-        for (pixel, color) in pixels.zip(self.colors(y, x, &mut tracer)) {
-            *pixel = color;
+        let mut colors = Colors::new(&mut tracer, self.lens.row(y), x, self.size.width);
+        for pixel in pixels {
+            *pixel = shown(colors.next_color());
         }
         report.count(&tracer);
         report
@@ -247,8 +249,10 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
             let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
             let mut tracer = self.tracer(y as u32);
             tracer.look();
-            let colors = self.colors(y as u32, left as u32, &mut tracer);
-            target.fill_contiguous(&row, colors.take(width as usize))?;
+            let directions = self.lens.row(y as u32);
+            let mut colors = Colors::new(&mut tracer, directions, left as u32, self.size.width);
+            let pixels = (0..width).map(|_| shown(colors.next_color()));
+            target.fill_contiguous(&row, pixels)?;
             report.count(&tracer);
         }
         Ok(report)
@@ -259,8 +263,7 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         if !self.world.parts().is_empty() {
             return None;
         }
-        let [red, green, blue] = Traced::missed::<W, K>(&self.world).sum.to_rgb8();
-        Some(C::from(Rgb888::new(red, green, blue)))
+        Some(shown(Traced::missed::<W, K>(&self.world).sum))
     }
 
     /// What follows the rays of row `y`.
@@ -273,22 +276,13 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
             self.reflections,
         )
     }
+}
 
-    /// The colours of row `y` from column `x` on, worked out as they are asked for; no more than the
-    /// picture is wide.
-    #[inline(always)]
-    fn colors<'s, C: From<Rgb888> + 's>(
-        &'s self,
-        y: u32,
-        x: u32,
-        tracer: &'s mut Tracer<'_, W, K, Q>,
-    ) -> impl Iterator<Item = C> + 's {
-        let mut colors = Colors::new(tracer, self.lens.row(y), x, self.size.width);
-        core::iter::repeat_with(move || {
-            let [red, green, blue] = colors.next_color().to_rgb8();
-            C::from(Rgb888::new(red, green, blue))
-        })
-    }
+/// A sum as a display shows it.
+#[inline(always)]
+fn shown<C: From<Rgb888>>(sum: Sum) -> C {
+    let [red, green, blue] = sum.to_rgb8();
+    C::from(Rgb888::new(red, green, blue))
 }
 
 impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>

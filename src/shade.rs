@@ -84,9 +84,9 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The mirrored path.
+    /// Turns a path that met the surface into the mirrored one.
     #[inline(never)]
-    pub(crate) fn reflection<W: World>(&self, world: &W) -> Path {
+    pub(crate) fn reflect<W: World>(&self, world: &W, path: &mut Path) {
         let cosine = Unit::from_bits(-self.facing.to_bits());
         let direction = self.view.reflected(self.normal, cosine);
         // A curved surface's normal has a length of one but for 2⁻¹⁶.
@@ -94,7 +94,7 @@ impl<'a> Surface<'a> {
             true => direction,
             false => direction.renormalised(),
         };
-        Path::new(self.place, direction)
+        *path = Path::new(self.place, direction);
     }
 }
 

@@ -79,7 +79,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
 
     /// Follows the path that begins in this direction, through the pixel of a column: one of those it
     /// has been turned to.
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn trace(&mut self, column: u32, direction: Direction) -> Traced {
         let (world, view) = (self.world, self.view);
         self.sight.column = column;
@@ -115,7 +115,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
                 break;
             }
             reflections += 1;
-            path = surface.reflection(world);
+            surface.reflect(world, &mut path);
             left = surface.left(world);
             distance = hit.distance;
         }

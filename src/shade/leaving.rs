@@ -67,7 +67,8 @@ fn stopped_by_itself(
                 );
                 counts[1] += u32::from(color.largest() < 0.05);
             }
-            let mirrored = surface.reflection(&scene);
+            let mut mirrored = path;
+            surface.reflect(&scene, &mut mirrored);
             if surface.facing > 0.1 && is_free(mirrored.direction()) {
                 counts[2] += u32::from(first(&scene, &mirrored, shape).is_some());
             }
@@ -133,7 +134,9 @@ fn mirrored_direction_has_a_length_of_one() {
                 continue;
             };
             let surface = Surface::new(&scene, at, shape, direction).unwrap();
-            let square = surface.reflection(&scene).direction().raw().square() as f64;
+            let mut mirrored = path;
+            surface.reflect(&scene, &mut mirrored);
+            let square = mirrored.direction().raw().square() as f64;
             let long = square.sqrt() / 2f64.powi(30) - 1.0;
             // What every direction promises.
             assert!(

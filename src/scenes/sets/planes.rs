@@ -86,7 +86,8 @@ impl Held<'_> {
             if !self.at(surface.place, shape, Some(surface.normal)) {
                 return;
             }
-            (path, left) = (surface.reflection(self.scene), shape);
+            surface.reflect(self.scene, &mut path);
+            left = shape;
         }
     }
 }

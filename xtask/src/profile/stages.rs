@@ -83,7 +83,7 @@ const RULES: [(&str, Rule); 22] = [
     ("reflet::scene::far::blocked", Rule::Is(Stage::Shadow)),
     ("reflet::scene::cells", Rule::Is(Stage::Shadow)),
     ("reflet::scene::view", Rule::Is(Stage::Shadow)),
-    ("reflet::shade::Surface::reflection", Rule::MirrorsRay),
+    ("reflet::shade::Surface::reflect", Rule::MirrorsRay),
     ("reflet::shade", Rule::Is(Stage::Shading)),
     ("reflet::trace::Tracer::new", Rule::Is(Stage::Spans)),
     ("reflet::trace::Tracer::look", Rule::Is(Stage::Spans)),
