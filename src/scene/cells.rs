@@ -98,7 +98,8 @@ impl Table {
             let mask = self.0[index];
             let mut nearest = 0;
             let mut number = 1;
-            while number < used {
+            // More are never used; said so, nothing can panic.
+            while number < used && number < SETS {
                 if cells.sets[number].difference(mask) < cells.sets[nearest].difference(mask) {
                     nearest = number;
                 }
