@@ -1,29 +1,36 @@
 //! Counts executed instructions.
 
-use core::hint::black_box;
-
 /// A running count of instructions.
 pub struct Clock {
     /// What reading it twice costs.
     overhead: u32,
 }
 
+/// A reading of the clock.
+#[derive(Clone, Copy)]
+pub struct Reading(u32);
+
 impl Clock {
     /// Starts to count.
     pub fn start() -> Self {
         source::start();
         let mut clock = Self { overhead: 0 };
-        clock.overhead = clock.count(|| ()).0;
+        clock.overhead = clock.since(clock.now());
         clock
     }
 
-    /// The instructions that `work` takes, up to 1.3 thousand million, and its result.
+    /// The count as it is now.
     #[inline(always)]
-    pub fn count<R>(&self, work: impl FnOnce() -> R) -> (u32, R) {
-        let start = source::now();
-        let result = black_box(work());
-        let ticks = source::now().wrapping_sub(start);
-        (source::instructions(ticks) - self.overhead, result)
+    pub fn now(&self) -> Reading {
+        Reading(source::now())
+    }
+
+    /// The instructions since a reading, up to 1.3 thousand million; what is done between must be
+    /// kept there with [`core::hint::black_box`].
+    #[inline(always)]
+    pub fn since(&self, start: Reading) -> u32 {
+        let ticks = source::now().wrapping_sub(start.0);
+        source::instructions(ticks) - self.overhead
     }
 }
 
