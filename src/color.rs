@@ -100,28 +100,55 @@ impl Sum {
         self.0 = [r + share(red), g + share(green), b + share(blue)];
     }
 
-    /// The sums a quarter, half and three quarters of the way to another one, after this one itself.
-    ///
-    /// Along a parabola: what lies half way between is an eighth of the bend away from the mean.
+    /// The sums a quarter, half and three quarters of the way to another one, after this one itself:
+    /// along the cubic through both that bends so much at each (Lagrange's, where the bends are
+    /// [`Bend::of`] the sums before and behind).
     #[inline(always)]
-    pub fn towards(self, end: Self, bend: Bend) -> [Self; 4] {
+    pub fn towards(self, end: Self, [first, last]: [Bend; 2]) -> [Self; 4] {
         let mut sums = [self; 4];
         for axis in 0..3 {
-            let (start, way, bend) = (self.0[axis], end.0[axis] - self.0[axis], bend.0[axis]);
-            // 3/32 of the bend at a quarter and at three quarters, 4/32 half way.
-            let quarter = start + (way >> 2) - ((3 * bend) >> 5);
-            sums[1].0[axis] = quarter;
-            sums[2].0[axis] = start + (way >> 1) - (bend >> 3);
-            sums[3].0[axis] = quarter + (way >> 1);
+            let (start, way) = (self.0[axis], end.0[axis] - self.0[axis]);
+            // A bend is within ±2³⁰, so a 32nd of it leaves room for twelve.
+            let (first, last) = (first.0[axis] >> 5, last.0[axis] >> 5);
+            // A line, less (u - u²) / 6 · ((2 - u) first + (1 + u) last).
+            let both = 5 * (first + last);
+            sums[1].0[axis] = start + (way >> 2) - ((both + 2 * first) >> 2);
+            sums[2].0[axis] = start + (way >> 1) - (2 * (first + last));
+            sums[3].0[axis] = end.0[axis] - (way >> 2) - ((both + 2 * last) >> 2);
         }
         sums
     }
 
-    /// The sum half way to another one.
+    /// The sum half way to another one, along the same cubic.
     #[inline(always)]
-    pub fn half_way(self, end: Self, bend: Bend) -> Self {
-        let sum = |axis: usize| ((self.0[axis] + end.0[axis]) >> 1) - (bend.0[axis] >> 3);
-        Self([sum(0), sum(1), sum(2)])
+    pub fn half_way(self, end: Self, [first, last]: [Bend; 2]) -> Self {
+        let bend = first.each(last, |first, last| (first >> 4) + (last >> 4));
+        let middle = self.each(end, |start, end| (start + end) >> 1);
+        middle.less(bend)
+    }
+
+    /// This sum and three quarters of another one.
+    #[inline(always)]
+    pub fn with_most_of(self, other: Self) -> Self {
+        self.each(other, |sum, other| sum + other - (other >> 2))
+    }
+
+    /// How much more it is than another one.
+    #[inline(always)]
+    pub fn less(self, other: Self) -> Self {
+        self.each(other, |sum, other| sum - other)
+    }
+
+    /// Whether no channel is further from zero than so much.
+    #[inline(always)]
+    pub fn is_within(self, most: i32) -> bool {
+        self.0.iter().all(|sum| sum.wrapping_add(most) as u32 <= 2 * most as u32)
+    }
+
+    #[inline(always)]
+    fn each(self, other: Self, of: impl Fn(i32, i32) -> i32) -> Self {
+        let ([r, g, b], [red, green, blue]) = (self.0, other.0);
+        Self([of(r, red), of(g, green), of(b, blue)])
     }
 
     /// Clamped to 0 to 1 and rounded to 8 bits: round(255 c).
@@ -140,27 +167,14 @@ impl Sum {
 
 /// How much three sums at the same distance from each other deviate from a straight line: the second
 /// difference.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Bend([i32; 3]);
+pub type Bend = Sum;
 
 impl Bend {
-    /// A straight line.
-    pub const NONE: Self = Self([0; 3]);
-
     /// Of three sums.
     #[inline(always)]
     pub fn of(before: Sum, middle: Sum, after: Sum) -> Self {
-        let bend = |axis: usize| before.0[axis] - 2 * middle.0[axis] + after.0[axis];
-        Self([bend(0), bend(1), bend(2)])
-    }
-
-    /// Whether no channel bends by more than a few 8-bit steps.
-    #[inline(always)]
-    pub fn is_small(self) -> bool {
-        const MOST: i32 = 1 << 18;
-        self.0
-            .iter()
-            .all(|bend| bend.wrapping_add(MOST) as u32 <= 2 * MOST as u32)
+        let ends = before.each(after, |before, after| before + after);
+        ends.each(middle, |ends, middle| ends - 2 * middle)
     }
 }
 

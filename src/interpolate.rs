@@ -1,20 +1,24 @@
 //! Floor 6: the colours of a row of pixels, most of them between two that were traced.
 //!
-//! Every fourth pixel of a row is traced. Where the paths of two that follow each other met the
+//! Every second or fourth pixel of a row is traced. Where the paths of two that follow each other met the
 //! same shapes in the same order, each lit by the same lights, what lies between them is taken from
 //! their colours (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer Graphics and
-//! Applications 11(4), 1991), unless the colours bend too much. Else the pixel half way is traced,
-//! and so on down to single pixels.
+//! Applications 11(4), 1991): from the cubic through them and the two beside, if their paths went
+//! alike, too. Where that is not exact to the quality's tolerance, or may not be, the pixel half way
+//! is traced, and then the others.
 //!
 //! Which pixels are traced depends on their columns alone, so a part of a row has the colours that it
 //! has in the whole.
 
 use crate::camera::RowDirections;
 use crate::color::{Bend, Sum};
-use crate::quality::{Quality, STRIDE};
+use crate::quality::{LONGEST_STRIDE, Quality};
 use crate::scene::World;
 use crate::shade::sealed::Shading;
 use crate::trace::{Traced, Tracer};
+
+/// Into how many parts a stretch is cut.
+const QUARTERS: u32 = LONGEST_STRIDE;
 
 /// The colours of a row from one column on, in the order they are asked for.
 pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
@@ -25,15 +29,27 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     /// The last column that may be traced: some beyond the picture, unless it is so narrow that their
     /// rays would leave the formats.
     last: u32,
-    /// The colours of the stretch that the column lies in.
-    stretch: [Sum; STRIDE as usize],
-    /// The first pixel of the stretch before.
-    before: Option<Traced>,
-    /// The first pixel of the next stretch.
-    next: Traced,
+    /// The colours of the stretch that the column lies in, at each quarter of it.
+    stretch: [Sum; QUARTERS as usize],
+    /// The first pixels of the next stretch and of the one behind it.
+    ends: [Traced; 2],
+    /// How much the colours bend at the first of them, if the paths around it went alike.
+    bend: Option<Bend>,
 }
 
 impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
+    /// How far colours may be from where they are expected, in steps of a [`Sum`].
+    const TOLERANCE: i32 = Q::TOLERANCE.to_bits() >> 6;
+
+    /// How many quarters of a stretch a column is.
+    const STEP: u32 = {
+        assert!(
+            matches!(Q::STRIDE, 1 | 2 | 4),
+            "a quality has a stride of 1, 2 or 4"
+        );
+        QUARTERS / Q::STRIDE
+    };
+
     /// From `column` on, in a picture so wide.
     #[inline(always)]
     pub(crate) fn new(
@@ -46,18 +62,17 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             tracer,
             directions,
             column,
-            last: match width >= 2 * STRIDE {
-                true => width + STRIDE - 1,
+            last: match width >= 2 * Q::STRIDE {
+                true => width + Q::STRIDE - 1,
                 false => width - 1,
             },
-            stretch: [Sum::ZERO; STRIDE as usize],
-            before: None,
-            next: Traced::NONE,
+            stretch: [Sum::ZERO; QUARTERS as usize],
+            ends: [Traced::NONE; 2],
+            bend: None,
         };
-        if Q::INTERPOLATES {
-            colors.start();
-        } else {
-            colors.tracer.turn_to(column, column + STRIDE);
+        match Q::STRIDE {
+            1 => colors.tracer.turn_to(column, column + LONGEST_STRIDE),
+            _ => colors.start(),
         }
         colors
     }
@@ -67,84 +82,111 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     pub(crate) fn next_color(&mut self) -> Sum {
         let column = self.column;
         self.column += 1;
-        let place = column % STRIDE;
-        if !Q::INTERPOLATES {
-            if place == 0 {
-                self.tracer.turn_to(column, column + STRIDE);
-            }
+        if Q::STRIDE == 1 {
+            self.tracer.turn_to(column, column + LONGEST_STRIDE);
             return self.trace(column).sum;
         }
+        let place = column % Q::STRIDE;
         if place == 0 {
             self.follow(column);
         }
-        self.stretch[place as usize]
+        self.stretch[(place * Self::STEP) as usize]
     }
 
     /// Makes ready for a row that begins inside of a stretch.
     #[inline(never)]
     fn start(&mut self) {
-        let first = self.column - self.column % STRIDE;
+        let first = self.column - self.column % Q::STRIDE;
         // How much the colours bend is known from the stretch before.
-        let before = first.saturating_sub(STRIDE);
-        self.tracer.turn_to(before, before + STRIDE);
-        if before < first {
-            self.before = Some(self.trace(before));
-        }
-        self.next = self.trace(first);
+        let before = first.saturating_sub(Q::STRIDE);
+        self.tracer.turn_to(before, before + 2 * Q::STRIDE);
+        let before = (before < first).then(|| self.trace(before));
+        self.ends = [self.trace(first), self.end(first + Q::STRIDE)];
+        self.bend = before.and_then(|before| self.bend_after(&before));
         if first < self.column {
             self.follow(first);
         }
     }
 
+    /// What lies at the end of a stretch; nothing beyond the last column.
+    #[inline(always)]
+    fn end(&mut self, column: u32) -> Traced {
+        match column <= self.last {
+            true => self.trace(column),
+            false => Traced::NONE,
+        }
+    }
+
+    /// How much the colours bend from a pixel to the two ends after it, if the paths went alike.
+    #[inline(always)]
+    fn bend_after(&self, start: &Traced) -> Option<Bend> {
+        let [middle, end] = &self.ends;
+        let is_alike = start.trail == middle.trail && middle.trail == end.trail;
+        is_alike.then(|| Bend::of(start.sum, middle.sum, end.sum))
+    }
+
     /// Goes on to the stretch that begins at a column.
     #[inline(never)]
     fn follow(&mut self, first: u32) {
-        let end = first + STRIDE;
-        self.tracer.turn_to(first, end);
-        let start = self.next;
-        let [.., second, third, fourth] = [0, 1, 2, 3].map(|place| first + place);
-        self.stretch[0] = start.sum;
-        if end > self.last {
-            for place in 1..STRIDE {
-                if first + place <= self.last {
-                    self.stretch[place as usize] = self.trace(first + place).sum;
+        self.tracer.turn_to(first, first + 2 * Q::STRIDE);
+        let [start, end] = self.ends;
+        let pixel = |quarter: u32| first + quarter / Self::STEP;
+        if first + Q::STRIDE > self.last {
+            self.stretch[0] = start.sum;
+            for quarter in (0..QUARTERS).step_by(Self::STEP as usize).skip(1) {
+                if pixel(quarter) <= self.last {
+                    self.stretch[quarter as usize] = self.trace(pixel(quarter)).sum;
                 }
             }
             return;
         }
-        let before = self.before.replace(start);
-        let next = self.trace(end);
-        self.next = next;
-        let is_alike = start.trail == next.trail;
-        if let Some(before) = before.filter(|it| is_alike && it.trail == start.trail) {
-            let bend = Bend::of(before.sum, start.sum, next.sum);
-            if bend.is_small() {
-                self.stretch = start.sum.towards(next.sum, bend);
+        self.ends = [end, self.end(first + 2 * Q::STRIDE)];
+        let before = self.bend;
+        self.bend = self.bend_after(&start);
+        let (bends, is_exact) = match (before, self.bend) {
+            (Some(first), Some(last)) => {
+                ([first, last], last.less(first).is_within(Self::TOLERANCE))
+            }
+            (Some(bend), None) | (None, Some(bend)) => {
+                ([bend; 2], bend.is_within(2 * Self::TOLERANCE))
+            }
+            (None, None) => ([Bend::ZERO; 2], false),
+        };
+        if Q::STRIDE == 2 {
+            self.stretch[0] = start.sum;
+            self.stretch[2] = match is_exact {
+                true => start.sum.half_way(end.sum, bends),
+                false => self.between(&start, &end, pixel(2)),
+            };
+            return;
+        }
+        self.stretch = start.sum.towards(end.sum, bends);
+        if is_exact {
+            return;
+        }
+        let middle = self.trace(pixel(2));
+        if start.trail == end.trail && middle.trail == start.trail {
+            let miss = middle.sum.less(self.stretch[2]);
+            if miss.is_within(Self::TOLERANCE) {
+                // What misses a curve half way misses it by three quarters of that at the quarters:
+                // a line by 3/4, a cubic by 35/48.
+                self.stretch[1] = self.stretch[1].with_most_of(miss);
+                self.stretch[2] = middle.sum;
+                self.stretch[3] = self.stretch[3].with_most_of(miss);
                 return;
             }
         }
-        let middle = self.trace(third);
+        self.stretch[1] = self.between(&start, &middle, pixel(1));
         self.stretch[2] = middle.sum;
-        if is_alike && middle.trail == start.trail {
-            let bend = Bend::of(start.sum, middle.sum, next.sum);
-            if bend.is_small() {
-                self.stretch[1] = start.sum.half_way(middle.sum, bend);
-                self.stretch[3] = middle.sum.half_way(next.sum, bend);
-                return;
-            }
-        }
-        self.stretch[1] = self.between(&start, &middle, second);
-        self.stretch[3] = self.between(&middle, &next, fourth);
+        self.stretch[3] = self.between(&middle, &end, pixel(3));
     }
 
     /// The colour of the one pixel between two.
     #[inline(always)]
     fn between(&mut self, start: &Traced, end: &Traced, column: u32) -> Sum {
-        if start.trail == end.trail {
-            let bend = Bend::of(start.sum, start.sum, end.sum);
-            if bend.is_small() {
-                return start.sum.half_way(end.sum, Bend::NONE);
-            }
+        let way = end.sum.less(start.sum);
+        if start.trail == end.trail && way.is_within(2 * Self::TOLERANCE) {
+            return start.sum.half_way(end.sum, [Bend::ZERO; 2]);
         }
         self.trace(column).sum
     }

@@ -29,7 +29,7 @@
 //!
 //! let mut display = MockDisplay::<Rgb888>::new(); // 64 by 64
 //! let report = Ball::frame(&CAMERA).draw(&mut display).unwrap();
-//! assert_eq!(report.rays, 64 * 64); // nothing reflects
+//! assert!(report.rays < 64 * 64 / 2); // the other pixels lie between some that were traced
 //! ```
 //!
 //! # Two ways to a scene

@@ -2,9 +2,8 @@
 
 use crate::number::Unit;
 
-/// How many pixels lie from one that is always traced to the next, where those between are taken
-/// from their colours if they can be.
-pub(crate) const STRIDE: u32 = 4;
+/// The longest way from one pixel that is always traced to the next.
+pub(crate) const LONGEST_STRIDE: u32 = 4;
 
 /// What a frame may leave out. Choose with [`crate::Frame::quality`].
 pub trait Quality {
@@ -12,25 +11,44 @@ pub trait Quality {
     /// below this weight times the brightest colour of the scene.
     const SMALLEST_WEIGHT: Unit;
 
-    /// Whether pixels between two whose paths went alike are taken from their colours.
-    const INTERPOLATES: bool;
+    /// How many columns lie from one pixel that is always traced to the next: 1, 2 or 4.
+    ///
+    /// Those between two whose paths met the same are taken from their colours if that is exact to
+    /// [`Quality::TOLERANCE`]. What is narrower than a stride and met by no ray of those that are
+    /// traced (the far end of a shadow, a reflection in a curved mirror) may be lost; spheres seen
+    /// directly or in a plane are not.
+    const STRIDE: u32;
+
+    /// How exactly the colours along a row must follow a curve where pixels are taken from it, as a
+    /// share of white.
+    ///
+    /// That is: the bend of the curve changes by no more than the tolerance, or is no more than twice
+    /// the tolerance where only one side of it is known, or a pixel traced half way is no further than
+    /// the tolerance from it.
+    const TOLERANCE: Unit;
 }
 
-/// The default: a path ends when it can no longer change an 8-bit channel by more than a step
-/// (weights below 1/256, for colours up to one).
+/// The default: nothing that is left out is expected to change an 8-bit channel by more than a step.
+///
+/// A path ends at weights below 1/256; at least every fourth pixel is traced.
 #[derive(Clone, Copy, Debug)]
 pub struct Fast;
 
 impl Quality for Fast {
     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 22);
-    const INTERPOLATES: bool = true;
+    const STRIDE: u32 = 4;
+    const TOLERANCE: Unit = Unit::from_bits(1 << 23);
 }
 
-/// Leaves nothing out: a path ends when its weight is exactly zero.
+/// The finest: a path ends when its weight is exactly zero, at least every second pixel is traced,
+/// and the others are exact to a quarter of an 8-bit step.
+///
+/// Where every pixel has to be traced, a quality of one's own with a stride of 1 does it.
 #[derive(Clone, Copy, Debug)]
 pub struct Fine;
 
 impl Quality for Fine {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const INTERPOLATES: bool = false;
+    const STRIDE: u32 = 2;
+    const TOLERANCE: Unit = Unit::from_bits(1 << 20);
 }

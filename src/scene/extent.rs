@@ -7,7 +7,7 @@
 
 use super::{World, used};
 use crate::number::{Quotient, divide, square_root};
-use crate::quality::STRIDE;
+use crate::quality::LONGEST_STRIDE;
 use crate::ray::Fan;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Point, Vector};
@@ -22,6 +22,13 @@ pub(crate) struct Extent {
     /// Which of its kind it is, and [`THIN_SHAPE`].
     shape: u16,
 }
+
+/// How many rows before the first that may see a shape its rectangle begins.
+const BESIDE_TIP: u16 = 2;
+
+/// In how many rows of the others a round shape may be thin; in further ones it is wider than
+/// [`LONGEST_STRIDE`] or thin all over.
+const TIP_ROWS: u16 = 2;
 
 /// Marks a shape that is so thin that it may lie between two pixels that are traced in a row.
 const THIN_SHAPE: u16 = 1 << 15;
@@ -66,12 +73,16 @@ impl Extent {
         usize::from(self.shape % THIN_SHAPE)
     }
 
-    /// The column in the middle of a thin shape; beyond all columns for any other.
+    /// The column in the middle of a shape that is thin, or of which only the tip may be seen in
+    /// row `y`; beyond all columns for any other.
     #[inline(always)]
-    pub(super) fn middle(&self) -> u16 {
-        match self.shape & THIN_SHAPE {
-            0 => u16::MAX,
-            _ => self.left + (self.right - self.left) / 2,
+    pub(super) fn middle(&self, y: u16) -> u16 {
+        let is_tip = |from_edge: u16| from_edge.wrapping_sub(BESIDE_TIP) < TIP_ROWS;
+        let is_thin = self.shape & THIN_SHAPE != 0;
+        if is_thin || is_tip(y.wrapping_sub(self.top)) || is_tip(self.bottom.wrapping_sub(y)) {
+            self.left + (self.right - self.left) / 2
+        } else {
+            u16::MAX
         }
     }
 
@@ -253,7 +264,7 @@ struct Columns {
 }
 
 /// What is bound to so few columns, or rather some less for the bounds are wide, is thin.
-const THIN: i32 = STRIDE as i32 + 4;
+const THIN: i32 = LONGEST_STRIDE as i32 + 4;
 
 impl Columns {
     const ALL: Self = Self {
@@ -320,7 +331,7 @@ impl Fan {
 
     /// Columns that can be seen, or that are traced beside the picture.
     fn visible(&self, columns: Columns) -> Option<Columns> {
-        let end = (self.width + STRIDE) as i32;
+        let end = (self.width + LONGEST_STRIDE) as i32;
         (columns.last >= 0 && columns.first < end).then_some(columns)
     }
 

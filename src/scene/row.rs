@@ -1,6 +1,8 @@
 //! Which spheres and cylinders the rays of one row of pixels can meet in the columns it has come to:
 //! those whose rectangles ([`super::extent`]) the row cuts there, from left to right.
 
+use core::hint::black_box;
+
 use heapless::Vec;
 
 use super::World;
@@ -16,15 +18,20 @@ use crate::vector::{Direction, Point};
 #[derive(Clone, Copy, Debug)]
 struct Open<T> {
     seen: T,
-    /// Which of the extents of its kind is its own.
-    extent: u16,
-    /// The column in the middle of a thin shape; beyond all columns for any other.
+    /// Which of its kind it is.
+    shape: u16,
+    /// Its columns, the last one included.
+    left: u16,
+    right: u16,
+    /// The one in the middle of what is thin in this row; beyond all columns for any other.
     middle: u16,
 }
 
 impl<T> Open<T> {
-    fn extent<'a>(&self, extents: &'a [Extent]) -> Option<&'a Extent> {
-        extents.get(usize::from(self.extent))
+    #[inline(always)]
+    fn has_column(&self, column: u32) -> bool {
+        let left = u32::from(self.left);
+        column.wrapping_sub(left) <= u32::from(self.right).wrapping_sub(left)
     }
 }
 
@@ -38,10 +45,11 @@ struct Kind<T, const ROOM: usize> {
 
 impl<T, const ROOM: usize> Kind<T, ROOM> {
     #[inline(always)]
-    const fn new() -> Self {
+    fn new() -> Self {
         Self {
             open: Vec::new(),
-            next: 0,
+            // Hidden from the compiler, or it clears the whole list along with this.
+            next: black_box(0),
         }
     }
 
@@ -63,8 +71,7 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
         see: impl Fn(usize) -> Option<T>,
         is_in_front: impl Fn(&T, &T) -> bool,
     ) -> Option<u32> {
-        let right = |open: &Open<T>| open.extent(extents).map_or(0, |it| u32::from(it.right));
-        self.open.retain(|open| right(open) >= first);
+        self.open.retain(|open| u32::from(open.right) >= first);
         let mut until = u32::MAX;
         while let Some(extent) = extents.get(self.next) {
             if extent.has_row(y) {
@@ -77,8 +84,10 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
                     if let Some(seen) = see(extent.shape()) {
                         let open = Open {
                             seen,
-                            extent: self.next as u16,
-                            middle: extent.middle(),
+                            shape: extent.shape() as u16,
+                            left: extent.left,
+                            right: extent.right,
+                            middle: extent.middle(y),
                         };
                         self.open.push(open).ok()?;
                         let mut rest = self.open.as_mut_slice();
@@ -94,8 +103,7 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
             }
             self.next += 1;
         }
-        let ends = self.open.iter().map(|open| right(open) + 1);
-        Some(ends.fold(until, u32::min))
+        Some(until)
     }
 }
 
@@ -160,7 +168,6 @@ impl Row {
     pub(crate) fn meet<W: World>(
         &self,
         world: &W,
-        covered: Covered<'_>,
         column: u32,
         (direction, start): (Direction, Length),
         trail: &mut Trail,
@@ -168,7 +175,7 @@ impl Row {
         if self.is_full {
             return self.nearest_of_all(world, (direction, start), trail);
         }
-        self.nearest(world, covered, column, (direction, start), trail)
+        self.nearest(world, column, (direction, start), trail)
     }
 
     /// The nearest of all shapes.
@@ -229,7 +236,6 @@ impl Row {
     fn nearest<W: World>(
         &self,
         world: &W,
-        covered: Covered<'_>,
         column: u32,
         (direction, start): (Direction, Length),
         trail: &mut Trail,
@@ -237,6 +243,9 @@ impl Row {
         let parts = world.parts();
         let mut nearest = Nearest::beyond(start);
         for open in &self.spheres.open {
+            if !open.has_column(column) {
+                continue;
+            }
             let approach = open.seen.nearest_approach(direction);
             if !open.seen.may_be_met(approach) {
                 if nearest.may_see(approach) {
@@ -244,16 +253,17 @@ impl Row {
                 }
                 continue;
             }
-            let shape = open.extent(covered.spheres).map(Extent::shape);
-            let shape = shape.unwrap_or(usize::MAX);
+            let shape = usize::from(open.shape);
             if let Some(sphere) = parts.spheres.get(shape) {
                 let number = ShapeNumber::of_sphere(shape);
                 nearest.meet_sphere(sphere, open.seen.way(), direction, number);
             }
         }
         for open in &self.cylinders.open {
-            let shape = open.extent(covered.cylinders).map(Extent::shape);
-            let shape = shape.unwrap_or(usize::MAX);
+            if !open.has_column(column) {
+                continue;
+            }
+            let shape = usize::from(open.shape);
             if let Some(cylinder) = parts.cylinders.get(shape) {
                 let is_thin = open.middle < u16::MAX;
                 let number = parts.cylinder_number(shape);

@@ -86,9 +86,8 @@ impl<'a, W: World> Sight<'a, W> {
         if self.camera.is_none() {
             return nearest_bounded(world, ray, START, ShapeNumber::NONE, trail);
         }
-        let covered = self.outlook.first().of(world);
         let ray = (ray.direction, START);
-        self.first.meet(world, covered, self.column, ray, trail)
+        self.first.meet(world, self.column, ray, trail)
     }
 
     /// What such a ray meets first of them once a plane with a number has mirrored it,
@@ -108,11 +107,13 @@ impl<'a, W: World> Sight<'a, W> {
         let (Some(covered), true) = (covered, is_known) else {
             return nearest_bounded(world, ray, Length::from_bits(0), number, trail);
         };
-        let covered = covered.of(world);
-        let cut = Cut { covered, y: self.y };
+        let cut = Cut {
+            covered: covered.of(world),
+            y: self.y,
+        };
         self.mirrored.turn_to(world, cut, self.columns);
         let ray = (ray.direction, start);
-        self.mirrored.meet(world, covered, self.column, ray, trail)
+        self.mirrored.meet(world, self.column, ray, trail)
     }
 
     /// Turns to what the row's rays can meet once a plane has mirrored them; `None` where that is
