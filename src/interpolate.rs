@@ -35,20 +35,18 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     ends: [Traced; 2],
     /// How much the colours bend at the first of them, if the paths around it went alike.
     bend: Option<Bend>,
+    /// Whether all of these are of paths that meet nothing.
+    is_clear: bool,
 }
 
 impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// How far colours may be from where they are expected, in steps of a [`Sum`].
     const TOLERANCE: i32 = Q::TOLERANCE.to_bits() >> 6;
 
-    /// How many quarters of a stretch a column is.
-    const STEP: u32 = {
-        assert!(
-            matches!(Q::STRIDE, 1 | 2 | 4),
-            "a quality has a stride of 1, 2 or 4"
-        );
-        QUARTERS / Q::STRIDE
-    };
+    const IS_STRIDE: () = assert!(
+        matches!(Q::STRIDE, 1 | 2 | 4),
+        "a quality has a stride of 1, 2 or 4"
+    );
 
     /// From `column` on, in a picture so wide.
     #[inline(always)]
@@ -58,19 +56,22 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         column: u32,
         width: u32,
     ) -> Self {
+        const { Self::IS_STRIDE };
+        let stride = tracer.stride();
         let mut colors = Self {
             tracer,
             directions,
             column,
-            last: match width >= 2 * Q::STRIDE {
-                true => width + Q::STRIDE - 1,
+            last: match width >= 2 * stride {
+                true => width + stride - 1,
                 false => width - 1,
             },
             stretch: [Sum::ZERO; QUARTERS as usize],
             ends: [Traced::NONE; 2],
             bend: None,
+            is_clear: false,
         };
-        match Q::STRIDE {
+        match stride {
             1 => colors.tracer.turn_to(column, column + LONGEST_STRIDE),
             _ => colors.start(),
         }
@@ -82,26 +83,28 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     pub(crate) fn next_color(&mut self) -> Sum {
         let column = self.column;
         self.column += 1;
-        if Q::STRIDE == 1 {
+        let stride = self.tracer.stride();
+        if stride == 1 {
             self.tracer.turn_to(column, column + LONGEST_STRIDE);
             return self.trace(column).sum;
         }
-        let place = column % Q::STRIDE;
+        let place = column % stride;
         if place == 0 {
             self.follow(column);
         }
-        self.stretch[(place * Self::STEP) as usize]
+        self.stretch[(place * QUARTERS / stride) as usize]
     }
 
     /// Makes ready for a row that begins inside of a stretch.
     #[inline(never)]
     fn start(&mut self) {
-        let first = self.column - self.column % Q::STRIDE;
+        let stride = self.tracer.stride();
+        let first = self.column - self.column % stride;
         // How much the colours bend is known from the stretch before.
-        let before = first.saturating_sub(Q::STRIDE);
-        self.tracer.turn_to(before, before + 2 * Q::STRIDE);
+        let before = first.saturating_sub(stride);
+        self.tracer.turn_to(before, before + 2 * stride);
         let before = (before < first).then(|| self.trace(before));
-        self.ends = [self.trace(first), self.end(first + Q::STRIDE)];
+        self.ends = [self.trace(first), self.end(first + stride)];
         self.bend = before.and_then(|before| self.bend_after(&before));
         if first < self.column {
             self.follow(first);
@@ -128,19 +131,30 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// Goes on to the stretch that begins at a column.
     #[inline(never)]
     fn follow(&mut self, first: u32) {
-        self.tracer.turn_to(first, first + 2 * Q::STRIDE);
+        let stride = self.tracer.stride();
+        self.tracer.turn_to(first, first + 2 * stride);
+        let was_clear = self.is_clear;
+        self.is_clear = self.tracer.is_clear();
+        if self.is_clear {
+            if !was_clear {
+                let missed = self.tracer.missed();
+                self.stretch = [missed.sum; QUARTERS as usize];
+                (self.ends, self.bend) = ([missed; 2], Some(Bend::ZERO));
+            }
+            return;
+        }
         let [start, end] = self.ends;
-        let pixel = |quarter: u32| first + quarter / Self::STEP;
-        if first + Q::STRIDE > self.last {
+        let pixel = |quarter: u32| first + quarter * stride / QUARTERS;
+        if first + stride > self.last {
             self.stretch[0] = start.sum;
-            for quarter in (0..QUARTERS).step_by(Self::STEP as usize).skip(1) {
+            for quarter in (0..QUARTERS).step_by((QUARTERS / stride) as usize).skip(1) {
                 if pixel(quarter) <= self.last {
                     self.stretch[quarter as usize] = self.trace(pixel(quarter)).sum;
                 }
             }
             return;
         }
-        self.ends = [end, self.end(first + 2 * Q::STRIDE)];
+        self.ends = [end, self.end(first + 2 * stride)];
         let before = self.bend;
         self.bend = self.bend_after(&start);
         let (bends, is_exact) = match (before, self.bend) {
@@ -152,7 +166,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             }
             (None, None) => ([Bend::ZERO; 2], false),
         };
-        if Q::STRIDE == 2 {
+        if stride == 2 {
             self.stretch[0] = start.sum;
             self.stretch[2] = match is_exact {
                 true => start.sum.half_way(end.sum, bends),

@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 
 use crate::color::Sum;
 use crate::number::{Length, Unit, share};
-use crate::quality::Quality;
+use crate::quality::{LONGEST_STRIDE, Quality};
 use crate::ray::{Path, Trail};
 use crate::scene::World;
 use crate::scene::query::{Hit, ShapeNumber, located, nearest, nearest_bounded};
@@ -30,10 +30,12 @@ impl Traced {
         trail: Trail::new(),
     };
 
-    /// Of paths that meet nothing.
+    /// Of paths that meet nothing and pass by nothing that is thin.
     pub(crate) fn missed<W: World, K: Shading>(world: &W) -> Self {
         let mut missed = Self::NONE;
         missed.sum.add(Unit::ONE, K::missed(world));
+        missed.trail.note(0);
+        missed.trail.note(u32::MAX);
         missed
     }
 }
@@ -75,6 +77,32 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     pub(crate) fn turn_to(&mut self, first: u32, last: u32) {
         self.sight.turn_to(self.world, first, last);
+    }
+
+    /// Whether it is known that all paths that begin in the columns it has been turned to are
+    /// [`Tracer::missed`].
+    #[inline(always)]
+    pub(crate) fn is_clear(&self) -> bool {
+        self.sight.is_clear(self.world)
+    }
+
+    /// What paths are that meet nothing.
+    pub(crate) fn missed(&self) -> Traced {
+        Traced::missed::<W, K>(self.world)
+    }
+
+    /// How many columns lie from one pixel that is always traced to the next.
+    ///
+    /// What all planes together show is cut into convex parts, one for each sequence of planes that a
+    /// path can meet, and no plane throws a shadow. So nothing lies between two pixels whose paths
+    /// went alike.
+    #[inline(always)]
+    pub(crate) fn stride(&self) -> u32 {
+        let parts = self.world.parts();
+        match Q::STRIDE > 1 && parts.spheres.is_empty() && parts.cylinders.is_empty() {
+            true => LONGEST_STRIDE,
+            false => Q::STRIDE,
+        }
     }
 
     /// Follows the path that begins in this direction, through the pixel of a column: one of those it

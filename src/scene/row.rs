@@ -28,6 +28,7 @@ struct Open<T> {
 }
 
 impl<T> Open<T> {
+    /// Whether the shape can be met in a column.
     #[inline(always)]
     fn has_column(&self, column: u32) -> bool {
         let left = u32::from(self.left);
@@ -160,6 +161,16 @@ impl Row {
         (self.is_full, self.until) = (false, 0);
         self.spheres.begin();
         self.cylinders.begin();
+    }
+
+    /// Whether nothing can be met in some columns, the last one included, which it has been turned to.
+    pub(crate) fn is_clear(&self, (first, last): (u32, u32)) -> bool {
+        fn is_beside<T>(open: &Open<T>, (first, last): (u32, u32)) -> bool {
+            u32::from(open.right) < first || u32::from(open.left) > last
+        }
+        !self.is_full
+            && self.spheres.open.iter().all(|it| is_beside(it, (first, last)))
+            && self.cylinders.open.iter().all(|it| is_beside(it, (first, last)))
     }
 
     /// The nearest shape further than `start` along a ray of the column; the distance is from there.

@@ -79,6 +79,12 @@ impl<'a, W: World> Sight<'a, W> {
         self.first.turn_to(world, cut, self.columns);
     }
 
+    /// Whether no ray of the columns it has been turned to meets anything, as is known without planes.
+    #[inline(always)]
+    pub(crate) fn is_clear(&self, world: &W) -> bool {
+        world.parts().planes.is_empty() && self.first.is_clear(self.columns)
+    }
+
     /// What a ray of the camera meets first of the spheres and cylinders.
     #[inline(always)]
     pub(crate) fn first(&self, world: &W, ray: &Ray, trail: &mut Trail) -> Hit {
