@@ -17,9 +17,6 @@ use crate::scene::World;
 use crate::shade::sealed::Shading;
 use crate::trace::{Traced, Tracer};
 
-/// Into how many parts a stretch is cut.
-const QUARTERS: u32 = LONGEST_STRIDE;
-
 /// The colours of a row from one column on, in the order they are asked for.
 pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     tracer: &'s mut Tracer<'a, W, K, Q>,
@@ -29,14 +26,14 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     /// The last column that may be traced: some beyond the picture, unless it is so narrow that their
     /// rays would leave the formats.
     last: u32,
-    /// The colours of the stretch that the column lies in, at each quarter of it.
-    stretch: [Sum; QUARTERS as usize],
+    /// The colours of the stretch that the column lies in.
+    stretch: [Sum; LONGEST_STRIDE as usize],
     /// The first pixels of the next stretch and of the one behind it.
     ends: [Traced; 2],
     /// How much the colours bend at the first of them, if the paths around it went alike.
     bend: Option<Bend>,
-    /// Whether all of these are of paths that meet nothing.
-    is_clear: bool,
+    /// All of these are of paths that meet nothing, and so are all pixels before this column.
+    clear_until: u32,
 }
 
 impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
@@ -66,14 +63,13 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
                 true => width + stride - 1,
                 false => width - 1,
             },
-            stretch: [Sum::ZERO; QUARTERS as usize],
+            stretch: [Sum::ZERO; LONGEST_STRIDE as usize],
             ends: [Traced::NONE; 2],
             bend: None,
-            is_clear: false,
+            clear_until: 0,
         };
-        match stride {
-            1 => colors.tracer.turn_to(column, column + LONGEST_STRIDE),
-            _ => colors.start(),
+        if stride > 1 {
+            colors.start();
         }
         colors
     }
@@ -81,18 +77,49 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// The colour of the next column, which lies inside of the picture.
     #[inline(always)]
     pub(crate) fn next_color(&mut self) -> Sum {
-        let column = self.column;
-        self.column += 1;
-        let stride = self.tracer.stride();
-        if stride == 1 {
-            self.tracer.turn_to(column, column + LONGEST_STRIDE);
-            return self.trace(column).sum;
-        }
-        let place = column % stride;
+        let place = self.column % self.tracer.stride();
         if place == 0 {
-            self.follow(column);
+            self.follow(self.column);
         }
-        self.stretch[(place * QUARTERS / stride) as usize]
+        self.column += 1;
+        self.stretch[place as usize]
+    }
+
+    /// Fills pixels, which lie inside of the picture, with the next colours.
+    #[inline(always)]
+    pub(crate) fn fill<C: Copy>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
+        let stride = self.tracer.stride();
+        while !pixels.is_empty() {
+            let place = self.column % stride;
+            if place == 0 {
+                self.follow(self.column);
+            }
+            let clear = self.clear_until.saturating_sub(self.column) as usize;
+            let whole = match clear > 0 || place > 0 {
+                true => 0,
+                false => stride,
+            };
+            let (count, later) = match (whole, pixels) {
+                (4, [a, b, c, d, later @ ..]) => {
+                    [*a, *b, *c, *d] = self.stretch.map(&shown);
+                    (4, later)
+                }
+                (2, [a, b, later @ ..]) => {
+                    let [first, second, ..] = self.stretch;
+                    [*a, *b] = [first, second].map(&shown);
+                    (2, later)
+                }
+                (_, pixels) => {
+                    // What is clear has one colour; else one pixel of a stretch.
+                    let count = pixels.len().min(clear.max(1));
+                    let (now, later) = pixels.split_at_mut(count);
+                    now.fill(shown(self.stretch[place as usize]));
+                    (count, later)
+                }
+            };
+            self.column += count as u32;
+            pixels = later;
+        }
     }
 
     /// Makes ready for a row that begins inside of a stretch.
@@ -103,12 +130,29 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         // How much the colours bend is known from the stretch before.
         let before = first.saturating_sub(stride);
         self.tracer.turn_to(before, before + 2 * stride);
-        let before = (before < first).then(|| self.trace(before));
-        self.ends = [self.trace(first), self.end(first + stride)];
-        self.bend = before.and_then(|before| self.bend_after(&before));
+        if !self.clear(before) {
+            let before = (before < first).then(|| self.trace(before));
+            self.ends = [self.trace(first), self.end(first + stride)];
+            self.bend = before.and_then(|before| self.bend_after(&before));
+        }
         if first < self.column {
             self.follow(first);
         }
+    }
+
+    /// Takes all for clear if nothing is met in the columns that it has turned to, from the stretch
+    /// on that begins at the first of them.
+    #[inline(always)]
+    fn clear(&mut self, first: u32) -> bool {
+        let Some(until) = self.tracer.clear_until() else {
+            return false;
+        };
+        let stride = self.tracer.stride();
+        self.clear_until = (until - until % stride).max(first + stride);
+        let missed = self.tracer.missed();
+        self.stretch = [missed.sum; LONGEST_STRIDE as usize];
+        (self.ends, self.bend) = ([missed; 2], Some(Bend::ZERO));
+        true
     }
 
     /// What lies at the end of a stretch; nothing beyond the last column.
@@ -131,25 +175,24 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// Goes on to the stretch that begins at a column.
     #[inline(never)]
     fn follow(&mut self, first: u32) {
+        if first < self.clear_until {
+            return;
+        }
         let stride = self.tracer.stride();
         self.tracer.turn_to(first, first + 2 * stride);
-        let was_clear = self.is_clear;
-        self.is_clear = self.tracer.is_clear();
-        if self.is_clear {
-            if !was_clear {
-                let missed = self.tracer.missed();
-                self.stretch = [missed.sum; QUARTERS as usize];
-                (self.ends, self.bend) = ([missed; 2], Some(Bend::ZERO));
-            }
+        if stride == 1 {
+            self.stretch[0] = self.trace(first).sum;
+            return;
+        }
+        if self.clear(first) {
             return;
         }
         let [start, end] = self.ends;
-        let pixel = |quarter: u32| first + quarter * stride / QUARTERS;
         if first + stride > self.last {
             self.stretch[0] = start.sum;
-            for quarter in (0..QUARTERS).step_by((QUARTERS / stride) as usize).skip(1) {
-                if pixel(quarter) <= self.last {
-                    self.stretch[quarter as usize] = self.trace(pixel(quarter)).sum;
+            for place in 1..stride {
+                if first + place <= self.last {
+                    self.stretch[place as usize] = self.trace(first + place).sum;
                 }
             }
             return;
@@ -168,9 +211,9 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         };
         if stride == 2 {
             self.stretch[0] = start.sum;
-            self.stretch[2] = match is_exact {
+            self.stretch[1] = match is_exact {
                 true => start.sum.half_way(end.sum, bends),
-                false => self.between(&start, &end, pixel(2)),
+                false => self.between(&start, &end, first + 1),
             };
             return;
         }
@@ -178,7 +221,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         if is_exact {
             return;
         }
-        let middle = self.trace(pixel(2));
+        let middle = self.trace(first + 2);
         if start.trail == end.trail && middle.trail == start.trail {
             let miss = middle.sum.less(self.stretch[2]);
             if miss.is_within(Self::TOLERANCE) {
@@ -190,9 +233,9 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
                 return;
             }
         }
-        self.stretch[1] = self.between(&start, &middle, pixel(1));
+        self.stretch[1] = self.between(&start, &middle, first + 1);
         self.stretch[2] = middle.sum;
-        self.stretch[3] = self.between(&middle, &end, pixel(3));
+        self.stretch[3] = self.between(&middle, &end, first + 3);
     }
 
     /// The colour of the one pixel between two.

@@ -193,9 +193,7 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         let mut tracer = self.tracer(y);
         tracer.look();
         let mut colors = Colors::new(&mut tracer, self.lens.row(y), x, self.size.width);
-        for pixel in pixels {
-            *pixel = shown(colors.next_color());
-        }
+        colors.fill(pixels, shown);
         report.count(&tracer);
         report
     }

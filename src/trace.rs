@@ -79,11 +79,11 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         self.sight.turn_to(self.world, first, last);
     }
 
-    /// Whether it is known that all paths that begin in the columns it has been turned to are
-    /// [`Tracer::missed`].
+    /// If all paths that begin in the columns it has been turned to are [`Tracer::missed`], the first
+    /// column for which that is not known.
     #[inline(always)]
-    pub(crate) fn is_clear(&self) -> bool {
-        self.sight.is_clear(self.world)
+    pub(crate) fn clear_until(&self) -> Option<u32> {
+        self.sight.clear_until(self.world)
     }
 
     /// What paths are that meet nothing.

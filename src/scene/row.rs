@@ -163,14 +163,16 @@ impl Row {
         self.cylinders.begin();
     }
 
-    /// Whether nothing can be met in some columns, the last one included, which it has been turned to.
-    pub(crate) fn is_clear(&self, (first, last): (u32, u32)) -> bool {
-        fn is_beside<T>(open: &Open<T>, (first, last): (u32, u32)) -> bool {
-            u32::from(open.right) < first || u32::from(open.left) > last
+    /// If nothing is open from a column on, to which it has been turned, the first that is not known
+    /// of.
+    pub(crate) fn clear_until(&self, first: u32) -> Option<u32> {
+        fn has_ended<T>(open: &Open<T>, first: u32) -> bool {
+            u32::from(open.right) < first
         }
-        !self.is_full
-            && self.spheres.open.iter().all(|it| is_beside(it, (first, last)))
-            && self.cylinders.open.iter().all(|it| is_beside(it, (first, last)))
+        let is_clear = !self.is_full
+            && self.spheres.open.iter().all(|it| has_ended(it, first))
+            && self.cylinders.open.iter().all(|it| has_ended(it, first));
+        is_clear.then_some(self.until)
     }
 
     /// The nearest shape further than `start` along a ray of the column; the distance is from there.

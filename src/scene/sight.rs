@@ -79,10 +79,14 @@ impl<'a, W: World> Sight<'a, W> {
         self.first.turn_to(world, cut, self.columns);
     }
 
-    /// Whether no ray of the columns it has been turned to meets anything, as is known without planes.
+    /// If no ray of the columns it has been turned to meets anything, the first column of a ray that
+    /// may; not known where there are planes.
     #[inline(always)]
-    pub(crate) fn is_clear(&self, world: &W) -> bool {
-        world.parts().planes.is_empty() && self.first.is_clear(self.columns)
+    pub(crate) fn clear_until(&self, world: &W) -> Option<u32> {
+        match world.parts().planes.is_empty() {
+            true => self.first.clear_until(self.columns.0),
+            false => None,
+        }
     }
 
     /// What a ray of the camera meets first of the spheres and cylinders.
