@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of, wide};
+use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of, steps, wide};
 use crate::ray::Fan;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -308,12 +308,10 @@ pub(crate) struct RowDirections {
 }
 
 impl RowDirections {
-    /// The direction through the pixel of a column.
+    /// The direction through the pixel of a column, which is below 2¹⁶.
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {
-        let column = i64::from(column);
-        let at =
-            |start: i64, step: i64| (start.wrapping_add(step.wrapping_mul(column)) >> 32) as i32;
+        let at = |start: i64, step: i64| (start.wrapping_add(steps(step, column)) >> 32) as i32;
         let aside = at(self.aside, self.step_aside);
         let square = self.square + wide(aside, aside) as u64;
         let ([x, y, z], [dx, dy, dz]) = (self.first, self.step);

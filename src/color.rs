@@ -142,7 +142,9 @@ impl Sum {
     /// Whether no channel is further from zero than so much.
     #[inline(always)]
     pub fn is_within(self, most: i32) -> bool {
-        self.0.iter().all(|sum| sum.wrapping_add(most) as u32 <= 2 * most as u32)
+        self.0
+            .iter()
+            .all(|sum| sum.wrapping_add(most) as u32 <= 2 * most as u32)
     }
 
     #[inline(always)]

@@ -60,7 +60,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             directions,
             column,
             last: match width >= 2 * stride {
-                true => width + stride - 1,
+                true => (width + stride - 1).min(u16::MAX.into()),
                 false => width - 1,
             },
             stretch: [Sum::ZERO; LONGEST_STRIDE as usize],

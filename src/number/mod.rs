@@ -17,12 +17,14 @@ mod product;
 mod root;
 #[cfg(test)]
 pub(crate) mod sweep;
+mod zeros;
 
 pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;
 pub use power::{Exponent, even_power, power};
 pub use product::{high, high_unsigned, wide, wide_unsigned};
 pub use root::{Quotient, divide, ratio, reciprocal_root, root_of_unit, square_root, unit_shift};
+pub use zeros::leading_zeros;
 
 use fixed::types::{I2F30, I6F26};
 
@@ -49,6 +51,15 @@ impl Length {
     pub const fn to_bits(self) -> i32 {
         self.0
     }
+}
+
+/// How far `count` steps of so much go; the number of steps is below 2¹⁶, and the result wraps.
+#[inline(always)]
+pub const fn steps(step: i64, count: u32) -> i64 {
+    // Said to the compiler, it leaves half of the products away where they are put together.
+    let count = count & 0xffff;
+    let high = ((step >> 32) as u32).wrapping_mul(count);
+    wide_unsigned(step as u32, count).wrapping_add((high as u64) << 32) as i64
 }
 
 /// The product of two unit numbers, rounded down to Q2.30.

@@ -25,7 +25,7 @@ pub const fn high(a: i32, b: i32) -> i32 {
 /// `a · b` · 2⁻³², rounded down.
 #[inline(always)]
 pub const fn high_unsigned(a: u32, b: u32) -> u32 {
-    (wide_unsigned(a, b) >> 32) as u32
+    multiplier::high_unsigned(a, b)
 }
 
 // Of the Arm cores, the ones without a long multiply are those without atomic exchanges.
@@ -45,6 +45,11 @@ mod multiplier {
     pub(super) const fn high(a: i32, b: i32) -> i32 {
         (wide(a, b) >> 32) as i32
     }
+
+    #[inline(always)]
+    pub(super) const fn high_unsigned(a: u32, b: u32) -> u32 {
+        (wide_unsigned(a, b) >> 32) as u32
+    }
 }
 
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
@@ -57,40 +62,33 @@ mod halves {
         a & 0xffff
     }
 
-    /// The product without its low 16 bits, and those.
     #[inline(always)]
-    const fn parts(a: i32, b: i32) -> (i32, i32, u32) {
+    pub(super) const fn high(a: i32, b: i32) -> i32 {
         let (a_low, a_high, b_low, b_high) = (low_half(a), a >> 16, low_half(b), b >> 16);
         let low = a_low.wrapping_mul(b_low) as u32;
         // Within ±2³¹, both of them.
         let first = a_high * b_low + (low >> 16) as i32;
         let second = a_low * b_high + low_half(first);
-        (
-            a_high * b_high + (first >> 16) + (second >> 16),
-            second,
-            low,
-        )
+        a_high * b_high + (first >> 16) + (second >> 16)
     }
 
     #[inline(always)]
     pub(super) const fn wide(a: i32, b: i32) -> i64 {
-        let (high, middle, low) = parts(a, b);
-        ((high as i64) << 32) | ((middle as u32) << 16 | low & 0xffff) as i64
+        ((high(a, b) as i64) << 32) | a.wrapping_mul(b) as u32 as i64
     }
 
+    /// From the product with signs: the compiler knows the one put together without, and calls for
+    /// the product of 64 by 64 bits instead.
     #[inline(always)]
-    pub(super) const fn high(a: i32, b: i32) -> i32 {
-        parts(a, b).0
+    pub(super) const fn high_unsigned(a: u32, b: u32) -> u32 {
+        let (a, b) = (a as i32, b as i32);
+        let signs = ((a >> 31) & b).wrapping_add((b >> 31) & a);
+        high(a, b).wrapping_add(signs) as u32
     }
 
     #[inline(always)]
     pub(super) const fn wide_unsigned(a: u32, b: u32) -> u64 {
-        let (a_low, a_high, b_low, b_high) = (a & 0xffff, a >> 16, b & 0xffff, b >> 16);
-        let low = a_low * b_low;
-        let first = a_high * b_low + (low >> 16);
-        let second = a_low * b_high + (first & 0xffff);
-        let high = a_high * b_high + (first >> 16) + (second >> 16);
-        ((high as u64) << 32) | (second << 16 | low & 0xffff) as u64
+        ((high_unsigned(a, b) as u64) << 32) | a.wrapping_mul(b) as u64
     }
 }
 

@@ -5,7 +5,7 @@
 //! y₀ (1 + e/2 + 3e²/8), and the first term left out, 5e³/16, is below 2⁻²⁸ because the
 //! table has 256 entries a unit; rounding adds about as much.
 
-use super::{Unit, high, high_unsigned};
+use super::{Unit, high, high_unsigned, leading_zeros};
 
 /// Entry i is 2¹⁶ / √(x) at the middle of x = i/256 .. (i+1)/256; x is 1 to 4, so the
 /// first quarter is never read and only keeps the index provably inside.
@@ -54,10 +54,10 @@ pub const fn reciprocal_root(mantissa: u32) -> i32 {
 pub const fn unit_shift(square: u64) -> (u32, u32) {
     let (leading, rest) = ((square >> 32) as u32, square as u32 | 1);
     if leading == 0 {
-        let zeros = rest.leading_zeros() & !1;
+        let zeros = leading_zeros(rest) & !1;
         return (15 + zeros / 2, rest << zeros);
     }
-    let zeros = leading.leading_zeros() & !1;
+    let zeros = leading_zeros(leading) & !1;
     (
         (zeros / 2).wrapping_sub(1) & 31,
         (leading << zeros) | ((rest >> 1) >> (31 - zeros)),
@@ -83,7 +83,7 @@ pub struct Quotient {
 /// The square root of a number from 0 to 1, Q2.30, with a relative error below 2⁻²⁷.
 pub const fn root_of_unit(square: Unit) -> Unit {
     let square = square.to_bits() as u32 | 1;
-    let zeros = square.leading_zeros() & !1;
+    let zeros = leading_zeros(square) & !1;
     let mantissa = square << zeros;
     let root = high_unsigned(mantissa, (reciprocal_root(mantissa) as u32) << 1) >> (zeros / 2);
     // √(2³⁰) · 2¹⁵
@@ -122,7 +122,7 @@ const fn reciprocal(mantissa: u32) -> u32 {
 #[inline(always)]
 pub const fn ratio(numerator: u32, denominator: u32) -> i32 {
     let denominator = denominator | (denominator == 0) as u32;
-    let zeros = denominator.leading_zeros();
+    let zeros = leading_zeros(denominator);
     let reciprocal = reciprocal(denominator << zeros);
     high_unsigned(numerator << (zeros - 1), reciprocal) as i32
 }
@@ -132,7 +132,7 @@ pub const fn ratio(numerator: u32, denominator: u32) -> i32 {
 pub const fn divide(numerator: u64, denominator: u32) -> Quotient {
     let numerator = numerator | 1;
     let denominator = denominator | (denominator == 0) as u32;
-    let up = denominator.leading_zeros();
+    let up = leading_zeros(denominator);
     let zeros = numerator.leading_zeros();
     let leading = ((numerator << zeros) >> 32) as u32;
     Quotient {

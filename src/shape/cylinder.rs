@@ -6,8 +6,8 @@
 
 use super::{MaterialId, Normaliser};
 use crate::number::{
-    Length, Number, Unit, high, high_unsigned, ratio, reciprocal_root, scaled_by_unit, square_root,
-    unit_product, unit_shift, wide,
+    Length, Number, Unit, high, high_unsigned, leading_zeros, ratio, reciprocal_root,
+    scaled_by_unit, square_root, unit_product, unit_shift, wide,
 };
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
@@ -291,7 +291,7 @@ impl PreparedCylinder {
 #[inline(always)]
 fn root_of_lifted(square: u32, lift: u32) -> i32 {
     let square = square | 1;
-    let zeros = square.leading_zeros() & !1;
+    let zeros = leading_zeros(square) & !1;
     let mantissa = square << zeros;
     // √mantissa · 2¹⁴
     let root = high_unsigned(mantissa, reciprocal_root(mantissa) as u32);

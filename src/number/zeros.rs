@@ -1,0 +1,68 @@
+//! Floor 0: how many zeros a number begins with.
+//!
+//! A core that counts them takes one instruction. Armv6-M (Cortex-M0) does not; there the upper bits
+//! are looked up, in a third of the instructions of the routine it would be given.
+
+/// How many zeros a number begins with, 32 for zero.
+#[inline(always)]
+pub const fn leading_zeros(number: u32) -> u32 {
+    counter::leading_zeros(number)
+}
+
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+mod counter {
+    #[inline(always)]
+    pub(super) const fn leading_zeros(number: u32) -> u32 {
+        number.leading_zeros()
+    }
+}
+
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+use table as counter;
+
+#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+mod table {
+    /// The leading zeros of the numbers of one byte.
+    static ZEROS: [u8; 256] = zeros();
+
+    const fn zeros() -> [u8; 256] {
+        let mut zeros = [8; 256];
+        let mut number = 1;
+        while number < 256 {
+            zeros[number] = (number as u8).leading_zeros() as u8;
+            number += 1;
+        }
+        zeros
+    }
+
+    #[inline(always)]
+    pub(super) const fn leading_zeros(number: u32) -> u32 {
+        let (mut leading, mut above) = (number, 16);
+        if leading >> 16 != 0 {
+            (leading, above) = (leading >> 16, 0);
+        }
+        if leading >> 8 != 0 {
+            leading >>= 8;
+        } else {
+            above += 8;
+        }
+        above + ZEROS[leading as u8 as usize] as u32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::table;
+    use crate::number::sweep::Sweep;
+
+    #[test]
+    fn zeros_looked_up_are_those_counted() {
+        let mut sweep = Sweep::new(12);
+        let edges = (0..32).flat_map(|bit| [1 << bit, (1 << bit) - 1, u32::MAX >> bit]);
+        let any = (0..1000).map(|_| sweep.within(i32::MIN, i32::MAX) as u32);
+        let any: std::vec::Vec<u32> = any.collect();
+        for number in edges.chain(any) {
+            assert_eq!(table::leading_zeros(number), number.leading_zeros());
+        }
+    }
+}
