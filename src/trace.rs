@@ -184,7 +184,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
 }
 
 /// The surface where a path meets a shape, if it does.
-#[inline(never)]
+#[inline(always)]
 fn surface<'a, W: World>(
     world: &'a W,
     path: &Path,

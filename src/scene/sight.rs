@@ -102,7 +102,7 @@ impl<'a, W: World> Sight<'a, W> {
 
     /// What such a ray meets first of them once a plane with a number has mirrored it,
     /// `start` steps from the camera.
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn mirrored(
         &mut self,
         world: &W,
