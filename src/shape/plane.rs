@@ -56,7 +56,6 @@ pub(crate) enum Side {
 /// How a ray comes down on a plane: the distance is the height over the descent.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Approach {
-    /// In steps of 4.
     height: u32,
     /// How much height is lost a step, Q4.28.
     descent: u32,
@@ -67,7 +66,7 @@ impl Approach {
     #[inline(always)]
     pub(crate) const fn at(distance: Length) -> Self {
         Self {
-            height: distance.to_bits() as u32 >> 2,
+            height: distance.to_bits() as u32,
             descent: 1 << 28,
         }
     }
@@ -81,7 +80,7 @@ impl Approach {
     /// The distance, which is below 2³⁰.
     #[inline(always)]
     pub(crate) const fn distance(&self) -> Length {
-        Length::from_bits(ratio(self.height, self.descent))
+        Length::from_bits(ratio(self.height, self.descent << 2))
     }
 }
 
@@ -135,10 +134,12 @@ impl PreparedPlane {
     #[inline(always)]
     pub(crate) fn approach(&self, ray: &Ray) -> Option<Approach> {
         let climb = ray.direction.raw().quarter_dot(self.normal);
-        let height = (self.height(ray.origin) >> 32) as i32;
-        let comes_down = climb ^ height < 0 && height != 0;
-        comes_down.then_some(Approach {
-            height: height.unsigned_abs(),
+        let height = self.height(ray.origin);
+        let sign = (height >> 63) as i32;
+        // Within ±2³², so that only the sign is lost.
+        let steps = ((height >> 30) as i32 ^ sign).wrapping_sub(sign) as u32;
+        (climb ^ sign < 0 && steps != 0).then_some(Approach {
+            height: steps,
             descent: climb.unsigned_abs(),
         })
     }

@@ -45,8 +45,7 @@ pub struct PreparedSphere {
 pub(crate) struct SeenSphere {
     /// From the point to the centre.
     way: Vector,
-    /// A quarter of the length of the tangents from the point; the least number where the point
-    /// lies inside.
+    /// The length of the tangents from the point; the least number where the point lies inside.
     tangent: i32,
 }
 
@@ -67,7 +66,7 @@ impl SeenSphere {
     /// nearest where the tangent does, and one that goes through later.
     #[inline(always)]
     pub(crate) const fn may_be_met(&self, nearest_approach: i32) -> bool {
-        nearest_approach >= self.tangent
+        nearest_approach >= self.tangent >> 2
     }
 
     /// Whether its tangents are shorter than another's: it is in front of it, or about as far.
@@ -93,7 +92,7 @@ impl SeenSphere {
     /// No root: the sphere is entered before its tangents' length and left after it.
     #[inline(always)]
     pub(crate) const fn is_before(&self, direction: Direction, reach: Length) -> bool {
-        self.may_be_met(self.nearest_approach(direction)) && self.tangent < reach.to_bits() >> 2
+        self.way.dot(direction) >= self.tangent && self.tangent < reach.to_bits()
     }
 }
 
@@ -128,7 +127,7 @@ impl PreparedSphere {
             tangent: if square <= 0 {
                 i32::MIN
             } else {
-                square_root(square as u64) >> 2
+                square_root(square as u64)
             },
         }
     }
@@ -142,7 +141,7 @@ impl PreparedSphere {
             tangent: if tangent < 0 {
                 tangent
             } else {
-                tangent - (tangent >> 24) - 4
+                tangent - (tangent >> 24) - 16
             },
         }
     }
