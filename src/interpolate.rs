@@ -187,16 +187,15 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         if self.clear(first) {
             return;
         }
-        let [start, end] = self.ends;
-        if first + stride > self.last {
-            self.stretch[0] = start.sum;
-            for place in 1..stride {
+        if first + stride > self.last || !self.tracer.notes_what_is_thin() {
+            for place in 0..stride {
                 if first + place <= self.last {
                     self.stretch[place as usize] = self.trace(first + place).sum;
                 }
             }
             return;
         }
+        let [start, end] = self.ends;
         self.ends = [end, self.end(first + 2 * stride)];
         let before = self.bend;
         self.bend = self.bend_after(&start);

@@ -126,7 +126,7 @@ pub use camera::{Camera, CameraDescription, CameraError};
 pub use fault::Fault;
 pub use light::Light;
 pub use material::Material;
-pub use number::Number;
+pub use number::{Number, Unit};
 pub use quality::{Fast, Fine, Quality};
 pub use render::{Frame, Picture, Report, StaticFrame};
 pub use scene::{

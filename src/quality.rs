@@ -6,6 +6,21 @@ use crate::number::Unit;
 pub(crate) const LONGEST_STRIDE: u32 = 4;
 
 /// What a frame may leave out. Choose with [`crate::Frame::quality`].
+///
+/// [`Fast`] and [`Fine`] are those that most need. A quality of one's own may be more exact, or less:
+///
+/// ```
+/// use reflet::{Quality, Unit};
+///
+/// /// Leaves out nothing at all.
+/// struct Exact;
+///
+/// impl Quality for Exact {
+///     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
+///     const STRIDE: u32 = 1; // every pixel is traced
+///     const TOLERANCE: Unit = Unit::ZERO;
+/// }
+/// ```
 pub trait Quality {
     /// A path whose weight has fallen below this is not followed further. The colour it loses is
     /// below this weight times the brightest colour of the scene.
@@ -43,7 +58,8 @@ impl Quality for Fast {
 /// The finest: a path ends when its weight is exactly zero, at least every second pixel is traced,
 /// and the others are exact to a quarter of an 8-bit step.
 ///
-/// Where every pixel has to be traced, a quality of one's own with a stride of 1 does it.
+/// Where every pixel has to be traced, a quality of one's own with a stride of 1 does it (see
+/// [`Quality`]).
 #[derive(Clone, Copy, Debug)]
 pub struct Fine;
 

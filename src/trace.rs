@@ -91,6 +91,13 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         Traced::missed::<W, K>(self.world)
     }
 
+    /// Whether the trails of the row tell on which side of something thin a path passes: not if the
+    /// camera is so far away that it is not known what is thin.
+    #[inline(always)]
+    pub(crate) fn notes_what_is_thin(&self) -> bool {
+        self.view.from.is_near()
+    }
+
     /// How many columns lie from one pixel that is always traced to the next.
     ///
     /// What all planes together show is cut into convex parts, one for each sequence of planes that a

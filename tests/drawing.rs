@@ -17,7 +17,7 @@ use painting::painted;
 use reflet::scenes::{BuiltIn, Mirror1, NAMES, Primitives, Visitor, visit};
 use reflet::{
     Description, Fine, Material, Number, Phong, Picture, Quality, Report, RuntimeScene, Shading,
-    Static, StaticFrame, World,
+    Static, StaticFrame, Unit, World,
 };
 
 /// A display that remembers what it is told, in order, and fails at the call it is told to.
@@ -80,9 +80,18 @@ fn picture(width: u32, height: u32) -> Picture<Static<Mirror1>> {
     Mirror1::frame(&Mirror1::CAMERA).sized(Size::new(width, height))
 }
 
+/// Traces every pixel.
+struct Exact;
+
+impl Quality for Exact {
+    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
+    const STRIDE: u32 = 1;
+    const TOLERANCE: Unit = Unit::ZERO;
+}
+
 /// The same, with every pixel traced.
-fn fine_picture(width: u32, height: u32) -> Picture<Static<Mirror1>, Fine> {
-    let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Fine>();
+fn exact_picture(width: u32, height: u32) -> Picture<Static<Mirror1>, Exact> {
+    let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Exact>();
     frame.sized(Size::new(width, height))
 }
 
@@ -235,7 +244,7 @@ fn display_that_starts_elsewhere_is_filled_where_it_is() {
 fn what_lies_outside_the_display_is_not_worked_out() {
     let picture = picture(20, 15);
     let whole = rows::<Rgb888>(&picture);
-    let fine = fine_picture(20, 15);
+    let exact = exact_picture(20, 15);
     let display_size = Size::new(12, 10);
     for (x, y) in [
         (0, 0),
@@ -259,16 +268,16 @@ fn what_lies_outside_the_display_is_not_worked_out() {
         assert_eq!(display.pixels(), expected, "at {x}, {y}");
         assert_eq!(display.calls.len(), visible.rows().len(), "at {x}, {y}");
         assert_eq!(report == Report::NONE, expected.is_empty(), "at {x}, {y}");
-        let report = fine.draw_at(Point::new(x, y), &mut display).unwrap();
+        let report = exact.draw_at(Point::new(x, y), &mut display).unwrap();
         let rays: u64 = expected
             .iter()
-            .map(|(at, _)| rays_of(&fine, *at - Point::new(x, y)))
+            .map(|(at, _)| rays_of(&exact, *at - Point::new(x, y)))
             .sum();
         assert_eq!(report.rays, rays, "at {x}, {y}");
     }
 }
 
-fn rays_of(picture: &Picture<Static<Mirror1>, Fine>, at: Point) -> u64 {
+fn rays_of(picture: &Picture<Static<Mirror1>, Exact>, at: Point) -> u64 {
     picture
         .row(at.y as u32, at.x as u32, &mut [Rgb888::BLACK])
         .rays
@@ -319,7 +328,7 @@ fn rows_make_the_same_picture_as_draw() {
 fn rows_may_be_filled_in_any_order_and_in_pieces() {
     assert_pieces_make_rows(&picture(30, 11));
     // No ray is followed twice where every pixel is traced.
-    let picture = fine_picture(30, 11);
+    let picture = exact_picture(30, 11);
     for (y, report) in assert_pieces_make_rows(&picture) {
         let mut pixels = [Rgb888::BLACK; 30];
         assert_eq!(report, picture.row(y, 0, &mut pixels), "row {y}");
@@ -421,7 +430,7 @@ fn highest_column_is_drawn_to_its_end() {
 #[test]
 fn picture_without_mirrors_takes_one_ray_a_pixel() {
     let mut display = Recorder::<Rgb888>::new(Point::zero(), Size::new(17, 11));
-    let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Fine>();
+    let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Exact>();
     let report = frame.draw(&mut display).unwrap();
     assert!(report.rays > 17 * 11);
     let frame = frame.reflections(0);

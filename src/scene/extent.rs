@@ -6,7 +6,7 @@
 //! the camera sees them. Bounds are widened by more than rounding can be wrong.
 
 use super::{World, used};
-use crate::number::{Quotient, divide, square_root};
+use crate::number::{Quotient, Unit, divide, ratio, scaled_by_unit, square_root, wide};
 use crate::quality::LONGEST_STRIDE;
 use crate::ray::Fan;
 use crate::shape::plane::PreparedPlane;
@@ -17,16 +17,20 @@ use crate::vector::{Point, Vector};
 pub(crate) struct Extent {
     pub(super) left: u16,
     pub(super) right: u16,
-    pub(super) top: u16,
-    pub(super) bottom: u16,
+    /// The first and the last row, less [`BESIDE`].
+    top: u16,
+    bottom: u16,
+    /// The columns of what is highest and of what is lowest.
+    tips: [u16; 2],
     /// Which of its kind it is, and [`THIN_SHAPE`].
     shape: u16,
 }
 
-/// How many rows before the first that may see a shape its rectangle begins.
-const BESIDE_TIP: u16 = 2;
+/// How many rows lie between the first in which a shape is looked for and the first in which its tip
+/// may be seen, and as many at the other end.
+const BESIDE: u16 = 2;
 
-/// In how many rows of the others a round shape may be thin; in further ones it is wider than
+/// In how many rows from there on a round shape may be thin; in further ones it is wider than
 /// [`LONGEST_STRIDE`] or thin all over.
 const TIP_ROWS: u16 = 2;
 
@@ -39,11 +43,17 @@ impl Extent {
         right: u16::MAX,
         top: 0,
         bottom: u16::MAX,
+        tips: [0; 2],
         shape: 0,
     };
 
-    /// Of the shape with a number.
-    fn new(shape: usize, columns: Option<Columns>, rows: Option<Columns>) -> Self {
+    /// Of the shape with a number; the columns of its tips matter only where a ray passes it.
+    fn new(
+        shape: usize,
+        columns: Option<Columns>,
+        rows: Option<Columns>,
+        tips: Option<[i32; 2]>,
+    ) -> Self {
         let held = |column: i32| column.clamp(0, 0xffff) as u16;
         let shape = shape as u16 % THIN_SHAPE;
         let (Some(columns), Some(rows)) = (columns, rows) else {
@@ -55,11 +65,20 @@ impl Extent {
                 ..Self::ALL
             };
         };
+        let [highest, lowest] = tips.unwrap_or_default();
+        let tips = match rows.first + i32::from(BESIDE) < 0 {
+            // The highest point lies above the picture, not in the row that stands for it.
+            true => [lowest; 2],
+            false => [highest, lowest],
+        };
+        // At most one less than beyond all columns.
+        let tip = |column: i32| column.clamp(0, 0xfffe) as u16;
         Self {
             left: held(columns.first),
             right: held(columns.last),
-            top: held(rows.first),
-            bottom: held(rows.last),
+            top: held(rows.first.saturating_add(BESIDE.into())),
+            bottom: held(rows.last.saturating_sub(BESIDE.into())),
+            tips: tips.map(tip),
             shape: match columns.is_thin {
                 true => shape | THIN_SHAPE,
                 false => shape,
@@ -77,10 +96,13 @@ impl Extent {
     /// row `y`; beyond all columns for any other.
     #[inline(always)]
     pub(super) fn middle(&self, y: u16) -> u16 {
-        let is_tip = |from_edge: u16| from_edge.wrapping_sub(BESIDE_TIP) < TIP_ROWS;
-        let is_thin = self.shape & THIN_SHAPE != 0;
-        if is_thin || is_tip(y.wrapping_sub(self.top)) || is_tip(self.bottom.wrapping_sub(y)) {
-            self.left + (self.right - self.left) / 2
+        let [highest, lowest] = self.tips;
+        if y.wrapping_sub(self.top) < TIP_ROWS {
+            highest
+        } else if self.bottom.wrapping_sub(y) < TIP_ROWS {
+            lowest
+        } else if self.shape & THIN_SHAPE != 0 {
+            highest.midpoint(lowest)
         } else {
             u16::MAX
         }
@@ -89,7 +111,8 @@ impl Extent {
     /// Whether the shape can be seen in a row of pixels.
     #[inline(always)]
     pub(super) fn has_row(&self, y: u16) -> bool {
-        self.top <= y && y <= self.bottom
+        let (y, beside) = (u32::from(y), u32::from(BESIDE));
+        u32::from(self.top) <= y + beside && y <= u32::from(self.bottom) + beside
     }
 }
 
@@ -193,9 +216,11 @@ fn look<W: World>(
                     let fan: &Fan = &fans[it];
                     fan.sphere_columns(way, widened(radius) + lift)
                 });
-                Extent::new(index, columns, rows)
+                let is_seen = columns.is_some() && rows.is_some();
+                let tips = is_seen.then(|| fans[0].tips(&fans[1], way, radius));
+                Extent::new(index, columns, rows, tips.flatten())
             }
-            None => Extent::new(index, Some(Columns::ALL), Some(Columns::ALL)),
+            None => Extent::new(index, Some(Columns::ALL), Some(Columns::ALL), None),
         };
         insert(spheres, index, extent);
     }
@@ -207,9 +232,9 @@ fn look<W: World>(
                     let fan: &Fan = &fans[it];
                     fan.capsule_columns(way, half, widened(radius) + lift)
                 });
-                Extent::new(index, columns, rows)
+                Extent::new(index, columns, rows, None)
             }
-            None => Extent::new(index, Some(Columns::ALL), Some(Columns::ALL)),
+            None => Extent::new(index, Some(Columns::ALL), Some(Columns::ALL), None),
         };
         insert(cylinders, index, extent);
     }
@@ -329,6 +354,31 @@ impl Fan {
         }
     }
 
+    /// The columns in which the highest and the lowest point of a sphere that is ahead are seen,
+    /// rounded down; `rows` is the fan along the rows.
+    ///
+    /// Those points are where the planes of the rows that touch the sphere touch it, so they are as
+    /// far aside as its middle, and t (a t ± b r) / (a² + b²) ahead, where it is a ahead and b down,
+    /// and t long are the tangents to the circle that it is seen as along the rows.
+    fn tips(&self, rows: &Fan, way: Vector, radius: i32) -> Option<[i32; 2]> {
+        let ahead = way.dot(self.ahead);
+        if ahead <= radius {
+            return None;
+        }
+        let (aside, down) = (i64::from(way.dot(self.aside)), way.dot(rows.aside));
+        let square = wide(ahead, ahead) + wide(down, down);
+        let tangent = square_root((square - wide(radius, radius)) as u64);
+        let (along, across) = (wide(ahead, tangent), wide(down, radius));
+        // The square to 30 bits.
+        let drop = 34_u32.saturating_sub(square.leading_zeros());
+        let square = (square >> drop) as u32;
+        Some([along + across, along - across].map(|touched| {
+            let share = ratio(((touched >> drop) as u32).min(square - 1), square);
+            let ahead = scaled_by_unit(tangent, Unit::from_bits(share)).max(1);
+            self.column(aside, self.columns_for_each(ahead.into()))
+        }))
+    }
+
     /// Columns that can be seen, or that are traced beside the picture.
     fn visible(&self, columns: Columns) -> Option<Columns> {
         let end = (self.width + LONGEST_STRIDE) as i32;
@@ -360,7 +410,7 @@ impl Fan {
             _ => 0,
         } as i32;
         let half_pixels = if numerator < 0 {
-            -half_pixels
+            !half_pixels
         } else {
             half_pixels
         };

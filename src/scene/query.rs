@@ -288,6 +288,7 @@ impl Nearest {
         }
     }
 
+    /// Says whether the sphere is the nearest up to now.
     #[inline(always)]
     pub(super) fn meet_sphere(
         &mut self,
@@ -295,10 +296,12 @@ impl Nearest {
         way: Vector,
         along: Direction,
         shape: ShapeNumber,
-    ) {
-        if let Some(distance) = sphere.met(way, along, self.start, self.hit.distance) {
+    ) -> bool {
+        let distance = sphere.met(way, along, self.start, self.hit.distance);
+        if let Some(distance) = distance {
             self.hit = Hit { distance, shape };
         }
+        distance.is_some()
     }
 
     /// Whether what lies a quarter so far along the ray is in front of what has been met.

@@ -9,6 +9,7 @@ use super::World;
 use super::extent::{Covered, Extent};
 use super::query::{Hit, Nearest, ShapeNumber, nearest_bounded};
 use crate::number::Length;
+use crate::quality::LONGEST_STRIDE;
 use crate::ray::{Ray, Trail};
 use crate::shape::cylinder::SeenCylinder;
 use crate::shape::sphere::SeenSphere;
@@ -20,7 +21,8 @@ struct Open<T> {
     seen: T,
     /// Which of its kind it is.
     shape: u16,
-    /// Its columns, the last one included.
+    /// Its columns, the last one included; where it is thin, those behind it as well in which a ray
+    /// is traced that passes it on the other side.
     left: u16,
     right: u16,
     /// The one in the middle of what is thin in this row; beyond all columns for any other.
@@ -83,12 +85,17 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
                 }
                 if u32::from(extent.right) >= first {
                     if let Some(seen) = see(extent.shape()) {
+                        let middle = extent.middle(y);
+                        let behind = match middle {
+                            u16::MAX => 0,
+                            _ => LONGEST_STRIDE as u16,
+                        };
                         let open = Open {
                             seen,
                             shape: extent.shape() as u16,
                             left: extent.left,
-                            right: extent.right,
-                            middle: extent.middle(y),
+                            right: extent.right.saturating_add(behind),
+                            middle,
                         };
                         self.open.push(open).ok()?;
                         let mut rest = self.open.as_mut_slice();
@@ -260,16 +267,17 @@ impl Row {
                 continue;
             }
             let approach = open.seen.nearest_approach(direction);
-            if !open.seen.may_be_met(approach) {
-                if nearest.may_see(approach) {
-                    nearest.pass_by(column > u32::from(open.middle));
+            if open.seen.may_be_met(approach) {
+                let shape = usize::from(open.shape);
+                if let Some(sphere) = parts.spheres.get(shape) {
+                    let (way, number) = (open.seen.way(), ShapeNumber::of_sphere(shape));
+                    if nearest.meet_sphere(sphere, way, direction, number) {
+                        continue;
+                    }
                 }
-                continue;
             }
-            let shape = usize::from(open.shape);
-            if let Some(sphere) = parts.spheres.get(shape) {
-                let number = ShapeNumber::of_sphere(shape);
-                nearest.meet_sphere(sphere, open.seen.way(), direction, number);
+            if nearest.may_see(approach) {
+                nearest.pass_by(column > u32::from(open.middle));
             }
         }
         for open in &self.cylinders.open {
