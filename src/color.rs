@@ -1,6 +1,6 @@
 //! Floor 1: linear colour, its sum over reflections, and the one place where it is quantised.
 
-use crate::number::{Brightness, Number, Unit, high_unsigned, tinted};
+use crate::number::{Brightness, Number, Unit, high, tinted};
 
 /// A linear colour: red, green and blue in Q6.26, 0 to below 32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,9 +94,7 @@ impl Sum {
     #[inline(always)]
     pub fn add(&mut self, weight: Unit, color: Color) {
         let ([r, g, b], [red, green, blue]) = (self.0, color.0);
-        let share = |component: Brightness| {
-            high_unsigned(weight.to_bits() as u32, component.to_bits() as u32) as i32
-        };
+        let share = |component: Brightness| high(weight.to_bits(), component.to_bits());
         self.0 = [r + share(red), g + share(green), b + share(blue)];
     }
 

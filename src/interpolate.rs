@@ -12,6 +12,7 @@
 
 use crate::camera::RowDirections;
 use crate::color::{Bend, Sum};
+use crate::number::Unit;
 use crate::quality::{LONGEST_STRIDE, Quality};
 use crate::scene::World;
 use crate::shade::sealed::Shading;
@@ -40,10 +41,16 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// How far colours may be from where they are expected, in steps of a [`Sum`].
     const TOLERANCE: i32 = Q::TOLERANCE.to_bits() >> 6;
 
-    const IS_STRIDE: () = assert!(
-        matches!(Q::STRIDE, 1 | 2 | 4),
-        "a quality has a stride of 1, 2 or 4"
-    );
+    const IS_SOUND: () = {
+        assert!(
+            matches!(Q::STRIDE, 1 | 2 | 4),
+            "a quality has a stride of 1, 2 or 4"
+        );
+        assert!(
+            Q::TOLERANCE.to_bits() >= 0 && Q::TOLERANCE.to_bits() <= Unit::ONE.to_bits(),
+            "a quality has a tolerance of 0 to 1"
+        );
+    };
 
     /// From `column` on, in a picture so wide.
     #[inline(always)]
@@ -53,7 +60,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         column: u32,
         width: u32,
     ) -> Self {
-        const { Self::IS_STRIDE };
+        const { Self::IS_SOUND };
         let stride = tracer.stride();
         let mut colors = Self {
             tracer,
@@ -129,10 +136,18 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         let first = self.column - self.column % stride;
         // How much the colours bend is known from the stretch before.
         let before = first.saturating_sub(stride);
-        self.tracer.turn_to(before, before + 2 * stride);
-        if !self.clear(before) {
+        // Each turned to as it is when the row begins before it.
+        let turn_to = |colors: &mut Self, column: u32| {
+            let window = column.saturating_sub(2 * stride);
+            colors.tracer.turn_to(window, window + 2 * stride);
+        };
+        turn_to(self, before);
+        if !(before == 0 && self.clear(before)) {
             let before = (before < first).then(|| self.trace(before));
-            self.ends = [self.trace(first), self.end(first + stride)];
+            turn_to(self, first);
+            let start = self.trace(first);
+            turn_to(self, first + stride);
+            self.ends = [start, self.end(first + stride)];
             self.bend = before.and_then(|before| self.bend_after(&before));
         }
         if first < self.column {
@@ -224,8 +239,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         if start.trail == end.trail && middle.trail == start.trail {
             let miss = middle.sum.less(self.stretch[2]);
             if miss.is_within(Self::TOLERANCE) {
-                // What misses a curve half way misses it by three quarters of that at the quarters:
-                // a line by 3/4, a cubic by 35/48.
+                // What misses a curve half way misses it by about three quarters of that at the
+                // quarters: a line by 3/4, a cubic by 35/48.
                 self.stretch[1] = self.stretch[1].with_most_of(miss);
                 self.stretch[2] = middle.sum;
                 self.stretch[3] = self.stretch[3].with_most_of(miss);

@@ -47,7 +47,7 @@
 //! | floor | modules | what lives there |
 //! |---|---|---|
 //! | 7 | `render` | rows of pixels into a display |
-//! | 6 | `trace` | one ray to one colour: the accumulation |
+//! | 6 | `interpolate`, `trace` | a row's colours, most between traced ones; one ray to one colour: the accumulation |
 //! | 5 | `shade` | the light at one hit |
 //! | 4 | `scene` | the checked scene; what a ray meets, whether it is blocked |
 //! | 3 | `shape`, `camera` | intersections; a pixel's ray |

@@ -116,6 +116,8 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     }
 
     /// Makes the frame ready for one size of picture; each side is taken as 1 to 65535 pixels.
+    // What it needs besides is gone before a row is drawn.
+    #[inline(never)]
     pub fn sized(&self, size: Size) -> Picture<W, Q, K> {
         let (width, height) = (size.width.clamp(1, 65_535), size.height.clamp(1, 65_535));
         let position = self.camera.description().position;
@@ -178,6 +180,8 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
     /// Fills `pixels` with row `y` from column `x` on; row 0 is at the top.
     ///
     /// What would lie beyond the picture's edges stays as it is.
+    // What a row needs is not there before it is drawn.
+    #[inline(never)]
     pub fn row<C: PixelColor + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
         let mut report = Report::NONE;
         if y >= self.size.height || x >= self.size.width || pixels.is_empty() {

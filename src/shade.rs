@@ -276,10 +276,11 @@ fn clear_strength<W: World, H: Highlight>(
     spot: &W::Lamp,
 ) -> Brightness {
     let way = surface.place.point.to(spot.lamp().light.place.point);
-    if way.quarter_dot(surface.normal) <= 0 {
+    let height = way.dot(surface.normal);
+    if height <= 0 {
         return Brightness::ZERO;
     }
-    let (direction, distance) = way.direction_and_length();
+    let (direction, distance, cosine) = way.direction_length_and_share(height);
     if blocked_from(
         world,
         spot,
@@ -289,7 +290,7 @@ fn clear_strength<W: World, H: Highlight>(
     ) {
         return Brightness::ZERO;
     }
-    surface.sent_on::<H>(direction)
+    surface.sent_on::<H>(direction, cosine)
 }
 
 /// What a surface sends on of a light, wherever both are.
@@ -304,15 +305,15 @@ fn strength<W: World, H: Highlight>(world: &W, surface: &Surface<'_>, lamp: &Lam
     {
         return Brightness::ZERO;
     }
-    surface.sent_on::<H>(direction)
+    let cosine = surface.normal.short_dot(direction).max(Unit::ZERO);
+    surface.sent_on::<H>(direction, cosine)
 }
 
 impl Surface<'_> {
-    /// diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ, for a light in a direction above the surface.
+    /// diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ, for a light in a direction above the surface, and its n·l.
     #[inline(always)]
-    fn sent_on<H: Highlight>(&self, light: Direction) -> Brightness {
+    fn sent_on<H: Highlight>(&self, light: Direction, cosine: Unit) -> Brightness {
         let material = self.material;
-        let cosine = self.normal.short_dot(light).max(Unit::ZERO);
         let strength = lit(cosine, material.diffuse);
         if material.specular == Brightness::ZERO {
             return strength;

@@ -261,6 +261,20 @@ impl Vector {
         )
     }
 
+    /// The direction and the length, and the share of the length that `part` of it is, at most one.
+    #[inline(always)]
+    pub(crate) const fn direction_length_and_share(self, part: i32) -> (Direction, Length, Unit) {
+        let (shift, mantissa) = unit_shift(self.square());
+        let root = reciprocal_root(mantissa);
+        let length = (high_unsigned(mantissa, (root as u32) << 1) >> shift) as i32;
+        let part = if part < length { part } else { length };
+        (
+            Direction::lengthened(self, shift, root),
+            Length::from_bits(length),
+            Unit::from_bits(high(part << shift, root) << 1),
+        )
+    }
+
     /// The direction, given the squared length, which may be off by 2⁻²⁸ of it.
     #[inline(always)]
     pub(crate) const fn direction_of_square(self, square: u64) -> Direction {

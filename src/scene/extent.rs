@@ -47,24 +47,20 @@ impl Extent {
         shape: 0,
     };
 
+    /// Of the shape with a number, where it is not seen.
+    fn of_nothing(shape: usize) -> Self {
+        Self {
+            left: u16::MAX,
+            right: 0,
+            shape: shape as u16 % THIN_SHAPE,
+            ..Self::ALL
+        }
+    }
+
     /// Of the shape with a number; the columns of its tips matter only where a ray passes it.
-    fn new(
-        shape: usize,
-        columns: Option<Columns>,
-        rows: Option<Columns>,
-        tips: Option<[i32; 2]>,
-    ) -> Self {
+    fn new(shape: usize, columns: Columns, rows: Columns, tips: Option<[i32; 2]>) -> Self {
         let held = |column: i32| column.clamp(0, 0xffff) as u16;
         let shape = shape as u16 % THIN_SHAPE;
-        let (Some(columns), Some(rows)) = (columns, rows) else {
-            let (left, right) = (u16::MAX, 0);
-            return Self {
-                left,
-                right,
-                shape,
-                ..Self::ALL
-            };
-        };
         let [highest, lowest] = tips.unwrap_or_default();
         let tips = match rows.first + i32::from(BESIDE) < 0 {
             // The highest point lies above the picture, not in the row that stands for it.
@@ -211,16 +207,8 @@ fn look<W: World>(
     for (index, sphere) in parts.spheres.iter().enumerate() {
         let (center, radius) = sphere.ball();
         let extent = match seen(plane, origin, center, Vector::ZERO) {
-            Some((way, _)) => {
-                let [columns, rows] = [0, 1].map(|it| {
-                    let fan: &Fan = &fans[it];
-                    fan.sphere_columns(way, widened(radius) + lift)
-                });
-                let is_seen = columns.is_some() && rows.is_some();
-                let tips = is_seen.then(|| fans[0].tips(&fans[1], way, radius));
-                Extent::new(index, columns, rows, tips.flatten())
-            }
-            None => Extent::new(index, Some(Columns::ALL), Some(Columns::ALL), None),
+            Some((way, _)) => sphere_extent(index, fans, way, (radius, lift)),
+            None => Extent::new(index, Columns::ALL, Columns::ALL, None),
         };
         insert(spheres, index, extent);
     }
@@ -232,12 +220,32 @@ fn look<W: World>(
                     let fan: &Fan = &fans[it];
                     fan.capsule_columns(way, half, widened(radius) + lift)
                 });
-                Extent::new(index, columns, rows, None)
+                match (columns, rows) {
+                    (Some(columns), Some(rows)) => {
+                        Extent::new(index, columns.with_neighbours(), rows, None)
+                    }
+                    _ => Extent::of_nothing(index),
+                }
             }
-            None => Extent::new(index, Some(Columns::ALL), Some(Columns::ALL), None),
+            None => Extent::new(index, Columns::ALL, Columns::ALL, None),
         };
         insert(cylinders, index, extent);
     }
+}
+
+/// What a sphere covers, `lift` larger than it is.
+fn sphere_extent(index: usize, fans: &[Fan; 2], way: Vector, (radius, lift): (i32, i32)) -> Extent {
+    let [columns, rows] = [0, 1].map(|it| {
+        let fan: &Fan = &fans[it];
+        fan.sphere_columns(way, widened(radius) + lift)
+    });
+    let (Some(mut columns), Some(rows)) = (columns, rows) else {
+        return Extent::of_nothing(index);
+    };
+    // If it is half a pixel and more, its bounds do not say where the tips are.
+    let height = i64::from(rows.last) - i64::from(rows.first);
+    columns.is_thin |= i64::from(lift) * height >= i64::from(radius);
+    Extent::new(index, columns, rows, fans[0].tips(&fans[1], way, radius))
 }
 
 /// Puts an extent behind the first `count`, which are in rising order of their left columns, and
@@ -297,6 +305,19 @@ impl Columns {
         last: i32::MAX,
         is_thin: true,
     };
+
+    /// With the pixels beside something thin that are traced for sure, so that it is known on which
+    /// side of it their rays pass.
+    fn with_neighbours(self) -> Self {
+        match self.is_thin {
+            true => Self {
+                first: self.first.saturating_sub(LONGEST_STRIDE as i32),
+                last: self.last.saturating_add(LONGEST_STRIDE as i32),
+                ..self
+            },
+            false => self,
+        }
+    }
 
     fn with(self, other: Self) -> Self {
         Self {

@@ -6,7 +6,7 @@ use crate::number::Length;
 use crate::ray::{Path, Place, REACH, Ray, Trail};
 use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
 use crate::shape::plane::{Approach, PreparedPlane};
-use crate::shape::sphere::PreparedSphere;
+use crate::shape::sphere::{PreparedSphere, SeenSphere};
 use crate::vector::{Direction, Vector};
 
 /// Names a shape of a scene, or none: spheres come first, then cylinders, then planes.
@@ -304,16 +304,16 @@ impl Nearest {
         distance.is_some()
     }
 
-    /// Whether what lies a quarter so far along the ray is in front of what has been met.
+    /// Whether a sphere is in front of what has been met.
     #[inline(always)]
-    pub(super) fn may_see(&self, quarter: i32) -> bool {
-        quarter < self.hit.distance.to_bits() >> 2
+    pub(super) fn may_see(&self, sphere: &SeenSphere) -> bool {
+        sphere.is_nearer_than(self.hit.distance)
     }
 
-    /// Notes on which side of a shape the ray passes.
+    /// Notes that the ray passes by something.
     #[inline(always)]
-    pub(super) fn pass_by(&mut self, is_on_other_side: bool) {
-        self.passed = self.passed.rotate_left(1) ^ u32::from(is_on_other_side);
+    pub(super) fn pass(&mut self, passed: u32) {
+        self.passed ^= passed;
     }
 
     #[inline(always)]
@@ -326,8 +326,8 @@ impl Nearest {
     ) {
         let sideways = seen.sideways(along);
         if cylinder.is_beside(sideways) {
-            if is_thin {
-                self.pass_by(sideways < 0);
+            if is_thin && sideways < 0 {
+                self.pass(shape.0.wrapping_add(1).wrapping_mul(0x85eb_ca6b));
             }
             return;
         }

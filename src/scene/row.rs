@@ -21,8 +21,7 @@ struct Open<T> {
     seen: T,
     /// Which of its kind it is.
     shape: u16,
-    /// Its columns, the last one included; where it is thin, those behind it as well in which a ray
-    /// is traced that passes it on the other side.
+    /// Its columns, the last one included.
     left: u16,
     right: u16,
     /// The one in the middle of what is thin in this row; beyond all columns for any other.
@@ -36,6 +35,18 @@ impl<T> Open<T> {
         let left = u32::from(self.left);
         column.wrapping_sub(left) <= u32::from(self.right).wrapping_sub(left)
     }
+
+    /// Whether it is thin here, and the rays of a column pass it on its right.
+    #[inline(always)]
+    fn is_left_of(&self, column: u32) -> bool {
+        column > u32::from(self.middle)
+    }
+
+    /// Whether it has ended before the first pixel left of a column that is traced for sure.
+    #[inline(always)]
+    fn has_ended_before(&self, column: u32) -> bool {
+        column > u32::from(self.right) + LONGEST_STRIDE
+    }
 }
 
 /// The shapes of one kind.
@@ -44,6 +55,8 @@ struct Kind<T, const ROOM: usize> {
     open: Vec<Open<T>, ROOM>,
     /// The first extent that has not been looked at.
     next: usize,
+    /// What all rays have noted that pass on the right of those that have been closed.
+    passed: u32,
 }
 
 impl<T, const ROOM: usize> Kind<T, ROOM> {
@@ -53,12 +66,13 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
             open: Vec::new(),
             // Hidden from the compiler, or it clears the whole list along with this.
             next: black_box(0),
+            passed: 0,
         }
     }
 
     /// Opens nothing yet.
     fn begin(&mut self) {
-        self.next = 0;
+        (self.next, self.passed) = (0, 0);
         self.open.clear();
     }
 
@@ -74,7 +88,14 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
         see: impl Fn(usize) -> Option<T>,
         is_in_front: impl Fn(&T, &T) -> bool,
     ) -> Option<u32> {
-        self.open.retain(|open| u32::from(open.right) >= first);
+        let passed = &mut self.passed;
+        self.open.retain(|open| {
+            let stays = u32::from(open.right) >= first;
+            if !stays && open.middle < u16::MAX {
+                *passed ^= passed_on_the_right(open.shape);
+            }
+            stays
+        });
         let mut until = u32::MAX;
         while let Some(extent) = extents.get(self.next) {
             if extent.has_row(y) {
@@ -85,17 +106,12 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
                 }
                 if u32::from(extent.right) >= first {
                     if let Some(seen) = see(extent.shape()) {
-                        let middle = extent.middle(y);
-                        let behind = match middle {
-                            u16::MAX => 0,
-                            _ => LONGEST_STRIDE as u16,
-                        };
                         let open = Open {
                             seen,
                             shape: extent.shape() as u16,
                             left: extent.left,
-                            right: extent.right.saturating_add(behind),
-                            middle,
+                            right: extent.right,
+                            middle: extent.middle(y),
                         };
                         self.open.push(open).ok()?;
                         let mut rest = self.open.as_mut_slice();
@@ -113,6 +129,12 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
         }
         Some(until)
     }
+}
+
+/// What a ray notes that passes on the right of something thin.
+#[inline(always)]
+fn passed_on_the_right(shape: u16) -> u32 {
+    (u32::from(shape) + 1).wrapping_mul(0x9e37_79b1)
 }
 
 /// How many spheres can be met in the columns a row has come to.
@@ -193,7 +215,7 @@ impl Row {
         trail: &mut Trail,
     ) -> Hit {
         if self.is_full {
-            return self.nearest_of_all(world, (direction, start), trail);
+            return self.nearest_of_all(world, column, (direction, start), trail);
         }
         self.nearest(world, column, (direction, start), trail)
     }
@@ -204,9 +226,12 @@ impl Row {
     fn nearest_of_all<W: World>(
         &self,
         world: &W,
+        column: u32,
         (direction, start): (Direction, Length),
         trail: &mut Trail,
     ) -> Hit {
+        // It is not known what is thin: no other ray has been alike.
+        trail.note(column);
         let origin = self.origin;
         let ray = Ray { origin, direction };
         nearest_bounded(world, &ray, start, ShapeNumber::NONE, trail)
@@ -262,22 +287,24 @@ impl Row {
     ) -> Hit {
         let parts = world.parts();
         let mut nearest = Nearest::beyond(start);
+        nearest.pass(self.spheres.passed);
         for open in &self.spheres.open {
-            if !open.has_column(column) {
-                continue;
-            }
-            let approach = open.seen.nearest_approach(direction);
-            if open.seen.may_be_met(approach) {
-                let shape = usize::from(open.shape);
-                if let Some(sphere) = parts.spheres.get(shape) {
-                    let (way, number) = (open.seen.way(), ShapeNumber::of_sphere(shape));
-                    if nearest.meet_sphere(sphere, way, direction, number) {
+            if open.has_column(column) {
+                let approach = open.seen.nearest_approach(direction);
+                let sphere = parts.spheres.get(usize::from(open.shape));
+                if let (true, Some(sphere)) = (open.seen.may_be_met(approach), sphere) {
+                    let number = ShapeNumber::of_sphere(open.shape.into());
+                    if nearest.meet_sphere(sphere, open.seen.way(), direction, number) {
                         continue;
                     }
                 }
             }
-            if nearest.may_see(approach) {
-                nearest.pass_by(column > u32::from(open.middle));
+            // Whether it may be seen matters beside it only, so that it does not matter further on
+            // when it is closed.
+            if open.is_left_of(column)
+                && (open.has_ended_before(column) || nearest.may_see(&open.seen))
+            {
+                nearest.pass(passed_on_the_right(open.shape));
             }
         }
         for open in &self.cylinders.open {

@@ -115,6 +115,8 @@ impl<'a, W: World> Sight<'a, W> {
         let covered = index.and_then(|index| self.outlook.mirrored(index));
         let is_known = self.plane == number || self.look_into(world, number, plane).is_some();
         let (Some(covered), true) = (covered, is_known) else {
+            // It is not known what is thin: no other ray has been alike.
+            trail.note(self.column);
             return nearest_bounded(world, ray, Length::from_bits(0), number, trail);
         };
         let cut = Cut {

@@ -80,7 +80,10 @@ impl Approach {
     /// The distance, which is below 2³⁰.
     #[inline(always)]
     pub(crate) const fn distance(&self) -> Length {
-        Length::from_bits(ratio(self.height, self.descent << 2))
+        let distance = ratio(self.height, self.descent << 2);
+        // Rounding may reach beyond.
+        const MOST: i32 = (1 << 30) - 1;
+        Length::from_bits(if distance < MOST { distance } else { MOST })
     }
 }
 

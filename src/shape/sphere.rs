@@ -75,6 +75,12 @@ impl SeenSphere {
         self.tangent < other.tangent
     }
 
+    /// Whether its tangents are shorter than a distance.
+    #[inline(always)]
+    pub(crate) const fn is_nearer_than(&self, distance: Length) -> bool {
+        self.tangent < distance.to_bits()
+    }
+
     /// From the point to the centre.
     #[inline(always)]
     pub(crate) const fn way(&self) -> Vector {

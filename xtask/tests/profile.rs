@@ -155,7 +155,7 @@ fn mirrored_rays_are_told_from_the_first() {
     let of = |reflections| {
         let lines = lines(&format!(
             // So narrow that no pixel is left out.
-            "--scene mirror1 --size 3x24 --reflections {reflections}"
+            "--scene mirror1 --size 4x24 --reflections {reflections}"
         ));
         ["primary", "reflection", "shading", "shadow"].map(|name| stages(&lines)[name])
     };

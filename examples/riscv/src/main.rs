@@ -45,7 +45,7 @@ fn draw() -> (u32, u64) {
     let mut rows = 0;
     for y in 0..SIDE {
         picture.row(y, 0, &mut row);
-        for pixel in row {
+        for pixel in &row {
             hash.add([pixel.r(), pixel.g(), pixel.b()]);
         }
         rows += 1;
