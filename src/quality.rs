@@ -26,20 +26,23 @@ pub trait Quality {
     /// below this weight times the brightest colour of the scene.
     const SMALLEST_WEIGHT: Unit;
 
-    /// How many columns lie from one pixel that is always traced to the next: 1, 2 or 4.
+    /// How many columns lie from one pixel that is traced to the next at most: 1, 2 or 4.
     ///
     /// Those between two whose paths met the same are taken from their colours if that is exact to
     /// [`Quality::TOLERANCE`]. What is narrower than a stride and met by no ray of those that are
-    /// traced (the far end of a shadow, a reflection in a curved mirror) may be lost; spheres seen
-    /// directly or in a plane are not.
+    /// traced may be lost: the tip of a shadow, a highlight, the end of an open cylinder, a
+    /// reflection in a curved mirror. Spheres seen directly or in a plane are not, up to 60 degrees
+    /// from the middle of the picture; nor is anything in a scene of planes, which has a stride of 4
+    /// whatever is said here, unless it is 1. Pixels that are known to meet nothing are not traced.
     const STRIDE: u32;
 
     /// How exactly the colours along a row must follow a curve where pixels are taken from it, as a
     /// share of white.
     ///
     /// That is: the bend of the curve changes by no more than the tolerance, or is no more than twice
-    /// the tolerance where only one side of it is known, or a pixel traced half way is no further than
-    /// the tolerance from it.
+    /// the tolerance where only one side of it is known; or a pixel traced half way is no further than
+    /// the tolerance from it; or the colours on both sides of a single pixel differ by no more than
+    /// twice the tolerance.
     const TOLERANCE: Unit;
 }
 

@@ -251,14 +251,8 @@ impl Vector {
     /// The direction of the zero vector is zero.
     #[inline(always)]
     pub const fn direction_and_length(self) -> (Direction, Length) {
-        let square = self.square();
-        let (shift, mantissa) = unit_shift(square);
-        let root = reciprocal_root(mantissa);
-        let length = high_unsigned(mantissa, (root as u32) << 1) >> shift;
-        (
-            Direction::lengthened(self, shift, root),
-            Length::from_bits(length as i32),
-        )
+        let (direction, length, _) = self.direction_length_and_share(0);
+        (direction, length)
     }
 
     /// The direction and the length, and the share of the length that `part` of it is, at most one.

@@ -3,6 +3,7 @@
 
 mod painting;
 
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::Size;
 use painting::painted;
 use proptest::prelude::*;
@@ -79,6 +80,9 @@ fn scene_of_planes_loses_nothing() {
 
 type Ball = RuntimeScene<2, 1, 0, 1, 2>;
 
+/// Thirty balls at most, more than a row has room for, and the one behind the camera.
+type Balls = RuntimeScene<31, 0, 0, 1, 1>;
+
 /// A ball that is white all over, and one behind the camera.
 fn ball(center: [f64; 3], radius: f64) -> Ball {
     let mut scene = Ball::new();
@@ -95,6 +99,23 @@ fn differences(one: &reference::Picture, other: &reference::Picture) -> Vec<(u32
     let different = pixels.filter(|(_, (one, other))| one != other);
     let place = |index: usize| (index as u32 / one.width, index as u32 % one.width);
     different.map(|(index, _)| place(index)).collect()
+}
+
+/// Balls beside each other, none in front of another, at some distances; so wide is what they take
+/// of what is seen, which is 9 wide at a distance of 10.
+fn balls(places: &[(f64, f64, f64)], width: f64) -> Balls {
+    let mut scene = Balls::new();
+    let white = Material::from_numbers([1; 3], 1, 0, (0, 0), 0).unwrap();
+    let white = scene.add_material(white).unwrap();
+    scene.add_sphere([0, -10, 0], 1, white).unwrap();
+    let slots = places.len() as f64;
+    for (slot, &(shift, size, distance)) in places.iter().enumerate() {
+        let middle = ((slot as f64 + 0.5 + 0.3 * shift) / slots - 0.5) * width;
+        let radius = 0.15 * width / slots * size;
+        let center = [middle, 10.0, 0.0].map(|it| it * distance);
+        scene.add_sphere(center, radius * distance, white).unwrap();
+    }
+    scene
 }
 
 fn painted_with<Q: Quality>(scene: &Ball, camera: &Camera) -> reference::Picture {
@@ -134,5 +155,42 @@ proptest! {
         let camera = Camera::look_at([0.0; 3], [0.0, 1.0, -0.4], [0.0, 0.0, 1.0]);
         let exact = painted_with::<Exact>(&scene, &camera);
         prop_assert_eq!(differences(&painted_with::<Fast>(&scene, &camera), &exact), []);
+    }
+
+    /// Nor of several, whichever is in front, nor where there are too many for a row.
+    #[test]
+    fn no_part_of_one_of_many_spheres_is_lost(
+        few in prop::collection::vec((-1.0..1.0, 0.05..1.0, 0.5..4.0), 7),
+        many in prop::collection::vec((-1.0..1.0, 0.3..1.0, 0.5..4.0), 30),
+    ) {
+        let camera = Camera::look_at([0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+        for places in [few, many] {
+            let built = balls(&places, 8.0).build().unwrap();
+            let size = Size::new(61, 9);
+            let exact = painted(&built.frame(&camera).quality::<Exact>().sized(size));
+            let fast = painted(&built.frame(&camera).quality::<Fast>().sized(size));
+            prop_assert_eq!(differences(&fast, &exact), []);
+            let fine = painted(&built.frame(&camera).quality::<Fine>().sized(size));
+            prop_assert_eq!(differences(&fine, &exact), []);
+        }
+    }
+
+    /// Also where there are too many shapes for a row.
+    #[test]
+    fn part_of_a_row_has_the_colors_of_the_whole(
+        places in prop::collection::vec((-1.0..1.0, 0.3..1.0, 0.5..4.0), 30),
+        width in 1.0..9.0,
+        first in 0_u32..61,
+    ) {
+        let camera = Camera::look_at([0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+        let built = balls(&places, width).build().unwrap();
+        let picture = built.frame(&camera).sized(Size::new(61, 9));
+        for y in 0..9 {
+            let (mut whole, mut part) = ([Rgb888::RED; 61], [Rgb888::RED; 61]);
+            picture.row(y, 0, &mut whole);
+            picture.row(y, first, &mut part);
+            let first = first as usize;
+            prop_assert_eq!(&whole[first..], &part[..61 - first]);
+        }
     }
 }

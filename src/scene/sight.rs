@@ -79,8 +79,8 @@ impl<'a, W: World> Sight<'a, W> {
         self.first.turn_to(world, cut, self.columns);
     }
 
-    /// If no ray of the columns it has been turned to meets anything, the first column of a ray that
-    /// may; not known where there are planes.
+    /// If no ray of the columns it has been turned to meets anything, the column up to which it is
+    /// known that none does; not known where there are planes.
     #[inline(always)]
     pub(crate) fn clear_until(&self, world: &W) -> Option<u32> {
         match world.parts().planes.is_empty() {
