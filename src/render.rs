@@ -180,8 +180,6 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
     /// Fills `pixels` with row `y` from column `x` on; row 0 is at the top.
     ///
     /// What would lie beyond the picture's edges stays as it is.
-    // What a row needs is not there before it is drawn.
-    #[inline(never)]
     pub fn row<C: PixelColor + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
         let mut report = Report::NONE;
         if y >= self.size.height || x >= self.size.width || pixels.is_empty() {
@@ -194,10 +192,17 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
             report.rays = inside as u64;
             return report;
         }
+        self.fill(y, x, pixels)
+    }
+
+    /// Fills pixels inside of the picture; what follows their rays is on the stack only meanwhile.
+    #[inline(never)]
+    fn fill<C: Copy + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
         let mut tracer = self.tracer(y);
         tracer.look();
         let mut colors = Colors::new(&mut tracer, self.lens.row(y), x, self.size.width);
         colors.fill(pixels, shown);
+        let mut report = Report::NONE;
         report.count(&tracer);
         report
     }
