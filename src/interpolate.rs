@@ -1,11 +1,11 @@
 //! Floor 6: the colours of a row of pixels, most of them between two that were traced.
 //!
-//! Every second or fourth pixel of a row is traced. Where the paths of two that follow each other met the
-//! same shapes in the same order, each lit by the same lights, what lies between them is taken from
-//! their colours (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer Graphics and
-//! Applications 11(4), 1991): from the cubic through them and the two beside, if their paths went
+//! Every second or fourth pixel of a row is traced. Where the paths of two that follow each other
+//! met the same shapes in the same order, each lit by the same lights, what lies between them is taken
+//! from their colours (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer Graphics
+//! and Applications 11(4), 1991): from the cubic through them and the two beside, if their paths went
 //! alike, too. Where that is not exact to the quality's tolerance, or may not be, the pixel half way
-//! is traced, and then the others.
+//! is traced, and then the others. Stretches in which nothing can be met are not traced at all.
 //!
 //! Which pixels are traced depends on their columns alone, so a part of a row has the colours that it
 //! has in the whole.
