@@ -1,8 +1,9 @@
 //! How many times as long the double-precision reference takes for a picture as the library does.
 //!
 //! Both draw the same scene through the same camera, with the same size, reflections and shading,
-//! to 8 bits a channel, on one and the same thread. They take turns, a frame each, so that whatever
-//! else the machine does holds up both: a quotient tells more than the times it is made of.
+//! to 8 bits a channel, with every pixel traced, on one and the same thread. They take turns, a frame
+//! each, so that whatever else the machine does holds up both: a quotient tells more than the times it
+//! is made of.
 //!
 //! `cargo bench` prints what a frame takes and, at the end, a table of the quotients.
 
@@ -20,7 +21,7 @@ use embedded_graphics::{
 };
 use rayon::ThreadPoolBuilder;
 use reflet::{
-    Frame, StaticFrame, World,
+    Fast, Frame, Quality, StaticFrame, Unit, World,
     host::{
         compare::compare,
         file::SceneFile,
@@ -88,9 +89,19 @@ fn spheres(count: usize) -> Result<Pair, Box<dyn Error>> {
     )
 }
 
+/// Traces every pixel, as the reference does.
+struct Exact;
+
+impl Quality for Exact {
+    const SMALLEST_WEIGHT: Unit = Fast::SMALLEST_WEIGHT;
+    const STRIDE: u32 = 1;
+    const TOLERANCE: Unit = Unit::ZERO;
+}
+
 /// The library's whole frame, its preparation included.
 fn by_library<W: World + Copy>(frame: Frame<'_, W>) -> Picture {
-    let picture = frame.reflections(REFLECTIONS).sized(Size::new_equal(SIDE));
+    let frame = frame.quality::<Exact>().reflections(REFLECTIONS);
+    let picture = frame.sized(Size::new_equal(SIDE));
     let mut row = [Rgb888::BLACK; SIDE as usize];
     let mut pixels = Vec::with_capacity((SIDE * SIDE) as usize);
     for y in 0..SIDE {

@@ -232,7 +232,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             return;
         }
         self.stretch = start.sum.towards(end.sum, bends);
-        if is_exact {
+        // Much is seen in a round mirror in little room.
+        if is_exact && !start.trail.is_bent() {
             return;
         }
         let middle = self.trace(first + 2);

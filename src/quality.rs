@@ -48,14 +48,15 @@ pub trait Quality {
 
 /// The default: nothing that is left out is expected to change an 8-bit channel by more than a step.
 ///
-/// A path ends at weights below 1/256; at least every fourth pixel is traced.
+/// A path ends at weights below 1/256; at least every fourth pixel is traced, every second where a
+/// path was mirrored in something round, and the others are exact to a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Fast;
 
 impl Quality for Fast {
     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 22);
     const STRIDE: u32 = 4;
-    const TOLERANCE: Unit = Unit::from_bits(1 << 23);
+    const TOLERANCE: Unit = Unit::from_bits(1 << 22);
 }
 
 /// The finest: a path ends when its weight is exactly zero, at least every second pixel is traced,

@@ -187,6 +187,18 @@ impl Trail {
     pub(crate) fn note(&mut self, met: u32) {
         self.0 = (self.0 ^ met).wrapping_mul(0x9e37_79b1).rotate_left(15);
     }
+
+    /// Of the whole path, which may have been mirrored in something round, and then gone on.
+    #[inline(always)]
+    pub(crate) fn ended(self, is_bent: bool) -> Self {
+        Self(self.0 & !1 | u32::from(is_bent))
+    }
+
+    /// Whether the path was mirrored in something round.
+    #[inline(always)]
+    pub(crate) fn is_bent(self) -> bool {
+        self.0 & 1 != 0
+    }
 }
 
 /// The rays through the middles of the columns of a picture, as seen along the columns (or through

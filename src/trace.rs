@@ -36,6 +36,7 @@ impl Traced {
         missed.sum.add(Unit::ONE, K::missed(world));
         missed.trail.note(0);
         missed.trail.note(u32::MAX);
+        missed.trail = missed.trail.ended(false);
         missed
     }
 }
@@ -124,6 +125,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         let mut left = ShapeNumber::NONE;
         let mut distance = Length::from_bits(0);
         let mut reflections = 0;
+        let mut is_bent = false;
         loop {
             let hit = self.nearest(&path, reflections, left, distance, &mut trail);
             let Some(surface) = surface(world, &path, left, hit, &mut trail) else {
@@ -150,11 +152,13 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
                 break;
             }
             reflections += 1;
+            is_bent |= !world.parts().is_plane(surface.shape);
             surface.reflect(world, &mut path);
             left = surface.left(world);
             distance = hit.distance;
         }
         self.rays += reflections + 1;
+        let trail = trail.ended(is_bent);
         Traced { sum, trail }
     }
 
