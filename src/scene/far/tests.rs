@@ -130,10 +130,10 @@ fn path_from_outside_the_ball_meets_what_a_near_ray_meets() {
         let (Some(near), Some(far)) = (near, far) else {
             continue;
         };
-        // A near ray knows its height over a plane to 4 steps.
+        // A near ray knows its height over a plane to a step.
         let plane = scene.parts().plane(near.1);
         let climb = plane.map(|it| path.direction().dot(it.normal).to_num::<f64>());
-        let along = climb.map_or(0.0, |climb| 4.0 / climb.abs());
+        let along = climb.map_or(0.0, |climb| 1.0 / climb.abs());
         let [near, far] = [near.0, far.0].map(wide);
         let apart = length([0, 1, 2].map(|axis| near[axis] - far[axis]));
         // Near a rim a step aside is √(2 r) along; far away a plane is known to 2^-26.
