@@ -142,7 +142,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             colors.tracer.turn_to(window, window + 2 * stride);
         };
         turn_to(self, before);
-        if !(before == 0 && self.clear(before)) {
+        if self.tracer.notes_what_is_thin() && !(before == 0 && self.clear(before)) {
             let before = (before < first).then(|| self.trace(before));
             turn_to(self, first);
             let start = self.trace(first);

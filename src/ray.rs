@@ -171,6 +171,13 @@ impl Path {
     }
 }
 
+/// Spreads numbers over all bits, as in Fibonacci hashing (Knuth, The Art of Computer Programming,
+/// vol. 3, 6.4).
+#[inline(always)]
+pub(crate) const fn spread(number: u32) -> u32 {
+    number.wrapping_mul(0x9e37_79b1)
+}
+
 /// What a path has met on its way, as a number: paths that met the same have the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Trail(u32);
@@ -181,11 +188,10 @@ impl Trail {
         Self(0)
     }
 
-    /// Adds what was met. Numbers are spread as in Fibonacci hashing (Knuth, The Art of Computer
-    /// Programming, vol. 3, 6.4).
+    /// Adds what was met.
     #[inline(always)]
     pub(crate) fn note(&mut self, met: u32) {
-        self.0 = (self.0 ^ met).wrapping_mul(0x9e37_79b1).rotate_left(15);
+        self.0 = spread(self.0 ^ met).rotate_left(15);
     }
 
     /// Of the whole path, which may have been mirrored in something round, and then gone on.

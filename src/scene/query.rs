@@ -3,7 +3,7 @@
 use super::mask::Mask;
 use super::{Lamp, LampParts, Parts, World, far};
 use crate::number::Length;
-use crate::ray::{Path, Place, REACH, Ray, Trail};
+use crate::ray::{Path, Place, REACH, Ray, Trail, spread};
 use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
 use crate::shape::plane::{Approach, PreparedPlane};
 use crate::shape::sphere::{PreparedSphere, SeenSphere};
@@ -23,6 +23,13 @@ impl ShapeNumber {
     /// Names one side of it.
     pub(crate) const fn side(self, is_inside: bool) -> u32 {
         self.0 << 1 | is_inside as u32
+    }
+
+    /// What a path notes that passes it on one side and not on the other; spread, so that several
+    /// together are told from others.
+    #[inline(always)]
+    pub(super) const fn passed(self) -> u32 {
+        spread(self.0 + 1)
     }
 
     pub(super) const fn of_sphere(index: usize) -> Self {
@@ -327,7 +334,7 @@ impl Nearest {
         let sideways = seen.sideways(along);
         if cylinder.is_beside(sideways) {
             if is_thin && sideways < 0 {
-                self.pass(shape.0.wrapping_add(1).wrapping_mul(0x85eb_ca6b));
+                self.pass(shape.passed());
             }
             return;
         }

@@ -55,7 +55,8 @@ struct Kind<T, const ROOM: usize> {
     open: Vec<Open<T>, ROOM>,
     /// The first extent that has not been looked at.
     next: usize,
-    /// What all rays have noted that pass on the right of those that have been closed.
+    /// What all rays have noted that pass on the right of the thin ones that have been closed; asked
+    /// of spheres only.
     passed: u32,
 }
 
@@ -92,7 +93,7 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
         self.open.retain(|open| {
             let stays = u32::from(open.right) >= first;
             if !stays && open.middle < u16::MAX {
-                *passed ^= passed_on_the_right(open.shape);
+                *passed ^= ShapeNumber::of_sphere(open.shape.into()).passed();
             }
             stays
         });
@@ -129,12 +130,6 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
         }
         Some(until)
     }
-}
-
-/// What a ray notes that passes on the right of something thin.
-#[inline(always)]
-fn passed_on_the_right(shape: u16) -> u32 {
-    (u32::from(shape) + 1).wrapping_mul(0x9e37_79b1)
 }
 
 /// How many spheres can be met in the columns a row has come to.
@@ -289,11 +284,11 @@ impl Row {
         let mut nearest = Nearest::beyond(start);
         nearest.pass(self.spheres.passed);
         for open in &self.spheres.open {
+            let number = ShapeNumber::of_sphere(open.shape.into());
             if open.has_column(column) {
                 let approach = open.seen.nearest_approach(direction);
                 let sphere = parts.spheres.get(usize::from(open.shape));
                 if let (true, Some(sphere)) = (open.seen.may_be_met(approach), sphere) {
-                    let number = ShapeNumber::of_sphere(open.shape.into());
                     if nearest.meet_sphere(sphere, open.seen.way(), direction, number) {
                         continue;
                     }
@@ -304,7 +299,7 @@ impl Row {
             if open.is_left_of(column)
                 && (open.has_ended_before(column) || nearest.may_see(&open.seen))
             {
-                nearest.pass(passed_on_the_right(open.shape));
+                nearest.pass(number.passed());
             }
         }
         for open in &self.cylinders.open {
