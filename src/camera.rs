@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of, steps, wide};
+use crate::number::{Number, Scaled, cotangent_of_half, shifted, sine_and_cosine_of, steps, wide};
 use crate::ray::Fan;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -138,7 +138,11 @@ impl Camera {
         azimuth: impl Into<Number>,
         elevation: impl Into<Number>,
     ) -> Result<Self, CameraError> {
-        let (azimuth, elevation) = (azimuth.into(), elevation.into());
+        self.turned(azimuth.into(), elevation.into())
+    }
+
+    #[inline(never)]
+    fn turned(&self, azimuth: Number, elevation: Number) -> Result<Self, CameraError> {
         if !Position([azimuth, elevation, Number::ZERO]).is_in_range() {
             return Err(CameraError::Coordinate);
         }
@@ -155,10 +159,13 @@ impl Camera {
             .reversed()
             .turned_towards(self.up, sine_and_cosine_of(elevation));
         let turned = raised.turned_about(axis, sine_and_cosine_of(azimuth));
-        Self::try_from_description(CameraDescription {
-            position: target.plus(turned, offset),
-            ..self.description
-        })
+        Self::aimed(
+            CameraDescription {
+                position: target.plus(turned, offset),
+                ..self.description
+            },
+            Some(self.cotangent),
+        )
     }
 
     const fn checked(description: CameraDescription) -> Self {
@@ -169,11 +176,25 @@ impl Camera {
     }
 
     const fn try_from_description(description: CameraDescription) -> Result<Self, CameraError> {
+        let fov = description.fov;
+        let cotangent = match fov.is_within(0, 180) {
+            true => cotangent_of_half(fov),
+            false => None,
+        };
+        Self::aimed(description, cotangent)
+    }
+
+    /// With the cotangent of half the field of view, if it has one.
+    #[inline(never)]
+    const fn aimed(
+        description: CameraDescription,
+        cotangent: Option<Scaled>,
+    ) -> Result<Self, CameraError> {
         let CameraDescription {
             position,
             target,
             up,
-            fov,
+            ..
         } = description;
         if !(position.is_in_range() && target.is_in_range() && up.is_in_range()) {
             return Err(CameraError::Coordinate);
@@ -192,10 +213,7 @@ impl Camera {
         let Some(up) = right.perpendicular(forward) else {
             return Err(CameraError::Up);
         };
-        if !fov.is_within(0, 180) {
-            return Err(CameraError::FieldOfView);
-        }
-        let Some(cotangent) = cotangent_of_half(fov) else {
+        let Some(cotangent) = cotangent else {
             return Err(CameraError::FieldOfView);
         };
         Ok(Self {
@@ -216,17 +234,30 @@ impl Camera {
         let largest = (bits(product) + exponent).max(bits(u64::from(width.max(height))));
         // The largest part is brought to 2³⁰, so that a ray stays below 2⁶¹ in Q30.
         let scale = 30 - largest;
-        let ahead = shifted(product as i64, exponent + scale);
+        let ahead = shifted(product as i64, (exponent + scale).max(-63));
         Lens {
             ahead: times(self.forward, ahead),
             right: [0, 1, 2].map(|axis| shifted(raw(self.right)[axis], scale)),
             up: [0, 1, 2].map(|axis| shifted(raw(self.up)[axis], scale)),
-            side: self.right,
-            down: self.up.reversed(),
             scale,
             width,
             height,
         }
+    }
+
+    /// The camera's rays from `origin` through the middles of a picture's columns, and of its rows.
+    pub(crate) fn fans(&self, lens: &Lens, origin: Point) -> [Fan; 2] {
+        let [x, y, z] = lens.ahead.map(|coordinate| (coordinate >> 32) as i32);
+        let (ahead, distance) = Vector::new(x, y, z).direction_and_length();
+        let asides = [(self.right, lens.width), (self.up.reversed(), lens.height)];
+        asides.map(|(aside, width)| Fan {
+            origin,
+            ahead,
+            aside,
+            distance: distance.to_bits(),
+            scale: 2 - lens.scale,
+            width,
+        })
     }
 }
 
@@ -238,43 +269,18 @@ fn times(direction: Direction, factor: i64) -> [i64; 3] {
     raw(direction).map(|coordinate| coordinate * factor)
 }
 
-/// `value` · 2^`exponent`, rounded down.
-fn shifted(value: i64, exponent: i32) -> i64 {
-    if exponent >= 0 {
-        value << exponent
-    } else {
-        value >> (-exponent).min(63)
-    }
-}
-
 /// A camera made ready for one size of picture: vectors in half pixels, scaled by a power of two.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lens {
     ahead: [i64; 3],
     right: [i64; 3],
     up: [i64; 3],
-    side: Direction,
-    down: Direction,
     scale: i32,
     width: u32,
     height: u32,
 }
 
 impl Lens {
-    /// The rays from `origin` through the middles of the columns, and of the rows.
-    pub(crate) fn fans(&self, origin: Point) -> [Fan; 2] {
-        let [x, y, z] = self.ahead.map(|coordinate| (coordinate >> 32) as i32);
-        let (ahead, distance) = Vector::new(x, y, z).direction_and_length();
-        [(self.side, self.width), (self.down, self.height)].map(|(aside, width)| Fan {
-            origin,
-            ahead,
-            aside,
-            distance: distance.to_bits(),
-            scale: 2 - self.scale,
-            width,
-        })
-    }
-
     /// The directions through the middles of the pixels of row `y`.
     pub(crate) fn row(&self, y: u32) -> RowDirections {
         let vertical = i64::from(self.height) - 1 - 2 * i64::from(y);
@@ -311,12 +317,29 @@ impl RowDirections {
     /// The direction through the pixel of a column, which is below 2¹⁶.
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {
-        let at = |start: i64, step: i64| (start.wrapping_add(steps(step, column)) >> 32) as i32;
-        let aside = at(self.aside, self.step_aside);
+        let aside = at(self.aside, self.step_aside, column);
         let square = self.square + wide(aside, aside) as u64;
-        let ([x, y, z], [dx, dy, dz]) = (self.first, self.step);
-        Vector::new(at(x, dx), at(y, dy), at(z, dz)).direction_of_square(square)
+        self.way(column).direction_of_square(square)
     }
+
+    /// The same, but shorter: below half as long as a direction is. For what depends on signs alone.
+    #[inline(always)]
+    pub(crate) fn short_of(&self, column: u32) -> Direction {
+        Direction::from_raw(self.way(column))
+    }
+
+    /// The way to the pixel of a column, below 2²⁹.
+    #[inline(always)]
+    fn way(&self, column: u32) -> Vector {
+        let ([x, y, z], [dx, dy, dz]) = (self.first, self.step);
+        Vector::new(at(x, dx, column), at(y, dy, column), at(z, dz, column))
+    }
+}
+
+/// What is reached from `start` after so many steps, without the last 32 bits.
+#[inline(always)]
+fn at(start: i64, step: i64, column: u32) -> i32 {
+    (start.wrapping_add(steps(step, column)) >> 32) as i32
 }
 
 #[cfg(test)]

@@ -45,22 +45,29 @@ impl Grid {
 
     /// A position, rounded to the nearest step, or coarser where it is far.
     pub(crate) const fn place(&self, position: Position) -> Place {
-        let offset = position.minus(self.middle);
-        let bits = 128 - offset.magnitude().leading_zeros();
-        // 29 bits are near for sure; what needs more is far.
-        let drop = if bits > self.drop + 29 {
-            bits - 29
-        } else {
-            self.drop
-        };
-        let [x, y, z] = offset.0;
-        let half = 1 << (drop - 1);
-        let point = Point::new(
-            ((x.to_bits() + half) >> drop) as i32,
-            ((y.to_bits() + half) >> drop) as i32,
-            ((z.to_bits() + half) >> drop) as i32,
-        );
-        Place::new(point, drop - self.drop)
+        let [x, y, z] = position.minus(self.middle).0;
+        let mut drop = self.drop;
+        loop {
+            let point = Point::new(rounded(x, drop), rounded(y, drop), rounded(z, drop));
+            if let Some(Place { point, .. }) = Place::near(point) {
+                let scale = drop - self.drop;
+                return Place { point, scale };
+            }
+            drop += 1;
+        }
+    }
+}
+
+/// A number without so many of its last bits, rounded to the nearest; the largest where that does not
+/// fit.
+#[inline(never)]
+const fn rounded(number: Number, drop: u32) -> i32 {
+    let twice = number.to_bits() >> (drop - 1);
+    let low = twice as i32;
+    if low as i128 == twice {
+        (low >> 1) + (low & 1)
+    } else {
+        i32::MAX
     }
 }
 

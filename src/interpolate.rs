@@ -75,7 +75,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             bend: None,
             clear_until: 0,
         };
-        if stride > 1 {
+        if stride > 1 && !Tracer::<W, K, Q>::IS_PLAIN {
             colors.start();
         }
         colors
@@ -84,17 +84,27 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// The colour of the next column, which lies inside of the picture.
     #[inline(always)]
     pub(crate) fn next_color(&mut self) -> Sum {
-        let place = self.column % self.tracer.stride();
-        if place == 0 {
-            self.follow(self.column);
-        }
+        let column = self.column;
         self.column += 1;
+        if Tracer::<W, K, Q>::IS_PLAIN {
+            return self.traced(column).sum;
+        }
+        let place = column % self.tracer.stride();
+        if place == 0 {
+            self.follow(column);
+        }
         self.stretch[place as usize]
     }
 
     /// Fills pixels, which lie inside of the picture, with the next colours.
     #[inline(always)]
     pub(crate) fn fill<C: Copy>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
+        if Tracer::<W, K, Q>::IS_PLAIN {
+            for pixel in pixels {
+                *pixel = shown(self.next_color());
+            }
+            return;
+        }
         let stride = self.tracer.stride();
         while !pixels.is_empty() {
             let place = self.column % stride;
@@ -265,6 +275,15 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
 
     #[inline(never)]
     fn trace(&mut self, column: u32) -> Traced {
-        self.tracer.trace(column, self.directions.of(column))
+        self.traced(column)
+    }
+
+    #[inline(always)]
+    fn traced(&mut self, column: u32) -> Traced {
+        let direction = match W::NEEDS.places {
+            true => self.directions.of(column),
+            false => self.directions.short_of(column),
+        };
+        self.tracer.trace(column, direction)
     }
 }

@@ -42,6 +42,12 @@
 //! Both are drawn by the same kernels and give the same picture, to the bit, on every machine: no
 //! float instruction is executed for a frame.
 //!
+//! # What is linked
+//!
+//! What a scene does not need is not in the program: it is derived from a constant scene, or from the
+//! room in the type of one filled at run time; [`Needs`] says it in words. Where flash is scarcer than
+//! time, the quality [`Small`] leaves out the tables and the code that make a frame fast.
+//!
 //! # The floors
 //!
 //! | floor | modules | what lives there |
@@ -127,10 +133,11 @@ pub use fault::Fault;
 pub use light::Light;
 pub use material::Material;
 pub use number::{Number, Unit};
-pub use quality::{Fast, Fine, Quality};
+pub use quality::{Fast, Fine, Quality, Small};
 pub use render::{Frame, Picture, Report, StaticFrame};
 pub use scene::{
-    Description, RuntimeScene, Scene, SceneBuilder, SceneError, Static, StaticScene, World,
+    Apart, Bound, Description, Excess, Mirrors, MostReflections, Need, Needs, RuntimeScene, Scene,
+    SceneBuilder, SceneError, Shininess, Static, StaticScene, Within, World,
 };
 pub use shade::{BlinnPhong, Normals, Phong, Shading};
 pub use shape::{MaterialId, cylinder::Cylinder, plane::Plane, sphere::Sphere};

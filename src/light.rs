@@ -27,6 +27,9 @@ impl Light {
 pub struct PreparedLight {
     pub(crate) place: Place,
     pub(crate) color: Color,
+    /// Whether it stands near and outside of all spheres, so that what is hidden from it can be told
+    /// by how it sees the shapes.
+    pub(crate) is_plain: bool,
 }
 
 impl PreparedLight {
@@ -34,5 +37,6 @@ impl PreparedLight {
     pub(crate) const NONE: Self = Self {
         place: Place::ORIGIN,
         color: Color::BLACK,
+        is_plain: false,
     };
 }

@@ -44,6 +44,13 @@ pub trait Quality {
     /// the tolerance from it; or the colours on both sides of a single pixel differ by no more than
     /// twice the tolerance.
     const TOLERANCE: Unit;
+
+    /// Whether flash is scarcer than time; not so unless it is said.
+    ///
+    /// Then every ray goes the general way: every pixel is traced, whatever [`Quality::STRIDE`] says,
+    /// every shape is asked, and nothing is prepared of what the pixels of a row or the lights can
+    /// see, neither in flash nor in RAM.
+    const IS_SMALL: bool = false;
 }
 
 /// The default: nothing that is left out is expected to change an 8-bit channel by more than a step.
@@ -57,6 +64,20 @@ impl Quality for Fast {
     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 22);
     const STRIDE: u32 = 4;
     const TOLERANCE: Unit = Unit::from_bits(1 << 22);
+}
+
+/// The smallest in flash: exact as [`Fast`] or more, but without the code and the tables that make it
+/// fast.
+///
+/// A path ends at weights below 1/256, and every pixel is traced.
+#[derive(Clone, Copy, Debug)]
+pub struct Small;
+
+impl Quality for Small {
+    const SMALLEST_WEIGHT: Unit = Fast::SMALLEST_WEIGHT;
+    const STRIDE: u32 = 1;
+    const TOLERANCE: Unit = Unit::ZERO;
+    const IS_SMALL: bool = true;
 }
 
 /// The finest: a path ends when its weight is exactly zero, at least every second pixel is traced,

@@ -6,7 +6,7 @@
 //! kernels work on it directly) or *far* (its point is in steps of 2ˢ, and a ray that starts
 //! there is first moved to the ball).
 
-use crate::number::{Length, high};
+use crate::number::{Length, high, shifted};
 use crate::vector::{Direction, Point, Vector};
 
 /// The radius of the ball that holds every bounded shape, in raw steps.
@@ -52,15 +52,16 @@ impl Place {
     }
 
     /// Brings wide coordinates in raw steps to normal form; each is within ±2⁶².
+    #[inline(never)]
     pub const fn from_wide(coordinates: [i64; 3]) -> Self {
         let [x, y, z] = coordinates;
-        let bits = 64 - (x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs()).leading_zeros();
+        let bits = 64 - ((x ^ x >> 63) | (y ^ y >> 63) | (z ^ z >> 63)).leading_zeros();
         let shift = bits.saturating_sub(30);
         Self::new(
             Point::new(
-                (x >> shift) as i32,
-                (y >> shift) as i32,
-                (z >> shift) as i32,
+                shifted(x, -(shift as i32)) as i32,
+                shifted(y, -(shift as i32)) as i32,
+                shifted(z, -(shift as i32)) as i32,
             ),
             shift,
         )

@@ -13,10 +13,11 @@ use crate::color::Sum;
 use crate::interpolate::Colors;
 use crate::number::Unit;
 use crate::quality::{Fast, Quality};
+use crate::ray::Place;
 use crate::scene::extent::Outlooks;
 use crate::scene::sight::Sight;
 use crate::scene::view::View;
-use crate::scene::{Scene, Static, StaticScene, World};
+use crate::scene::{Apart, Bound, Excess, MostReflections, Scene, Static, Within, World};
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
 
@@ -88,6 +89,18 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         }
     }
 
+    /// At most `N` reflections a path, known when the program is compiled: with 0, the code for
+    /// mirrors is not linked.
+    #[must_use]
+    pub fn most_reflections<const N: u8>(self) -> Frame<'a, Within<W, MostReflections<N>>, Q, K> {
+        Frame {
+            world: Within::new(self.world),
+            camera: self.camera,
+            reflections: N,
+            kinds: PhantomData,
+        }
+    }
+
     /// As exact as [`Fast`] (the default) or [`crate::Fine`].
     #[must_use]
     pub fn quality<NewQ: Quality>(self) -> Frame<'a, W, NewQ, K> {
@@ -120,22 +133,31 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     #[inline(never)]
     pub fn sized(&self, size: Size) -> Picture<W, Q, K> {
         let (width, height) = (size.width.clamp(1, 65_535), size.height.clamp(1, 65_535));
-        let position = self.camera.description().position;
-        let from = self.world.parts().grid.place(position);
-        let lens = self.camera.lens(width, height);
         let mut picture = Picture {
             world: self.world,
-            view: View::new(&self.world, from),
-            outlook: W::Outlook::ALL,
-            lens,
+            view: View::unclear(Place::ORIGIN),
+            outlook: None,
+            lens: None,
             size: Size::new(width, height),
             reflections: self.reflections,
             kinds: PhantomData,
         };
-        if from.is_near() {
-            let fans = picture.lens.fans(from.point);
-            picture.outlook.look(&self.world, &fans);
+        if self.world.parts().is_empty() {
+            return picture;
         }
+        let position = self.camera.description().position;
+        let from = self.world.parts().grid.place(position);
+        let lens = self.camera.lens(width, height);
+        let is_plain = Tracer::<W, K, Q>::IS_PLAIN;
+        picture.view = match is_plain {
+            true => View::unclear(from),
+            false => View::new(&self.world, from),
+        };
+        if !is_plain && from.is_near() {
+            let outlook = picture.outlook.insert(W::Outlook::ALL);
+            outlook.look(&self.world, &self.camera.fans(&lens, from.point));
+        }
+        picture.lens = Some(lens);
         picture
     }
 
@@ -163,9 +185,11 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
 #[derive(Clone, Copy)]
 pub struct Picture<W: World, Q = Fast, K = BlinnPhong> {
     world: W,
-    lens: Lens,
+    /// None, where there is nothing to be seen.
+    lens: Option<Lens>,
     view: View,
-    outlook: W::Outlook,
+    /// Nothing, where the camera is far away or flash is scarce.
+    outlook: Option<W::Outlook>,
     size: Size,
     reflections: u8,
     kinds: PhantomData<(Q, K)>,
@@ -187,20 +211,23 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         }
         let inside = pixels.len().min((self.size.width - x) as usize);
         let (pixels, _) = pixels.split_at_mut(inside);
-        if let Some(color) = self.only_color() {
-            pixels.fill(color);
+        let Some(lens) = self.lens() else {
+            pixels.fill(self.only_color());
             report.rays = inside as u64;
             return report;
-        }
-        self.fill(y, x, pixels)
+        };
+        self.fill(lens, y, x, pixels)
     }
 
     /// Fills pixels inside of the picture; what follows their rays is on the stack only meanwhile.
     #[inline(never)]
-    fn fill<C: Copy + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
+    fn fill<C>(&self, lens: &Lens, y: u32, x: u32, pixels: &mut [C]) -> Report
+    where
+        C: Copy + From<Rgb888>,
+    {
         let mut tracer = self.tracer(y);
         tracer.look();
-        let mut colors = Colors::new(&mut tracer, self.lens.row(y), x, self.size.width);
+        let mut colors = Colors::new(&mut tracer, lens.row(y), x, self.size.width);
         colors.fill(pixels, shown);
         let mut report = Report::NONE;
         report.count(&tracer);
@@ -246,17 +273,17 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         if area.is_zero_sized() {
             return Ok(report);
         }
-        if let Some(color) = self.only_color() {
-            target.fill_solid(&area.translate(top_left), color)?;
+        let Some(lens) = self.lens() else {
+            target.fill_solid(&area.translate(top_left), self.only_color())?;
             report.rays = u64::from(area.size.width) * u64::from(area.size.height);
             return Ok(report);
-        }
+        };
         let (left, width) = (area.top_left.x, area.size.width);
         for y in area.rows() {
             let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
             let mut tracer = self.tracer(y as u32);
             tracer.look();
-            let directions = self.lens.row(y as u32);
+            let directions = lens.row(y as u32);
             let mut colors = Colors::new(&mut tracer, directions, left as u32, self.size.width);
             let pixels = (0..width).map(|_| shown(colors.next_color()));
             target.fill_contiguous(&row, pixels)?;
@@ -265,23 +292,29 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         Ok(report)
     }
 
-    /// The colour of every pixel, where there is nothing to be met.
-    fn only_color<C: From<Rgb888>>(&self) -> Option<C> {
-        if !self.world.parts().is_empty() {
-            return None;
+    /// The rays, unless there is nothing to be met.
+    #[inline(always)]
+    fn lens(&self) -> Option<&Lens> {
+        match W::NEEDS.is_nothing() {
+            true => None,
+            false => self.lens.as_ref(),
         }
-        Some(shown(Traced::missed::<W, K>(&self.world).sum))
+    }
+
+    /// The colour of every pixel, where there is nothing to be met.
+    fn only_color<C: From<Rgb888>>(&self) -> C {
+        shown(Traced::missed::<W, K>(&self.world).sum)
     }
 
     /// What follows the rays of row `y`.
     #[inline(always)]
     fn tracer(&self, y: u32) -> Tracer<'_, W, K, Q> {
-        Tracer::new(
-            &self.world,
-            &self.view,
-            Sight::new(&self.outlook, self.view.from, y),
-            self.reflections,
-        )
+        let (outlook, from) = (self.outlook.as_ref(), self.view.from);
+        let sight = match Tracer::<W, K, Q>::IS_PLAIN {
+            true => Sight::new::<false>(outlook, from, y),
+            false => Sight::new::<true>(outlook, from, y),
+        };
+        Tracer::new(&self.world, &self.view, sight, self.reflections)
     }
 }
 
@@ -299,14 +332,48 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     pub const fn frame<'a>(&'a self, camera: &'a Camera) -> Frame<'a, &'a Self> {
         Frame::new(self, camera)
     }
+
+    /// The same, but that nothing is linked that a scene within the bound `B` does not need.
+    ///
+    /// ```
+    /// use embedded_graphics::mock_display::MockDisplay;
+    /// use embedded_graphics::pixelcolor::Rgb888;
+    /// use reflet::{Bound, Camera, Material, Needs, RuntimeScene};
+    ///
+    /// struct Matte;
+    /// impl Bound for Matte {
+    ///     const NEEDS: Needs = Needs::ALL.without_mirrors();
+    /// }
+    ///
+    /// let mut scene = RuntimeScene::<1, 0, 0, 0, 1>::new();
+    /// let glass = scene.add_material(Material::new([0.9; 3]).mirror(0.5))?;
+    /// scene.add_sphere([0, 0, 0], 1, glass)?;
+    /// let scene = scene.build()?;
+    /// const CAMERA: Camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
+    /// // This one mirrors.
+    /// assert_eq!(scene.frame_within::<Matte>(&CAMERA).err().unwrap().need, "mirrors");
+    /// # Ok::<(), reflet::SceneError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// What the scene needs beyond the bound.
+    pub const fn frame_within<'a, B: Bound>(
+        &'a self,
+        camera: &'a Camera,
+    ) -> Result<Frame<'a, Within<&'a Self, B>>, Excess> {
+        match self.needs().within(&B::NEEDS) {
+            Ok(()) => Ok(Frame::new(Within::new(self), camera)),
+            Err(excess) => Err(excess),
+        }
+    }
 }
 
-/// Gives every [`StaticScene`] its frames.
-pub trait StaticFrame: StaticScene + Sized {
+/// Gives every [`crate::StaticScene`] its frames.
+pub trait StaticFrame: Apart + Sized {
     /// A view of this scene through `camera`, with 4 reflections, [`Fast`], [`BlinnPhong`].
     fn frame(camera: &Camera) -> Frame<'_, Static<Self>> {
         Frame::new(Static::new(), camera)
     }
 }
 
-impl<T: StaticScene> StaticFrame for T {}
+impl<T: Apart> StaticFrame for T {}

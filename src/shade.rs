@@ -2,16 +2,18 @@
 //! hidden. Knows no reflection.
 
 use crate::color::{Color, halved};
+use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{
     Brightness, Exponent, Unit, even_power, high_unsigned, lit, power, ratio, root_of_unit,
-    scaled_by_unit,
+    scaled_by_unit, whole_power,
 };
+use crate::quality::Quality;
 use crate::ray::{Path, Place, Trail};
+use crate::scene::far;
 use crate::scene::query::{Shape, ShapeNumber, blocked, blocked_from, for_first_four};
 use crate::scene::view::{Standing, View};
-use crate::scene::{Lamp, LampParts, World};
-use crate::shape::cylinder::PreparedCylinder;
+use crate::scene::{Lamps, Shininess, World};
 use crate::vector::Direction;
 
 /// A point on a surface, seen along a ray, from which rays may leave.
@@ -29,9 +31,7 @@ pub(crate) struct Surface<'a> {
     pub(crate) shape: ShapeNumber,
     /// Whether it is seen from the inside, or against a plane's normal.
     pub(crate) is_inside: bool,
-    /// The cylinder whose outside it is, if it is one.
-    pub(crate) cylinder: Option<&'a PreparedCylinder>,
-    pub(crate) material: &'a PreparedMaterial,
+    material: &'a PreparedMaterial,
 }
 
 /// How far the cosine at a curved surface may be wrong: 2⁻¹⁶.
@@ -48,12 +48,10 @@ impl<'a> Surface<'a> {
         view: Direction,
     ) -> Option<Self> {
         let parts = world.parts();
-        let (outward, material, cylinder) = match parts.shape(shape)? {
-            Shape::Sphere(sphere) => (sphere.normal(at.point), sphere.material, None),
-            Shape::Cylinder(cylinder) => {
-                (cylinder.normal(at.point), cylinder.material, Some(cylinder))
-            }
-            Shape::Plane(plane) => (plane.normal, plane.material, None),
+        let (outward, material) = match parts.shape(shape)? {
+            Shape::Sphere(sphere) => (sphere.normal(at.point), sphere.material),
+            Shape::Cylinder(cylinder) => (cylinder.normal(at.point), cylinder.material),
+            Shape::Plane(plane) => (plane.normal, plane.material),
         };
         let climb = view.short_dot(outward);
         // At the rim of a shape rounding must not turn its outside into its inside.
@@ -69,9 +67,17 @@ impl<'a> Surface<'a> {
             facing: climb.wrapping_abs(),
             shape,
             is_inside,
-            cylinder: cylinder.filter(|_| !is_inside),
             material: parts.material(material),
         })
+    }
+
+    /// What it is made of: a constant in a constant scene of one material.
+    #[inline(always)]
+    pub(crate) fn material<W: World>(&self, world: &'a W) -> &'a PreparedMaterial {
+        match world.parts().materials {
+            [only] => only,
+            _ => self.material,
+        }
     }
 
     /// The shape, unless it may be met again by a ray that leaves it here: from inside of a sphere or
@@ -82,6 +88,13 @@ impl<'a> Surface<'a> {
             true => ShapeNumber::NONE,
             false => self.shape,
         }
+    }
+
+    /// Which of the cylinders it is, if it is the outside of one.
+    #[inline(always)]
+    pub(crate) fn cylinder<W: World>(&self, world: &W) -> Option<usize> {
+        let index = world.parts().cylinder_index(self.shape);
+        index.filter(|_| !self.is_inside)
     }
 
     /// Turns a path that met the surface into the mirrored one.
@@ -104,7 +117,7 @@ pub trait Shading: sealed::Shading {}
 impl<T: sealed::Shading> Shading for T {}
 
 pub(crate) mod sealed {
-    use super::{Color, Surface, Trail, View, World};
+    use super::{Color, Quality, Surface, Trail, View, World};
 
     pub trait Shading {
         /// Whether mirrors are followed.
@@ -112,7 +125,7 @@ pub(crate) mod sealed {
 
         /// The colour of a surface without reflections; notes which lights it is lit by.
         #[allow(private_interfaces)]
-        fn color<W: World>(
+        fn color<W: World, Q: Quality>(
             world: &W,
             view: &View,
             surface: &Surface<'_>,
@@ -142,8 +155,14 @@ impl sealed::Shading for BlinnPhong {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>, trail: &mut Trail) -> Color {
-        lit_color::<W, Self>(world, view, surface, trail)
+    #[inline(always)]
+    fn color<W: World, Q: Quality>(
+        world: &W,
+        view: &View,
+        surface: &Surface<'_>,
+        trail: &mut Trail,
+    ) -> Color {
+        lit_color::<W, Q, Self>(world, view, surface, trail)
     }
 
     fn missed<W: World>(world: &W) -> Color {
@@ -155,8 +174,14 @@ impl sealed::Shading for Phong {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>, trail: &mut Trail) -> Color {
-        lit_color::<W, Self>(world, view, surface, trail)
+    #[inline(always)]
+    fn color<W: World, Q: Quality>(
+        world: &W,
+        view: &View,
+        surface: &Surface<'_>,
+        trail: &mut Trail,
+    ) -> Color {
+        lit_color::<W, Q, Self>(world, view, surface, trail)
     }
 
     fn missed<W: World>(world: &W) -> Color {
@@ -168,7 +193,7 @@ impl sealed::Shading for Normals {
     const REFLECTS: bool = false;
 
     #[allow(private_interfaces)]
-    fn color<W: World>(_: &W, _: &View, surface: &Surface<'_>, _: &mut Trail) -> Color {
+    fn color<W: World, Q: Quality>(_: &W, _: &View, surface: &Surface<'_>, _: &mut Trail) -> Color {
         Color::new(surface.normal.components().map(halved))
     }
 
@@ -189,7 +214,8 @@ struct Cosines {
 
 /// A highlight: the power of a cosine that says how near the viewer is to the mirror direction.
 trait Highlight {
-    fn highlight(cosines: &Cosines, shininess: Exponent) -> Unit;
+    /// For a shininess of a kind that may occur in the scene.
+    fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit;
 }
 
 /// (h · n)ˢʰⁱⁿⁱⁿᵉˢˢ, where h is the unit vector half way between light and viewer. It is not built:
@@ -197,12 +223,12 @@ trait Highlight {
 /// that an even shininess needs.
 impl Highlight for BlinnPhong {
     #[inline(always)]
-    fn highlight(cosines: &Cosines, shininess: Exponent) -> Unit {
+    fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
         let square = half_way_square(cosines);
-        if shininess.is_even() {
+        if kind <= Shininess::Even || shininess.is_even() {
             even_power(square, shininess)
         } else {
-            power(root_of_unit(square), shininess)
+            power_of(root_of_unit(square), shininess, kind)
         }
     }
 }
@@ -210,8 +236,17 @@ impl Highlight for BlinnPhong {
 /// (r · v)ˢʰⁱⁿⁱⁿᵉˢˢ, where r is the light direction mirrored in the normal.
 impl Highlight for Phong {
     #[inline(always)]
-    fn highlight(cosines: &Cosines, shininess: Exponent) -> Unit {
-        power(mirrored_cosine(cosines), shininess)
+    fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
+        power_of(mirrored_cosine(cosines), shininess, kind)
+    }
+}
+
+/// A power of a kind that may occur in the scene.
+#[inline(always)]
+fn power_of(base: Unit, shininess: Exponent, kind: Shininess) -> Unit {
+    match kind {
+        Shininess::Real => power(base, shininess),
+        _ => whole_power(base, shininess),
     }
 }
 
@@ -237,34 +272,76 @@ fn mirrored_cosine(cosines: &Cosines) -> Unit {
 
 /// ambient + Σ (diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ) · light, all times the material's colour.
 #[inline(always)]
-fn lit_color<W: World, H: Highlight>(
+fn lit_color<W: World, Q: Quality, H: Highlight>(
     world: &W,
     view: &View,
     surface: &Surface<'_>,
     trail: &mut Trail,
 ) -> Color {
-    let material = surface.material;
-    let mut lights = 0_u32;
-    let mut received = Color::grey(material.ambient);
-    let mut receive = |index: usize, spot: &W::Lamp| {
+    let material = surface.material(world);
+    let mut received = Received {
+        color: Color::grey(material.ambient),
+        lights: 0,
+    };
+    if Q::IS_SMALL {
+        for (index, light) in world.parts().lights.iter().enumerate() {
+            let strength = general_strength::<W, Q, H>(world, surface, (light, index));
+            received.add(index, light, strength);
+        }
+    } else {
+        for_first_four(world.lamps(), |index, lamp| {
+            received.ask::<W, Q, H>(world, view, surface, (lamp, index));
+        });
+        for (index, lamp) in world.lamps().iter().enumerate().skip(4) {
+            received.ask::<W, Q, H>(world, view, surface, (lamp, index));
+        }
+    }
+    if !Q::IS_SMALL {
+        trail.note(received.lights);
+    }
+    let color = received.color.filtered(material.color);
+    match W::NEEDS.colors {
+        true => color,
+        // Of the three channels, the compiler keeps one.
+        false => Color::grey(color.components()[0]),
+    }
+}
+
+/// The light that comes to a surface and is sent on.
+struct Received {
+    color: Color,
+    /// A bit for each light that is not hidden.
+    lights: u32,
+}
+
+impl Received {
+    #[inline(always)]
+    fn add(&mut self, index: usize, light: &PreparedLight, strength: Brightness) {
+        if strength > Brightness::ZERO {
+            self.color = self.color.plus(light.color.times(strength));
+            self.lights |= 1_u32.wrapping_shl(index as u32);
+        }
+    }
+
+    /// Adds what is sent on of a light.
+    #[inline(always)]
+    fn ask<W: World, Q: Quality, H: Highlight>(
+        &mut self,
+        world: &W,
+        view: &View,
+        surface: &Surface<'_>,
+        (lamp, index): (&W::Lamp, usize),
+    ) {
+        let light = lamp.light();
         let strength = match view.standing(index) {
             Standing::Hidden => return,
             Standing::Clear if surface.place.is_near() => {
-                clear_strength::<W, H>(world, surface, spot)
+                clear_strength::<W, H>(world, surface, (lamp, index))
             }
-            _ => strength::<W, H>(world, surface, spot.lamp()),
+            _ => strength::<W, Q, H>(world, surface, (light, index)),
         };
-        if strength > Brightness::ZERO {
-            received = received.plus(spot.lamp().light.color.times(strength));
-            lights |= 1_u32.wrapping_shl(index as u32);
-        }
-    };
-    for_first_four(world.lamps(), &mut receive);
-    for (index, spot) in world.lamps().iter().enumerate().skip(4) {
-        receive(index, spot);
+        self.add(index, light, strength);
     }
-    trail.note(lights);
-    received.filtered(material.color)
 }
 
 /// What a near surface sends on of a light that stands clear; 0 where the light is behind it or
@@ -273,49 +350,84 @@ fn lit_color<W: World, H: Highlight>(
 fn clear_strength<W: World, H: Highlight>(
     world: &W,
     surface: &Surface<'_>,
-    spot: &W::Lamp,
+    (lamp, index): (&W::Lamp, usize),
 ) -> Brightness {
-    let way = surface.place.point.to(spot.lamp().light.place.point);
+    let way = surface.place.point.to(lamp.light().place.point);
     let height = way.dot(surface.normal);
     if height <= 0 {
         return Brightness::ZERO;
     }
     let (direction, distance, cosine) = way.direction_length_and_share(height);
-    if blocked_from(
-        world,
-        spot,
-        direction.reversed(),
-        distance,
-        surface.cylinder,
-    ) {
-        return Brightness::ZERO;
-    }
-    surface.sent_on::<H>(direction, cosine)
-}
-
-/// What a surface sends on of a light, wherever both are.
-#[cold]
-#[inline(never)]
-fn strength<W: World, H: Highlight>(world: &W, surface: &Surface<'_>, lamp: &Lamp) -> Brightness {
-    let (way, scale) = surface.place.to(lamp.light.place);
-    let (direction, distance) = way.direction_and_length();
-    let path = Path::new(surface.place, direction);
-    if surface.normal.dot(direction) <= Unit::ZERO
-        || blocked(world, &path, surface.shape, lamp, distance, scale)
+    let back = direction.reversed();
+    if W::NEEDS.shadows
+        && blocked_from(
+            world,
+            (lamp, index),
+            back,
+            distance,
+            surface.cylinder(world),
+        )
     {
         return Brightness::ZERO;
     }
+    surface.sent_on::<W, H>(world, direction, cosine)
+}
+
+/// What a surface sends on of a light, wherever both are; rarely asked.
+#[cold]
+#[inline(never)]
+fn strength<W: World, Q: Quality, H: Highlight>(
+    world: &W,
+    surface: &Surface<'_>,
+    light: (&PreparedLight, usize),
+) -> Brightness {
+    general_strength::<W, Q, H>(world, surface, light)
+}
+
+/// What a surface sends on of a light, wherever both are.
+#[inline(always)]
+fn general_strength<W: World, Q: Quality, H: Highlight>(
+    world: &W,
+    surface: &Surface<'_>,
+    (light, index): (&PreparedLight, usize),
+) -> Brightness {
+    let (way, scale) = surface.place.to(light.place);
+    let (direction, distance) = way.direction_and_length();
+    let path = Path::new(surface.place, direction);
+    if surface.normal.dot(direction) <= Unit::ZERO {
+        return Brightness::ZERO;
+    }
+    let is_blocked = if !W::NEEDS.shadows {
+        false
+    } else if Q::IS_SMALL {
+        far::ends_before(world, &path, surface.left(world), distance, scale)
+    } else {
+        let cells = match W::NEEDS.sets {
+            true => world.cells().get(index),
+            false => None,
+        };
+        let light = (light.place, cells);
+        blocked(world, &path, surface.shape, light, distance, scale)
+    };
+    if is_blocked {
+        return Brightness::ZERO;
+    }
     let cosine = surface.normal.short_dot(direction).max(Unit::ZERO);
-    surface.sent_on::<H>(direction, cosine)
+    surface.sent_on::<W, H>(world, direction, cosine)
 }
 
 impl Surface<'_> {
     /// diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ, for a light in a direction above the surface, and its n·l.
     #[inline(always)]
-    fn sent_on<H: Highlight>(&self, light: Direction, cosine: Unit) -> Brightness {
-        let material = self.material;
+    fn sent_on<W: World, H: Highlight>(
+        &self,
+        world: &W,
+        light: Direction,
+        cosine: Unit,
+    ) -> Brightness {
+        let material = self.material(world);
         let strength = lit(cosine, material.diffuse);
-        if material.specular == Brightness::ZERO {
+        if !W::NEEDS.highlights || material.specular == Brightness::ZERO {
             return strength;
         }
         let cosines = Cosines {
@@ -323,11 +435,8 @@ impl Surface<'_> {
             viewer: self.facing,
             between: Unit::from_bits(-self.view.short_dot(light).to_bits()),
         };
-        strength
-            + lit(
-                H::highlight(&cosines, material.shininess),
-                material.specular,
-            )
+        let highlight = H::highlight(&cosines, material.shininess, W::NEEDS.shininess);
+        strength + lit(highlight, material.specular)
     }
 }
 

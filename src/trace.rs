@@ -8,11 +8,12 @@ use core::marker::PhantomData;
 use crate::color::Sum;
 use crate::number::{Length, Unit, share};
 use crate::quality::{LONGEST_STRIDE, Quality};
-use crate::ray::{Path, Trail};
+use crate::ray::{Path, Place, Trail};
 use crate::scene::World;
 use crate::scene::query::{Hit, ShapeNumber, located, nearest, nearest_bounded};
 use crate::scene::sight::Sight;
 use crate::scene::view::View;
+use crate::scene::{Mirrors, far};
 use crate::shade::{Surface, sealed::Shading};
 use crate::vector::Direction;
 
@@ -56,6 +57,9 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
 }
 
 impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
+    /// Whether every pixel is traced, and nothing is known before about what its ray may meet.
+    pub(crate) const IS_PLAIN: bool = Q::IS_SMALL || !W::NEEDS.places;
+
     #[inline(always)]
     pub(crate) fn new(world: &'a W, view: &'a View, sight: Sight<'a, W>, reflections: u8) -> Self {
         Self {
@@ -71,7 +75,9 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
 
     /// Finds out what the rays of the row can meet; before the first is followed.
     pub(crate) fn look(&mut self) {
-        self.sight.look();
+        if !Self::IS_PLAIN {
+            self.sight.look();
+        }
     }
 
     /// Turns to some columns, which do not begin before those it was turned to.
@@ -106,8 +112,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// went alike.
     #[inline(always)]
     pub(crate) fn stride(&self) -> u32 {
-        let parts = self.world.parts();
-        match Q::STRIDE > 1 && parts.spheres.is_empty() && parts.cylinders.is_empty() {
+        match Q::STRIDE > 1 && !self.world.parts().has_bounded() {
             true => LONGEST_STRIDE,
             false => Q::STRIDE,
         }
@@ -127,42 +132,70 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         let mut reflections = 0;
         let mut is_bent = false;
         loop {
-            let hit = self.nearest(&path, reflections, left, distance, &mut trail);
-            let Some(surface) = surface(world, &path, left, hit, &mut trail) else {
+            let met = self.meet(&path, reflections, left, &mut distance, &mut trail);
+            let Some(surface) = surface(world, &path, met) else {
                 sum.add(weight, K::missed(world));
                 trail.note(u32::MAX);
                 break;
             };
-            trail.note(surface.shape.side(surface.is_inside));
-            let mirror = surface.material.mirror;
-            if !K::REFLECTS || mirror == Unit::ZERO {
-                sum.add(weight, K::color(world, view, &surface, &mut trail));
-                break;
+            if !Q::IS_SMALL {
+                trail.note(surface.shape.side(surface.is_inside));
             }
-            let reflected = share(weight, mirror);
-            if reflected < weight {
-                sum.add(
-                    weight - reflected,
-                    K::color(world, view, &surface, &mut trail),
-                );
+            let reflected = match K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
+                true => share(weight, surface.material(world).mirror),
+                false => Unit::ZERO,
+            };
+            if W::NEEDS.mirrors != Mirrors::All && reflected < weight {
+                let color = K::color::<W, Q>(world, view, &surface, &mut trail);
+                sum.add(weight - reflected, color);
             }
             weight = reflected;
-            if weight < Q::SMALLEST_WEIGHT || reflections >= self.reflections {
+            if weight == Unit::ZERO
+                || weight < Q::SMALLEST_WEIGHT
+                || W::NEEDS.reflections == 0
+                || reflections >= self.reflections
+            {
                 self.cut_off = self.cut_off.max(weight);
                 break;
             }
             reflections += 1;
+            if !W::NEEDS.mirrored {
+                sum.add(weight, K::missed(world));
+                break;
+            }
             is_bent |= !world.parts().is_plane(surface.shape);
             surface.reflect(world, &mut path);
             left = surface.left(world);
-            distance = hit.distance;
         }
         self.rays += reflections + 1;
         let trail = trail.ended(is_bent);
         Traced { sum, trail }
     }
 
-    /// What a path that has been reflected so often meets first.
+    /// What a path that has been reflected so often meets first, and where; how far away, if the path
+    /// is short.
+    #[inline(always)]
+    fn meet(
+        &mut self,
+        path: &Path,
+        reflections: u32,
+        left: ShapeNumber,
+        distance: &mut Length,
+        trail: &mut Trail,
+    ) -> Option<(Place, ShapeNumber)> {
+        let world = self.world;
+        if !W::NEEDS.places {
+            return far::only_plane(world, path);
+        }
+        if Q::IS_SMALL {
+            return far::nearest::<W, true>(world, path, left, trail);
+        }
+        let hit = self.nearest(path, reflections, left, *distance, trail);
+        *distance = hit.distance;
+        located(world, path, left, hit, trail)
+    }
+
+    /// What a path that has been reflected so often meets first if it is short.
     #[inline(always)]
     fn nearest(
         &mut self,
@@ -177,7 +210,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             return Hit::BEYOND;
         }
         let parts = world.parts();
-        let bounded = if parts.spheres.is_empty() && parts.cylinders.is_empty() {
+        let bounded = if !parts.has_bounded() {
             Hit::NONE
         } else if reflections == 0 {
             self.sight.first(world, ray, trail)
@@ -187,7 +220,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
                     let plane = (left, plane);
                     self.sight.mirrored(world, plane, distance, ray, trail)
                 }
-                _ => nearest_bounded(world, ray, Length::from_bits(0), left, trail),
+                _ => nearest_bounded::<W, false>(world, ray, Length::from_bits(0), left, trail),
             }
         };
         nearest(world, ray, left, bounded)
@@ -199,11 +232,9 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
 fn surface<'a, W: World>(
     world: &'a W,
     path: &Path,
-    left: ShapeNumber,
-    hit: Hit,
-    trail: &mut Trail,
+    met: Option<(Place, ShapeNumber)>,
 ) -> Option<Surface<'a>> {
-    let (at, shape) = located(world, path, left, hit, trail)?;
+    let (at, shape) = met?;
     Surface::new(world, at, shape, path.direction())
 }
 

@@ -3,127 +3,13 @@
 //! A [`Point`] and a [`Vector`] hold raw scene steps ([`Length`]); a [`Direction`] holds
 //! Q2.30 and has length one by construction. Knows no ray and no scene.
 
+mod position;
+
+pub use position::Position;
+
 use crate::number::{
-    Length, Number, Unit, high, high_unsigned, reciprocal_root, scaled_by_unit, unit_shift, wide,
+    Length, Unit, high, high_unsigned, reciprocal_root, scaled_by_unit, shifted, unit_shift, wide,
 };
-
-/// Three coordinates of a description: a position, or a normal, axis or view direction that is
-/// not normalised yet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Position(pub [Number; 3]);
-
-impl Position {
-    /// The largest coordinate a description may hold, in scene units: 2³⁰.
-    pub const MAX_COORDINATE: i64 = 1 << 30;
-
-    /// The origin.
-    pub const ORIGIN: Self = Self([Number::ZERO; 3]);
-
-    /// From plain decimal numbers.
-    pub const fn new([x, y, z]: [f64; 3]) -> Self {
-        Self([Number::new(x), Number::new(y), Number::new(z)])
-    }
-
-    /// Whether every coordinate is within ±[`Position::MAX_COORDINATE`].
-    pub const fn is_in_range(self) -> bool {
-        const MAX: i64 = Position::MAX_COORDINATE;
-        let [x, y, z] = self.0;
-        x.is_within(-MAX, MAX) && y.is_within(-MAX, MAX) && z.is_within(-MAX, MAX)
-    }
-
-    /// `self - other`, for coordinates in range.
-    pub(crate) const fn minus(self, other: Self) -> Self {
-        let ([ax, ay, az], [bx, by, bz]) = (self.0, other.0);
-        Self([
-            Number::from_bits(ax.to_bits() - bx.to_bits()),
-            Number::from_bits(ay.to_bits() - by.to_bits()),
-            Number::from_bits(az.to_bits() - bz.to_bits()),
-        ])
-    }
-
-    /// The position as far from `self` as `offset`, a result of [`Position::leading`], is long, in
-    /// another direction.
-    pub(crate) fn plus(self, direction: Direction, (offset, shift): (Vector, i32)) -> Self {
-        let length = i128::from(offset.direction_and_length().1.to_bits());
-        let [x, y, z] = self.0;
-        let moved = |start: Number, unit: Unit| {
-            // Q30 times the length: 60 bits and a shift of -29 to 66.
-            let way = length * i128::from(unit.to_bits());
-            let way = if shift >= 30 {
-                way << (shift - 30)
-            } else {
-                way >> (30 - shift)
-            };
-            Number::from_bits(start.to_bits() + way)
-        };
-        Self([
-            moved(x, direction.x),
-            moved(y, direction.y),
-            moved(z, direction.z),
-        ])
-    }
-
-    /// The largest magnitude of a coordinate, in the bits of a [`Number`].
-    pub(crate) const fn magnitude(self) -> u128 {
-        let [x, y, z] = self.0;
-        max(
-            max(x.to_bits().unsigned_abs(), y.to_bits().unsigned_abs()),
-            z.to_bits().unsigned_abs(),
-        )
-    }
-
-    /// As a vector scaled by the power of two that gives its largest coordinate 29 bits, and
-    /// how far it was shifted right for that; `None` for zero.
-    pub(crate) const fn leading(self) -> Option<(Vector, i32)> {
-        let magnitude = self.magnitude();
-        if magnitude == 0 {
-            return None;
-        }
-        let shift = 128 - magnitude.leading_zeros() as i32 - 29;
-        let [x, y, z] = self.0;
-        let vector = Vector::new(
-            leading_bits(x, shift),
-            leading_bits(y, shift),
-            leading_bits(z, shift),
-        );
-        Some((vector, shift))
-    }
-
-    /// The direction it points in, to the last bit; `None` for zero.
-    pub(crate) const fn direction(self) -> Option<Direction> {
-        match self.leading() {
-            Some((vector, _)) => Some(vector.precise_direction()),
-            None => None,
-        }
-    }
-}
-
-const fn max(a: u128, b: u128) -> u128 {
-    if a > b { a } else { b }
-}
-
-/// `number` · 2^-`shift`, rounded to nearest.
-const fn leading_bits(number: Number, shift: i32) -> i32 {
-    let bits = number.to_bits();
-    if shift > 0 {
-        ((bits + (1 << (shift - 1))) >> shift) as i32
-    } else {
-        (bits << -shift) as i32
-    }
-}
-
-impl<N: Into<Number>> From<[N; 3]> for Position {
-    fn from(coordinates: [N; 3]) -> Self {
-        Self(coordinates.map(Into::into))
-    }
-}
-
-#[cfg(feature = "micromath")]
-impl From<micromath::vector::F32x3> for Position {
-    fn from(vector: micromath::vector::F32x3) -> Self {
-        Self::from([vector.x, vector.y, vector.z])
-    }
-}
 
 /// A place in the scene, in raw scene steps from its middle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -332,7 +218,7 @@ impl Direction {
         Vector::new(self.x.to_bits(), self.y.to_bits(), self.z.to_bits())
     }
 
-    const fn from_raw(raw: Vector) -> Self {
+    pub const fn from_raw(raw: Vector) -> Self {
         Self {
             x: Unit::from_bits(raw.x),
             y: Unit::from_bits(raw.y),
@@ -417,7 +303,7 @@ impl Direction {
     /// The way of `length` steps along it, below 2³⁰, each coordinate rounded down to an even
     /// number: half the instructions.
     #[inline(always)]
-    const fn scaled(self, length: i32) -> Vector {
+    pub const fn scaled(self, length: i32) -> Vector {
         let twice = length << 1;
         Vector::new(
             high(twice, self.x.to_bits()) << 1,
@@ -454,9 +340,9 @@ impl Direction {
         let shift = bits - 29;
         Some((
             Vector::new(
-                (x >> shift) as i32,
-                (y >> shift) as i32,
-                (z >> shift) as i32,
+                shifted(x, -(shift as i32)) as i32,
+                shifted(y, -(shift as i32)) as i32,
+                shifted(z, -(shift as i32)) as i32,
             ),
             shift,
         ))

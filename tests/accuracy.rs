@@ -11,7 +11,7 @@ use reflet::host::reference::{self, render};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
 use reflet::{
     BlinnPhong, Camera, Fast, Fine, Material, Normals, Phong, Quality, Scene, SceneBuilder,
-    Shading, StaticFrame,
+    Shading, Small, StaticFrame,
 };
 
 const SIDE: u32 = 320;
@@ -38,6 +38,12 @@ const FINE: Bar = Bar {
     same: 0.998,
     within1: 0.999,
     psnr: 55.0,
+};
+
+/// At least as near as the fast one.
+const SMALL: Bar = Bar {
+    name: "small",
+    ..FAST
 };
 
 const NORMALS: Bar = Bar {
@@ -97,6 +103,7 @@ impl<K: Shading> Visitor for Check<K> {
             _ => vec![
                 (FAST, difference::<S, Fast, K>(&truth)),
                 (FINE, difference::<S, Fine, K>(&truth)),
+                (SMALL, difference::<S, Small, K>(&truth)),
             ],
         };
         let missed = bars

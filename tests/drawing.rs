@@ -14,11 +14,8 @@ use embedded_graphics::pixelcolor::{
 use embedded_graphics::prelude::{Point, PointsIter, Size};
 use embedded_graphics::primitives::Rectangle;
 use painting::painted;
-use reflet::scenes::{BuiltIn, Mirror1, NAMES, Primitives, Visitor, visit};
-use reflet::{
-    Description, Fine, Material, Number, Phong, Picture, Quality, Report, RuntimeScene, Shading,
-    Static, StaticFrame, Unit, World,
-};
+use reflet::scenes::{BuiltIn, Mirror1, Primitives};
+use reflet::{Material, Number, Picture, Quality, Report, RuntimeScene, Static, StaticFrame, Unit};
 
 /// A display that remembers what it is told, in order, and fails at the call it is told to.
 struct Recorder<C> {
@@ -450,76 +447,6 @@ fn fast_picture_takes_fewer_rays_than_it_has_pixels() {
         (64 * 48 / 4..64 * 48 * 3 / 4).contains(&report.rays),
         "{report:?}"
     );
-}
-
-/// Fills a run-time scene of every built-in scene's size from its description, and paints both.
-struct Twice;
-
-type Largest = RuntimeScene<64, 8, 32, 8, 16>;
-
-fn refilled(description: &Description<'_>) -> Largest {
-    let mut scene = Largest::new();
-    let materials = description.materials.iter().map(|material: &Material| {
-        let [ambient, diffuse, specular, shininess, mirror] = material.described_coefficients();
-        let highlight = (specular, shininess);
-        let color = material.described_color();
-        Material::from_numbers(color, ambient, diffuse, highlight, mirror).unwrap()
-    });
-    let ids: Vec<_> = materials
-        .map(|material| scene.add_material(material).unwrap())
-        .collect();
-    for sphere in description.spheres {
-        let id = ids[sphere.material.index()];
-        scene.add_sphere(sphere.center, sphere.radius, id).unwrap();
-    }
-    for plane in description.planes {
-        let id = ids[plane.material.index()];
-        scene.add_plane(plane.point, plane.normal, id).unwrap();
-    }
-    for tube in description.cylinders {
-        let id = ids[tube.material.index()];
-        scene
-            .add_cylinder(tube.center, tube.axis, tube.radius, tube.height, id)
-            .unwrap();
-    }
-    for light in description.lights {
-        scene.add_light(light.position, light.color).unwrap();
-    }
-    scene.set_background(description.background).unwrap();
-    scene.set_epsilon(description.epsilon).unwrap();
-    scene.set_camera(description.camera.unwrap());
-    scene
-}
-
-fn assert_same<A, B, Q, K>(name: &str, a: &Picture<A, Q, K>, b: &Picture<B, Q, K>)
-where
-    A: World,
-    B: World,
-    Q: Quality,
-    K: Shading,
-{
-    assert!(painted(a) == painted(b), "{name}");
-}
-
-impl Visitor for Twice {
-    type Output = ();
-
-    fn visit<S: BuiltIn>(self) {
-        let scene = S::with_description(|description| refilled(&description).build().unwrap());
-        let size = Size::new(80, 60);
-        let (fixed, filled) = (S::frame(&S::CAMERA), scene.frame(&S::CAMERA));
-        assert_same(S::NAME, &fixed.sized(size), &filled.sized(size));
-        let (fixed, filled) = (fixed.quality::<Fine>(), filled.quality::<Fine>());
-        let (fixed, filled) = (fixed.shading::<Phong>(), filled.shading::<Phong>());
-        assert_same(S::NAME, &fixed.sized(size), &filled.sized(size));
-    }
-}
-
-#[test]
-fn scene_in_flash_and_scene_filled_at_run_time_give_the_same_picture() {
-    for name in NAMES {
-        visit(name, Twice).unwrap();
-    }
 }
 
 #[test]

@@ -46,7 +46,7 @@ pub struct Arguments {
         long,
         default_value = "fast",
         hide_possible_values = true,
-        value_name = "fast|fine"
+        value_name = "fast|fine|small"
     )]
     pub quality: Quality,
 
@@ -65,6 +65,10 @@ pub struct Arguments {
     /// Print the error of fixed point against the reference
     #[arg(long)]
     pub check: bool,
+
+    /// Print what the scene needs of the library, what is left out and why; draw nothing
+    #[arg(long, conflicts_with_all = ["out", "raw", "reference", "check", "window"])]
+    pub needs: bool,
 
     /// Print one line of JSON and nothing else
     #[arg(long)]
@@ -86,6 +90,7 @@ pub enum Shading {
 pub enum Quality {
     Fast,
     Fine,
+    Small,
 }
 
 impl Arguments {
@@ -143,6 +148,7 @@ impl Quality {
         match self {
             Self::Fast => "fast",
             Self::Fine => "fine",
+            Self::Small => "small",
         }
     }
 }
@@ -177,13 +183,14 @@ Built-in scenes: {}.
 
 A name with a dot or a slash in it is a file: JSON, one scene or an array of scenes.
 
-With none of --out, --raw, --check, --json and --window the picture is written to NAME.png in the
+With none of --out, --raw, --check, --json, --needs and --window the picture is written to NAME.png in the
 current folder, or to NAME-2.png and so on where that exists. No file is written over: --out and
 --raw refuse one that exists.
 
 --json prints the keys scene, size, reflections, shading, quality (`reference` where fixed point
 is not rendered) and seconds (for the picture alone), and with --check same, within1, within8
-(shares of the pixels, from 0 to 1), psnr (in dB, null where the pictures are the same) and max.
+(shares of the pixels, from 0 to 1), psnr (in dB, null where the pictures are the same) and max;
+with --needs it prints scene, quality and needs, a list of name, is_needed and why.
 
 In the window the arrow keys move the camera around its target, + and - change the number of
 reflections, Tab shows the next scene and Escape leaves.

@@ -6,7 +6,7 @@ use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
-use reflet::{BlinnPhong, Fine, Frame, Normals, Phong, Report, World};
+use reflet::{BlinnPhong, Fine, Frame, Normals, Phong, Report, Small, World};
 
 use crate::arguments::{Quality, Shading};
 
@@ -29,6 +29,7 @@ pub fn draw<W: World + Copy>(
     match settings.quality {
         Quality::Fast => shaded(frame, settings.shading, display, rows),
         Quality::Fine => shaded(frame.quality::<Fine>(), settings.shading, display, rows),
+        Quality::Small => shaded(frame.quality::<Small>(), settings.shading, display, rows),
     }
 }
 

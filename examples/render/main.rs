@@ -5,6 +5,7 @@
 mod arguments;
 mod draw;
 mod file;
+mod needs;
 mod output;
 mod picture;
 mod progress;
@@ -42,6 +43,16 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(format!("--window needs the feature `window`: {call}").into());
     }
     let source = Source::open(&arguments.scene, arguments.chosen.as_deref())?;
+    if arguments.needs {
+        let (name, settings) = (source.name(), arguments.settings());
+        let say = if arguments.json {
+            needs::json
+        } else {
+            needs::text
+        };
+        writeln!(io::stdout(), "{}", say(name, source.needs(), settings))?;
+        return Ok(());
+    }
     let outputs = Outputs::new(arguments, source.name())?;
     if outputs.are_wanted() {
         let drawing = Drawing::new(&source, arguments)?;

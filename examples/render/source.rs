@@ -8,7 +8,7 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::host::file::{FileError, FileScene, Problem, SceneFile};
 use reflet::host::reference;
 use reflet::scenes::{self, BuiltIn, Visitor};
-use reflet::{Camera, Report, StaticFrame};
+use reflet::{Camera, Needs, Report};
 
 use crate::Failure;
 use crate::draw::{Settings, draw};
@@ -79,6 +79,14 @@ impl Source {
         }
     }
 
+    /// What the scene needs of the library.
+    pub fn needs(&self) -> Needs {
+        match &self.kind {
+            Kind::BuiltIn => self.visit(Derive),
+            Kind::File(_, scene) => scene.needs(),
+        }
+    }
+
     /// Draws the scene in fixed point, counting rows.
     pub fn draw(
         &self,
@@ -119,6 +127,16 @@ impl Visitor for Describe {
     fn visit<S: BuiltIn>(self) -> Self::Output {
         let scene = S::with_description(|description| reference::Scene::from(&description));
         (scene, reference::Camera::from(&S::CAMERA.description()))
+    }
+}
+
+struct Derive;
+
+impl Visitor for Derive {
+    type Output = Needs;
+
+    fn visit<S: BuiltIn>(self) -> Needs {
+        Needs::of::<S>()
     }
 }
 

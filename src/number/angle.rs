@@ -21,7 +21,7 @@ const HALF_DEGREE: i128 = 10_061_138_136_218_226;
 /// can be held.
 pub const fn cotangent_of_half(degrees: Number) -> Option<Scaled> {
     // Q64 · Q60 >> 64 = Q60
-    let angle = ((degrees.to_bits() >> 4) * HALF_DEGREE) >> 60;
+    let angle = (((degrees.to_bits() >> 4) * HALF_DEGREE) >> 60) as i64;
     let (sine, cosine) = sine_and_cosine(angle);
     if sine <= 1 << 20 || cosine <= 1 << 20 {
         return None;
@@ -39,12 +39,14 @@ pub const fn cotangent_of_half(degrees: Number) -> Option<Scaled> {
     })
 }
 
-/// Sine and cosine of any angle in degrees, rounded down to 2⁻³⁰.
+/// Sine and cosine of an angle within ±2³¹ degrees, rounded down to 2⁻³⁰.
+#[inline(never)]
 pub const fn sine_and_cosine_of(degrees: Number) -> (Unit, Unit) {
-    const QUARTER: i128 = 90 << 64;
-    let quarters = degrees.to_bits().div_euclid(QUARTER);
-    let rest = degrees.to_bits().rem_euclid(QUARTER);
-    let (sine, cosine) = sine_and_cosine(((rest >> 4) * 2 * HALF_DEGREE) >> 60);
+    let whole = (degrees.to_bits() >> 64) as i32;
+    let quarters = whole.div_euclid(90);
+    // What is left of a quarter, in Q56.
+    let rest = (whole.rem_euclid(90) as i64) << 56 | (degrees.to_bits() as u64 >> 8) as i64;
+    let (sine, cosine) = sine_and_cosine(((rest as i128 * 2 * HALF_DEGREE) >> 56) as i64);
     let (sine, cosine) = ((sine >> 30) as i32, (cosine >> 30) as i32);
     let (sine, cosine) = match quarters.rem_euclid(4) {
         0 => (sine, cosine),
@@ -55,18 +57,42 @@ pub const fn sine_and_cosine_of(degrees: Number) -> (Unit, Unit) {
     (Unit::from_bits(sine), Unit::from_bits(cosine))
 }
 
-/// Taylor series in Q60 for an angle from 0 to π/2: 26 terms, the next is below 2⁻⁶⁰.
-const fn sine_and_cosine(angle: i128) -> (i128, i128) {
-    let mut sums = [1_i128 << 60, 0];
-    let mut term = 1_i128 << 60;
+/// 1 / i in Q60, but for the first.
+static RECIPROCALS: [i64; 32] = {
+    let mut reciprocals = [0; 32];
     let mut order = 1;
-    while order < 26 {
-        term = ((term * angle) >> 60) / order;
-        let index = (order % 2) as usize;
-        sums[index] += if order % 4 < 2 { term } else { -term };
+    while order < 32 {
+        reciprocals[order as usize] = (1 << 60) / order;
         order += 1;
     }
-    (sums[1], sums[0])
+    reciprocals
+};
+
+/// The product of two Q60 numbers.
+#[inline(never)]
+const fn q60(a: i64, b: i64) -> i64 {
+    ((a as i128 * b as i128) >> 60) as i64
+}
+
+/// Taylor series in Q60 for an angle from 0 to π/2, to the first term below 2⁻⁶⁰: 26 at most.
+#[inline(never)]
+const fn sine_and_cosine(angle: i64) -> (i64, i64) {
+    let (mut sine, mut cosine) = (0, 1 << 60);
+    let mut term = 1_i64 << 60;
+    let mut order = 1;
+    loop {
+        term = q60(q60(term, angle), RECIPROCALS[order % 32]);
+        if term == 0 {
+            return (sine, cosine);
+        }
+        match order % 4 {
+            0 => cosine += term,
+            1 => sine += term,
+            2 => cosine -= term,
+            _ => sine -= term,
+        }
+        order += 1;
+    }
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ mod zeros;
 
 pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;
-pub use power::{Exponent, even_power, power};
+pub use power::{Exponent, even_power, power, whole_power};
 pub use product::{high, high_unsigned, wide, wide_unsigned};
 pub use root::{Quotient, divide, ratio, reciprocal_root, root_of_unit, square_root, unit_shift};
 pub use zeros::leading_zeros;
@@ -60,6 +60,18 @@ pub const fn steps(step: i64, count: u32) -> i64 {
     let count = count & 0xffff;
     let high = ((step >> 32) as u32).wrapping_mul(count);
     wide_unsigned(step as u32, count).wrapping_add((high as u64) << 32) as i64
+}
+
+/// `value` · 2^`exponent`, rounded down, for exponents from -63 on; the result must fit.
+///
+/// Out of line: for where it is rare, and a shift of 64 bits is long.
+#[inline(never)]
+pub const fn shifted(value: i64, exponent: i32) -> i64 {
+    if exponent >= 0 {
+        value << exponent
+    } else {
+        value >> -exponent
+    }
 }
 
 /// The product of two unit numbers, rounded down to Q2.30.

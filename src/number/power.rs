@@ -18,7 +18,13 @@ impl Exponent {
     /// Whether it is an even number.
     #[inline(always)]
     pub const fn is_even(self) -> bool {
-        self.fraction == 0 && self.whole & 1 == 0
+        self.is_whole() && self.whole & 1 == 0
+    }
+
+    /// Whether it is a whole number.
+    #[inline(always)]
+    pub const fn is_whole(self) -> bool {
+        self.fraction == 0
     }
 
     /// The largest exponent: 2²⁰.
@@ -40,7 +46,7 @@ impl Exponent {
 /// The error is below (exponent + 4) · 2⁻²⁸.
 #[inline(always)]
 pub const fn power(base: Unit, exponent: Exponent) -> Unit {
-    let whole = whole_power(base, exponent.whole);
+    let whole = repeated(base, exponent.whole);
     if exponent.fraction == 0 {
         whole
     } else {
@@ -51,12 +57,18 @@ pub const fn power(base: Unit, exponent: Exponent) -> Unit {
 /// The power of a base whose square is `square`, for an even exponent: no root is needed.
 #[inline(always)]
 pub const fn even_power(square: Unit, exponent: Exponent) -> Unit {
-    whole_power(square, exponent.whole / 2)
+    repeated(square, exponent.whole / 2)
 }
 
-/// In Q0.32, where a product is the high word of one.
+/// The same as [`power`], for an exponent that is a whole number.
 #[inline(always)]
-const fn whole_power(base: Unit, exponent: u32) -> Unit {
+pub const fn whole_power(base: Unit, exponent: Exponent) -> Unit {
+    repeated(base, exponent.whole)
+}
+
+/// By repeated squaring in Q0.32, where a product is the high word of one.
+#[inline(always)]
+const fn repeated(base: Unit, exponent: u32) -> Unit {
     let base = base.to_bits();
     if base >= 1 << 30 || exponent == 0 {
         return Unit::ONE;

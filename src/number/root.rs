@@ -7,13 +7,18 @@
 
 use super::{Unit, high, high_unsigned, leading_zeros};
 
-/// Entry i is 2¹⁶ / √(x) at the middle of x = i/256 .. (i+1)/256; x is 1 to 4, so the
-/// first quarter is never read and only keeps the index provably inside.
+/// Entry i is 2¹⁶ / √x at the middle of x = i/256 .. (i+1)/256, where x is 1 to 4. The first quarter
+/// of it is not needed for that, and holds 2¹⁶ / x at the middle of x = 1 + i/256 .. 1 + (i + 1)/256.
 static TABLE: [u16; 1024] = table();
 
 const fn table() -> [u16; 1024] {
-    let mut entries = [u16::MAX; 1024];
-    let mut index = 256;
+    let mut entries = [0; 1024];
+    let mut index = 0;
+    while index < 256 {
+        let middle = 2 * (256 + index as u32) + 1;
+        entries[index] = (((1 << 25) + middle / 2) / middle) as u16;
+        index += 1;
+    }
     while index < 1024 {
         // 2^16 / √((2 index + 1) / 512) = √(2^41 / (2 index + 1))
         let square = (1_u64 << 41) * 4 / (2 * index as u64 + 1);
@@ -90,25 +95,11 @@ pub const fn root_of_unit(square: Unit) -> Unit {
     Unit::from_bits(root as i32)
 }
 
-/// Entry i is 2¹⁶ / x at the middle of x = 1 + i/256 .. 1 + (i + 1)/256.
-static RECIPROCALS: [u16; 256] = reciprocals();
-
-const fn reciprocals() -> [u16; 256] {
-    let mut entries = [0; 256];
-    let mut index = 0;
-    while index < 256 {
-        let middle = 2 * (256 + index as u32) + 1;
-        entries[index] = (((1 << 25) + middle / 2) / middle) as u16;
-        index += 1;
-    }
-    entries
-}
-
 /// 2³² / x for x = `mantissa` · 2⁻³¹ in 1 to 2, with a relative error below 2⁻²⁶.
 ///
 /// From the table by one step of third order, y₀ (1 + e + e²) with e = 1 - x y₀ below 2⁻⁹.
 const fn reciprocal(mantissa: u32) -> u32 {
-    let start = RECIPROCALS[(mantissa >> 23) as usize & 0xff] as u32;
+    let start = TABLE[(mantissa >> 23) as usize & 0xff] as u32;
     let error = (1_u32 << 31).wrapping_sub(high_unsigned(mantissa, start << 16)) as i32;
     let coarse = error >> 8;
     let correction = error + ((coarse * coarse) >> 15);

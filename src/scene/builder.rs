@@ -38,7 +38,6 @@ pub struct SceneBuilder<
     lights: [Light; L],
     materials: [Material; M],
     counts: Counts,
-    material_count: usize,
     background: [Number; 3],
     epsilon: Number,
     camera: Option<Camera>,
@@ -61,8 +60,8 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
                 planes: 0,
                 cylinders: 0,
                 lights: 0,
+                materials: 0,
             },
-            material_count: 0,
             background: [Number::ZERO; 3],
             epsilon: Number::new(EPSILON),
             camera: None,
@@ -164,7 +163,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             planes: self.planes.split_at(self.counts.planes).0,
             cylinders: self.cylinders.split_at(self.counts.cylinders).0,
             lights: self.lights.split_at(self.counts.lights).0,
-            materials: self.materials.split_at(self.material_count).0,
+            materials: self.materials.split_at(self.counts.materials).0,
             background: self.background,
             epsilon: self.epsilon,
             camera: self.camera,
@@ -182,7 +181,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     /// The number of a material, which is kept once however often it is used.
     const fn id_of(&mut self, material: Material) -> MaterialId {
         let mut index = 0;
-        while index < self.material_count {
+        while index < self.counts.materials {
             if self.materials[index].same(&material) {
                 return MaterialId(index as u16);
             }
@@ -190,7 +189,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         }
         refuse_when(index == M, Fault::TooManyMaterials);
         self.materials[index] = material;
-        self.material_count += 1;
+        self.counts.materials += 1;
         MaterialId(index as u16)
     }
 }

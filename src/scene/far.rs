@@ -6,57 +6,99 @@
 
 use super::World;
 use super::mask::Mask;
-use super::query::{Hit, NOWHERE, ShapeNumber, blocked_by_bounded, nearest_bounded, planes_but};
-use crate::number::{Length, square_root};
+use super::query::{NOWHERE, ShapeNumber, blocked_by_bounded, nearest_bounded, planes_but};
+use crate::number::{Length, shifted, square_root, wide};
 use crate::ray::{BALL, Path, Place, REACH, Ray, Trail};
-use crate::vector::Point;
+use crate::shape::plane::NOT_MET;
 
 /// Places further out than this scale see the ball as a point and are not followed.
 const FURTHEST_SCALE: u32 = 32;
 
-/// The nearest plane of any distance below 2⁶² steps, and that distance.
+/// The nearest plane of any distance below 2⁶² steps, and that distance; [`NOT_MET`] if there is none.
+#[inline(always)]
+fn nearest_plane<W: World>(world: &W, path: &Path, left: ShapeNumber) -> (u64, ShapeNumber) {
+    let mut nearest = (NOT_MET, ShapeNumber::NONE);
+    for (number, plane) in planes_but(world, left) {
+        let distance = plane.intersect_far(path);
+        if distance < nearest.0 {
+            nearest = (distance, number);
+        }
+    }
+    nearest
+}
+
+/// What a path that has left the shape `left` meets first, wherever it starts, how far away, and
+/// where.
 #[cold]
-fn nearest_plane<W: World>(
+#[inline(never)]
+fn nearest_at<W: World, const SMALL: bool>(
     world: &W,
     path: &Path,
     left: ShapeNumber,
+    trail: &mut Trail,
 ) -> Option<(u64, Place, ShapeNumber)> {
-    let (distance, shape) = planes_but(world, left)
-        .filter_map(|(number, plane)| Some((plane.intersect_far(path)?, number)))
-        .min_by_key(|(distance, _)| *distance)?;
-    Some((distance, place_along(path, distance)?, shape))
+    let plane = nearest_plane(world, path, left);
+    if world.parts().has_bounded() {
+        let start = match path.from().is_near() {
+            true => Some((path.ray, 0)),
+            false => into_ball(path),
+        };
+        if let Some((ray, skipped)) = start {
+            let hit = nearest_bounded::<W, SMALL>(world, &ray, NOWHERE, left, trail);
+            let distance = skipped + hit.distance.to_bits() as u64;
+            if hit.shape != ShapeNumber::NONE && distance < plane.0 {
+                let at = Place::new(ray.origin.along(ray.direction, hit.distance), 0);
+                return Some((distance, at, hit.shape));
+            }
+        }
+    }
+    let (distance, shape) = plane;
+    if distance == NOT_MET {
+        return None;
+    }
+    // Where no ball is entered, less will do.
+    let at = match world.parts().has_bounded() {
+        true => place_along(path, distance)?,
+        false => coarse_place_along(path, distance),
+    };
+    Some((distance, at, shape))
 }
 
 /// What a path that has left the shape `left` meets first, wherever it starts, and where.
-#[cold]
-#[inline(never)]
-pub(crate) fn nearest<W: World>(
+#[inline(always)]
+pub(crate) fn nearest<W: World, const SMALL: bool>(
     world: &W,
     path: &Path,
     left: ShapeNumber,
     trail: &mut Trail,
 ) -> Option<(Place, ShapeNumber)> {
-    let plane = nearest_plane(world, path, left);
-    let start = match path.from().is_near() {
-        true => Some((path.ray, 0)),
-        false => into_ball(path),
-    };
-    let bounded = start.and_then(|(ray, skipped)| {
-        let Hit { distance, shape } = nearest_bounded(world, &ray, NOWHERE, left, trail);
-        let at = Place::new(ray.origin.along(ray.direction, distance), 0);
-        (shape != ShapeNumber::NONE).then_some((skipped + distance.to_bits() as u64, at, shape))
-    });
-    let nearest = match (plane, bounded) {
-        (Some(plane), Some(bounded)) => {
-            if plane.0 <= bounded.0 {
-                plane
-            } else {
-                bounded
-            }
-        }
-        (plane, bounded) => plane.or(bounded)?,
-    };
-    Some((nearest.1, nearest.2))
+    let (_, at, shape) = nearest_at::<W, SMALL>(world, path, left, trail)?;
+    Some((at, shape))
+}
+
+/// Whether a path that has left the shape `left` meets anything more than epsilon before a light that
+/// is `distance` · 2^`scale` steps away.
+#[inline(always)]
+pub(crate) fn ends_before<W: World>(
+    world: &W,
+    path: &Path,
+    left: ShapeNumber,
+    distance: Length,
+    scale: u32,
+) -> bool {
+    let epsilon = world.parts().epsilon.to_bits() >> scale.min(31);
+    let reach = (distance.to_bits() - epsilon).max(0);
+    let reach = shifted(reach.into(), scale.min(FURTHEST_SCALE) as i32) as u64;
+    nearest_at::<W, true>(world, path, left, &mut Trail::new())
+        .is_some_and(|(distance, ..)| distance < reach)
+}
+
+/// Whether a path meets the only shape of a scene, which is a plane; not where, for that does not
+/// matter.
+#[inline(always)]
+pub(crate) fn only_plane<W: World>(world: &W, path: &Path) -> Option<(Place, ShapeNumber)> {
+    let (number, plane) = planes_but(world, ShapeNumber::NONE).next()?;
+    plane.is_ahead(path).then_some((path.from(), number))
 }
 
 /// Whether a path is blocked on its way to a light, one of them far.
@@ -83,11 +125,11 @@ pub(super) fn blocked<W: World>(
         return false;
     };
     // The ball may begin behind the light.
-    let total = u128::from(reach.to_bits() as u32) << scale.min(64);
-    let Some(rest) = total.checked_sub(u128::from(skipped)) else {
+    let total = (reach.to_bits() as u64) << scale.min(FURTHEST_SCALE);
+    let Some(rest) = total.checked_sub(skipped) else {
         return false;
     };
-    let rest = rest.min(REACH.to_bits() as u128) as i32;
+    let rest = rest.min(REACH.to_bits() as u64) as i32;
     let reach = if light.is_near() {
         // Finer than what is left of a far distance.
         let (_, rest) = ray.origin.to(light.point).direction_and_length();
@@ -127,31 +169,37 @@ fn into_ball(path: &Path) -> Option<(Ray, u64)> {
 }
 
 /// The place `distance` (below 2⁶²) steps along a path.
+#[inline(never)]
 fn place_along(path: &Path, distance: u64) -> Option<Place> {
-    let Place {
-        point: Point { x, y, z },
-        scale,
-    } = path.from();
+    let Place { point, scale } = path.from();
     if scale > FURTHEST_SCALE {
         return None;
     }
     let excess = 64_u32.saturating_sub(distance.leading_zeros() + 31);
-    let leading = (distance >> excess) as i64;
-    let [dx, dy, dz] = path.direction().components();
-    let coordinate = |start: i32, unit: crate::number::Unit| {
-        let way = leading * i64::from(unit.to_bits());
-        let way = if excess < 30 {
-            way >> (30 - excess)
-        } else {
-            way << (excess - 30)
-        };
-        (i64::from(start) << scale).saturating_add(way)
-    };
+    let leading = (distance >> excess) as i32;
+    let [x, y, z] = path.direction().components();
+    let up = excess as i32 - 30;
     Some(Place::from_wide([
-        coordinate(x, dx),
-        coordinate(y, dy),
-        coordinate(z, dz),
+        sum((point.x, scale), wide(leading, x.to_bits()), up),
+        sum((point.y, scale), wide(leading, y.to_bits()), up),
+        sum((point.z, scale), wide(leading, z.to_bits()), up),
     ]))
+}
+
+/// The same but for 2⁻²⁶ of start and distance: in the coarser of its own steps and those of the start.
+fn coarse_place_along(path: &Path, distance: u64) -> Place {
+    let Place { point, scale } = path.from();
+    let excess = 64_u32.saturating_sub(distance.leading_zeros() + 30);
+    let common = excess.max(scale);
+    let distance = Length::from_bits((distance >> common) as i32);
+    let start = point.coarser((common - scale).min(31));
+    Place::new(start.along(path.direction(), distance), common)
+}
+
+/// `start` · 2^`scale` + `way` · 2^`up`: below 2⁶¹ + 2⁶².
+#[inline(never)]
+fn sum((start, scale): (i32, u32), way: i64, up: i32) -> i64 {
+    (i64::from(start) << scale) + shifted(way, up)
 }
 
 #[cfg(test)]

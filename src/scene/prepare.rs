@@ -1,7 +1,7 @@
 //! Checks a description and lays it on its grid: integers only, by the compiler or at run time.
 
 use super::cells::Cells;
-use super::{Counts, Description, Scene, SceneError, Spot, used};
+use super::{Counts, Description, Lamp, Scene, SceneError, used};
 use crate::color::Color;
 use crate::fault::Fault;
 use crate::grid::Grid;
@@ -119,13 +119,16 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             spheres: [PreparedSphere::NONE; S],
             planes: [PreparedPlane::NONE; P],
             cylinders: [PreparedCylinder::NONE; C],
-            lamps: [Spot::NONE; L],
+            lights: [PreparedLight::NONE; L],
+            cells: [Cells::ALL; L],
+            lamps: [Lamp::NONE; L],
             materials: [PreparedMaterial::NONE; M],
             counts: Counts {
                 spheres: scene.spheres.len(),
                 planes: scene.planes.len(),
                 cylinders: scene.cylinders.len(),
                 lights: scene.lights.len(),
+                materials: scene.materials.len(),
             },
             background: Color::from_numbers(scene.background),
             epsilon,
@@ -177,29 +180,31 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     /// Prepares a light; the shapes are prepared.
     const fn add_light(&mut self, index: usize, light: &Light) {
         let place = self.grid.place(light.position);
-        let mut spot = Spot::NONE;
-        spot.lamp.light = PreparedLight {
+        let mut lamp = Lamp::NONE;
+        let mut prepared = PreparedLight {
             place,
             color: Color::from_numbers(light.color),
+            is_plain: place.is_near(),
         };
         if place.is_near() {
             let spheres = used(&self.spheres, self.counts.spheres);
             let cylinders = used(&self.cylinders, self.counts.cylinders);
-            spot.lamp.cells = Cells::around(place.point, spheres, cylinders);
-            spot.lamp.is_plain = true;
+            self.cells[index] = Cells::around(place.point, spheres, cylinders);
             let mut shape = 0;
             while shape < spheres.len() && shape < S {
-                spot.spheres[shape] = spheres[shape].seen_from(place.point);
-                spot.lamp.is_plain &= !spot.spheres[shape].is_around();
+                lamp.spheres[shape] = spheres[shape].seen_from(place.point);
+                prepared.is_plain &= !lamp.spheres[shape].is_around();
                 shape += 1;
             }
             shape = 0;
             while shape < cylinders.len() && shape < C {
-                spot.cylinders[shape] = cylinders[shape].seen_from(place.point);
+                lamp.cylinders[shape] = cylinders[shape].seen_from(place.point);
                 shape += 1;
             }
         }
-        self.lamps[index] = spot;
+        lamp.light = prepared;
+        self.lamps[index] = lamp;
+        self.lights[index] = prepared;
     }
 }
 

@@ -1,7 +1,8 @@
 //! What a ray asks the scene: what it meets first, and whether it is blocked before a light.
 
+use super::cells::Cells;
 use super::mask::Mask;
-use super::{Lamp, LampParts, Parts, World, far};
+use super::{Lamps, Parts, World, far};
 use crate::number::Length;
 use crate::ray::{Path, Place, REACH, Ray, Trail, spread};
 use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
@@ -40,6 +41,13 @@ impl ShapeNumber {
 impl Parts<'_> {
     pub(super) fn cylinder_number(&self, index: usize) -> ShapeNumber {
         ShapeNumber((self.spheres.len() + index) as u32)
+    }
+
+    /// Where a cylinder stands among the cylinders.
+    #[inline(always)]
+    pub(crate) fn cylinder_index(&self, shape: ShapeNumber) -> Option<usize> {
+        let index = (shape.0 as usize).checked_sub(self.spheres.len())?;
+        (index < self.cylinders.len()).then_some(index)
     }
 
     /// The number that the planes begin with.
@@ -217,7 +225,7 @@ pub(crate) fn located<W: World>(
             return Some((at, hit.shape));
         }
     }
-    far::nearest(world, path, left, trail)
+    far::nearest::<W, false>(world, path, left, trail)
 }
 
 /// What a path that has left the shape `left` meets first, and where, with every shape asked.
@@ -233,7 +241,7 @@ pub(crate) fn first<W: World>(
             world,
             &path.ray,
             left,
-            nearest_bounded(world, &path.ray, NOWHERE, left, &mut trail),
+            nearest_bounded::<W, false>(world, &path.ray, NOWHERE, left, &mut trail),
         ),
         false => Hit::BEYOND,
     };
@@ -244,9 +252,10 @@ pub(crate) fn first<W: World>(
 pub(super) const NOWHERE: Length = Length::from_bits(0);
 
 /// The nearest sphere or cylinder of all but the one whose outside the ray has `left`, further than
-/// `start` along the ray; the distance is from there. Notes on which side of cylinders it passes.
+/// `start` along the ray; the distance is from there. Notes on which side of cylinders it passes, but
+/// where code is to be `SMALL`.
 #[inline(never)]
-pub(crate) fn nearest_bounded<W: World>(
+pub(crate) fn nearest_bounded<W: World, const SMALL: bool>(
     world: &W,
     ray: &Ray,
     start: Length,
@@ -270,8 +279,11 @@ pub(crate) fn nearest_bounded<W: World>(
         let number = parts.cylinder_number(index);
         if number != left && !cylinder.is_passed_by(ray) {
             let seen = cylinder.seen_from(ray.origin);
-            nearest.meet_cylinder(cylinder, (&seen, true), ray.direction, number);
+            nearest.meet_cylinder::<SMALL>(cylinder, (&seen, true), ray.direction, number);
         }
+    }
+    if SMALL {
+        return nearest.behind_start();
     }
     nearest.hit(trail)
 }
@@ -324,7 +336,7 @@ impl Nearest {
     }
 
     #[inline(always)]
-    pub(super) fn meet_cylinder(
+    pub(super) fn meet_cylinder<const SMALL: bool>(
         &mut self,
         cylinder: &PreparedCylinder,
         (seen, is_thin): (&SeenCylinder, bool),
@@ -339,7 +351,11 @@ impl Nearest {
             return;
         }
         let (start, reach) = (self.start, self.hit.distance);
-        if let Some(distance) = cylinder.met_beside(seen, along, sideways, start, reach) {
+        let distance = match SMALL {
+            true => cylinder.met_steeply(seen, along, start, reach),
+            false => cylinder.met_beside(seen, along, sideways, start, reach),
+        };
+        if let Some(distance) = distance {
             self.hit = Hit { distance, shape };
         }
     }
@@ -348,6 +364,12 @@ impl Nearest {
     #[inline(always)]
     pub(super) fn hit(self, trail: &mut Trail) -> Hit {
         trail.note(self.passed);
+        self.behind_start()
+    }
+
+    /// The same without a note.
+    #[inline(always)]
+    fn behind_start(self) -> Hit {
         let distance = self.hit.distance.to_bits() - self.start.to_bits();
         Hit {
             distance: if self.hit.shape == ShapeNumber::NONE {
@@ -373,21 +395,21 @@ pub(super) fn planes_but<W: World>(
 }
 
 /// Whether a path towards a light that is `distance` · 2^`scale` steps away meets anything more
-/// than epsilon before it, with nothing known about camera and light.
+/// than epsilon before it, with nothing known about camera and light but its cells, if it has any.
 pub(crate) fn blocked<W: World>(
     world: &W,
     path: &Path,
     left: ShapeNumber,
-    lamp: &Lamp,
+    (light, cells): (Place, Option<&Cells>),
     distance: Length,
     scale: u32,
 ) -> bool {
     if scale != 0 {
-        return far::blocked(world, path, left, lamp.light.place, distance, scale);
+        return far::blocked(world, path, left, light, distance, scale);
     }
     let ray = &path.ray;
     let reach = Length::from_bits((distance.to_bits() - world.parts().epsilon.to_bits()).max(0));
-    let mask = lamp.cells.mask(ray.direction.reversed());
+    let mask = cells.map_or(Mask::ALL, |cells| cells.mask(ray.direction.reversed()));
     planes_but(world, left).any(|(_, plane)| plane.blocks(ray, reach))
         || blocked_by_bounded(world, mask, ray, reach)
 }
@@ -398,34 +420,37 @@ pub(crate) fn blocked<W: World>(
 #[inline(always)]
 pub(crate) fn blocked_from<W: World>(
     world: &W,
-    spot: &W::Lamp,
+    (lamp, index): (&W::Lamp, usize),
     direction: Direction,
     distance: Length,
-    left: Option<&PreparedCylinder>,
+    left: Option<usize>,
 ) -> bool {
     let parts = world.parts();
-    let (spheres, cylinders) = (spot.spheres(), spot.cylinders());
-    let hides = |(cylinder, seen): (&PreparedCylinder, &SeenCylinder)| {
-        !left.is_some_and(|left| core::ptr::eq(left, cylinder))
+    let (spheres, cylinders) = (lamp.spheres(), lamp.cylinders());
+    let hides = |index: usize, cylinder: &PreparedCylinder, seen: &SeenCylinder| {
+        left != Some(index)
             && cylinder
                 .met(seen, direction, parts.epsilon, distance)
                 .is_some()
     };
-    // So few are asked in less time than it takes to choose.
-    const FEW: usize = 3;
-    if parts.spheres.len() + parts.cylinders.len() <= FEW {
+    if !W::NEEDS.sets {
+        let mut cylinders = parts.cylinders.iter().zip(cylinders).enumerate();
         return spheres
             .iter()
             .any(|seen| seen.is_before(direction, distance))
-            || parts.cylinders.iter().zip(cylinders).any(hides);
+            || cylinders.any(|(index, (cylinder, seen))| hides(index, cylinder, seen));
     }
-    let (mask, runs) = (spot.lamp().cells.mask(direction), parts.runs());
+    let mask = match world.cells().get(index) {
+        Some(cells) => cells.mask(direction),
+        None => Mask::ALL,
+    };
+    let runs = parts.runs();
     runs.any_sphere(mask, |index| {
         let seen = spheres.get(index);
         seen.is_some_and(|seen| seen.is_before(direction, distance))
     }) || runs.any_cylinder(mask, |index| {
         let cylinder = parts.cylinders.get(index).zip(cylinders.get(index));
-        cylinder.is_some_and(hides)
+        cylinder.is_some_and(|(cylinder, seen)| hides(index, cylinder, seen))
     })
 }
 

@@ -62,11 +62,11 @@ struct Kind<T, const ROOM: usize> {
 
 impl<T, const ROOM: usize> Kind<T, ROOM> {
     #[inline(always)]
-    fn new() -> Self {
+    fn new<const USED: bool>() -> Self {
         Self {
             open: Vec::new(),
             // Hidden from the compiler, or it clears the whole list along with this.
-            next: black_box(0),
+            next: if USED { black_box(0) } else { 0 },
             passed: 0,
         }
     }
@@ -162,14 +162,14 @@ pub(crate) struct Cut<'a> {
 }
 
 impl Row {
-    /// Every shape in every column.
+    /// Every shape in every column; `USED` unless nobody is going to ask.
     #[inline(always)]
-    pub(crate) fn of_everything(origin: Point) -> Self {
+    pub(crate) fn of_everything<const USED: bool>(origin: Point) -> Self {
         Self {
             origin,
             until: u32::MAX,
-            spheres: Kind::new(),
-            cylinders: Kind::new(),
+            spheres: Kind::new::<USED>(),
+            cylinders: Kind::new::<USED>(),
             is_full: true,
         }
     }
@@ -229,7 +229,7 @@ impl Row {
         trail.note(column);
         let origin = self.origin;
         let ray = Ray { origin, direction };
-        nearest_bounded(world, &ray, start, ShapeNumber::NONE, trail)
+        nearest_bounded::<W, false>(world, &ray, start, ShapeNumber::NONE, trail)
     }
 
     /// Goes on to some columns, which do not begin before the last ones.
@@ -310,7 +310,7 @@ impl Row {
             if let Some(cylinder) = parts.cylinders.get(shape) {
                 let is_thin = open.middle < u16::MAX;
                 let number = parts.cylinder_number(shape);
-                nearest.meet_cylinder(cylinder, (&open.seen, is_thin), direction, number);
+                nearest.meet_cylinder::<false>(cylinder, (&open.seen, is_thin), direction, number);
             }
         }
         nearest.hit(trail)

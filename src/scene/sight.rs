@@ -11,8 +11,8 @@ use crate::vector::Point;
 
 /// What the rays of a row can meet.
 pub(crate) struct Sight<'a, W: World> {
-    /// What the shapes cover; everything is everywhere where the camera is far away.
-    outlook: &'a W::Outlook,
+    /// What the shapes cover, if that is known.
+    outlook: Option<&'a W::Outlook>,
     /// Where the camera is, if it is near.
     camera: Option<Point>,
     y: u16,
@@ -30,19 +30,26 @@ pub(crate) struct Sight<'a, W: World> {
 }
 
 impl<'a, W: World> Sight<'a, W> {
-    /// Of the row `y`.
+    /// Of the row `y`; `USED` unless nobody is going to ask.
     #[inline(always)]
-    pub(crate) fn new(outlook: &'a W::Outlook, from: Place, y: u32) -> Self {
+    pub(crate) fn new<const USED: bool>(
+        outlook: Option<&'a W::Outlook>,
+        from: Place,
+        y: u32,
+    ) -> Self {
         Self {
             is_choosy: true,
             y: y as u16,
-            ..Self::of_everything(outlook, from)
+            ..Self::of_everything::<USED>(outlook, from)
         }
     }
 
     /// Of every shape in every column.
     #[inline(always)]
-    pub(crate) fn of_everything(outlook: &'a W::Outlook, from: Place) -> Self {
+    pub(crate) fn of_everything<const USED: bool>(
+        outlook: Option<&'a W::Outlook>,
+        from: Place,
+    ) -> Self {
         Self {
             outlook,
             camera: from.is_near().then_some(from.point),
@@ -50,9 +57,9 @@ impl<'a, W: World> Sight<'a, W> {
             columns: (0, 0),
             column: 0,
             is_choosy: false,
-            first: Row::of_everything(from.point),
+            first: Row::of_everything::<USED>(from.point),
             plane: ShapeNumber::NONE,
-            mirrored: Row::of_everything(Point::ORIGIN),
+            mirrored: Row::of_everything::<USED>(Point::ORIGIN),
         }
     }
 
@@ -67,13 +74,15 @@ impl<'a, W: World> Sight<'a, W> {
     /// Turns to the rays of some columns, which do not begin before those it was turned to.
     #[inline(always)]
     pub(crate) fn turn_to(&mut self, world: &W, first: u32, last: u32) {
-        let parts = world.parts();
-        if parts.spheres.is_empty() && parts.cylinders.is_empty() {
+        let Some(outlook) = self.outlook else {
+            return;
+        };
+        if !world.parts().has_bounded() {
             return;
         }
         self.columns = (first, last);
         let cut = Cut {
-            covered: self.outlook.first().of(world),
+            covered: outlook.first().of(world),
             y: self.y,
         };
         self.first.turn_to(world, cut, self.columns);
@@ -94,7 +103,7 @@ impl<'a, W: World> Sight<'a, W> {
     pub(crate) fn first(&self, world: &W, ray: &Ray, trail: &mut Trail) -> Hit {
         const START: Length = Length::from_bits(0);
         if self.camera.is_none() {
-            return nearest_bounded(world, ray, START, ShapeNumber::NONE, trail);
+            return nearest_bounded::<W, false>(world, ray, START, ShapeNumber::NONE, trail);
         }
         let ray = (ray.direction, START);
         self.first.meet(world, self.column, ray, trail)
@@ -112,12 +121,13 @@ impl<'a, W: World> Sight<'a, W> {
         trail: &mut Trail,
     ) -> Hit {
         let index = world.parts().plane_index(number);
-        let covered = index.and_then(|index| self.outlook.mirrored(index));
+        let covered = self.outlook.zip(index);
+        let covered = covered.and_then(|(outlook, index)| outlook.mirrored(index));
         let is_known = self.plane == number || self.look_into(world, number, plane).is_some();
         let (Some(covered), true) = (covered, is_known) else {
             // It is not known what is thin: no other ray has been alike.
             trail.note(self.column);
-            return nearest_bounded(world, ray, Length::from_bits(0), number, trail);
+            return nearest_bounded::<W, false>(world, ray, Length::from_bits(0), number, trail);
         };
         let cut = Cut {
             covered: covered.of(world),

@@ -5,7 +5,7 @@
 //! every plane, and a light on the other side of one is hidden from all of them; planes in front of
 //! which camera and light both stand hide it from none.
 
-use super::{LampParts, World};
+use super::World;
 use crate::ray::Place;
 use crate::shape::plane::Side;
 
@@ -33,6 +33,15 @@ pub(crate) struct View {
 }
 
 impl View {
+    /// The view from a place, with nothing known about the lights.
+    pub(crate) const fn unclear(from: Place) -> Self {
+        Self {
+            from,
+            hidden: 0,
+            unclear: u32::MAX,
+        }
+    }
+
     /// The view from a place.
     pub(crate) fn new<W: World>(world: &W, from: Place) -> Self {
         let parts = world.parts();
@@ -46,20 +55,18 @@ impl View {
         if from.is_near() && seen.any(|it| it.is_around()) {
             view.unclear = u32::MAX;
         }
-        if world.lamps().len() > u32::BITS as usize {
+        if parts.lights.len() > u32::BITS as usize {
             view.unclear = u32::MAX;
             return view;
         }
-        for (index, lamp) in world.lamps().iter().enumerate() {
-            let lamp = lamp.lamp();
-            let light = lamp.light.place;
-            if !lamp.is_plain {
+        for (index, light) in parts.lights.iter().enumerate() {
+            if !light.is_plain {
                 view.unclear |= 1 << index;
             }
             for plane in parts.planes {
                 let (viewer, light) = (
                     plane.side(from, parts.epsilon),
-                    plane.side(light, parts.epsilon),
+                    plane.side(light.place, parts.epsilon),
                 );
                 match (viewer, light) {
                     // What ends in a plane does not go through it.

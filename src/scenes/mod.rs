@@ -45,7 +45,7 @@ pub use primitives::Primitives;
 pub use shading_lights::ShadingLights;
 pub use shading_speculars::ShadingSpeculars;
 
-use crate::{Camera, Description, StaticScene};
+use crate::{Camera, Description, StaticFrame};
 
 /// The names of the scenes, in the order they are shown.
 pub const NAMES: [&str; 11] = [
@@ -63,7 +63,7 @@ pub const NAMES: [&str; 11] = [
 ];
 
 /// A scene that comes with the library.
-pub trait BuiltIn: StaticScene {
+pub trait BuiltIn: StaticFrame {
     /// What it is called.
     const NAME: &'static str;
 

@@ -9,10 +9,9 @@ use crate::scene::extent::Outlooks;
 use crate::scene::query::{ShapeNumber, blocked, blocked_from, first};
 use crate::scene::sight::Sight;
 use crate::scene::view::{Standing, View};
-use crate::scene::{LampParts, RuntimeScene, Scene, Static, World};
+use crate::scene::{Lamps, RuntimeScene, Scene, Static, World};
 use crate::shade::{BlinnPhong, Surface};
 use crate::shape::MaterialId;
-use crate::shape::cylinder::PreparedCylinder;
 use crate::shape::plane::{PreparedPlane, Side};
 use crate::trace::Tracer;
 use crate::vector::{Direction, Point, Position};
@@ -25,15 +24,17 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
     let lens = camera.lens(SIZE.0, SIZE.1);
     let from = world.parts().grid.place(camera.description().position);
     let view = View::new(world, from);
-    let mut outlook = W::Outlook::ALL;
-    if from.is_near() {
-        outlook.look(world, &lens.fans(from.point));
-    }
+    let everything = W::Outlook::ALL;
+    let outlook = from.is_near().then(|| {
+        let mut outlook = everything;
+        outlook.look(world, &camera.fans(&lens, from.point));
+        outlook
+    });
     for y in 0..SIZE.1 {
         let tracer = |sight| Tracer::<W, BlinnPhong, Fine>::new(world, &view, sight, 3);
-        let mut some = tracer(Sight::new(&outlook, from, y));
+        let mut some = tracer(Sight::new::<true>(outlook.as_ref(), from, y));
         some.look();
-        let mut all = tracer(Sight::of_everything(&outlook, from));
+        let mut all = tracer(Sight::of_everything::<true>(Some(&everything), from));
         let directions = lens.row(y);
         for x in 0..SIZE.0 {
             let [some, all] = [&mut some, &mut all].map(|it| {
@@ -230,21 +231,20 @@ fn is_inside<W: World>(world: &W, camera: &Camera) {
 /// in a direction: the same as [`blocked_from`], with every shape asked.
 fn blocked_by_any<W: World>(
     world: &W,
-    spot: &W::Lamp,
+    lamp: &W::Lamp,
     direction: Direction,
     distance: Length,
-    left: Option<&PreparedCylinder>,
+    left: Option<usize>,
 ) -> bool {
     let parts = world.parts();
-    let spheres = spot.spheres().iter().take(parts.spheres.len());
-    let mut cylinders = parts.cylinders.iter().zip(spot.cylinders());
+    let spheres = lamp.spheres().iter().take(parts.spheres.len());
+    let cylinders = parts.cylinders.iter().zip(lamp.cylinders());
     spheres
         .clone()
         .any(|seen| seen.is_before(direction, distance))
-        || cylinders.any(|(cylinder, seen)| {
-            let is_left = left.is_some_and(|left| core::ptr::eq(left, cylinder));
+        || cylinders.enumerate().any(|(index, (cylinder, seen))| {
             let met = cylinder.met(seen, direction, parts.epsilon, distance);
-            !is_left && met.is_some()
+            left != Some(index) && met.is_some()
         })
 }
 
@@ -252,11 +252,12 @@ fn blocked_by_any<W: World>(
 /// how often a light was hidden, and how often it was not.
 fn asked<W: World>(world: &W, random: &mut Random) -> [u32; 2] {
     let mut counts = [0; 2];
-    let cylinders = world.parts().cylinders;
-    for spot in world.lamps().iter().filter(|it| it.lamp().is_plain) {
+    let cylinders = world.parts().cylinders.len();
+    let lamps = world.lamps().iter().enumerate();
+    for (index, lamp) in lamps.filter(|(_, it)| it.light().is_plain) {
         for round in 0..4000 {
             // As far as can be seen to all sides, or to a place among the shapes.
-            let light = spot.lamp().light.place;
+            let light = lamp.light().place;
             let (direction, reach) = match round % 2 {
                 0 => (Position::new(random.point()).direction().unwrap(), REACH),
                 _ => {
@@ -264,9 +265,9 @@ fn asked<W: World>(world: &W, random: &mut Random) -> [u32; 2] {
                     light.to(place).0.direction_and_length()
                 }
             };
-            let left = cylinders.get(round % (2 * cylinders.len() + 1));
-            let all = blocked_by_any(world, spot, direction, reach, left);
-            let some = blocked_from(world, spot, direction, reach, left);
+            let left = Some(round % (2 * cylinders + 1)).filter(|&it| it < cylinders);
+            let all = blocked_by_any(world, lamp, direction, reach, left);
+            let some = blocked_from(world, (lamp, index), direction, reach, left);
             assert_eq!(some, all, "{direction:?} {reach:?} {left:?}");
             counts[usize::from(all)] += 1;
         }
@@ -314,25 +315,26 @@ fn told<W: World>(world: &W, random: &mut Random) -> [u32; 3] {
             continue;
         };
         let surface = Surface::new(world, at, shape, direction).unwrap();
-        for (light, spot) in world.lamps().iter().enumerate() {
-            if view.standing(light) != Standing::Clear {
+        for (index, lamp) in world.lamps().iter().enumerate() {
+            if view.standing(index) != Standing::Clear {
                 continue;
             }
-            let lamp = spot.lamp();
+            let light = lamp.light();
             let to_light = |from: Place| {
-                let (direction, distance) = from.to(lamp.light.place).0.direction_and_length();
+                let (direction, distance) = from.to(light.place).0.direction_and_length();
                 (Path::new(from, direction), distance)
             };
             let general = |from: Place| {
                 let (path, distance) = to_light(from);
-                blocked(world, &path, shape, lamp, distance, 0)
+                let cells = (light.place, world.cells().get(index));
+                blocked(world, &path, shape, cells, distance, 0)
             };
             let (path, distance) = to_light(surface.place);
             if surface.normal.dot(path.direction()) <= Unit::ZERO {
                 continue;
             }
             let way = path.direction().reversed();
-            let hidden = blocked_from(world, spot, way, distance, surface.cylinder);
+            let hidden = blocked_from(world, (lamp, index), way, distance, surface.cylinder(world));
             if general(surface.place) == hidden {
                 counts[usize::from(hidden)] += 1;
                 continue;
@@ -344,7 +346,7 @@ fn told<W: World>(world: &W, random: &mut Random) -> [u32; 3] {
                 let [dx, dy, dz] = random.point().map(|it| (it * 64.0) as i32);
                 general(Place::new(Point::new(x + dx, y + dy, z + dz), 0)) == hidden
             });
-            assert!(aside, "{hidden}: {surface:?} {:?}", lamp.light);
+            assert!(aside, "{hidden}: {surface:?} {light:?}");
         }
     }
     counts

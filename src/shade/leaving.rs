@@ -4,6 +4,7 @@ use super::*;
 use crate::material::Material;
 use crate::number::Length;
 use crate::number::sweep::Sweep;
+use crate::quality::Fast;
 use crate::scene::query::first;
 use crate::scene::{RuntimeScene, World};
 use crate::shape::MaterialId;
@@ -36,7 +37,7 @@ fn stopped_by_itself(
         assert_eq!(grid.fraction_bits(), 28);
         let from = grid.place(Position::new([1.49, 1.49, 1.2]));
         let view = View::new(&scene, from);
-        let light = scene.lamps()[0].lamp().light.place;
+        let light = scene.parts().lights[0].place;
         for _ in 0..10 {
             let aside = sweep.triple(1000).map(|it| f64::from(it) * 3e-5);
             let aim = grid.place(Position::new([0, 1, 2].map(|it| end[it] + aside[it])));
@@ -59,7 +60,7 @@ fn stopped_by_itself(
             };
             let (to_light, _) = surface.place.to(light).0.direction_and_length();
             if surface.normal.dot(to_light) > 0.1 && is_free(to_light) {
-                let color = <BlinnPhong as sealed::Shading>::color(
+                let color = <BlinnPhong as sealed::Shading>::color::<_, Fast>(
                     &scene,
                     &view,
                     &surface,

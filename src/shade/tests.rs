@@ -1,6 +1,7 @@
 use super::*;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
+use crate::quality::{Fast, Small};
 use crate::scene::query::first;
 use crate::scene::{RuntimeScene, Scene, World};
 use crate::vector::Position;
@@ -39,10 +40,16 @@ fn seen<K: sealed::Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) ->
     let path = Path::new(from, direction);
     let (at, shape) = first(scene, &path, ShapeNumber::NONE).unwrap();
     let surface = Surface::new(scene, at, shape, direction).unwrap();
-    let color = K::color(scene, &View::new(scene, from), &surface, &mut Trail::new());
-    color
-        .components()
-        .map(|component| component.to_num::<f64>())
+    let view = View::new(scene, from);
+    let colors = [
+        K::color::<_, Fast>(scene, &view, &surface, &mut Trail::new()),
+        K::color::<_, Small>(scene, &view, &surface, &mut Trail::new()),
+    ];
+    let [fast, small] = colors.map(|it| it.components().map(|it| it.to_num::<f64>()));
+    for (fast, small) in fast.into_iter().zip(small) {
+        assert!((fast - small).abs() < 1e-6, "{fast}, small {small}");
+    }
+    fast
 }
 
 /// The colour of the sphere's point that is nearest to (5, 0, 0), seen from there.

@@ -228,11 +228,12 @@ impl PreparedCylinder {
         height.abs() <= wide(self.half_height, crossing.flat)
     }
 
-    /// The same for rays almost along the axis. The direction across, d × axis, is worked out
+    /// The same for all rays, at more cost, and as exact for rays almost along the axis. The direction across, d × axis, is worked out
     /// exactly and normalised, so that all bits are kept (Cychosz and Waggenspack, "Intersecting a
     /// ray with a cylinder", Graphics Gems IV).
     #[cold]
-    fn met_steeply(
+    #[inline(never)]
+    pub(crate) fn met_steeply(
         &self,
         seen: &SeenCylinder,
         direction: Direction,

@@ -1,7 +1,7 @@
 //! Infinite planes.
 
 use super::MaterialId;
-use crate::number::{Length, Quotient, divide, ratio, wide_unsigned};
+use crate::number::{Length, Quotient, divide, ratio, shifted, wide_unsigned};
 use crate::ray::{Path, Place, Ray};
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -36,6 +36,9 @@ pub struct PreparedPlane {
     far_scale: u32,
     pub(crate) material: MaterialId,
 }
+
+/// Further than any distance.
+pub(crate) const NOT_MET: u64 = u64::MAX;
 
 /// The largest offset that near rays work with.
 const MAX_OFFSET: i64 = 1 << 61;
@@ -169,17 +172,28 @@ impl PreparedPlane {
             .filter(|&(height, descent)| height < u64::from(descent) * reach.to_bits() as u64)
     }
 
-    /// The distance in raw steps at which a path from any place meets the plane, below 2⁶².
-    pub(crate) fn intersect_far(&self, path: &Path) -> Option<u64> {
+    /// The distance in raw steps at which a path from any place meets the plane, below 2⁶², or
+    /// [`NOT_MET`].
+    #[inline(never)]
+    pub(crate) fn intersect_far(&self, path: &Path) -> u64 {
         let (height, scale) = self.height_far(path.from());
         let climb = path.direction().dot(self.normal).to_bits();
-        let (height, descent) = descent(height, climb)?;
+        let Some((height, descent)) = descent(height, climb) else {
+            return NOT_MET;
+        };
         let Quotient { mantissa, exponent } = divide(height, descent);
-        match exponent + scale as i32 {
-            down @ ..0 => Some(u64::from(mantissa.checked_shr(-down as u32).unwrap_or(0))),
-            up @ 0..30 => Some(u64::from(mantissa) << up),
-            _ => None,
+        let exponent = exponent + scale as i32;
+        match exponent < 30 {
+            true => shifted(mantissa.into(), exponent.max(-63)) as u64,
+            false => NOT_MET,
         }
+    }
+
+    /// Whether a path comes down on the plane, however far away.
+    pub(crate) fn is_ahead(&self, path: &Path) -> bool {
+        let (height, _) = self.height_far(path.from());
+        let climb = path.direction().dot(self.normal).to_bits();
+        descent(height, climb).is_some()
     }
 
     /// How far a place lies along the normal from the plane, with 30 more fraction bits, and the
@@ -187,9 +201,9 @@ impl PreparedPlane {
     fn height_far(&self, place: Place) -> (i64, u32) {
         let scale = place.scale.max(self.far_scale);
         let along = place.point.to_vector().dot_wide(self.normal);
-        let shifted = |value: i64, from: u32| value >> (scale - from).min(63);
+        let at_scale = |value: i64, from: u32| shifted(value, -((scale - from).min(63) as i32));
         (
-            shifted(along, place.scale) - shifted(self.far_offset, self.far_scale),
+            at_scale(along, place.scale) - at_scale(self.far_offset, self.far_scale),
             scale,
         )
     }

@@ -44,7 +44,7 @@ fn followed_by<K: Shading, Q: Quality, W: World>(
 ) -> Followed {
     let view = View::new(world, path.from());
     let outlook = W::Outlook::ALL;
-    let sight = Sight::of_everything(&outlook, path.from());
+    let sight = Sight::of_everything::<true>(Some(&outlook), path.from());
     let mut tracer = Tracer::<_, K, Q>::new(world, &view, sight, reflections);
     Followed {
         sum: tracer.trace(0, path.direction()).sum,

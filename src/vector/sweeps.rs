@@ -1,6 +1,6 @@
 use super::*;
-use crate::number::sine_and_cosine_of;
 use crate::number::sweep::Sweep;
+use crate::number::{Number, sine_and_cosine_of};
 
 /// A last place of Q2.30.
 const ULP: f64 = 1.0 / (1 << 30) as f64;

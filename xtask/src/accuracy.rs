@@ -27,7 +27,7 @@ pub fn run() -> Result<()> {
          either plane is right there.\n"
     );
     for shading in ["blinn-phong", "phong"] {
-        for quality in ["fast", "fine"] {
+        for quality in ["fast", "fine", "small"] {
             write!(
                 page,
                 "\n## {shading}, {quality}\n\n\

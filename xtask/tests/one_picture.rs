@@ -6,7 +6,7 @@ use embedded_graphics::{
 };
 use frame_hash::FrameHash;
 use reflet::{
-    Fast, Fine, Quality as Exactness, StaticFrame,
+    Fast, Fine, Quality as Exactness, Small,
     scenes::{self, BuiltIn, Visitor},
 };
 use xtask::measure::{
@@ -28,6 +28,7 @@ impl Visitor for Hash {
         match self.0 {
             Quality::Fast => hash::<S, Fast>(),
             Quality::Fine => hash::<S, Fine>(),
+            Quality::Small => hash::<S, Small>(),
             Quality::Float => unreachable!("floats are another matter"),
         }
     }
@@ -51,8 +52,14 @@ fn hash<S: BuiltIn, Q: Exactness>() -> String {
 
 fn is_the_same_picture_as_here(core: &str) {
     let core = Core::find(core).expect("it is in the list");
-    for name in ["castle", "mirror1", "columns"] {
-        for quality in [Quality::Fast, Quality::Fine] {
+    let (fast, fine) = (Quality::Fast, Quality::Fine);
+    let pictures = [
+        ("castle", &[fast, fine, Quality::Small][..]),
+        ("mirror1", &[fast, fine]),
+        ("columns", &[fast, fine]),
+    ];
+    for (name, qualities) in pictures {
+        for &quality in qualities {
             let task = Task {
                 core,
                 scene: Scene::BuiltIn(name),

@@ -9,7 +9,7 @@ use embedded_graphics::{
 };
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::{
-    Camera, StaticFrame,
+    Camera,
     scenes::{BuiltIn, Castle, ShadingLights},
 };
 use xtask::{

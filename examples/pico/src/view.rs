@@ -3,7 +3,7 @@
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use reflet::scenes::{BuiltIn, Castle, NAMES, Visitor, visit};
-use reflet::{Camera, StaticFrame};
+use reflet::Camera;
 
 use crate::keys::Request;
 

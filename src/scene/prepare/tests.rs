@@ -94,7 +94,7 @@ fn light_near_the_shapes_is_given_its_place_in_the_ball() {
     ] {
         let scene = marble(|scene, _| scene.add_light([x, 0.0, 0.0], [1, 1, 1]).unwrap());
         let prepared = scene.build().unwrap();
-        assert_eq!(prepared.lamps[0].lamp.light.place.is_near(), is_near, "{x}");
+        assert_eq!(prepared.lights[0].place.is_near(), is_near, "{x}");
         assert_eq!(fraction_bits(&scene), bits, "{x}");
     }
 }
@@ -118,7 +118,7 @@ fn light_is_plain_where_it_is_near_and_outside_of_all_spheres() {
         (32.1, false),
     ] {
         let scene = marble(|scene, _| scene.add_light([x, 0.0, 0.0], [1, 1, 1]).unwrap());
-        let lamp = scene.build().unwrap().lamps[0].lamp;
+        let lamp = scene.build().unwrap().lights[0];
         assert_eq!(lamp.is_plain, is_plain, "{x}");
     }
     let in_a_cylinder = marble(|scene, white| {
@@ -126,7 +126,7 @@ fn light_is_plain_where_it_is_near_and_outside_of_all_spheres() {
         scene.add_cylinder(center, axis, 1, 2, white).unwrap();
         scene.add_light(center, [1, 1, 1]).unwrap();
     });
-    assert!(in_a_cylinder.build().unwrap().lamps[0].lamp.is_plain);
+    assert!(in_a_cylinder.build().unwrap().lights[0].is_plain);
 }
 
 #[test]

@@ -1,8 +1,6 @@
 use super::*;
-use crate::light::PreparedLight;
 use crate::material::Material;
 use crate::number::Number;
-use crate::scene::cells::Cells;
 use crate::scene::{RuntimeScene, Scene};
 use crate::shape::MaterialId;
 use crate::vector::{Direction, Position};
@@ -30,17 +28,10 @@ fn scenery(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Built {
     built
 }
 
-/// A light that stands somewhere near, and the shapes around it.
-fn lamp(scene: &Built, place: Place) -> Lamp {
+/// The shapes around a light that stands somewhere near.
+fn cells(scene: &Built, place: Place) -> Cells {
     let parts = scene.parts();
-    Lamp {
-        light: PreparedLight {
-            place,
-            ..PreparedLight::NONE
-        },
-        cells: Cells::around(place.point, parts.spheres, parts.cylinders),
-        ..Lamp::NONE
-    }
+    Cells::around(place.point, parts.spheres, parts.cylinders)
 }
 
 /// A path from a point on the x axis along it.
@@ -192,7 +183,7 @@ fn is_blocked_by_a_plane_at(x: f64) -> bool {
         &scene,
         &path,
         ShapeNumber::NONE,
-        &lamp(&scene, light),
+        (light, Some(&cells(&scene, light))),
         Length::from_bits(way.x),
         scale,
     )
@@ -231,7 +222,7 @@ fn light_is_blocked_by_every_kind_of_shape_and_by_none_behind_it() {
             &scene,
             &path,
             ShapeNumber::NONE,
-            &lamp(&scene, light),
+            (light, Some(&cells(&scene, light))),
             distance,
             0,
         )
@@ -269,7 +260,7 @@ fn light_closer_than_epsilon_is_not_blocked() {
                 &scene,
                 &path,
                 ShapeNumber::NONE,
-                &lamp(&scene, light),
+                (light, Some(&cells(&scene, light))),
                 distance,
                 0,
             ),

@@ -25,7 +25,7 @@ impl Held<'_> {
         if parts.planes.iter().any(is_close) {
             return false;
         }
-        for light in 0..self.scene.lamps().len() {
+        for light in 0..parts.lights.len() {
             self.under(light, place, left, normal);
         }
         true
@@ -34,14 +34,14 @@ impl Held<'_> {
     /// The same for one light.
     fn under(&mut self, light: usize, place: Place, left: ShapeNumber, normal: Option<Direction>) {
         let (scene, parts) = (self.scene, self.scene.parts());
-        let lamp = scene.lamps()[light].lamp();
-        let (way, scale) = place.to(lamp.light.place);
+        let from = parts.lights[light].place;
+        let (way, scale) = place.to(from);
         let (direction, distance) = way.direction_and_length();
         // A light in a plane is up to 4 steps beyond it, and what comes in flat goes through the
         // plane more than epsilon before.
         let is_flat = |plane: &PreparedPlane| {
             let sine = plane.normal.dot(direction).to_num::<f64>().abs();
-            plane.side(lamp.light.place, parts.epsilon) == Side::In
+            plane.side(from, parts.epsilon) == Side::In
                 && sine * f64::from(parts.epsilon.to_bits() >> scale.min(31)) < 8.0
         };
         if parts.planes.iter().any(is_flat) {
@@ -49,7 +49,7 @@ impl Held<'_> {
         }
         let path = Path::new(place, direction);
         let is_behind = normal.is_some_and(|normal| normal.dot(direction) <= Unit::ZERO);
-        let is_blocked = blocked(scene, &path, left, lamp, distance, scale);
+        let is_blocked = blocked(scene, &path, left, (from, None), distance, scale);
         let standing = self.view.standing(light);
         self.standings[standing as usize] += 1;
         let is_true = match standing {
@@ -60,7 +60,7 @@ impl Held<'_> {
         assert!(
             is_true,
             "{standing:?}: {path:?} of {:?} to {:?} among {:?}",
-            self.view, lamp.light, parts.planes
+            self.view, from, parts.planes
         );
     }
 

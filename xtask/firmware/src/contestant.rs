@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
-use reflet::{Camera, Picture, Quality, Shading, Static, StaticFrame, StaticScene};
+use reflet::{Camera, MostReflections, Picture, Quality, Shading, Static, StaticFrame, Within};
 
 /// A renderer, ready to be measured. What a program may learn only while it runs (camera, size,
 /// reflections) is hidden from the optimiser, for all contestants alike.
@@ -24,20 +24,20 @@ pub trait Contestant {
 pub trait View {
     /// From where.
     const CAMERA: Camera;
-    /// With at most this many reflections.
-    const REFLECTIONS: u8;
 }
 
-/// The library, with scene `S`, view `V`, quality `Q` and shading `K`.
-pub struct Fixed<S, V, Q, K>(PhantomData<(S, V, Q, K)>);
+/// The library, with scene `S`, view `V`, quality `Q`, shading `K` and at most `N` reflections.
+pub struct Fixed<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
 
-impl<S: StaticScene, V: View, Q: Quality, K: Shading> Contestant for Fixed<S, V, Q, K> {
-    type Picture = Picture<Static<S>, Q, K>;
+impl<S: StaticFrame, V: View, Q: Quality, K: Shading, const N: u8> Contestant
+    for Fixed<S, V, Q, K, N>
+{
+    type Picture = Picture<Within<Static<S>, MostReflections<N>>, Q, K>;
 
     #[inline(never)]
     fn prepare((width, height): (u32, u32)) -> Self::Picture {
         S::frame(black_box(&V::CAMERA))
-            .reflections(black_box(V::REFLECTIONS))
+            .most_reflections::<N>()
             .quality::<Q>()
             .shading::<K>()
             .sized(Size::new(width, height))

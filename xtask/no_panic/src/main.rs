@@ -14,20 +14,34 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use reflet::{
-    BlinnPhong, Camera, Fast, Fine, Material, Normals, Number, Phong, Quality, Report,
-    RuntimeScene, Shading, StaticFrame,
-    scenes::{BuiltIn, Castle},
+    BlinnPhong, Bound, Camera, Fast, Fine, Frame, Material, Needs, Normals, Number, Phong, Quality,
+    Report, RuntimeScene, Scene, Shading, Small, StaticFrame, World,
+    scenes::{BuiltIn, Castle, Floor},
 };
 
 #[entry]
 fn main() -> ! {
-    draw::<Fast, BlinnPhong>();
-    draw::<Fast, Phong>();
-    draw::<Fast, Normals>();
-    draw::<Fine, BlinnPhong>();
-    draw::<Fine, Phong>();
-    draw::<Fine, Normals>();
-    fill();
+    // A constant scene leaves out what it does not need; a filled one needs everything.
+    let camera = black_box(Castle::CAMERA);
+    draw::<Fast, BlinnPhong, _>(Castle::frame(&camera));
+    draw::<Fast, BlinnPhong, _>(Castle::frame(&camera).most_reflections::<0>());
+    draw::<Fine, BlinnPhong, _>(Castle::frame(&camera));
+    draw::<Small, BlinnPhong, _>(Castle::frame(&camera));
+    draw::<Fast, BlinnPhong, _>(Floor::frame(&camera));
+    if let Some((scene, camera)) = fill() {
+        draw::<Fast, BlinnPhong, _>(scene.frame(&camera));
+        draw::<Fast, Phong, _>(scene.frame(&camera));
+        draw::<Fast, Normals, _>(scene.frame(&camera));
+        draw::<Fine, BlinnPhong, _>(scene.frame(&camera));
+        draw::<Fine, Phong, _>(scene.frame(&camera));
+        draw::<Fine, Normals, _>(scene.frame(&camera));
+        draw::<Small, BlinnPhong, _>(scene.frame(&camera));
+        draw::<Small, Phong, _>(scene.frame(&camera));
+        draw::<Small, Normals, _>(scene.frame(&camera));
+        if let Ok(frame) = scene.frame_within::<Matte>(&camera) {
+            draw::<Fast, BlinnPhong, _>(frame);
+        }
+    }
     #[cfg(feature = "panic")]
     black_box(black_box(&[0][..])[black_box(0)]);
     #[cfg(feature = "float")]
@@ -37,10 +51,16 @@ fn main() -> ! {
     }
 }
 
-/// The camera and all numbers are hidden from the compiler, as if they came from outside.
-fn draw<Q: Quality, K: Shading>() {
-    let camera = black_box(Castle::CAMERA);
-    let frame = Castle::frame(&camera).reflections(black_box(4));
+/// Nothing mirrors.
+struct Matte;
+
+impl Bound for Matte {
+    const NEEDS: Needs = Needs::ALL.without_mirrors();
+}
+
+/// All numbers are hidden from the compiler, as if they came from outside.
+fn draw<Q: Quality, K: Shading, W: World + Copy>(frame: Frame<'_, W>) {
+    let frame = frame.reflections(black_box(4));
     let frame = frame.quality::<Q>().shading::<K>();
     seen(frame.draw(&mut Display));
     let picture = frame.sized(black_box(Display.size()));
@@ -57,7 +77,7 @@ fn draw<Q: Quality, K: Shading>() {
 }
 
 /// A scene that is filled, and a camera that is made and moved, while the program runs.
-fn fill() {
+fn fill() -> Option<(Scene<4, 4, 4, 4, 4>, Camera)> {
     let number = || Number::from(black_box(1.5_f32));
     let point = || black_box([0.5_f64, 1.5, 2.5]);
     let mut scene = black_box(RuntimeScene::<4, 4, 4, 4, 4>::new());
@@ -68,10 +88,7 @@ fn fill() {
         (number(), number()),
         number(),
     );
-    let Ok(material) = made else { return };
-    let Ok(material) = scene.add_material(material) else {
-        return;
-    };
+    let material = scene.add_material(made.ok()?).ok()?;
     let _ = black_box(scene.add_sphere(point(), number(), material));
     let _ = black_box(scene.add_plane(point(), point(), material));
     let _ = black_box(scene.add_cylinder(point(), point(), number(), number(), material));
@@ -80,9 +97,7 @@ fn fill() {
     let _ = black_box(scene.set_epsilon(number()));
     let camera = Camera::new(point(), point(), point(), number());
     let camera = camera.and_then(|camera| camera.orbited(number(), number()));
-    if let (Ok(scene), Ok(camera)) = (scene.build(), camera) {
-        seen(black_box(scene).frame(&camera).draw(&mut Display));
-    }
+    Some((black_box(scene.build().ok()?), camera.ok()?))
 }
 
 fn seen(report: Result<Report, Infallible>) {

@@ -83,6 +83,7 @@ impl Shading {
 pub enum Quality {
     Fast,
     Fine,
+    Small,
     Float,
 }
 
@@ -92,6 +93,7 @@ impl Quality {
         match self {
             Self::Fast => "fast",
             Self::Fine => "fine",
+            Self::Small => "small",
             Self::Float => "float",
         }
     }
@@ -129,6 +131,7 @@ impl Task {
         let contestant = match self.settings.quality {
             Quality::Fast => self.fixed("Fast", scene),
             Quality::Fine => self.fixed("Fine", scene),
+            Quality::Small => self.fixed("Small", scene),
             Quality::Float => self.float(),
         };
         let mut hasher = DefaultHasher::new();
@@ -168,10 +171,10 @@ impl Task {
             "{module}\
              pub struct Seen;\n\n\
              impl firmware::View for Seen {{\n    \
-                 const CAMERA: reflet::Camera = {camera};\n    \
-                 const REFLECTIONS: u8 = {reflections};\n\
+                 const CAMERA: reflet::Camera = {camera};\n\
              }}\n\n\
-             pub type Job = firmware::Fixed<{scene}, Seen, reflet::{quality}, reflet::{shading}>;\n"
+             pub type Job =\n    \
+                 firmware::Fixed<{scene}, Seen, reflet::{quality}, reflet::{shading}, {reflections}>;\n"
         )
     }
 

@@ -66,7 +66,7 @@ pub enum Rule {
 
 /// The rules, by the beginning of a function's [`path`]; the first that fits counts. A function that
 /// none fits belongs to its caller's stage.
-const RULES: [(&str, Rule); 22] = [
+const RULES: [(&str, Rule); 24] = [
     (
         "firmware::contestant::Fixed::prepare",
         Rule::AllIs(Stage::Preparation),
@@ -80,6 +80,11 @@ const RULES: [(&str, Rule); 22] = [
     ("reflet::scene::query::nearest", Rule::Meets),
     ("reflet::scene::query::blocked", Rule::Is(Stage::Shadow)),
     ("reflet::scene::far::nearest", Rule::Meets),
+    ("reflet::scene::far::only_plane", Rule::Meets),
+    (
+        "reflet::scene::far::ends_before",
+        Rule::AllIs(Stage::Shadow),
+    ),
     ("reflet::scene::far::blocked", Rule::Is(Stage::Shadow)),
     ("reflet::scene::cells", Rule::Is(Stage::Shadow)),
     ("reflet::scene::view", Rule::Is(Stage::Shadow)),

@@ -1,0 +1,45 @@
+//! What a scene needs of the library, in words.
+
+use reflet::{Need, Needs};
+use serde_json::json;
+
+use crate::arguments::Quality;
+use crate::draw::Settings;
+
+/// A line of words for each thing: what it is, whether it is in the firmware, and why.
+pub fn text(scene: &str, needs: Needs, settings: Settings) -> String {
+    let lines = lines(needs, settings).into_iter().map(|(need, why)| {
+        let place = if need.is_needed { "in" } else { "left out" };
+        format!("\n  {:<12} {place:<9} {why}", need.name)
+    });
+    let quality = settings.quality.name();
+    format!("{scene}, quality {quality}:{}", lines.collect::<String>())
+}
+
+/// One line of JSON.
+pub fn json(scene: &str, needs: Needs, settings: Settings) -> String {
+    let needs = lines(needs, settings)
+        .into_iter()
+        .map(|(need, why)| json!({ "name": need.name, "is_needed": need.is_needed, "why": why }));
+    let quality = settings.quality.name();
+    json!({ "scene": scene, "quality": quality, "needs": needs.collect::<Vec<_>>() }).to_string()
+}
+
+/// Each need of a scene drawn so, and why it is one.
+fn lines(needs: Needs, settings: Settings) -> Vec<(Need, String)> {
+    let allowed = Needs::ALL.with_reflections(settings.reflections);
+    let is_small = matches!(settings.quality, Quality::Small);
+    let explained = |mut need: Need| {
+        let mut why = need.why.to_owned();
+        if need.name == "reflections" && settings.reflections == 0 {
+            need.is_needed = false;
+            why = "the frame allows none (`most_reflections::<0>()`)".to_owned();
+        }
+        if need.name == "sets" && is_small && need.is_needed {
+            need.is_needed = false;
+            why = "the quality is small: every shape is asked".to_owned();
+        }
+        (need, why)
+    };
+    needs.both(&allowed).list().map(explained).to_vec()
+}

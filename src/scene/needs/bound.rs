@@ -1,0 +1,170 @@
+//! The most that a scene may need: what lies beyond it is not linked.
+
+use core::fmt;
+
+use super::{Mirrors, Needs, Shininess};
+
+/// The most that scenes filled at run time may need, as a type: what it leaves out is not linked.
+///
+/// ```
+/// use reflet::{Bound, Mirrors, Needs};
+///
+/// /// Whatever scene comes, nothing in it mirrors.
+/// struct Matte;
+///
+/// impl Bound for Matte {
+///     const NEEDS: Needs = Needs::ALL.without_mirrors();
+/// }
+/// assert!(Matte::NEEDS.mirrors == Mirrors::None);
+/// ```
+pub trait Bound {
+    /// The most that is needed.
+    const NEEDS: Needs;
+}
+
+impl Needs {
+    /// Whether a scene that needs this needs no more than `bound`.
+    ///
+    /// # Errors
+    /// The first thing that the bound leaves out.
+    pub const fn within(&self, bound: &Self) -> Result<(), Excess> {
+        let excess = if self.spheres && !bound.spheres {
+            "spheres"
+        } else if self.planes && !bound.planes {
+            "planes"
+        } else if self.cylinders && !bound.cylinders {
+            "cylinders"
+        } else if self.lights && !bound.lights {
+            "lights"
+        } else if self.shadows && !bound.shadows {
+            "shadows"
+        } else if self.highlights && !bound.highlights {
+            "highlights"
+        } else if self.shininess as u8 > bound.shininess as u8 {
+            "shininess"
+        } else if self.mirrors as u8 != bound.mirrors as u8
+            && !matches!(bound.mirrors, Mirrors::Some)
+        {
+            "mirrors"
+        } else if self.mirrored && !bound.mirrored {
+            "mirrored"
+        } else if self.places && !bound.places {
+            "places"
+        } else if self.materials && !bound.materials {
+            "materials"
+        } else if self.colors && !bound.colors {
+            "colors"
+        } else {
+            return Ok(());
+        };
+        Err(Excess { need: excess })
+    }
+
+    /// The same without spheres.
+    #[must_use]
+    pub const fn without_spheres(self) -> Self {
+        Self {
+            spheres: false,
+            ..self
+        }
+    }
+
+    /// The same without planes.
+    #[must_use]
+    pub const fn without_planes(self) -> Self {
+        Self {
+            planes: false,
+            ..self
+        }
+    }
+
+    /// The same without cylinders.
+    #[must_use]
+    pub const fn without_cylinders(self) -> Self {
+        Self {
+            cylinders: false,
+            ..self
+        }
+    }
+
+    /// The same without lights, and so without shadows and highlights.
+    #[must_use]
+    pub const fn without_lights(self) -> Self {
+        Self {
+            lights: false,
+            shadows: false,
+            sets: false,
+            ..self.without_highlights()
+        }
+    }
+
+    /// The same without highlights.
+    #[must_use]
+    pub const fn without_highlights(self) -> Self {
+        Self {
+            highlights: false,
+            shininess: Shininess::None,
+            ..self
+        }
+    }
+
+    /// The same with no powers but these.
+    #[must_use]
+    pub const fn with_shininess(self, shininess: Shininess) -> Self {
+        Self { shininess, ..self }
+    }
+
+    /// The same without mirrors.
+    #[must_use]
+    pub const fn without_mirrors(self) -> Self {
+        Self {
+            mirrors: Mirrors::None,
+            reflections: 0,
+            mirrored: false,
+            ..self
+        }
+    }
+
+    /// The same with so many reflections at most.
+    #[must_use]
+    pub const fn with_reflections(self, reflections: u8) -> Self {
+        Self {
+            reflections,
+            ..self
+        }
+    }
+
+    /// The same in grey.
+    #[must_use]
+    pub const fn without_colors(self) -> Self {
+        Self {
+            colors: false,
+            ..self
+        }
+    }
+}
+
+/// So many reflections at most.
+pub struct MostReflections<const N: u8>;
+
+impl<const N: u8> Bound for MostReflections<N> {
+    const NEEDS: Needs = Needs::ALL.with_reflections(N);
+}
+
+/// A scene needs something that its [`Bound`] leaves out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Excess {
+    /// The name of the field of [`Needs`].
+    pub need: &'static str,
+}
+
+impl fmt::Display for Excess {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str("the scene needs `")?;
+        formatter.write_str(self.need)?;
+        formatter.write_str("`, which the bound of its frame leaves out: allow it there")
+    }
+}
+
+impl core::error::Error for Excess {}

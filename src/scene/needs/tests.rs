@@ -1,0 +1,138 @@
+use super::*;
+use crate::material::Material;
+use crate::scene::{RuntimeScene, SceneError};
+
+type Scenery = RuntimeScene<4, 3, 2, 2, 4>;
+
+/// What a scene needs that a function has filled.
+fn needs(fill: impl FnOnce(&mut Scenery) -> Result<(), SceneError>) -> Needs {
+    let mut scene = Scenery::new();
+    fill(&mut scene).unwrap();
+    scene.build().unwrap().needs()
+}
+
+const GREY: Material = Material::new([0.5; 3]);
+
+#[test]
+fn empty_scene_needs_nothing() {
+    let needs = needs(|_| Ok(()));
+    assert!(needs.is_nothing());
+    assert!(needs.list().iter().all(|need| !need.is_needed));
+}
+
+#[test]
+fn full_scene_needs_everything() {
+    let needs = needs(|scene| {
+        let red = scene.add_material(Material::new([0.9, 0.1, 0.1]).specular(0.5, 2.5))?;
+        let glass = scene.add_material(GREY.mirror(0.5))?;
+        for x in [0, 3] {
+            scene.add_sphere([x, 0, 0], 1, red)?;
+            scene.add_cylinder([x, 3, 0], [0, 0, 1], 1, 1, glass)?;
+        }
+        scene.add_plane([0, 0, -2], [0, 0, 1], glass)?;
+        scene.add_light([9, 9, 9], [1, 1, 1])
+    });
+    assert_eq!(needs, Needs::ALL);
+    assert!(needs.list().iter().all(|need| need.is_needed));
+}
+
+#[test]
+fn single_plane_mirrors_nothing_that_is_met_and_is_not_shaded() {
+    let mut scene = Scenery::new();
+    let glass = scene.add_material(GREY.mirror(0.5)).unwrap();
+    scene.add_plane([0, 0, -2], [0, 0, 1], glass).unwrap();
+    let dark = scene.build().unwrap().needs();
+    assert_eq!(
+        (dark.reflections, dark.mirrored, dark.places),
+        (1, false, false)
+    );
+    scene.add_light([9, 9, 9], [1, 1, 1]).unwrap();
+    let lit = scene.build().unwrap().needs();
+    assert_eq!((lit.reflections, lit.places, lit.shadows), (1, true, false));
+    scene.add_plane([0, 0, 2], [0, 0, 1], glass).unwrap();
+    let two = scene.build().unwrap().needs();
+    assert_eq!((two.reflections, two.mirrored), (u8::MAX, true));
+    assert!(two.shadows);
+}
+
+#[test]
+fn highlights_need_a_light_and_a_surface_that_does_not_mirror_all() {
+    let shiny = |is_lit: bool, mirror: f64, shininess: f64| {
+        needs(|scene| {
+            let shiny = GREY.specular(0.5, shininess).mirror(mirror);
+            let shiny = scene.add_material(shiny)?;
+            scene.add_sphere([0, 0, 0], 1, shiny)?;
+            match is_lit {
+                true => scene.add_light([9, 9, 9], [1, 1, 1]),
+                false => Ok(()),
+            }
+        })
+    };
+    let kind = |needs: Needs| (needs.highlights, needs.shininess);
+    assert_eq!(kind(shiny(false, 0.0, 4.0)), (false, Shininess::None));
+    assert_eq!(kind(shiny(true, 1.0, 4.0)), (false, Shininess::None));
+    assert_eq!(kind(shiny(true, 0.5, 0.0)), (true, Shininess::Even));
+    assert_eq!(kind(shiny(true, 0.5, 4.0)), (true, Shininess::Even));
+    assert_eq!(kind(shiny(true, 0.5, 5.0)), (true, Shininess::Whole));
+    assert_eq!(kind(shiny(true, 0.5, 4.5)), (true, Shininess::Real));
+    let mirrors = [0.0, 0.5, 1.0].map(|mirror| shiny(true, mirror, 4.0).mirrors);
+    assert_eq!(mirrors, [Mirrors::None, Mirrors::Some, Mirrors::All]);
+}
+
+#[test]
+fn material_that_no_shape_is_made_of_is_not_counted() {
+    let needs = needs(|scene| {
+        let grey = scene.add_material(GREY)?;
+        scene.add_material(Material::new([0.9, 0.1, 0.1]).mirror(0.5))?;
+        scene.add_sphere([0, 0, 0], 1, grey)
+    });
+    assert_eq!((needs.mirrors, needs.colors), (Mirrors::None, false));
+}
+
+#[test]
+fn color_of_a_light_or_the_background_is_no_grey() {
+    let with = |light: [f64; 3], background: [f64; 3]| {
+        needs(|scene| {
+            let grey = scene.add_material(GREY)?;
+            scene.add_sphere([0, 0, 0], 1, grey)?;
+            scene.set_background(background)?;
+            scene.add_light([9, 9, 9], light)
+        })
+    };
+    assert!(!with([0.5; 3], [0.25; 3]).colors);
+    assert!(with([0.5, 0.5, 0.6], [0.25; 3]).colors);
+    assert!(with([0.5; 3], [0.25, 0.3, 0.25]).colors);
+}
+
+#[test]
+fn bound_names_the_first_need_beyond_it() {
+    let all = Needs::ALL;
+    assert_eq!(all.within(&all), Ok(()));
+    for (bound, need) in [
+        (all.without_spheres(), "spheres"),
+        (all.without_planes(), "planes"),
+        (all.without_cylinders(), "cylinders"),
+        (all.without_lights(), "lights"),
+        (all.without_highlights(), "highlights"),
+        (all.with_shininess(Shininess::Whole), "shininess"),
+        (all.without_mirrors(), "mirrors"),
+        (all.without_colors(), "colors"),
+    ] {
+        let excess = all.within(&bound).unwrap_err();
+        assert_eq!(excess.need, need);
+        assert!(format!("{excess}").contains(&format!("`{need}`")));
+        assert_eq!(bound.within(&all), Ok(()));
+        assert_eq!(all.both(&bound), bound);
+        assert_eq!(bound.both(&all), bound);
+    }
+}
+
+#[test]
+fn room_bounds_every_scene_in_it() {
+    let roomy = Needs::of_room([4, 3, 2, 2, 4]);
+    let scene = needs(|scene| {
+        let red = scene.add_material(Material::new([0.9, 0.1, 0.1]).mirror(0.3))?;
+        scene.add_plane([0, 0, -2], [0, 0, 1], red)
+    });
+    assert_eq!(scene.within(&roomy), Ok(()));
+}
