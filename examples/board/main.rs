@@ -6,6 +6,19 @@
 #[cfg(target_os = "none")]
 mod firmware;
 
+#[cfg(target_os = "none")]
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    use reflet::scenes::{NAMES, visit};
+
+    firmware::run(|viewer| {
+        for name in NAMES {
+            visit(name, &mut *viewer).transpose()?;
+        }
+        Ok(())
+    })
+}
+
 /// Where there is no board, it says what is meant.
 #[cfg(not(target_os = "none"))]
 fn main() {

@@ -1,4 +1,4 @@
-//! Shows the built-in scenes, drawn row by row; the arrow keys orbit the camera, the select key
+//! Shows scenes, drawn row by row; the arrow keys orbit the camera, the select key
 //! goes on to the next scene. Each finished picture is reported to the debugger.
 
 mod fault;
@@ -8,14 +8,13 @@ mod ssd0323;
 
 use core::convert::Infallible;
 
-use cortex_m_rt::entry;
 use embedded_graphics::{
     geometry::{OriginDimensions, Point, Size},
     primitives::Rectangle,
 };
 use reflet::{
-    Camera, Report, StaticFrame,
-    scenes::{BuiltIn, NAMES, Visitor, visit},
+    Camera, Report,
+    scenes::{BuiltIn, Visitor},
 };
 use semihosting::println;
 
@@ -25,39 +24,43 @@ use self::{
     ssd0323::Ssd0323,
 };
 
-type Error = ssd0323::Error<Infallible, Infallible>;
+/// What can fail.
+pub type Error = ssd0323::Error<Infallible, Infallible>;
 
-#[entry]
-fn main() -> ! {
-    let Err(error) = run();
+/// Takes the board and shows some scenes again and again.
+pub fn run(show: impl Fn(&mut Viewer) -> Result<(), Error>) -> ! {
+    let Err(error) = forever(show);
     panic!("the display failed: {error:?}")
 }
 
-fn run() -> Result<Infallible, Error> {
+fn forever(show: impl Fn(&mut Viewer) -> Result<(), Error>) -> Result<Infallible, Error> {
     let board = Board::take().expect("nobody else takes the board");
-    let mut display = Ssd0323::new(board.spi, board.data_command)?;
-    let mut keys = Keys::new([board.left, board.right, board.up, board.down, board.select]);
+    let mut viewer = Viewer {
+        display: Ssd0323::new(board.spi, board.data_command)?,
+        keys: Keys::new([board.left, board.right, board.up, board.down, board.select]),
+    };
     loop {
-        for name in NAMES {
-            let viewer = Viewer {
-                display: &mut display,
-                keys: &mut keys,
-            };
-            visit(name, viewer).transpose()?;
-        }
+        show(&mut viewer)?;
     }
 }
 
-struct Viewer<'a> {
-    display: &'a mut Ssd0323<Spi, Output>,
-    keys: &'a mut Keys,
+/// The display and the keys.
+pub struct Viewer {
+    display: Ssd0323<Spi, Output>,
+    keys: Keys,
 }
 
-impl Visitor for Viewer<'_> {
+impl Visitor for &mut Viewer {
     type Output = Result<(), Error>;
 
+    fn visit<S: BuiltIn>(self) -> Result<(), Error> {
+        self.follow::<S>()
+    }
+}
+
+impl Viewer {
     /// Shows a scene from where its keys lead to, until the next one is asked for.
-    fn visit<S: BuiltIn>(mut self) -> Result<(), Error> {
+    pub fn follow<S: BuiltIn>(&mut self) -> Result<(), Error> {
         let mut camera = S::CAMERA;
         while let Request::Orbit(azimuth, elevation) = self.show::<S>(&camera)? {
             // A camera cannot look along its `up`: there it stays.
@@ -65,23 +68,24 @@ impl Visitor for Viewer<'_> {
         }
         Ok(())
     }
-}
 
-impl Viewer<'_> {
     /// Draws a scene until it is done or a key is pressed, and returns what the next key asks for.
     fn show<S: BuiltIn>(&mut self, camera: &Camera) -> Result<Request, Error> {
         let picture = S::frame(camera).sized(self.display.size());
         let mut report = Report::NONE;
         for y in 0..picture.size().height as i32 {
             let row = Rectangle::new(Point::new(0, y), Size::new(picture.size().width, 1));
-            let drawn = picture.draw_area(row, Point::zero(), self.display)?;
+            let drawn = picture.draw_area(row, Point::zero(), &mut self.display)?;
             report = report.merge(drawn);
             if let Some(request) = self.keys.pressed() {
                 return Ok(request);
             }
         }
-        let Report { rays, cut_off, .. } = report;
-        println!("{}: {rays} rays, weight cut off {cut_off:.4}", S::NAME);
+        // In whole numbers: their formatting is a fraction of that of others.
+        let (rays, cut_off) = (report.rays as u32, report.cut_off.to_bits() as u32);
+        let cut_off = (u64::from(cut_off) * 10_000 + (1 << 29)) >> 30;
+        let (ones, rest) = (cut_off as u32 / 10_000, cut_off as u32 % 10_000);
+        println!("{}: {rays} rays, weight cut off {ones}.{rest:04}", S::NAME);
         Ok(self.keys.wait())
     }
 }

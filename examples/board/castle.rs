@@ -1,0 +1,22 @@
+//! The castle alone on the same OLED: what the other scenes need is not in this firmware.
+//!
+//! `cargo run --release --example board_castle --target thumbv7m-none-eabi` boots it in QEMU.
+#![cfg_attr(target_os = "none", no_std, no_main)]
+
+#[cfg(target_os = "none")]
+mod firmware;
+
+#[cfg(target_os = "none")]
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    firmware::run(|viewer| viewer.follow::<reflet::scenes::Castle>())
+}
+
+/// Where there is no board, it says what is meant.
+#[cfg(not(target_os = "none"))]
+fn main() {
+    eprintln!(
+        "this is firmware: cargo run --release --example board_castle --target thumbv7m-none-eabi"
+    );
+    std::process::exit(2);
+}
