@@ -45,9 +45,14 @@ pub fn show(firmware: &Path) -> Result<()> {
 
 /// Builds the firmware and returns where it is.
 pub fn build() -> Result<PathBuf> {
+    build_example("board")
+}
+
+/// Builds a firmware for the board and returns where it is.
+pub fn build_example(name: &str) -> Result<PathBuf> {
     let root = root();
     env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))?;
-    toolchain::build(TARGET, &["--package", "reflet", "--example", "board"])
+    toolchain::build(TARGET, &["--package", "reflet", "--example", name])
 }
 
 fn machine() -> Qemu {

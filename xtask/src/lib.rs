@@ -22,6 +22,7 @@ pub mod scale;
 pub mod scene_source;
 pub mod screenshot;
 pub mod setup;
+pub mod size;
 pub mod table;
 pub mod toolchain;
 

@@ -37,18 +37,30 @@ pub struct Outcome {
 /// Bytes of a linked program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Weight {
+    /// Machine code.
+    pub code: u64,
     /// Code, constants, and first values of variables.
     pub flash: u64,
     /// Static variables.
     pub ram: u64,
 }
 
+impl Weight {
+    /// What is beyond another program.
+    fn beyond(self, other: Self) -> Self {
+        Self {
+            code: self.code.saturating_sub(other.code),
+            flash: self.flash.saturating_sub(other.flash),
+            ram: self.ram.saturating_sub(other.ram),
+        }
+    }
+}
+
 /// Builds and runs the firmware for a task.
 pub fn run(task: &Task) -> Result<Outcome> {
     let place = Place::take(task.core)?;
     let programs = build(task, &place)?;
-    let empty = weigh(&programs.empty)?;
-    let full = weigh(&programs.scene)?;
+    let weight = programs.weight()?;
     let said = task
         .core
         .counting_emulator()
@@ -64,11 +76,14 @@ pub fn run(task: &Task) -> Result<Outcome> {
         prepare: report.number("prepare")?,
         stack: report.number("stack")?,
         hash: report.number("hash")?,
-        weight: Weight {
-            flash: full.flash.saturating_sub(empty.flash),
-            ram: full.ram.saturating_sub(empty.ram),
-        },
+        weight,
     })
+}
+
+/// Builds the firmware for a task and weighs it.
+pub fn weight(task: &Task) -> Result<Weight> {
+    let place = Place::take(task.core)?;
+    build(task, &place)?.weight()
 }
 
 /// Builds the firmware for a task and does something with the program that draws the scene.
@@ -87,6 +102,13 @@ struct Programs {
     scene: PathBuf,
     empty: PathBuf,
     ticket: u64,
+}
+
+impl Programs {
+    /// What the scene's program has beyond the empty one.
+    fn weight(&self) -> Result<Weight> {
+        Ok(weigh(&self.scene)?.beyond(weigh(&self.empty)?))
+    }
 }
 
 /// Where the firmware for a core is built: every task for the same target is built there, so it is
@@ -164,11 +186,15 @@ fn write(path: &Path, text: &str) -> Result<()> {
 }
 
 /// The bytes of a program that flash and RAM hold.
-fn weigh(program: &Path) -> Result<Weight> {
+pub fn weigh(program: &Path) -> Result<Weight> {
     let unreadable = || format!("cannot read {}", program.display());
     let bytes = fs::read(program).with_context(unreadable)?;
     let program = object::File::parse(&*bytes).with_context(unreadable)?;
-    let mut weight = Weight { flash: 0, ram: 0 };
+    let mut weight = Weight {
+        code: 0,
+        flash: 0,
+        ram: 0,
+    };
     for section in program.sections() {
         let SectionFlags::Elf { sh_flags } = section.flags() else {
             bail!("a firmware is an ELF file");
@@ -180,6 +206,8 @@ fn weigh(program: &Path) -> Result<Weight> {
         }
         let has_content = section.file_range().is_some();
         weight.flash += if has_content { section.size() } else { 0 };
+        let is_code = sh_flags & u64::from(elf::SHF_EXECINSTR) != 0;
+        weight.code += if is_code { section.size() } else { 0 };
         let is_variable = sh_flags & u64::from(elf::SHF_WRITE) != 0;
         weight.ram += if is_variable { section.size() } else { 0 };
     }

@@ -18,7 +18,9 @@ use std::io::{self, Write};
 
 use anyhow::Result;
 
-pub use self::firmware::{RUN_LIMIT, is_counted, with_program};
+pub use self::firmware::{
+    Outcome, RUN_LIMIT, Weight, is_counted, run as outcome, weigh, weight, with_program,
+};
 use self::{arguments::Arguments, figures::Figures, task::Task};
 use crate::cycles::{self, Estimate};
 

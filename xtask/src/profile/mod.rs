@@ -8,7 +8,7 @@
 
 pub mod arguments;
 mod calls;
-mod names;
+pub mod names;
 mod print;
 mod record;
 mod stages;

@@ -1,7 +1,7 @@
 //! The functions that stand at an address of a program, inlined ones too, by its debug
 //! information.
 
-use std::{fs, ops::Range, path::Path};
+use std::{collections::BTreeSet, fs, ops::Range, path::Path};
 
 use addr2line::Loader;
 use anyhow::{Context, Result, anyhow};
@@ -62,6 +62,20 @@ impl Names {
             .partition_point(|(start, _, _)| *start <= address);
         let (start, size, name) = self.functions.get(after.checked_sub(1)?)?;
         (address - start < *size).then_some((*start, name.as_str()))
+    }
+
+    /// All functions of which anything is left in the program, inlined ones too.
+    ///
+    /// # Errors
+    /// Debug information that cannot be read.
+    pub fn all(&self) -> Result<BTreeSet<String>> {
+        let mut names = BTreeSet::new();
+        for address in self.code.clone().step_by(2) {
+            if self.function(address).is_some() {
+                names.extend(self.frames(address)?.into_iter().map(|frame| frame.name));
+            }
+        }
+        Ok(names)
     }
 
     /// The functions that stand at an address, the innermost first, the linked one last.

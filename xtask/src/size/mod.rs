@@ -1,0 +1,268 @@
+//! `cargo xtask size`: what a scene takes of flash and RAM, and what is left out of it.
+//!
+//! Every built-in scene in every quality, with four reflections and, where it mirrors, with none, on
+//! the smallest cores: [`Figures`] are a line in docs/measured/sizes.jsonl, which is the budget that
+//! the tests hold scenes to as well, and [`page`] makes docs/sizes.md of them.
+
+mod page;
+
+use std::{
+    fs,
+    io::{self, Write},
+    path::PathBuf,
+    thread,
+};
+
+use anyhow::{Context, Result, bail};
+use clap::{Args, builder::PossibleValuesParser};
+use reflet::{
+    Needs,
+    scenes::{self, BuiltIn, Visitor},
+};
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    board,
+    measure::{
+        cores::Core,
+        outcome,
+        scene::Scene,
+        task::{Quality, Settings, Shading, Size, Task},
+        weigh, weight,
+    },
+    root, table,
+};
+
+/// Weighs the firmware of every built-in scene and quality; without options it also writes
+/// docs/sizes.md and the budget that the tests hold the scenes to.
+#[derive(Args, Debug)]
+#[command(after_long_help = AFTER_HELP)]
+pub struct Arguments {
+    /// One target only
+    #[arg(long, value_parser = PossibleValuesParser::new(TARGETS.map(|(target, _)| target)))]
+    target: Option<String>,
+
+    /// One built-in scene only
+    #[arg(long, value_parser = PossibleValuesParser::new(scenes::NAMES))]
+    scene: Option<String>,
+
+    /// Print a line of JSON for each instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
+const AFTER_HELP: &str = "\
+code and constants are the bytes that the library and the scene have in flash: what the firmware that
+`cargo xtask measure` runs has beyond the same firmware with an empty frame, so that runtime and
+measurement are apart; flash is both. RAM is static variables, stack the most in use at a time.
+
+The JSON keys are target, scene, quality, reflections, code, constants, flash, ram, stack and
+left_out, the things that the firmware has no code for (`render --needs` says why).";
+
+/// What the smallest chips are, and the core that runs them.
+const TARGETS: [(&str, &str); 2] = [("thumbv6m-none-eabi", "m0"), ("thumbv7m-none-eabi", "m3")];
+
+/// All but the float port.
+pub const QUALITIES: [Quality; 3] = [Quality::Fast, Quality::Fine, Quality::Small];
+
+/// Reflections where a scene has mirrors; the others have none to follow.
+const REFLECTIONS: [u8; 2] = [4, 0];
+
+/// The stack does not hang on it.
+const SIZE: Size = Size {
+    width: 64,
+    height: 16,
+};
+
+/// The whole firmware of the default board with nothing but the castle.
+pub const BOARD: &str = "board_castle";
+
+/// One line. In JSON the keys are the names of the fields.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Figures {
+    /// What the compiler calls the core.
+    pub target: String,
+    pub scene: String,
+    pub quality: String,
+    pub reflections: u8,
+    /// Bytes of machine code.
+    pub code: u64,
+    /// Bytes of constants.
+    pub constants: u64,
+    /// Both.
+    pub flash: u64,
+    /// Bytes of static variables.
+    pub ram: u64,
+    /// Most bytes of stack in use at a time.
+    pub stack: u64,
+    /// The [`Needs`] that the scene does not have.
+    pub left_out: Vec<String>,
+}
+
+/// Does what the command line asks for.
+pub fn run(arguments: &Arguments) -> Result<()> {
+    let tasks: Vec<_> = tasks()
+        .into_iter()
+        .filter(|task| {
+            let is_target = |target: &String| target == task.core.target;
+            let is_scene = |scene: &String| scene == task.scene.name();
+            arguments.target.as_ref().is_none_or(is_target)
+                && arguments.scene.as_ref().is_none_or(is_scene)
+        })
+        .collect();
+    let figures = weighed(&tasks)?;
+    if arguments.json {
+        for figures in &figures {
+            writeln!(io::stdout(), "{}", figures.json()?)?;
+        }
+        return Ok(());
+    }
+    let (head, rows) = page::table(&figures);
+    writeln!(io::stdout(), "{}", table::markdown(4, &head, &rows))?;
+    if arguments.target.is_none() && arguments.scene.is_none() {
+        let board = weigh(&board::build_example(BOARD)?)?;
+        let lines = figures.iter().map(|it| Ok(it.json()? + "\n"));
+        write(&budget(), &lines.collect::<Result<String>>()?)?;
+        write(&root().join("docs/sizes.md"), &page::write(&figures, board))?;
+    }
+    Ok(())
+}
+
+/// Everything that is weighed.
+pub fn tasks() -> Vec<Task> {
+    let mut tasks = Vec::new();
+    for (_, core) in TARGETS {
+        let core = Core::find(core).expect("it is in the list");
+        for name in scenes::NAMES {
+            for reflections in REFLECTIONS {
+                if reflections != REFLECTIONS[0] && needs(name, u8::MAX).reflections == 0 {
+                    continue;
+                }
+                tasks.extend(QUALITIES.map(|quality| Task {
+                    core,
+                    scene: Scene::BuiltIn(name),
+                    settings: Settings {
+                        size: SIZE,
+                        reflections,
+                        shading: Shading::BlinnPhong,
+                        quality,
+                    },
+                }));
+            }
+        }
+    }
+    tasks
+}
+
+/// The figures of tasks, in their order. Those for different targets do not wait for each other.
+fn weighed(tasks: &[Task]) -> Result<Vec<Figures>> {
+    let of_target = |target: &str| -> Result<Vec<_>> {
+        let tasks = tasks.iter().filter(|task| task.core.target == target);
+        tasks.map(Figures::of).collect()
+    };
+    let results = thread::scope(|scope| {
+        let threads = TARGETS.map(|(target, _)| scope.spawn(move || of_target(target)));
+        threads.map(|thread| thread.join().expect("no weighing panics"))
+    });
+    let figures: Result<Vec<_>> = results.into_iter().collect();
+    Ok(figures?.concat())
+}
+
+impl Figures {
+    /// Builds, weighs and runs a task.
+    pub fn of(task: &Task) -> Result<Self> {
+        let outcome = outcome(task)?;
+        let Settings {
+            reflections,
+            quality,
+            ..
+        } = task.settings;
+        let left_out = needs(task.scene.name(), reflections).list();
+        // Small code asks every shape.
+        let is_out = |name| quality == Quality::Small && name == "sets";
+        let left_out = left_out
+            .iter()
+            .filter(|it| !it.is_needed || is_out(it.name));
+        Ok(Self {
+            target: task.core.target.to_owned(),
+            scene: task.scene.name().to_owned(),
+            quality: quality.name().to_owned(),
+            reflections,
+            code: outcome.weight.code,
+            constants: outcome.weight.flash - outcome.weight.code,
+            flash: outcome.weight.flash,
+            ram: outcome.weight.ram,
+            stack: outcome.stack,
+            left_out: left_out.map(|need| need.name.to_owned()).collect(),
+        })
+    }
+
+    /// One line of JSON.
+    pub fn json(&self) -> Result<String> {
+        serde_json::to_string(self).context("figures are plain")
+    }
+
+    /// Whether they are those of a task.
+    pub fn are_of(&self, task: &Task) -> bool {
+        let Settings {
+            reflections,
+            quality,
+            ..
+        } = task.settings;
+        (self.target.as_str(), self.scene.as_str()) == (task.core.target, task.scene.name())
+            && (self.quality.as_str(), self.reflections) == (quality.name(), reflections)
+    }
+
+    /// What a task weighs more than these, if that is too much: more than 2 %.
+    pub fn excess(&self, task: &Task) -> Result<Option<String>> {
+        let flash = weight(task)?.flash;
+        let is_within = flash * 100 <= self.flash * 102;
+        Ok((!is_within).then(|| {
+            format!(
+                "{} {} {} N = {}: {flash} bytes, and the budget is {}",
+                self.target, self.scene, self.quality, self.reflections, self.flash
+            )
+        }))
+    }
+}
+
+/// What a built-in scene needs with so many reflections at most.
+fn needs(name: &str, reflections: u8) -> Needs {
+    struct Derive;
+
+    impl Visitor for Derive {
+        type Output = Needs;
+
+        fn visit<S: BuiltIn>(self) -> Needs {
+            Needs::of::<S>()
+        }
+    }
+
+    let needs = scenes::visit(name, Derive).expect("the name was found in the list of names");
+    needs.both(&Needs::ALL.with_reflections(reflections))
+}
+
+/// The figures as they are kept.
+pub fn kept() -> Result<Vec<Figures>> {
+    let file = budget();
+    let Ok(text) = fs::read_to_string(&file) else {
+        bail!(
+            "there is no {}: `cargo xtask size` writes it",
+            file.display()
+        );
+    };
+    let figures = |line| serde_json::from_str(line);
+    let rows: Result<Vec<_>, _> = text.lines().map(figures).collect();
+    rows.with_context(|| format!("{} is not what the command writes", file.display()))
+}
+
+fn budget() -> PathBuf {
+    root().join("docs/measured/sizes.jsonl")
+}
+
+fn write(file: &PathBuf, text: &str) -> Result<()> {
+    fs::write(file, text).with_context(|| format!("cannot write {}", file.display()))?;
+    println!("{}", file.display());
+    Ok(())
+}

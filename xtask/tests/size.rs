@@ -1,0 +1,289 @@
+//! A firmware carries what its scene needs and nothing else, and no scene grows unseen.
+
+use std::{collections::BTreeSet, process::Command, thread};
+
+use serde_json::{Value, json};
+use xtask::{
+    board,
+    measure::{
+        cores::Core,
+        count,
+        scene::Scene,
+        task::{Quality, Settings, Shading, Size, Task},
+        weigh, with_program,
+    },
+    profile::names::Names,
+    size,
+};
+
+/// A scene with one of everything, but what a test takes away.
+fn scene() -> Value {
+    json!({
+        "name": "all",
+        "camera": { "position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50 },
+        "materials": [
+            { "name": "gold", "color": [0.7, 0.6, 0], "ambient": 0.2, "diffuse": 0.4,
+              "specular": 0.8, "shininess": 2.5, "mirror": 0.4 },
+            { "name": "chalk", "color": [0.9, 0.9, 0.8], "ambient": 0.2, "diffuse": 0.8,
+              "specular": 0.1, "shininess": 2.5, "mirror": 0.4 }
+        ],
+        "lights": [ { "position": [3, -4, 6.125], "color": [1, 1, 1] } ],
+        "spheres": [ { "center": [0, 0, 1], "radius": 1, "material": "gold" } ],
+        "planes": [ { "center": [0, 0, 0], "normal": [0, 0, 1], "material": "chalk" } ],
+        "cylinders": [
+            { "center": [2, 0, 1], "axis": [0, 0, 1], "radius": 0.5, "height": 2,
+              "material": "gold" }
+        ]
+    })
+}
+
+/// The same with another value of a key of every material.
+fn with_material(mut scene: Value, key: &str, value: &Value) -> Value {
+    for material in scene["materials"].as_array_mut().unwrap() {
+        material[key] = value.clone();
+    }
+    scene
+}
+
+/// The same without what a list holds.
+fn without(mut scene: Value, list: &str) -> Value {
+    scene[list] = json!([]);
+    scene
+}
+
+fn task(scene: Scene, quality: Quality, shading: Shading) -> Task {
+    Task {
+        core: Core::find("m3").unwrap(),
+        scene,
+        settings: Settings {
+            size: Size {
+                width: 16,
+                height: 8,
+            },
+            reflections: 4,
+            shading,
+            quality,
+        },
+    }
+}
+
+/// What is in the firmware of a scene: its functions, inlined ones too, and its size in flash.
+fn linked(scene: &Value, quality: Quality, shading: Shading) -> (BTreeSet<String>, u64) {
+    let scene = Scene::parse(&scene.to_string()).unwrap();
+    with_program(&task(scene, quality, shading), |program| {
+        Ok((Names::read(program)?.all()?, weigh(program)?.flash))
+    })
+    .unwrap()
+}
+
+#[test]
+fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
+    let (fast, phong) = (Quality::Fast, Shading::BlinnPhong);
+    let all = linked(&scene(), fast, phong);
+    let number = |value: f64| json!(value);
+    let plane = without(without(scene(), "spheres"), "cylinders");
+    // What is absent, without what; the names of functions of which nothing may be left.
+    let pairs = [
+        (without(scene(), "spheres"), phong, "shape::sphere::"),
+        (without(scene(), "planes"), phong, "shape::plane::"),
+        (without(scene(), "cylinders"), phong, "shape::cylinder::"),
+        (without(scene(), "lights"), phong, "Surface::sent_on"),
+        (plane, phong, "blocked"),
+        (
+            with_material(scene(), "specular", &number(0.0)),
+            phong,
+            "half_way_square",
+        ),
+        (
+            with_material(scene(), "shininess", &number(3.0)),
+            phong,
+            "fractional_power",
+        ),
+        (
+            with_material(scene(), "shininess", &number(4.0)),
+            phong,
+            "root_of_unit",
+        ),
+        (
+            with_material(scene(), "mirror", &number(0.0)),
+            phong,
+            "Surface::reflect",
+        ),
+        (
+            with_material(scene(), "mirror", &number(1.0)),
+            phong,
+            "lit_color",
+        ),
+    ];
+    let has = |names: &BTreeSet<String>, part: &str| names.iter().any(|name| name.contains(part));
+    for (scene, shading, part) in pairs {
+        let (names, flash) = linked(&scene, fast, shading);
+        assert!(has(&all.0, part), "{part} is not found where it is needed");
+        let left: Vec<_> = names.iter().filter(|name| name.contains(part)).collect();
+        assert!(left.is_empty(), "{part}: {left:?}");
+        assert!(flash < all.1, "{part}: {flash} bytes, not below {}", all.1);
+    }
+
+    // Views and qualities that nobody chose.
+    assert!(!has(&all.0, "color::halved") && has(&all.0, "Colors<W,K,Q>::follow"));
+    let (normals, flash) = linked(&scene(), fast, Shading::Normals);
+    assert!(has(&normals, "color::halved") && !has(&normals, "lit_color"));
+    assert!(flash < all.1);
+    let (small, flash) = linked(&scene(), Quality::Small, phong);
+    for part in [
+        "Colors<W,K,Q>::follow",
+        "scene::row::",
+        "scene::extent::",
+        "SeenSphere",
+    ] {
+        assert!(has(&all.0, part) && !has(&small, part), "{part}");
+    }
+    assert!(flash < all.1);
+}
+
+#[test]
+fn empty_scene_has_nothing_but_the_loop_that_writes_the_background() {
+    let scene = Scene::BuiltIn("empty");
+    let (names, figures) = [Quality::Fast, Quality::Small]
+        .map(|quality| {
+            let task = task(scene.clone(), quality, Shading::BlinnPhong);
+            let names = with_program(&task, |program| Names::read(program)?.all()).unwrap();
+            (names, count(&task).unwrap())
+        })
+        .into_iter()
+        .next()
+        .unwrap();
+    let rooms = [
+        "shape::",
+        "shade::lit",
+        "camera::",
+        "root::",
+        "interpolate::Colors",
+        "Tracer",
+    ];
+    for room in rooms {
+        let left: Vec<_> = names.iter().filter(|name| name.contains(room)).collect();
+        assert!(left.is_empty(), "{left:?}");
+    }
+    assert!(figures.flash < 1024, "{} bytes", figures.flash);
+}
+
+/// What scenes may take of flash on thumbv7m, whatever the budget says: scene, quality, reflections
+/// and bytes.
+const LIMITS: [(&str, &str, u8, u64); 5] = [
+    ("floor", "fast", 4, 3 * 1024),
+    ("corner1", "small", 4, 6 * 1024),
+    ("shading_lights", "small", 0, 8 * 1024),
+    ("castle", "fast", 4, 32 * 1024),
+    ("castle", "small", 4, 12 * 1024),
+];
+
+#[test]
+fn no_scene_has_grown_beyond_its_budget() {
+    let (tasks, kept) = (size::tasks(), size::kept().unwrap());
+    let is_complete = tasks.len() == kept.len()
+        && tasks
+            .iter()
+            .zip(&kept)
+            .all(|(task, kept)| kept.are_of(task));
+    assert!(is_complete, "`cargo xtask size` has to be run again");
+    for (scene, quality, reflections, most) in LIMITS {
+        let kept = kept.iter().find(|it| {
+            it.target == "thumbv7m-none-eabi"
+                && (it.scene.as_str(), it.quality.as_str()) == (scene, quality)
+                && it.reflections == reflections
+        });
+        let flash = kept.unwrap().flash;
+        assert!(
+            flash <= most,
+            "{scene} {quality}: {flash} bytes, not {most}"
+        );
+    }
+    // The qualities between them, and other reflections, have no code of their own.
+    let pairs: Vec<_> = tasks
+        .iter()
+        .zip(&kept)
+        .filter(|(task, _)| is_weighed_in_tests(task))
+        .collect();
+    let of_target = |target: &str| {
+        let pairs = pairs.iter().filter(|(task, _)| task.core.target == target);
+        let excesses = pairs.map(|(task, kept)| kept.excess(task).unwrap());
+        excesses.flatten().collect::<Vec<_>>()
+    };
+    let grown = thread::scope(|scope| {
+        let threads = ["thumbv6m-none-eabi", "thumbv7m-none-eabi"]
+            .map(|target| scope.spawn(move || of_target(target)));
+        threads.map(|thread| thread.join().unwrap()).concat()
+    });
+    assert!(
+        grown.is_empty(),
+        "say why in the commit, and run `cargo xtask size`:\n{}",
+        grown.join("\n")
+    );
+}
+
+/// On the larger core, fast and fine scenes are weighed where their instructions are counted.
+fn is_weighed_in_tests(task: &Task) -> bool {
+    let Settings {
+        reflections,
+        quality,
+        ..
+    } = task.settings;
+    let is_small = quality == Quality::Small;
+    let is_fast = quality == Quality::Fast && task.core.name == "m0";
+    reflections == 4 && (is_small || is_fast)
+}
+
+#[test]
+fn whole_firmware_of_the_castle_is_below_48_kib() {
+    let weight = weigh(&board::build_example(size::BOARD).unwrap()).unwrap();
+    assert!(weight.flash <= 48 * 1024, "{} bytes", weight.flash);
+}
+
+#[test]
+fn command_prints_lines_of_json_with_these_keys() {
+    let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
+        .args([
+            "size",
+            "--json",
+            "--scene",
+            "empty",
+            "--target",
+            "thumbv7m-none-eabi",
+        ])
+        .output()
+        .unwrap();
+    assert!(output.status.success());
+    let text = String::from_utf8(output.stdout).unwrap();
+    let lines: Vec<Value> = text
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    assert_eq!(lines.len(), 3);
+    for line in lines {
+        let keys: Vec<_> = line
+            .as_object()
+            .unwrap()
+            .keys()
+            .map(String::as_str)
+            .collect();
+        let mut expected = [
+            "target",
+            "scene",
+            "quality",
+            "reflections",
+            "code",
+            "constants",
+            "flash",
+            "ram",
+            "stack",
+            "left_out",
+        ];
+        expected.sort_unstable();
+        assert_eq!(keys, expected);
+        assert_eq!(line["left_out"].as_array().unwrap().len(), 14);
+        let [code, constants, flash] =
+            ["code", "constants", "flash"].map(|key| line[key].as_u64().unwrap());
+        assert_eq!(code + constants, flash);
+    }
+}
