@@ -52,7 +52,7 @@
 //!
 //! | floor | modules | what lives there |
 //! |---|---|---|
-//! | 7 | `render` | rows of pixels into a display |
+//! | 7 | `render` | rows of pixels into a display, dithered if it has few levels |
 //! | 6 | `interpolate`, `trace` | a row's colours, most between traced ones; one ray to one colour: the accumulation |
 //! | 5 | `shade` | the light at one hit |
 //! | 4 | `scene` | the checked scene; what a ray meets, whether it is blocked |
@@ -134,7 +134,7 @@ pub use light::Light;
 pub use material::Material;
 pub use number::{Number, Unit};
 pub use quality::{Fast, Fine, Quality, Small};
-pub use render::{Frame, Picture, Report, StaticFrame};
+pub use render::{Ditherable, Dithered, Frame, Picture, Report, StaticFrame, Threshold, dither};
 pub use scene::{
     Apart, Bound, Description, Excess, Mirrors, MostReflections, Need, Needs, RuntimeScene, Scene,
     SceneBuilder, SceneError, Shininess, Static, StaticScene, Within, World,

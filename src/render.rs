@@ -1,5 +1,7 @@
 //! Floor 7: rows of pixels into a display. The only floor that names embedded-graphics.
 
+mod dither;
+
 use core::marker::PhantomData;
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -20,6 +22,8 @@ use crate::scene::view::View;
 use crate::scene::{Apart, Bound, Excess, MostReflections, Scene, Static, Within, World};
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
+
+pub use self::dither::{Ditherable, Dithered, Threshold, dither};
 
 /// What is known about a picture, or a part of one, when it has been drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,6 +8,7 @@ use reflet::host::reference;
 use reflet::scenes;
 
 use crate::Failure;
+use crate::dither::Levels;
 use crate::draw::Settings;
 
 /// Renders a scene of mirrors in fixed point, as a microcontroller does.
@@ -49,6 +50,11 @@ pub struct Arguments {
         value_name = "fast|fine|small"
     )]
     pub quality: Quality,
+
+    /// Dither the picture for a display with such colours, after any comparison
+    #[arg(long, hide_possible_values = true)]
+    #[arg(value_name = "rgb565|gray4|gray2|binary")]
+    pub dither: Option<Levels>,
 
     /// Write the picture to a new PNG file
     #[arg(long, value_name = "F.png")]

@@ -3,6 +3,7 @@
 //! `cargo run --release --example render -- --help`
 
 mod arguments;
+mod dither;
 mod draw;
 mod file;
 mod needs;
@@ -55,7 +56,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let outputs = Outputs::new(arguments, source.name())?;
     if outputs.are_wanted() {
-        let drawing = Drawing::new(&source, arguments)?;
+        let drawing = Drawing::new(&source, arguments)?.dithered(arguments.dither);
         outputs.write(&drawing)?;
     }
     #[cfg(feature = "window")]

@@ -12,6 +12,7 @@ use reflet::{Camera, CameraError, Report};
 
 use crate::Failure;
 use crate::arguments::Arguments;
+use crate::dither::Levels;
 use crate::draw::Settings;
 use crate::progress;
 use crate::source::Source;
@@ -85,6 +86,14 @@ impl Drawing {
             report: Some(report),
             difference: None,
         })
+    }
+
+    /// The same in the levels of a display, if any are named.
+    pub fn dithered(mut self, levels: Option<Levels>) -> Self {
+        if let Some(levels) = levels {
+            levels.dither(&mut self.display);
+        }
+        self
     }
 }
 

@@ -114,12 +114,9 @@ impl<'a> View<'a> {
 
     fn draw(&self) -> Result<Drawing, Failure> {
         let source = &self.sources[self.shown];
-        Ok(Drawing::in_fixed_point(
-            source,
-            &self.camera,
-            self.arguments.size,
-            self.settings,
-        )?)
+        let drawing =
+            Drawing::in_fixed_point(source, &self.camera, self.arguments.size, self.settings)?;
+        Ok(drawing.dithered(self.arguments.dither))
     }
 
     fn describe(&self, drawing: &Drawing) -> String {

@@ -1,5 +1,6 @@
 //! The render example as its users call it: what it writes, what it prints, what it refuses.
 
+mod dithering;
 mod program;
 
 use std::fs;
@@ -415,7 +416,8 @@ fn help_names_every_scene_and_option() {
     for name in scenes::NAMES {
         assert!(help.contains(name), "{name}");
     }
-    let options = "scene size reflections shading quality out raw reference check json window";
+    let options =
+        "scene size reflections shading quality dither out raw reference check json window";
     for option in options.split(' ') {
         assert!(help.contains(&format!("--{option}")), "{option}");
     }

@@ -14,8 +14,8 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use reflet::{
-    BlinnPhong, Bound, Camera, Fast, Fine, Frame, Material, Needs, Normals, Number, Phong, Quality,
-    Report, RuntimeScene, Scene, Shading, Small, StaticFrame, World,
+    BlinnPhong, Bound, Camera, Dithered, Fast, Fine, Frame, Material, Needs, Normals, Number,
+    Phong, Quality, Report, RuntimeScene, Scene, Shading, Small, StaticFrame, World,
     scenes::{BuiltIn, Castle, Floor},
 };
 
@@ -23,24 +23,19 @@ use reflet::{
 fn main() -> ! {
     // A constant scene leaves out what it does not need; a filled one needs everything.
     let camera = black_box(Castle::CAMERA);
-    draw::<Fast, BlinnPhong, _>(Castle::frame(&camera));
     draw::<Fast, BlinnPhong, _>(Castle::frame(&camera).most_reflections::<0>());
-    draw::<Fine, BlinnPhong, _>(Castle::frame(&camera));
     draw::<Small, BlinnPhong, _>(Castle::frame(&camera));
     draw::<Fast, BlinnPhong, _>(Floor::frame(&camera));
     if let Some((scene, camera)) = fill() {
         draw::<Fast, BlinnPhong, _>(scene.frame(&camera));
-        draw::<Fast, Phong, _>(scene.frame(&camera));
-        draw::<Fast, Normals, _>(scene.frame(&camera));
-        draw::<Fine, BlinnPhong, _>(scene.frame(&camera));
         draw::<Fine, Phong, _>(scene.frame(&camera));
-        draw::<Fine, Normals, _>(scene.frame(&camera));
+        draw::<Fast, Normals, _>(scene.frame(&camera));
         draw::<Small, BlinnPhong, _>(scene.frame(&camera));
         draw::<Small, Phong, _>(scene.frame(&camera));
-        draw::<Small, Normals, _>(scene.frame(&camera));
         if let Ok(frame) = scene.frame_within::<Matte>(&camera) {
             draw::<Fast, BlinnPhong, _>(frame);
         }
+        seen(scene.frame(&camera).draw(&mut Dithered::new(&mut Display)));
     }
     #[cfg(feature = "panic")]
     black_box(black_box(&[0][..])[black_box(0)]);

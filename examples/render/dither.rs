@@ -1,0 +1,38 @@
+//! The picture as a display of few levels would show it.
+
+use clap::ValueEnum;
+use embedded_graphics::Pixel;
+use embedded_graphics::geometry::Dimensions;
+use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565, Rgb888};
+use embedded_graphics::prelude::{Drawable, PointsIter};
+use embedded_graphics_simulator::SimulatorDisplay;
+use reflet::Ditherable;
+
+/// The colours of a display.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Levels {
+    Rgb565,
+    Gray4,
+    Gray2,
+    Binary,
+}
+
+impl Levels {
+    /// Leaves only these in the picture.
+    pub fn dither(self, display: &mut SimulatorDisplay<Rgb888>) {
+        match self {
+            Self::Rgb565 => dither_to::<Rgb565>(display),
+            Self::Gray4 => dither_to::<Gray4>(display),
+            Self::Gray2 => dither_to::<Gray2>(display),
+            Self::Binary => dither_to::<BinaryColor>(display),
+        }
+    }
+}
+
+/// The dots that `reflet::Dithered` would show: they depend on colour and place alone.
+fn dither_to<C: Ditherable + Into<Rgb888>>(display: &mut SimulatorDisplay<Rgb888>) {
+    for at in display.bounding_box().points() {
+        let dot: C = reflet::dither(display.get_pixel(at), at);
+        let Ok(()) = Pixel(at, dot.into()).draw(display);
+    }
+}
