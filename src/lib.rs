@@ -137,7 +137,7 @@ pub use quality::{Fast, Fine, Quality, Small};
 pub use render::{Ditherable, Dithered, Frame, Picture, Report, StaticFrame, Threshold, dither};
 pub use scene::{
     Apart, Bound, Description, Excess, Mirrors, MostReflections, Need, Needs, RuntimeScene, Scene,
-    SceneBuilder, SceneError, Shininess, Static, StaticScene, Within, World,
+    SceneBuilder, SceneError, Shininess, Static, StaticScene, Whole, Within, World,
 };
 pub use shade::{BlinnPhong, Normals, Phong, Shading};
 pub use shape::{MaterialId, cylinder::Cylinder, plane::Plane, sphere::Sphere};

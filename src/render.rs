@@ -19,7 +19,7 @@ use crate::ray::Place;
 use crate::scene::extent::Outlooks;
 use crate::scene::sight::Sight;
 use crate::scene::view::View;
-use crate::scene::{Apart, Bound, Excess, MostReflections, Scene, Static, Within, World};
+use crate::scene::{Apart, Bound, Excess, MostReflections, Scene, Static, Whole, Within, World};
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
 
@@ -101,6 +101,18 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
             world: Within::new(self.world),
             camera: self.camera,
             reflections: N,
+            kinds: PhantomData,
+        }
+    }
+
+    /// With everything linked that any scene needs, whether this one does or not: for measuring what
+    /// leaving it out comes to. The picture is the same.
+    #[must_use]
+    pub fn whole(self) -> Frame<'a, Whole<W>, Q, K> {
+        Frame {
+            world: Whole(self.world),
+            camera: self.camera,
+            reflections: self.reflections,
             kinds: PhantomData,
         }
     }

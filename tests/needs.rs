@@ -76,6 +76,8 @@ impl Visitor for Twice {
         alike::<Fine, Phong, _, _>(S::NAME, fixed, filled);
         let (fixed, filled) = (S::frame(&S::CAMERA), scene.frame(&S::CAMERA));
         alike::<Small, BlinnPhong, _, _>(S::NAME, fixed, filled);
+        let (fixed, whole) = (S::frame(&S::CAMERA), S::frame(&S::CAMERA).whole());
+        alike::<Fast, BlinnPhong, _, _>(S::NAME, fixed, whole);
     }
 }
 

@@ -23,7 +23,7 @@ pub use builder::SceneBuilder;
 pub use error::SceneError;
 pub use needs::{Bound, Excess, Mirrors, MostReflections, Need, Needs, Shininess};
 pub use runtime::RuntimeScene;
-pub use world::{Apart, Static, StaticScene, Within, World};
+pub use world::{Apart, Static, StaticScene, Whole, Within, World};
 pub(crate) use world::{Lamps, Parts};
 
 use cells::Cells;

@@ -189,13 +189,13 @@ impl Row {
 
     /// If nothing is open from a column on, to which it has been turned, the first that is not known
     /// of.
-    pub(crate) fn clear_until(&self, first: u32) -> Option<u32> {
+    pub(crate) fn clear_until<W: World>(&self, first: u32) -> Option<u32> {
         fn has_ended<T>(open: &Open<T>, first: u32) -> bool {
             u32::from(open.right) < first
         }
         let is_clear = !self.is_full
-            && self.spheres.open.iter().all(|it| has_ended(it, first))
-            && self.cylinders.open.iter().all(|it| has_ended(it, first));
+            && (!W::NEEDS.spheres || self.spheres.open.iter().all(|it| has_ended(it, first)))
+            && (!W::NEEDS.cylinders || self.cylinders.open.iter().all(|it| has_ended(it, first)));
         is_clear.then_some(self.until)
     }
 
@@ -245,20 +245,26 @@ impl Row {
     fn open<W: World>(&mut self, world: &W, cut: Cut<'_>, columns: (u32, u32)) {
         let (parts, origin) = (world.parts(), self.origin);
         let Cut { covered, y } = cut;
-        let spheres = self.spheres.turn_to(
-            covered.spheres,
-            y,
-            columns,
-            |shape| Some(parts.spheres.get(shape)?.surely_seen_from(origin)),
-            SeenSphere::is_in_front_of,
-        );
-        let cylinders = self.cylinders.turn_to(
-            covered.cylinders,
-            y,
-            columns,
-            |shape| Some(parts.cylinders.get(shape)?.seen_from(origin)),
-            |_, _| false,
-        );
+        let spheres = match W::NEEDS.spheres {
+            true => self.spheres.turn_to(
+                covered.spheres,
+                y,
+                columns,
+                |shape| Some(parts.spheres.get(shape)?.surely_seen_from(origin)),
+                SeenSphere::is_in_front_of,
+            ),
+            false => Some(u32::MAX),
+        };
+        let cylinders = match W::NEEDS.cylinders {
+            true => self.cylinders.turn_to(
+                covered.cylinders,
+                y,
+                columns,
+                |shape| Some(parts.cylinders.get(shape)?.seen_from(origin)),
+                |_, _| false,
+            ),
+            false => Some(u32::MAX),
+        };
         match (spheres, cylinders) {
             (Some(spheres), Some(cylinders)) => {
                 (self.is_full, self.until) = (false, spheres.min(cylinders));
@@ -280,9 +286,26 @@ impl Row {
         (direction, start): (Direction, Length),
         trail: &mut Trail,
     ) -> Hit {
-        let parts = world.parts();
         let mut nearest = Nearest::beyond(start);
-        nearest.pass(self.spheres.passed);
+        if W::NEEDS.spheres {
+            nearest.pass(self.spheres.passed);
+            self.meet_spheres(world, column, direction, &mut nearest);
+        }
+        if W::NEEDS.cylinders {
+            self.meet_cylinders(world, column, direction, &mut nearest);
+        }
+        nearest.hit(trail)
+    }
+
+    #[inline(always)]
+    fn meet_spheres<W: World>(
+        &self,
+        world: &W,
+        column: u32,
+        direction: Direction,
+        nearest: &mut Nearest,
+    ) {
+        let parts = world.parts();
         for open in &self.spheres.open {
             let number = ShapeNumber::of_sphere(open.shape.into());
             if open.has_column(column) {
@@ -302,6 +325,17 @@ impl Row {
                 nearest.pass(number.passed());
             }
         }
+    }
+
+    #[inline(always)]
+    fn meet_cylinders<W: World>(
+        &self,
+        world: &W,
+        column: u32,
+        direction: Direction,
+        nearest: &mut Nearest,
+    ) {
+        let parts = world.parts();
         for open in &self.cylinders.open {
             if !open.has_column(column) {
                 continue;
@@ -313,6 +347,5 @@ impl Row {
                 nearest.meet_cylinder::<false>(cylinder, (&open.seen, is_thin), direction, number);
             }
         }
-        nearest.hit(trail)
     }
 }

@@ -93,7 +93,7 @@ impl<'a, W: World> Sight<'a, W> {
     #[inline(always)]
     pub(crate) fn clear_until(&self, world: &W) -> Option<u32> {
         match world.parts().planes.is_empty() {
-            true => self.first.clear_until(self.columns.0),
+            true => self.first.clear_until::<W>(self.columns.0),
             false => None,
         }
     }

@@ -371,6 +371,33 @@ impl<W: World, B: Bound> World for Within<W, B> {
     }
 }
 
+/// A scene with everything linked that any scene needs; see [`crate::Frame::whole`].
+#[derive(Clone, Copy, Debug)]
+pub struct Whole<W>(pub(crate) W);
+
+impl<W: World> World for Whole<W> {
+    type Lamp = W::Lamp;
+    type Outlook = W::Outlook;
+
+    const NEEDS: Needs = Needs::ALL;
+
+    #[inline(always)]
+    fn parts(&self) -> Parts<'_> {
+        self.0.parts()
+    }
+
+    #[inline(always)]
+    fn lamps(&self) -> &[Self::Lamp] {
+        self.0.lamps()
+    }
+
+    #[allow(private_interfaces)]
+    #[inline(always)]
+    fn cells(&self) -> &[Cells] {
+        self.0.cells()
+    }
+}
+
 #[inline(always)]
 const fn if_needed<T>(is_needed: bool, items: &[T]) -> &[T] {
     if is_needed { items } else { &[] }

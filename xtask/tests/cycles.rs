@@ -33,6 +33,7 @@ fn estimate_for_m0_plus_is_within_10_percent_of_what_an_rp2040_counts() {
                 reflections: 4,
                 shading: Shading::BlinnPhong,
                 quality: Quality::Fast,
+                is_whole: false,
             },
         };
         let estimate = estimate(&task).unwrap().unwrap();

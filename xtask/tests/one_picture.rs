@@ -71,6 +71,7 @@ fn is_the_same_picture_as_here(core: &str) {
                     reflections: 4,
                     shading: Shading::BlinnPhong,
                     quality,
+                    is_whole: false,
                 },
             };
             let figures = count(&task).unwrap_or_else(|error| panic!("{error:#}"));

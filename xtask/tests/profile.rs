@@ -83,6 +83,7 @@ fn total_is_what_measure_counts_but_for_the_calls() {
             reflections: 4,
             shading: Shading::BlinnPhong,
             quality: Quality::Fast,
+            is_whole: false,
         },
     };
     let sums = profile(&task).unwrap();

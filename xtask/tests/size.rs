@@ -63,6 +63,7 @@ fn task(scene: Scene, quality: Quality, shading: Shading) -> Task {
             reflections: 4,
             shading,
             quality,
+            is_whole: false,
         },
     }
 }
@@ -166,6 +167,26 @@ fn empty_scene_has_nothing_but_the_loop_that_writes_the_background() {
         assert!(left.is_empty(), "{left:?}");
     }
     assert!(figures.flash < 1024, "{} bytes", figures.flash);
+}
+
+/// Leaving out is no work for the processor: what is known when the firmware is built takes at most 1 %
+/// more instructions, and in truth takes fewer.
+#[test]
+fn no_scene_is_slower_than_with_everything_linked() {
+    for name in ["castle", "columns", "corner1", "floor", "mirror1"] {
+        let scene = Scene::BuiltIn(name);
+        let mut task = task(scene, Quality::Fast, Shading::BlinnPhong);
+        (task.settings.size.width, task.settings.size.height) = (64, 32);
+        let own = count(&task).unwrap();
+        task.settings.is_whole = true;
+        let whole = count(&task).unwrap();
+        assert_eq!(own.hash, whole.hash, "{name}");
+        let [own, whole] = [own, whole].map(|it| it.instructions_per_pixel);
+        assert!(
+            own <= 1.01 * whole,
+            "{name}: {own}, with everything {whole}"
+        );
+    }
 }
 
 /// What scenes may take of flash on thumbv7m, whatever the budget says: scene, quality, reflections

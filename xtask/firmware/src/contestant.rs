@@ -5,7 +5,9 @@ use core::marker::PhantomData;
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
-use reflet::{Camera, MostReflections, Picture, Quality, Shading, Static, StaticFrame, Within};
+use reflet::{
+    Camera, MostReflections, Picture, Quality, Shading, Static, StaticFrame, Whole, Within,
+};
 
 /// A renderer, ready to be measured. What a program may learn only while it runs (camera, size,
 /// reflections) is hidden from the optimiser, for all contestants alike.
@@ -40,6 +42,30 @@ impl<S: StaticFrame, V: View, Q: Quality, K: Shading, const N: u8> Contestant
             .most_reflections::<N>()
             .quality::<Q>()
             .shading::<K>()
+            .sized(Size::new(width, height))
+    }
+
+    #[inline(never)]
+    fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]) {
+        picture.row(y, 0, row);
+    }
+}
+
+/// The same with everything linked that any scene needs.
+pub struct Everything<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
+
+impl<S: StaticFrame, V: View, Q: Quality, K: Shading, const N: u8> Contestant
+    for Everything<S, V, Q, K, N>
+{
+    type Picture = Picture<Whole<Static<S>>, Q, K>;
+
+    #[inline(never)]
+    fn prepare((width, height): (u32, u32)) -> Self::Picture {
+        S::frame(black_box(&V::CAMERA))
+            .reflections(N)
+            .quality::<Q>()
+            .shading::<K>()
+            .whole()
             .sized(Size::new(width, height))
     }
 

@@ -21,7 +21,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use frame_hash::FrameHash;
 
 use clock::Clock;
-pub use contestant::{Contestant, Fixed, Float, FloatView, Nothing, View};
+pub use contestant::{Contestant, Everything, Fixed, Float, FloatView, Nothing, View};
 
 /// What a program is asked for.
 pub struct Order {

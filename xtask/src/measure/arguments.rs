@@ -63,6 +63,10 @@ pub struct Choice {
     /// How exactly fixed point computes, or the float port instead
     #[arg(long, value_enum, default_value_t = Quality::Fast)]
     quality: Quality,
+
+    /// Link everything that any scene needs, whether this one does or not
+    #[arg(long)]
+    whole: bool,
 }
 
 const AFTER_HELP: &str = "\
@@ -111,6 +115,7 @@ impl Choice {
                 reflections: self.reflections,
                 shading: self.shading,
                 quality: self.quality,
+                is_whole: self.whole,
             },
         })
     }

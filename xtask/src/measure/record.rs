@@ -73,6 +73,7 @@ pub fn tasks(core: &'static Core) -> Vec<Task> {
                 reflections: REFLECTIONS,
                 shading: SHADING,
                 quality,
+                is_whole: false,
             },
         })
     });

@@ -106,6 +106,8 @@ pub struct Settings {
     pub reflections: u8,
     pub shading: Shading,
     pub quality: Quality,
+    /// Whether everything is linked that any scene needs.
+    pub is_whole: bool,
 }
 
 /// One measurement.
@@ -167,6 +169,10 @@ impl Task {
             ),
         };
         let shading = shading.type_name();
+        let contestant = match self.settings.is_whole {
+            true => "Everything",
+            false => "Fixed",
+        };
         format!(
             "{module}\
              pub struct Seen;\n\n\
@@ -174,7 +180,7 @@ impl Task {
                  const CAMERA: reflet::Camera = {camera};\n\
              }}\n\n\
              pub type Job =\n    \
-                 firmware::Fixed<{scene}, Seen, reflet::{quality}, reflet::{shading}, {reflections}>;\n"
+                 firmware::{contestant}<{scene}, Seen, reflet::{quality}, reflet::{shading}, {reflections}>;\n"
         )
     }
 

@@ -111,6 +111,7 @@ pub fn count(core: &'static Core, size: Size, spheres: usize, order: Order) -> R
             reflections: 4,
             shading: Shading::BlinnPhong,
             quality: Quality::Fast,
+            is_whole: false,
         },
     })
 }

@@ -147,6 +147,7 @@ pub fn tasks() -> Vec<Task> {
                         reflections,
                         shading: Shading::BlinnPhong,
                         quality,
+                        is_whole: false,
                     },
                 }));
             }
