@@ -64,12 +64,12 @@
 //! | what | range |
 //! |---|---|
 //! | coordinates, radii, heights | within ±2³⁰ scene units |
-//! | smallest radius | 2⁻²⁶ of the scene's extent, 2⁻²³ of it in a scene with planes |
+//! | smallest radius, half of the smallest height | 2⁻²² of the scene's extent |
 //! | distance at which a plane is still met | 2³³ extents |
 //! | colours, ambient, diffuse, specular, lights | 0 to 16 |
 //! | shininess | 0 to 2²⁰, any real number |
 //! | mirror (α) | 0 to 1 |
-//! | field of view | above 0, below 180 degrees |
+//! | field of view | 0.001 to 179.999 degrees |
 //! | reflections | 0 to 255 |
 //! | picture | 1 to 65535 pixels a side |
 //!
