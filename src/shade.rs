@@ -301,7 +301,7 @@ fn strength<W: World, H: Highlight>(world: &W, surface: &Surface<'_>, lamp: &Lam
     let (direction, distance) = way.direction_and_length();
     let path = Path::new(surface.place, direction);
     if surface.normal.dot(direction) <= Unit::ZERO
-        || blocked(world, &path, surface.shape, lamp, distance, scale)
+        || blocked(world, &path, surface.left(world), lamp, distance, scale)
     {
         return Brightness::ZERO;
     }
@@ -331,6 +331,8 @@ impl Surface<'_> {
     }
 }
 
+#[cfg(test)]
+mod inside;
 #[cfg(test)]
 mod leaving;
 #[cfg(test)]

@@ -325,7 +325,7 @@ fn told<W: World>(world: &W, random: &mut Random) -> [u32; 3] {
             };
             let general = |from: Place| {
                 let (path, distance) = to_light(from);
-                blocked(world, &path, shape, lamp, distance, 0)
+                blocked(world, &path, surface.left(world), lamp, distance, 0)
             };
             let (path, distance) = to_light(surface.place);
             if surface.normal.dot(path.direction()) <= Unit::ZERO {
