@@ -221,7 +221,7 @@ pub(crate) fn located<W: World>(
 }
 
 /// What a path that has left the shape `left` meets first, and where, with every shape asked.
-#[cfg(test)]
+#[cfg(any(test, feature = "host"))]
 pub(crate) fn first<W: World>(
     world: &W,
     path: &Path,

@@ -5,7 +5,7 @@ use std::{env, path::PathBuf, process::ExitCode};
 use anyhow::{Context, Result};
 use clap::Parser;
 use xtask::{
-    accuracy, board, gate, measure, misuse::Misuse, pico, profile, root, scale, scene_source,
+    accuracy, board, fuzz, gate, measure, misuse::Misuse, pico, profile, root, scale, scene_source,
     screenshot, setup,
 };
 
@@ -32,6 +32,7 @@ enum Chore {
     Measure(measure::arguments::Arguments),
     Profile(profile::arguments::Arguments),
     Scale(scale::arguments::Arguments),
+    Fuzz(fuzz::Arguments),
     /// Prints a scene file as the Rust source of a constant scene.
     Scene {
         /// JSON, one scene or an array of scenes
@@ -84,6 +85,7 @@ fn run(chore: &Chore) -> Result<()> {
     match chore {
         Chore::Setup => setup::run(),
         Chore::Accuracy => accuracy::run(),
+        Chore::Fuzz(arguments) => fuzz::run(arguments),
         Chore::Test => setup::run().and_then(|()| gate::run()),
         _ => Ok(()),
     }

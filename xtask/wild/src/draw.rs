@@ -59,7 +59,9 @@ impl Wild {
             let most = u64::from(width + 12) * (u64::from(self.reflections) + 1);
             assert!(of_row.rays <= most, "{} rays, {most} at most", of_row.rays);
             report = report.merge(of_row);
-            let channels = row.iter().flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()]);
+            let channels = row
+                .iter()
+                .flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()]);
             brightest = channels.fold(brightest, u8::max);
         }
         assert!(report.cut_off <= Unit::ONE, "{report:?}");
