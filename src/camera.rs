@@ -317,6 +317,8 @@ impl RowDirections {
     /// The direction through the pixel of a column, which is below 2¹⁶.
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {
+        // A ray to a pixel is below 2⁶¹ (`Camera::lens`), one to a column beyond the picture, half
+        // as wide as that at most, below 2⁶²: the sum does not wrap.
         let at = |start: i64, step: i64| (start.wrapping_add(steps(step, column)) >> 32) as i32;
         let aside = at(self.aside, self.step_aside);
         let square = self.square + wide(aside, aside) as u64;

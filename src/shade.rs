@@ -66,6 +66,7 @@ impl<'a> Surface<'a> {
             place: at.lifted(normal, parts.epsilon),
             normal,
             view,
+            // A cosine is within ±1.0001: nothing wraps, and nothing panics.
             facing: climb.wrapping_abs(),
             shape,
             is_inside,
@@ -221,6 +222,7 @@ fn half_way_square(cosines: &Cosines) -> Unit {
     let sum = (cosines.light.to_bits() as u32) + (cosines.viewer.to_bits() as u32);
     // Q30: (2 Q30)² / 4
     let numerator = high_unsigned(sum, sum);
+    // 1 + l·v is 0 to 2 but for a last place: below zero, as one without a sign, it is a large one.
     let denominator = (((1_u32 << 30) as i32).wrapping_add(cosines.between.to_bits()) as u32) >> 1;
     if numerator >= denominator {
         return Unit::ONE;
@@ -256,6 +258,7 @@ fn lit_color<W: World, H: Highlight>(
         };
         if strength > Brightness::ZERO {
             received = received.plus(spot.lamp().light.color.times(strength));
+            // Which of 32 lights; a trail may take two for one.
             lights |= 1_u32.wrapping_shl(index as u32);
         }
     };

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::catalogue::judge::{SIDE, UNSEEN};
+use super::catalogue::judge::{MANY, SHORT_SIDE, SIDE, UNSEEN};
 use super::report::{self, Tried, number, percent};
 
 /// The text of the page.
@@ -11,8 +11,24 @@ pub fn page(tried: &[Tried]) -> String {
     for chapter in tried.chunk_by(|a, b| a.chapter == b.chapter) {
         write_chapter(&mut page, chapter);
     }
+    write_exceptions(&mut page, tried);
     page.push_str(include_str!("limits.md"));
     page
+}
+
+fn write_exceptions(page: &mut String, tried: &[Tried]) {
+    page.push_str("\n## Where f32 is better\n\n");
+    let lines: Vec<_> = report::worse(tried)
+        .map(|it| {
+            let [fixed, single] = it.verdict.errors.unwrap_or_default().map(number);
+            let reason = it.exception.unwrap_or("For no reason.");
+            format!("- {}: {fixed} against {single}. {reason}\n", it.name)
+        })
+        .collect();
+    page.push_str(&match lines.is_empty() {
+        true => "Nowhere.\n".to_owned(),
+        false => lines.concat(),
+    });
 }
 
 fn head(tried: &[Tried]) -> String {
@@ -21,7 +37,7 @@ fn head(tried: &[Tried]) -> String {
         "# Stiff and extreme cases\n\n\
          Written by `cargo run --release --example stability`, which ends with exit code 1 where a \
          case misses its bar; the tests try the same catalogue.\n\n\
-         Pictures are {SIDE}x{SIDE}, in Blinn-Phong, by `Fine` and by `Fast`, and by a plain port of \
+         Pictures are {SIDE}x{SIDE} ({SHORT_SIDE}x{SHORT_SIDE} with more than {MANY} reflections), in Blinn-Phong, by `Fine` and by `Fast`, and by a plain port of \
          the model to single precision (`f32`). Errors are of `Fine`; a picture's is the mean \
          difference of a channel in 255ths from the double-precision reference, unless the unit says \
          otherwise. Fixed point is no worse than `f32` where its error is not larger, or below \

@@ -6,6 +6,7 @@ mod catalogue;
 mod kept;
 #[path = "../../examples/stability/page.rs"]
 mod page;
+#[allow(dead_code)] // Lines are for the command alone.
 #[path = "../../examples/stability/report.rs"]
 mod report;
 mod symmetry;
@@ -50,11 +51,7 @@ fn no_two_cases_have_one_name() {
 }
 
 fn case(trial: Trial) -> Case {
-    Case {
-        name: "a case".to_owned(),
-        why: "",
-        trial,
-    }
+    Case::new("a case", "", trial)
 }
 
 #[test]

@@ -48,17 +48,15 @@ fn balls(draft: Draft, balls: &[Ball]) -> Draft {
 }
 
 fn chaotic(name: &str, draft: Draft) -> Case {
-    Case {
-        name: name.to_owned(),
-        why: "every bounce off a sphere multiplies an error, so that single pixels are nobody's; \
-              what must agree is the picture as a whole",
-        trial: Trial::Picture(Picture {
-            draft,
-            reflections: 20,
-            bar: 0.0,
-            is_chaotic: true,
-        }),
-    }
+    let why = "every bounce off a sphere multiplies an error, so that single pixels are nobody's; what \
+               must agree is the picture as a whole";
+    let picture = Picture {
+        draft,
+        reflections: 20,
+        bar: 0.0,
+        is_chaotic: true,
+    };
+    Case::new(name, why, Trial::Picture(picture))
 }
 
 /// Errors after each bounce of rays that are caught between spheres, and what theory says of them.

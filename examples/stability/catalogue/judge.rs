@@ -11,12 +11,16 @@ use reflet::{Fine, Frame, Quality, World};
 
 use super::{Case, Measured, Trial};
 
-/// Pixels a side.
+/// Pixels a side, and where paths are long.
 pub const SIDE: u32 = 96;
+pub const SHORT_SIDE: u32 = 32;
+
+/// More reflections than this are many.
+pub const MANY: u8 = 20;
 
 /// What is not seen on 8 bits: single precision is no better where the mean error of fixed point
 /// is below this, in 255ths.
-pub const UNSEEN: f64 = 0.25;
+pub const UNSEEN: f64 = 0.05;
 
 /// How far a picture of one colour may be off, in 255ths.
 const ONE_LEVEL: f64 = 1.0;
@@ -144,10 +148,14 @@ impl Pictures {
         let (_, camera) = file.runtime().map_err(|error| error.to_string())?;
         let frame = || built.frame(&camera).reflections(reflections);
         let (scene, eye) = file.reference();
-        let size = (SIDE, SIDE);
+        let side = match reflections > MANY {
+            true => SHORT_SIDE,
+            false => SIDE,
+        };
+        let size = (side, side);
         let n = u32::from(reflections);
         Ok(Self {
-            truth: render(&scene, &eye, SIDE, SIDE, n, Shading::BlinnPhong),
+            truth: render(&scene, &eye, side, side, n, Shading::BlinnPhong),
             fine: painted(frame().quality::<Fine>(), size),
             fast: painted(frame(), size),
             single: float_picture::render(&scene, &eye, size, n, SingleShading::BlinnPhong),

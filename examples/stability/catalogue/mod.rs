@@ -22,6 +22,28 @@ pub struct Case {
     pub why: &'static str,
     /// What is done.
     pub trial: Trial,
+    /// Why single precision may be better; without a reason it may not.
+    pub exception: Option<&'static str>,
+}
+
+impl Case {
+    /// A case that is hard for a reason.
+    pub fn new(name: impl Into<String>, why: &'static str, trial: Trial) -> Self {
+        Self {
+            name: name.into(),
+            why,
+            trial,
+            exception: None,
+        }
+    }
+
+    /// The same case, in which single precision may be better for a reason.
+    fn unlike_single_precision(self, exception: &'static str) -> Self {
+        Self {
+            exception: Some(exception),
+            ..self
+        }
+    }
 }
 
 /// How a case is tried.
@@ -92,29 +114,17 @@ pub fn reflected(
         bar: BAR,
         is_chaotic: false,
     };
-    Case {
-        name: name.into(),
-        why,
-        trial: Trial::Picture(picture),
-    }
+    Case::new(name, why, Trial::Picture(picture))
 }
 
 /// Something that holds or not.
 pub fn claim(name: &str, why: &'static str, trial: fn() -> Result<String, String>) -> Case {
-    Case {
-        name: name.to_owned(),
-        why,
-        trial: Trial::Claim(trial),
-    }
+    Case::new(name, why, Trial::Claim(trial))
 }
 
 /// Something that is measured.
 pub fn measured(name: &str, why: &'static str, trial: fn() -> Measured) -> Case {
-    Case {
-        name: name.to_owned(),
-        why,
-        trial: Trial::Measured(trial),
-    }
+    Case::new(name, why, Trial::Measured(trial))
 }
 
 /// A chapter: its title and its cases.

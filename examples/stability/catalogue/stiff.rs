@@ -23,15 +23,12 @@ fn boxed(draft: Draft) -> Draft {
 
 fn closed(name: String, why: &'static str, draft: Draft, alpha: f64, reflections: u8) -> Case {
     let share = 1.0 - alpha.powi(i32::from(reflections) + 1);
-    Case {
-        name,
-        why,
-        trial: Trial::Closed {
-            draft,
-            reflections,
-            color: OWN.map(|own| own * share),
-        },
-    }
+    let trial = Trial::Closed {
+        draft,
+        reflections,
+        color: OWN.map(|own| own * share),
+    };
+    Case::new(name, why, trial)
 }
 
 fn parallel(alpha: f64) -> Draft {
