@@ -28,7 +28,7 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
     let mut sweep = Sweep::new(seed);
     let mut fate = Fate::default();
     for _ in 0..rounds {
-        let steps = sweep.octaves(7, 26);
+        let steps = sweep.octaves(6, 26);
         let radius = f64::from(steps) / f64::from(1 << 28);
         let mut scene = Scenery::new();
         let mirror = Material::new([1.0; 3])
@@ -139,7 +139,7 @@ fn inside_of_a_cylinder_does_not_stop_what_leaves_it() {
 }
 
 #[test]
-#[ignore = "10 million bounces take half a minute"]
+#[ignore = "22 million bounces take half a minute"]
 fn insides_keep_ten_million_rays() {
     assert_kept_inside(50_000, true, 3);
     assert_kept_inside(200_000, false, 4);

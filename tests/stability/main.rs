@@ -92,7 +92,8 @@ fn verdicts_can_fail() {
     };
     assert_eq!(report::failures(&[measured(false, false)]).len(), 0);
     assert_eq!(report::failures(&[measured(true, false)]).len(), 1);
-    assert_eq!(report::failures(&[measured(false, true)]).len(), 1);
+    // One case that is worse for no reason, and none of one is too few.
+    assert_eq!(report::failures(&[measured(false, true)]).len(), 2);
     assert!(!judge(&case(Trial::Claim(|| Err("no".to_owned())))).is_met);
 }
 
