@@ -16,7 +16,7 @@ pub enum CameraError {
     View,
     /// `up` is zero or parallel to the view direction.
     Up,
-    /// A field of view that is not between 0 and 180 degrees.
+    /// A field of view that is not between 0.001 and 179.999 degrees.
     FieldOfView,
 }
 
@@ -29,7 +29,7 @@ impl CameraError {
             }
             Self::View => "camera target must differ from its position",
             Self::Up => "camera up must not be zero or parallel to the view direction",
-            Self::FieldOfView => "camera fov must be between 0 and 180 degrees",
+            Self::FieldOfView => "camera fov must be between 0.001 and 179.999 degrees",
         }
     }
 }
@@ -41,6 +41,12 @@ impl fmt::Display for CameraError {
 }
 
 impl core::error::Error for CameraError {}
+
+/// The narrowest and the widest field of view, in degrees. In the narrowest picture of 320 pixels
+/// a pixel is 2⁻²⁴ wide and a direction, which is known to 2⁻²⁹, right to a 32nd of it; in the
+/// widest the middle is as narrow beside the width of the whole.
+const NARROWEST: Number = Number::new(0.001);
+const WIDEST: Number = Number::new(179.999);
 
 /// A camera as it was described.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,7 +100,7 @@ impl Camera {
 
     /// The same camera with another full horizontal field of view, in degrees.
     ///
-    /// For constants. Panics, which stops the compiler, outside 0 to 180.
+    /// For constants. Panics, which stops the compiler, outside 0.001 to 179.999.
     pub const fn fov(self, degrees: f64) -> Self {
         Self::checked(CameraDescription {
             fov: Number::new(degrees),
@@ -177,7 +183,8 @@ impl Camera {
 
     const fn try_from_description(description: CameraDescription) -> Result<Self, CameraError> {
         let fov = description.fov;
-        let cotangent = match fov.is_within(0, 180) {
+        let is_held = fov.to_bits() >= NARROWEST.to_bits() && fov.to_bits() <= WIDEST.to_bits();
+        let cotangent = match is_held {
             true => cotangent_of_half(fov),
             false => None,
         };
@@ -317,6 +324,8 @@ impl RowDirections {
     /// The direction through the pixel of a column, which is below 2¹⁶.
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {
+        // A ray to a pixel is below 2⁶¹ (`Camera::lens`), one to a column beyond the picture, half
+        // as wide as that at most, below 2⁶²: the sum does not wrap.
         let aside = at(self.aside, self.step_aside, column);
         let square = self.square + wide(aside, aside) as u64;
         self.way(column).direction_of_square(square)

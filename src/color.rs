@@ -140,6 +140,7 @@ impl Sum {
     /// Whether no channel is further from zero than so much.
     #[inline(always)]
     pub fn is_within(self, most: i32) -> bool {
+        // Right for every sum, for `most` of 0 to 2³⁰: one beyond it, as one without a sign, is above.
         self.0
             .iter()
             .all(|sum| sum.wrapping_add(most) as u32 <= 2 * most as u32)

@@ -2,7 +2,7 @@
 
 use crate::number::{Length, Number};
 use crate::ray::Place;
-use crate::vector::{Point, Position};
+use crate::vector::{Direction, Point, Position};
 
 /// The scene's own coordinates: raw steps of 2^-`fraction_bits` scene units from its middle.
 #[derive(Clone, Copy, Debug)]
@@ -23,14 +23,38 @@ impl Grid {
         }
     }
 
+    #[cfg(any(test, feature = "host"))]
     /// How many bits of a raw step lie behind the binary point of a scene unit.
     pub const fn fraction_bits(&self) -> i32 {
         64 - self.drop as i32
     }
 
+    #[cfg(any(test, feature = "host"))]
     /// The middle of the scene.
     pub const fn middle(&self) -> Position {
         self.middle
+    }
+
+    /// How far a position lies from the middle along a direction, in steps with 30 more fraction
+    /// bits, rounded down; coordinates below 2^(31 + 64) times Q30, three of them, stay below 2^127.
+    ///
+    /// Along an axis it is rounded to whole steps as [`Grid::place`] rounds: what has the same
+    /// coordinate in a description lies in the plane, and not beside it.
+    pub(crate) const fn height_of(&self, position: Position, normal: Direction) -> i128 {
+        let [x, y, z] = position.minus(self.middle).0;
+        let [nx, ny, nz] = normal.components();
+        let (nx, ny, nz) = (
+            nx.to_bits() as i128,
+            ny.to_bits() as i128,
+            nz.to_bits() as i128,
+        );
+        if (nx | ny) == 0 || (ny | nz) == 0 || (nz | nx) == 0 {
+            let half = 1 << (self.drop - 1);
+            return ((x.to_bits() + half) >> self.drop) * nx
+                + ((y.to_bits() + half) >> self.drop) * ny
+                + ((z.to_bits() + half) >> self.drop) * nz;
+        }
+        (x.to_bits() * nx + y.to_bits() * ny + z.to_bits() * nz) >> self.drop
     }
 
     /// A length, rounded to the nearest step; what does not fit 2³⁰ steps becomes 2³⁰.

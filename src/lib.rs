@@ -70,18 +70,23 @@
 //! | what | range |
 //! |---|---|
 //! | coordinates, radii, heights | within ±2³⁰ scene units |
-//! | smallest radius | 2⁻²⁶ of the scene's extent, 2⁻²³ of it in a scene with planes |
+//! | extent of the shapes | at least 2⁻³⁰ scene units |
+//! | smallest radius, half of the smallest height | 2⁻²² of the scene's extent |
+//! | epsilon | above 0, below the scene's extent |
 //! | distance at which a plane is still met | 2³³ extents |
 //! | colours, ambient, diffuse, specular, lights | 0 to 16 |
+//! | brightest that a material may be under its lights | 30 times white |
 //! | shininess | 0 to 2²⁰, any real number |
 //! | mirror (α) | 0 to 1 |
-//! | field of view | above 0, below 180 degrees |
+//! | field of view | 0.001 to 179.999 degrees |
+//! | angle between view and up | at least 2⁻²⁴ |
 //! | reflections | 0 to 255 |
 //! | picture | 1 to 65535 pixels a side |
 //!
 //! The binary point of a scene is chosen when it is built: its shapes fill a ball of 2²⁸ steps (of
-//! 2²⁵ where there are planes, fewer where lights, camera or planes stand up to 32 times as far). So
-//! a scene in millimetres and the same scene in kilometres give the same picture.
+//! 2²⁵ where there are planes, fewer where lights, camera or planes stand up to 32 times as far; but
+//! what the smallest shape and epsilon need of these bits stays theirs). So a scene in millimetres and
+//! the same scene in kilometres give the same picture.
 //!
 //! # What is not supported
 //!

@@ -124,6 +124,7 @@ const fn shift_of(difference: u32) -> u32 {
 #[inline(always)]
 const fn is_near(point: Point) -> bool {
     const SPAN: u32 = 2 * NEAR as u32;
+    // Right for every number: one beyond ±NEAR, as one without a sign, is above the span.
     (point.x.wrapping_add(NEAR) as u32) <= SPAN
         && (point.y.wrapping_add(NEAR) as u32) <= SPAN
         && (point.z.wrapping_add(NEAR) as u32) <= SPAN

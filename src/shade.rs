@@ -64,6 +64,7 @@ impl<'a> Surface<'a> {
             place: at.lifted(normal, parts.epsilon),
             normal,
             view,
+            // A cosine is within ±1.0001: nothing wraps, and nothing panics.
             facing: climb.wrapping_abs(),
             shape,
             is_inside,
@@ -256,6 +257,7 @@ fn half_way_square(cosines: &Cosines) -> Unit {
     let sum = (cosines.light.to_bits() as u32) + (cosines.viewer.to_bits() as u32);
     // Q30: (2 Q30)² / 4
     let numerator = high_unsigned(sum, sum);
+    // 1 + l·v is 0 to 2 but for a last place: below zero, as one without a sign, it is a large one.
     let denominator = (((1_u32 << 30) as i32).wrapping_add(cosines.between.to_bits()) as u32) >> 1;
     if numerator >= denominator {
         return Unit::ONE;
@@ -319,6 +321,7 @@ impl Received {
     fn add(&mut self, index: usize, light: &PreparedLight, strength: Brightness) {
         if strength > Brightness::ZERO {
             self.color = self.color.plus(light.color.times(strength));
+            // Which of 32 lights; a trail may take two for one.
             self.lights |= 1_u32.wrapping_shl(index as u32);
         }
     }
@@ -407,7 +410,7 @@ fn general_strength<W: World, Q: Quality, H: Highlight>(
             false => None,
         };
         let light = (light.place, cells);
-        blocked(world, &path, surface.shape, light, distance, scale)
+        blocked(world, &path, surface.left(world), light, distance, scale)
     };
     if is_blocked {
         return Brightness::ZERO;
@@ -440,6 +443,8 @@ impl Surface<'_> {
     }
 }
 
+#[cfg(test)]
+mod inside;
 #[cfg(test)]
 mod leaving;
 #[cfg(test)]

@@ -100,6 +100,7 @@ pub const fn root_of_unit(square: Unit) -> Unit {
 /// From the table by one step of third order, y₀ (1 + e + e²) with e = 1 - x y₀ below 2⁻⁹.
 const fn reciprocal(mantissa: u32) -> u32 {
     let start = TABLE[(mantissa >> 23) as usize & 0xff] as u32;
+    // Within ±2²² as one with a sign.
     let error = (1_u32 << 31).wrapping_sub(high_unsigned(mantissa, start << 16)) as i32;
     let coarse = error >> 8;
     let correction = error + ((coarse * coarse) >> 15);

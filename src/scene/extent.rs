@@ -93,6 +93,7 @@ impl Extent {
     #[inline(always)]
     pub(super) fn middle(&self, y: u16) -> u16 {
         let [highest, lowest] = self.tips;
+        // A row above the first one, or below the last, wraps to one that is far away.
         if y.wrapping_sub(self.top) < TIP_ROWS {
             highest
         } else if self.bottom.wrapping_sub(y) < TIP_ROWS {

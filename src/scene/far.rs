@@ -137,7 +137,13 @@ pub(super) fn blocked<W: World>(
     } else {
         rest
     };
-    blocked_by_bounded(world, Mask::ALL, &ray, Length::from_bits(reach.max(0)))
+    blocked_by_bounded(
+        world,
+        Mask::ALL,
+        &ray,
+        left,
+        Length::from_bits(reach.max(0)),
+    )
 }
 
 /// A path from a far place as a ray from where it enters the ball, and the steps skipped; `None`

@@ -9,6 +9,7 @@ pub(crate) mod cells;
 mod error;
 pub(crate) mod extent;
 pub(crate) mod far;
+mod layout;
 pub(crate) mod mask;
 mod needs;
 mod prepare;

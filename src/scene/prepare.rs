@@ -1,6 +1,7 @@
 //! Checks a description and lays it on its grid: integers only, by the compiler or at run time.
 
 use super::cells::Cells;
+use super::layout::choose_grid;
 use super::{Counts, Description, Lamp, Scene, SceneError, used};
 use crate::color::Color;
 use crate::fault::Fault;
@@ -78,23 +79,13 @@ const fn size_fault(size: Number, fault: Fault) -> Option<Fault> {
     }
 }
 
-/// The smallest radius a shape may have, in steps: below it a normal would be noise.
-const SMALLEST: i32 = 4;
+/// The smallest radius and half height a shape may have, in steps: its hits are known to about two,
+/// and so its normals to a 32nd.
+const SMALLEST: i32 = 64;
 
-/// The smallest epsilon, in steps: a hit is within this of its surface.
-const SMALLEST_EPSILON: i32 = 64;
-
-/// A light, camera or plane within this many radii of the shapes is given its place in the ball:
-/// rays to what is near are short. What is further out is kept as a far place, so that a distant sun
-/// costs the shapes no bits; these at most 5. A scene of planes alone goes by the nearest plane.
-const COMPANIONS: u128 = 32;
-
-/// How many times larger than it need be the ball of a scene with planes is, so that most of what is
-/// seen of them is near: 3 bits.
-const EXPANSE: u128 = 8;
-
-/// The same for a scene of planes alone, which has no shape to see less exactly.
-const EXPANSE_OF_PLANES: u128 = 256;
+/// The smallest epsilon, in steps: a hit is within this of its surface, and twice as far from that
+/// of a cylinder.
+const SMALLEST_EPSILON: i32 = 8;
 
 /// The most a material may shine in its scene, in Q6.26: below 32 with room for rounding.
 const BRIGHTEST: i64 = 30 << 26;
@@ -112,8 +103,13 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         if epsilon.to_bits() >= crate::ray::BALL {
             return Err(SceneError::Scene(Fault::Epsilon));
         }
-        if epsilon.to_bits() < SMALLEST_EPSILON {
-            epsilon = Length::from_bits(SMALLEST_EPSILON);
+        let least = if scene.cylinders.is_empty() {
+            SMALLEST_EPSILON
+        } else {
+            2 * SMALLEST_EPSILON
+        };
+        if epsilon.to_bits() < least {
+            epsilon = Length::from_bits(least);
         }
         let mut prepared = Self {
             spheres: [PreparedSphere::NONE; S],
@@ -193,7 +189,8 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             let mut shape = 0;
             while shape < spheres.len() && shape < S {
                 lamp.spheres[shape] = spheres[shape].seen_from(place.point);
-                prepared.is_plain &= !lamp.spheres[shape].is_around();
+                let (_, radius) = spheres[shape].ball();
+                prepared.is_plain &= lamp.spheres[shape].is_told_by_tangents(radius);
                 shape += 1;
             }
             shape = 0;
@@ -223,7 +220,7 @@ const fn prepare_sphere(sphere: &Sphere, grid: &Grid) -> Option<PreparedSphere> 
 const fn prepare_cylinder(cylinder: &Cylinder, grid: &Grid) -> Option<PreparedCylinder> {
     let radius = grid.length(cylinder.radius);
     let half_height = grid.length(Number::from_bits(cylinder.height.to_bits() / 2));
-    if radius.to_bits() < SMALLEST || half_height.to_bits() < 1 {
+    if radius.to_bits() < SMALLEST || half_height.to_bits() < SMALLEST {
         return None;
     }
     let Some(axis) = cylinder.axis.direction() else {
@@ -243,14 +240,8 @@ const fn prepare_plane(plane: &Plane, grid: &Grid) -> Option<PreparedPlane> {
     let Some(normal) = plane.normal.direction() else {
         return None;
     };
-    // The offset of the rounded normal, so that the plane goes through its point exactly:
-    // coordinates below 2^(31 + 64) times Q30, three of them, stay below 2^127.
-    let [x, y, z] = plane.point.minus(grid.middle()).0;
-    let [nx, ny, nz] = normal.components();
-    let offset = x.to_bits() * nx.to_bits() as i128
-        + y.to_bits() * ny.to_bits() as i128
-        + z.to_bits() * nz.to_bits() as i128;
-    let steps = offset >> (64 - grid.fraction_bits());
+    // Of the rounded normal, so that the plane goes through its point exactly.
+    let steps = grid.height_of(plane.point, normal);
     let bits = 128 - steps.unsigned_abs().leading_zeros();
     let scale = bits.saturating_sub(61);
     Some(PreparedPlane::new(
@@ -274,207 +265,6 @@ const fn is_too_bright(material: &PreparedMaterial, lights: &[Light]) -> bool {
     // sum is below 2^35 a light, color at most 2^30: the product is taken only where it fits.
     let color = material.color.largest().to_bits() as i64;
     sent > BRIGHTEST || sum > BRIGHTEST || (sum * color) >> 26 > BRIGHTEST
-}
-
-/// The box around what has been added so far.
-struct Bounds {
-    low: [i128; 3],
-    high: [i128; 3],
-    is_empty: bool,
-}
-
-impl Bounds {
-    const EMPTY: Self = Self {
-        low: [0; 3],
-        high: [0; 3],
-        is_empty: true,
-    };
-
-    const fn add(&mut self, center: Position, size: i128) {
-        let mut axis = 0;
-        while axis < 3 {
-            let middle = center.0[axis].to_bits();
-            let (low, high) = (middle - size, middle + size);
-            if self.is_empty || low < self.low[axis] {
-                self.low[axis] = low;
-            }
-            if self.is_empty || high > self.high[axis] {
-                self.high[axis] = high;
-            }
-            axis += 1;
-        }
-        self.is_empty = false;
-    }
-
-    const fn middle(&self) -> Position {
-        let mut middle = Position::ORIGIN;
-        let mut axis = 0;
-        while axis < 3 {
-            middle.0[axis] = Number::from_bits((self.low[axis] + self.high[axis]) / 2);
-            axis += 1;
-        }
-        middle
-    }
-}
-
-/// At least the distance of two positions, in the bits of a [`Number`].
-const fn distance(from: Position, to: Position) -> u128 {
-    match to.minus(from).leading() {
-        None => 0,
-        Some((vector, shift)) => {
-            let length = (vector.direction_and_length().1.to_bits() + 2) as u128;
-            if shift >= 0 {
-                length << shift
-            } else {
-                (length >> -shift) + 1
-            }
-        }
-    }
-}
-
-/// Half the size of a cylinder, at least: radius + height / 2.
-const fn cylinder_size(cylinder: &Cylinder) -> i128 {
-    cylinder.radius.to_bits() + cylinder.height.to_bits() / 2
-}
-
-/// Puts the middle of the scene in the middle of its shapes, and chooses the finest step that
-/// holds them and what stands near them.
-const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
-    let middle = middle_of(scene);
-    let mut radius = 0;
-    let mut index = 0;
-    while index < scene.spheres.len() {
-        let sphere = &scene.spheres[index];
-        let far_side = distance(middle, sphere.center) + sphere.radius.to_bits() as u128;
-        radius = larger(radius, far_side);
-        index += 1;
-    }
-    index = 0;
-    while index < scene.cylinders.len() {
-        let cylinder = &scene.cylinders[index];
-        let far_side = distance(middle, cylinder.center) + cylinder_size(cylinder) as u128;
-        radius = larger(radius, far_side);
-        index += 1;
-    }
-    let shapes = if radius > 0 {
-        radius
-    } else {
-        nearest_plane(middle, scene.planes)
-    };
-    radius = shapes;
-    index = 0;
-    while index < scene.lights.len() {
-        radius = accompanied(
-            radius,
-            shapes,
-            distance(middle, scene.lights[index].position),
-        );
-        index += 1;
-    }
-    if let Some(camera) = scene.camera {
-        radius = accompanied(
-            radius,
-            shapes,
-            distance(middle, camera.description().position),
-        );
-    }
-    index = 0;
-    while index < scene.planes.len() {
-        let away = distance_to_plane(middle, &scene.planes[index]);
-        radius = accompanied(radius, shapes, away);
-        index += 1;
-    }
-    if radius == 0 {
-        radius = 1 << 64;
-    }
-    if !scene.planes.is_empty() {
-        let is_bounded = !(scene.spheres.is_empty() && scene.cylinders.is_empty());
-        radius *= if is_bounded {
-            EXPANSE
-        } else {
-            EXPANSE_OF_PLANES
-        };
-    }
-    if radius < 1 << 34 {
-        Err(Fault::Extent)
-    } else {
-        Ok(Grid::new(middle, radius))
-    }
-}
-
-/// The distance to the nearest plane that does not go through `middle`; 0 where there is none.
-const fn nearest_plane(middle: Position, planes: &[Plane]) -> u128 {
-    let mut nearest = 0;
-    let mut index = 0;
-    while index < planes.len() {
-        let away = distance_to_plane(middle, &planes[index]);
-        if away > 0 && (nearest == 0 || away < nearest) {
-            nearest = away;
-        }
-        index += 1;
-    }
-    nearest
-}
-
-/// The middle of the shapes; where there are none, the camera, and without one the middle of the
-/// lights.
-const fn middle_of(scene: &Description<'_>) -> Position {
-    let mut bounds = Bounds::EMPTY;
-    let mut index = 0;
-    while index < scene.spheres.len() {
-        let sphere = &scene.spheres[index];
-        bounds.add(sphere.center, sphere.radius.to_bits());
-        index += 1;
-    }
-    index = 0;
-    while index < scene.cylinders.len() {
-        let cylinder = &scene.cylinders[index];
-        bounds.add(cylinder.center, cylinder_size(cylinder));
-        index += 1;
-    }
-    if !bounds.is_empty {
-        return bounds.middle();
-    }
-    if let Some(camera) = scene.camera {
-        return camera.description().position;
-    }
-    index = 0;
-    while index < scene.lights.len() {
-        bounds.add(scene.lights[index].position, 0);
-        index += 1;
-    }
-    bounds.middle()
-}
-
-/// `radius` enlarged for something `away`, where that is near the shapes or there are none.
-const fn accompanied(radius: u128, shapes: u128, away: u128) -> u128 {
-    if shapes == 0 || away <= COMPANIONS * shapes {
-        larger(radius, away)
-    } else {
-        radius
-    }
-}
-
-const fn larger(a: u128, b: u128) -> u128 {
-    if a > b { a } else { b }
-}
-
-/// The distance of a position to a plane, in the bits of a [`Number`], but for 2⁻³⁰ of it.
-const fn distance_to_plane(position: Position, plane: &Plane) -> u128 {
-    let Some(normal) = plane.normal.direction() else {
-        return 0;
-    };
-    match plane.point.minus(position).leading() {
-        None => 0,
-        Some((vector, shift)) => {
-            let length = vector.dot(normal).unsigned_abs() as u128;
-            if shift >= 0 {
-                length << shift
-            } else {
-                length >> -shift
-            }
-        }
-    }
 }
 
 #[cfg(test)]

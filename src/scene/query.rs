@@ -33,13 +33,13 @@ impl ShapeNumber {
         spread(self.0 + 1)
     }
 
-    pub(super) const fn of_sphere(index: usize) -> Self {
+    pub(crate) const fn of_sphere(index: usize) -> Self {
         Self(index as u32)
     }
 }
 
 impl Parts<'_> {
-    pub(super) fn cylinder_number(&self, index: usize) -> ShapeNumber {
+    pub(crate) fn cylinder_number(&self, index: usize) -> ShapeNumber {
         ShapeNumber((self.spheres.len() + index) as u32)
     }
 
@@ -229,7 +229,7 @@ pub(crate) fn located<W: World>(
 }
 
 /// What a path that has left the shape `left` meets first, and where, with every shape asked.
-#[cfg(test)]
+#[cfg(any(test, feature = "host"))]
 pub(crate) fn first<W: World>(
     world: &W,
     path: &Path,
@@ -411,7 +411,7 @@ pub(crate) fn blocked<W: World>(
     let reach = Length::from_bits((distance.to_bits() - world.parts().epsilon.to_bits()).max(0));
     let mask = cells.map_or(Mask::ALL, |cells| cells.mask(ray.direction.reversed()));
     planes_but(world, left).any(|(_, plane)| plane.blocks(ray, reach))
-        || blocked_by_bounded(world, mask, ray, reach)
+        || blocked_by_bounded(world, mask, ray, left, reach)
 }
 
 /// Whether a sphere or cylinder lies between a light that stands clear and what is `distance` away
@@ -454,22 +454,26 @@ pub(crate) fn blocked_from<W: World>(
     })
 }
 
-/// Whether a sphere or cylinder of a set lies on the ray before `reach`.
+/// Whether a sphere or cylinder of a set lies on the ray before `reach`, other than the one whose
+/// outside the ray has `left`.
 #[inline(never)]
 pub(crate) fn blocked_by_bounded<W: World>(
     world: &W,
     mask: Mask,
     ray: &Ray,
+    left: ShapeNumber,
     reach: Length,
 ) -> bool {
     let parts = world.parts();
     let runs = parts.runs();
     runs.any_sphere(mask, |index| {
         let sphere = parts.spheres.get(index);
-        sphere.is_some_and(|sphere| sphere.blocks(ray, reach))
+        let is_left = ShapeNumber::of_sphere(index) == left;
+        !is_left && sphere.is_some_and(|sphere| sphere.blocks(ray, reach))
     }) || runs.any_cylinder(mask, |index| {
         let cylinder = parts.cylinders.get(index);
-        cylinder.is_some_and(|cylinder| cylinder.blocks(ray, reach))
+        let is_left = parts.cylinder_number(index) == left;
+        !is_left && cylinder.is_some_and(|cylinder| cylinder.blocks(ray, reach))
     })
 }
 

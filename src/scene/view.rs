@@ -83,6 +83,7 @@ impl View {
     /// How the light with a number stands.
     #[inline(always)]
     pub(crate) fn standing(&self, light: usize) -> Standing {
+        // Of more than 32 lights every bit is set.
         let bit = 1_u32.wrapping_shl(light as u32);
         if (self.hidden | self.unclear) & bit == 0 {
             Standing::Clear

@@ -327,7 +327,7 @@ fn told<W: World>(world: &W, random: &mut Random) -> [u32; 3] {
             let general = |from: Place| {
                 let (path, distance) = to_light(from);
                 let cells = (light.place, world.cells().get(index));
-                blocked(world, &path, shape, cells, distance, 0)
+                blocked(world, &path, surface.left(world), cells, distance, 0)
             };
             let (path, distance) = to_light(surface.place);
             if surface.normal.dot(path.direction()) <= Unit::ZERO {

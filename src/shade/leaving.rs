@@ -119,7 +119,7 @@ fn mirrored_direction_has_a_length_of_one() {
         } else {
             let axis = sweep.triple(1000).map(f64::from);
             scene
-                .add_cylinder(end, axis, radius, radius, white)
+                .add_cylinder(end, axis, radius, 2.0 * radius, white)
                 .unwrap();
         }
         scene.add_sphere(end.map(|it| -it), 0.01, white).unwrap();

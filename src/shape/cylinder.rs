@@ -296,7 +296,9 @@ fn root_of_lifted(square: u32, lift: u32) -> i32 {
     let mantissa = square << zeros;
     // √mantissa · 2¹⁴
     let root = high_unsigned(mantissa, reciprocal_root(mantissa) as u32);
-    (root >> (zeros / 2 + lift - 2)) as i32
+    // From a square of 2²⁸ on 2 zeros are left out; to that of a grazed narrow one there are more than
+    // the root has bits.
+    (root >> (zeros / 2 + lift - 2).min(31)) as i32
 }
 
 #[cfg(test)]

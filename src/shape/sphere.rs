@@ -49,6 +49,10 @@ pub(crate) struct SeenSphere {
     tangent: i32,
 }
 
+/// What the square of a radius over a distance is at least, in steps, where a sphere's tangents
+/// tell whether a ray meets it.
+const COARSEST: i32 = 128;
+
 impl SeenSphere {
     /// Fills the room of a sphere that a scene's type allows but the scene does not use.
     pub(crate) const NONE: Self = Self {
@@ -90,6 +94,16 @@ impl SeenSphere {
     /// Whether the point lies inside the sphere.
     pub(crate) const fn is_around(&self) -> bool {
         self.tangent == i32::MIN
+    }
+
+    /// Whether the point lies outside of the sphere, whose radius is given, and sees so much of it
+    /// that the length of the tangents tells what it hides.
+    ///
+    /// A way along a ray is known to a few steps. At the distance D, so much of it is D / radius
+    /// times as much across the ray: less than a 32nd of the radius where radius² / D is
+    /// [`COARSEST`] or more.
+    pub(crate) const fn is_told_by_tangents(&self, radius: i32) -> bool {
+        !self.is_around() && wide(radius, radius) >= wide(self.tangent, COARSEST)
     }
 
     /// Whether the sphere, which the point is outside of, lies on the ray before `reach`, where

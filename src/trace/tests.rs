@@ -270,3 +270,20 @@ fn path_between_facing_mirrors_stays_between_them() {
         assert_eq!(traced.sum.to_rgb8(), [255; 3], "{towards:?}");
     }
 }
+
+#[test]
+fn weights_add_up_to_exactly_one() {
+    let mut sweep = Sweep::new(3);
+    for _ in 0..20_000 {
+        let (mut weight, mut sum) = (Unit::ONE, 0_i64);
+        for _ in 0..256 {
+            // Anything from 0 to 1, and both ends often.
+            let mirror = Unit::from_bits(sweep.within(-(1 << 28), 5 << 28).clamp(0, 1 << 30));
+            let reflected = share(weight, mirror);
+            assert!(Unit::ZERO <= reflected && reflected <= weight);
+            sum += i64::from((weight - reflected).to_bits());
+            weight = reflected;
+        }
+        assert_eq!(sum + i64::from(weight.to_bits()), 1 << 30);
+    }
+}

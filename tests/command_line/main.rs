@@ -375,7 +375,7 @@ fn wrong_files_are_named_in_one_line() {
         ),
         (
             "closed.json",
-            "closed.json: scene floor: camera fov must be between 0 and 180 degrees",
+            "closed.json: scene floor: camera fov must be between 0.001 and 179.999 degrees",
         ),
         (
             "two.json",

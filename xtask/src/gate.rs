@@ -58,6 +58,7 @@ fn steps(bare_metal: &BareMetal) -> Vec<Step> {
     let mut steps = vec![
         step("format", cargo("fmt").args(["--all", "--check"])),
         step("format, examples/pico", format_of("examples/pico")),
+        step("format, fuzz", format_of("fuzz")),
         step("format, xtask/faulty", format_of("xtask/faulty")),
         step("format, xtask/no_panic", format_of("xtask/no_panic")),
         step("format, xtask/firmware", format_of("xtask/firmware")),
@@ -83,6 +84,10 @@ fn steps(bare_metal: &BareMetal) -> Vec<Step> {
         step(
             "tests",
             cargo("test").args(["--workspace", "--features", FEATURES]),
+        ),
+        step(
+            "fuzz, 30 seconds",
+            cargo("xtask").args(["fuzz", "--seconds", "30"]),
         ),
         step(
             "documentation",

@@ -3,7 +3,7 @@
 //! bare-metal target, [`emulator`] how to run what was built, [`board`] the default board,
 //! [`pico`] the Raspberry Pi Pico, [`screenshot`] where their pictures go, [`measure`] what a
 //! scene takes, [`profile`] which part of a frame takes it, [`scale`] how that grows with the
-//! number of shapes, [`cycles`] how instructions become cycles, [`scene_source`] makes Rust of scene
+//! number of shapes, [`fuzz`] draws what any bytes describe, [`cycles`] how instructions become cycles, [`scene_source`] makes Rust of scene
 //! files, [`apt`] knows Debian's packages, [`command`] how to run another program and [`table`] how
 //! a page shows figures.
 
@@ -13,6 +13,7 @@ pub mod board;
 pub mod command;
 pub mod cycles;
 pub mod emulator;
+pub mod fuzz;
 pub mod gate;
 pub mod measure;
 pub mod misuse;

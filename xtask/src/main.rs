@@ -5,7 +5,7 @@ use std::{env, path::PathBuf, process::ExitCode};
 use anyhow::{Context, Result};
 use clap::Parser;
 use xtask::{
-    accuracy, board, gate, measure, misuse::Misuse, pico, profile, root, scale, scene_source,
+    accuracy, board, fuzz, gate, measure, misuse::Misuse, pico, profile, root, scale, scene_source,
     screenshot, setup, size,
 };
 
@@ -33,6 +33,7 @@ enum Chore {
     Profile(profile::arguments::Arguments),
     Scale(scale::arguments::Arguments),
     Size(size::Arguments),
+    Fuzz(fuzz::Arguments),
     /// Prints a scene file as the Rust source of a constant scene.
     Scene {
         /// JSON, one scene or an array of scenes
@@ -86,6 +87,7 @@ fn run(chore: &Chore) -> Result<()> {
     match chore {
         Chore::Setup => setup::run(),
         Chore::Accuracy => accuracy::run(),
+        Chore::Fuzz(arguments) => fuzz::run(arguments),
         Chore::Test => setup::run().and_then(|()| gate::run()),
         _ => Ok(()),
     }

@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
 
-use crate::{apt, command::Program, emulator::rp2040, toolchain};
+use crate::{apt, command::Program, emulator::rp2040, fuzz, toolchain};
 
 /// Something outside the repository that the gate uses.
 struct Need {
@@ -39,6 +39,12 @@ const NEEDS: &[Need] = &[
         is_there: || toolchain::BareMetal::find().is_some(),
         get: toolchain::get_bare_metal,
         by_hand: toolchain::BARE_METAL_BY_HAND,
+    },
+    Need {
+        name: "C++ compiler, for the fuzzer",
+        is_there: fuzz::compiles_cpp,
+        get: || apt::install(&["g++"]),
+        by_hand: "as root: apt-get install g++",
     },
     Need {
         name: "QEMU",

@@ -1,0 +1,263 @@
+//! Chaotic geometry: errors that grow with every bounce.
+
+use reflet::host::file::SceneFile;
+use reflet::host::path::follow;
+use twofloat::TwoFloat;
+
+use super::draft::Draft;
+use super::exact::{Ball, Bounce, apart, bounces, growth};
+use super::{Case, Measured, Picture, Trial, measured, reflected};
+
+const EPSILON: f64 = 1e-3;
+
+/// Three spheres of radius 1 that touch each other, around the origin.
+fn three() -> Vec<Ball> {
+    let far = 2.0 / 3f64.sqrt();
+    let around = |turn: f64| {
+        let angle = turn * std::f64::consts::TAU / 3.0;
+        ([far * angle.cos(), 0.0, far * angle.sin()], 1.0)
+    };
+    [0.0, 1.0, 2.0].map(around).to_vec()
+}
+
+/// Four that touch each other.
+fn four() -> Vec<Ball> {
+    let corners = [
+        [1.0, 1.0, 1.0],
+        [1.0, -1.0, -1.0],
+        [-1.0, 1.0, -1.0],
+        [-1.0, -1.0, 1.0],
+    ];
+    corners.map(|corner| (corner, 2f64.sqrt())).to_vec()
+}
+
+fn balls(draft: Draft, balls: &[Ball]) -> Draft {
+    let names = ["first", "second", "third", "fourth"];
+    let colors = [
+        [0.9, 0.3, 0.3],
+        [0.3, 0.9, 0.3],
+        [0.3, 0.3, 0.9],
+        [0.8, 0.8, 0.3],
+    ];
+    let all = balls.iter().zip(names.into_iter().zip(colors));
+    all.fold(draft, |draft, (&(center, radius), (name, color))| {
+        draft
+            .material(name, color, [0.2, 0.6, 0.3, 10.0, 0.9])
+            .sphere(center, radius, name)
+    })
+}
+
+fn chaotic(name: &str, draft: Draft) -> Case {
+    let why = "every bounce off a sphere multiplies an error, so that single pixels are nobody's; what \
+               must agree is the picture as a whole";
+    let picture = Picture {
+        draft,
+        reflections: 20,
+        bar: 0.0,
+        is_chaotic: true,
+    };
+    Case::new(name, why, Trial::Picture(picture))
+}
+
+/// Errors after each bounce of rays that are caught between spheres, and what theory says of them.
+struct Growth {
+    /// log(error / first error) over log(growth by theory), all bounces of all rays together.
+    fixed: f64,
+    single: f64,
+    double: f64,
+    /// Of the growth by theory a bounce, the geometric mean.
+    a_bounce: f64,
+    rays: usize,
+}
+
+const SIDE: u32 = 24;
+const MOST: usize = 9;
+
+/// Follows the rays of a small picture in four precisions: fixed, single, double and quadruple.
+fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Growth {
+    let draft = balls(Draft::through(eye, target, up, 60.0), set).epsilon(EPSILON);
+    let file = SceneFile::parse(&draft.text(), None).expect("the scene is well formed");
+    let built = file.build().expect("the scene is accepted");
+    let (_, camera) = file.runtime().expect("the camera is accepted");
+    let mut sums = [[0.0_f64; 2]; 3];
+    let (mut theory, mut steps, mut rays) = (0.0, 0, 0);
+    for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
+        let core = follow(&*built, &camera, (SIDE, SIDE), (x, y), MOST as u32);
+        // All start with the direction that fixed point has, so that only bounces differ.
+        let way = core[0].direction;
+        let truth = bounces::<TwoFloat>(set, core[0].origin, way, EPSILON, MOST);
+        if truth.len() < 4 {
+            continue;
+        }
+        let origins: Vec<_> = core[1..].iter().map(|ray| ray.origin).collect();
+        let plain = |found: Vec<Bounce>| found.iter().map(|it| it.origin).collect::<Vec<_>>();
+        let others = [
+            origins,
+            plain(bounces::<f32>(set, core[0].origin, way, EPSILON, MOST)),
+            plain(bounces::<f64>(set, core[0].origin, way, EPSILON, MOST)),
+        ];
+        let factors = growth(&truth);
+        rays += 1;
+        for (sum, found) in sums.iter_mut().zip(&others) {
+            let errors: Vec<f64> = found
+                .iter()
+                .zip(&truth)
+                .map(|(a, b)| apart(*a, b.origin))
+                .collect();
+            for (bounce, error) in errors.iter().enumerate().skip(1) {
+                // Past this an error is as large as the spheres, and grows no more.
+                if *error > 1e-2 || errors[bounce - 1] == 0.0 || *error == 0.0 {
+                    break;
+                }
+                let flight = (factors[bounce] / factors[bounce - 1]).ln();
+                sum[0] += (error / errors[bounce - 1]).ln();
+                sum[1] += flight;
+            }
+        }
+        theory += factors.last().expect("bounces").ln();
+        steps += truth.len() - 1;
+    }
+    let [fixed, single, double] = sums.map(|[found, expected]| found / expected);
+    Growth {
+        fixed,
+        single,
+        double,
+        a_bounce: (theory / steps as f64).exp(),
+        rays,
+    }
+}
+
+fn judged(growth: &Growth) -> Measured {
+    Measured {
+        reference: "quadruple, theory",
+        unit: "exponent off by",
+        fixed: (growth.fixed - 1.0).abs(),
+        single: (growth.single - 1.0).abs().max(UNCERTAIN),
+        bar: UNCERTAIN,
+        note: format!(
+            "Over {} rays theory says that a bounce makes an error {:.1} times as large. Found are \
+             that to the power of {:.3} in fixed point, {:.3} in single and {:.3} in double precision",
+            growth.rays, growth.a_bounce, growth.fixed, growth.single, growth.double
+        ),
+    }
+}
+
+/// How far the exponent of growth may be off: new rounding errors join those that have grown, and
+/// theory follows the plane of incidence alone, where errors grow most.
+const UNCERTAIN: f64 = 0.2;
+
+fn growth_of_three() -> Measured {
+    let eye = [0.03, -1.3, 0.02];
+    judged(&grown(&three(), eye, [0.0; 3], [0.0, 0.0, 1.0]))
+}
+
+fn growth_of_four() -> Measured {
+    let eye = [0.03, 0.05, 0.02];
+    judged(&grown(&four(), eye, [1.0, 0.7, -1.0], [0.0, 0.0, 1.0]))
+}
+
+/// Three mirrors at right angles.
+fn corner(alpha: f64) -> Draft {
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let draft = Draft::through([1.0, 1.2, 0.9], [0.0; 3], [0.0, 0.0, 1.0], 60.0)
+        .material("wall", [0.9, 0.6, 0.5], [0.2, 0.6, 0.3, 10.0, alpha])
+        .light([2.0, 2.0, 2.0]);
+    axes.into_iter()
+        .fold(draft, |draft, axis| draft.plane([0.0; 3], axis, "wall"))
+}
+
+/// Three bounces send a ray back the way it came: the largest angle by which it is not.
+fn returned() -> Measured {
+    let file = SceneFile::parse(&corner(1.0).text(), None).expect("the scene is well formed");
+    let built = file.build().expect("the scene is accepted");
+    let (_, camera) = file.runtime().expect("the camera is accepted");
+    let (mut fixed, mut single, mut rays) = (0.0_f64, 0.0_f64, 0);
+    for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
+        let path = follow(&*built, &camera, (64, 64), (x, y), 3);
+        let [first, .., last] = &path[..] else {
+            continue;
+        };
+        if path.len() < 4 {
+            continue;
+        }
+        rays += 1;
+        fixed = fixed.max(apart(first.direction.map(|it| -it), last.direction));
+        // Mirrored three times by d - 2 (d · n) n in single precision.
+        let start = first.direction.map(|it| it as f32);
+        let axes = [[1.0_f32, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let end = axes.into_iter().fold(start, |way, normal| {
+            let cosine = way[0] * normal[0] + way[1] * normal[1] + way[2] * normal[2];
+            [0, 1, 2].map(|axis| way[axis] - 2.0 * cosine * normal[axis])
+        });
+        single = single.max(apart(start.map(|it| -f64::from(it)), end.map(f64::from)));
+    }
+    Measured {
+        reference: "closed form",
+        unit: "radians",
+        fixed,
+        single: single.max(2f64.powi(-24)),
+        bar: 2f64.powi(-24),
+        note: format!(
+            "{rays} rays; directions are known to 2^-29, three mirrors to eight times that"
+        ),
+    }
+}
+
+fn inside(draft: Draft) -> Draft {
+    draft
+        .material("wall", [0.9, 0.6, 0.5], [0.2, 0.6, 0.3, 10.0, 0.9])
+        .light([0.0, 0.0, 0.5])
+        .sphere([0.3, 0.6, -0.3], 0.2, "chalk")
+}
+
+/// The cases of the chapter.
+pub fn cases() -> Vec<Case> {
+    let eye = [0.0, -5.0, 0.0];
+    let three_seen = balls(Draft::seen_from(eye, [0.0; 3]), &three()).light([3.0, -5.0, 4.0]);
+    let eye = [0.3, -6.0, 0.2];
+    let four_seen = balls(Draft::seen_from(eye, [0.0; 3]), &four()).light([3.0, -5.0, 4.0]);
+    let up = [0.0, 0.0, 1.0];
+    let sphere = inside(Draft::through([0.2, -0.5, 0.1], [0.0, 1.0, 0.2], up, 80.0));
+    let tube = inside(Draft::through([0.1, -1.5, 0.1], [0.0, 2.0, 0.0], up, 80.0));
+    let growing = "the growth a bounce is what makes pixels chaotic: it must be the theory's, so that \
+                   an error starts as a last bit and nothing but geometry makes it large";
+    let round = "between round walls an error grows with the number of bounces, not exponentially, so \
+                 that every pixel counts";
+    vec![
+        measured(
+            "growth between three touching spheres",
+            growing,
+            growth_of_three,
+        ),
+        measured(
+            "growth between four touching spheres",
+            growing,
+            growth_of_four,
+        ),
+        chaotic("three touching spheres, N = 20", three_seen),
+        chaotic("four touching spheres, N = 20", four_seen),
+        reflected(
+            "inside of a mirrored sphere",
+            round,
+            sphere.sphere([0.0; 3], 1.0, "wall"),
+            8,
+        ),
+        reflected(
+            "inside of a mirror cylinder",
+            round,
+            tube.cylinder([0.0; 3], [0.0, 1.0, 0.0], (1.0, 6.0), "wall"),
+            8,
+        ),
+        measured(
+            "corner cube returns rays",
+            "three mirrors at right angles send every ray back parallel",
+            returned,
+        ),
+        reflected(
+            "corner cube",
+            "what is seen in a corner cube is the eye, and edges where three mirrors meet",
+            corner(0.8).sphere([0.4, 0.5, 0.3], 0.2, "chalk"),
+            6,
+        ),
+    ]
+}

@@ -1,0 +1,189 @@
+//! A scene file, put together part by part; it never judges a number.
+
+use serde_json::{Value, json};
+
+/// A scene file as it grows.
+#[derive(Clone)]
+pub struct Draft {
+    camera: Value,
+    parts: [(&'static str, Vec<Value>); 5],
+    background: [f64; 3],
+    epsilon: Option<f64>,
+}
+
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+impl Draft {
+    /// What a camera sees with `up` along z, 50 degrees wide.
+    pub fn seen_from(position: [f64; 3], target: [f64; 3]) -> Self {
+        Self::through(position, target, UP, 50.0)
+    }
+
+    /// What a camera of any kind sees. The materials of [`Draft::material`] are there: chalk, gold,
+    /// water, red, black, white and mirror.
+    pub fn through(position: [f64; 3], target: [f64; 3], up: [f64; 3], fov: f64) -> Self {
+        let empty = ["materials", "lights", "spheres", "planes", "cylinders"];
+        let draft = Self {
+            camera: json!({"position": position, "target": target, "up": up, "fov": fov}),
+            parts: empty.map(|name| (name, Vec::new())),
+            // None of these is half way between two levels of 255.
+            background: [0.21, 0.29, 0.52],
+            epsilon: None,
+        };
+        draft
+            .material("chalk", [0.9, 0.9, 0.8], [0.2, 0.8, 0.0, 1.0, 0.0])
+            .material("gold", [0.7, 0.6, 0.0], [0.2, 0.4, 0.8, 4.0, 0.4])
+            .material("water", [0.6, 0.8, 1.0], [0.2, 0.3, 1.0, 50.0, 0.5])
+            .material("red", [0.9, 0.2, 0.1], [0.2, 0.6, 0.5, 20.0, 0.2])
+            .material("black", [0.0; 3], [0.0, 0.0, 0.0, 1.0, 0.0])
+            .material("white", [1.0; 3], [1.0, 1.0, 1.0, 10.0, 0.0])
+            .material("mirror", [1.0; 3], [0.0, 0.0, 0.0, 1.0, 1.0])
+    }
+
+    fn part(mut self, list: &str, part: Value) -> Self {
+        let lists = self.parts.iter_mut().filter(|(name, _)| *name == list);
+        lists.for_each(|(_, parts)| parts.push(part.clone()));
+        self
+    }
+
+    /// With another material: its colour, and its ambient, diffuse and specular coefficient,
+    /// shininess and mirror share.
+    pub fn material(self, name: &str, color: [f64; 3], coefficients: [f64; 5]) -> Self {
+        let [ambient, diffuse, specular, shininess, mirror] = coefficients;
+        let material = json!({
+            "name": name, "color": color, "ambient": ambient, "diffuse": diffuse,
+            "specular": specular, "shininess": shininess, "mirror": mirror,
+        });
+        self.part("materials", material)
+    }
+
+    /// With a white light.
+    pub fn light(self, position: [f64; 3]) -> Self {
+        self.shining(position, [1.0; 3])
+    }
+
+    /// With a light of a colour.
+    pub fn shining(self, position: [f64; 3], color: [f64; 3]) -> Self {
+        self.part("lights", json!({"position": position, "color": color}))
+    }
+
+    /// With a sphere.
+    pub fn sphere(self, center: [f64; 3], radius: f64, material: &str) -> Self {
+        let sphere = json!({"center": center, "radius": radius, "material": material});
+        self.part("spheres", sphere)
+    }
+
+    /// With a plane.
+    pub fn plane(self, center: [f64; 3], normal: [f64; 3], material: &str) -> Self {
+        let plane = json!({"center": center, "normal": normal, "material": material});
+        self.part("planes", plane)
+    }
+
+    /// With a cylinder: its middle, axis, radius and height.
+    pub fn cylinder(
+        self,
+        center: [f64; 3],
+        axis: [f64; 3],
+        (radius, height): (f64, f64),
+        material: &str,
+    ) -> Self {
+        let cylinder = json!({
+            "center": center, "axis": axis, "radius": radius, "height": height,
+            "material": material,
+        });
+        self.part("cylinders", cylinder)
+    }
+
+    /// Before another background.
+    pub fn before(self, background: [f64; 3]) -> Self {
+        Self { background, ..self }
+    }
+
+    /// With rays that leave a surface so far above it.
+    pub fn epsilon(self, epsilon: f64) -> Self {
+        let epsilon = Some(epsilon);
+        Self { epsilon, ..self }
+    }
+
+    /// The file.
+    pub fn text(&self) -> String {
+        let mut scene = json!({"camera": self.camera, "background": self.background});
+        for (name, parts) in &self.parts {
+            scene[*name] = json!(parts);
+        }
+        if let Some(epsilon) = self.epsilon {
+            scene["epsilon"] = json!(epsilon);
+        }
+        scene.to_string()
+    }
+}
+
+/// Lengths and places of a still life on a floor, moved and made larger or smaller.
+#[derive(Clone, Copy)]
+pub struct Setting {
+    /// Where its middle stands.
+    pub offset: [f64; 3],
+    /// How large it is made.
+    pub scale: f64,
+}
+
+impl Setting {
+    /// As it is.
+    pub const HERE: Self = Self {
+        offset: [0.0; 3],
+        scale: 1.0,
+    };
+
+    /// A place of the still life.
+    pub fn at(&self, at: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|axis| (at[axis] + self.offset[axis]) * self.scale)
+    }
+
+    /// Three spheres and a leaning cylinder on water, without lights and camera.
+    pub fn furnish(&self, draft: Draft) -> Draft {
+        self.furnish_air(draft)
+            .plane(self.at([0.0; 3]), UP, "water")
+    }
+
+    /// The same without the water.
+    pub fn furnish_air(&self, draft: Draft) -> Draft {
+        let (at, scale) = (|it| self.at(it), self.scale);
+        draft
+            .sphere(at([-1.0, 0.0, 0.6]), 0.6 * scale, "gold")
+            .sphere(at([0.6, -0.4, 0.4]), 0.4 * scale, "water")
+            .sphere(at([1.3, 0.7, 0.8]), 0.8 * scale, "chalk")
+            .cylinder(
+                at([0.2, 1.2, 0.7]),
+                [0.1, 0.0, 1.0],
+                (0.4 * scale, 1.4 * scale),
+                "red",
+            )
+            .epsilon(1e-3 * scale)
+    }
+
+    /// Two lights for it.
+    pub fn lit(&self, draft: Draft) -> Draft {
+        draft
+            .shining(self.at([3.0, -5.0, 4.0]), [0.8, 0.8, 0.7])
+            .shining(self.at([-2.0, -6.0, 1.5]), [0.3, 0.3, 0.4])
+    }
+
+    /// All of it, as one would look at it.
+    pub fn still_life(&self) -> Draft {
+        let (eye, target) = (self.at([0.5, -4.0, 1.5]), self.at([0.0, 0.0, 0.5]));
+        self.lit(self.furnish(Draft::seen_from(eye, target)))
+    }
+}
+
+/// The still life, lit, on its water, through a camera of one's own.
+pub fn still_life(position: [f64; 3], target: [f64; 3], fov: f64) -> Draft {
+    let here = Setting::HERE;
+    here.lit(here.furnish(Draft::through(position, target, UP, fov)))
+}
+
+/// The still life on its water, through the usual camera, by one light alone.
+pub fn lit_by(light: [f64; 3]) -> Draft {
+    let here = Setting::HERE;
+    here.furnish(Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5]))
+        .light(light)
+}

@@ -1,0 +1,163 @@
+//! A ray among mirroring spheres in any precision, by the textbook: what the growth of errors is
+//! measured with. The references of it are in quadruple precision.
+
+use std::ops::{Add, Div, Mul, Sub};
+
+use twofloat::TwoFloat;
+
+/// What a precision must know.
+pub trait Real:
+    Copy
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+{
+    /// From a double, rounded.
+    fn of(value: f64) -> Self;
+    /// The square root.
+    fn root(self) -> Self;
+    /// To a double, rounded.
+    fn plain(self) -> f64;
+}
+
+impl Real for f32 {
+    fn of(value: f64) -> Self {
+        value as f32
+    }
+
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+
+    fn plain(self) -> f64 {
+        self.into()
+    }
+}
+
+impl Real for f64 {
+    fn of(value: f64) -> Self {
+        value
+    }
+
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+
+    fn plain(self) -> f64 {
+        self
+    }
+}
+
+/// Two doubles: 106 bits.
+impl Real for TwoFloat {
+    fn of(value: f64) -> Self {
+        value.into()
+    }
+
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+
+    fn plain(self) -> f64 {
+        self.into()
+    }
+}
+
+type Triple<R> = [R; 3];
+
+fn dot<R: Real>(a: Triple<R>, b: Triple<R>) -> R {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn along<R: Real>(start: Triple<R>, way: Triple<R>, length: R) -> Triple<R> {
+    [0, 1, 2].map(|axis| start[axis] + way[axis] * length)
+}
+
+/// A sphere: its centre and radius.
+pub type Ball = ([f64; 3], f64);
+
+/// One bounce.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounce {
+    /// Where the mirrored ray starts, epsilon above the sphere.
+    pub origin: [f64; 3],
+    /// How far it came.
+    pub flight: f64,
+    /// The cosine between ray and normal.
+    pub cosine: f64,
+    /// The radius of the sphere.
+    pub radius: f64,
+}
+
+/// Follows a ray from the outside of spheres to the outside of spheres, which all mirror.
+pub fn bounces<R: Real>(
+    balls: &[Ball],
+    origin: [f64; 3],
+    direction: [f64; 3],
+    epsilon: f64,
+    most: usize,
+) -> Vec<Bounce> {
+    let mut origin = origin.map(R::of);
+    let direction = direction.map(R::of);
+    let length = dot(direction, direction).root();
+    let mut direction = direction.map(|it| it / length);
+    let mut found = Vec::new();
+    while found.len() < most {
+        let met = balls.iter().filter_map(|&(center, radius)| {
+            let to_center = [0, 1, 2].map(|axis| R::of(center[axis]) - origin[axis]);
+            let middle = dot(to_center, direction);
+            let aside = along(to_center, direction, R::of(0.0) - middle);
+            let half_square = R::of(radius) * R::of(radius) - dot(aside, aside);
+            let is_ahead = half_square > R::of(0.0) && middle > R::of(0.0);
+            is_ahead.then(|| (middle - half_square.root(), center, radius))
+        });
+        let met = met.filter(|(distance, ..)| *distance > R::of(0.0));
+        let Some((distance, center, radius)) =
+            met.min_by(|a, b| a.0.partial_cmp(&b.0).expect("distances are numbers"))
+        else {
+            break;
+        };
+        let at = along(origin, direction, distance);
+        let normal = [0, 1, 2].map(|axis| (at[axis] - R::of(center[axis])) / R::of(radius));
+        let climb = dot(direction, normal);
+        direction = along(direction, normal, R::of(-2.0) * climb);
+        origin = along(at, normal, R::of(epsilon));
+        found.push(Bounce {
+            origin: origin.map(R::plain),
+            flight: distance.plain(),
+            cosine: -climb.plain(),
+            radius,
+        });
+    }
+    found
+}
+
+/// How many times larger an error is after each bounce than at the start, by the theory of
+/// dispersing billiards: a front of curvature κ flies L, and then has κ / (1 + L κ); a mirror of
+/// radius r under the cosine c adds 2 / (r c); a flight makes an error 1 + L κ times as large
+/// (Chernov, Markarian, "Chaotic Billiards", AMS 2006, section 3.8). It starts at a point, as the
+/// rays of a camera do.
+pub fn growth(bounces: &[Bounce]) -> Vec<f64> {
+    let mut factor = 1.0;
+    let mut curvature = None;
+    let step = |bounce: &Bounce| {
+        let spread = match curvature {
+            None => 1.0 / bounce.flight,
+            Some(before) => {
+                factor *= 1.0 + bounce.flight * before;
+                before / (1.0 + bounce.flight * before)
+            }
+        };
+        curvature = Some(spread + 2.0 / (bounce.radius * bounce.cosine));
+        factor
+    };
+    bounces.iter().map(step).collect()
+}
+
+/// The distance of two points.
+pub fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let way = [0, 1, 2].map(|axis| a[axis] - b[axis]);
+    dot(way, way).sqrt()
+}

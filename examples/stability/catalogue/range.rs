@@ -1,0 +1,266 @@
+//! Range: the largest and the smallest numbers that are taken, and what is refused beyond.
+
+use reflet::{Camera, CameraError, Fault, Material, MaterialId, RuntimeScene, SceneError};
+
+use super::{Case, claim};
+
+type Room = RuntimeScene<2, 1, 1, 1, 1>;
+
+const MOST: f64 = (1 << 30) as f64;
+
+/// A number, and what a constructor is to say of it.
+type Limit<E> = (f64, Option<E>);
+
+/// Whether each number is taken, or refused for the fault that is named.
+fn held<E: PartialEq + std::fmt::Debug + std::fmt::Display>(
+    what: &str,
+    limits: &[Limit<E>],
+    made: impl Fn(f64) -> Result<(), E>,
+) -> Result<String, String> {
+    let mut words = Vec::new();
+    for (number, expected) in limits {
+        let found = made(*number).err();
+        if found != *expected {
+            return Err(format!("{what} {number:e}: {found:?}, not {expected:?}"));
+        }
+        words.push(match found {
+            None => format!("{number:e} is taken"),
+            Some(error) => format!("{number:e}: \"{error}\""),
+        });
+    }
+    Ok(format!("{what}: {}", words.join("; ")))
+}
+
+fn room() -> (Room, MaterialId) {
+    let mut scene = Room::new();
+    let id = scene.add_material(Material::new([0.9; 3]));
+    (scene, id.expect("there is room"))
+}
+
+fn coordinates() -> Result<String, String> {
+    let limits = |error: fn(usize, Fault) -> SceneError| {
+        let beyond = Some(error(0, Fault::Coordinate));
+        [
+            (MOST, None),
+            (-MOST, None),
+            (1.000_001 * MOST, beyond),
+            (f64::NAN, beyond),
+        ]
+    };
+    let sphere = held("sphere center", &limits(SceneError::Sphere), |x| {
+        let (mut scene, id) = room();
+        scene.add_sphere([x, 0.0, 0.0], 1.0, id)
+    })?;
+    held("plane center", &limits(SceneError::Plane), |x| {
+        let (mut scene, id) = room();
+        scene.add_plane([0.0, x, 0.0], [0.0, 0.0, 1.0], id)
+    })?;
+    held("cylinder center", &limits(SceneError::Cylinder), |x| {
+        let (mut scene, id) = room();
+        scene.add_cylinder([0.0, 0.0, x], [0.0, 0.0, 1.0], 1.0, 1.0, id)
+    })?;
+    held("light position", &limits(SceneError::Light), |x| {
+        let (mut scene, _) = room();
+        scene.add_light([x, 0.0, 0.0], [1.0; 3])
+    })?;
+    held(
+        "camera position",
+        &[
+            (MOST, None),
+            (1.000_001 * MOST, Some(CameraError::Coordinate)),
+        ],
+        |x| Camera::new([x, 1.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 50.0).map(|_| ()),
+    )?;
+    Ok(format!(
+        "{sphere}; the same of planes, cylinders, lights and cameras"
+    ))
+}
+
+fn sizes() -> Result<String, String> {
+    let least = 2f64.powi(-64);
+    let sphere = |fault| Some(SceneError::Sphere(0, fault));
+    let tube = |fault| Some(SceneError::Cylinder(0, fault));
+    let radius = held(
+        "sphere radius",
+        &[
+            (least, None),
+            (MOST, None),
+            (0.0, sphere(Fault::Radius)),
+            (-1.0, sphere(Fault::Radius)),
+            (1.000_001 * MOST, sphere(Fault::Coordinate)),
+        ],
+        |radius| {
+            let (mut scene, id) = room();
+            scene.add_sphere([0.0; 3], radius, id)
+        },
+    )?;
+    held(
+        "cylinder height",
+        &[
+            (least, None),
+            (MOST, None),
+            (0.0, tube(Fault::Height)),
+            (1.000_001 * MOST, tube(Fault::Coordinate)),
+        ],
+        |height| {
+            let (mut scene, id) = room();
+            scene.add_cylinder([0.0; 3], [0.0, 0.0, 1.0], 1.0, height, id)
+        },
+    )?;
+    Ok(format!(
+        "{radius}; the same of a cylinder's radius and height"
+    ))
+}
+
+fn ratio() -> Result<String, String> {
+    // A planet of 2^20 fills the ball of 2^28 steps: 64 of them are a quarter.
+    held(
+        "radius beside one of 2^20",
+        &[
+            (0.25, None),
+            (0.248, Some(SceneError::Sphere(1, Fault::Tiny))),
+        ],
+        |radius| {
+            let (mut scene, id) = room();
+            scene.add_sphere([0.0; 3], f64::from(1 << 20), id)?;
+            scene.add_sphere([1.0, 2.0, 3.0], radius, id)?;
+            scene.build().map(|_| ())
+        },
+    )
+}
+
+fn extent() -> Result<String, String> {
+    let least = 2f64.powi(-30);
+    held(
+        "radius of a lonely sphere",
+        &[
+            (least, None),
+            (MOST, None),
+            (0.99 * least, Some(SceneError::Scene(Fault::Extent))),
+        ],
+        |radius| {
+            let (mut scene, id) = room();
+            scene.add_sphere([0.0; 3], radius, id)?;
+            scene.set_epsilon(radius * 1e-3)?;
+            scene.build().map(|_| ())
+        },
+    )
+}
+
+fn epsilon() -> Result<String, String> {
+    let beyond = Some(SceneError::Scene(Fault::Epsilon));
+    held(
+        "epsilon beside a radius of 1",
+        &[
+            (1e-19, None),
+            (0.999, None),
+            (0.0, beyond),
+            (-1.0, beyond),
+            (1.0, beyond),
+            (1e12, beyond),
+        ],
+        |epsilon| {
+            let (mut scene, id) = room();
+            scene.add_sphere([0.0; 3], 1.0, id)?;
+            scene.set_epsilon(epsilon)?;
+            scene.build().map(|_| ())
+        },
+    )
+}
+
+fn coefficients() -> Result<String, String> {
+    let made = |[color, ambient, diffuse, specular, shininess, mirror]: [f64; 6]| {
+        let highlight = (specular, shininess);
+        Material::from_numbers([color; 3], ambient, diffuse, highlight, mirror).map(|_| ())
+    };
+    let good = [0.5, 0.2, 0.8, 0.1, 4.0, 0.3];
+    let fields = [
+        ("color", 16.0, Fault::Color),
+        ("ambient", 16.0, Fault::Ambient),
+        ("diffuse", 16.0, Fault::Diffuse),
+        ("specular", 16.0, Fault::Specular),
+        ("shininess", f64::from(1 << 20), Fault::Shininess),
+        ("mirror", 1.0, Fault::Mirror),
+    ];
+    let mut words = Vec::new();
+    for (place, (name, most, fault)) in fields.into_iter().enumerate() {
+        let beyond = Some(fault);
+        let limits = [
+            (0.0, None),
+            (most, None),
+            (-1e-6, beyond),
+            (1.000_001 * most, beyond),
+        ];
+        words.push(held(name, &limits, |number| {
+            let mut numbers = good;
+            numbers[place] = number;
+            made(numbers)
+        })?);
+    }
+    Ok(words.join(". "))
+}
+
+fn brightness() -> Result<String, String> {
+    held(
+        "ambient beside diffuse 14 under a light of 1",
+        &[(15.9, None), (16.0, None)],
+        |ambient| lit(ambient, 14.0),
+    )?;
+    held(
+        "diffuse beside ambient 16 under a light of 1",
+        &[
+            (14.0, None),
+            (14.1, Some(SceneError::Material(0, Fault::Brightness))),
+        ],
+        |diffuse| lit(16.0, diffuse),
+    )
+}
+
+fn lit(ambient: f64, diffuse: f64) -> Result<(), SceneError> {
+    let mut scene = Room::new();
+    let material = Material::from_numbers([1.0; 3], ambient, diffuse, (0.0, 1.0), 0.0);
+    let id = scene.add_material(material.map_err(|fault| SceneError::Material(0, fault))?)?;
+    scene.add_sphere([0.0; 3], 1.0, id)?;
+    scene.add_light([3.0; 3], [1.0; 3])?;
+    scene.build().map(|_| ())
+}
+
+fn field_of_view() -> Result<String, String> {
+    let beyond = Some(CameraError::FieldOfView);
+    held(
+        "fov",
+        &[
+            (0.001, None),
+            (179.999, None),
+            (0.000_999, beyond),
+            (179.9991, beyond),
+            (180.0, beyond),
+        ],
+        |fov| Camera::new([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], fov).map(|_| ()),
+    )
+}
+
+fn up() -> Result<String, String> {
+    let beyond = Some(CameraError::Up);
+    held(
+        "sine between view and up",
+        &[(1.0, None), (1e-6, None), (1e-9, beyond), (0.0, beyond)],
+        |sine| Camera::new([0.0; 3], [0.0, 0.0, 1.0], [0.0, sine, 1.0], 50.0).map(|_| ()),
+    )
+}
+
+/// The cases of the chapter.
+pub fn cases() -> Vec<Case> {
+    let edge = "the last number that is taken must be drawn truly, and the next be refused by name";
+    vec![
+        claim("coordinates", edge, coordinates),
+        claim("radii and heights", edge, sizes),
+        claim("radius beside the scene's extent", edge, ratio),
+        claim("extent of a scene", edge, extent),
+        claim("epsilon", edge, epsilon),
+        claim("materials", edge, coefficients),
+        claim("brightness", edge, brightness),
+        claim("field of view", edge, field_of_view),
+        claim("up", edge, up),
+    ]
+}

@@ -1,0 +1,257 @@
+//! Scale: very large beside very small, very far, very thin, very narrow and very wide.
+
+use reflet::host::file::SceneFile;
+use reflet::{Fine, MaterialId};
+
+use super::draft::{Draft, Setting, lit_by, still_life};
+use super::judge::{SIDE, painted};
+use super::{Case, Measured, claim, measured, picture};
+
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+fn planet(ratio: f64) -> Draft {
+    Draft::seen_from([0.5, -6.0, 2.0], [0.0, 0.0, 0.8])
+        .light([3.0, -5.0, 6.0])
+        .sphere([0.0, 0.0, -ratio], ratio, "chalk")
+        .sphere([0.0, 0.0, 1.0], 1.0, "gold")
+        .sphere([1.6, 0.0, 0.5], 0.5, "water")
+}
+
+fn whole_planet(ratio: f64) -> Draft {
+    let eye = [0.0, -4.0 * ratio, ratio];
+    Draft::through(eye, [0.0, 0.0, 1.0], UP, 200.0 / ratio)
+        .light([3.0 * ratio, -5.0 * ratio, 6.0 * ratio])
+        .sphere([0.0, 0.0, -ratio], ratio, "chalk")
+        .sphere([0.0, 0.0, 1.0], 1.0, "gold")
+}
+
+/// How many channels of the still life differ when it is made 2^-20 to 2^20 times as large.
+fn scaled_by_powers() -> Measured {
+    let drawn = |power: i32| {
+        let scale = 2f64.powi(power);
+        let setting = Setting {
+            scale,
+            ..Setting::HERE
+        };
+        let file = SceneFile::parse(&setting.still_life().text(), None).expect("well formed");
+        let (built, (_, camera)) = (file.build().expect("fine"), file.runtime().expect("fine"));
+        let fixed = painted(built.frame(&camera).quality::<Fine>(), (SIDE, SIDE));
+        let (scene, eye) = file.reference();
+        let shading = float_picture::Shading::BlinnPhong;
+        (
+            fixed,
+            float_picture::render(&scene, &eye, (SIDE, SIDE), 4, shading),
+        )
+    };
+    let (fixed, single) = drawn(0);
+    let differ = |a: &reflet::host::reference::Picture, b: &reflet::host::reference::Picture| {
+        let pairs = a.pixels.iter().zip(&b.pixels);
+        pairs.filter(|(a, b)| a != b).count() as f64
+    };
+    let mut most = [0.0_f64; 2];
+    for power in (-20..=20).filter(|power| *power != 0) {
+        let (scaled, scaled_single) = drawn(power);
+        most[0] = most[0].max(differ(&scaled, &fixed));
+        most[1] = most[1].max(differ(&scaled_single, &single));
+    }
+    let [fixed, single] = most;
+    Measured {
+        reference: "itself, unscaled",
+        unit: "pixels that differ",
+        fixed,
+        single,
+        bar: 0.0,
+        note: "40 pictures, by 2^-20 to 2^20".to_owned(),
+    }
+}
+
+/// A ratio that is out of reach is refused.
+fn beyond_reach() -> Result<String, String> {
+    let mut scene = reflet::RuntimeScene::<2, 0, 0, 0, 1>::new();
+    let chalk = reflet::Material::new([0.9; 3]);
+    let id: MaterialId = scene
+        .add_material(chalk)
+        .map_err(|error| error.to_string())?;
+    let add = scene.add_sphere([0, 0, -(1 << 23)], 1 << 23, id);
+    add.and_then(|()| scene.add_sphere([0, 0, 1], 1, id))
+        .map_err(|error| error.to_string())?;
+    match scene.build() {
+        Err(error) => Ok(format!("refused: {error}")),
+        Ok(_) => Err("a pebble of 2^-23 of its planet was accepted".to_owned()),
+    }
+}
+
+fn ratios() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for power in 1..=6 {
+        let ratio = 10f64.powi(power);
+        cases.push(picture(
+            format!("planet and pebble, 10^{power}"),
+            "the planet's surface must be known to a part of the pebble, its discriminant to twice \
+             the digits",
+            planet(ratio),
+        ));
+        // One further away is seen in less than 0.001 degrees.
+        if power <= 5 {
+            cases.push(picture(
+                format!("planet and pebble from afar, 10^{power}"),
+                "a pebble's shadow, by a light so far that its tangents are hardly shorter than the \
+                 way",
+                whole_planet(ratio),
+            ));
+        }
+    }
+    cases
+}
+
+fn places() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for power in [1, 3, 5, 6, 7, 8, 9] {
+        let far = 10f64.powi(power);
+        let offset = [far, -0.7 * far, 0.3 * far];
+        cases.push(picture(
+            format!("moved by 10^{power}"),
+            "what is left of a coordinate's digits once a large number has been added",
+            Setting {
+                offset,
+                ..Setting::HERE
+            }
+            .still_life(),
+        ));
+        cases.push(picture(
+            format!("sun 10^{power} away"),
+            "the light's direction is a quotient of large numbers, its shadows are small",
+            lit_by([far, -far, far]),
+        ));
+    }
+    for power in [1, 3, 5] {
+        let far = 10f64.powi(power);
+        let fov = (2.0 * (3.0 / far).atan()).to_degrees();
+        cases.push(picture(
+            format!("camera 10^{power} away"),
+            "pixels lie 3 / distance apart in angle, and the scene in few of the ray's steps",
+            still_life([0.3 * far, -far, 0.5 * far], [0.0, 0.0, 0.5], fov),
+        ));
+        let sphere = picture(
+            format!("sphere 10^{power} away"),
+            "what is far and wide takes bits from what is near",
+            Setting::HERE
+                .still_life()
+                .sphere([0.9 * far, far, 0.2 * far], 0.05 * far, "gold"),
+        );
+        cases.push(match power {
+            5 => sphere.unlike_single_precision(
+                "All places of a scene share one step, 2^-28 of its extent, while a float has smaller \
+                 ones near zero, where the still life stands: moved by 10^5, it is f32 that is worse.",
+            ),
+            _ => sphere,
+        });
+    }
+    cases
+}
+
+fn thin() -> Vec<Case> {
+    let eye = [0.0, -3.0, 0.6];
+    let floor = |draft: Draft| {
+        draft
+            .plane([0.0, 0.0, -0.5], UP, "water")
+            .light([3.0, -5.0, 4.0])
+    };
+    let spread = |number: u32| {
+        let angle = 2.4 * f64::from(number);
+        let far = (f64::from(number) / 40.0).sqrt();
+        [
+            far * angle.cos(),
+            far * angle.sin(),
+            0.3 * (1.7 * angle).sin(),
+        ]
+    };
+    let dots = (0..40).fold(floor(Draft::seen_from(eye, [0.0; 3])), |draft, number| {
+        draft.sphere(spread(number), 1e-3, "gold")
+    });
+    let wires = (0..12).fold(floor(Draft::seen_from(eye, [0.0; 3])), |draft, number| {
+        let axis = spread(3 * number + 1);
+        draft.cylinder(spread(number), axis, (1e-3, 2.0), "gold")
+    });
+    let crumbs = Draft::seen_from([0.0, -0.01, 0.002], [0.0; 3])
+        .light([3.0, -5.0, 4.0])
+        .sphere([0.0; 3], 1e-3, "gold")
+        .sphere([2e-3, 5e-4, 0.0], 1e-3, "water")
+        .sphere([1.0, 3.0, 0.0], 1.0, "chalk")
+        .plane([0.0, 0.0, -1e-3], UP, "water")
+        .epsilon(1e-6);
+    let long = |center: f64| {
+        Draft::seen_from([center - 2500.0, -2.0, 1.5], [0.0; 3])
+            .light([center - 2497.0, -5.0, 4.0])
+            .cylinder([0.0; 3], [1.0, 0.01, 0.0], (0.5, 1e4), "gold")
+    };
+    let through = Draft::seen_from([-2000.0, 0.1, 0.05], [0.0; 3])
+        .light([-1997.0, 0.2, 0.1])
+        .cylinder([0.0; 3], [1.0, 0.0, 0.0], (0.5, 1e4), "water");
+    vec![
+        picture(
+            "dots of a thousandth",
+            "spheres narrower than a pixel lie between those that are traced",
+            dots,
+        ),
+        picture(
+            "wires of a thousandth",
+            "cylinders a thousandth of the scene wide, at all angles",
+            wires,
+        ),
+        picture(
+            "crumbs seen from near",
+            "the camera looks at a thousandth of the scene, with an epsilon of a millionth",
+            crumbs,
+        ),
+        picture(
+            "cylinder 10^4 times longer than wide, along it",
+            "its wall is seen almost along its axis up to where it ends",
+            long(0.0),
+        ),
+        picture(
+            "cylinder 10^4 times longer than wide, from inside",
+            "rays take hundreds of radii from wall to wall",
+            through,
+        ),
+    ]
+}
+
+fn views() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for fov in [0.5, 0.01, 0.001] {
+        let far = 3.0 / (fov / 2.0_f64).to_radians().tan();
+        cases.push(picture(
+            format!("telephoto {fov}°"),
+            "neighbouring rays differ in their last bits",
+            still_life([0.1 * far, -0.9 * far, 0.3 * far], [0.0, 0.0, 0.5], fov),
+        ));
+    }
+    for fov in [150.0, 179.0, 179.999] {
+        cases.push(picture(
+            format!("wide {fov}°"),
+            "the picture's edge is 1 / cos further from the eye than its middle",
+            still_life([0.5, -4.0, 1.5], [0.0, 0.0, 0.5], fov),
+        ));
+    }
+    cases
+}
+
+/// The cases of the chapter.
+pub fn cases() -> Vec<Case> {
+    let mut cases = ratios();
+    cases.push(claim(
+        "planet and pebble, 2^23",
+        "what cannot be shown truly is refused",
+        beyond_reach,
+    ));
+    cases.push(measured(
+        "scaled by powers of two",
+        "a scene has no size of its own: nothing may be compared with a constant of the format",
+        scaled_by_powers,
+    ));
+    cases.extend(places());
+    cases.extend(thin());
+    cases.extend(views());
+    cases
+}

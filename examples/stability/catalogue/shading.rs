@@ -1,0 +1,90 @@
+//! Shading: exponents, grazing light, too much light and none.
+
+use super::draft::{Draft, Setting, lit_by};
+use super::{Case, picture};
+
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+fn shiny(shininess: f64) -> Draft {
+    Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+        .material("shiny", [0.8, 0.6, 0.4], [0.1, 0.3, 1.0, shininess, 0.1])
+        .sphere([0.0, 0.0, 0.6], 0.6, "shiny")
+        .sphere([1.0, 0.5, 0.4], 0.4, "shiny")
+        .cylinder([-1.2, 0.0, 0.5], UP, (0.3, 1.0), "shiny")
+        .plane([0.0; 3], UP, "shiny")
+        .light([3.0, -5.0, 4.0])
+        .light([0.4, -4.0, 1.4])
+}
+
+fn lonely(light: [f64; 3]) -> Draft {
+    Draft::seen_from([0.0, -5.0, 0.0], [0.0; 3])
+        .light(light)
+        .sphere([0.0; 3], 1.0, "chalk")
+        .sphere([1.7, -0.6, 0.0], 0.3, "gold")
+}
+
+/// 16 lights, together far brighter than white, and as bright as white may be lit.
+fn bright() -> Draft {
+    let here = Setting::HERE;
+    let draft = here.furnish(Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5]));
+    let draft = draft.sphere([0.0, -1.5, 0.3], 0.3, "white");
+    (0..16).fold(draft, |draft, number| {
+        let angle = f64::from(number);
+        let (x, y) = (5.0 * angle.cos(), 5.0 * angle.sin() - 4.0);
+        let at = [x, y, 3.0 + 2.0 * (2.0 * angle).cos()];
+        draft.shining(at, [0.9; 3])
+    })
+}
+
+/// The cases of the chapter.
+pub fn cases() -> Vec<Case> {
+    let mut cases: Vec<_> = [0.0, 1.0, 2.5, 128.0, 1000.0, 1e5, f64::from(1 << 20)]
+        .into_iter()
+        .map(|shininess| {
+            picture(
+                format!("shininess {shininess}"),
+                "a power magnifies the error of its base by the exponent; at 10^5 a highlight is half \
+                 a degree wide, and at 0 it is everywhere",
+                shiny(shininess),
+            )
+        })
+        .collect();
+    let grazing = "n · l is next to nothing, and its sign decides";
+    let dark = "the shadow's edge on a round shape is where the surface turns away from the light";
+    cases.extend([
+        picture("grazing light", grazing, lit_by([1000.0, 0.0, 0.5])),
+        picture(
+            "light in the floor's height, far away",
+            grazing,
+            lit_by([100.0, 0.0, 5e-4]),
+        ),
+        picture(
+            "sixteen lights on white",
+            "the sum passes white, and must stay there",
+            bright(),
+        ),
+        picture(
+            "black and white",
+            "black takes everything and white sends on all: nothing may be left over or be missing",
+            Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+                .light([3.0, -5.0, 4.0])
+                .sphere([0.0, 0.0, 0.6], 0.6, "black")
+                .sphere([1.0, 0.5, 0.4], 0.4, "white")
+                .plane([0.0; 3], UP, "white"),
+        ),
+        picture("shadow terminator", dark, lonely([10.0, 0.0, 0.0])),
+        picture(
+            "shadow terminator, light behind",
+            dark,
+            lonely([3.0, 10.0, 1.0]),
+        ),
+    ]);
+    for epsilon in [1e-9, 1e-6, 1e-2, 0.1] {
+        cases.push(picture(
+            format!("epsilon {epsilon}"),
+            "too small, and surfaces shade themselves; too large, and what touches comes apart",
+            Setting::HERE.still_life().epsilon(epsilon),
+        ));
+    }
+    cases
+}

@@ -1,0 +1,135 @@
+//! Stiff accumulation: weights that hardly fall, or alternate, and very many terms.
+
+use super::draft::Draft;
+use super::{Case, Trial, reflected};
+
+const OWN: [f64; 3] = [0.75, 0.5, 0.25];
+
+/// A room that glows and mirrors by the share α; in it any ray that is cut off after N reflections
+/// shows c (1 - α^(N + 1)).
+fn glowing(alpha: f64) -> Draft {
+    Draft::through([0.1, -0.3, 0.2], [0.3, 1.0, 0.1], [0.0, 0.0, 1.0], 90.0)
+        .material("wall", OWN, [1.0, 0.0, 0.0, 1.0, alpha])
+        .before([1.0; 3])
+}
+
+fn boxed(draft: Draft) -> Draft {
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    axes.into_iter().fold(draft, |draft, axis: [f64; 3]| {
+        let draft = draft.plane(axis, axis, "wall");
+        draft.plane(axis.map(|it| -it), axis, "wall")
+    })
+}
+
+fn closed(name: String, why: &'static str, draft: Draft, alpha: f64, reflections: u8) -> Case {
+    let share = 1.0 - alpha.powi(i32::from(reflections) + 1);
+    let trial = Trial::Closed {
+        draft,
+        reflections,
+        color: OWN.map(|own| own * share),
+    };
+    Case::new(name, why, trial)
+}
+
+fn parallel(alpha: f64) -> Draft {
+    let (eye, target) = ([0.1, -0.3, 0.1], [1.0, 0.0, 0.15]);
+    Draft::through(eye, target, [0.0, 0.0, 1.0], 60.0)
+        .material("wall", [0.5, 0.7, 0.9], [0.5, 0.3, 0.0, 1.0, alpha])
+        .plane([1.0, 0.0, 0.0], [1.0, 0.0, 0.0], "wall")
+        .plane([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], "wall")
+        .sphere([0.2, 0.8, 0.0], 0.3, "chalk")
+        .light([0.0, 0.5, 2.0])
+}
+
+/// A room whose walls are mirrors and chalk by turns: α is 1 and 0.
+fn alternating() -> Draft {
+    let (eye, target) = ([0.1, -0.9, 0.1], [0.2, 0.6, 0.05]);
+    let walls = [
+        ("mirror", "chalk"),
+        ("chalk", "mirror"),
+        ("mirror", "chalk"),
+    ];
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let room = Draft::through(eye, target, [0.0, 0.0, 1.0], 70.0).light([0.0, -0.5, 0.4]);
+    axes.into_iter()
+        .zip(walls)
+        .fold(room, |draft, (axis, (near, far)): ([f64; 3], _)| {
+            let draft = draft.plane(axis, axis, near);
+            draft.plane(axis.map(|it| -it), axis, far)
+        })
+}
+
+/// 256 surfaces, 16 lights each: 4096 terms of about a ten-thousandth.
+fn many_terms() -> Draft {
+    let room = Draft::through([0.1, -0.3, 0.2], [0.3, 1.0, 0.1], [0.0, 0.0, 1.0], 90.0)
+        .material("wall", [0.9, 0.7, 0.5], [0.2, 0.2, 0.0, 1.0, 0.9999])
+        .sphere([0.0; 3], 1.0, "wall");
+    (0..16).fold(room, |draft, number| {
+        let angle = f64::from(number);
+        let at = [
+            0.6 * angle.cos(),
+            0.6 * angle.sin(),
+            0.3 * (0.7 * angle).sin(),
+        ];
+        draft.shining(at, [0.9; 3])
+    })
+}
+
+/// The cases of the chapter.
+pub fn cases() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for alpha in [0.9, 0.99, 0.999, 0.9999, 1.0] {
+        for reflections in [4, 255] {
+            let sphere = glowing(alpha).sphere([0.0; 3], 1.0, "wall");
+            cases.push(closed(
+                format!("mirrored sphere, α = {alpha}, N = {reflections}"),
+                "up to 256 terms of one size must add up to what the closed form says, and no ray \
+                 may leave the sphere",
+                sphere,
+                alpha,
+                reflections,
+            ));
+        }
+        cases.push(closed(
+            format!("mirrored box, α = {alpha}, N = 255"),
+            "the same between planes: a ray that slips through an edge sees the background",
+            boxed(glowing(alpha)),
+            alpha,
+            255,
+        ));
+        cases.push(reflected(
+            format!("parallel mirrors, α = {alpha}, N = 255"),
+            "a point that is off by ε is off by 255 ε at the end of the tunnel, where a sphere is \
+             seen again and again",
+            parallel(alpha),
+            255,
+        ));
+    }
+    cases.push(reflected(
+        "α alternates between 0 and 1",
+        "the weight is all or nothing, and which depends on the wall that is met last",
+        alternating(),
+        255,
+    ));
+    cases.push(reflected(
+        "4096 terms of a ten-thousandth",
+        "each is below an 8-bit step, all of them together are not",
+        many_terms(),
+        255,
+    ));
+    for alpha in [0.003, 0.05] {
+        let here = super::draft::Setting::HERE;
+        let draft = Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+            .material("faint", [0.5, 0.7, 0.9], [0.5, 0.3, 0.2, 10.0, alpha])
+            .sphere([-1.0, 0.0, 0.6], 0.6, "faint")
+            .sphere([0.6, -0.4, 0.4], 0.4, "faint")
+            .plane([0.0; 3], [0.0, 0.0, 1.0], "faint");
+        cases.push(reflected(
+            format!("faint mirrors, α = {alpha}, N = 255"),
+            "weights fall below the smallest step of the format, and must fall to nothing",
+            here.lit(draft),
+            255,
+        ));
+    }
+    cases
+}

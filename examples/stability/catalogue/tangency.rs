@@ -1,0 +1,257 @@
+//! Tangency and grazing: where a last bit decides what is met.
+
+use super::draft::{Draft, Setting, lit_by, still_life};
+use super::{Case, picture};
+
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+const LAMP: [f64; 3] = [3.0, -5.0, 4.0];
+
+fn ahead() -> Draft {
+    Draft::seen_from([0.0, -5.0, 0.0], [0.0; 3]).light(LAMP)
+}
+
+fn above() -> Draft {
+    Draft::seen_from([0.0, -5.0, 1.0], [0.0; 3]).light(LAMP)
+}
+
+fn pipe(eye: [f64; 3], target: [f64; 3]) -> Draft {
+    Draft::seen_from(eye, target)
+        .light(LAMP)
+        .sphere([0.0, 3.0, 0.0], 0.5, "chalk")
+        .cylinder([0.0; 3], [0.0, 1.0, 0.0], (0.5, 2.0), "gold")
+}
+
+fn rays() -> Vec<Case> {
+    let horizon =
+        "rows of pixels beside the horizon meet the floor at any distance, up to for ever";
+    let rim = "a rim's rays touch: the root of what is left of two equal squares";
+    let axis = "the square of the sine to the axis is a difference of two numbers beside one";
+    vec![
+        picture(
+            "horizon, an eye's height",
+            horizon,
+            still_life([0.0, -4.0, 1.0], [0.0, 0.0, 1.0], 50.0),
+        ),
+        picture(
+            "horizon, 10^-4 above the floor",
+            horizon,
+            still_life([0.0, -4.0, 1e-4], [0.0, 0.0, 1e-4], 50.0),
+        ),
+        picture(
+            "silhouette under a lens of 1°",
+            rim,
+            still_life([-1.0, -5.0, 0.6], [-0.4, 0.0, 0.6], 1.0),
+        ),
+        picture(
+            "two rims in one line",
+            rim,
+            Draft::through([1.0, -5.0, 0.0], [1.0, 0.0, 0.0], UP, 2.0)
+                .light(LAMP)
+                .sphere([0.0; 3], 1.0, "gold")
+                .sphere([0.0, 0.1, 0.0], 1.0, "water"),
+        ),
+        picture(
+            "eye in a plane",
+            "a ray from a plane is not stopped by it, and a ray in it never meets it",
+            still_life([0.0, -4.0, 0.0], [0.0, 0.0, 0.5], 50.0),
+        ),
+        picture(
+            "eye and view in a plane",
+            "the same, with a row of rays that stay in the plane",
+            still_life([0.0, -4.0, 0.0], [0.0; 3], 50.0),
+        ),
+        picture(
+            "eye where two planes meet",
+            "the same for two planes at once",
+            Draft::seen_from([0.0; 3], [1.0, 1.0, 0.5])
+                .light([1.0, 1.0, 3.0])
+                .plane([0.0; 3], UP, "water")
+                .plane([0.0; 3], [0.0, 1.0, 0.0], "gold")
+                .plane([0.0, 5.0, 0.0], [0.0, 1.0, 0.3], "chalk"),
+        ),
+        picture(
+            "along a cylinder's axis",
+            axis,
+            pipe([0.0, -4.0, 0.0], [0.0; 3]),
+        ),
+        picture(
+            "parallel to a cylinder's axis",
+            axis,
+            pipe([0.2, -4.0, 0.1], [0.2, 0.0, 0.1]),
+        ),
+        picture(
+            "along a cylinder's wall",
+            axis,
+            pipe([0.5, -4.0, 0.0], [0.5, 0.0, 0.0]),
+        ),
+        picture(
+            "view almost along up",
+            "right is the cross product of two directions 10^-4 apart",
+            still_life([0.0, -1e-4, 8.0], [0.0; 3], 50.0),
+        ),
+    ]
+}
+
+fn touching() -> Vec<Case> {
+    let touch = "where shapes touch, a ray that leaves one stands on the other";
+    let twice = "of two equal distances the first shape must win, everywhere";
+    let tilted = [0.1, 0.2, 1.0];
+    vec![
+        picture(
+            "touching spheres",
+            touch,
+            ahead()
+                .sphere([-1.0, 0.0, 0.0], 1.0, "gold")
+                .sphere([1.0, 0.0, 0.0], 1.0, "water"),
+        ),
+        picture(
+            "spheres on a floor",
+            touch,
+            above()
+                .sphere([-1.0, 0.0, 1.0], 1.0, "gold")
+                .sphere([1.0, 0.0, 0.5], 0.5, "water")
+                .plane([0.0; 3], UP, "water"),
+        ),
+        picture(
+            "nested spheres that touch",
+            touch,
+            ahead()
+                .sphere([0.0; 3], 1.0, "gold")
+                .sphere([0.0, -0.5, 0.0], 0.5, "water")
+                .sphere([0.0, 0.4, 0.0], 0.6, "chalk"),
+        ),
+        picture(
+            "nested spheres, from inside",
+            "every ray starts inside of one shape and outside of the others",
+            Draft::seen_from([0.0, -0.9, 0.0], [0.0; 3])
+                .light([0.0, -0.8, 0.3])
+                .sphere([0.0; 3], 1.0, "gold")
+                .sphere([0.0; 3], 0.5, "water")
+                .sphere([0.0; 3], 0.25, "chalk"),
+        ),
+        picture(
+            "one sphere twice",
+            twice,
+            ahead()
+                .sphere([0.0; 3], 1.0, "chalk")
+                .sphere([0.0; 3], 1.0, "black"),
+        ),
+        picture(
+            "one cylinder twice",
+            twice,
+            above()
+                .cylinder([0.0; 3], [0.2, 0.0, 1.0], (1.0, 2.0), "chalk")
+                .cylinder([0.0; 3], [0.2, 0.0, 1.0], (1.0, 2.0), "gold"),
+        ),
+        picture(
+            "one plane twice",
+            twice,
+            above()
+                .sphere([0.0, 0.0, 0.5], 0.5, "gold")
+                .plane([0.0; 3], UP, "chalk")
+                .plane([5.0, 3.0, 0.0], [0.0, 0.0, -2.0], "black"),
+        ),
+        picture(
+            "one tilted plane twice",
+            twice,
+            Draft::seen_from([0.0, -5.0, 2.0], [0.0; 3])
+                .light(LAMP)
+                .sphere([0.0, 0.0, 0.5], 0.5, "gold")
+                .plane([0.0; 3], tilted, "water")
+                .plane([0.0; 3], tilted, "black"),
+        ),
+        picture(
+            "planes 10^-4 apart in angle",
+            "which is in front changes at a line that a last bit would move by a length",
+            above()
+                .sphere([0.0, 0.0, 0.5], 0.5, "gold")
+                .plane([0.0; 3], UP, "chalk")
+                .plane([0.0; 3], [1e-4, 0.0, 1.0], "black"),
+        ),
+    ]
+}
+
+fn lights() -> Vec<Case> {
+    let on = "whether a light on a surface lights it is decided by epsilon alone";
+    let within = "the way to the light begins or ends at a wall";
+    vec![
+        picture("light in a plane", on, lit_by([1.0, -3.0, 0.0])),
+        picture("light 10^-4 above a plane", on, lit_by([1.0, -3.0, 1e-4])),
+        picture("light epsilon above a plane", on, lit_by([1.0, -3.0, 1e-3])),
+        picture(
+            "light 1/1024 above a plane",
+            on,
+            lit_by([1.0, -3.0, 1.0 / 1024.0]),
+        ),
+        picture(
+            "light 1/1024 above a lonely plane",
+            "nothing but the light and the plane tells how large the scene is",
+            Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+                .light([0.0, 0.0, 1.0 / 1024.0])
+                .plane([0.0; 3], UP, "chalk"),
+        ),
+        picture("light on a sphere", on, lit_by([-1.0, 0.0, 1.2])),
+        picture("light on a cylinder", on, lit_by([0.6, 1.2, 0.7])),
+        picture(
+            "light at the camera",
+            "no shadow is seen, and every facing cosine is the viewer's",
+            lit_by([0.5, -4.0, 1.5]),
+        ),
+        picture("light in a sphere", within, lit_by([-1.0, 0.0, 0.6])),
+        picture("light in a cylinder", within, lit_by([0.2, 1.2, 0.7])),
+    ]
+}
+
+fn eyes() -> Vec<Case> {
+    let within = "every ray begins inside of a wall that may be met once only";
+    let here = Setting::HERE;
+    let on = |draft: Draft| here.lit(here.furnish(draft));
+    // Outside by less than a pixel can show, so that the reference is defined.
+    let aside = 0.6 + 1e-6;
+    vec![
+        picture(
+            "eye in a sphere",
+            within,
+            still_life([-1.0, 0.0, 0.6], [0.0, 0.0, 0.5], 50.0),
+        ),
+        picture(
+            "eye and light in a sphere",
+            within,
+            still_life([-1.2, 0.0, 0.6], [0.0, 0.0, 0.5], 100.0).light([-1.0, 0.1, 0.6]),
+        ),
+        picture(
+            "eye in a cylinder",
+            within,
+            still_life([0.2, 1.2, 0.7], [0.0, 0.0, 0.5], 100.0),
+        ),
+        picture(
+            "eye on a sphere, outwards",
+            "the sphere begins at the eye, and must not be seen from inside by rounding",
+            on(Draft::through(
+                [-1.0, -aside, 0.6],
+                [0.5, -2.0, 0.5],
+                UP,
+                90.0,
+            )),
+        ),
+        picture(
+            "eye on a sphere, inwards",
+            "the same from inside: all that is seen is the other side",
+            on(Draft::through(
+                [-1.0, 1e-6 - 0.6, 0.6],
+                [-1.0, 1.0, 0.5],
+                UP,
+                90.0,
+            )),
+        ),
+    ]
+}
+
+/// The cases of the chapter.
+pub fn cases() -> Vec<Case> {
+    let mut cases = rays();
+    cases.extend(touching());
+    cases.extend(lights());
+    cases.extend(eyes());
+    cases
+}

@@ -1,0 +1,91 @@
+//! `docs/stability.md`: the catalogue and what came of it; it never opens a file.
+
+use std::fmt::Write as _;
+
+use super::catalogue::judge::{MANY, SHORT_SIDE, SIDE, UNSEEN};
+use super::report::{self, Tried, number, percent};
+
+/// The text of the page.
+pub fn page(tried: &[Tried]) -> String {
+    let mut page = head(tried);
+    for chapter in tried.chunk_by(|a, b| a.chapter == b.chapter) {
+        write_chapter(&mut page, chapter);
+    }
+    write_exceptions(&mut page, tried);
+    page.push_str(include_str!("limits.md"));
+    page
+}
+
+fn write_exceptions(page: &mut String, tried: &[Tried]) {
+    page.push_str("\n## Where f32 is better\n\n");
+    let lines: Vec<_> = report::worse(tried)
+        .map(|it| {
+            let [fixed, single] = it.verdict.errors.unwrap_or_default().map(number);
+            let reason = it.exception.unwrap_or("For no reason.");
+            format!("- {}: {fixed} against {single}. {reason}\n", it.name)
+        })
+        .collect();
+    page.push_str(&match lines.is_empty() {
+        true => "Nowhere.\n".to_owned(),
+        false => lines.concat(),
+    });
+}
+
+fn head(tried: &[Tried]) -> String {
+    let (all, no_worse) = report::compared(tried);
+    format!(
+        "# Stiff and extreme cases\n\n\
+         Written by `cargo run --release --example stability`, which ends with exit code 1 where a \
+         case misses its bar; the tests try the same catalogue.\n\n\
+         Pictures are {SIDE}x{SIDE} ({SHORT_SIDE}x{SHORT_SIDE} with more than {MANY} reflections), in Blinn-Phong, by `Fine` and by `Fast`, and by a plain port of \
+         the model to single precision (`f32`). Errors are of `Fine`; a picture's is the mean \
+         difference of a channel in 255ths from the double-precision reference, unless the unit says \
+         otherwise. Fixed point is no worse than `f32` where its error is not larger, or below \
+         {UNSEEN} of a 255th, which 8 bits do not show.\n\n\
+         {} cases, {} of which meet their bar. Fixed point is no worse than `f32` in {no_worse} of \
+         the {all} that both can try ({}).\n",
+        tried.len(),
+        tried.iter().filter(|it| it.verdict.is_met).count(),
+        percent(no_worse as f64 / all as f64),
+    )
+}
+
+fn write_chapter(page: &mut String, chapter: &[Tried]) {
+    let (figures, claims): (Vec<_>, Vec<_>) =
+        chapter.iter().partition(|it| it.verdict.errors.is_some());
+    let title = chapter.first().map_or("", |it| it.chapter);
+    let _ = write!(page, "\n## {title}\n");
+    if !figures.is_empty() {
+        page.push_str(
+            "\n| case | why it is hard | reference | unit | fixed | f32 | within 8: Fine | Fast | f32 \
+             | bar | verdict |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+        );
+    }
+    for tried in figures {
+        let verdict = &tried.verdict;
+        let [fixed, single] = verdict.errors.unwrap_or_default();
+        let shares = verdict.within8.map(|shares| shares.map(percent));
+        let [fine, fast, port] = shares.unwrap_or_else(|| ["", "", ""].map(str::to_owned));
+        let _ = writeln!(
+            page,
+            "| {} | {} | {} | {} | {} | {} | {fine} | {fast} | {port} | {} | {} |",
+            tried.name,
+            tried.why,
+            verdict.reference,
+            verdict.unit,
+            number(fixed),
+            number(single),
+            verdict.words,
+            tried.word(),
+        );
+    }
+    if !claims.is_empty() {
+        page.push_str(
+            "\n| case | why it is hard | what was found | verdict |\n|---|---|---|---|\n",
+        );
+    }
+    for tried in claims {
+        let (name, why, words) = (&tried.name, tried.why, &tried.verdict.words);
+        let _ = writeln!(page, "| {name} | {why} | {words} | {} |", tried.word());
+    }
+}

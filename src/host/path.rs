@@ -1,0 +1,77 @@
+//! Where a ray of the fixed-point core goes, bounce by bounce, in plain doubles; it knows no colour.
+
+use std::vec::Vec;
+
+use crate::camera::Camera;
+use crate::number::Number;
+use crate::ray::{Path, Place};
+use crate::scene::World;
+use crate::scene::query::{ShapeNumber, first};
+use crate::shade::Surface;
+
+/// A ray: where it starts, and its direction, which has length one but for 2⁻²⁶.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// In scene units.
+    pub origin: [f64; 3],
+    /// Where it goes.
+    pub direction: [f64; 3],
+}
+
+/// The rays that the core follows through one pixel: the camera's, and after every mirror the
+/// next, `reflections` at most, from epsilon above what was met. It ends where nothing is met; every
+/// surface mirrors.
+///
+/// ```
+/// use reflet::host::path::follow;
+/// use reflet::{Camera, Material, Scene};
+///
+/// const GLASS: Material = Material::new([1.0; 3]).mirror(1.0);
+/// const FLOOR: Scene<0, 1, 0, 0> =
+///     Scene::builder().plane([0.0; 3], [0.0, 0.0, 1.0], GLASS).build();
+///
+/// let camera = Camera::look_at([0.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+/// let rays = follow(&FLOOR, &camera, (1, 1), (0, 0), 9);
+/// assert_eq!(rays.len(), 2);
+/// assert_eq!(rays[1].direction, [0.0, 0.0, 1.0]);
+/// assert!((rays[1].origin[2] - 1e-3).abs() < 1e-6);
+/// ```
+pub fn follow<W: World>(
+    world: &W,
+    camera: &Camera,
+    (width, height): (u32, u32),
+    (x, y): (u32, u32),
+    reflections: u32,
+) -> Vec<Ray> {
+    let grid = world.parts().grid;
+    let from = grid.place(camera.description().position);
+    let direction = camera.lens(width, height).row(y).of(x);
+    let mut path = Path::new(from, direction);
+    let mut left = ShapeNumber::NONE;
+    let mut rays = vec![plain(world, &path)];
+    for _ in 0..reflections {
+        let Some((at, shape)) = first(world, &path, left) else {
+            break;
+        };
+        let Some(surface) = Surface::new(world, at, shape, path.direction()) else {
+            break;
+        };
+        surface.reflect(world, &mut path);
+        left = surface.left(world);
+        rays.push(plain(world, &path));
+    }
+    rays
+}
+
+fn plain<W: World>(world: &W, path: &Path) -> Ray {
+    let grid = world.parts().grid;
+    let Place { point, scale } = path.from();
+    let step = 2f64.powi(scale as i32 - grid.fraction_bits());
+    let middle = grid.middle().0.map(Number::to_f64);
+    let steps = [point.x, point.y, point.z];
+    let units = path.direction().components();
+    Ray {
+        origin: [0, 1, 2].map(|axis| middle[axis] + f64::from(steps[axis]) * step),
+        direction: units.map(|unit| unit.to_num()),
+    }
+}

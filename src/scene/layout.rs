@@ -1,0 +1,264 @@
+//! Chooses a scene's grid: where its middle is and how fine its steps are. Integers only, by the
+//! compiler or at run time.
+
+use super::Description;
+use crate::fault::Fault;
+use crate::grid::Grid;
+use crate::number::Number;
+use crate::shape::cylinder::Cylinder;
+use crate::shape::plane::Plane;
+use crate::vector::Position;
+
+/// The room that is left for companions and planes where it can be had, in steps: this much at least
+/// for the smallest radius or half height, and for epsilon.
+const FINE: u32 = 14;
+const FINE_EPSILON: u32 = 6;
+
+/// A light, camera or plane within this many radii of the shapes is given its place in the ball:
+/// rays to what is near are short. What is further out is kept as a far place, so that a distant sun
+/// costs the shapes no bits; these at most 5, and none that small shapes or epsilon need. A scene of
+/// planes alone goes by the nearest plane.
+const COMPANIONS: u128 = 32;
+
+/// How many times larger than it need be the ball of a scene with planes is, so that most of what is
+/// seen of them is near: 3 bits, where small shapes or epsilon do not need them.
+const EXPANSE: u128 = 8;
+
+/// The same for a scene of planes alone, which has no shape to see less exactly.
+const EXPANSE_OF_PLANES: u128 = 256;
+
+/// How many times as large as epsilon a scene of planes alone is at least.
+const LEAST_EPSILONS: u128 = 1 << 9;
+
+/// The box around what has been added so far.
+struct Bounds {
+    low: [i128; 3],
+    high: [i128; 3],
+    is_empty: bool,
+}
+
+impl Bounds {
+    const EMPTY: Self = Self {
+        low: [0; 3],
+        high: [0; 3],
+        is_empty: true,
+    };
+
+    const fn add(&mut self, center: Position, size: i128) {
+        let mut axis = 0;
+        while axis < 3 {
+            let middle = center.0[axis].to_bits();
+            let (low, high) = (middle - size, middle + size);
+            if self.is_empty || low < self.low[axis] {
+                self.low[axis] = low;
+            }
+            if self.is_empty || high > self.high[axis] {
+                self.high[axis] = high;
+            }
+            axis += 1;
+        }
+        self.is_empty = false;
+    }
+
+    const fn middle(&self) -> Position {
+        let mut middle = Position::ORIGIN;
+        let mut axis = 0;
+        while axis < 3 {
+            middle.0[axis] = Number::from_bits((self.low[axis] + self.high[axis]) / 2);
+            axis += 1;
+        }
+        middle
+    }
+}
+
+/// At least the distance of two positions, in the bits of a [`Number`].
+const fn distance(from: Position, to: Position) -> u128 {
+    match to.minus(from).leading() {
+        None => 0,
+        Some((vector, shift)) => {
+            let length = (vector.direction_and_length().1.to_bits() + 2) as u128;
+            if shift >= 0 {
+                length << shift
+            } else {
+                (length >> -shift) + 1
+            }
+        }
+    }
+}
+
+/// Half the size of a cylinder, at least: radius + height / 2.
+const fn cylinder_size(cylinder: &Cylinder) -> i128 {
+    cylinder.radius.to_bits() + cylinder.height.to_bits() / 2
+}
+
+/// Puts the middle of the scene in the middle of its shapes, and chooses the finest step that
+/// holds them and what stands near them.
+pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
+    let middle = middle_of(scene);
+    let mut radius = 0;
+    let mut index = 0;
+    while index < scene.spheres.len() {
+        let sphere = &scene.spheres[index];
+        let far_side = distance(middle, sphere.center) + sphere.radius.to_bits() as u128;
+        radius = larger(radius, far_side);
+        index += 1;
+    }
+    index = 0;
+    while index < scene.cylinders.len() {
+        let cylinder = &scene.cylinders[index];
+        let far_side = distance(middle, cylinder.center) + cylinder_size(cylinder) as u128;
+        radius = larger(radius, far_side);
+        index += 1;
+    }
+    let is_bounded = !(scene.spheres.is_empty() && scene.cylinders.is_empty());
+    let shapes = if is_bounded {
+        radius
+    } else {
+        nearest_plane(middle, scene.planes)
+    };
+    radius = shapes;
+    let room = room_of(scene);
+    let furthest = smaller(COMPANIONS * shapes, larger(shapes, room));
+    index = 0;
+    while index < scene.lights.len() {
+        radius = accompanied(
+            radius,
+            furthest,
+            distance(middle, scene.lights[index].position),
+        );
+        index += 1;
+    }
+    if let Some(camera) = scene.camera {
+        radius = accompanied(
+            radius,
+            furthest,
+            distance(middle, camera.description().position),
+        );
+    }
+    index = 0;
+    while index < scene.planes.len() {
+        let away = distance_to_plane(middle, &scene.planes[index]);
+        radius = accompanied(radius, furthest, away);
+        index += 1;
+    }
+    if radius == 0 {
+        radius = 1 << 64;
+    }
+    if !is_bounded {
+        // Nothing but the camera's place tells its size: epsilon is small beside it.
+        radius = larger(radius, scene.epsilon.to_bits() as u128 * LEAST_EPSILONS);
+    }
+    if !scene.planes.is_empty() {
+        let expanse = if is_bounded {
+            EXPANSE
+        } else {
+            EXPANSE_OF_PLANES
+        };
+        radius = larger(radius, smaller(radius * expanse, room));
+    }
+    if radius < 1 << 34 {
+        Err(Fault::Extent)
+    } else {
+        Ok(Grid::new(middle, radius))
+    }
+}
+
+/// The radius of the largest ball in which the smallest shape and epsilon have the steps that are
+/// wanted.
+const fn room_of(scene: &Description<'_>) -> u128 {
+    let mut room = (scene.epsilon.to_bits() as u128) << (28 - FINE_EPSILON);
+    let mut index = 0;
+    while index < scene.spheres.len() {
+        let radius = scene.spheres[index].radius.to_bits() as u128;
+        room = smaller(room, radius << (28 - FINE));
+        index += 1;
+    }
+    index = 0;
+    while index < scene.cylinders.len() {
+        let Cylinder { radius, height, .. } = scene.cylinders[index];
+        let size = smaller(radius.to_bits() as u128, height.to_bits() as u128 / 2);
+        room = smaller(room, size << (28 - FINE));
+        index += 1;
+    }
+    room
+}
+
+/// The distance to the nearest plane that does not go through `middle`; 0 where there is none.
+const fn nearest_plane(middle: Position, planes: &[Plane]) -> u128 {
+    let mut nearest = 0;
+    let mut index = 0;
+    while index < planes.len() {
+        let away = distance_to_plane(middle, &planes[index]);
+        if away > 0 && (nearest == 0 || away < nearest) {
+            nearest = away;
+        }
+        index += 1;
+    }
+    nearest
+}
+
+/// The middle of the shapes; where there are none, the camera, and without one the middle of the
+/// lights.
+const fn middle_of(scene: &Description<'_>) -> Position {
+    let mut bounds = Bounds::EMPTY;
+    let mut index = 0;
+    while index < scene.spheres.len() {
+        let sphere = &scene.spheres[index];
+        bounds.add(sphere.center, sphere.radius.to_bits());
+        index += 1;
+    }
+    index = 0;
+    while index < scene.cylinders.len() {
+        let cylinder = &scene.cylinders[index];
+        bounds.add(cylinder.center, cylinder_size(cylinder));
+        index += 1;
+    }
+    if !bounds.is_empty {
+        return bounds.middle();
+    }
+    if let Some(camera) = scene.camera {
+        return camera.description().position;
+    }
+    index = 0;
+    while index < scene.lights.len() {
+        bounds.add(scene.lights[index].position, 0);
+        index += 1;
+    }
+    bounds.middle()
+}
+
+/// `radius` enlarged for something `away`, unless that is further away than what is `furthest`;
+/// where there are no shapes, that is 0, and nothing is too far.
+const fn accompanied(radius: u128, furthest: u128, away: u128) -> u128 {
+    if furthest == 0 || away <= furthest {
+        larger(radius, away)
+    } else {
+        radius
+    }
+}
+
+const fn larger(a: u128, b: u128) -> u128 {
+    if a > b { a } else { b }
+}
+
+const fn smaller(a: u128, b: u128) -> u128 {
+    if a < b { a } else { b }
+}
+
+/// The distance of a position to a plane, in the bits of a [`Number`], but for 2⁻³⁰ of it.
+const fn distance_to_plane(position: Position, plane: &Plane) -> u128 {
+    let Some(normal) = plane.normal.direction() else {
+        return 0;
+    };
+    match plane.point.minus(position).leading() {
+        None => 0,
+        Some((vector, shift)) => {
+            let length = vector.dot(normal).unsigned_abs() as u128;
+            if shift >= 0 {
+                length << shift
+            } else {
+                length >> -shift
+            }
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Tests: rays that leave the inside of a curved surface go on to the next wall, not to the one
+//! they have left, and not through it.
+
+use super::*;
+use crate::material::Material;
+use crate::number::sweep::Sweep;
+use crate::scene::query::first;
+use crate::scene::{RuntimeScene, World};
+use crate::vector::{Position, Vector};
+
+type Scenery = RuntimeScene<2, 0, 1, 1, 1>;
+
+/// What happened to rays inside of a shape.
+#[derive(Debug, Default)]
+struct Fate {
+    /// How often a wall was met.
+    met: u64,
+    /// How often nothing was, though the shape is closed.
+    lost: u64,
+    /// How often it was met where the ray had left it.
+    met_again: u64,
+    /// How often it lay in the dark, with a light inside.
+    dark: u64,
+}
+
+/// Mirrors rays inside of spheres or very long cylinders of any size in steps, anywhere in the ball.
+fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
+    let mut sweep = Sweep::new(seed);
+    let mut fate = Fate::default();
+    for _ in 0..rounds {
+        let steps = sweep.octaves(6, 26);
+        let radius = f64::from(steps) / f64::from(1 << 28);
+        let mut scene = Scenery::new();
+        let mirror = Material::new([1.0; 3])
+            .ambient(0.0)
+            .diffuse(1.0)
+            .mirror(1.0);
+        let mirror = scene.add_material(mirror).unwrap();
+        // The two hold the ball at its size.
+        let end = sweep.triple(1000).map(|it| f64::from(it) * 3.0e-4);
+        match is_sphere {
+            true => scene.add_sphere(end, radius, mirror).unwrap(),
+            false => {
+                let axis = sweep.triple(1000).map(|it| f64::from(it) + 0.5);
+                let height = radius * f64::from(sweep.within(2, 60));
+                let height = height.min(0.8);
+                scene
+                    .add_cylinder(end, axis, radius, height, mirror)
+                    .unwrap();
+            }
+        }
+        scene.add_sphere([0.0; 3], 0.999, mirror).unwrap();
+        let aside = |sweep: &mut Sweep, part: f64| {
+            let aside = sweep
+                .triple(1000)
+                .map(|it| f64::from(it) * 5.7e-4 * part * radius);
+            [0, 1, 2].map(|axis| end[axis] + aside[axis])
+        };
+        scene.add_light(aside(&mut sweep, 0.9), [1, 1, 1]).unwrap();
+        scene.set_epsilon(1e-15).unwrap();
+        let scene = scene.build().unwrap();
+        let grid = scene.parts().grid;
+        assert!((27..=28).contains(&grid.fraction_bits()));
+        // A ball that is hardly larger than 2²⁸ finer steps is half as many of these.
+        let steps = steps >> (28 - grid.fraction_bits());
+        let number = match is_sphere {
+            true => ShapeNumber::of_sphere(0),
+            false => scene.parts().cylinder_number(0),
+        };
+        for _ in 0..8 {
+            let from = grid.place(Position::new(aside(&mut sweep, 0.9)));
+            let view = View::new(&scene, from);
+            let [x, y, z] = sweep.triple(1 << 28);
+            let way = Vector::new(x, y, z).precise_direction();
+            let mut path = Path::new(from, way);
+            let mut left = ShapeNumber::NONE;
+            for bounce in 0..16 {
+                let Some((at, shape)) = first(&scene, &path, left) else {
+                    fate.lost += 1;
+                    break;
+                };
+                if shape != number {
+                    // Out of an end of the cylinder, or through the wall of the sphere.
+                    fate.lost += u64::from(is_sphere);
+                    break;
+                }
+                fate.met += 1;
+                let surface = Surface::new(&scene, at, shape, path.direction()).unwrap();
+                let gone = path.ray.origin.to(at.point).direction_and_length().1;
+                // A chord is as long as twice the radius times the cosine, and along a cylinder longer.
+                let cosine = surface.facing.to_num::<f64>();
+                let chord = 2.0 * f64::from(steps) * cosine;
+                if bounce > 0 && cosine > 0.05 && f64::from(gone.to_bits()) < 0.5 * chord {
+                    fate.met_again += 1;
+                }
+                let color = <BlinnPhong as sealed::Shading>::color(
+                    &scene,
+                    &view,
+                    &surface,
+                    &mut Trail::new(),
+                );
+                let to_light = surface
+                    .place
+                    .to(scene.parts().lights[0].place)
+                    .0
+                    .direction_and_length()
+                    .0;
+                let height = surface.normal.dot(to_light).to_num::<f64>();
+                if is_sphere && height > 0.05 && color.largest() < 0.01 {
+                    fate.dark += 1;
+                }
+                surface.reflect(&scene, &mut path);
+                left = surface.left(&scene);
+            }
+        }
+    }
+    fate
+}
+
+fn assert_kept_inside(rounds: u32, is_sphere: bool, seed: u64) {
+    let fate = followed_inside(rounds, is_sphere, seed);
+    println!("{fate:?}");
+    assert!(fate.met > 20 * u64::from(rounds), "{fate:?}");
+    assert_eq!(
+        (fate.lost, fate.met_again, fate.dark),
+        (0, 0, 0),
+        "{fate:?}"
+    );
+}
+
+#[test]
+fn inside_of_a_sphere_keeps_its_rays() {
+    assert_kept_inside(4000, true, 1);
+}
+
+#[test]
+fn inside_of_a_cylinder_does_not_stop_what_leaves_it() {
+    assert_kept_inside(4000, false, 2);
+}
+
+#[test]
+#[ignore = "22 million bounces take half a minute"]
+fn insides_keep_ten_million_rays() {
+    assert_kept_inside(50_000, true, 3);
+    assert_kept_inside(200_000, false, 4);
+}

@@ -1,0 +1,73 @@
+//! The pictures of a scene, and what each must keep.
+
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::RgbColor;
+use reflet::{
+    BlinnPhong, Fast, Fine, Frame, Normals, Phong, Quality, Report, Scene, Shading, Unit, World,
+};
+
+use crate::Wild;
+
+/// Every pixel is traced, and every path to its end.
+struct Exact;
+
+impl Quality for Exact {
+    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
+    const STRIDE: u32 = 1;
+    const TOLERANCE: Unit = Unit::ZERO;
+}
+
+/// What a picture has shown.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawn {
+    /// The rays that were followed, those to the lights apart.
+    pub rays: u64,
+    /// The brightest value of a channel.
+    pub brightest: u8,
+}
+
+impl Wild {
+    /// Draws the scene; `None` where the library refuses it as a whole.
+    ///
+    /// # Panics
+    ///
+    /// The picture has taken more rays than a frame may, or a path has been cut off though nothing
+    /// reflects.
+    pub fn draw(&self) -> Option<Drawn> {
+        let built: Scene<6, 4, 4, 4, 4> = self.scene.build().ok()?;
+        let frame = built.frame(&self.camera).reflections(self.reflections);
+        Some(match self.kind % 8 {
+            0 => self.paint(frame.quality::<Fast>()),
+            1 => self.paint(frame.quality::<Fine>()),
+            2 => self.paint(frame.shading::<Phong>()),
+            3 => self.paint(frame.shading::<Normals>()),
+            4 => self.paint(frame.shading::<Phong>().quality::<Exact>()),
+            _ => self.paint(frame.shading::<BlinnPhong>().quality::<Exact>()),
+        })
+    }
+
+    fn paint<W: World + Copy, Q: Quality, K: Shading>(&self, frame: Frame<'_, W, Q, K>) -> Drawn {
+        let picture = frame.sized(self.size);
+        let (width, height) = (self.size.width, self.size.height);
+        let mut row = vec![Rgb888::BLACK; width as usize];
+        let mut report = Report::NONE;
+        let mut brightest = 0;
+        for y in 0..height {
+            let of_row = picture.row(y, 0, &mut row);
+            // At most this many pixels of a row are traced: those of the picture, two stretches
+            // beside it and the one before.
+            let most = u64::from(width + 12) * (u64::from(self.reflections) + 1);
+            assert!(of_row.rays <= most, "{} rays, {most} at most", of_row.rays);
+            report = report.merge(of_row);
+            let channels = row
+                .iter()
+                .flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()]);
+            brightest = channels.fold(brightest, u8::max);
+        }
+        assert!(report.cut_off <= Unit::ONE, "{report:?}");
+        Drawn {
+            rays: report.rays,
+            brightest,
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Scenes and cameras made of any bytes, and their pictures: what the fuzzer and the long runs draw.
+//!
+//! Numbers are of every size that a description may have, and often ones that make trouble: zero,
+//! one, a power of two, or the number before, so that things touch, coincide or stand in each other.
+//! What the library refuses is no scene; what it accepts must be drawn without a panic, an overflow
+//! or more light than there is.
+#![deny(missing_docs)]
+
+mod draw;
+mod number;
+
+use arbitrary::{Result, Unstructured};
+use embedded_graphics::geometry::Size;
+use number::Numbers;
+use reflet::{Camera, Material, MaterialId, RuntimeScene, SceneError};
+
+pub use draw::Drawn;
+
+/// Room for what a few hundred bytes describe.
+pub type Scenery = RuntimeScene<6, 4, 4, 4, 4>;
+
+/// A scene that the library accepts, and how it is to be drawn.
+#[derive(Clone, Debug)]
+pub struct Wild {
+    /// The scene as it was described.
+    pub scene: Scenery,
+    /// Where it is seen from.
+    pub camera: Camera,
+    /// 0 to 255.
+    pub reflections: u8,
+    /// A few pixels wide and high.
+    pub size: Size,
+    /// Which shading and quality.
+    pub kind: u8,
+}
+
+impl Wild {
+    /// The scene that some bytes make; `None` where the library refuses it, or they are too few.
+    pub fn read(bytes: &[u8]) -> Option<Self> {
+        let mut bytes = Unstructured::new(bytes);
+        Self::described(&mut bytes).ok().flatten()
+    }
+
+    fn described(bytes: &mut Unstructured) -> Result<Option<Self>> {
+        let kind = bytes.arbitrary()?;
+        let reflections = match bytes.int_in_range(0..=3)? {
+            0 => bytes.arbitrary()?,
+            _ => bytes.int_in_range(0..=8)?,
+        };
+        let size = Size::new(bytes.int_in_range(1..=12)?, bytes.int_in_range(1..=6)?);
+        let mut numbers = Numbers::read(bytes)?;
+        let camera = Camera::new(
+            numbers.place(bytes)?,
+            numbers.place(bytes)?,
+            numbers.way(bytes)?,
+            number::field_of_view(bytes)?,
+        );
+        let is_the_scenes_own = bytes.arbitrary()?;
+        let filled = fill(bytes, &mut numbers)?;
+        let (Ok(camera), Ok(mut scene)) = (camera, filled) else {
+            return Ok(None);
+        };
+        if is_the_scenes_own {
+            scene.set_camera(camera);
+        }
+        Ok(Some(Self {
+            scene,
+            camera,
+            reflections,
+            size,
+            kind,
+        }))
+    }
+}
+
+/// The outer result is about the bytes, the inner one about the scene.
+fn fill(
+    bytes: &mut Unstructured,
+    numbers: &mut Numbers,
+) -> Result<std::result::Result<Scenery, SceneError>> {
+    let mut scene = Scenery::new();
+    let mut ids = Vec::new();
+    for _ in 0..bytes.int_in_range(1..=3)? {
+        match material(bytes)?.map(|it| scene.add_material(it)) {
+            Some(Ok(id)) => ids.push(id),
+            Some(Err(error)) => return Ok(Err(error)),
+            None => {}
+        }
+    }
+    if ids.is_empty() {
+        return Ok(Ok(scene));
+    }
+    Ok(add_all(bytes, numbers, &mut scene, &ids)?.map(|()| scene))
+}
+
+fn add_all(
+    bytes: &mut Unstructured,
+    numbers: &mut Numbers,
+    scene: &mut Scenery,
+    ids: &[MaterialId],
+) -> Result<std::result::Result<(), SceneError>> {
+    let count = |bytes: &mut Unstructured, most: usize| bytes.int_in_range(0..=most);
+    for _ in 0..count(bytes, 6)? {
+        let (center, radius) = (numbers.place(bytes)?, numbers.size(bytes)?);
+        if let Err(error) = scene.add_sphere(center, radius, *bytes.choose(ids)?) {
+            return Ok(Err(error));
+        }
+    }
+    for _ in 0..count(bytes, 4)? {
+        let (point, normal) = (numbers.place(bytes)?, numbers.way(bytes)?);
+        if let Err(error) = scene.add_plane(point, normal, *bytes.choose(ids)?) {
+            return Ok(Err(error));
+        }
+    }
+    for _ in 0..count(bytes, 4)? {
+        let (center, axis) = (numbers.place(bytes)?, numbers.way(bytes)?);
+        let (radius, height) = (numbers.size(bytes)?, numbers.size(bytes)?);
+        let id = *bytes.choose(ids)?;
+        if let Err(error) = scene.add_cylinder(center, axis, radius, height, id) {
+            return Ok(Err(error));
+        }
+    }
+    for _ in 0..count(bytes, 4)? {
+        let color = number::share(bytes)? * 2.0;
+        if let Err(error) = scene.add_light(numbers.place(bytes)?, [color; 3]) {
+            return Ok(Err(error));
+        }
+    }
+    if let Err(error) = scene.set_background([number::share(bytes)?; 3]) {
+        return Ok(Err(error));
+    }
+    Ok(match bytes.arbitrary()? {
+        true => scene.set_epsilon(numbers.size(bytes)?),
+        false => scene.set_epsilon(1e-4 * numbers.unit),
+    })
+}
+
+fn material(bytes: &mut Unstructured) -> Result<Option<Material>> {
+    let mut share = || number::share(bytes);
+    let color = [share()?, share()?, share()?];
+    let (ambient, diffuse, specular, mirror) = (share()?, share()?, share()?, share()?);
+    let shininess = number::any_size(bytes)?.abs() * 1e3;
+    let made = Material::from_numbers(color, ambient, diffuse, (specular, shininess), mirror);
+    Ok(made.ok())
+}
