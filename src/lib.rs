@@ -128,10 +128,12 @@ pub use light::Light;
 pub use material::Material;
 pub use number::{Number, Unit};
 pub use quality::{Fast, Fine, Quality};
-pub use render::{Frame, Picture, Report, StaticFrame};
+pub use render::{
+    Budgeted, Choice, Enlarged, Frame, Front, FrontPoint, Grade, Picture, Report, StaticFrame,
+};
 pub use scene::{
     Description, RuntimeScene, Scene, SceneBuilder, SceneError, Static, StaticScene, World,
 };
-pub use shade::{BlinnPhong, Normals, Phong, Shading};
+pub use shade::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 pub use shape::{MaterialId, cylinder::Cylinder, plane::Plane, sphere::Sphere};
 pub use vector::Position;

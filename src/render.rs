@@ -1,5 +1,12 @@
 //! Floor 7: rows of pixels into a display. The only floor that names embedded-graphics.
 
+mod bound;
+mod budget;
+mod enlarged;
+
+pub use budget::{Budgeted, Choice, Front, FrontPoint, Grade};
+pub use enlarged::Enlarged;
+
 use core::marker::PhantomData;
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -28,7 +35,7 @@ pub struct Report {
     pub rays: u64,
     /// The largest weight with which a path was ended by the number of reflections or by the
     /// quality. No colour is wrong by more than this times the brightest colour of the scene on
-    /// account of it.
+    /// account of it: [`Picture::cut_off_bound`].
     pub cut_off: Unit,
 }
 

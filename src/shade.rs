@@ -1,6 +1,8 @@
 //! Floor 5: the light at one hit: ambient, diffuse, specular, and the question whether a light is
 //! hidden. Knows no reflection.
 
+use core::marker::PhantomData;
+
 use crate::color::{Color, halved};
 use crate::material::PreparedMaterial;
 use crate::number::{
@@ -138,6 +140,35 @@ pub struct Phong;
 #[derive(Clone, Copy, Debug)]
 pub struct Normals;
 
+/// Shaded by `K`, [`BlinnPhong`] or [`Phong`], but nothing throws a shadow: a light shines on every
+/// surface that faces it, whatever stands between them.
+///
+/// What a scene takes without its shadows, and what it loses, `examples/report` shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Unshadowed<K = BlinnPhong>(PhantomData<K>);
+
+impl<K: sealed::Shading + Highlight> sealed::Shading for Unshadowed<K> {
+    const REFLECTS: bool = true;
+
+    #[allow(private_interfaces)]
+    fn color<W: World>(world: &W, view: &View, surface: &Surface<'_>, trail: &mut Trail) -> Color {
+        lit_color::<W, Self>(world, view, surface, trail)
+    }
+
+    fn missed<W: World>(world: &W) -> Color {
+        K::missed(world)
+    }
+}
+
+impl<K: Highlight> Highlight for Unshadowed<K> {
+    const SHADOWS: bool = false;
+
+    #[inline(always)]
+    fn highlight(cosines: &Cosines, shininess: Exponent) -> Unit {
+        K::highlight(cosines, shininess)
+    }
+}
+
 impl sealed::Shading for BlinnPhong {
     const REFLECTS: bool = true;
 
@@ -178,7 +209,7 @@ impl sealed::Shading for Normals {
 }
 
 /// The angles at a surface that a highlight depends on, as cosines.
-struct Cosines {
+pub(crate) struct Cosines {
     /// normal · light
     light: Unit,
     /// normal · viewer
@@ -188,7 +219,10 @@ struct Cosines {
 }
 
 /// A highlight: the power of a cosine that says how near the viewer is to the mirror direction.
-trait Highlight {
+pub(crate) trait Highlight {
+    /// Whether shapes throw shadows.
+    const SHADOWS: bool = true;
+
     fn highlight(cosines: &Cosines, shininess: Exponent) -> Unit;
 }
 
@@ -248,7 +282,7 @@ fn lit_color<W: World, H: Highlight>(
     let mut received = Color::grey(material.ambient);
     let mut receive = |index: usize, spot: &W::Lamp| {
         let strength = match view.standing(index) {
-            Standing::Hidden => return,
+            Standing::Hidden if H::SHADOWS => return,
             Standing::Clear if surface.place.is_near() => {
                 clear_strength::<W, H>(world, surface, spot)
             }
@@ -281,13 +315,11 @@ fn clear_strength<W: World, H: Highlight>(
         return Brightness::ZERO;
     }
     let (direction, distance, cosine) = way.direction_length_and_share(height);
-    if blocked_from(
-        world,
-        spot,
-        direction.reversed(),
-        distance,
-        surface.cylinder,
-    ) {
+    let is_blocked = || {
+        let towards = direction.reversed();
+        blocked_from(world, spot, towards, distance, surface.cylinder)
+    };
+    if H::SHADOWS && is_blocked() {
         return Brightness::ZERO;
     }
     surface.sent_on::<H>(direction, cosine)
@@ -300,9 +332,8 @@ fn strength<W: World, H: Highlight>(world: &W, surface: &Surface<'_>, lamp: &Lam
     let (way, scale) = surface.place.to(lamp.light.place);
     let (direction, distance) = way.direction_and_length();
     let path = Path::new(surface.place, direction);
-    if surface.normal.dot(direction) <= Unit::ZERO
-        || blocked(world, &path, surface.shape, lamp, distance, scale)
-    {
+    let is_blocked = || blocked(world, &path, surface.shape, lamp, distance, scale);
+    if surface.normal.dot(direction) <= Unit::ZERO || H::SHADOWS && is_blocked() {
         return Brightness::ZERO;
     }
     let cosine = surface.normal.short_dot(direction).max(Unit::ZERO);
