@@ -190,10 +190,10 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
                 let pixels = shadowed.pixels.iter().zip(&lit.pixels);
                 let darker = pixels
                     .clone()
-                    .filter(|(a, b)| (0..3).any(|i| b[i] + 1 < a[i]));
+                    .filter(|(a, b)| (0..3).any(|i| b[i].saturating_add(1) < a[i]));
                 assert_eq!(darker.count(), 0, "{}", S::NAME);
                 pixels
-                    .filter(|(a, b)| (0..3).any(|i| b[i] > a[i] + 8))
+                    .filter(|(a, b)| (0..3).any(|i| b[i] > a[i].saturating_add(8)))
                     .count()
             });
             compared.sum()

@@ -3,7 +3,7 @@
 //! bare-metal target, [`emulator`] how to run what was built, [`board`] the default board,
 //! [`pico`] the Raspberry Pi Pico, [`screenshot`] where their pictures go, [`measure`] what a
 //! scene takes, [`profile`] which part of a frame takes it, [`scale`] how that grows with the
-//! number of shapes, [`cycles`] how instructions become cycles, [`scene_source`] makes Rust of scene
+//! number of shapes, [`sweep`] what many settings of a scene take, [`cycles`] how instructions become cycles, [`scene_source`] makes Rust of scene
 //! files, [`apt`] knows Debian's packages, [`command`] how to run another program and [`table`] how
 //! a page shows figures.
 
@@ -22,6 +22,7 @@ pub mod scale;
 pub mod scene_source;
 pub mod screenshot;
 pub mod setup;
+pub mod sweep;
 pub mod table;
 pub mod toolchain;
 

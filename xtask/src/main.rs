@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use clap::Parser;
 use xtask::{
     accuracy, board, gate, measure, misuse::Misuse, pico, profile, root, scale, scene_source,
-    screenshot, setup,
+    screenshot, setup, sweep,
 };
 
 /// The chores of the reflet repository.
@@ -32,6 +32,7 @@ enum Chore {
     Measure(measure::arguments::Arguments),
     Profile(profile::arguments::Arguments),
     Scale(scale::arguments::Arguments),
+    Sweep(sweep::Arguments),
     /// Prints a scene file as the Rust source of a constant scene.
     Scene {
         /// JSON, one scene or an array of scenes
@@ -76,6 +77,7 @@ fn run(chore: &Chore) -> Result<()> {
         Chore::Measure(arguments) => return measure::run(arguments),
         Chore::Profile(arguments) => return profile::run(arguments),
         Chore::Scale(arguments) => return scale::run(arguments),
+        Chore::Sweep(arguments) => return sweep::run(arguments),
         Chore::Scene { file, name } => return scene_source::run(file, name.as_deref()),
         _ => {}
     }
