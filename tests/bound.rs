@@ -1,0 +1,157 @@
+//! What a picture is off by stays within what is promised, but where rounding decides otherwise what
+//! is met; and a room of mirrors converges as the formula says.
+
+mod painting;
+
+use embedded_graphics::prelude::Size;
+use painting::painted;
+use reflet::host::precision;
+use reflet::host::reference::bound::{Ending, Paths};
+use reflet::host::reference::{self, Picture};
+use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
+use reflet::{BlinnPhong, Fast, Fine, Phong, Quality, Shading, StaticFrame, StaticScene, Unit};
+
+const SIDE: u32 = 96;
+
+/// As many as any path of the scenes takes before nothing is left of it.
+const ALL: usize = 300;
+
+/// Leaves out nothing.
+struct Exact;
+
+impl Quality for Exact {
+    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
+    const STRIDE: u32 = 1;
+    const TOLERANCE: Unit = Unit::ZERO;
+}
+
+/// Follows no weights below an eighth.
+struct Short;
+
+impl Quality for Short {
+    const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 27);
+    const STRIDE: u32 = 4;
+    const TOLERANCE: Unit = Fast::TOLERANCE;
+}
+
+fn ending<Q: Quality>(reflections: u8, is_plane: bool) -> Ending {
+    Ending {
+        reflections: reflections.into(),
+        smallest_weight: Q::SMALLEST_WEIGHT.to_num(),
+        // A scene of planes has a stride of 4 in every quality but 1.
+        stride: match is_plane {
+            true if Q::STRIDE > 1 => 4,
+            _ => Q::STRIDE,
+        },
+        tolerance: Q::TOLERANCE.to_num(),
+    }
+}
+
+/// How a picture stands to what was promised of it.
+#[derive(Debug, Default)]
+struct Held {
+    pixels: usize,
+    /// Of which something is promised.
+    sure: usize,
+    /// Of these, how many are further off.
+    broken: usize,
+    /// The others that are further off: decided otherwise.
+    decided: usize,
+    /// The largest bound, and the largest error, of the pixels of which something is promised.
+    most: f64,
+    worst: f64,
+}
+
+fn held(paths: &Paths, ending: &Ending, found: &Picture, truth: &Picture) -> Held {
+    let mut held = Held::default();
+    let pixels = found.pixels.iter().zip(&truth.pixels);
+    for (bound, (found, truth)) in paths.bounds(ending).iter().zip(pixels) {
+        let apart = (0..3).map(|axis| found[axis].abs_diff(truth[axis])).max();
+        let apart = f64::from(apart.unwrap_or(0));
+        held.pixels += 1;
+        let is_further = apart > bound.levels();
+        if bound.is_unsure {
+            held.decided += usize::from(is_further);
+            continue;
+        }
+        held.sure += 1;
+        held.broken += usize::from(is_further);
+        held.most = held.most.max(bound.levels());
+        held.worst = held.worst.max(apart);
+    }
+    held
+}
+
+struct Check;
+
+impl Visitor for Check {
+    type Output = Vec<String>;
+
+    fn visit<S: BuiltIn>(self) -> Vec<String> {
+        let scene = S::with_description(|scene| reference::Scene::from(&scene));
+        let camera = reference::Camera::from(&S::CAMERA);
+        let precision = precision(S::SCENE);
+        let mut complaints = Vec::new();
+        let shadings = [reference::Shading::BlinnPhong, reference::Shading::Phong];
+        for shading in shadings {
+            let paths = Paths::follow(&scene, &camera, (SIDE, SIDE), ALL, shading, &precision);
+            let truth = reference::render(&scene, &camera, SIDE, SIDE, ALL as u32, shading);
+            for reflections in [0, 1, 2, 4, 8, 255] {
+                let pictures = match shading {
+                    reference::Shading::Phong => pictures::<S, Phong>(reflections),
+                    _ => pictures::<S, BlinnPhong>(reflections),
+                };
+                for (name, ending, picture) in pictures {
+                    let held = held(&paths, &ending, &picture, &truth);
+                    let line = format!("{:<18} {shading:?} {name} {reflections} {held:?}", S::NAME);
+                    println!("{line}");
+                    // A third of the pixels may lie at an edge, and few of them are wrong.
+                    let is_well = held.broken == 0
+                        && 3 * held.sure >= held.pixels
+                        && 100 * held.decided <= held.pixels;
+                    complaints.extend((!is_well).then_some(line));
+                }
+            }
+        }
+        complaints
+    }
+}
+
+fn pictures<S: BuiltIn + StaticScene, K: Shading>(
+    reflections: u8,
+) -> [(&'static str, Ending, Picture); 4] {
+    let is_plane = S::with_description(|it| it.spheres.is_empty() && it.cylinders.is_empty());
+    let size = Size::new(SIDE, SIDE);
+    let frame = || S::frame(&S::CAMERA).reflections(reflections).shading::<K>();
+    [
+        (
+            "fast",
+            ending::<Fast>(reflections, is_plane),
+            painted(&frame().quality::<Fast>().sized(size)),
+        ),
+        (
+            "fine",
+            ending::<Fine>(reflections, is_plane),
+            painted(&frame().quality::<Fine>().sized(size)),
+        ),
+        (
+            "exact",
+            ending::<Exact>(reflections, is_plane),
+            painted(&frame().quality::<Exact>().sized(size)),
+        ),
+        (
+            "short",
+            ending::<Short>(reflections, is_plane),
+            painted(&frame().quality::<Short>().sized(size)),
+        ),
+    ]
+}
+
+#[test]
+fn no_pixel_of_a_scene_is_further_off_than_its_bound() {
+    let complaints = NAMES
+        .into_iter()
+        .flat_map(|name| visit(name, Check).unwrap());
+    let complaints: Vec<_> = complaints.collect();
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
