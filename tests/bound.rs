@@ -9,7 +9,10 @@ use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
-use reflet::{BlinnPhong, Fast, Fine, Phong, Quality, Shading, StaticFrame, StaticScene, Unit};
+use reflet::{
+    BlinnPhong, Camera, Fast, Fine, Material, Phong, Quality, RuntimeScene, Shading, StaticFrame,
+    StaticScene, Unit,
+};
 
 const SIDE: u32 = 96;
 
@@ -154,4 +157,47 @@ fn no_pixel_of_a_scene_is_further_off_than_its_bound() {
         .flat_map(|name| visit(name, Check).unwrap());
     let complaints: Vec<_> = complaints.collect();
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+/// A room that mirrors itself and glows: every path meets the same α and the same colour for ever.
+fn room(alpha: f64, is_round: bool) -> RuntimeScene<1, 6, 0, 1, 1> {
+    let mut room = RuntimeScene::new();
+    let glass = Material::from_numbers(COLOR, 1, 0, (0, 1), alpha).unwrap();
+    let glass = room.add_material(glass).unwrap();
+    if is_round {
+        room.add_sphere([0, 0, 0], 2, glass).unwrap();
+        return room;
+    }
+    for axis in 0..3 {
+        for side in [-1, 1] {
+            let mut wall = [0; 3];
+            wall[axis] = 2 * side;
+            room.add_plane(wall, wall, glass).unwrap();
+        }
+    }
+    room
+}
+
+const COLOR: [f64; 3] = [0.75, 0.5, 1.0];
+
+#[test]
+fn closed_room_of_mirrors_converges_as_the_formula_says() {
+    let camera = Camera::new([0.3, -0.4, 0.2], [1.0, 1.3, 0.7], [0, 0, 1], 80).unwrap();
+    for is_round in [false, true] {
+        for alpha in [0.5, 0.9, 0.99, 0.999] {
+            let scene = room(alpha, is_round).build().unwrap();
+            for reflections in 0..=255_u8 {
+                let picture = scene.frame(&camera).reflections(reflections);
+                let picture = painted(&picture.quality::<Exact>().sized(Size::new(6, 5)));
+                let share = 1.0 - alpha.powi(i32::from(reflections) + 1);
+                for pixel in picture.pixels {
+                    for (channel, color) in pixel.into_iter().zip(COLOR) {
+                        let expected = 255.0 * color * share;
+                        let apart = (f64::from(channel) - expected).abs();
+                        assert!(apart <= 1.0, "{alpha} {reflections}: {channel} {expected}");
+                    }
+                }
+            }
+        }
+    }
 }
