@@ -9,6 +9,7 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::{BlinnPhong, Fine, Frame, Normals, Phong, Report, World};
 
 use crate::arguments::{Quality, Shading};
+use crate::source::Canvas;
 
 /// How a picture is drawn.
 #[derive(Clone, Copy)]
@@ -18,17 +19,27 @@ pub struct Settings {
     pub quality: Quality,
 }
 
-/// Draws over the whole display, counting rows.
-pub fn draw<W: World + Copy>(
-    frame: Frame<'_, W>,
-    settings: Settings,
-    display: &mut SimulatorDisplay<Rgb888>,
-    rows: &AtomicU64,
-) -> Report {
-    let frame = frame.reflections(settings.reflections);
-    match settings.quality {
-        Quality::Fast => shaded(frame, settings.shading, display, rows),
-        Quality::Fine => shaded(frame.quality::<Fine>(), settings.shading, display, rows),
+/// A display that is drawn over as a whole, with a count of its rows.
+pub struct Draw<'a> {
+    pub settings: Settings,
+    pub display: &'a mut SimulatorDisplay<Rgb888>,
+    pub rows: &'a AtomicU64,
+}
+
+impl Canvas for Draw<'_> {
+    type Output = Report;
+
+    fn draw<W: World + Copy>(self, _: &impl World, frame: Frame<'_, W>) -> Report {
+        let Self {
+            settings,
+            display,
+            rows,
+        } = self;
+        let frame = frame.reflections(settings.reflections);
+        match settings.quality {
+            Quality::Fast => shaded(frame, settings.shading, display, rows),
+            Quality::Fine => shaded(frame.quality::<Fine>(), settings.shading, display, rows),
+        }
     }
 }
 

@@ -12,7 +12,7 @@ use reflet::{Camera, CameraError, Report};
 
 use crate::Failure;
 use crate::arguments::Arguments;
-use crate::draw::Settings;
+use crate::draw::{Draw, Settings};
 use crate::progress;
 use crate::source::Source;
 
@@ -77,7 +77,12 @@ impl Drawing {
         let mut display = SimulatorDisplay::new(size);
         let total = u64::from(size.height);
         let (report, seconds) = progress::watch(Some(total), |rows| {
-            timed(|| source.draw(&camera, settings, &mut display, rows))
+            let draw = Draw {
+                settings,
+                display: &mut display,
+                rows,
+            };
+            timed(|| source.show(&camera, draw))
         });
         Ok(Self {
             display,

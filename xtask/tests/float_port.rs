@@ -1,80 +1,15 @@
 //! The float port is what the library is compared with: its pictures are right.
 
-use float_port::{Camera, Cylinder, Light, Material, Plane, Scene, Shading, Sphere, Vector, View};
+#[path = "../../examples/shared/float.rs"]
+mod float;
+
+use float::port;
+use float_port::Shading;
 use reflet::{
     host::{compare::compare, reference},
     scenes,
 };
 use xtask::measure::scene::Scene as Source;
-
-fn vector([x, y, z]: [f64; 3]) -> Vector {
-    Vector::new(x as f32, y as f32, z as f32)
-}
-
-fn unit(direction: [f64; 3]) -> Vector {
-    let square: f64 = direction.iter().map(|it| it * it).sum();
-    vector(direction.map(|coordinate| coordinate / square.sqrt()))
-}
-
-fn port(
-    scene: &reference::Scene,
-    camera: &reference::Camera,
-    (width, height): (u32, u32),
-    shading: Shading,
-) -> reference::Picture {
-    let spheres = scene.spheres.iter().map(|sphere| Sphere {
-        center: vector(sphere.center),
-        radius: sphere.radius as f32,
-        material: sphere.material,
-    });
-    let planes = scene.planes.iter().map(|plane| Plane {
-        point: vector(plane.point),
-        normal: unit(plane.normal),
-        material: plane.material,
-    });
-    let cylinders = scene.cylinders.iter().map(|cylinder| Cylinder {
-        center: vector(cylinder.center),
-        axis: unit(cylinder.axis),
-        radius: cylinder.radius as f32,
-        half_height: cylinder.height as f32 / 2.0,
-        material: cylinder.material,
-    });
-    let lights = scene.lights.iter().map(|light| Light {
-        position: vector(light.position),
-        color: vector(light.color),
-    });
-    let materials = scene.materials.iter().map(|material| Material {
-        color: vector(material.color),
-        ambient: material.ambient as f32,
-        diffuse: material.diffuse as f32,
-        specular: material.specular as f32,
-        shininess: material.shininess as f32,
-        mirror: material.mirror as f32,
-    });
-    let scene = Scene {
-        spheres: &spheres.collect::<Vec<_>>(),
-        planes: &planes.collect::<Vec<_>>(),
-        cylinders: &cylinders.collect::<Vec<_>>(),
-        lights: &lights.collect::<Vec<_>>(),
-        materials: &materials.collect::<Vec<_>>(),
-        background: vector(scene.background),
-        epsilon: scene.epsilon as f32,
-    };
-    let camera = Camera {
-        position: vector(camera.position),
-        target: vector(camera.target),
-        up: vector(camera.up),
-        fov: camera.fov as f32,
-    };
-    let view = View::new(&camera, (width, height));
-    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-    let pixels = places.map(|(x, y)| float_port::pixel(&scene, shading, &view.ray(x, y), 4));
-    reference::Picture {
-        width,
-        height,
-        pixels: pixels.collect(),
-    }
-}
 
 #[test]
 fn float_port_agrees_with_double_precision() {
@@ -88,7 +23,8 @@ fn float_port_agrees_with_double_precision() {
         let (scene, camera) = Source::BuiltIn(name).reference();
         for (shading, exact) in shadings {
             let expected = reference::render(&scene, &camera, SIZE.0, SIZE.1, 4, exact);
-            let difference = compare(&port(&scene, &camera, SIZE, shading), &expected).unwrap();
+            let difference =
+                compare(&port(&scene, &camera, SIZE, (shading, 4)), &expected).unwrap();
             println!("{name} {shading:?} {difference:?}");
             assert!(
                 difference.within1 >= 0.999,

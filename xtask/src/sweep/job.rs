@@ -17,6 +17,9 @@ pub struct Run {
     contestant: Contestant,
     reflections: u8,
     scale: u8,
+    /// Is built in, and not drawn.
+    #[serde(default)]
+    pub skip: bool,
 }
 
 /// What draws.
@@ -117,10 +120,16 @@ pub fn source(scene: &Scene, file: &Path, size: Size, ticket: u64, runs: &[Run])
     source.extend(qualities.iter().map(Own::source));
     source += "pub const RUNS: &[firmware::Run] = &[\n";
     for run in runs {
-        let (reflections, scale, contestant) = (run.reflections, run.scale, run.type_name());
+        let Run {
+            reflections,
+            scale,
+            skip,
+            ..
+        } = run;
+        let contestant = run.type_name();
         writeln!(
             source,
-            "    firmware::Run {{ reflections: {reflections}, scale: {scale}, \
+            "    firmware::Run {{ reflections: {reflections}, scale: {scale}, skip: {skip}, \
              draw: firmware::swept::<{contestant}> }},"
         )
         .expect("a string takes all");

@@ -56,8 +56,8 @@ pub struct Arguments {
 }
 
 const AFTER_HELP: &str = r#"
-Each of the settings is {"contestant": C, "reflections": 0 to 255, "scale": 1 or more}, where C is
-"float", or {"fixed": {"quality": Q, "shadows": true}}, and Q is "fast", "fine", or
+Each of the settings is {"contestant": C, "reflections": 0 to 255, "scale": 1 or more}, and may have
+"skip": true, by which it is built in and not drawn, so that the program is that of all. C is "float", or {"fixed": {"quality": Q, "shadows": true}}, and Q is "fast", "fine", or
 {"stride": 1, 2 or 4, "tolerance": 0 to 2^30, "smallest_weight": 1 to 2^30}, in steps of 2^-30.
 With a scale a picture that much smaller is drawn, and its pixels are repeated.
 
@@ -88,7 +88,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let emulator = core.counting_emulator().limit(LIMIT);
     let mut running = emulator.boot(program.path())?;
-    for index in 0..runs.len() as u64 {
+    for (index, _) in (0..).zip(&runs).filter(|(_, run)| !run.skip) {
         let line = running.line(|line| line.starts_with("measured "))?;
         let report = Report::find(&line)?;
         ensure!(

@@ -1,17 +1,22 @@
 //! What can be drawn: a built-in scene or a scene file, behind the same calls.
 
 use std::path::Path;
-use std::sync::atomic::AtomicU64;
 
-use embedded_graphics::pixelcolor::Rgb888;
-use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::host::file::{FileError, FileScene, Problem, SceneFile};
 use reflet::host::reference;
 use reflet::scenes::{self, BuiltIn, Visitor};
-use reflet::{Camera, Report, StaticFrame};
+use reflet::{Camera, Frame, StaticFrame, World};
 
 use crate::Failure;
-use crate::draw::{Settings, draw};
+
+/// What is done with a frame, whatever it is a frame of.
+pub trait Canvas {
+    /// What it returns.
+    type Output;
+
+    /// Does it with the scene and a frame of it.
+    fn draw<W: World + Copy>(self, scene: &impl World, frame: Frame<'_, W>) -> Self::Output;
+}
 
 /// A scene and the view it was made for.
 pub struct Source {
@@ -79,22 +84,11 @@ impl Source {
         }
     }
 
-    /// Draws the scene in fixed point, counting rows.
-    pub fn draw(
-        &self,
-        camera: &Camera,
-        settings: Settings,
-        display: &mut SimulatorDisplay<Rgb888>,
-        rows: &AtomicU64,
-    ) -> Report {
+    /// Shows a frame of the scene in fixed point, seen through a camera.
+    pub fn show<C: Canvas>(&self, camera: &Camera, canvas: C) -> C::Output {
         match &self.kind {
-            Kind::BuiltIn => self.visit(Draw {
-                camera,
-                settings,
-                display,
-                rows,
-            }),
-            Kind::File(_, scene) => draw(scene.frame(camera), settings, display, rows),
+            Kind::BuiltIn => self.visit(Show { camera, canvas }),
+            Kind::File(_, scene) => canvas.draw(&**scene, scene.frame(camera)),
         }
     }
 
@@ -122,22 +116,15 @@ impl Visitor for Describe {
     }
 }
 
-struct Draw<'a> {
+struct Show<'a, C> {
     camera: &'a Camera,
-    settings: Settings,
-    display: &'a mut SimulatorDisplay<Rgb888>,
-    rows: &'a AtomicU64,
+    canvas: C,
 }
 
-impl Visitor for Draw<'_> {
-    type Output = Report;
+impl<C: Canvas> Visitor for Show<'_, C> {
+    type Output = C::Output;
 
-    fn visit<S: BuiltIn>(self) -> Report {
-        draw(
-            S::frame(self.camera),
-            self.settings,
-            self.display,
-            self.rows,
-        )
+    fn visit<S: BuiltIn>(self) -> C::Output {
+        self.canvas.draw(S::SCENE, S::frame(self.camera))
     }
 }
