@@ -42,7 +42,7 @@ pub struct Errors {
 /// What is promised of a picture, and how it is kept.
 #[derive(Clone, Copy, Debug)]
 pub struct Promised {
-    /// How many pixels rounding may have decided otherwise, and were further off than their bound.
+    /// How many pixels that are not sure are further than 1 from what their ending comes to.
     pub decided: usize,
     /// How many were further off although they were sure: none.
     pub broken: usize,
@@ -158,14 +158,8 @@ impl Truth {
                 .unwrap_or(0)
         };
         // Against the same ending, so that what was cut off hides no wrong decision.
-        let is_decided = |pixel: usize| {
-            let bound = &bounds[pixel];
-            let own = Bound {
-                truncation: 0.0,
-                ..*bound
-            };
-            bound.is_unsure && f64::from(difference(picture, &exact, pixel)) > own.levels()
-        };
+        let is_decided =
+            |pixel: usize| bounds[pixel].is_unsure && difference(picture, &exact, pixel) > 1;
         let decided: Vec<bool> = (0..bounds.len()).map(is_decided).collect();
         let parts = Parts {
             truncation: apart(&all, &self.picture, |_| true),
@@ -212,8 +206,9 @@ fn apart(a: &Picture, b: &Picture, is_asked: impl Fn(usize) -> bool) -> f64 {
     let pixels = a.pixels.iter().zip(&b.pixels).enumerate();
     let asked = pixels.filter(|(index, _)| is_asked(*index));
     let square = |a: u8, b: u8| f64::from(a.abs_diff(b)).powi(2);
-    let sum: f64 = asked
-        .map(|(_, (a, b))| (0..3).map(|axis| square(a[axis], b[axis])).sum::<f64>())
-        .sum();
+    let pixel = |(_, (a, b)): (usize, (&[u8; 3], &[u8; 3]))| {
+        (0..3).map(|axis| square(a[axis], b[axis])).sum::<f64>()
+    };
+    let sum = asked.map(pixel).fold(0.0, |sum, it| sum + it);
     (sum / (3 * a.pixels.len()) as f64).sqrt()
 }

@@ -77,7 +77,7 @@ pub fn scene(scene: &Measured, core: Core, axis: Axis) -> Result<String, Failure
                 let top = (most / 10.0).ceil() * 10.0 + 10.0;
                 let range = (least / 5.0).floor() * 5.0..top + 2.0;
                 let mut chart = ChartBuilder::on(&plot)
-                    .caption(format!("{name}: PSNR, higher is better"), (FONT, 18))
+                    .caption(format!("{name}: PSNR, higher is better"), (FONT, 21))
                     .margin(8)
                     .x_label_area_size(44)
                     .y_label_area_size(56)
@@ -85,6 +85,8 @@ pub fn scene(scene: &Measured, core: Core, axis: Axis) -> Result<String, Failure
                 chart
                     .configure_mesh()
                     .light_line_style(WHITE)
+                    .label_style((FONT, 14))
+                    .axis_desc_style((FONT, 15))
                     .x_desc(format!("{} (logarithmic)", core.unit()))
                     .y_desc("PSNR in dB")
                     .x_label_formatter(&|x| number(*x))
@@ -108,6 +110,8 @@ pub fn scene(scene: &Measured, core: Core, axis: Axis) -> Result<String, Failure
                 chart
                     .configure_mesh()
                     .light_line_style(WHITE)
+                    .label_style((FONT, 14))
+                    .axis_desc_style((FONT, 15))
                     .x_desc(format!("{} (logarithmic)", core.unit()))
                     .y_desc("largest difference of a channel, of 255")
                     .x_label_formatter(&|x| number(*x))
@@ -135,8 +139,14 @@ fn costs(scene: &Measured) -> std::ops::Range<f64> {
     least.max(1e-6) / 1.3..most * 1.3
 }
 
+/// Of the logarithmic axes, 1, 2 and 5 of each decade.
 fn number(value: f64) -> String {
+    let leading = value / f64::powf(10.0, value.log10().floor());
+    let is_shown = [1.0, 2.0, 5.0, 10.0]
+        .iter()
+        .any(|it| (leading - it).abs() < 1e-6);
     match value {
+        _ if !is_shown => String::new(),
         _ if value >= 10_000.0 => format!("{}k", value / 1000.0),
         _ if value >= 1.0 => format!("{}", (10.0 * value).round() / 10.0),
         _ => format!("{}", (1000.0 * value).round() / 1000.0),
@@ -218,28 +228,28 @@ where
         .draw_series(shown.iter().map(|it| Circle::new(at(it), 5, BLUE.filled())))?
         .label("fixed point, front")
         .legend(|(x, y)| Circle::new((x + 10, y), 5, BLUE.filled()));
-    let side = if axis == Axis::Psnr {
-        VPos::Bottom
-    } else {
-        VPos::Top
+    // In turn to the left and to the right, as neighbours are often near.
+    let style = (FONT, 16).into_font().color(&BLACK);
+    let side = |index: usize| match (index % 2, axis) {
+        (0, Axis::Psnr) => (HPos::Right, VPos::Bottom, (-5, -3)),
+        (0, Axis::Largest) => (HPos::Right, VPos::Top, (-5, 3)),
+        (_, Axis::Psnr) => (HPos::Left, VPos::Top, (6, 3)),
+        (_, Axis::Largest) => (HPos::Left, VPos::Bottom, (6, -3)),
     };
-    let style = (FONT, 13)
-        .into_font()
-        .color(&BLACK)
-        .pos(Pos::new(HPos::Right, side));
     chart.draw_series(shown.iter().enumerate().map(|(index, it)| {
-        let rise = if axis == Axis::Psnr { -4 } else { 4 };
-        EmptyElement::at(at(it)) + Text::new((index + 1).to_string(), (-5, rise), style.clone())
+        let (horizontal, vertical, aside) = side(index);
+        let style = style.pos(Pos::new(horizontal, vertical));
+        EmptyElement::at(at(it)) + Text::new((index + 1).to_string(), aside, style)
     }))?;
     chart
         .configure_series_labels()
         .position(match axis {
-            Axis::Psnr => SeriesLabelPosition::LowerRight,
+            Axis::Psnr => SeriesLabelPosition::UpperLeft,
             Axis::Largest => SeriesLabelPosition::LowerLeft,
         })
         .background_style(WHITE.mix(0.85))
         .border_style(GREY)
-        .label_font((FONT, 12))
+        .label_font((FONT, 15))
         .draw()?;
     Ok(())
 }
@@ -259,7 +269,7 @@ fn stairs(front: &[&Point], at: &dyn Fn(&Point) -> (f64, f64)) -> Vec<(f64, f64)
 
 /// What the numbers in the plot mean.
 fn legend(list: &Area, shown: &[&Point]) -> Result<(), Failure> {
-    let style = (FONT, 13).into_font().color(&BLACK);
+    let style = (FONT, 15).into_font().color(&BLACK);
     list.draw(&Text::new(
         "The front",
         (4, 40),

@@ -87,14 +87,19 @@ pub fn plot(seen: &[Seen]) -> Result<String, Failure> {
             .margin(8)
             .x_label_area_size(44)
             .y_label_area_size(56)
-            .build_cartesian_2d((0.9..300.0).log_scale(), 0.0..265.0)?;
+            .build_cartesian_2d((0.9..300.0).log_scale(), 0.0..350.0)?;
         chart
             .configure_mesh()
             .light_line_style(WHITE)
+            .label_style(("sans-serif", 14))
+            .axis_desc_style(("sans-serif", 15))
             .x_desc("N + 1 (logarithmic): what is met on a path")
             .y_desc("level of 255")
             .x_label_formatter(&|x| format!("{x}"))
-            .y_label_formatter(&|y| format!("{y:.0}"))
+            .y_label_formatter(&|y| match *y > 255.0 {
+                true => String::new(),
+                false => format!("{y:.0}"),
+            })
             .draw()?;
         let colors = [BLUE, VERMILLION, GREEN, PURPLE];
         for (index, (alpha, color)) in ALPHAS.into_iter().zip(colors).enumerate() {
@@ -121,7 +126,7 @@ pub fn plot(seen: &[Seen]) -> Result<String, Failure> {
             .position(SeriesLabelPosition::UpperLeft)
             .background_style(WHITE.mix(0.85))
             .border_style(BLACK.mix(0.3))
-            .label_font(("sans-serif", 12))
+            .label_font(("sans-serif", 15))
             .draw()?;
         root.present()?;
     }

@@ -7,7 +7,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::{HEADS, Page, Sample, Section};
 
 const STYLE: &str = "\
-body { font: 16px/1.5 system-ui, sans-serif; color: #111; background: #fff; max-width: 1000px; \
+body { font: 16px/1.5 system-ui, sans-serif; color: #111; background: #fff; max-width: 1120px; \
 margin: 2rem auto; padding: 0 1rem; }
 h1, h2, h3 { line-height: 1.2; margin-top: 2.2rem; }
 nav a { margin-right: .8rem; }
@@ -17,8 +17,8 @@ figure { margin: 0; }
 figure img { width: 256px; image-rendering: pixelated; display: block; border: 1px solid #ccc; }
 figcaption { font-size: .85rem; max-width: 256px; }
 .wide { overflow-x: auto; }
-table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .5rem; border-bottom: 1px solid #ddd; text-align: right; white-space: nowrap; }
+table { border-collapse: collapse; font-size: .8rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .2rem .45rem; border-bottom: 1px solid #ddd; text-align: right; white-space: nowrap; }
 th { border-bottom: 2px solid #888; }
 td:nth-child(2), th:nth-child(2) { text-align: left; }
 tr.float td { background: #faf1ec; }

@@ -83,6 +83,11 @@ impl Page<'_> {
              every reflection (N → ∞): the peak signal-to-noise ratio over all channels in decibels, \
              and the largest difference of a channel, of 255."
                 .to_owned(),
+            "`fast` and `fine` are the library's qualities; `traced` traces every pixel and cuts nothing \
+             off, `cut at` and `x tolerance` are `fast` with another smallest weight or tolerance: all \
+             are a Quality of one's own. Without shadows is the shading Unshadowed, and larger pixels \
+             are drawn on an Enlarged display."
+                .to_owned(),
             "The front is what pays: whoever wants less error has to spend more. Its points are \
              numbered, the same in plots and tables; those that gain less than a quarter of a decibel \
              are left out. points.csv has all that was measured, front.rs the points that the \
@@ -106,8 +111,8 @@ impl Page<'_> {
                 .to_owned(),
             "Nothing is promised of a pixel whose path a ray a 32nd of a pixel beside it, or one of \
              the pixels it is taken from, decides otherwise: meets another shape, or is lit by another \
-             light. All others are sure, and keep the bound. Where one of the former is further off \
-             than its bound, it counts as decided otherwise."
+             light. All others are sure, and keep the bound. One of the former that is further than 1 \
+             from what its reflections come to counts as decided otherwise."
                 .to_owned(),
         ]
     }
@@ -209,14 +214,13 @@ impl Section<'_> {
             };
             is_lost.then(|| {
                 format!(
-                    "{:.0} ({}, {} dB; {}, {} dB; {} and {} pixels decided otherwise or beyond 1)",
-                    point.cost.middle,
+                    "{} ({}, {} dB; {}, {} dB): {}",
+                    cost(point),
                     point.words(),
                     decibels(point.psnr()),
                     best.words(),
                     decibels(best.psnr()),
-                    self.beyond(point),
-                    self.beyond(best),
+                    self.why(point, best),
                 )
             })
         });
@@ -226,10 +230,24 @@ impl Section<'_> {
         }
     }
 
-    /// How many pixels are further than 1 from the truth.
-    fn beyond(&self, point: &Point) -> usize {
+    /// Why float has less error.
+    fn why(&self, point: &Point, float: &Point) -> String {
         let pixels = self.scene.truth.picture.pixels.len() as f64;
-        ((1.0 - point.errors.within1) * pixels).round() as usize
+        let count = |share: f64| ((1.0 - share) * pixels).round();
+        let beyond = |point: &Point| count(point.errors.within1);
+        match (beyond(point), beyond(float)) {
+            (0.0, 0.0) => format!(
+                "no pixel of either is further than 1 from the truth; {} of fixed point's and {} of \
+                 float's lie so near to half way between two levels that they are rounded the other way, \
+                 as a product of colours keeps 20 bits and f32 24",
+                count(point.errors.same),
+                count(float.errors.same)
+            ),
+            (own, other) => format!(
+                "{own} pixels of fixed point's and {other} of float's are further than 1 from the truth, \
+                 at edges that rounding decides"
+            ),
+        }
     }
 
     fn float_within(&self, cost: f64) -> Option<&Point> {
