@@ -78,11 +78,12 @@ impl Drawing {
         let total = u64::from(size.height);
         let (report, seconds) = progress::watch(Some(total), |rows| {
             let draw = Draw {
+                camera: &camera,
                 settings,
                 display: &mut display,
                 rows,
             };
-            timed(|| source.show(&camera, draw))
+            timed(|| draw.scene(source))
         });
         Ok(Self {
             display,

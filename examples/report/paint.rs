@@ -5,18 +5,23 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::SimulatorDisplay;
 use float_port::Shading;
 use frame_hash::FrameHash;
+use reflet::host::file::{FileScene, built};
 use reflet::host::precision;
 use reflet::host::reference::bound::Precision;
 use reflet::host::reference::{self, Picture};
-use reflet::{BlinnPhong, Camera, Enlarged, Frame, Quality, Unshadowed, World};
+use reflet::{BlinnPhong, Camera, Enlarged, Frame, Quality, Unshadowed};
 
 use crate::float::port;
 use crate::settings::{Contestant, Level, Setting, Visitor};
-use crate::source::{Canvas, Source};
+use crate::source::{Kind, Source};
 
 /// A scene ready to be painted.
+///
+/// Constant scenes are filled at run time here, and their pictures are the same to the bit; so one
+/// type stands for all scenes.
 pub struct Painter {
-    source: Source,
+    name: String,
+    world: Box<FileScene>,
     camera: Camera,
     /// The same in double precision.
     pub scene: reference::Scene,
@@ -32,10 +37,14 @@ impl Painter {
             target,
             up,
             fov,
-        } = exact_camera;
+        } = exact_camera.clone();
         Ok(Self {
+            name: source.name().to_owned(),
+            world: match source.kind {
+                Kind::BuiltIn => built(&scene, &exact_camera)?,
+                Kind::File(_, scene) => scene,
+            },
             camera: Camera::new(position, target, up, fov)?,
-            source,
             scene,
             exact_camera,
             size,
@@ -44,12 +53,12 @@ impl Painter {
 
     /// What the scene is called.
     pub fn name(&self) -> &str {
-        self.source.name()
+        &self.name
     }
 
     /// The grid that the scene is laid on.
     pub fn precision(&self) -> Precision {
-        self.source.show(&self.camera, Grid)
+        precision(&*self.world)
     }
 
     /// Whether nothing but planes is in it.
@@ -72,14 +81,13 @@ impl Painter {
 
     fn draw(&self, setting: &Setting, level: Level, shadows: bool, traces_all: bool) -> Picture {
         let mut display = SimulatorDisplay::new(self.size);
-        let canvas = Draw {
+        level.visit(Draw {
+            frame: self.world.frame(&self.camera),
             setting,
-            level,
             shadows,
             traces_all,
             display: &mut display,
-        };
-        self.source.show(&self.camera, canvas);
+        });
         let bytes = display.to_be_bytes();
         let pixels = bytes.chunks_exact(3).map(|it| [it[0], it[1], it[2]]);
         Picture {
@@ -112,61 +120,37 @@ pub fn hash(picture: &Picture) -> String {
     format!("{:016x}", hash.value())
 }
 
-struct Grid;
-
-impl Canvas for Grid {
-    type Output = Precision;
-
-    fn draw<W: World + Copy>(self, scene: &impl World, _: Frame<'_, W>) -> Precision {
-        precision(scene)
-    }
-}
-
 struct Draw<'a> {
+    frame: Frame<'a, &'a FileScene>,
     setting: &'a Setting,
-    level: Level,
     shadows: bool,
     traces_all: bool,
     display: &'a mut SimulatorDisplay<Rgb888>,
 }
 
-impl Canvas for Draw<'_> {
-    type Output = ();
-
-    fn draw<W: World + Copy>(self, _: &impl World, frame: Frame<'_, W>) {
-        self.level.visit(Graded { draw: self, frame });
-    }
-}
-
-struct Graded<'a, 'f, W> {
-    draw: Draw<'a>,
-    frame: Frame<'f, W>,
-}
-
-impl<W: World + Copy> Visitor for Graded<'_, '_, W> {
+impl Visitor for Draw<'_> {
     type Output = ();
 
     fn visit<Q: Quality, T: Quality>(self) {
-        let Self { draw, frame } = self;
-        match draw.traces_all {
+        match self.traces_all {
             true => drawn(
-                frame.quality::<T>(),
-                draw.setting,
-                draw.shadows,
-                draw.display,
+                self.frame.quality::<T>(),
+                self.setting,
+                self.shadows,
+                self.display,
             ),
             false => drawn(
-                frame.quality::<Q>(),
-                draw.setting,
-                draw.shadows,
-                draw.display,
+                self.frame.quality::<Q>(),
+                self.setting,
+                self.shadows,
+                self.display,
             ),
         }
     }
 }
 
-fn drawn<W: World + Copy, Q: Quality>(
-    frame: Frame<'_, W, Q>,
+fn drawn<Q: Quality>(
+    frame: Frame<'_, &FileScene, Q>,
     setting: &Setting,
     shadows: bool,
     display: &mut SimulatorDisplay<Rgb888>,

@@ -5,26 +5,17 @@ use std::path::Path;
 use reflet::host::file::{FileError, FileScene, Problem, SceneFile};
 use reflet::host::reference;
 use reflet::scenes::{self, BuiltIn, Visitor};
-use reflet::{Camera, Frame, StaticFrame, World};
 
 use crate::Failure;
-
-/// What is done with a frame, whatever it is a frame of.
-pub trait Canvas {
-    /// What it returns.
-    type Output;
-
-    /// Does it with the scene and a frame of it.
-    fn draw<W: World + Copy>(self, scene: &impl World, frame: Frame<'_, W>) -> Self::Output;
-}
 
 /// A scene and the view it was made for.
 pub struct Source {
     name: String,
-    kind: Kind,
+    pub kind: Kind,
 }
 
-enum Kind {
+/// Where a scene comes from.
+pub enum Kind {
     BuiltIn,
     File(Box<SceneFile>, Box<FileScene>),
 }
@@ -84,15 +75,8 @@ impl Source {
         }
     }
 
-    /// Shows a frame of the scene in fixed point, seen through a camera.
-    pub fn show<C: Canvas>(&self, camera: &Camera, canvas: C) -> C::Output {
-        match &self.kind {
-            Kind::BuiltIn => self.visit(Show { camera, canvas }),
-            Kind::File(_, scene) => canvas.draw(&**scene, scene.frame(camera)),
-        }
-    }
-
-    fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
+    /// Visits a built-in scene.
+    pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
         scenes::visit(&self.name, visitor).expect("the name was found in the list of names")
     }
 }
@@ -113,18 +97,5 @@ impl Visitor for Describe {
     fn visit<S: BuiltIn>(self) -> Self::Output {
         let scene = S::with_description(|description| reference::Scene::from(&description));
         (scene, reference::Camera::from(&S::CAMERA.description()))
-    }
-}
-
-struct Show<'a, C> {
-    camera: &'a Camera,
-    canvas: C,
-}
-
-impl<C: Canvas> Visitor for Show<'_, C> {
-    type Output = C::Output;
-
-    fn visit<S: BuiltIn>(self) -> C::Output {
-        self.canvas.draw(S::SCENE, S::frame(self.camera))
     }
 }
