@@ -9,6 +9,7 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use painting::painted;
+use reflet::host::compare::compare;
 use reflet::host::reference::{self, pixel};
 use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES, Visitor, visit};
 use reflet::{
@@ -41,6 +42,13 @@ const fn point(
 }
 
 const SIZE: Size = Size::new(30, 21);
+
+/// What was measured of the built-in scenes.
+mod measured {
+    use reflet::{Front, FrontPoint, Grade};
+
+    include!("../docs/error-time/front.rs");
+}
 
 #[test]
 fn dearest_point_that_fits_is_chosen() {
@@ -253,5 +261,67 @@ fn cut_off_bound_holds_and_shrinks_with_each_reflection() {
 
     for name in NAMES {
         visit(name, Bounds).unwrap();
+    }
+}
+
+/// The scenes in the order of [`NAMES`].
+const MEASURED: [Front; 11] = [
+    measured::CASTLE,
+    measured::SHADING_LIGHTS,
+    measured::SHADING_SPECULARS,
+    measured::COLUMNS,
+    measured::MIRROR1,
+    measured::MIRROR2,
+    measured::PRIMITIVES,
+    measured::EMPTY,
+    measured::FLOOR,
+    measured::CORNER1,
+    measured::CYLINDERS,
+];
+
+#[test]
+fn error_is_the_one_that_was_promised() {
+    struct Promised(Front);
+
+    impl Visitor for Promised {
+        type Output = ();
+
+        fn visit<S: BuiltIn>(self) {
+            let (front, size) = (self.0, Size::new(128, 128));
+            let scene = S::with_description(|scene| reference::Scene::from(&scene));
+            let camera = reference::Camera::from(&S::CAMERA);
+            let shading = reference::Shading::BlinnPhong;
+            let truth = reference::render(&scene, &camera, size.width, size.height, 300, shading);
+            for point in front.points() {
+                let budget = u64::from(point.instructions) * u64::from(size.width * size.height);
+                let mut display = SimulatorDisplay::<Rgb888>::new(size);
+                let frame = S::frame(&S::CAMERA);
+                let Ok(drawn) = frame.draw_within(&front, budget, || false, &mut display);
+                assert_eq!((drawn.choice.point, drawn.choice.fits), (*point, true));
+                let bytes = display.to_be_bytes();
+                let pixels = bytes.chunks_exact(3).map(|it| [it[0], it[1], it[2]]);
+                let picture = reference::Picture {
+                    pixels: pixels.collect(),
+                    ..truth
+                };
+                let found = compare(&picture, &truth).unwrap();
+                assert_eq!(found.max, point.largest, "{}: {point:?}", S::NAME);
+                if point.psnr == u16::MAX {
+                    assert_eq!(found.psnr, f64::INFINITY, "{}: {point:?}", S::NAME);
+                    continue;
+                }
+                // Rounded down to a hundredth.
+                let more = found.psnr - f64::from(point.psnr) / 100.0;
+                assert!(
+                    (-1e-9..0.01).contains(&more),
+                    "{}: {point:?} {found:?}",
+                    S::NAME
+                );
+            }
+        }
+    }
+
+    for (name, front) in NAMES.into_iter().zip(MEASURED) {
+        visit(name, Promised(front)).unwrap();
     }
 }
