@@ -83,10 +83,10 @@ impl Page<'_> {
              every reflection (N → ∞): the peak signal-to-noise ratio over all channels in decibels, \
              and the largest difference of a channel, of 255."
                 .to_owned(),
-            "`fast` and `fine` are the library's qualities; `traced` traces every pixel and cuts nothing \
-             off, `cut at` and `x tolerance` are `fast` with another smallest weight or tolerance: all \
-             are a Quality of one's own. Without shadows is the shading Unshadowed, and larger pixels \
-             are drawn on an Enlarged display."
+            "Fast and fine are the library's qualities; traced is one that traces every pixel and cuts \
+             nothing off, and \"cut at\" and \"x tolerance\" are fast with another smallest weight or \
+             tolerance: all of these are a Quality of one's own. Without shadows is the shading \
+             Unshadowed, and larger pixels are drawn on an Enlarged display."
                 .to_owned(),
             "The front is what pays: whoever wants less error has to spend more. Its points are \
              numbered, the same in plots and tables; those that gain less than a quarter of a decibel \
@@ -162,11 +162,18 @@ impl Page<'_> {
             match (compared, lost.as_slice()) {
                 (0, _) => format!("{name}: no point of the front lies there."),
                 (_, []) => format!("{name}: less error than float at each of {compared} points."),
-                (_, lost) => format!(
-                    "{name}: less error at {} of {compared} points, not at {}.",
-                    compared - lost.len(),
-                    lost.join("; ")
-                ),
+                (_, lost) => {
+                    let shown = lost.len().min(MOST_LOST);
+                    let more = match lost.len() - shown {
+                        0 => String::new(),
+                        more => format!("; and {more} more"),
+                    };
+                    format!(
+                        "{name}: less error at {} of {compared} points, not at {}{more}.",
+                        compared - lost.len(),
+                        lost[..shown].join("; ")
+                    )
+                }
             }
         });
         sentences.collect()
@@ -193,6 +200,9 @@ impl Page<'_> {
 
 /// Where fixed point has to stand against float, in instructions a pixel.
 const RANGE: std::ops::Range<f64> = 300.0..5000.0;
+
+/// So many of the points at which float has less error are explained.
+const MOST_LOST: usize = 4;
 
 struct Contest {
     compared: usize,
@@ -244,8 +254,9 @@ impl Section<'_> {
                 count(float.errors.same)
             ),
             (own, other) => format!(
-                "{own} pixels of fixed point's and {other} of float's are further than 1 from the truth, \
-                 at edges that rounding decides"
+                "most of it is due to {}; {own} pixels of fixed point's and {other} of float's are further \
+                 than 1 from the truth",
+                point.errors.parts.largest()
             ),
         }
     }
