@@ -9,14 +9,14 @@
 //! formats with `core::fmt` or can panic: where a linked program does, it is the contestant who
 //! needs it.
 //!
-//! A third one, `sweep`, goes through many settings of a scene for `cargo xtask sweep`; nobody weighs
-//! it.
+//! A third one, `sweep`, goes through many settings of a scene for `cargo xtask sweep`, and `budget`
+//! draws frames with a budget, by the core's own clock; nobody weighs these.
 #![no_std]
 
 mod clock;
 mod contestant;
 mod fault;
-mod report;
+pub mod report;
 mod sweep;
 
 use core::hint::black_box;
