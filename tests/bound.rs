@@ -65,21 +65,28 @@ struct Held {
     worst: f64,
 }
 
-fn held(paths: &Paths, ending: &Ending, found: &Picture, truth: &Picture) -> Held {
+fn held(paths: &Paths, ending: &Ending, found: &Picture) -> Held {
     let mut held = Held::default();
-    let pixels = found.pixels.iter().zip(&truth.pixels);
-    for (bound, (found, truth)) in paths.bounds(ending).iter().zip(pixels) {
-        let apart = (0..3).map(|axis| found[axis].abs_diff(truth[axis])).max();
-        let apart = f64::from(apart.unwrap_or(0));
+    let places = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
+    let pixels = places.zip(&found.pixels);
+    for (bound, ((x, y), found)) in paths.bounds(ending).iter().zip(pixels) {
+        let truth = paths.path(x, y).ended(ALL, 0.0).color;
+        let apart = (0..3).map(|axis| {
+            let exact = 255.0 * truth[axis].clamp(0.0, 1.0);
+            (f64::from(found[axis]) - exact).abs()
+        });
+        let apart = apart.fold(0.0, f64::max);
+        // One of the two is not rounded to 8 bits.
+        let most = 255.0 * bound.share() + 0.5;
         held.pixels += 1;
-        let is_further = apart > bound.levels();
+        let is_further = apart > most;
         if bound.is_unsure {
             held.decided += usize::from(is_further);
             continue;
         }
         held.sure += 1;
         held.broken += usize::from(is_further);
-        held.most = held.most.max(bound.levels());
+        held.most = held.most.max(most);
         held.worst = held.worst.max(apart);
     }
     held
@@ -98,14 +105,13 @@ impl Visitor for Check {
         let shadings = [reference::Shading::BlinnPhong, reference::Shading::Phong];
         for shading in shadings {
             let paths = Paths::follow(&scene, &camera, (SIDE, SIDE), ALL, shading, &precision);
-            let truth = reference::render(&scene, &camera, SIDE, SIDE, ALL as u32, shading);
             for reflections in [0, 1, 2, 4, 8, 255] {
                 let pictures = match shading {
                     reference::Shading::Phong => pictures::<S, Phong>(reflections),
                     _ => pictures::<S, BlinnPhong>(reflections),
                 };
                 for (name, ending, picture) in pictures {
-                    let held = held(&paths, &ending, &picture, &truth);
+                    let held = held(&paths, &ending, &picture);
                     let line = format!("{:<18} {shading:?} {name} {reflections} {held:?}", S::NAME);
                     println!("{line}");
                     // A third of the pixels may lie at an edge, and few of them are wrong.

@@ -76,22 +76,20 @@ impl Stretch<'_> {
         largest(difference) <= tolerances * self.tolerance + self.slack()
     }
 
-    /// How much the colours bend at a column, if those around it went alike.
+    /// How much the colours bend at a column, if there are any before and behind.
     fn bend(&self, column: usize) -> Option<Triple> {
         let before = self.row.get(column.checked_sub(self.stride)?)?;
         let (middle, after) = (self.row[column], self.row.get(column + self.stride)?);
-        let is_alike = before.trail == middle.trail && middle.trail == after.trail;
-        is_alike.then(|| {
-            less(
-                less(after.color, middle.color),
-                less(middle.color, before.color),
-            )
-        })
+        Some(less(
+            less(after.color, middle.color),
+            less(middle.color, before.color),
+        ))
     }
 
     /// By which bends the curve may be laid, and whether it may then pass without a look half way.
     ///
-    /// Fixed point tells paths apart by more than what they met, so it may know fewer of the bends.
+    /// Fixed point knows a bend where the paths around it went alike. That is not quite known here: it
+    /// tells paths apart by more than what they met, and does not by lights too faint for its formats.
     fn bends(&self) -> [Option<([Triple; 2], bool)>; 4] {
         let [first, last] = [self.start, self.start + self.stride].map(|it| self.bend(it));
         let one = |bend: Triple| ([bend; 2], self.allows(bend, 2.0));

@@ -83,10 +83,14 @@ pub struct Bound {
 }
 
 impl Bound {
+    /// All of it, as a share of white; no display shows more than 1.
+    pub fn share(&self) -> f64 {
+        (self.truncation + self.rounding + self.between).min(1.0)
+    }
+
     /// All of it in steps of 8 bits, with the rounding of two pictures; at most 255.
     pub fn levels(&self) -> f64 {
-        let share = self.truncation + self.rounding + self.between;
-        (255.0 * share + 1.0).min(255.0)
+        (255.0 * self.share() + 1.0).min(255.0)
     }
 }
 
@@ -180,7 +184,13 @@ impl Paths {
         let near = |reach: usize| x.saturating_sub(reach)..(x + reach + 1).min(row.len());
         let stretch = &row[near(stride - 1)];
         let is_alike = |stage: &&Stage| stage.trail == own.trail;
-        let is_unsure = stretch.iter().any(|it| it.is_unsure) || !stretch.iter().all(is_alike);
+        // The curve of its stretch is laid by pixels up to a stretch away from both ends.
+        let start = x - x % stride;
+        let traced = (start.saturating_sub(stride)..start + 2 * stride + 1).step_by(stride);
+        let mut laid_by = traced.filter_map(|column| row.get(column));
+        let is_unsure = stretch.iter().any(|it| it.is_unsure)
+            || !stretch.iter().all(is_alike)
+            || x != start && laid_by.any(|it| it.is_unsure);
         Bound {
             truncation: own.weight * self.brightest,
             rounding: own.rounding,
