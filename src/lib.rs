@@ -139,11 +139,14 @@ pub use light::Light;
 pub use material::Material;
 pub use number::{Number, Unit};
 pub use quality::{Fast, Fine, Quality, Small};
-pub use render::{Ditherable, Dithered, Frame, Picture, Report, StaticFrame, Threshold, dither};
+pub use render::{
+    Budgeted, Choice, Ditherable, Dithered, Enlarged, Frame, Front, FrontPoint, Grade, Picture,
+    Report, StaticFrame, Threshold, dither,
+};
 pub use scene::{
     Apart, Bound, Description, Excess, Mirrors, MostReflections, Need, Needs, RuntimeScene, Scene,
     SceneBuilder, SceneError, Shininess, Static, StaticScene, Whole, Within, World,
 };
-pub use shade::{BlinnPhong, Normals, Phong, Shading};
+pub use shade::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 pub use shape::{MaterialId, cylinder::Cylinder, plane::Plane, sphere::Sphere};
 pub use vector::Position;

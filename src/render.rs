@@ -1,6 +1,13 @@
 //! Floor 7: rows of pixels into a display. The only floor that names embedded-graphics.
 
+mod bound;
+mod budget;
 mod dither;
+mod enlarged;
+
+pub use budget::{Budgeted, Choice, Front, FrontPoint, Grade};
+pub use dither::{Ditherable, Dithered, Threshold, dither};
+pub use enlarged::Enlarged;
 
 use core::marker::PhantomData;
 
@@ -23,8 +30,6 @@ use crate::scene::{Apart, Bound, Excess, MostReflections, Scene, Static, Whole, 
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
 
-pub use self::dither::{Ditherable, Dithered, Threshold, dither};
-
 /// What is known about a picture, or a part of one, when it has been drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Report {
@@ -33,7 +38,7 @@ pub struct Report {
     pub rays: u64,
     /// The largest weight with which a path was ended by the number of reflections or by the
     /// quality. No colour is wrong by more than this times the brightest colour of the scene on
-    /// account of it.
+    /// account of it: [`Picture::cut_off_bound`].
     pub cut_off: Unit,
 }
 

@@ -1,6 +1,8 @@
 //! Floor 5: the light at one hit: ambient, diffuse, specular, and the question whether a light is
 //! hidden. Knows no reflection.
 
+use core::marker::PhantomData;
+
 use crate::color::{Color, halved};
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
@@ -152,6 +154,41 @@ pub struct Phong;
 #[derive(Clone, Copy, Debug)]
 pub struct Normals;
 
+/// Shaded by `K`, [`BlinnPhong`] or [`Phong`], but nothing throws a shadow: a light shines on every
+/// surface that faces it, whatever stands between them.
+///
+/// What a scene takes without its shadows, and what it loses, `examples/report` shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Unshadowed<K = BlinnPhong>(PhantomData<K>);
+
+impl<K: sealed::Shading + Highlight> sealed::Shading for Unshadowed<K> {
+    const REFLECTS: bool = true;
+
+    #[allow(private_interfaces)]
+    #[inline(always)]
+    fn color<W: World, Q: Quality>(
+        world: &W,
+        view: &View,
+        surface: &Surface<'_>,
+        trail: &mut Trail,
+    ) -> Color {
+        lit_color::<W, Q, Self>(world, view, surface, trail)
+    }
+
+    fn missed<W: World>(world: &W) -> Color {
+        K::missed(world)
+    }
+}
+
+impl<K: Highlight> Highlight for Unshadowed<K> {
+    const SHADOWS: bool = false;
+
+    #[inline(always)]
+    fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
+        K::highlight(cosines, shininess, kind)
+    }
+}
+
 impl sealed::Shading for BlinnPhong {
     const REFLECTS: bool = true;
 
@@ -204,7 +241,7 @@ impl sealed::Shading for Normals {
 }
 
 /// The angles at a surface that a highlight depends on, as cosines.
-struct Cosines {
+pub(crate) struct Cosines {
     /// normal · light
     light: Unit,
     /// normal · viewer
@@ -214,7 +251,10 @@ struct Cosines {
 }
 
 /// A highlight: the power of a cosine that says how near the viewer is to the mirror direction.
-trait Highlight {
+pub(crate) trait Highlight {
+    /// Whether shapes throw shadows.
+    const SHADOWS: bool = true;
+
     /// For a shininess of a kind that may occur in the scene.
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit;
 }
@@ -337,7 +377,7 @@ impl Received {
     ) {
         let light = lamp.light();
         let strength = match view.standing(index) {
-            Standing::Hidden => return,
+            Standing::Hidden if H::SHADOWS => return,
             Standing::Clear if surface.place.is_near() => {
                 clear_strength::<W, H>(world, surface, (lamp, index))
             }
@@ -363,6 +403,7 @@ fn clear_strength<W: World, H: Highlight>(
     let (direction, distance, cosine) = way.direction_length_and_share(height);
     let back = direction.reversed();
     if W::NEEDS.shadows
+        && H::SHADOWS
         && blocked_from(
             world,
             (lamp, index),
@@ -400,7 +441,7 @@ fn general_strength<W: World, Q: Quality, H: Highlight>(
     if surface.normal.dot(direction) <= Unit::ZERO {
         return Brightness::ZERO;
     }
-    let is_blocked = if !W::NEEDS.shadows {
+    let is_blocked = if !(W::NEEDS.shadows && H::SHADOWS) {
         false
     } else if Q::IS_SMALL {
         far::ends_before(world, &path, surface.left(world), distance, scale)

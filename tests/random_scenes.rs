@@ -9,9 +9,12 @@ use painting::painted;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use reflet::host::compare::{Difference, compare};
+use reflet::host::precision;
+use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, render};
 use reflet::{
-    Camera, CameraError, Fine, Material, MaterialId, Normals, Phong, RuntimeScene, SceneError,
+    Camera, CameraError, Fine, Material, MaterialId, Normals, Phong, Quality, RuntimeScene,
+    SceneError,
 };
 
 const SIDE: u32 = 48;
@@ -255,6 +258,67 @@ fn any_valid_scene_is_painted_as_double_precision_paints_it() {
         2 * colorful > seen,
         "only {colorful} of {seen} pictures show much"
     );
+}
+
+#[test]
+fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
+    /// Of a picture.
+    const SIDE: u32 = 32;
+    /// As many as leave nothing of a path whose mirrors do not keep everything.
+    const ALL: usize = 200;
+    // Pixels, those of which something is promised, and those that were decided otherwise.
+    let counts = Cell::new([0_usize; 3]);
+    let outcome = runner(400).run(&recipe(), |recipe| {
+        let (scene, camera) = (recipe.scene(), recipe.camera());
+        let mut scene = scene.map_err(|error| TestCaseError::reject(error.to_string()))?;
+        let camera = camera.map_err(|error| TestCaseError::reject(error.to_string()))?;
+        scene.set_camera(camera);
+        let built = scene.build();
+        let built = built.map_err(|error| TestCaseError::reject(error.to_string()))?;
+        // Normals are no light.
+        let shading = match recipe.shading {
+            reference::Shading::Phong => reference::Shading::Phong,
+            _ => reference::Shading::BlinnPhong,
+        };
+        let frame = built.frame(&camera).reflections(recipe.reflections);
+        let (frame, size) = (frame.quality::<Fine>(), Size::new(SIDE, SIDE));
+        let picture = match shading {
+            reference::Shading::Phong => painted(&frame.shading::<Phong>().sized(size)),
+            _ => painted(&frame.sized(size)),
+        };
+        let (exact, camera) = ((&scene.description()).into(), (&camera).into());
+        let precision = precision(&built);
+        let paths = Paths::follow(&exact, &camera, (SIDE, SIDE), ALL, shading, &precision);
+        let ending = Ending {
+            reflections: recipe.reflections.into(),
+            smallest_weight: Fine::SMALLEST_WEIGHT.to_num(),
+            stride: Fine::STRIDE,
+            tolerance: Fine::TOLERANCE.to_num(),
+        };
+        let places = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
+        let pixels = places.zip(&picture.pixels);
+        let [mut all, mut sure, mut decided] = counts.get();
+        for (bound, ((x, y), found)) in paths.bounds(&ending).iter().zip(pixels) {
+            let truth = paths.path(x, y).ended(ALL, 0.0).color;
+            let truth = truth.map(|channel| 255.0 * channel.clamp(0.0, 1.0));
+            let apart = (0..3).map(|axis| (f64::from(found[axis]) - truth[axis]).abs());
+            // One of the two is not rounded to 8 bits.
+            let is_further = apart.fold(0.0, f64::max) > 255.0 * bound.share() + 0.5;
+            prop_assert!(
+                bound.is_unsure || !is_further,
+                "{x} {y} is {found:?}, not {truth:?}: {bound:?}"
+            );
+            all += 1;
+            sure += usize::from(!bound.is_unsure);
+            decided += usize::from(is_further);
+        }
+        counts.set([all, sure, decided]);
+        Ok(())
+    });
+    let [all, sure, decided] = counts.get();
+    println!("of {all} pixels {sure} are sure, {decided} were decided otherwise");
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+    assert!(2 * sure > all, "of {all} pixels only {sure} are sure");
 }
 
 /// A number of any size from 10^-7 to 10, of either sign.

@@ -6,9 +6,11 @@ use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
-use reflet::{BlinnPhong, Fine, Frame, Normals, Phong, Report, Small, World};
+use reflet::scenes::{BuiltIn, Visitor};
+use reflet::{BlinnPhong, Camera, Fine, Frame, Normals, Phong, Report, Small, World};
 
 use crate::arguments::{Quality, Shading};
+use crate::source::{Kind, Source};
 
 /// How a picture is drawn.
 #[derive(Clone, Copy)]
@@ -18,18 +20,48 @@ pub struct Settings {
     pub quality: Quality,
 }
 
-/// Draws over the whole display, counting rows.
-pub fn draw<W: World + Copy>(
-    frame: Frame<'_, W>,
-    settings: Settings,
-    display: &mut SimulatorDisplay<Rgb888>,
-    rows: &AtomicU64,
-) -> Report {
-    let frame = frame.reflections(settings.reflections);
-    match settings.quality {
-        Quality::Fast => shaded(frame, settings.shading, display, rows),
-        Quality::Fine => shaded(frame.quality::<Fine>(), settings.shading, display, rows),
-        Quality::Small => shaded(frame.quality::<Small>(), settings.shading, display, rows),
+/// A display that is drawn over as a whole, with a count of its rows.
+pub struct Draw<'a> {
+    pub camera: &'a Camera,
+    pub settings: Settings,
+    pub display: &'a mut SimulatorDisplay<Rgb888>,
+    pub rows: &'a AtomicU64,
+}
+
+impl Draw<'_> {
+    /// Draws a scene in fixed point.
+    pub fn scene(self, source: &Source) -> Report {
+        match &source.kind {
+            Kind::BuiltIn => source.visit(self),
+            Kind::File(_, scene) => {
+                let frame = scene.frame(self.camera);
+                self.frame(frame)
+            }
+        }
+    }
+
+    fn frame<W: World + Copy>(self, frame: Frame<'_, W>) -> Report {
+        let Self {
+            settings,
+            display,
+            rows,
+            ..
+        } = self;
+        let frame = frame.reflections(settings.reflections);
+        match settings.quality {
+            Quality::Fast => shaded(frame, settings.shading, display, rows),
+            Quality::Fine => shaded(frame.quality::<Fine>(), settings.shading, display, rows),
+            Quality::Small => shaded(frame.quality::<Small>(), settings.shading, display, rows),
+        }
+    }
+}
+
+impl Visitor for Draw<'_> {
+    type Output = Report;
+
+    fn visit<S: BuiltIn>(self) -> Report {
+        let frame = S::frame(self.camera);
+        self.frame(frame)
     }
 }
 

@@ -11,9 +11,12 @@ mod output;
 mod picture;
 mod progress;
 mod report;
+#[path = "../shared/source.rs"]
 mod source;
 #[cfg(feature = "window")]
 mod window;
+#[path = "../shared/words.rs"]
+mod words;
 
 use std::error::Error;
 use std::io::{self, Write};
@@ -23,6 +26,7 @@ use self::arguments::Arguments;
 use self::output::Outputs;
 use self::picture::Drawing;
 use self::source::Source;
+use self::words::one_line;
 
 type Failure = Box<dyn Error + Send + Sync>;
 
@@ -51,7 +55,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         } else {
             needs::text
         };
-        writeln!(io::stdout(), "{}", say(name, source.needs(), settings))?;
+        writeln!(io::stdout(), "{}", say(name, needs::of(&source), settings))?;
         return Ok(());
     }
     let outputs = Outputs::new(arguments, source.name())?;
@@ -64,13 +68,4 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         window::show(source, arguments)?;
     }
     Ok(())
-}
-
-/// What would break the line, which may come from a path or a file, is written as an escape.
-fn one_line(text: &str) -> String {
-    let escaped = |letter: char| match letter.is_control() {
-        true => letter.escape_default().to_string(),
-        false => letter.to_string(),
-    };
-    text.chars().map(escaped).collect()
 }

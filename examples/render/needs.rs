@@ -1,10 +1,30 @@
 //! What a scene needs of the library, in words.
 
+use reflet::scenes::{BuiltIn, Visitor};
 use reflet::{Need, Needs};
 use serde_json::json;
 
 use crate::arguments::Quality;
 use crate::draw::Settings;
+use crate::source::{Kind, Source};
+
+/// What a scene needs.
+pub fn of(source: &Source) -> Needs {
+    match &source.kind {
+        Kind::BuiltIn => source.visit(Derive),
+        Kind::File(_, scene) => scene.needs(),
+    }
+}
+
+struct Derive;
+
+impl Visitor for Derive {
+    type Output = Needs;
+
+    fn visit<S: BuiltIn>(self) -> Needs {
+        Needs::of::<S>()
+    }
+}
 
 /// A line of words for each thing: what it is, whether it is in the firmware, and why.
 pub fn text(scene: &str, needs: Needs, settings: Settings) -> String {

@@ -13,7 +13,7 @@ use reflet::{Camera, CameraError, Report};
 use crate::Failure;
 use crate::arguments::Arguments;
 use crate::dither::Levels;
-use crate::draw::Settings;
+use crate::draw::{Draw, Settings};
 use crate::progress;
 use crate::source::Source;
 
@@ -78,7 +78,13 @@ impl Drawing {
         let mut display = SimulatorDisplay::new(size);
         let total = u64::from(size.height);
         let (report, seconds) = progress::watch(Some(total), |rows| {
-            timed(|| source.draw(&camera, settings, &mut display, rows))
+            let draw = Draw {
+                camera: &camera,
+                settings,
+                display: &mut display,
+                rows,
+            };
+            timed(|| draw.scene(source))
         });
         Ok(Self {
             display,

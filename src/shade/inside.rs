@@ -4,6 +4,7 @@
 use super::*;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
+use crate::quality::Fast;
 use crate::scene::query::first;
 use crate::scene::{RuntimeScene, World};
 use crate::vector::{Position, Vector};
@@ -93,7 +94,7 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
                 if bounce > 0 && cosine > 0.05 && f64::from(gone.to_bits()) < 0.5 * chord {
                     fate.met_again += 1;
                 }
-                let color = <BlinnPhong as sealed::Shading>::color(
+                let color = <BlinnPhong as sealed::Shading>::color::<_, Fast>(
                     &scene,
                     &view,
                     &surface,

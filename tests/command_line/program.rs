@@ -1,10 +1,11 @@
-//! The example's binary, built once, and folders to run it in.
+//! The examples' binaries, built once, and folders to run them in.
 
+use std::collections::BTreeMap;
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::OnceLock;
+use std::sync::Mutex;
 
 use serde_json::Value;
 
@@ -51,7 +52,12 @@ impl Folder {
     }
 
     pub fn run(&self, arguments: &[&str]) -> Outcome {
-        finish(self.command(arguments).stdout(Stdio::piped()))
+        self.run_example("render", arguments)
+    }
+
+    /// Runs any example.
+    pub fn run_example(&self, example: &'static str, arguments: &[&str]) -> Outcome {
+        finish(self.command(example, arguments).stdout(Stdio::piped()))
     }
 
     /// Runs the program with a standard output that nobody reads.
@@ -59,7 +65,7 @@ impl Folder {
         let (reader, writer) = std::io::pipe().expect("a pipe");
         drop(reader);
         finish(
-            self.command(&arguments.split_whitespace().collect::<Vec<_>>())
+            self.command("render", &arguments.split_whitespace().collect::<Vec<_>>())
                 .stdout(writer),
         )
     }
@@ -70,7 +76,7 @@ impl Folder {
         let mut shell = Command::new("sh");
         shell
             .args(["-c", "ulimit -v 4000000 && exec \"$0\" \"$@\""])
-            .arg(binary());
+            .arg(binary("render"));
         shell
             .args(arguments.split_whitespace())
             .current_dir(&self.0);
@@ -80,7 +86,7 @@ impl Folder {
     /// Runs the program with environment variables.
     #[cfg(feature = "window")]
     pub fn render_with(&self, arguments: &str, variables: &[(&str, &str)]) -> Outcome {
-        let mut command = self.command(&arguments.split_whitespace().collect::<Vec<_>>());
+        let mut command = self.command("render", &arguments.split_whitespace().collect::<Vec<_>>());
         finish(
             command
                 .envs(variables.iter().copied())
@@ -88,8 +94,8 @@ impl Folder {
         )
     }
 
-    fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(binary());
+    fn command(&self, example: &'static str, arguments: &[&str]) -> Command {
+        let mut command = Command::new(binary(example));
         command
             .args(arguments)
             .current_dir(&self.0)
@@ -110,13 +116,14 @@ fn finish(command: &mut Command) -> Outcome {
     }
 }
 
-/// The example as the sources say it is now.
+/// An example as the sources say it is now.
 ///
 /// Cargo tells a test nothing about examples, so it is asked: with the profile, the features and
 /// the folder of this test there is nothing to be built after a whole `cargo test`.
-fn binary() -> &'static Path {
-    static BINARY: OnceLock<PathBuf> = OnceLock::new();
-    BINARY.get_or_init(|| {
+fn binary(example: &'static str) -> PathBuf {
+    static BINARIES: Mutex<BTreeMap<&str, PathBuf>> = Mutex::new(BTreeMap::new());
+    let mut binaries = BINARIES.lock().expect("no build has failed");
+    let built = binaries.entry(example).or_insert_with(|| {
         let target = Path::new(env!("CARGO_TARGET_TMPDIR"))
             .parent()
             .expect("target/tmp");
@@ -132,7 +139,7 @@ fn binary() -> &'static Path {
         let features: Vec<_> = features.iter().filter(|it| it.1).map(|it| it.0).collect();
         let output = Command::new(env!("CARGO"))
             .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .args(["build", "--example", "render", "--message-format", "json"])
+            .args(["build", "--example", example, "--message-format", "json"])
             .args(["--profile", profile, "--features", &features.join(",")])
             .arg("--target-dir")
             .arg(target)
@@ -140,15 +147,17 @@ fn binary() -> &'static Path {
             .expect("cargo runs");
         let messages = String::from_utf8_lossy(&output.stdout);
         let complaints = String::from_utf8_lossy(&output.stderr);
-        let executable = messages.lines().rev().find_map(executable);
+        let mut lines = messages.lines().rev();
+        let executable = lines.find_map(|message| executable(example, message));
         executable.unwrap_or_else(|| panic!("the example is built: {complaints}"))
-    })
+    });
+    built.clone()
 }
 
 /// The path in one of Cargo's messages, if it is the one about the example.
-fn executable(message: &str) -> Option<PathBuf> {
+fn executable(example: &str, message: &str) -> Option<PathBuf> {
     let message: Value = serde_json::from_str(message).ok()?;
-    let is_example = message["target"]["name"] == "render";
+    let is_example = message["target"]["name"] == example;
     is_example
         .then(|| message["executable"].as_str().map(PathBuf::from))
         .flatten()

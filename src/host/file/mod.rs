@@ -48,6 +48,33 @@ pub type FileRuntimeScene = RuntimeScene<512, 32, 128, 16, 256>;
 /// The scene of a file when it is built.
 pub type FileScene = scene::Scene<512, 32, 128, 16, 256>;
 
+/// The reference's scene in the core, seen first with its camera, with as much room as that of a file.
+///
+/// A scene that was described in plain decimal numbers comes back as it was: each is a double.
+///
+/// # Errors
+///
+/// The core refuses a part of the scene or the scene as a whole, or there are more parts than a file
+/// may hold.
+pub fn built(scene: &Scene, camera: &Camera) -> Result<Box<FileScene>, FileError> {
+    let mut target = Box::new(FileRuntimeScene::new());
+    fill(&mut target, scene, camera)
+        .and_then(|_| target.build().map_err(Problem::Scene))
+        .map(Box::new)
+        .map_err(FileError::new)
+}
+
+fn fill(
+    target: &mut FileRuntimeScene,
+    scene: &Scene,
+    camera: &Camera,
+) -> Result<camera::Camera, Problem> {
+    fill::scene(target, scene).map_err(Problem::Scene)?;
+    let camera = fill::camera(camera).map_err(Problem::Camera)?;
+    target.set_camera(camera);
+    Ok(camera)
+}
+
 /// A scene read from a file: every shape has its material; whether the core takes its numbers is
 /// found by [`SceneFile::runtime`].
 #[derive(Clone, Debug)]
@@ -126,9 +153,8 @@ impl SceneFile {
     /// The core refuses a part of the scene, or there are more parts than a file may hold.
     pub fn runtime(&self) -> Result<(Box<FileRuntimeScene>, camera::Camera), FileError> {
         let mut scene = Box::new(FileRuntimeScene::new());
-        let camera = self
-            .fill(&mut scene)
-            .map_err(|problem| self.error(problem))?;
+        let camera = fill(&mut scene, &self.scene, &self.camera);
+        let camera = camera.map_err(|problem| self.error(problem))?;
         Ok((scene, camera))
     }
 
@@ -143,13 +169,6 @@ impl SceneFile {
             .build()
             .map_err(|error| self.error(Problem::Scene(error)))?;
         Ok(Box::new(built))
-    }
-
-    fn fill(&self, target: &mut FileRuntimeScene) -> Result<camera::Camera, Problem> {
-        fill::scene(target, &self.scene).map_err(Problem::Scene)?;
-        let camera = fill::camera(&self.camera).map_err(Problem::Camera)?;
-        target.set_camera(camera);
-        Ok(camera)
     }
 
     fn error(&self, problem: Problem) -> FileError {

@@ -19,6 +19,13 @@ pub struct Camera {
     pub fov: f64,
 }
 
+impl View {
+    /// How far apart the directions of neighbouring pixels are at most, in radians.
+    pub fn pixel_angle(&self) -> f64 {
+        2.0 * self.right.length() / self.width
+    }
+}
+
 /// A camera made ready for pictures of one size.
 pub(super) struct View {
     position: Vector,
@@ -51,8 +58,13 @@ impl View {
 
     /// The ray through the centre of a pixel; row 0 is on top.
     pub fn ray(&self, x: u32, y: u32) -> Ray {
-        let across = 2.0 * (f64::from(x) + 0.5) / self.width - 1.0;
-        let above = 1.0 - 2.0 * (f64::from(y) + 0.5) / self.height;
+        self.ray_through(f64::from(x) + 0.5, f64::from(y) + 0.5)
+    }
+
+    /// The ray through a point of the picture, in pixels from its top left corner.
+    pub fn ray_through(&self, x: f64, y: f64) -> Ray {
+        let across = 2.0 * x / self.width - 1.0;
+        let above = 1.0 - 2.0 * y / self.height;
         let direction = self.forward + self.right * across + self.up * above;
         Ray {
             origin: self.position,

@@ -41,6 +41,7 @@
 //! assert_eq!(color, [0.75, 0.375, 0.0]);
 //! ```
 
+pub mod bound;
 mod camera;
 mod convert;
 mod picture;

@@ -94,7 +94,7 @@ pub fn render(
     }
 }
 
-fn quantised(color: Vector) -> [u8; 3] {
+pub(super) fn quantised(color: Vector) -> [u8; 3] {
     color
         .0
         .map(|channel| (255.0 * channel.clamp(0.0, 1.0)).round() as u8)

@@ -28,7 +28,7 @@ pub(super) fn own_color(world: &World, surface: &Surface, gleam: Gleam) -> Vecto
 }
 
 /// How much of a light's colour comes to the viewer; nothing where it is behind or blocked.
-fn strength(world: &World, surface: &Surface, lamp: &Light, gleam: Gleam) -> f64 {
+pub(super) fn strength(world: &World, surface: &Surface, lamp: &Light, gleam: Gleam) -> f64 {
     let to_lamp = Vector(lamp.position) - surface.outside;
     let distance = to_lamp.length();
     let ray = Ray {
@@ -100,6 +100,10 @@ mod tests {
             normal,
             viewer: Vector([-0.5, 0.0, 0.75_f64.sqrt()]),
             material: &material,
+            distance: 1.0,
+            shape: 0,
+            curvature: 0.0,
+            is_inside: false,
         };
         let Vector([red, green, blue]) = own_color(&World::new(&scene), &surface, gleam);
         // The material and the lights are coloured so that one number tells all.

@@ -61,6 +61,14 @@ impl Shape {
         }
     }
 
+    /// One over the radius; 0 of a plane.
+    pub fn curvature(&self) -> f64 {
+        match *self {
+            Self::Sphere { radius, .. } | Self::Cylinder { radius, .. } => 1.0 / radius,
+            Self::Plane { .. } => 0.0,
+        }
+    }
+
     /// The unit normal at a point of the surface: outwards, or the plane's own.
     pub fn normal(&self, at: Vector) -> Vector {
         match *self {

@@ -20,6 +20,14 @@ pub(super) fn color(world: &World, ray: Ray, reflections: u32, shading: Shading)
     }
 }
 
+/// How highlights are found; the normals view has none.
+pub(super) fn gleam(shading: Shading) -> Gleam {
+    match shading {
+        Shading::Phong => phong,
+        Shading::BlinnPhong | Shading::Normals => blinn_phong,
+    }
+}
+
 fn normal(world: &World, ray: &Ray) -> Vector {
     let half = |normal| (normal + Vector::grey(1.0)) * 0.5;
     world

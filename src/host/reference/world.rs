@@ -27,6 +27,13 @@ pub(super) struct Surface<'a> {
     /// Unit length, from the surface to where the ray came from.
     pub viewer: Vector,
     pub material: &'a Material,
+    /// How far the ray has come.
+    pub distance: f64,
+    /// Which of the scene's shapes it is, and one over its radius; 0 of a plane.
+    pub shape: usize,
+    pub curvature: f64,
+    /// Whether it is seen from the side that its shape's normal leaves.
+    pub is_inside: bool,
 }
 
 impl<'a> World<'a> {
@@ -51,25 +58,26 @@ impl<'a> World<'a> {
     pub fn nearest(&self, ray: &Ray) -> Option<Surface<'a>> {
         let mut reach = f64::INFINITY;
         let mut met = None;
-        for solid in &self.solids {
+        for (index, solid) in self.solids.iter().enumerate() {
             if let Some(distance) = solid.shape.meet(ray).filter(|it| *it < reach) {
                 reach = distance;
-                met = Some(solid);
+                met = Some((index, solid));
             }
         }
-        let solid = met?;
+        let (shape, solid) = met?;
         let at = ray.at(reach);
         let normal = solid.shape.normal(at);
-        let normal = if normal.dot(ray.direction) > 0.0 {
-            -normal
-        } else {
-            normal
-        };
+        let is_inside = normal.dot(ray.direction) > 0.0;
+        let normal = if is_inside { -normal } else { normal };
         Some(Surface {
             outside: at + normal * self.scene.epsilon,
             normal,
             viewer: -ray.direction,
             material: solid.material,
+            distance: reach,
+            shape,
+            curvature: solid.shape.curvature(),
+            is_inside,
         })
     }
 
@@ -189,6 +197,10 @@ mod tests {
             normal: Vector([0.0, 0.0, 1.0]),
             viewer: Vector([-0.6, 0.0, 0.8]),
             material: &ground,
+            distance: 1.0,
+            shape: 0,
+            curvature: 0.0,
+            is_inside: false,
         };
         let Ray { origin, direction } = surface.reflected();
         assert_eq!(origin, surface.outside);

@@ -8,20 +8,25 @@
 //! has in flash and static RAM beyond the second is the contestant's. So nothing of either
 //! formats with `core::fmt` or can panic: where a linked program does, it is the contestant who
 //! needs it.
+//!
+//! A third one, `sweep`, goes through many settings of a scene for `cargo xtask sweep`, and `budget`
+//! draws frames with a budget, by the core's own clock; nobody weighs these.
 #![no_std]
 
 mod clock;
 mod contestant;
 mod fault;
-mod report;
+pub mod report;
+mod sweep;
 
 use core::hint::black_box;
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use frame_hash::FrameHash;
 
-use clock::Clock;
+pub use clock::Clock;
 pub use contestant::{Contestant, Everything, Fixed, Float, FloatView, Nothing, View};
+pub use sweep::{Run, Swept, Varied, sweep, swept};
 
 /// What a program is asked for.
 pub struct Order {

@@ -14,8 +14,9 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use reflet::{
-    BlinnPhong, Bound, Camera, Dithered, Fast, Fine, Frame, Material, Needs, Normals, Number,
-    Phong, Quality, Report, RuntimeScene, Scene, Shading, Small, StaticFrame, World,
+    BlinnPhong, Bound, Camera, Dithered, Enlarged, Fast, Fine, Frame, Front, FrontPoint, Grade,
+    Material, Needs, Normals, Number, Phong, Quality, Report, RuntimeScene, Scene, Shading, Small,
+    StaticFrame, Unshadowed, World,
     scenes::{BuiltIn, Castle, Floor},
 };
 
@@ -32,11 +33,13 @@ fn main() -> ! {
         draw::<Fast, Normals, _>(scene.frame(&camera));
         draw::<Small, BlinnPhong, _>(scene.frame(&camera));
         draw::<Small, Phong, _>(scene.frame(&camera));
+        draw::<Fast, Unshadowed, _>(scene.frame(&camera));
         if let Ok(frame) = scene.frame_within::<Matte>(&camera) {
             draw::<Fast, BlinnPhong, _>(frame);
         }
         seen(scene.frame(&camera).draw(&mut Dithered::new(&mut Display)));
     }
+    draw_within();
     #[cfg(feature = "panic")]
     black_box(black_box(&[0][..])[black_box(0)]);
     #[cfg(feature = "float")]
@@ -58,9 +61,12 @@ fn draw<Q: Quality, K: Shading, W: World + Copy>(frame: Frame<'_, W>) {
     let frame = frame.reflections(black_box(4));
     let frame = frame.quality::<Q>().shading::<K>();
     seen(frame.draw(&mut Display));
+    seen(frame.draw(&mut Enlarged::new(&mut Display, black_box(3))));
     let picture = frame.sized(black_box(Display.size()));
     let mut row = [Gray4::new(0); 16];
-    seen(Ok(picture.row(black_box(7), black_box(5), &mut row)));
+    let report = picture.row(black_box(7), black_box(5), &mut row);
+    black_box(picture.cut_off_bound(&report));
+    seen(Ok(report));
     black_box(row);
     let corner = black_box(Point::new(-5, 60));
     seen(picture.draw_at(corner, &mut Display));
@@ -69,6 +75,31 @@ fn draw<Q: Quality, K: Shading, W: World + Copy>(frame: Frame<'_, W>) {
         corner,
         &mut Display,
     ));
+}
+
+/// A frame with a budget.
+fn draw_within() {
+    const POINT: FrontPoint = FrontPoint {
+        instructions: 100,
+        reflections: 1,
+        grade: Grade::Fast,
+        scale: 2,
+        psnr: 2000,
+        largest: 200,
+    };
+    static FRONT: Front = Front::new(&[
+        POINT,
+        FrontPoint {
+            instructions: 1000,
+            grade: Grade::Fine,
+            psnr: 4000,
+            ..POINT
+        },
+    ]);
+    let camera = black_box(Castle::CAMERA);
+    let (front, budget) = (black_box(&FRONT), black_box(1 << 40));
+    let frame = Castle::frame(&camera);
+    let _ = black_box(frame.draw_within(front, budget, || black_box(false), &mut Display));
 }
 
 /// A scene that is filled, and a camera that is made and moved, while the program runs.

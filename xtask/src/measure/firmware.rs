@@ -2,6 +2,7 @@
 
 use std::{
     fs::{self, File},
+    hash::{DefaultHasher, Hash, Hasher},
     path::{Path, PathBuf},
     time::Duration,
 };
@@ -9,6 +10,7 @@ use std::{
 use anyhow::{Context, Result, bail, ensure};
 use object::{Object, ObjectSection, SectionFlags, elf};
 use rustix::fs::FlockOperation;
+use tempfile::NamedTempFile;
 
 use super::{cores::Core, scene::Scene, task::Task};
 use crate::{root, toolchain};
@@ -150,7 +152,7 @@ fn build(task: &Task, place: &Place) -> Result<Programs> {
     let source = place.jobs.join("job.rs");
     let job = task.job(&scene);
     write(&source, &job.source)?;
-    compile(task.core, &source, &place.target)?;
+    compile(task.core, &source, &place.target, &[])?;
     let programs = place.target.join(task.core.target).join("release");
     Ok(Programs {
         scene: programs.join("scene"),
@@ -159,7 +161,29 @@ fn build(task: &Task, place: &Place) -> Result<Programs> {
     })
 }
 
-fn compile(core: &Core, job: &Path, target: &Path) -> Result<()> {
+/// Builds the firmware that goes through several settings of a scene; `job` makes its source of the
+/// place where the source of a file's scene lies. The program is the caller's own.
+pub(crate) fn build_sweep(
+    core: &Core,
+    scene: &Scene,
+    job: impl FnOnce(&Path) -> String,
+) -> Result<NamedTempFile> {
+    let place = Place::take(core)?;
+    let file = place.jobs.join("scene.rs");
+    if let Scene::File { source, .. } = scene {
+        write(&file, &source.text)?;
+    }
+    let source = place.jobs.join("sweep.rs");
+    write(&source, &job(&file))?;
+    let chosen = ["--bin", "sweep", "--features", "sweep"];
+    compile(core, &source, &place.target, &chosen)?;
+    let built = place.target.join(core.target).join("release/sweep");
+    let own = NamedTempFile::with_prefix("reflet-").context("there is no place for a program")?;
+    fs::copy(&built, own.path()).with_context(|| format!("cannot copy {}", built.display()))?;
+    Ok(own)
+}
+
+fn compile(core: &Core, job: &Path, target: &Path, chosen: &[&str]) -> Result<()> {
     let bare_metal = toolchain::BareMetal::find()
         .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
     let manifest = root().join("xtask/firmware/Cargo.toml");
@@ -169,6 +193,7 @@ fn compile(core: &Core, job: &Path, target: &Path) -> Result<()> {
         .args([&manifest])
         .args(["--target-dir"])
         .args([target])
+        .args(chosen)
         // Instead of what any configuration says: figures must not depend on it.
         .env("CARGO_ENCODED_RUSTFLAGS", core.link_arguments())
         .env("MEASURE_JOB", job)
@@ -183,6 +208,24 @@ fn write(path: &Path, text: &str) -> Result<()> {
         return Ok(());
     }
     fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
+}
+
+/// A hash of all that a program puts into flash: the same for programs that do the same, wherever
+/// their sources lie and whatever their comments say.
+pub(crate) fn fingerprint(program: &Path) -> Result<u64> {
+    let unreadable = || format!("cannot read {}", program.display());
+    let bytes = fs::read(program).with_context(unreadable)?;
+    let program = object::File::parse(&*bytes).with_context(unreadable)?;
+    let mut hasher = DefaultHasher::new();
+    for section in program.sections() {
+        let SectionFlags::Elf { sh_flags } = section.flags() else {
+            bail!("a firmware is an ELF file");
+        };
+        if sh_flags & u64::from(elf::SHF_ALLOC) != 0 {
+            (section.name()?, section.address(), section.data()?).hash(&mut hasher);
+        }
+    }
+    Ok(hasher.finish())
 }
 
 /// The bytes of a program that flash and RAM hold.
@@ -215,17 +258,17 @@ pub fn weigh(program: &Path) -> Result<Weight> {
 }
 
 /// The firmware's line of numbers.
-struct Report<'a>(&'a str);
+pub(crate) struct Report<'a>(&'a str);
 
 impl<'a> Report<'a> {
-    fn find(said: &'a str) -> Result<Self> {
+    pub(crate) fn find(said: &'a str) -> Result<Self> {
         let mut lines = said.lines();
         let line = lines.find_map(|line| line.strip_prefix("measured "));
         let line = line.with_context(|| format!("the firmware reports nothing, but: {said}"))?;
         Ok(Self(line))
     }
 
-    fn number(&self, name: &str) -> Result<u64> {
+    pub(crate) fn number(&self, name: &str) -> Result<u64> {
         let mut words = self.0.split(' ').filter_map(|word| word.split_once('='));
         let (_, digits) = words
             .find(|(key, _)| *key == name)

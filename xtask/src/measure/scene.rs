@@ -91,6 +91,23 @@ impl Scene {
         }
     }
 
+    /// How a firmware names it: the module that has to be declared, if there is one, the scene's type
+    /// and its camera; `file` is where the source of a file's scene lies.
+    pub(crate) fn names(&self, file: &Path) -> (String, String, String) {
+        match self {
+            Self::BuiltIn(name) => {
+                let scene = format!("reflet::scenes::{}", Self::type_name(name));
+                let camera = format!("<{scene} as reflet::scenes::BuiltIn>::CAMERA");
+                (String::new(), scene, camera)
+            }
+            Self::File { source, .. } => (
+                format!("#[path = {file:?}]\nmod scene;\n\n"),
+                format!("scene::{}", source.type_name),
+                "scene::CAMERA".to_owned(),
+            ),
+        }
+    }
+
     /// The name of a built-in scene's type.
     pub fn type_name(name: &str) -> &'static str {
         visit(name, TypeName)

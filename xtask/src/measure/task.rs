@@ -156,18 +156,7 @@ impl Task {
             shading,
             ..
         } = self.settings;
-        let (module, scene, camera) = match &self.scene {
-            Scene::BuiltIn(name) => {
-                let scene = format!("reflet::scenes::{}", Scene::type_name(name));
-                let camera = format!("<{scene} as reflet::scenes::BuiltIn>::CAMERA");
-                (String::new(), scene, camera)
-            }
-            Scene::File { source, .. } => (
-                format!("#[path = {scene:?}]\nmod scene;\n\n"),
-                format!("scene::{}", source.type_name),
-                "scene::CAMERA".to_owned(),
-            ),
-        };
+        let (module, scene, camera) = self.scene.names(scene);
         let shading = shading.type_name();
         let contestant = match self.settings.is_whole {
             true => "Everything",

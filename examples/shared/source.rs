@@ -1,25 +1,21 @@
 //! What can be drawn: a built-in scene or a scene file, behind the same calls.
 
 use std::path::Path;
-use std::sync::atomic::AtomicU64;
 
-use embedded_graphics::pixelcolor::Rgb888;
-use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::host::file::{FileError, FileScene, Problem, SceneFile};
 use reflet::host::reference;
 use reflet::scenes::{self, BuiltIn, Visitor};
-use reflet::{Camera, Needs, Report};
 
 use crate::Failure;
-use crate::draw::{Settings, draw};
 
 /// A scene and the view it was made for.
 pub struct Source {
     name: String,
-    kind: Kind,
+    pub kind: Kind,
 }
 
-enum Kind {
+/// Where a scene comes from.
+pub enum Kind {
     BuiltIn,
     File(Box<SceneFile>, Box<FileScene>),
 }
@@ -79,34 +75,8 @@ impl Source {
         }
     }
 
-    /// What the scene needs of the library.
-    pub fn needs(&self) -> Needs {
-        match &self.kind {
-            Kind::BuiltIn => self.visit(Derive),
-            Kind::File(_, scene) => scene.needs(),
-        }
-    }
-
-    /// Draws the scene in fixed point, counting rows.
-    pub fn draw(
-        &self,
-        camera: &Camera,
-        settings: Settings,
-        display: &mut SimulatorDisplay<Rgb888>,
-        rows: &AtomicU64,
-    ) -> Report {
-        match &self.kind {
-            Kind::BuiltIn => self.visit(Draw {
-                camera,
-                settings,
-                display,
-                rows,
-            }),
-            Kind::File(_, scene) => draw(scene.frame(camera), settings, display, rows),
-        }
-    }
-
-    fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
+    /// Visits a built-in scene.
+    pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
         scenes::visit(&self.name, visitor).expect("the name was found in the list of names")
     }
 }
@@ -127,35 +97,5 @@ impl Visitor for Describe {
     fn visit<S: BuiltIn>(self) -> Self::Output {
         let scene = S::with_description(|description| reference::Scene::from(&description));
         (scene, reference::Camera::from(&S::CAMERA.description()))
-    }
-}
-
-struct Derive;
-
-impl Visitor for Derive {
-    type Output = Needs;
-
-    fn visit<S: BuiltIn>(self) -> Needs {
-        Needs::of::<S>()
-    }
-}
-
-struct Draw<'a> {
-    camera: &'a Camera,
-    settings: Settings,
-    display: &'a mut SimulatorDisplay<Rgb888>,
-    rows: &'a AtomicU64,
-}
-
-impl Visitor for Draw<'_> {
-    type Output = Report;
-
-    fn visit<S: BuiltIn>(self) -> Report {
-        draw(
-            S::frame(self.camera),
-            self.settings,
-            self.display,
-            self.rows,
-        )
     }
 }

@@ -1,0 +1,107 @@
+//! The front as Rust source, for the library's budget; it measures nothing.
+
+use std::fmt::Write as _;
+
+use crate::point::Point;
+use crate::scene::Measured;
+use crate::settings::{Contestant, Level};
+
+/// The constants of all scenes.
+pub fn source(core: &str, size: &str, scenes: &[Measured]) -> String {
+    let mut source = format!(
+        "// Written by `cargo run --release --example report -- --core {core} --size {size}`: what is \
+         best\n// for a frame of so many instructions. Include it where `Front`, `FrontPoint` and `Grade` \
+         are in scope.\n"
+    );
+    for scene in scenes {
+        let points = points(&scene.points);
+        if points.is_empty() {
+            continue;
+        }
+        let name: String = scene.painter.name().chars().map(constant).collect();
+        let name = match name.starts_with(|first: char| first.is_ascii_digit()) {
+            true => format!("SCENE_{name}"),
+            false => name,
+        };
+        let words = scene.painter.name().replace(char::is_control, " ");
+        write!(
+            source,
+            "\n/// {words}\npub const {name}: Front = Front::new(&[\n"
+        )
+        .expect("a string takes all");
+        source.extend(points.iter().map(|point| line(point)));
+        source += "]);\n";
+    }
+    source
+}
+
+/// A point is worth its place if it is a quarter of a decibel better than the one before.
+const GAIN: f64 = 0.25;
+
+/// What the library has a value for: its own qualities, with shadows; the best of these.
+fn points(points: &[Point]) -> Vec<&Point> {
+    let is_known = |point: &&Point| {
+        matches!(
+            point.setting.contestant,
+            Contestant::Fixed {
+                level: Level::Fast | Level::Fine,
+                shadows: true
+            }
+        )
+    };
+    let mut known: Vec<&Point> = points.iter().filter(is_known).collect();
+    known.sort_by(|a, b| {
+        let by_cost = a.cost.middle.total_cmp(&b.cost.middle);
+        by_cost.then(b.psnr().total_cmp(&a.psnr()))
+    });
+    let mut front: Vec<&Point> = Vec::new();
+    for point in known {
+        let is_more = front.last().is_none_or(|last| {
+            hundredths(point) > hundredths(last)
+                && rounded(point) > rounded(last)
+                && point.psnr() >= last.psnr() + GAIN
+        });
+        if is_more {
+            front.push(point);
+        }
+    }
+    front
+}
+
+/// Instructions a pixel, rounded up.
+fn rounded(point: &Point) -> u32 {
+    point.cost.middle.ceil() as u32
+}
+
+/// Hundredths of a decibel, rounded down.
+fn hundredths(point: &Point) -> u16 {
+    match point.psnr().is_finite() {
+        true => (100.0 * point.psnr()).floor().clamp(0.0, 65_534.0) as u16,
+        false => u16::MAX,
+    }
+}
+
+fn line(point: &Point) -> String {
+    let grade = match point.setting.contestant {
+        Contestant::Fixed {
+            level: Level::Fine, ..
+        } => "Fine",
+        _ => "Fast",
+    };
+    format!(
+        "    FrontPoint {{\n        instructions: {},\n        reflections: {},\n        \
+         grade: Grade::{grade},\n        scale: {},\n        psnr: {},\n        largest: {},\n    }},\n",
+        rounded(point),
+        point.setting.reflections,
+        point.setting.scale,
+        hundredths(point),
+        point.errors.largest,
+    )
+}
+
+fn constant(letter: char) -> char {
+    match letter.is_ascii_alphanumeric() {
+        true => letter.to_ascii_uppercase(),
+        false => '_',
+    }
+}

@@ -1,0 +1,43 @@
+//! Measures what a scene costs and loses under many settings, and writes a report of it.
+//!
+//! `cargo run --release --example report -- --help`
+
+mod arguments;
+mod cache;
+mod error;
+mod front;
+mod host;
+mod meter;
+mod page;
+mod paint;
+mod plot;
+mod point;
+mod room;
+mod scene;
+mod settings;
+#[path = "../shared/source.rs"]
+mod source;
+mod table;
+#[path = "../shared/words.rs"]
+mod words;
+mod write;
+
+use std::error::Error;
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use self::arguments::Arguments;
+use self::words::one_line;
+
+type Failure = Box<dyn Error + Send + Sync>;
+
+fn main() -> ExitCode {
+    match Arguments::read().and_then(|arguments| scene::report(&arguments)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            // Nothing is left to be done if even this cannot be said.
+            let _ = writeln!(io::stderr(), "error: {}", one_line(&failure.to_string()));
+            ExitCode::from(2)
+        }
+    }
+}

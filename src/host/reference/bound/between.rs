@@ -1,0 +1,130 @@
+//! What pixels that are taken from their neighbours' colours are off by, were those exact; it knows
+//! one row, and no path.
+//!
+//! A stretch goes from one pixel that is traced to the next, two or four further on. Of four, the
+//! pixel half way may be traced, and then the two at the quarters may be moved by three quarters of
+//! what the curve misses it by, or taken for the middle of a line, or be traced themselves.
+
+use super::Stage;
+
+/// A colour, or what colours differ by.
+type Triple = [f64; 3];
+
+/// The most that the pixel `x` may be off by.
+pub(super) fn error(row: &[&Stage], x: usize, stride: usize, tolerance: f64) -> f64 {
+    let place = x % stride.max(1);
+    let start = x - place;
+    if place == 0 || start + stride >= row.len() {
+        return 0.0;
+    }
+    let stretch = Stretch {
+        row,
+        start,
+        stride,
+        tolerance,
+    };
+    let alike = |column: usize| row[column].trail == row[start].trail;
+    let (here, middle, end) = (row[x].color, start + 2, start + stride);
+    let miss = |color: Triple| largest(less(color, here));
+    let mut worst: f64 = 0.0;
+    for (bends, is_exact) in stretch.bends().into_iter().flatten() {
+        if !alike(end) {
+            break;
+        }
+        let curve = |column: usize| stretch.curve(bends, column);
+        if is_exact {
+            worst = worst.max(miss(curve(x)));
+        }
+        if stride == 4 && place != 2 && alike(middle) {
+            let missed = less(row[middle].color, curve(middle));
+            if stretch.allows(missed, 1.0) {
+                worst = worst.max(miss(plus(curve(x), missed, 0.75)));
+            }
+        }
+    }
+    // The middle of a line, between two pixels beside it.
+    let (left, right) = (row[x - 1], row[x + 1]);
+    let is_line = stride == 2 || place != 2;
+    if is_line && left.trail == right.trail {
+        let way = less(right.color, left.color);
+        if stretch.allows(way, 2.0) {
+            worst = worst.max(miss(plus(left.color, way, 0.5)));
+        }
+    }
+    worst + stretch.slack()
+}
+
+/// A stretch of a row.
+struct Stretch<'a> {
+    row: &'a [&'a Stage],
+    start: usize,
+    stride: usize,
+    tolerance: f64,
+}
+
+impl Stretch<'_> {
+    /// How far apart exact colours and those of fixed point may be when they are put together.
+    fn slack(&self) -> f64 {
+        let first = self.start.saturating_sub(self.stride);
+        let last = (self.start + 2 * self.stride).min(self.row.len() - 1);
+        let rounding = self.row[first..=last].iter().map(|it| it.rounding);
+        8.0 * rounding.fold(0.0, f64::max) + f64::exp2(-18.0)
+    }
+
+    /// Whether so much may pass for no more than so many tolerances.
+    fn allows(&self, difference: Triple, tolerances: f64) -> bool {
+        largest(difference) <= tolerances * self.tolerance + self.slack()
+    }
+
+    /// How much the colours bend at a column, if there are any before and behind.
+    fn bend(&self, column: usize) -> Option<Triple> {
+        let before = self.row.get(column.checked_sub(self.stride)?)?;
+        let (middle, after) = (self.row[column], self.row.get(column + self.stride)?);
+        Some(less(
+            less(after.color, middle.color),
+            less(middle.color, before.color),
+        ))
+    }
+
+    /// By which bends the curve may be laid, and whether it may then pass without a look half way.
+    ///
+    /// Fixed point knows a bend where the paths around it went alike. That is not quite known here: it
+    /// tells paths apart by more than what they met, and does not by lights too faint for its formats.
+    fn bends(&self) -> [Option<([Triple; 2], bool)>; 4] {
+        let [first, last] = [self.start, self.start + self.stride].map(|it| self.bend(it));
+        let one = |bend: Triple| ([bend; 2], self.allows(bend, 2.0));
+        let both = |(first, last)| ([first, last], self.allows(less(last, first), 1.0));
+        [
+            first.zip(last).map(both),
+            first.map(one),
+            last.map(one),
+            Some(([[0.0; 3]; 2], false)),
+        ]
+    }
+
+    /// The cubic through both ends that bends so at each, at a column.
+    fn curve(&self, [first, last]: [Triple; 2], column: usize) -> Triple {
+        let way = (column - self.start) as f64 / self.stride as f64;
+        let (start, end) = (
+            self.row[self.start].color,
+            self.row[self.start + self.stride].color,
+        );
+        let sag = way * (1.0 - way) / 6.0;
+        [0, 1, 2].map(|axis| {
+            let bend = (2.0 - way) * first[axis] + (1.0 + way) * last[axis];
+            start[axis] + way * (end[axis] - start[axis]) - sag * bend
+        })
+    }
+}
+
+fn less(a: Triple, b: Triple) -> Triple {
+    [0, 1, 2].map(|axis| a[axis] - b[axis])
+}
+
+fn plus(a: Triple, b: Triple, share: f64) -> Triple {
+    [0, 1, 2].map(|axis| a[axis] + share * b[axis])
+}
+
+fn largest(difference: Triple) -> f64 {
+    difference.into_iter().map(f64::abs).fold(0.0, f64::max)
+}

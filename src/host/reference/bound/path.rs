@@ -1,0 +1,239 @@
+//! How far rounding may move one pixel, worked out along its path as the room above derives it. It
+//! knows the core's formats and none of its code.
+
+use std::vec::Vec;
+
+use crate::host::reference::Shading;
+use crate::host::reference::shade::{own_color, strength};
+use crate::host::reference::shape::Ray;
+use crate::host::reference::trace;
+use crate::host::reference::vector::Vector;
+use crate::host::reference::world::{Surface, World};
+
+/// The grid that a scene was laid on, in scene units: [`crate::host::precision`] tells.
+#[derive(Clone, Copy, Debug)]
+pub struct Precision {
+    /// A step of the grid.
+    pub step: f64,
+    /// Its middle.
+    pub middle: [f64; 3],
+}
+
+/// A path of the reference, as far as it was followed, reflection by reflection.
+#[derive(Clone, Debug, Default)]
+pub struct Followed {
+    /// What is known after 0, 1, 2 … reflections; shorter where the path ended before.
+    pub stages: Vec<Stage>,
+}
+
+/// What is known of a path after so many reflections.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stage {
+    /// The colour so far, before it is clamped.
+    pub color: [f64; 3],
+    /// The weight with which the path goes on: Π αₖ; 0 where it ends.
+    pub weight: f64,
+    /// How far rounding may have moved the colour, in any channel.
+    pub rounding: f64,
+    /// A number made of all that was decided: shapes, sides, lights.
+    pub trail: u64,
+    /// Whether rounding may have decided otherwise, so that nothing is promised.
+    pub is_unsure: bool,
+}
+
+impl Followed {
+    /// The stage at which fixed point ends the path: by the number of reflections, or by the smallest
+    /// weight that its quality follows.
+    pub fn ended(&self, reflections: usize, smallest_weight: f64) -> &Stage {
+        let stages = &self.stages;
+        let cut = stages.iter().position(|it| it.weight < smallest_weight);
+        let last = stages.len() - 1;
+        &stages[cut.unwrap_or(last).min(reflections).min(last)]
+    }
+}
+
+/// Error so far along a path.
+#[derive(Clone, Copy)]
+struct Drift {
+    place: f64,
+    direction: f64,
+}
+
+/// A weight that no display shows.
+const NOTHING: f64 = 1e-12;
+
+/// Two to the power of minus `bits`.
+fn to_the_minus(bits: i32) -> f64 {
+    f64::exp2(f64::from(-bits))
+}
+
+/// Follows a ray for at most `reflections` reflections.
+pub(super) fn follow(
+    world: &World,
+    mut ray: Ray,
+    reflections: usize,
+    shading: Shading,
+    precision: &Precision,
+) -> Followed {
+    let step = precision.step;
+    let away = ray.origin - Vector(precision.middle);
+    let mut drift = Drift {
+        place: 2.0 * step + away.length() * to_the_minus(28),
+        direction: to_the_minus(26),
+    };
+    let mut stages = Vec::new();
+    let (mut color, mut weight, mut rounding) = (Vector::ZERO, 1.0, 0.0);
+    let (mut trail, mut is_unsure) = (0_u64, false);
+    for reflection in 0..=reflections {
+        let Some(surface) = world.nearest(&ray) else {
+            color += Vector(world.scene.background) * weight;
+            rounding += to_the_minus(24) + weight * to_the_minus(26);
+            weight = 0.0;
+            trail = mixed(trail, u64::MAX);
+            stages.push(Stage {
+                color: color.0,
+                weight,
+                rounding,
+                trail,
+                is_unsure,
+            });
+            break;
+        };
+        let at = Hit::new(&surface, &ray, drift, world.scene.epsilon, step);
+        is_unsure |= at.is_unsure;
+        let (lights, error) = at.light(world, &surface, shading, precision);
+        let alpha = surface.material.mirror;
+        let share = weight * (1.0 - alpha);
+        let own = own_color(world, &surface, trace::gleam(shading));
+        color += own * share;
+        let brightest = largest(own);
+        rounding += share * error
+            + to_the_minus(24)
+            + brightest * (reflection as f64 + 2.0) * to_the_minus(30);
+        weight *= alpha;
+        trail = mixed(
+            trail,
+            2 * surface.shape as u64 + u64::from(surface.is_inside),
+        );
+        trail = mixed(trail, lights);
+        stages.push(Stage {
+            color: color.0,
+            weight,
+            rounding,
+            trail,
+            is_unsure,
+        });
+        if weight < NOTHING {
+            break;
+        }
+        ray = surface.reflected();
+        drift = Drift {
+            place: at.place,
+            direction: drift.direction + 2.0 * at.normal + to_the_minus(26),
+        };
+    }
+    Followed { stages }
+}
+
+/// How far things may be off where a ray meets a surface.
+struct Hit {
+    /// The point above the surface where rays leave, in scene units.
+    place: f64,
+    /// The normal, in radians.
+    normal: f64,
+    /// The ray that came, in radians.
+    view: f64,
+    is_unsure: bool,
+}
+
+impl Hit {
+    fn new(surface: &Surface, ray: &Ray, drift: Drift, epsilon: f64, step: f64) -> Self {
+        let (distance, curvature) = (surface.distance, surface.curvature);
+        let cosine = -surface.normal.dot(ray.direction);
+        let aside = drift.place + distance * drift.direction + 6.0 * step;
+        let slide = aside / cosine + distance * to_the_minus(26);
+        let normal = match curvature > 0.0 {
+            true => (slide + 6.0 * step) * curvature + to_the_minus(16),
+            false => to_the_minus(29),
+        };
+        Self {
+            place: slide + epsilon * normal + 2.0 * step,
+            normal,
+            view: drift.direction,
+            // The cosine may be another, or the ray pass by.
+            is_unsure: slide * curvature > cosine / 64.0 || cosine < to_the_minus(16),
+        }
+    }
+
+    /// Which lights shine on the surface, and how far its colour may be off.
+    fn light(
+        &self,
+        world: &World,
+        surface: &Surface,
+        shading: Shading,
+        precision: &Precision,
+    ) -> (u64, f64) {
+        let material = surface.material;
+        let mut lights = 0;
+        let mut received = Vector::grey(material.ambient);
+        let mut error = Vector::grey(to_the_minus(27));
+        for (index, lamp) in world.scene.lights.iter().enumerate() {
+            let lit = strength(world, surface, lamp, trace::gleam(shading));
+            if lit <= 0.0 {
+                continue;
+            }
+            lights |= 1_u64.wrapping_shl(index as u32);
+            let way = Vector(lamp.position) - surface.outside;
+            let distance = way.length();
+            let light = (self.place + 3.0 * precision.step) / distance + to_the_minus(26);
+            let diffuse = self.normal + light + to_the_minus(28);
+            let gleam = self.gleam(surface, way * (1.0 / distance), light, shading);
+            let strength_error = material.diffuse * diffuse + material.specular * gleam;
+            let shares = Vector(lamp.color);
+            received += shares * lit;
+            let rounded = strength_error + to_the_minus(22) + lit * to_the_minus(25);
+            error += shares * rounded + Vector::grey(to_the_minus(20));
+        }
+        let color = Vector(material.color);
+        let tinted = color.filtered(error) + received * to_the_minus(26);
+        (lights, largest(tinted) + to_the_minus(20))
+    }
+
+    /// How far the highlight may be off.
+    fn gleam(&self, surface: &Surface, light: Vector, error: f64, shading: Shading) -> f64 {
+        let shininess = surface.material.shininess;
+        let cosine = trace::gleam(shading)(surface, light).max(0.0);
+        let (square, spread) = match shading {
+            Shading::Phong => {
+                let spread = 2.0 * self.normal + error + self.view + to_the_minus(27);
+                (cosine * cosine, 2.0 * cosine * spread + spread * spread)
+            }
+            _ => {
+                let half = (light + surface.viewer).length().max(to_the_minus(20));
+                let turn = (error + self.view) / half + self.normal;
+                // A quotient of Q2.30 by (1 + l·v) / 2.
+                let quotient = to_the_minus(25) + to_the_minus(28) * 4.0 / (half * half);
+                (
+                    cosine * cosine,
+                    2.0 * cosine * turn + turn * turn + quotient,
+                )
+            }
+        };
+        let power = |square: f64| square.clamp(0.0, 1.0).powf(shininess / 2.0);
+        let (most, least) = (power(square + spread), power(square - spread));
+        let here = power(square);
+        let own = (shininess + 4.0) * to_the_minus(28);
+        (most - here).max(here - least) + own
+    }
+}
+
+fn largest(Vector([red, green, blue]): Vector) -> f64 {
+    red.max(green).max(blue)
+}
+
+/// FNV-1a, a word at a time.
+fn mixed(trail: u64, word: u64) -> u64 {
+    (trail ^ word.wrapping_add(0x9e37_79b9_7f4a_7c15))
+        .wrapping_mul(0x0100_0000_01b3)
+        .rotate_left(23)
+}

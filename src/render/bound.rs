@@ -1,0 +1,76 @@
+//! Floor 7: what a picture can be off by where its paths were ended, from its report.
+
+use super::{Picture, Report};
+use crate::color::Color;
+use crate::material::PreparedMaterial;
+use crate::number::{Brightness, Unit};
+use crate::scene::{LampParts, World};
+
+impl<W: World, Q, K> Picture<W, Q, K> {
+    /// How far a pixel of this picture can be from one whose paths are followed for ever, on account
+    /// of the reflections that were left out, as a share of white: 0 to 1.
+    ///
+    /// What follows the last reflection adds up to no more than the path's weight Π αₖ times the
+    /// brightest colour that anything in the scene can have; the largest such weight is the
+    /// report's. In integers, a few instructions for each material and light, once a frame; rounded
+    /// up to 2⁻³⁰, and 1 where it is more: a display shows nothing above white.
+    ///
+    /// What rounding and the pixels between traced ones add to it does not depend on the number of
+    /// reflections alone: `docs/error-time` has it for every built-in scene.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+    /// use reflet::{StaticFrame, scenes::{BuiltIn, Mirror2}};
+    ///
+    /// let bound = |reflections| {
+    ///     let frame = Mirror2::frame(&Mirror2::CAMERA).reflections(reflections);
+    ///     let picture = frame.sized(Size::new(32, 32));
+    ///     let mut row = [Rgb888::BLACK; 32];
+    ///     picture.cut_off_bound(&picture.row(16, 0, &mut row))
+    /// };
+    /// assert!(bound(8) < bound(2));
+    /// ```
+    #[must_use]
+    pub fn cut_off_bound(&self, report: &Report) -> Unit {
+        // Q2.30 · Q6.26, rounded up.
+        let weight = report.cut_off.to_bits().unsigned_abs();
+        let product = u128::from(weight) * u128::from(self.brightest());
+        let bound = product.div_ceil(1 << 26).min(1 << 30);
+        Unit::from_bits(bound as i32)
+    }
+
+    /// The largest component of any colour that a path can meet, in steps of 2⁻²⁶, rounded up.
+    fn brightest(&self) -> u64 {
+        let parts = self.world.parts();
+        let spheres = parts.spheres.iter().map(|it| it.material);
+        let planes = parts.planes.iter().map(|it| it.material);
+        let cylinders = parts.cylinders.iter().map(|it| it.material);
+        let materials = spheres.chain(planes).chain(cylinders);
+        let own = materials.map(|it| self.brightest_of(parts.material(it)));
+        let most = own.max().unwrap_or(0);
+        most.max(bits(parts.background.largest()))
+    }
+
+    /// (ambient + Σ over the lights of (diffuse + specular) · light) · colour, at its brightest.
+    fn brightest_of(&self, material: &PreparedMaterial) -> u64 {
+        let strongest = bits(material.diffuse) + bits(material.specular);
+        let lamps = self
+            .world
+            .lamps()
+            .iter()
+            .map(|spot| spot.lamp().light.color);
+        let component = |axis: usize| {
+            let of = |color: Color| color.components().get(axis).map_or(0, |it| bits(*it));
+            // Each at most 16, so that a sum of 2¹⁶ lights fits.
+            let light: u64 = lamps.clone().map(of).sum();
+            let received = (u128::from(light) * u128::from(strongest)).div_ceil(1 << 26);
+            let all = received + u128::from(bits(material.ambient));
+            (all * u128::from(of(material.color))).div_ceil(1 << 26) as u64
+        };
+        (0..3).map(component).max().unwrap_or(0)
+    }
+}
+
+fn bits(brightness: Brightness) -> u64 {
+    u64::from(brightness.to_bits().unsigned_abs())
+}

@@ -1,0 +1,215 @@
+//! Floor 7: a frame for so many instructions, or so much time: which settings fit, by what was
+//! measured, and an end in time.
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::primitives::Rectangle;
+
+use super::{Enlarged, Frame, Report};
+use crate::quality::{Fast, Fine, Quality};
+use crate::scene::World;
+use crate::shade::Shading;
+
+/// The quality of a [`FrontPoint`], as a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Grade {
+    /// [`Fast`]
+    Fast,
+    /// [`Fine`]
+    Fine,
+}
+
+/// Settings for a scene on a core, what they take and what they lose: measured, not worked out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FrontPoint {
+    /// Executed instructions for a pixel of the display.
+    pub instructions: u32,
+    /// At most this many reflections a path.
+    pub reflections: u8,
+    /// The quality.
+    pub grade: Grade,
+    /// A pixel that is drawn covers `scale` by `scale` pixels of the display (see [`Enlarged`]).
+    pub scale: u8,
+    /// The peak signal-to-noise ratio against double precision that follows every reflection, over
+    /// all channels, in hundredths of a decibel; [`u16::MAX`] if there was no difference.
+    pub psnr: u16,
+    /// The largest difference of a channel, of 255.
+    pub largest: u8,
+}
+
+/// The best settings for a scene on a core: each takes more instructions than the one before it and
+/// has less error.
+///
+/// `cargo run --release --example report` measures them for a scene of yours and writes them as
+/// Rust source.
+#[derive(Clone, Copy, Debug)]
+pub struct Front(&'static [FrontPoint]);
+
+impl Front {
+    /// The front of these points.
+    ///
+    /// Panics, which stops the compiler for a constant, if there are none, or if one does not take
+    /// more instructions than the one before it and reach a higher PSNR.
+    pub const fn new(points: &'static [FrontPoint]) -> Self {
+        assert!(!points.is_empty(), "a front has at least one point");
+        let mut next = 1;
+        while next < points.len() {
+            let (before, after) = (&points[next - 1], &points[next]);
+            assert!(
+                before.instructions < after.instructions && before.psnr < after.psnr,
+                "a point of a front takes more than the one before it and has less error"
+            );
+            next += 1;
+        }
+        Self(points)
+    }
+
+    /// Its points, the cheapest first.
+    pub const fn points(&self) -> &'static [FrontPoint] {
+        self.0
+    }
+
+    /// What to draw a display of `size` with for so many instructions a frame.
+    pub fn choose(&self, size: Size, instructions: u64) -> Choice {
+        let pixels = u64::from(size.width) * u64::from(size.height);
+        let expected = |point: &FrontPoint| pixels.saturating_mul(point.instructions.into());
+        let fitting = self.0.iter().rev().find(|it| expected(it) <= instructions);
+        // There is a first one, by how a front is made.
+        let point = fitting.or(self.0.first()).copied().unwrap_or(FrontPoint {
+            instructions: 0,
+            reflections: 0,
+            grade: Grade::Fast,
+            scale: 1,
+            psnr: 0,
+            largest: u8::MAX,
+        });
+        Choice {
+            point,
+            fits: fitting.is_some(),
+        }
+    }
+}
+
+/// What was chosen for a budget, and so the error to expect.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// The settings, with what they take and lose.
+    pub point: FrontPoint,
+    /// Whether they fit the budget; if nothing does they are the cheapest there are.
+    pub fits: bool,
+}
+
+/// What became of a frame that had a budget.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Budgeted {
+    /// What was chosen.
+    pub choice: Choice,
+    /// Of what was drawn.
+    pub report: Report,
+    /// How many of the display's rows were still to be drawn when time was up: the lowest ones, which
+    /// show what they showed before.
+    pub missing_rows: u32,
+}
+
+impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
+    /// Draws the frame over the whole target with the settings of a front that fit a budget of so
+    /// many instructions, instead of its own; [`u64::MAX`] for the best there is.
+    ///
+    /// `time_is_up` is asked before every row. From when it says so nothing more is drawn: what was
+    /// drawn stays, and the result says how many rows are missing. `|| false` draws all.
+    ///
+    /// Only what calls this has both [`Fast`] and [`Fine`] in flash.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
+    /// use reflet::{Front, FrontPoint, Grade, StaticFrame, scenes::{BuiltIn, Corner1}};
+    ///
+    /// // Written by `cargo run --release --example report -- corner1`.
+    /// const FRONT: Front = Front::new(&[
+    ///     FrontPoint {
+    ///         instructions: 80, reflections: 1, grade: Grade::Fast, scale: 2, psnr: 2400, largest: 160,
+    ///     },
+    ///     FrontPoint {
+    ///         instructions: 230, reflections: 2, grade: Grade::Fast, scale: 1, psnr: 6000, largest: 9,
+    ///     },
+    /// ]);
+    ///
+    /// let mut display = MockDisplay::<Rgb888>::new(); // 64 by 64
+    /// let frame = Corner1::frame(&Corner1::CAMERA);
+    /// let drawn = frame.draw_within(&FRONT, 1_000_000, || false, &mut display).unwrap();
+    /// assert_eq!((drawn.choice.point.reflections, drawn.missing_rows), (2, 0));
+    /// ```
+    ///
+    /// # Errors
+    /// The target's own, at once: no further row is worked out.
+    pub fn draw_within<D>(
+        self,
+        front: &Front,
+        instructions: u64,
+        time_is_up: impl FnMut() -> bool,
+        target: &mut D,
+    ) -> Result<Budgeted, D::Error>
+    where
+        D: DrawTarget,
+        D::Color: From<Rgb888>,
+    {
+        let size = target.bounding_box().size;
+        let choice = front.choose(size, instructions);
+        let (grade, scale) = (choice.point.grade, u32::from(choice.point.scale));
+        let frame = self.reflections(choice.point.reflections);
+        let (report, rows) = match scale {
+            0 | 1 => frame.graded(grade, time_is_up, target),
+            _ => frame.graded(grade, time_is_up, &mut Enlarged::new(target, scale)),
+        }?;
+        let drawn = rows.saturating_mul(scale.max(1));
+        Ok(Budgeted {
+            choice,
+            report,
+            missing_rows: size.height.saturating_sub(drawn),
+        })
+    }
+
+    fn graded<D>(
+        self,
+        grade: Grade,
+        time_is_up: impl FnMut() -> bool,
+        target: &mut D,
+    ) -> Result<(Report, u32), D::Error>
+    where
+        D: DrawTarget,
+        D::Color: From<Rgb888>,
+    {
+        match grade {
+            Grade::Fast => self.quality::<Fast>().draw_until(time_is_up, target),
+            Grade::Fine => self.quality::<Fine>().draw_until(time_is_up, target),
+        }
+    }
+
+    /// Draws rows over the target until time is up; the report, and how many were drawn.
+    fn draw_until<D>(
+        &self,
+        mut time_is_up: impl FnMut() -> bool,
+        target: &mut D,
+    ) -> Result<(Report, u32), D::Error>
+    where
+        D: DrawTarget,
+        D::Color: From<Rgb888>,
+    {
+        let area = target.bounding_box();
+        let mut report = Report::NONE;
+        if area.is_zero_sized() {
+            return Ok((report, 0));
+        }
+        let picture = self.sized(area.size);
+        let Size { width, height } = picture.size();
+        for y in 0..height {
+            if time_is_up() {
+                return Ok((report, y));
+            }
+            let row = Rectangle::new(Point::new(0, y as i32), Size::new(width, 1));
+            report = report.merge(picture.draw_area(row, area.top_left, target)?);
+        }
+        Ok((report, height))
+    }
+}

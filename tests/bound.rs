@@ -1,0 +1,209 @@
+//! What a picture is off by stays within what is promised, but where rounding decides otherwise what
+//! is met; and a room of mirrors converges as the formula says.
+
+mod painting;
+
+use embedded_graphics::prelude::Size;
+use painting::painted;
+use reflet::host::precision;
+use reflet::host::reference::bound::{Ending, Paths};
+use reflet::host::reference::{self, Picture};
+use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
+use reflet::{
+    BlinnPhong, Camera, Fast, Fine, Material, Phong, Quality, RuntimeScene, Shading, StaticFrame,
+    StaticScene, Unit,
+};
+
+const SIDE: u32 = 96;
+
+/// As many as any path of the scenes takes before nothing is left of it.
+const ALL: usize = 300;
+
+/// Leaves out nothing.
+struct Exact;
+
+impl Quality for Exact {
+    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
+    const STRIDE: u32 = 1;
+    const TOLERANCE: Unit = Unit::ZERO;
+}
+
+/// Follows no weights below an eighth.
+struct Short;
+
+impl Quality for Short {
+    const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 27);
+    const STRIDE: u32 = 4;
+    const TOLERANCE: Unit = Fast::TOLERANCE;
+}
+
+fn ending<Q: Quality>(reflections: u8, is_plane: bool) -> Ending {
+    Ending {
+        reflections: reflections.into(),
+        smallest_weight: Q::SMALLEST_WEIGHT.to_num(),
+        // A scene of planes has a stride of 4 in every quality but 1.
+        stride: match is_plane {
+            true if Q::STRIDE > 1 => 4,
+            _ => Q::STRIDE,
+        },
+        tolerance: Q::TOLERANCE.to_num(),
+    }
+}
+
+/// How a picture stands to what was promised of it.
+#[derive(Debug, Default)]
+struct Held {
+    pixels: usize,
+    /// Of which something is promised.
+    sure: usize,
+    /// Of these, how many are further off.
+    broken: usize,
+    /// The others that are further off: decided otherwise.
+    decided: usize,
+    /// The largest bound, and the largest error, of the pixels of which something is promised.
+    most: f64,
+    worst: f64,
+}
+
+fn held(paths: &Paths, ending: &Ending, found: &Picture) -> Held {
+    let mut held = Held::default();
+    let places = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
+    let pixels = places.zip(&found.pixels);
+    for (bound, ((x, y), found)) in paths.bounds(ending).iter().zip(pixels) {
+        let truth = paths.path(x, y).ended(ALL, 0.0).color;
+        let apart = (0..3).map(|axis| {
+            let exact = 255.0 * truth[axis].clamp(0.0, 1.0);
+            (f64::from(found[axis]) - exact).abs()
+        });
+        let apart = apart.fold(0.0, f64::max);
+        // One of the two is not rounded to 8 bits.
+        let most = 255.0 * bound.share() + 0.5;
+        held.pixels += 1;
+        let is_further = apart > most;
+        if bound.is_unsure {
+            held.decided += usize::from(is_further);
+            continue;
+        }
+        held.sure += 1;
+        held.broken += usize::from(is_further);
+        held.most = held.most.max(most);
+        held.worst = held.worst.max(apart);
+    }
+    held
+}
+
+struct Check;
+
+impl Visitor for Check {
+    type Output = Vec<String>;
+
+    fn visit<S: BuiltIn>(self) -> Vec<String> {
+        let scene = S::with_description(|scene| reference::Scene::from(&scene));
+        let camera = reference::Camera::from(&S::CAMERA);
+        let precision = precision(S::SCENE);
+        let mut complaints = Vec::new();
+        let shadings = [reference::Shading::BlinnPhong, reference::Shading::Phong];
+        for shading in shadings {
+            let paths = Paths::follow(&scene, &camera, (SIDE, SIDE), ALL, shading, &precision);
+            for reflections in [0, 1, 2, 4, 8, 255] {
+                let pictures = match shading {
+                    reference::Shading::Phong => pictures::<S, Phong>(reflections),
+                    _ => pictures::<S, BlinnPhong>(reflections),
+                };
+                for (name, ending, picture) in pictures {
+                    let held = held(&paths, &ending, &picture);
+                    let line = format!("{:<18} {shading:?} {name} {reflections} {held:?}", S::NAME);
+                    println!("{line}");
+                    // A third of the pixels may lie at an edge, and few of them are wrong.
+                    let is_well = held.broken == 0
+                        && 3 * held.sure >= held.pixels
+                        && 100 * held.decided <= held.pixels;
+                    complaints.extend((!is_well).then_some(line));
+                }
+            }
+        }
+        complaints
+    }
+}
+
+fn pictures<S: BuiltIn + StaticScene, K: Shading>(
+    reflections: u8,
+) -> [(&'static str, Ending, Picture); 4] {
+    let is_plane = S::with_description(|it| it.spheres.is_empty() && it.cylinders.is_empty());
+    let size = Size::new(SIDE, SIDE);
+    let frame = || S::frame(&S::CAMERA).reflections(reflections).shading::<K>();
+    [
+        (
+            "fast",
+            ending::<Fast>(reflections, is_plane),
+            painted(&frame().quality::<Fast>().sized(size)),
+        ),
+        (
+            "fine",
+            ending::<Fine>(reflections, is_plane),
+            painted(&frame().quality::<Fine>().sized(size)),
+        ),
+        (
+            "exact",
+            ending::<Exact>(reflections, is_plane),
+            painted(&frame().quality::<Exact>().sized(size)),
+        ),
+        (
+            "short",
+            ending::<Short>(reflections, is_plane),
+            painted(&frame().quality::<Short>().sized(size)),
+        ),
+    ]
+}
+
+#[test]
+fn no_pixel_of_a_scene_is_further_off_than_its_bound() {
+    let complaints = NAMES
+        .into_iter()
+        .flat_map(|name| visit(name, Check).unwrap());
+    let complaints: Vec<_> = complaints.collect();
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+/// A room that mirrors itself and glows: every path meets the same α and the same colour for ever.
+fn room(alpha: f64, is_round: bool) -> RuntimeScene<1, 6, 0, 1, 1> {
+    let mut room = RuntimeScene::new();
+    let glass = Material::from_numbers(COLOR, 1, 0, (0, 1), alpha).unwrap();
+    let glass = room.add_material(glass).unwrap();
+    if is_round {
+        room.add_sphere([0, 0, 0], 2, glass).unwrap();
+        return room;
+    }
+    for axis in 0..3 {
+        for side in [-1, 1] {
+            let mut wall = [0; 3];
+            wall[axis] = 2 * side;
+            room.add_plane(wall, wall, glass).unwrap();
+        }
+    }
+    room
+}
+
+const COLOR: [f64; 3] = [0.75, 0.5, 1.0];
+
+#[test]
+fn closed_room_of_mirrors_converges_as_the_formula_says() {
+    let camera = Camera::new([0.3, -0.4, 0.2], [1.0, 1.3, 0.7], [0, 0, 1], 80).unwrap();
+    for is_round in [false, true] {
+        for alpha in [0.5, 0.9, 0.99, 0.999] {
+            let scene = room(alpha, is_round).build().unwrap();
+            for reflections in 0..=255_u8 {
+                let picture = scene.frame(&camera).reflections(reflections);
+                let picture = painted(&picture.quality::<Exact>().sized(Size::new(6, 5)));
+                let share = 1.0 - alpha.powi(i32::from(reflections) + 1);
+                for pixel in picture.pixels {
+                    for (channel, color) in pixel.into_iter().zip(COLOR) {
+                        let expected = 255.0 * color * share;
+                        let apart = (f64::from(channel) - expected).abs();
+                        assert!(apart <= 1.0, "{alpha} {reflections}: {channel} {expected}");
+                    }
+                }
+            }
+        }
+    }
+}

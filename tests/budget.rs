@@ -1,0 +1,327 @@
+//! A frame with a budget: what is chosen, where it stops, what it says of it; a display with larger
+//! pixels; a picture without shadows; and the bound that a report gives.
+
+mod painting;
+
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::primitives::Rectangle;
+use embedded_graphics_simulator::SimulatorDisplay;
+use painting::painted;
+use reflet::host::compare::compare;
+use reflet::host::reference::{self, pixel};
+use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES, Visitor, visit};
+use reflet::{
+    BlinnPhong, Enlarged, Fast, Fine, Front, FrontPoint, Grade, Phong, Report, StaticFrame, Unit,
+    Unshadowed,
+};
+
+const FRONT: Front = Front::new(&[
+    point(40, 0, Grade::Fast, 4, 2000),
+    point(150, 1, Grade::Fast, 2, 2500),
+    point(600, 1, Grade::Fast, 1, 3000),
+    point(900, 3, Grade::Fine, 1, 5000),
+]);
+
+const fn point(
+    instructions: u32,
+    reflections: u8,
+    grade: Grade,
+    scale: u8,
+    psnr: u16,
+) -> FrontPoint {
+    FrontPoint {
+        instructions,
+        reflections,
+        grade,
+        scale,
+        psnr,
+        largest: 255,
+    }
+}
+
+const SIZE: Size = Size::new(30, 21);
+
+/// What was measured of the built-in scenes.
+mod measured {
+    use reflet::{Front, FrontPoint, Grade};
+
+    include!("../docs/error-time/front.rs");
+}
+
+#[test]
+fn dearest_point_that_fits_is_chosen() {
+    let pixels = u64::from(SIZE.width * SIZE.height);
+    let chosen = |instructions| FRONT.choose(SIZE, instructions * pixels);
+    for (instructions, index) in [
+        (40, 0),
+        (149, 0),
+        (150, 1),
+        (899, 2),
+        (900, 3),
+        (1 << 40, 3),
+    ] {
+        let choice = chosen(instructions);
+        assert_eq!(choice.point, FRONT.points()[index], "{instructions}");
+        assert!(choice.fits);
+    }
+    let choice = FRONT.choose(SIZE, 40 * pixels - 1);
+    assert_eq!((choice.point, choice.fits), (FRONT.points()[0], false));
+}
+
+#[test]
+fn front_is_drawn_with_the_settings_of_its_points() {
+    let pixels = u64::from(SIZE.width * SIZE.height);
+    for point in FRONT.points() {
+        let mut display = SimulatorDisplay::<Rgb888>::new(SIZE);
+        let budget = u64::from(point.instructions) * pixels;
+        let frame = Mirror1::frame(&Mirror1::CAMERA);
+        let Ok(drawn) = frame.draw_within(&FRONT, budget, || false, &mut display);
+        assert_eq!((drawn.choice.point, drawn.missing_rows), (*point, 0));
+        let mut expected = SimulatorDisplay::<Rgb888>::new(SIZE);
+        let frame = Mirror1::frame(&Mirror1::CAMERA).reflections(point.reflections);
+        let mut target = Enlarged::new(&mut expected, point.scale.into());
+        let Ok(report) = match point.grade {
+            Grade::Fast => frame.quality::<Fast>().draw(&mut target),
+            Grade::Fine => frame.quality::<Fine>().draw(&mut target),
+        };
+        assert_eq!(display.to_be_bytes(), expected.to_be_bytes(), "{point:?}");
+        assert_eq!(drawn.report, report);
+    }
+}
+
+#[test]
+fn what_is_drawn_when_time_is_up_stays_and_the_rest_is_counted() {
+    for (budget, asked, rows_drawn) in [(0, 2, 4 * 2), (u64::MAX, 5, 5), (0, 6, SIZE.height)] {
+        let mut display = SimulatorDisplay::<Rgb888>::new(SIZE);
+        let Ok(()) = display.clear(Rgb888::MAGENTA);
+        let mut left = asked;
+        let is_up = || {
+            left -= 1;
+            left < 0
+        };
+        let frame = Castle::frame(&Castle::CAMERA);
+        let Ok(drawn) = frame.draw_within(&FRONT, budget, is_up, &mut display);
+        assert_eq!(drawn.missing_rows, SIZE.height - rows_drawn);
+        let is_untouched = |y: u32| {
+            let pixel = |x| display.get_pixel(Point::new(x as i32, y as i32));
+            (0..SIZE.width).all(|x| pixel(x) == Rgb888::MAGENTA)
+        };
+        for y in 0..SIZE.height {
+            assert_eq!(is_untouched(y), y >= rows_drawn, "row {y} of {rows_drawn}");
+        }
+    }
+}
+
+#[test]
+fn nothing_is_drawn_on_a_display_without_pixels() {
+    let mut display = SimulatorDisplay::<Rgb888>::new(Size::zero());
+    let frame = Castle::frame(&Castle::CAMERA);
+    let Ok(drawn) = frame.draw_within(&FRONT, 0, || false, &mut display);
+    assert_eq!((drawn.report, drawn.missing_rows), (Report::NONE, 0));
+}
+
+/// A part of a display that does not begin at its corner.
+struct Part<'a>(&'a mut SimulatorDisplay<Rgb888>, Rectangle);
+
+impl Dimensions for Part<'_> {
+    fn bounding_box(&self) -> Rectangle {
+        self.1
+    }
+}
+
+impl DrawTarget for Part<'_> {
+    type Color = Rgb888;
+    type Error = core::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = embedded_graphics::Pixel<Rgb888>>>(
+        &mut self,
+        pixels: I,
+    ) -> Result<(), Self::Error> {
+        let inside = |it: &embedded_graphics::Pixel<Rgb888>| assert!(self.1.contains(it.0));
+        self.0.draw_iter(pixels.into_iter().inspect(inside))
+    }
+}
+
+#[test]
+fn every_pixel_of_a_display_with_larger_ones_is_a_square_inside_of_it() {
+    for scale in [0, 1, 2, 3, 4, 50] {
+        let frame = || Mirror2::frame(&Mirror2::CAMERA);
+        let small = Enlarged::<SimulatorDisplay<Rgb888>>::size_of(SIZE, scale);
+        let small = painted(&frame().sized(small));
+        let mut display = SimulatorDisplay::<Rgb888>::new(SIZE + Size::new(7, 9));
+        let area = Rectangle::new(Point::new(3, 5), SIZE);
+        let mut part = Part(&mut display, area);
+        let Ok(_) = frame().draw(&mut Enlarged::new(&mut part, scale));
+        for y in 0..SIZE.height {
+            for x in 0..SIZE.width {
+                let scale = scale.max(1);
+                let [red, green, blue] =
+                    small.pixels[(y / scale * small.width + x / scale) as usize];
+                let at = area.top_left + Size::new(x, y);
+                assert_eq!(
+                    display.get_pixel(at),
+                    Rgb888::new(red, green, blue),
+                    "{scale}: {at}"
+                );
+            }
+        }
+        assert_eq!(display.get_pixel(Point::new(2, 5)), Rgb888::BLACK);
+        assert!(display.size().width > SIZE.width);
+    }
+}
+
+#[test]
+fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
+    struct Lit;
+
+    impl Visitor for Lit {
+        /// How many pixels are brighter without shadows.
+        type Output = usize;
+
+        fn visit<S: BuiltIn>(self) -> usize {
+            // Without reflections a pixel is one surface, which shadows can only darken.
+            let frame = || S::frame(&S::CAMERA).reflections(0).quality::<Fine>();
+            let size = Size::new(48, 48);
+            let pairs = [
+                (
+                    painted(&frame().shading::<BlinnPhong>().sized(size)),
+                    painted(&frame().shading::<Unshadowed>().sized(size)),
+                ),
+                (
+                    painted(&frame().shading::<Phong>().sized(size)),
+                    painted(&frame().shading::<Unshadowed<Phong>>().sized(size)),
+                ),
+            ];
+            let compared = pairs.iter().map(|(shadowed, lit)| {
+                let pixels = shadowed.pixels.iter().zip(&lit.pixels);
+                let darker = pixels
+                    .clone()
+                    .filter(|(a, b)| (0..3).any(|i| b[i].saturating_add(1) < a[i]));
+                assert_eq!(darker.count(), 0, "{}", S::NAME);
+                pixels
+                    .filter(|(a, b)| (0..3).any(|i| b[i] > a[i].saturating_add(8)))
+                    .count()
+            });
+            compared.sum()
+        }
+    }
+
+    let brighter = NAMES.map(|name| (name, visit(name, Lit).unwrap()));
+    let has_shadows = brighter.iter().filter(|(_, pixels)| *pixels > 20).count();
+    assert!(has_shadows >= 6, "{brighter:?}");
+}
+
+#[test]
+fn cut_off_bound_holds_and_shrinks_with_each_reflection() {
+    struct Bounds;
+
+    impl Visitor for Bounds {
+        type Output = ();
+
+        fn visit<S: BuiltIn>(self) {
+            let (scene, camera) = (
+                S::with_description(|scene| reference::Scene::from(&scene)),
+                reference::Camera::from(&S::CAMERA),
+            );
+            let side = 24;
+            let at = |x, y, reflections| {
+                let shading = reference::Shading::BlinnPhong;
+                pixel(&scene, &camera, (side, side), (x, y), reflections, shading)
+            };
+            let mut last = Unit::ONE;
+            for reflections in 0..6 {
+                let frame = S::frame(&S::CAMERA)
+                    .reflections(reflections)
+                    .quality::<Fine>();
+                let picture = frame.sized(Size::new(side, side));
+                let mut row = vec![Rgb888::BLACK; side as usize];
+                let reports = (0..side).map(|y| picture.row(y, 0, &mut row));
+                let report = reports.fold(Report::NONE, Report::merge);
+                let bound = picture.cut_off_bound(&report);
+                assert!(
+                    bound <= last,
+                    "{} {reflections}: {bound} after {last}",
+                    S::NAME
+                );
+                last = bound;
+                for (x, y) in (0..side).flat_map(|y| (0..side).map(move |x| (x, y))) {
+                    let found = at(x, y, reflections.into());
+                    let truth = at(x, y, 300);
+                    for (found, truth) in found.into_iter().zip(truth) {
+                        let lost = truth.clamp(0.0, 1.0) - found.clamp(0.0, 1.0);
+                        let bound = bound.to_num::<f64>();
+                        assert!((-1e-9..=bound + 1e-6).contains(&lost), "{lost} {bound}");
+                    }
+                }
+            }
+        }
+    }
+
+    for name in NAMES {
+        visit(name, Bounds).unwrap();
+    }
+}
+
+/// The scenes in the order of [`NAMES`].
+const MEASURED: [Front; 11] = [
+    measured::CASTLE,
+    measured::SHADING_LIGHTS,
+    measured::SHADING_SPECULARS,
+    measured::COLUMNS,
+    measured::MIRROR1,
+    measured::MIRROR2,
+    measured::PRIMITIVES,
+    measured::EMPTY,
+    measured::FLOOR,
+    measured::CORNER1,
+    measured::CYLINDERS,
+];
+
+#[test]
+fn error_is_the_one_that_was_promised() {
+    struct Promised(Front);
+
+    impl Visitor for Promised {
+        type Output = ();
+
+        fn visit<S: BuiltIn>(self) {
+            let (front, size) = (self.0, Size::new(128, 128));
+            let scene = S::with_description(|scene| reference::Scene::from(&scene));
+            let camera = reference::Camera::from(&S::CAMERA);
+            let shading = reference::Shading::BlinnPhong;
+            let truth = reference::render(&scene, &camera, size.width, size.height, 300, shading);
+            for point in front.points() {
+                let budget = u64::from(point.instructions) * u64::from(size.width * size.height);
+                let mut display = SimulatorDisplay::<Rgb888>::new(size);
+                let frame = S::frame(&S::CAMERA);
+                let Ok(drawn) = frame.draw_within(&front, budget, || false, &mut display);
+                assert_eq!((drawn.choice.point, drawn.choice.fits), (*point, true));
+                let bytes = display.to_be_bytes();
+                let pixels = bytes.chunks_exact(3).map(|it| [it[0], it[1], it[2]]);
+                let picture = reference::Picture {
+                    pixels: pixels.collect(),
+                    ..truth
+                };
+                let found = compare(&picture, &truth).unwrap();
+                assert_eq!(found.max, point.largest, "{}: {point:?}", S::NAME);
+                if point.psnr == u16::MAX {
+                    assert_eq!(found.psnr, f64::INFINITY, "{}: {point:?}", S::NAME);
+                    continue;
+                }
+                // Rounded down to a hundredth.
+                let more = found.psnr - f64::from(point.psnr) / 100.0;
+                assert!(
+                    (-1e-9..0.01).contains(&more),
+                    "{}: {point:?} {found:?}",
+                    S::NAME
+                );
+            }
+        }
+    }
+
+    for (name, front) in NAMES.into_iter().zip(MEASURED) {
+        visit(name, Promised(front)).unwrap();
+    }
+}
