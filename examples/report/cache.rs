@@ -145,7 +145,7 @@ fn target() -> PathBuf {
 }
 
 /// What makes a firmware: if none of it changes nothing has to be counted again.
-const SOURCES: [&str; 14] = [
+const SOURCES: [&str; 15] = [
     "Cargo.toml",
     "src",
     "xtask/firmware/Cargo.toml",

@@ -4,7 +4,7 @@ use super::{Picture, Report};
 use crate::color::Color;
 use crate::material::PreparedMaterial;
 use crate::number::{Brightness, Unit};
-use crate::scene::{LampParts, World};
+use crate::scene::World;
 
 impl<W: World, Q, K> Picture<W, Q, K> {
     /// How far a pixel of this picture can be from one whose paths are followed for ever, on account
@@ -54,11 +54,7 @@ impl<W: World, Q, K> Picture<W, Q, K> {
     /// (ambient + Σ over the lights of (diffuse + specular) · light) · colour, at its brightest.
     fn brightest_of(&self, material: &PreparedMaterial) -> u64 {
         let strongest = bits(material.diffuse) + bits(material.specular);
-        let lamps = self
-            .world
-            .lamps()
-            .iter()
-            .map(|spot| spot.lamp().light.color);
+        let lamps = self.world.parts().lights.iter().map(|light| light.color);
         let component = |axis: usize| {
             let of = |color: Color| color.components().get(axis).map_or(0, |it| bits(*it));
             // Each at most 16, so that a sum of 2¹⁶ lights fits.

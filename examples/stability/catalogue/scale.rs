@@ -5,14 +5,18 @@ use reflet::{Fine, MaterialId};
 
 use super::draft::{Draft, Setting, lit_by, still_life};
 use super::judge::{SIDE, painted};
-use super::{Case, Measured, claim, measured, picture};
+use super::{Case, Measured, Picture, Trial, claim, measured, picture};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 fn planet(ratio: f64) -> Draft {
+    planet_of("chalk", ratio)
+}
+
+fn planet_of(material: &str, ratio: f64) -> Draft {
     Draft::seen_from([0.5, -6.0, 2.0], [0.0, 0.0, 0.8])
         .light([3.0, -5.0, 6.0])
-        .sphere([0.0, 0.0, -ratio], ratio, "chalk")
+        .sphere([0.0, 0.0, -ratio], ratio, material)
         .sphere([0.0, 0.0, 1.0], 1.0, "gold")
         .sphere([1.6, 0.0, 0.5], 0.5, "water")
 }
@@ -240,6 +244,25 @@ fn views() -> Vec<Case> {
 /// The cases of the chapter.
 pub fn cases() -> Vec<Case> {
     let mut cases = ratios();
+    let mirroring = Picture {
+        draft: planet_of("water", 1e6),
+        reflections: 4,
+        // The pebble has 256 steps, and what leaves the planet starts 8 above it: a reflection is a
+        // 32nd of its radius aside, and so are its rims.
+        bar: 0.98,
+        is_chaotic: false,
+    };
+    let mirrored = Case::new(
+        "planet that mirrors a pebble, 10^6",
+        "the same, and what is mirrored starts where the planet's surface is known to be: a few of \
+         the pebble's 256 steps above it",
+        Trial::Picture(mirroring),
+    );
+    cases.push(mirrored.unlike_single_precision(
+        "The planet's middle is so far down that single precision knows its surface to a 16th of the \
+         pebble's radius, and the pebble, near zero, to all its bits; fixed point knows both to a \
+         128th. Single precision has fewer pixels within 8 all the same.",
+    ));
     cases.push(claim(
         "planet and pebble, 2^23",
         "what cannot be shown truly is refused",

@@ -439,3 +439,15 @@ fn ray_leaving_the_inside_of_a_cylinder_crosses_it() {
         "{met} {out_of_an_end}"
     );
 }
+
+#[test]
+fn root_of_a_grazed_narrow_cylinder_is_nothing() {
+    // A radius of 64 steps is lifted by 23: more bits are left out than there are.
+    for square in [0, 1, 3, 1 << 9] {
+        assert_eq!(root_of_lifted(square, 23), 0, "{square}");
+    }
+    // The lowest bit is set; what is not left out is right to a step.
+    let root = f64::from(root_of_lifted(1 << 8, 0));
+    let truth = 257_f64.sqrt() * 65536.0;
+    assert!((root - truth).abs() <= 2.0, "{root} {truth}");
+}
