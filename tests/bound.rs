@@ -10,8 +10,8 @@ use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
 use reflet::{
-    BlinnPhong, Camera, Fast, Fine, Material, Phong, Quality, RuntimeScene, Shading, StaticFrame,
-    StaticScene, Unit,
+    BlinnPhong, Camera, Fast, Fine, Material, Phong, Quality, RuntimeScene, Shading, StaticScene,
+    Unit,
 };
 
 const SIDE: u32 = 96;
