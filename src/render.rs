@@ -111,7 +111,7 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     }
 
     /// With everything linked that any scene needs, whether this one does or not: for measuring what
-    /// leaving it out comes to. The picture is the same.
+    /// leaving it out comes to.
     #[must_use]
     pub fn whole(self) -> Frame<'a, Whole<W>, Q, K> {
         Frame {
@@ -122,7 +122,8 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         }
     }
 
-    /// As exact as [`Fast`] (the default) or [`crate::Fine`].
+    /// As exact as [`Fast`] (the default) or [`crate::Fine`], or in as little flash as
+    /// [`crate::Small`].
     #[must_use]
     pub fn quality<NewQ: Quality>(self) -> Frame<'a, W, NewQ, K> {
         self.with_kinds()

@@ -444,7 +444,7 @@ fn general_strength<W: World, Q: Quality, H: Highlight>(
     let is_blocked = if !(W::NEEDS.shadows && H::SHADOWS) {
         false
     } else if Q::IS_SMALL {
-        far::ends_before(world, &path, surface.left(world), distance, scale)
+        far::ends_before(world, &path, surface.left(world), light.place)
     } else {
         let cells = match W::NEEDS.sets {
             true => world.cells().get(index),

@@ -66,7 +66,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             world,
             view,
             sight,
-            reflections: reflections.into(),
+            reflections: reflections.min(W::NEEDS.reflections).into(),
             rays: 0,
             cut_off: Unit::ZERO,
             kinds: PhantomData,
@@ -145,7 +145,9 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
                 true => share(weight, surface.material(world).mirror),
                 false => Unit::ZERO,
             };
-            if W::NEEDS.mirrors != Mirrors::All && reflected < weight {
+            // A view of normals has none but the surface's own colour.
+            let is_seen = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
+            if is_seen && reflected < weight {
                 let color = K::color::<W, Q>(world, view, &surface, &mut trail);
                 sum.add(weight - reflected, color);
             }

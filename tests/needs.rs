@@ -3,13 +3,16 @@
 
 mod painting;
 
+use std::cell::Cell;
+
 use embedded_graphics::prelude::Size;
 use painting::painted;
-use proptest::prelude::*;
+use proptest::{prelude::*, test_runner::TestRunner};
+use reflet::host::reference;
 use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Visitor, visit};
 use reflet::{
-    BlinnPhong, Bound, Camera, Description, Fast, Fine, Frame, Material, Mirrors, Needs, Phong,
-    Picture, Quality, RuntimeScene, Shading, Shininess, Small, World,
+    BlinnPhong, Bound, Camera, Description, Fast, Fine, Frame, Material, Mirrors, Needs, Normals,
+    Phong, Picture, Quality, RuntimeScene, Scene, Shading, Shininess, Small, StaticFrame, World,
 };
 
 /// Room for every built-in scene.
@@ -215,7 +218,7 @@ fn castle_and_mirrors_need_what_is_expected_of_them() {
         (Shininess::Even, Mirrors::Some)
     );
     let mirror1 = Needs::of::<Mirror1>();
-    assert_eq!(mirror1.within(&Needs::ALL), Ok(()));
+    assert!(mirror1.mirrored && mirror1.within(&Needs::ALL.without_planes()).is_err());
 }
 
 fn coefficient() -> impl Strategy<Value = f64> {
@@ -291,6 +294,139 @@ impl Quality for Exact {
     const TOLERANCE: reflet::Unit = reflet::Unit::ZERO;
 }
 
+/// Bounds that leave out one thing each.
+struct Off<const I: usize>;
+
+const OFF: [Needs; 9] = [
+    Needs::ALL.without_spheres(),
+    Needs::ALL.without_planes(),
+    Needs::ALL.without_cylinders(),
+    Needs::ALL.without_lights(),
+    Needs::ALL.without_highlights(),
+    Needs::ALL.with_shininess(Shininess::Even),
+    Needs::ALL.without_mirrors(),
+    Needs::ALL.with_mirrors(Mirrors::All),
+    Needs::ALL.without_colors(),
+];
+
+impl<const I: usize> Bound for Off<I> {
+    const NEEDS: Needs = OFF[I];
+}
+
+/// Whether a scene is within a bound; if so, its pictures are held against those with no bound.
+fn is_held<const I: usize>(scene: &Scene<2, 2, 1, 2, 2>) -> bool {
+    let size = Size::new(24, 20);
+    let Ok(frame) = scene.frame_within::<Off<I>>(&FRONT) else {
+        return false;
+    };
+    let same = |name: &str, a: reference::Picture, b: reference::Picture| {
+        assert!(a == b, "{name} of {:?}, bound {:?}", scene.needs(), OFF[I]);
+    };
+    same(
+        "small normals",
+        painted(&frame.quality::<Small>().shading::<Normals>().sized(size)),
+        painted(
+            &scene
+                .frame(&FRONT)
+                .quality::<Small>()
+                .shading::<Normals>()
+                .sized(size),
+        ),
+    );
+    let frame = || scene.frame_within::<Off<I>>(&FRONT).ok().unwrap();
+    same(
+        "fine",
+        painted(&frame().quality::<Fine>().sized(size)),
+        painted(&scene.frame(&FRONT).quality::<Fine>().sized(size)),
+    );
+    same(
+        "small",
+        painted(&frame().quality::<Small>().shading::<Phong>().sized(size)),
+        painted(
+            &scene
+                .frame(&FRONT)
+                .quality::<Small>()
+                .shading::<Phong>()
+                .sized(size),
+        ),
+    );
+    true
+}
+
+const FRONT: Camera = Camera::look_at([0.3, -6.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0]);
+
+#[test]
+fn what_a_bound_leaves_out_is_missed_by_no_scene_within_it() {
+    let mut runner = TestRunner::new(ProptestConfig::with_cases(300));
+    let counts = [const { Cell::new(0) }; OFF.len()];
+    let held = runner.run(&few(), |scene| {
+        let Ok(scene) = scene.build() else {
+            return Ok(());
+        };
+        let held = [
+            is_held::<0>(&scene),
+            is_held::<1>(&scene),
+            is_held::<2>(&scene),
+            is_held::<3>(&scene),
+            is_held::<4>(&scene),
+            is_held::<5>(&scene),
+            is_held::<6>(&scene),
+            is_held::<7>(&scene),
+            is_held::<8>(&scene),
+        ];
+        for (count, held) in counts.iter().zip(held) {
+            count.set(count.get() + u32::from(held));
+        }
+        Ok(())
+    });
+    held.unwrap();
+    let counts = counts.map(|count| count.get());
+    assert!(counts.iter().all(|count| *count >= 10), "{counts:?}");
+}
+
+#[test]
+fn reflections_beyond_a_bound_are_cut_off() {
+    struct Once;
+
+    impl Bound for Once {
+        const NEEDS: Needs = Needs::ALL.with_reflections(1);
+    }
+
+    let mirrors = Mirror1::with_description(|it| refilled(&it).build().unwrap());
+    let size = Size::new(64, 48);
+    let once = painted(&mirrors.frame(&Mirror1::CAMERA).reflections(1).sized(size));
+    let bound = mirrors.frame_within::<Once>(&Mirror1::CAMERA).ok().unwrap();
+    assert!(painted(&bound.sized(size)) == once);
+    let most = Mirror1::frame(&Mirror1::CAMERA).most_reflections::<1>();
+    assert!(painted(&most.reflections(4).sized(size)) == once);
+}
+
+/// A ball between a light and a floor a million times as far away, looked at from as far.
+#[test]
+fn shadow_falls_on_what_is_far_from_what_throws_it() {
+    let mut scene = Few::new();
+    let chalk = Material::new([1.0; 3]).ambient(0.25).diffuse(0.5);
+    let chalk = scene.add_material(chalk).unwrap();
+    scene.add_sphere([0.0, 0.0, -0.75], 0.5, chalk).unwrap();
+    scene
+        .add_plane([0.0, 0.0, -1e6], [0.0, 0.0, 1.0], chalk)
+        .unwrap();
+    scene.add_light([0.0, 0.0, 0.0], [1.0, 1.0, 1.0]).unwrap();
+    let scene = scene.build().unwrap();
+    let size = Size::new(16, 16);
+    let mut seen = Vec::new();
+    // Below the ball, and far to the side of its shadow.
+    for x in [0.0, 4e6] {
+        let camera = Camera::look_at([x, -2e5, -6e5], [x, 0.0, -1e6], [0.0, 0.0, 1.0]);
+        let camera = camera.fov(20.0);
+        let fast = painted(&scene.frame(&camera).sized(size)).pixels[8 * 16 + 8];
+        let small = painted(&scene.frame(&camera).quality::<Small>().sized(size));
+        assert_eq!(fast, small.pixels[8 * 16 + 8], "x = {x}");
+        seen.push(fast[0]);
+    }
+    assert!(seen[0] == 64 && seen[1] > 70, "{seen:?}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
@@ -298,11 +434,10 @@ proptest! {
     /// rounding decides, no channel differs by more than a step.
     #[test]
     fn small_code_shows_what_fast_code_shows(scene in few()) {
-        const CAMERA: Camera = Camera::look_at([0.3, -6.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0]);
         let Ok(scene) = scene.build() else { return Ok(()) };
         let size = Size::new(40, 32);
-        let fast = painted(&scene.frame(&CAMERA).quality::<Exact>().sized(size));
-        let small = painted(&scene.frame(&CAMERA).quality::<Small>().sized(size));
+        let fast = painted(&scene.frame(&FRONT).quality::<Exact>().sized(size));
+        let small = painted(&scene.frame(&FRONT).quality::<Small>().sized(size));
         let off = within_a_step(&fast.pixels, &small.pixels);
         prop_assert!(off <= 4, "{off} of {} pixels", fast.pixels.len());
     }

@@ -169,7 +169,7 @@ pub trait Ditherable: PixelColor {
 /// n has the bits of x ^ y and of y in turn, the last bits first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Threshold {
-    /// What is left of a level above the threshold, in 255ths, rounded down: 0 to 254.
+    /// What is left of a level above the threshold, in 255ths, rounded down: 1 to 253.
     rest: u8,
 }
 

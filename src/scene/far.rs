@@ -27,17 +27,16 @@ fn nearest_plane<W: World>(world: &W, path: &Path, left: ShapeNumber) -> (u64, S
     nearest
 }
 
-/// What a path that has left the shape `left` meets first, wherever it starts, how far away, and
-/// where.
+/// What a path that has left the shape `left` meets first, wherever it starts, and where.
 #[cold]
 #[inline(never)]
-fn nearest_at<W: World, const SMALL: bool>(
+pub(crate) fn nearest<W: World, const SMALL: bool>(
     world: &W,
     path: &Path,
     left: ShapeNumber,
     trail: &mut Trail,
-) -> Option<(u64, Place, ShapeNumber)> {
-    let plane = nearest_plane(world, path, left);
+) -> Option<(Place, ShapeNumber)> {
+    let (plane, shape) = nearest_plane(world, path, left);
     if world.parts().has_bounded() {
         let start = match path.from().is_near() {
             true => Some((path.ray, 0)),
@@ -46,51 +45,32 @@ fn nearest_at<W: World, const SMALL: bool>(
         if let Some((ray, skipped)) = start {
             let hit = nearest_bounded::<W, SMALL>(world, &ray, NOWHERE, left, trail);
             let distance = skipped + hit.distance.to_bits() as u64;
-            if hit.shape != ShapeNumber::NONE && distance < plane.0 {
-                let at = Place::new(ray.origin.along(ray.direction, hit.distance), 0);
-                return Some((distance, at, hit.shape));
+            if hit.shape != ShapeNumber::NONE && distance < plane {
+                let at = ray.origin.along(ray.direction, hit.distance);
+                return Some((Place::new(at, 0), hit.shape));
             }
         }
     }
-    let (distance, shape) = plane;
-    if distance == NOT_MET {
+    if plane == NOT_MET {
         return None;
     }
-    // Where no ball is entered, less will do.
-    let at = match world.parts().has_bounded() {
-        true => place_along(path, distance)?,
-        false => coarse_place_along(path, distance),
-    };
-    Some((distance, at, shape))
+    Some((place_along(path, plane)?, shape))
 }
 
-/// What a path that has left the shape `left` meets first, wherever it starts, and where.
-#[inline(always)]
-pub(crate) fn nearest<W: World, const SMALL: bool>(
-    world: &W,
-    path: &Path,
-    left: ShapeNumber,
-    trail: &mut Trail,
-) -> Option<(Place, ShapeNumber)> {
-    let (_, at, shape) = nearest_at::<W, SMALL>(world, path, left, trail)?;
-    Some((at, shape))
-}
-
-/// Whether a path that has left the shape `left` meets anything more than epsilon before a light that
-/// is `distance` · 2^`scale` steps away.
+/// Whether a path that has left the shape `left` meets anything more than epsilon before a light.
+///
+/// Told at what it meets, not at its start: a light among the shapes may be far away from there.
 #[inline(always)]
 pub(crate) fn ends_before<W: World>(
     world: &W,
     path: &Path,
     left: ShapeNumber,
-    distance: Length,
-    scale: u32,
+    light: Place,
 ) -> bool {
-    let epsilon = world.parts().epsilon.to_bits() >> scale.min(31);
-    let reach = (distance.to_bits() - epsilon).max(0);
-    let reach = shifted(reach.into(), scale.min(FURTHEST_SCALE) as i32) as u64;
-    nearest_at::<W, true>(world, path, left, &mut Trail::new())
-        .is_some_and(|(distance, ..)| distance < reach)
+    nearest::<W, true>(world, path, left, &mut Trail::new()).is_some_and(|(at, _)| {
+        let (rest, scale) = at.to(light);
+        rest.dot(path.direction()) > world.parts().epsilon.to_bits() >> scale.min(31)
+    })
 }
 
 /// Whether a path meets the only shape of a scene, which is a plane; not where, for that does not
@@ -190,16 +170,6 @@ fn place_along(path: &Path, distance: u64) -> Option<Place> {
         sum((point.y, scale), wide(leading, y.to_bits()), up),
         sum((point.z, scale), wide(leading, z.to_bits()), up),
     ]))
-}
-
-/// The same but for 2⁻²⁶ of start and distance: in the coarser of its own steps and those of the start.
-fn coarse_place_along(path: &Path, distance: u64) -> Place {
-    let Place { point, scale } = path.from();
-    let excess = 64_u32.saturating_sub(distance.leading_zeros() + 30);
-    let common = excess.max(scale);
-    let distance = Length::from_bits((distance >> common) as i32);
-    let start = point.coarser((common - scale).min(31));
-    Place::new(start.along(path.direction(), distance), common)
 }
 
 /// `start` · 2^`scale` + `way` · 2^`up`: below 2⁶¹ + 2⁶².

@@ -175,7 +175,10 @@ impl Needs {
                 true => self.reflections,
                 false => other.reflections,
             },
-            mirrored: self.mirrored && other.mirrored,
+            mirrored: self.mirrored
+                && other.mirrored
+                && self.reflections > 0
+                && other.reflections > 0,
             places: self.places && other.places,
             sets: self.sets && other.sets,
             materials: self.materials && other.materials,

@@ -228,7 +228,8 @@ impl PreparedCylinder {
         height.abs() <= wide(self.half_height, crossing.flat)
     }
 
-    /// The same for all rays, at more cost, and as exact for rays almost along the axis. The direction across, d × axis, is worked out
+    /// The same for all rays, at more cost, and as exact for those almost along the axis. The direction
+    /// across, d × axis, is worked out
     /// exactly and normalised, so that all bits are kept (Cychosz and Waggenspack, "Intersecting a
     /// ray with a cylinder", Graphics Gems IV).
     #[cold]

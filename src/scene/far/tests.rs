@@ -285,29 +285,6 @@ fn wall_far_away_is_met_where_it_stands() {
 }
 
 #[test]
-fn coarse_place_is_the_place_but_for_the_last_bits() {
-    let mut sweep = Sweep::new(7);
-    for round in 0..100_000 {
-        let from = match round % 2 {
-            0 => Place::new(Point::ORIGIN, 0),
-            _ => far_place(&mut sweep, 20),
-        };
-        let path = aimed(&mut sweep, from);
-        let distance = (sweep.octaves(1, 30) as u64) << sweep.within(0, 31);
-        let (Some(place), coarse) = (
-            place_along(&path, distance),
-            coarse_place_along(&path, distance),
-        ) else {
-            continue;
-        };
-        let (at, coarse) = (wide(place), wide(coarse));
-        let apart = length([0, 1, 2].map(|axis| at[axis] - coarse[axis]));
-        let way = distance as f64 + length(wide(from));
-        assert!(apart <= 8.0 + way * 2f64.powi(-26), "{apart}: {path:?}");
-    }
-}
-
-#[test]
 fn path_from_the_end_of_the_world_meets_nothing_but_planes() {
     let scene = scene();
     let from = Place::new(Point::new(0, NEAR, NEAR), FURTHEST_SCALE + 1);

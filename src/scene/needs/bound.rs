@@ -125,7 +125,16 @@ impl Needs {
         }
     }
 
-    /// The same with so many reflections at most.
+    /// The same with no mirrors but these.
+    #[must_use]
+    pub const fn with_mirrors(self, mirrors: Mirrors) -> Self {
+        match mirrors {
+            Mirrors::None => self.without_mirrors(),
+            _ => Self { mirrors, ..self },
+        }
+    }
+
+    /// The same with so many reflections at most. What lies beyond is cut off, not refused.
     #[must_use]
     pub const fn with_reflections(self, reflections: u8) -> Self {
         Self {

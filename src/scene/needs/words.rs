@@ -32,7 +32,8 @@ impl Needs {
     /// Each need in words.
     pub const fn list(&self) -> [Need; 14] {
         let reflections = match self.reflections {
-            0 => "nothing mirrors",
+            0 if matches!(self.mirrors, Mirrors::None) => "nothing mirrors",
+            0 => "none is followed",
             1 => "one",
             _ => "as many as the frame allows",
         };
