@@ -66,7 +66,7 @@ pub enum Rule {
 
 /// The rules, by the beginning of a function's [`path`]; the first that fits counts. A function that
 /// none fits belongs to its caller's stage.
-const RULES: [(&str, Rule); 24] = [
+const RULES: [(&str, Rule); 25] = [
     (
         "firmware::contestant::Fixed::prepare",
         Rule::AllIs(Stage::Preparation),
@@ -75,6 +75,7 @@ const RULES: [(&str, Rule); 24] = [
     ("reflet::camera::Lens::fan", Rule::Is(Stage::Spans)),
     ("reflet::camera", Rule::MakesRay),
     ("reflet::scene::row::Row::nearest", Rule::Meets),
+    ("reflet::scene::row::Row::meet_", Rule::Meets),
     ("reflet::scene::row", Rule::Is(Stage::Spans)),
     ("reflet::scene::sight", Rule::Is(Stage::Spans)),
     ("reflet::scene::query::nearest", Rule::Meets),
