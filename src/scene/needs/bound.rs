@@ -143,6 +143,15 @@ impl Needs {
         }
     }
 
+    /// The same where a shape has one colour, wherever a ray meets it: one plane without a light.
+    #[must_use]
+    pub const fn without_places(self) -> Self {
+        Self {
+            places: false,
+            ..self
+        }
+    }
+
     /// The same in grey.
     #[must_use]
     pub const fn without_colors(self) -> Self {
