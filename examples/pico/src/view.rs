@@ -2,8 +2,8 @@
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use reflet::scenes::{BuiltIn, Castle, NAMES, Visitor, visit};
 use reflet::Camera;
+use reflet::scenes::{BuiltIn, Castle, NAMES, Visitor, visit};
 
 use crate::keys::Request;
 
