@@ -7,7 +7,7 @@ use float_picture::Shading as SingleShading;
 use reflet::host::compare::compare;
 use reflet::host::file::SceneFile;
 use reflet::host::reference::{self, Shading, render};
-use reflet::{Fine, Frame, Quality, World};
+use reflet::{Fine, Frame, Quality, Unit, World};
 
 use super::{Case, Measured, Trial};
 
@@ -18,9 +18,12 @@ pub const SHORT_SIDE: u32 = 32;
 /// More reflections than this are many.
 pub const MANY: u8 = 20;
 
-/// What is not seen on 8 bits: single precision is no better where the mean error of fixed point
-/// is below this, in 255ths.
+/// A picture with as many pixels within 8 as single precision's is no worse than it where its mean
+/// error is below this, in 255ths.
 pub const UNSEEN: f64 = 0.05;
+
+/// How far a pixel may be off and not be counted as off, in 255ths.
+const VISIBLE: u8 = 8;
 
 /// How far a picture of one colour may be off, in 255ths.
 const ONE_LEVEL: f64 = 1.0;
@@ -39,12 +42,43 @@ pub struct Verdict {
     pub errors: Option<[f64; 2]>,
     /// The shares of pixels within 8 of 255, of a picture: `Fine`, `Fast` and single precision.
     pub within8: Option<[f64; 3]>,
+    /// The pixels of `Fine` that are not within 8, of a picture.
+    pub off: Option<Off>,
     /// Whether the bar is met.
     pub is_met: bool,
     /// Whether fixed point is no worse than single precision.
     pub is_no_worse: Option<bool>,
+    /// The same of fixed point where every pixel is traced, as single precision traces them.
+    pub is_traced_no_worse: Option<bool>,
     /// The bar, and what else is to be said.
     pub words: String,
+}
+
+impl Verdict {
+    /// Whether the error of fixed point is not larger than that of single precision, whatever is seen.
+    pub fn is_strictly_no_worse(&self) -> Option<bool> {
+        self.errors.map(|[fixed, single]| fixed <= single)
+    }
+}
+
+/// Pixels that are not within 8, and where they are.
+#[derive(Clone, Copy, Debug)]
+pub struct Off {
+    /// All of them.
+    pub pixels: usize,
+    /// Those at an edge: in the reference a pixel beside it differs by more than 8.
+    pub at_edges: usize,
+    /// Those that are within 8 where every pixel is traced.
+    pub left_out: usize,
+}
+
+/// `Fine`, without what it leaves out.
+struct Every;
+
+impl Quality for Every {
+    const SMALLEST_WEIGHT: Unit = Fine::SMALLEST_WEIGHT;
+    const STRIDE: u32 = 1;
+    const TOLERANCE: Unit = Unit::ZERO;
 }
 
 /// Tries a case.
@@ -73,8 +107,10 @@ pub fn judge(case: &Case) -> Verdict {
                 unit: "",
                 errors: None,
                 within8: None,
+                off: None,
                 is_met: outcome.is_ok(),
                 is_no_worse: None,
+                is_traced_no_worse: None,
                 words: outcome.unwrap_or_else(|words| words),
             }
         }
@@ -87,8 +123,10 @@ fn refused(words: String) -> Verdict {
         unit: "",
         errors: None,
         within8: None,
+        off: None,
         is_met: false,
         is_no_worse: None,
+        is_traced_no_worse: None,
         words,
     }
 }
@@ -100,6 +138,7 @@ fn judge_measured(measured: Measured) -> Verdict {
         fixed,
         single,
         bar,
+        uncertain,
         note,
     } = measured;
     Verdict {
@@ -107,8 +146,10 @@ fn judge_measured(measured: Measured) -> Verdict {
         unit,
         errors: Some([fixed, single]),
         within8: None,
+        off: None,
         is_met: fixed <= bar,
-        is_no_worse: Some(fixed <= single),
+        is_no_worse: Some(fixed <= single.max(uncertain)),
+        is_traced_no_worse: Some(fixed <= single.max(uncertain)),
         words: format!("at most {bar:.2e}. {note}"),
     }
 }
@@ -118,6 +159,7 @@ pub struct Pictures {
     truth: reference::Picture,
     fine: reference::Picture,
     fast: reference::Picture,
+    every: reference::Picture,
     single: reference::Picture,
 }
 
@@ -158,26 +200,44 @@ impl Pictures {
             truth: render(&scene, &eye, side, side, n, Shading::BlinnPhong),
             fine: painted(frame().quality::<Fine>(), size),
             fast: painted(frame(), size),
+            every: painted(frame().quality::<Every>(), size),
             single: float_picture::render(&scene, &eye, size, n, SingleShading::BlinnPhong),
         })
     }
 
     fn against_truth(&self) -> [f64; 3] {
         let pictures = [&self.fine, &self.fast, &self.single];
-        pictures.map(|picture| compare(picture, &self.truth).expect("one size").within8)
+        pictures.map(|picture| within8_of(picture, &self.truth))
+    }
+
+    fn off(&self) -> Off {
+        let is_off = |picture: &reference::Picture, index: usize| {
+            differ(&picture.pixels[index], &self.truth.pixels[index])
+        };
+        let off = (0..self.truth.pixels.len()).filter(|index| is_off(&self.fine, *index));
+        let off: Vec<_> = off.collect();
+        Off {
+            pixels: off.len(),
+            at_edges: off.iter().filter(|it| is_edge(&self.truth, **it)).count(),
+            left_out: off.iter().filter(|it| !is_off(&self.every, **it)).count(),
+        }
     }
 
     fn judge(&self, bar: f64) -> Verdict {
         let within8 = self.against_truth();
-        let [fixed, single] = [&self.fine, &self.single].map(|it| mean_error(it, &self.truth));
-        let [fine, fast, _] = within8;
+        let pictures = [&self.fine, &self.every, &self.single];
+        let [fixed, every, single] = pictures.map(|it| mean_error(it, &self.truth));
+        let [fine, fast, port] = within8;
+        let traced = within8_of(&self.every, &self.truth);
         Verdict {
             reference: "double",
             unit: "mean, 255ths",
             errors: Some([fixed, single]),
             within8: Some(within8),
+            off: Some(self.off()),
             is_met: fine >= bar && fast >= bar,
-            is_no_worse: Some(fixed <= single.max(UNSEEN)),
+            is_no_worse: Some(fixed <= single || (fixed < UNSEEN && fine >= port)),
+            is_traced_no_worse: Some(every <= single || (every < UNSEEN && traced >= port)),
             words: format!(
                 "{:.1} % of the pixels within 8, in `Fine` and `Fast`",
                 100.0 * bar
@@ -195,16 +255,18 @@ impl Pictures {
             };
             picture.pixels.iter().map(off).fold(0.0, f64::max)
         };
-        let [fine, fast, single] = [&self.fine, &self.fast, &self.single].map(furthest);
+        let pictures = [&self.fine, &self.fast, &self.every, &self.single];
+        let [fine, fast, every, single] = pictures.map(furthest);
         let bar = 0.5 + ONE_LEVEL;
         Verdict {
             reference: "closed form",
             unit: "largest, 255ths",
             errors: Some([fine, single]),
             within8: Some(self.against_truth()),
+            off: Some(self.off()),
             is_met: fine <= bar && fast <= bar,
-            // Half a level is lost by rounding to 8 bits.
-            is_no_worse: Some(fine <= single.max(0.5 + UNSEEN)),
+            is_no_worse: Some(fine <= single),
+            is_traced_no_worse: Some(every <= single),
             words: format!("{bar} in `Fine` and `Fast`, half of one by rounding; `Fast` {fast:.2}"),
         }
     }
@@ -218,7 +280,8 @@ impl Pictures {
                 .into_iter()
                 .fold(0.0, f64::max)
         };
-        let [fine, fast, single] = [&self.fine, &self.fast, &self.single].map(apart);
+        let pictures = [&self.fine, &self.fast, &self.every, &self.single];
+        let [fine, fast, every, single] = pictures.map(apart);
         let histograms = [&self.fine, &self.fast].map(|it| histogram_error(it, &self.truth));
         let histogram = histograms.into_iter().fold(0.0, f64::max);
         Verdict {
@@ -226,14 +289,35 @@ impl Pictures {
             unit: "mean colour, 255ths",
             errors: Some([fine, single]),
             within8: Some(within8),
+            off: Some(self.off()),
             is_met: fine.max(fast) <= MEAN_LEVELS && histogram <= HISTOGRAM,
-            is_no_worse: Some(fine <= single.max(UNSEEN)),
+            is_no_worse: Some(fine <= single.max(MEAN_LEVELS)),
+            is_traced_no_worse: Some(every <= single.max(MEAN_LEVELS)),
             words: format!(
                 "{MEAN_LEVELS} for the mean colour and {HISTOGRAM} for the share of pixels in \
                  another bin of a histogram of 16; that share is {histogram:.4}"
             ),
         }
     }
+}
+
+/// The share of pixels within 8.
+fn within8_of(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
+    compare(picture, truth).expect("one size").within8
+}
+
+/// Whether two pixels are not within 8.
+fn differ(a: &[u8; 3], b: &[u8; 3]) -> bool {
+    a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > VISIBLE)
+}
+
+/// Whether a pixel differs from one of the eight around it.
+fn is_edge(picture: &reference::Picture, index: usize) -> bool {
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    let (x, y) = (index % width, index / width);
+    let near = |at: usize, most: usize| at.saturating_sub(1)..=(at + 1).min(most - 1);
+    let mut around = near(y, height).flat_map(|y| near(x, width).map(move |x| y * width + x));
+    around.any(|other| differ(&picture.pixels[index], &picture.pixels[other]))
 }
 
 fn mean_error(picture: &reference::Picture, truth: &reference::Picture) -> f64 {

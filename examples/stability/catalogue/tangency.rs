@@ -1,7 +1,7 @@
 //! Tangency and grazing: where a last bit decides what is met.
 
 use super::draft::{Draft, Setting, lit_by, still_life};
-use super::{Case, picture};
+use super::{Case, LAST_BIT, picture};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const LAMP: [f64; 3] = [3.0, -5.0, 4.0];
@@ -159,7 +159,8 @@ fn touching() -> Vec<Case> {
                 .sphere([0.0, 0.0, 0.5], 0.5, "gold")
                 .plane([0.0; 3], tilted, "water")
                 .plane([0.0; 3], tilted, "black"),
-        ),
+        )
+        .unlike_single_precision(LAST_BIT),
         picture(
             "planes 10^-4 apart in angle",
             "which is in front changes at a line that a last bit would move by a length",
@@ -177,7 +178,8 @@ fn lights() -> Vec<Case> {
     vec![
         picture("light in a plane", on, lit_by([1.0, -3.0, 0.0])),
         picture("light 10^-4 above a plane", on, lit_by([1.0, -3.0, 1e-4])),
-        picture("light epsilon above a plane", on, lit_by([1.0, -3.0, 1e-3])),
+        picture("light epsilon above a plane", on, lit_by([1.0, -3.0, 1e-3]))
+            .unlike_single_precision(LAST_BIT),
         picture(
             "light 1/1024 above a plane",
             on,
@@ -233,7 +235,8 @@ fn eyes() -> Vec<Case> {
                 UP,
                 90.0,
             )),
-        ),
+        )
+        .unlike_single_precision(LAST_BIT),
         picture(
             "eye on a sphere, inwards",
             "the same from inside: all that is seen is the other side",
