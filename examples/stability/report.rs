@@ -52,7 +52,7 @@ impl Tried {
     pub fn reason(&self) -> Option<String> {
         let found = match &self.verdict.off {
             Some(off) if off.pixels > 0 => Some(format!(
-                "Pixels off by more than 8: {}, of them at an edge {}, right where every \
+                "Pixels off by more than 8: {}, {} of them at an edge, {} of them right where every \
                  pixel is traced.",
                 off.pixels, off.at_edges, off.left_out
             )),

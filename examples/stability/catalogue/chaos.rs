@@ -32,19 +32,28 @@ fn four() -> Vec<Ball> {
 }
 
 fn balls(draft: Draft, balls: &[Ball]) -> Draft {
-    let names = ["first", "second", "third", "fourth"];
-    let colors = [
-        [0.9, 0.3, 0.3],
-        [0.3, 0.9, 0.3],
-        [0.3, 0.3, 0.9],
-        [0.8, 0.8, 0.3],
-    ];
-    let all = balls.iter().zip(names.into_iter().zip(colors));
-    all.fold(draft, |draft, (&(center, radius), (name, color))| {
-        draft
-            .material(name, color, [0.2, 0.6, 0.3, 10.0, 0.9])
-            .sphere(center, radius, name)
+    balls.iter().fold(draft, |draft, &(center, radius)| {
+        draft.sphere(center, radius, "mirror")
     })
+}
+
+/// The same in a mirrored hall, from which no ray escapes, with lamps of eight colours in its corners:
+/// what a pixel shows is the lamp that its path ends at.
+fn hall(draft: Draft, set: &[Ball]) -> Draft {
+    let draft = balls(draft, set).sphere([0.0; 3], 4.2, "mirror");
+    let names = ["a", "b", "c", "d", "e", "f", "g", "h"];
+    names
+        .into_iter()
+        .zip(0..8)
+        .fold(draft, |draft, (name, bits)| {
+            let of = |bit: u32| f64::from(bits >> bit & 1);
+            let color = [0, 1, 2].map(|bit| 0.1 + 0.8 * of(bit));
+            // Four of these corners are behind the spheres of a tetrahedron, and four are before its gaps.
+            let at = [0, 1, 2].map(|bit| 2.15 * (2.0 * of(bit) - 1.0));
+            draft
+                .material(name, color, [1.0, 0.0, 0.0, 1.0, 0.0])
+                .sphere(at, 0.35, name)
+        })
 }
 
 fn chaotic(name: &str, draft: Draft) -> Case {
@@ -52,7 +61,7 @@ fn chaotic(name: &str, draft: Draft) -> Case {
                must agree is the picture as a whole";
     let picture = Picture {
         draft,
-        reflections: 20,
+        reflections: 60,
         bar: 0.0,
         is_chaotic: true,
     };
@@ -160,14 +169,17 @@ fn judged(growth: &Growth) -> Measured {
 /// theory follows the plane of incidence alone, where errors grow most.
 const BAR: f64 = 0.2;
 
+/// Where the gaps between the spheres are seen from.
+const EYE_OF_THREE: [f64; 3] = [0.03, -1.3, 0.02];
+const EYE_OF_FOUR: [f64; 3] = [0.03, 0.05, 0.02];
+const AIM_OF_FOUR: [f64; 3] = [1.0, 0.7, -1.0];
+
 fn growth_of_three() -> Measured {
-    let eye = [0.03, -1.3, 0.02];
-    judged(&grown(&three(), eye, [0.0; 3], [0.0, 0.0, 1.0]))
+    judged(&grown(&three(), EYE_OF_THREE, [0.0; 3], [0.0, 0.0, 1.0]))
 }
 
 fn growth_of_four() -> Measured {
-    let eye = [0.03, 0.05, 0.02];
-    judged(&grown(&four(), eye, [1.0, 0.7, -1.0], [0.0, 0.0, 1.0]))
+    judged(&grown(&four(), EYE_OF_FOUR, AIM_OF_FOUR, [0.0, 0.0, 1.0]))
 }
 
 /// Three directions at right angles, none of them along an axis.
@@ -240,11 +252,9 @@ fn inside(draft: Draft) -> Draft {
 
 /// The cases of the chapter.
 pub fn cases() -> Vec<Case> {
-    let eye = [0.0, -5.0, 0.0];
-    let three_seen = balls(Draft::seen_from(eye, [0.0; 3]), &three()).light([3.0, -5.0, 4.0]);
-    let eye = [0.3, -6.0, 0.2];
-    let four_seen = balls(Draft::seen_from(eye, [0.0; 3]), &four()).light([3.0, -5.0, 4.0]);
     let up = [0.0, 0.0, 1.0];
+    let three_seen = hall(Draft::through(EYE_OF_THREE, [0.0; 3], up, 60.0), &three());
+    let four_seen = hall(Draft::through(EYE_OF_FOUR, AIM_OF_FOUR, up, 60.0), &four());
     let sphere = inside(Draft::through([0.2, -0.5, 0.1], [0.0, 1.0, 0.2], up, 80.0));
     let tube = inside(Draft::through([0.1, -1.5, 0.1], [0.0, 2.0, 0.0], up, 80.0));
     let growing = "the growth a bounce is what makes pixels chaotic: it must be the theory's, so that \
@@ -266,8 +276,8 @@ pub fn cases() -> Vec<Case> {
             growing,
             growth_of_four,
         ),
-        chaotic("three touching spheres, N = 20", three_seen),
-        chaotic("four touching spheres, N = 20", four_seen),
+        chaotic("between three touching spheres, N = 60", three_seen),
+        chaotic("between four touching spheres, N = 60", four_seen),
         reflected(
             "inside of a mirrored sphere",
             round,
