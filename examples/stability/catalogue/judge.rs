@@ -228,6 +228,16 @@ impl Pictures {
         pictures.map(|picture| within8_of(picture, &self.truth))
     }
 
+    /// How many pixels of `Fine` and `Fast` are not the same in another's.
+    pub fn differing(&self, other: &Self) -> usize {
+        let pairs = [(&self.fine, &other.fine), (&self.fast, &other.fast)];
+        let differ = pairs.map(|(a, b)| {
+            let pixels = a.pixels.iter().zip(&b.pixels);
+            pixels.filter(|(a, b)| a != b).count()
+        });
+        differ.into_iter().sum()
+    }
+
     fn off(&self) -> Off {
         let is_off = |picture: &reference::Picture, index: usize| {
             differ(&picture.pixels[index], &self.truth.pixels[index])

@@ -43,7 +43,7 @@ fn coordinates() -> Result<String, String> {
         [
             (MOST, None),
             (-MOST, None),
-            (1.000_001 * MOST, beyond),
+            (MOST + 1.0, beyond),
             (f64::NAN, beyond),
         ]
     };
@@ -65,10 +65,7 @@ fn coordinates() -> Result<String, String> {
     })?;
     held(
         "camera position",
-        &[
-            (MOST, None),
-            (1.000_001 * MOST, Some(CameraError::Coordinate)),
-        ],
+        &[(MOST, None), (MOST + 1.0, Some(CameraError::Coordinate))],
         |x| Camera::new([x, 1.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 50.0).map(|_| ()),
     )?;
     Ok(format!(
@@ -87,7 +84,7 @@ fn sizes() -> Result<String, String> {
             (MOST, None),
             (0.0, sphere(Fault::Radius)),
             (-1.0, sphere(Fault::Radius)),
-            (1.000_001 * MOST, sphere(Fault::Coordinate)),
+            (MOST + 1.0, sphere(Fault::Coordinate)),
         ],
         |radius| {
             let (mut scene, id) = room();
@@ -100,7 +97,7 @@ fn sizes() -> Result<String, String> {
             (least, None),
             (MOST, None),
             (0.0, tube(Fault::Height)),
-            (1.000_001 * MOST, tube(Fault::Coordinate)),
+            (MOST + 1.0, tube(Fault::Coordinate)),
         ],
         |height| {
             let (mut scene, id) = room();
