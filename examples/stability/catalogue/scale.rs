@@ -253,7 +253,7 @@ pub fn cases() -> Vec<Case> {
         draft: planet_of("water", 1e6),
         reflections: 4,
         // The pebble has 256 steps, and what leaves the planet starts 8 above it: a reflection is a
-        // 32nd of its radius aside, and so are its rims.
+        // few of them aside, and so are its rims.
         bar: 0.98,
         is_chaotic: false,
     };

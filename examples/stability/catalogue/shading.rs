@@ -90,7 +90,7 @@ pub fn cases() -> Vec<Case> {
             true => case.unlike_single_precision(
                 "The red cylinder and the chalk sphere stand closer to each other than this epsilon: \
                  a ray that leaves the cylinder starts within the sphere, and the two formats differ \
-                 in whether the sphere shades it.",
+                 in whether light reaches it there.",
             ),
             false => case,
         });
