@@ -16,7 +16,7 @@ pub enum Fault {
     Axis,
     /// A coordinate, radius or height that is not a finite number within ±2³⁰.
     Coordinate,
-    /// A size so small beside the scene's extent that the format cannot hold it.
+    /// A radius, or half a height, below 2⁻²² of the scene's extent: the format cannot hold it.
     Tiny,
     /// A scene too small as a whole for the format.
     Extent,

@@ -30,7 +30,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Whether everything has met its bar.
+/// Whether everything has met its bar, and the aim of all is met.
 fn run(arguments: &Arguments) -> Result<bool, Failure> {
     if let Some(rays) = arguments.rays {
         return long::run(rays, arguments.seed);
@@ -54,7 +54,7 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
             arguments.page.display()
         ));
     }
-    Ok(failures.is_empty())
+    Ok(failures.is_empty() && report::Compared::of(&tried).is_aim_met())
 }
 
 /// That nobody reads any more is no error.

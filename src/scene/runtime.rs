@@ -194,7 +194,8 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         Ok(())
     }
 
-    /// Sets how far a ray is lifted off the surface it leaves, in scene units.
+    /// Sets how far a ray is lifted off the surface it leaves, in scene units. It is raised to 8 steps
+    /// of the scene's places, or to 16 where there are cylinders, if it is less.
     ///
     /// # Errors
     /// [`Fault::Epsilon`]; the scene is as it was.

@@ -271,19 +271,52 @@ fn path_between_facing_mirrors_stays_between_them() {
     }
 }
 
+/// Four mirrors of any shares α before a background, all of the full brightness: whatever a path
+/// meets, the shares of its light add up to exactly one, so that every pixel is exactly white.
 #[test]
 fn weights_add_up_to_exactly_one() {
     let mut sweep = Sweep::new(3);
-    for _ in 0..20_000 {
-        let (mut weight, mut sum) = (Unit::ONE, 0_i64);
-        for _ in 0..256 {
-            // Anything from 0 to 1, and both ends often.
-            let mirror = Unit::from_bits(sweep.within(-(1 << 28), 5 << 28).clamp(0, 1 << 30));
-            let reflected = share(weight, mirror);
-            assert!(Unit::ZERO <= reflected && reflected <= weight);
-            sum += i64::from((weight - reflected).to_bits());
-            weight = reflected;
+    let (mut rays, mut whole) = (0, 0);
+    for number in 0..400 {
+        let mut scene = RuntimeScene::<4, 2, 1, 0, 7>::new();
+        let mut mirror = || {
+            // Anything from 0 to just below 1, and both ends often.
+            let bits = sweep.within(-(1 << 28), 5 << 28).clamp(0, (1 << 30) - 1);
+            let mirror = f64::from(bits as i32) / f64::from(1 << 30);
+            scene
+                .add_material(Material::from_numbers([1; 3], 1, 0, (0, 1), mirror).unwrap())
+                .unwrap()
+        };
+        let ids: [_; 7] = core::array::from_fn(|_| mirror());
+        for (id, at) in ids
+            .into_iter()
+            .zip([[0, 0, 0], [2, 0, 0], [1, 2, 0], [1, 1, 1]])
+        {
+            scene.add_sphere(at, 0.9, id).unwrap();
         }
-        assert_eq!(sum + i64::from(weight.to_bits()), 1 << 30);
+        scene.add_plane([0, 0, -1], [0, 0, 1], ids[4]).unwrap();
+        scene.add_plane([0, 4, 0], [0, 1, 0], ids[5]).unwrap();
+        scene
+            .add_cylinder([-2, 0, 0], [0.1, 0.2, 1.0], 0.7, 2, ids[6])
+            .unwrap();
+        scene.set_background([1; 3]).unwrap();
+        let scene = scene.build().unwrap();
+        let from = scene.parts().grid.place(Position::new([0.7, -3.0, 0.5]));
+        for _ in 0..20 {
+            let towards = sweep.triple(1000).map(|it| f64::from(it) / 700.0);
+            let path = path(from, [towards[0], 1.0, towards[2]]);
+            let traced = followed_by::<Phong, Fine, _>(&scene, path, 255);
+            // What is cut off after 255 reflections is missing, and nothing else.
+            if traced.cut_off == Unit::ZERO {
+                assert_eq!(
+                    traced.sum.to_rgb8(),
+                    [255; 3],
+                    "scene {number}, {towards:?}"
+                );
+                whole += 1;
+            }
+            rays += traced.rays;
+        }
     }
+    assert!(rays > 12_000 && whole > 7900, "{rays} rays, {whole} paths");
 }

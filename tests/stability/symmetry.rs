@@ -105,18 +105,24 @@ fn turned_scene_shows_the_same_picture() {
     }
 }
 
+/// A whole number of steps, from which every place is a whole number of steps away as before.
+const WHOLE: [f64; 3] = [3.0, -5.0, 7.0];
+
 #[test]
 fn moved_scene_shows_the_same_picture() {
     for (number, scene) in scenes().iter().enumerate() {
         let picture = drawn(&scene.text());
         // A whole number of steps, and then any number.
-        for offset in [[3.0, -5.0, 7.0], [1234.567, -0.001, 99.9], [1e6, 2e6, -3e6]] {
+        for offset in [WHOLE, [1234.567, -0.001, 99.9], [1e6, 2e6, -3e6]] {
             let shift = |at: [f64; 3], is_place: bool| match is_place {
                 true => [0, 1, 2].map(|axis| at[axis] + offset[axis]),
                 false => at,
             };
             let found = drawn(&changed(&scene.text(), shift));
             assert_same(&found, &picture, &format!("scene {number}, moved"));
+            if offset == WHOLE {
+                assert!(found.pixels == picture.pixels, "scene {number}");
+            }
         }
     }
 }
@@ -132,6 +138,9 @@ fn directions_of_any_length_show_the_same_picture() {
             };
             let found = drawn(&changed(&scene.text(), longer));
             assert_same(&found, &picture, "longer");
+            if factor == 2f64.powi(-20) {
+                assert!(found.pixels == picture.pixels, "a power of two");
+            }
         }
     }
 }

@@ -32,19 +32,28 @@ fn four() -> Vec<Ball> {
 }
 
 fn balls(draft: Draft, balls: &[Ball]) -> Draft {
-    let names = ["first", "second", "third", "fourth"];
-    let colors = [
-        [0.9, 0.3, 0.3],
-        [0.3, 0.9, 0.3],
-        [0.3, 0.3, 0.9],
-        [0.8, 0.8, 0.3],
-    ];
-    let all = balls.iter().zip(names.into_iter().zip(colors));
-    all.fold(draft, |draft, (&(center, radius), (name, color))| {
-        draft
-            .material(name, color, [0.2, 0.6, 0.3, 10.0, 0.9])
-            .sphere(center, radius, name)
+    balls.iter().fold(draft, |draft, &(center, radius)| {
+        draft.sphere(center, radius, "mirror")
     })
+}
+
+/// The same in a mirrored hall, from which no ray escapes, with lamps of eight colours in its corners:
+/// what a pixel shows is the lamp that its path ends at.
+fn hall(draft: Draft, set: &[Ball]) -> Draft {
+    let draft = balls(draft, set).sphere([0.0; 3], 4.2, "mirror");
+    let names = ["a", "b", "c", "d", "e", "f", "g", "h"];
+    names
+        .into_iter()
+        .zip(0..8)
+        .fold(draft, |draft, (name, bits)| {
+            let of = |bit: u32| f64::from(bits >> bit & 1);
+            let color = [0, 1, 2].map(|bit| 0.1 + 0.8 * of(bit));
+            // Four of these corners are behind the spheres of a tetrahedron, and four are before its gaps.
+            let at = [0, 1, 2].map(|bit| 2.15 * (2.0 * of(bit) - 1.0));
+            draft
+                .material(name, color, [1.0, 0.0, 0.0, 1.0, 0.0])
+                .sphere(at, 0.35, name)
+        })
 }
 
 fn chaotic(name: &str, draft: Draft) -> Case {
@@ -52,7 +61,7 @@ fn chaotic(name: &str, draft: Draft) -> Case {
                must agree is the picture as a whole";
     let picture = Picture {
         draft,
-        reflections: 20,
+        reflections: 60,
         bar: 0.0,
         is_chaotic: true,
     };
@@ -68,10 +77,15 @@ struct Growth {
     /// Of the growth by theory a bounce, the geometric mean.
     a_bounce: f64,
     rays: usize,
+    /// Rays whose paths are known, and yet end before or after the true one, by precision.
+    lost: [usize; 3],
 }
 
 const SIDE: u32 = 24;
 const MOST: usize = 9;
+
+/// Up to this error a ray is still known.
+const KNOWN: f64 = 1e-2;
 
 /// Follows the rays of a small picture in four precisions: fixed, single, double and quadruple.
 fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Growth {
@@ -80,7 +94,7 @@ fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Growth 
     let built = file.build().expect("the scene is accepted");
     let (_, camera) = file.runtime().expect("the camera is accepted");
     let mut sums = [[0.0_f64; 2]; 3];
-    let (mut theory, mut steps, mut rays) = (0.0, 0, 0);
+    let (mut theory, mut steps, mut rays, mut lost) = (0.0, 0, 0, [0; 3]);
     for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
         let core = follow(&*built, &camera, (SIDE, SIDE), (x, y), MOST as u32);
         // All start with the direction that fixed point has, so that only bounces differ.
@@ -98,15 +112,18 @@ fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Growth 
         ];
         let factors = growth(&truth);
         rays += 1;
-        for (sum, found) in sums.iter_mut().zip(&others) {
+        for (precision, found) in others.iter().enumerate() {
+            let sum = &mut sums[precision];
             let errors: Vec<f64> = found
                 .iter()
                 .zip(&truth)
                 .map(|(a, b)| apart(*a, b.origin))
                 .collect();
+            let is_known = errors.iter().all(|error| *error <= KNOWN);
+            lost[precision] += usize::from(is_known && found.len() != truth.len());
             for (bounce, error) in errors.iter().enumerate().skip(1) {
                 // Past this an error is as large as the spheres, and grows no more.
-                if *error > 1e-2 || errors[bounce - 1] == 0.0 || *error == 0.0 {
+                if *error > KNOWN || errors[bounce - 1] == 0.0 || *error == 0.0 {
                     break;
                 }
                 let flight = (factors[bounce] / factors[bounce - 1]).ln();
@@ -124,19 +141,25 @@ fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Growth 
         double,
         a_bounce: (theory / steps as f64).exp(),
         rays,
+        lost,
     }
 }
 
 fn judged(growth: &Growth) -> Measured {
+    assert!(growth.rays >= 10, "{} rays are too few", growth.rays);
+    let [fixed, single, double] = growth.lost;
     Measured {
         reference: "quadruple, theory",
         unit: "exponent off by",
         fixed: (growth.fixed - 1.0).abs(),
-        single: (growth.single - 1.0).abs().max(UNCERTAIN),
-        bar: UNCERTAIN,
+        single: (growth.single - 1.0).abs(),
+        bar: BAR,
+        uncertain: (growth.double - 1.0).abs(),
         note: format!(
             "Over {} rays theory says that a bounce makes an error {:.1} times as large. Found are \
-             that to the power of {:.3} in fixed point, {:.3} in single and {:.3} in double precision",
+             that to the power of {:.3} in fixed point, {:.3} in single and {:.3} in double precision; \
+             how far that of double precision is off is no precision's fault, and counts as equal. \
+             Paths that end elsewhere, although they are known: {fixed}, {single} and {double}",
             growth.rays, growth.a_bounce, growth.fixed, growth.single, growth.double
         ),
     }
@@ -144,25 +167,41 @@ fn judged(growth: &Growth) -> Measured {
 
 /// How far the exponent of growth may be off: new rounding errors join those that have grown, and
 /// theory follows the plane of incidence alone, where errors grow most.
-const UNCERTAIN: f64 = 0.2;
+const BAR: f64 = 0.2;
+
+/// Where the gaps between the spheres are seen from.
+const EYE_OF_THREE: [f64; 3] = [0.03, -1.3, 0.02];
+const EYE_OF_FOUR: [f64; 3] = [0.03, 0.05, 0.02];
+const AIM_OF_FOUR: [f64; 3] = [1.0, 0.7, -1.0];
 
 fn growth_of_three() -> Measured {
-    let eye = [0.03, -1.3, 0.02];
-    judged(&grown(&three(), eye, [0.0; 3], [0.0, 0.0, 1.0]))
+    judged(&grown(&three(), EYE_OF_THREE, [0.0; 3], [0.0, 0.0, 1.0]))
 }
 
 fn growth_of_four() -> Measured {
-    let eye = [0.03, 0.05, 0.02];
-    judged(&grown(&four(), eye, [1.0, 0.7, -1.0], [0.0, 0.0, 1.0]))
+    judged(&grown(&four(), EYE_OF_FOUR, AIM_OF_FOUR, [0.0, 0.0, 1.0]))
+}
+
+/// Three directions at right angles, none of them along an axis.
+const TURNED: [[f64; 3]; 3] = [
+    [2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0],
+    [2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0],
+    [-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0],
+];
+
+/// A place by its coordinates along [`TURNED`].
+fn turned(at: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|axis| (0..3).map(|it| at[it] * TURNED[it][axis]).sum())
 }
 
 /// Three mirrors at right angles.
 fn corner(alpha: f64) -> Draft {
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let draft = Draft::through([1.0, 1.2, 0.9], [0.0; 3], [0.0, 0.0, 1.0], 60.0)
+    let (eye, up) = (turned([1.0, 1.2, 0.9]), turned([0.0, 0.0, 1.0]));
+    let draft = Draft::through(eye, [0.0; 3], up, 60.0)
         .material("wall", [0.9, 0.6, 0.5], [0.2, 0.6, 0.3, 10.0, alpha])
-        .light([2.0, 2.0, 2.0]);
-    axes.into_iter()
+        .light(turned([2.0, 2.0, 2.0]));
+    TURNED
+        .into_iter()
         .fold(draft, |draft, axis| draft.plane([0.0; 3], axis, "wall"))
 }
 
@@ -174,32 +213,33 @@ fn returned() -> Measured {
     let (mut fixed, mut single, mut rays) = (0.0_f64, 0.0_f64, 0);
     for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
         let path = follow(&*built, &camera, (64, 64), (x, y), 3);
-        let [first, .., last] = &path[..] else {
+        let [first, _, _, last] = &path[..] else {
             continue;
         };
-        if path.len() < 4 {
-            continue;
-        }
         rays += 1;
         fixed = fixed.max(apart(first.direction.map(|it| -it), last.direction));
         // Mirrored three times by d - 2 (d · n) n in single precision.
         let start = first.direction.map(|it| it as f32);
-        let axes = [[1.0_f32, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let end = axes.into_iter().fold(start, |way, normal| {
+        let end = TURNED.into_iter().fold(start, |way, normal| {
+            let normal = normal.map(|it| it as f32);
             let cosine = way[0] * normal[0] + way[1] * normal[1] + way[2] * normal[2];
             [0, 1, 2].map(|axis| way[axis] - 2.0 * cosine * normal[axis])
         });
         single = single.max(apart(start.map(|it| -f64::from(it)), end.map(f64::from)));
     }
+    // Those beside an edge, whose start epsilon lifts over the next mirror, do not meet all three.
+    assert!(
+        rays > 64 * 64 * 9 / 10,
+        "{rays} rays have met three mirrors"
+    );
     Measured {
         reference: "closed form",
         unit: "radians",
         fixed,
-        single: single.max(2f64.powi(-24)),
+        single,
         bar: 2f64.powi(-24),
-        note: format!(
-            "{rays} rays; directions are known to 2^-29, three mirrors to eight times that"
-        ),
+        uncertain: 0.0,
+        note: format!("Over {rays} of {} rays", 64 * 64),
     }
 }
 
@@ -212,11 +252,9 @@ fn inside(draft: Draft) -> Draft {
 
 /// The cases of the chapter.
 pub fn cases() -> Vec<Case> {
-    let eye = [0.0, -5.0, 0.0];
-    let three_seen = balls(Draft::seen_from(eye, [0.0; 3]), &three()).light([3.0, -5.0, 4.0]);
-    let eye = [0.3, -6.0, 0.2];
-    let four_seen = balls(Draft::seen_from(eye, [0.0; 3]), &four()).light([3.0, -5.0, 4.0]);
     let up = [0.0, 0.0, 1.0];
+    let three_seen = hall(Draft::through(EYE_OF_THREE, [0.0; 3], up, 60.0), &three());
+    let four_seen = hall(Draft::through(EYE_OF_FOUR, AIM_OF_FOUR, up, 60.0), &four());
     let sphere = inside(Draft::through([0.2, -0.5, 0.1], [0.0, 1.0, 0.2], up, 80.0));
     let tube = inside(Draft::through([0.1, -1.5, 0.1], [0.0, 2.0, 0.0], up, 80.0));
     let growing = "the growth a bounce is what makes pixels chaotic: it must be the theory's, so that \
@@ -228,14 +266,18 @@ pub fn cases() -> Vec<Case> {
             "growth between three touching spheres",
             growing,
             growth_of_three,
+        )
+        .unlike_single_precision(
+            "Exponents are compared with a theory that follows the plane of incidence alone, and from \
+             errors of a last bit: what they differ by is theory's and the rays' choice, not growth.",
         ),
         measured(
             "growth between four touching spheres",
             growing,
             growth_of_four,
         ),
-        chaotic("three touching spheres, N = 20", three_seen),
-        chaotic("four touching spheres, N = 20", four_seen),
+        chaotic("between three touching spheres, N = 60", three_seen),
+        chaotic("between four touching spheres, N = 60", four_seen),
         reflected(
             "inside of a mirrored sphere",
             round,
@@ -256,7 +298,7 @@ pub fn cases() -> Vec<Case> {
         reflected(
             "corner cube",
             "what is seen in a corner cube is the eye, and edges where three mirrors meet",
-            corner(0.8).sphere([0.4, 0.5, 0.3], 0.2, "chalk"),
+            corner(0.8).sphere(turned([0.4, 0.5, 0.3]), 0.2, "chalk"),
             6,
         ),
     ]

@@ -26,6 +26,11 @@ pub struct Case {
     pub exception: Option<&'static str>,
 }
 
+/// Why single precision may be better at an edge.
+const LAST_BIT: &str = "An edge passes close to the middles of these pixels, and the last bit of a \
+    place or direction decides on which side. All places share one step, 2^-28 of the scene's extent, \
+    while a float has smaller ones near zero.";
+
 impl Case {
     /// A case that is hard for a reason.
     pub fn new(name: impl Into<String>, why: &'static str, trial: Trial) -> Self {
@@ -89,6 +94,8 @@ pub struct Measured {
     pub single: f64,
     /// How large the error of fixed point may be.
     pub bar: f64,
+    /// Below this the two errors cannot be told apart.
+    pub uncertain: f64,
     /// What else was seen.
     pub note: String,
 }

@@ -2,7 +2,8 @@
 
 use reflet::{Camera, CameraError, Fault, Material, MaterialId, RuntimeScene, SceneError};
 
-use super::{Case, claim};
+use super::draft::Draft;
+use super::{Case, claim, picture};
 
 type Room = RuntimeScene<2, 1, 1, 1, 1>;
 
@@ -43,7 +44,7 @@ fn coordinates() -> Result<String, String> {
         [
             (MOST, None),
             (-MOST, None),
-            (1.000_001 * MOST, beyond),
+            (MOST + 1.0, beyond),
             (f64::NAN, beyond),
         ]
     };
@@ -65,10 +66,7 @@ fn coordinates() -> Result<String, String> {
     })?;
     held(
         "camera position",
-        &[
-            (MOST, None),
-            (1.000_001 * MOST, Some(CameraError::Coordinate)),
-        ],
+        &[(MOST, None), (MOST + 1.0, Some(CameraError::Coordinate))],
         |x| Camera::new([x, 1.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 50.0).map(|_| ()),
     )?;
     Ok(format!(
@@ -87,11 +85,24 @@ fn sizes() -> Result<String, String> {
             (MOST, None),
             (0.0, sphere(Fault::Radius)),
             (-1.0, sphere(Fault::Radius)),
-            (1.000_001 * MOST, sphere(Fault::Coordinate)),
+            (MOST + 1.0, sphere(Fault::Coordinate)),
         ],
         |radius| {
             let (mut scene, id) = room();
             scene.add_sphere([0.0; 3], radius, id)
+        },
+    )?;
+    held(
+        "cylinder radius",
+        &[
+            (least, None),
+            (MOST, None),
+            (0.0, tube(Fault::Radius)),
+            (MOST + 1.0, tube(Fault::Coordinate)),
+        ],
+        |radius| {
+            let (mut scene, id) = room();
+            scene.add_cylinder([0.0; 3], [0.0, 0.0, 1.0], radius, 1.0, id)
         },
     )?;
     held(
@@ -100,7 +111,7 @@ fn sizes() -> Result<String, String> {
             (least, None),
             (MOST, None),
             (0.0, tube(Fault::Height)),
-            (1.000_001 * MOST, tube(Fault::Coordinate)),
+            (MOST + 1.0, tube(Fault::Coordinate)),
         ],
         |height| {
             let (mut scene, id) = room();
@@ -200,6 +211,26 @@ fn coefficients() -> Result<String, String> {
     Ok(words.join(". "))
 }
 
+fn lights() -> Result<String, String> {
+    let limits = |beyond: SceneError| {
+        [
+            (0.0, None),
+            (16.0, None),
+            (-1e-6, Some(beyond)),
+            (16.000_001, Some(beyond)),
+        ]
+    };
+    let light = SceneError::Light(0, Fault::Color);
+    let colors = held("light color", &limits(light), |color| {
+        room().0.add_light([1.0; 3], [color; 3])
+    })?;
+    let background = SceneError::Scene(Fault::Background);
+    let behind = held("background", &limits(background), |color| {
+        room().0.set_background([color; 3])
+    })?;
+    Ok(format!("{colors}. {behind}"))
+}
+
 fn brightness() -> Result<String, String> {
     held(
         "ambient beside diffuse 14 under a light of 1",
@@ -259,8 +290,31 @@ pub fn cases() -> Vec<Case> {
         claim("extent of a scene", edge, extent),
         claim("epsilon", edge, epsilon),
         claim("materials", edge, coefficients),
+        claim("light and background", edge, lights),
         claim("brightness", edge, brightness),
         claim("field of view", edge, field_of_view),
         claim("up", edge, up),
+        picture("drawn: radius of 2^30", edge, lonely(MOST)),
+        picture("drawn: radius of 2^-29", edge, lonely(2f64.powi(-29))),
+        picture("drawn: light of 14, material of 16", edge, glaring()),
     ]
+}
+
+/// A sphere and a light of its size, seen from as near as one may look at it. The eye of the largest
+/// stands at the largest coordinate.
+fn lonely(radius: f64) -> Draft {
+    let at = |at: [f64; 3]| at.map(|it| it * radius);
+    Draft::seen_from(at([1.0, -1.0, 0.5]), [0.0; 3])
+        .light(at([1.0, -0.5, 1.0]))
+        .sphere([0.0; 3], radius, "gold")
+        .epsilon(1e-3 * radius)
+}
+
+/// A background and a material of 16, under the brightest light that the material white may have.
+fn glaring() -> Draft {
+    Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+        .material("dim", [0.1, 0.05, 0.08], [16.0, 0.8, 0.0, 1.0, 0.0])
+        .shining([3.0, -5.0, 4.0], [14.0; 3])
+        .sphere([0.0, 0.0, 0.6], 0.6, "dim")
+        .before([16.0, 0.0, 0.5])
 }

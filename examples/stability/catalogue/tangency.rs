@@ -1,7 +1,8 @@
 //! Tangency and grazing: where a last bit decides what is met.
 
 use super::draft::{Draft, Setting, lit_by, still_life};
-use super::{Case, picture};
+use super::judge::Pictures;
+use super::{Case, LAST_BIT, claim, picture};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const LAMP: [f64; 3] = [3.0, -5.0, 4.0];
@@ -159,7 +160,8 @@ fn touching() -> Vec<Case> {
                 .sphere([0.0, 0.0, 0.5], 0.5, "gold")
                 .plane([0.0; 3], tilted, "water")
                 .plane([0.0; 3], tilted, "black"),
-        ),
+        )
+        .unlike_single_precision(LAST_BIT),
         picture(
             "planes 10^-4 apart in angle",
             "which is in front changes at a line that a last bit would move by a length",
@@ -171,13 +173,55 @@ fn touching() -> Vec<Case> {
     ]
 }
 
+/// Pictures with one shape, and with another in the same place behind it in the list.
+fn twins() -> Vec<(&'static str, Draft, Draft)> {
+    let tilted = [0.1, 0.2, 1.0];
+    let ball = ahead().sphere([0.0; 3], 1.0, "chalk");
+    let tube = |draft: Draft, name| draft.cylinder([0.0; 3], [0.2, 0.0, 1.0], (1.0, 2.0), name);
+    let floor = above().sphere([0.0, 0.0, 0.5], 0.5, "gold");
+    let flat = floor.clone().plane([0.0; 3], UP, "chalk");
+    let slope = floor.plane([0.0; 3], tilted, "water");
+    let one = tube(above(), "chalk");
+    vec![
+        ("sphere", ball.clone(), ball.sphere([0.0; 3], 1.0, "black")),
+        ("cylinder", one.clone(), tube(one, "gold")),
+        (
+            "plane",
+            flat.clone(),
+            flat.plane([0.0; 3], [0.0, 0.0, -2.0], "black"),
+        ),
+        (
+            "tilted plane",
+            slope.clone(),
+            slope.plane([0.0; 3], tilted, "black"),
+        ),
+    ]
+}
+
+fn stable_winners() -> Result<String, String> {
+    let pictures = twins().into_iter().map(|(name, one, two)| {
+        let differ =
+            Pictures::of(&one.text(), 4, false)?.differing(&Pictures::of(&two.text(), 4, false)?);
+        match differ {
+            0 => Ok(name),
+            _ => Err(format!("{name}: {differ} pixels show the second")),
+        }
+    });
+    let names: Vec<_> = pictures.collect::<Result<_, String>>()?;
+    Ok(format!(
+        "not a pixel of `Fine` or `Fast` differs from the picture with the first alone: {}",
+        names.join(", ")
+    ))
+}
+
 fn lights() -> Vec<Case> {
     let on = "whether a light on a surface lights it is decided by epsilon alone";
     let within = "the way to the light begins or ends at a wall";
     vec![
         picture("light in a plane", on, lit_by([1.0, -3.0, 0.0])),
         picture("light 10^-4 above a plane", on, lit_by([1.0, -3.0, 1e-4])),
-        picture("light epsilon above a plane", on, lit_by([1.0, -3.0, 1e-3])),
+        picture("light epsilon above a plane", on, lit_by([1.0, -3.0, 1e-3]))
+            .unlike_single_precision(LAST_BIT),
         picture(
             "light 1/1024 above a plane",
             on,
@@ -233,7 +277,8 @@ fn eyes() -> Vec<Case> {
                 UP,
                 90.0,
             )),
-        ),
+        )
+        .unlike_single_precision(LAST_BIT),
         picture(
             "eye on a sphere, inwards",
             "the same from inside: all that is seen is the other side",
@@ -251,6 +296,11 @@ fn eyes() -> Vec<Case> {
 pub fn cases() -> Vec<Case> {
     let mut cases = rays();
     cases.extend(touching());
+    cases.push(claim(
+        "the second in the same place",
+        "of two equal distances the first shape must win, in every pixel",
+        stable_winners,
+    ));
     cases.extend(lights());
     cases.extend(eyes());
     cases

@@ -22,8 +22,6 @@ impl Quality for Exact {
 pub struct Drawn {
     /// The rays that were followed, those to the lights apart.
     pub rays: u64,
-    /// The brightest value of a channel.
-    pub brightest: u8,
 }
 
 impl Wild {
@@ -32,7 +30,7 @@ impl Wild {
     /// # Panics
     ///
     /// The picture has taken more rays than a frame may, or a path has been cut off though nothing
-    /// reflects.
+    /// mirrors.
     pub fn draw(&self) -> Option<Drawn> {
         let built: Scene<6, 4, 4, 4, 4> = self.scene.build().ok()?;
         let frame = built.frame(&self.camera).reflections(self.reflections);
@@ -51,7 +49,6 @@ impl Wild {
         let (width, height) = (self.size.width, self.size.height);
         let mut row = vec![Rgb888::BLACK; width as usize];
         let mut report = Report::NONE;
-        let mut brightest = 0;
         for y in 0..height {
             let of_row = picture.row(y, 0, &mut row);
             // At most this many pixels of a row are traced: those of the picture, two stretches
@@ -59,15 +56,9 @@ impl Wild {
             let most = u64::from(width + 12) * (u64::from(self.reflections) + 1);
             assert!(of_row.rays <= most, "{} rays, {most} at most", of_row.rays);
             report = report.merge(of_row);
-            let channels = row
-                .iter()
-                .flat_map(|pixel| [pixel.r(), pixel.g(), pixel.b()]);
-            brightest = channels.fold(brightest, u8::max);
         }
-        assert!(report.cut_off <= Unit::ONE, "{report:?}");
-        Drawn {
-            rays: report.rays,
-            brightest,
-        }
+        let is_whole = report.cut_off == Unit::ZERO;
+        assert!(self.mirrors || is_whole, "{report:?}, and nothing mirrors");
+        Drawn { rays: report.rays }
     }
 }

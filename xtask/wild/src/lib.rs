@@ -2,8 +2,8 @@
 //!
 //! Numbers are of every size that a description may have, and often ones that make trouble: zero,
 //! one, a power of two, or the number before, so that things touch, coincide or stand in each other.
-//! What the library refuses is no scene; what it accepts must be drawn without a panic, an overflow
-//! or more light than there is.
+//! What the library refuses is no scene; what it accepts must be drawn without a panic or an overflow,
+//! by no more rays than a frame may follow, and with nothing cut off where nothing mirrors.
 #![deny(missing_docs)]
 
 mod draw;
@@ -32,6 +32,8 @@ pub struct Wild {
     pub size: Size,
     /// Which shading and quality.
     pub kind: u8,
+    /// Whether a material mirrors at all.
+    pub mirrors: bool,
 }
 
 impl Wild {
@@ -56,7 +58,8 @@ impl Wild {
             number::field_of_view(bytes)?,
         );
         let is_the_scenes_own = bytes.arbitrary()?;
-        let filled = fill(bytes, &mut numbers)?;
+        let mut mirrors = false;
+        let filled = fill(bytes, &mut numbers, &mut mirrors)?;
         let (Ok(camera), Ok(mut scene)) = (camera, filled) else {
             return Ok(None);
         };
@@ -69,6 +72,7 @@ impl Wild {
             reflections,
             size,
             kind,
+            mirrors,
         }))
     }
 }
@@ -77,11 +81,12 @@ impl Wild {
 fn fill(
     bytes: &mut Unstructured,
     numbers: &mut Numbers,
+    mirrors: &mut bool,
 ) -> Result<std::result::Result<Scenery, SceneError>> {
     let mut scene = Scenery::new();
     let mut ids = Vec::new();
     for _ in 0..bytes.int_in_range(1..=3)? {
-        match material(bytes)?.map(|it| scene.add_material(it)) {
+        match material(bytes, mirrors)?.map(|it| scene.add_material(it)) {
             Some(Ok(id)) => ids.push(id),
             Some(Err(error)) => return Ok(Err(error)),
             None => {}
@@ -121,12 +126,12 @@ fn add_all(
         }
     }
     for _ in 0..count(bytes, 4)? {
-        let color = number::share(bytes)? * 2.0;
+        let color = number::brightness(bytes)? * 2.0;
         if let Err(error) = scene.add_light(numbers.place(bytes)?, [color; 3]) {
             return Ok(Err(error));
         }
     }
-    if let Err(error) = scene.set_background([number::share(bytes)?; 3]) {
+    if let Err(error) = scene.set_background([number::brightness(bytes)?; 3]) {
         return Ok(Err(error));
     }
     Ok(match bytes.arbitrary()? {
@@ -135,11 +140,13 @@ fn add_all(
     })
 }
 
-fn material(bytes: &mut Unstructured) -> Result<Option<Material>> {
-    let mut share = || number::share(bytes);
-    let color = [share()?, share()?, share()?];
-    let (ambient, diffuse, specular, mirror) = (share()?, share()?, share()?, share()?);
-    let shininess = number::any_size(bytes)?.abs() * 1e3;
+fn material(bytes: &mut Unstructured, mirrors: &mut bool) -> Result<Option<Material>> {
+    let mut part = || number::brightness(bytes);
+    let color = [part()?, part()?, part()?];
+    let (ambient, diffuse, specular) = (part()?, part()?, part()?);
+    let mirror = number::share(bytes)?;
+    let shininess = number::shininess(bytes)?;
+    *mirrors |= mirror > 0.0;
     let made = Material::from_numbers(color, ambient, diffuse, (specular, shininess), mirror);
     Ok(made.ok())
 }

@@ -75,6 +75,24 @@ pub fn share(bytes: &mut Unstructured) -> Result<f64> {
     })
 }
 
+/// A colour or a coefficient: 0 to 1, and in one of four cases up to 16.
+pub fn brightness(bytes: &mut Unstructured) -> Result<f64> {
+    Ok(match bytes.int_in_range(0..=3)? {
+        0 => 16.0 * share(bytes)?,
+        _ => share(bytes)?,
+    })
+}
+
+/// A shininess of any size, often none or a whole number.
+pub fn shininess(bytes: &mut Unstructured) -> Result<f64> {
+    Ok(match bytes.int_in_range(0..=3)? {
+        0 => 0.0,
+        1 => f64::from(bytes.int_in_range(0..=1_u32 << 20)?),
+        2 => f64::from(bytes.int_in_range(0..=300_u16)?),
+        _ => any_size(bytes)?.abs() * 1e3,
+    })
+}
+
 /// Any field of view that is accepted, and some that are not.
 pub fn field_of_view(bytes: &mut Unstructured) -> Result<f64> {
     let part = f64::from(bytes.arbitrary::<u16>()?) / 65535.0;
