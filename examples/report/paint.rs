@@ -65,6 +65,12 @@ impl Painter {
         self.scene.spheres.is_empty() && self.scene.cylinders.is_empty()
     }
 
+    /// Whether a constant scene traces every pixel, whatever its quality says: nothing in it looks
+    /// otherwise in another place.
+    pub fn is_plain(&self) -> bool {
+        !self.world.needs().places
+    }
+
     /// The picture under a setting.
     pub fn paint(&self, setting: &Setting) -> Picture {
         let Contestant::Fixed { level, shadows } = setting.contestant else {
@@ -84,7 +90,8 @@ impl Painter {
             frame: self.world.frame(&self.camera),
             setting,
             shadows,
-            traces_all,
+            // As a constant scene does; the one here is filled at run time, and would not.
+            traces_all: traces_all || self.is_plain(),
             display: &mut display,
         });
         let bytes = display.to_be_bytes();
