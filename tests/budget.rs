@@ -265,11 +265,15 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
                 let apart = |at: usize| {
                     let shape = usize::from(met[at][0]).checked_sub(1).unwrap_or(shapes);
                     let (found, expected) = (lit.pixels[at], alone[shape][at]);
-                    (0..3).any(|i| found[i].abs_diff(expected[i]) > 1)
+                    // An open tube throws a shadow on its own inside, even alone.
+                    let is_tube = shape < shapes && shape >= shapes - scene.cylinders.len();
+                    (0..3).any(|i| match is_tube {
+                        true => found[i].saturating_add(1) < expected[i],
+                        false => found[i].abs_diff(expected[i]) > 1,
+                    })
                 };
                 // Of all but rims.
                 let different = (0..met.len()).filter(|at| apart(*at)).count();
-                println!("{}: {different}", S::NAME);
                 assert!(200 * different <= met.len(), "{}: {different}", S::NAME);
                 let pixels = shadowed.pixels.iter().zip(&lit.pixels);
                 pixels

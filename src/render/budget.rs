@@ -143,9 +143,9 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     /// drawn stays, and the result says how many rows are missing. `|| false` draws all.
     ///
     /// What the points of a front take is counted into a row in memory, at the size of the report. The
-    /// target comes on top: on a Cortex-M3 one in memory adds up to 1/64, or up to 256 instructions for
-    /// each of the larger pixels, which are squares of their own (`xtask/tests/budget.rs` holds this
-    /// for the castle); a driver of a display has its own. On a smaller display a pixel takes more, as
+    /// target comes on top: on a Cortex-M3 one in memory adds up to 16 instructions a pixel, or up to
+    /// 256 for each of the larger pixels, which are squares of their own (`xtask/tests/budget.rs` holds
+    /// this for the castle); a driver of a display has its own. On a smaller display a pixel takes more, as
     /// fewer lie between traced ones.
     ///
     /// Only what calls this has both [`Fast`] and [`Fine`] in flash.
