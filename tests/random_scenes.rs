@@ -326,7 +326,7 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
 }
 
 /// One pixel of so many may be decided otherwise, at most.
-const MOST_DECIDED: usize = 100;
+const MOST_DECIDED: usize = 10_000;
 
 /// A picture with light, of a kind of highlights.
 fn lit<W: World + Copy, Q: Quality>(

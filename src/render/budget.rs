@@ -145,8 +145,9 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     /// What the points of a front take is counted into a row in memory, at the size of the report. The
     /// target comes on top: on a Cortex-M3 one in memory adds up to 16 instructions a pixel, or up to
     /// 256 for each of the larger pixels, which are squares of their own (`xtask/tests/budget.rs` holds
-    /// this for the castle); a driver of a display has its own. On a smaller display a pixel takes more, as
-    /// fewer lie between traced ones.
+    /// this for the castle); a driver of a display has its own. On a smaller display a pixel takes more,
+    /// as fewer lie between traced ones: the castle at 64 by 48 up to 1.8 times what its front of 128
+    /// by 128 says, target included. So the report should be of your display's size (`--size`).
     ///
     /// Only what calls this has both [`Fast`] and [`Fine`] in flash.
     ///
