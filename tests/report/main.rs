@@ -195,7 +195,6 @@ fn wrong_arguments_are_named_in_one_line() {
         ("--size 2000x5", "1024"),
         ("--reflections 256", "--reflections"),
         ("--out /dev/null/made", "--out"),
-        ("corner1 --size 8x8 --counts /dev/null/made", "--counts"),
         ("--speed", "--speed"),
     ];
     for (arguments, name) in cases {
