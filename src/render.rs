@@ -37,8 +37,8 @@ pub struct Report {
     /// one for each reflection; rays to lights not counted.
     pub rays: u64,
     /// The largest weight with which a path was ended by the number of reflections or by the
-    /// quality. No colour is wrong by more than this times the brightest colour of the scene on
-    /// account of it: [`Picture::cut_off_bound`].
+    /// quality. No colour of the pixels that were traced is wrong by more than this times the brightest
+    /// colour of the scene on account of it: [`Picture::cut_off_bound`].
     pub cut_off: Unit,
 }
 

@@ -32,6 +32,7 @@ const fn point(
     psnr: u16,
 ) -> FrontPoint {
     FrontPoint {
+        prepare: PREPARE,
         instructions,
         reflections,
         grade,
@@ -43,6 +44,8 @@ const fn point(
 
 const SIZE: Size = Size::new(30, 21);
 
+const PREPARE: u32 = 777;
+
 /// What was measured of the built-in scenes.
 mod measured {
     use reflet::{Front, FrontPoint, Grade};
@@ -53,7 +56,8 @@ mod measured {
 #[test]
 fn dearest_point_that_fits_is_chosen() {
     let pixels = u64::from(SIZE.width * SIZE.height);
-    let chosen = |instructions| FRONT.choose(SIZE, instructions * pixels);
+    let prepare = u64::from(PREPARE);
+    let chosen = |instructions| FRONT.choose(SIZE, prepare + instructions * pixels);
     for (instructions, index) in [
         (40, 0),
         (149, 0),
@@ -66,28 +70,34 @@ fn dearest_point_that_fits_is_chosen() {
         assert_eq!(choice.point, FRONT.points()[index], "{instructions}");
         assert!(choice.fits);
     }
-    let choice = FRONT.choose(SIZE, 40 * pixels - 1);
+    let choice = FRONT.choose(SIZE, prepare + 40 * pixels - 1);
     assert_eq!((choice.point, choice.fits), (FRONT.points()[0], false));
+    // The smaller a display is, the more of a frame is preparation.
+    let choice = FRONT.choose(Size::new(1, 1), prepare + 150);
+    assert_eq!(choice.point, FRONT.points()[1]);
+    assert_eq!(choice.point.expected(SIZE), prepare + 150 * pixels);
 }
 
 #[test]
 fn front_is_drawn_with_the_settings_of_its_points() {
-    let pixels = u64::from(SIZE.width * SIZE.height);
     for point in FRONT.points() {
         let mut display = SimulatorDisplay::<Rgb888>::new(SIZE);
-        let budget = u64::from(point.instructions) * pixels;
+        let budget = point.expected(SIZE);
         let frame = Mirror1::frame(&Mirror1::CAMERA);
         let Ok(drawn) = frame.draw_within(&FRONT, budget, || false, &mut display);
         assert_eq!((drawn.choice.point, drawn.missing_rows), (*point, 0));
         let mut expected = SimulatorDisplay::<Rgb888>::new(SIZE);
         let frame = Mirror1::frame(&Mirror1::CAMERA).reflections(point.reflections);
         let mut target = Enlarged::new(&mut expected, point.scale.into());
+        let small = frame.sized(target.bounding_box().size);
         let Ok(report) = match point.grade {
             Grade::Fast => frame.quality::<Fast>().draw(&mut target),
             Grade::Fine => frame.quality::<Fine>().draw(&mut target),
         };
         assert_eq!(display.to_be_bytes(), expected.to_be_bytes(), "{point:?}");
         assert_eq!(drawn.report, report);
+        assert_eq!(drawn.cut_off_bound, small.cut_off_bound(&report));
+        assert!(drawn.cut_off_bound > Unit::ZERO);
     }
 }
 
@@ -172,6 +182,50 @@ fn every_pixel_of_a_display_with_larger_ones_is_a_square_inside_of_it() {
     }
 }
 
+/// The scene with only the shape of this number, spheres first, then planes, then cylinders.
+fn lone(scene: &reference::Scene, shape: usize) -> reference::Scene {
+    fn only<T: Copy>(all: &[T], at: Option<usize>) -> Vec<T> {
+        let found = at.and_then(|at| all.get(at));
+        found.into_iter().copied().collect()
+    }
+    let first_plane = scene.spheres.len();
+    let first_cylinder = first_plane + scene.planes.len();
+    reference::Scene {
+        spheres: only(&scene.spheres, Some(shape)),
+        planes: only(&scene.planes, shape.checked_sub(first_plane)),
+        cylinders: only(&scene.cylinders, shape.checked_sub(first_cylinder)),
+        ..scene.clone()
+    }
+}
+
+/// The scene with shapes that glow: in red the number of the shape, and what is met by nothing black.
+fn numbered(scene: &reference::Scene) -> reference::Scene {
+    let mut numbered = reference::Scene {
+        lights: Vec::new(),
+        background: [0.0; 3],
+        ..scene.clone()
+    };
+    let spheres = numbered.spheres.iter_mut().map(|it| &mut it.material);
+    let planes = numbered.planes.iter_mut().map(|it| &mut it.material);
+    let cylinders = numbered.cylinders.iter_mut().map(|it| &mut it.material);
+    let materials = spheres.chain(planes).chain(cylinders).enumerate();
+    let materials = materials.map(|(index, material)| {
+        *material = index;
+        reference::Material {
+            color: [(index + 1) as f64 / 255.0, 0.0, 0.0],
+            ambient: 1.0,
+            diffuse: 0.0,
+            specular: 0.0,
+            shininess: 1.0,
+            mirror: 0.0,
+        }
+    });
+    let materials: Vec<_> = materials.collect();
+    assert!(materials.len() < 255);
+    numbered.materials = materials;
+    numbered
+}
+
 #[test]
 fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
     struct Lit;
@@ -181,25 +235,47 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
         type Output = usize;
 
         fn visit<S: BuiltIn>(self) -> usize {
-            // Without reflections a pixel is one surface, which shadows can only darken.
+            // Without reflections a pixel is one surface.
             let frame = || S::frame(&S::CAMERA).reflections(0).quality::<Fine>();
             let size = Size::new(48, 48);
-            let pairs = [
+            let pictures = [
                 (
+                    reference::Shading::BlinnPhong,
                     painted(&frame().shading::<BlinnPhong>().sized(size)),
                     painted(&frame().shading::<Unshadowed>().sized(size)),
                 ),
                 (
+                    reference::Shading::Phong,
                     painted(&frame().shading::<Phong>().sized(size)),
                     painted(&frame().shading::<Unshadowed<Phong>>().sized(size)),
                 ),
             ];
-            let compared = pairs.iter().map(|(shadowed, lit)| {
+            let scene = S::with_description(|scene| reference::Scene::from(&scene));
+            let camera = reference::Camera::from(&S::CAMERA);
+            let (width, height) = (size.width, size.height);
+            let render = |scene: &_, shading| {
+                reference::render(scene, &camera, width, height, 0, shading).pixels
+            };
+            let met = render(&numbered(&scene), reference::Shading::BlinnPhong);
+            let shapes = scene.spheres.len() + scene.planes.len() + scene.cylinders.len();
+            let compared = pictures.iter().map(|(shading, shadowed, lit)| {
+                // One more than there are: nothing but the background.
+                let alone = (0..=shapes).map(|shape| render(&lone(&scene, shape), *shading));
+                let alone: Vec<_> = alone.collect();
+                let apart = |at: usize| {
+                    let shape = usize::from(met[at][0]).checked_sub(1).unwrap_or(shapes);
+                    let (found, expected) = (lit.pixels[at], alone[shape][at]);
+                    // An open tube throws a shadow on its own inside, even alone.
+                    let is_tube = shape < shapes && shape >= shapes - scene.cylinders.len();
+                    (0..3).any(|i| match is_tube {
+                        true => found[i].saturating_add(1) < expected[i],
+                        false => found[i].abs_diff(expected[i]) > 1,
+                    })
+                };
+                // Of all but rims.
+                let different = (0..met.len()).filter(|at| apart(*at)).count();
+                assert!(200 * different <= met.len(), "{}: {different}", S::NAME);
                 let pixels = shadowed.pixels.iter().zip(&lit.pixels);
-                let darker = pixels
-                    .clone()
-                    .filter(|(a, b)| (0..3).any(|i| b[i].saturating_add(1) < a[i]));
-                assert_eq!(darker.count(), 0, "{}", S::NAME);
                 pixels
                     .filter(|(a, b)| (0..3).any(|i| b[i] > a[i].saturating_add(8)))
                     .count()
@@ -293,7 +369,7 @@ fn error_is_the_one_that_was_promised() {
             let shading = reference::Shading::BlinnPhong;
             let truth = reference::render(&scene, &camera, size.width, size.height, 300, shading);
             for point in front.points() {
-                let budget = u64::from(point.instructions) * u64::from(size.width * size.height);
+                let budget = point.expected(size);
                 let mut display = SimulatorDisplay::<Rgb888>::new(size);
                 let frame = S::frame(&S::CAMERA);
                 let Ok(drawn) = frame.draw_within(&front, budget, || false, &mut display);

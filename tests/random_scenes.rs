@@ -13,8 +13,8 @@ use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, render};
 use reflet::{
-    Camera, CameraError, Fine, Material, MaterialId, Normals, Phong, Quality, RuntimeScene,
-    SceneError,
+    Camera, CameraError, Fast, Fine, Frame, Material, MaterialId, Normals, Phong, Quality,
+    RuntimeScene, SceneError, World,
 };
 
 const SIDE: u32 = 48;
@@ -266,8 +266,8 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
     const SIDE: u32 = 32;
     /// As many as leave nothing of a path whose mirrors do not keep everything.
     const ALL: usize = 200;
-    // Pixels, those of which something is promised, and those that were decided otherwise.
-    let counts = Cell::new([0_usize; 3]);
+    // Of each quality: pixels, those of which something is promised, those decided otherwise.
+    let counts = Cell::new([[0_usize; 3]; 2]);
     let outcome = runner(400).run(&recipe(), |recipe| {
         let (scene, camera) = (recipe.scene(), recipe.camera());
         let mut scene = scene.map_err(|error| TestCaseError::reject(error.to_string()))?;
@@ -280,45 +280,74 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
             reference::Shading::Phong => reference::Shading::Phong,
             _ => reference::Shading::BlinnPhong,
         };
-        let frame = built.frame(&camera).reflections(recipe.reflections);
-        let (frame, size) = (frame.quality::<Fine>(), Size::new(SIDE, SIDE));
-        let picture = match shading {
-            reference::Shading::Phong => painted(&frame.shading::<Phong>().sized(size)),
-            _ => painted(&frame.sized(size)),
-        };
+        let frame = || built.frame(&camera).reflections(recipe.reflections);
+        let reflections = recipe.reflections.into();
+        let pictures = [
+            lit(frame().quality::<Fast>(), SIDE, shading),
+            lit(frame().quality::<Fine>(), SIDE, shading),
+        ];
+        let endings = [ending::<Fast>(reflections), ending::<Fine>(reflections)];
         let (exact, camera) = ((&scene.description()).into(), (&camera).into());
         let precision = precision(&built);
         let paths = Paths::follow(&exact, &camera, (SIDE, SIDE), ALL, shading, &precision);
-        let ending = Ending {
-            reflections: recipe.reflections.into(),
-            smallest_weight: Fine::SMALLEST_WEIGHT.to_num(),
-            stride: Fine::STRIDE,
-            tolerance: Fine::TOLERANCE.to_num(),
-        };
-        let places = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
-        let pixels = places.zip(&picture.pixels);
-        let [mut all, mut sure, mut decided] = counts.get();
-        for (bound, ((x, y), found)) in paths.bounds(&ending).iter().zip(pixels) {
-            let truth = paths.path(x, y).ended(ALL, 0.0).color;
-            let truth = truth.map(|channel| 255.0 * channel.clamp(0.0, 1.0));
-            let apart = (0..3).map(|axis| (f64::from(found[axis]) - truth[axis]).abs());
-            // One of the two is not rounded to 8 bits.
-            let is_further = apart.fold(0.0, f64::max) > 255.0 * bound.share() + 0.5;
-            prop_assert!(
-                bound.is_unsure || !is_further,
-                "{x} {y} is {found:?}, not {truth:?}: {bound:?}"
-            );
-            all += 1;
-            sure += usize::from(!bound.is_unsure);
-            decided += usize::from(is_further);
+        let mut sums = counts.get();
+        for (sums, (picture, ending)) in sums.iter_mut().zip(pictures.iter().zip(endings)) {
+            let places = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
+            let pixels = places.zip(&picture.pixels);
+            for (bound, ((x, y), found)) in paths.bounds(&ending).iter().zip(pixels) {
+                let truth = paths.path(x, y).ended(ALL, 0.0).color;
+                let truth = truth.map(|channel| 255.0 * channel.clamp(0.0, 1.0));
+                let apart = (0..3).map(|axis| (f64::from(found[axis]) - truth[axis]).abs());
+                // One of the two is not rounded to 8 bits.
+                let is_further = apart.fold(0.0, f64::max) > 255.0 * bound.share() + 0.5;
+                prop_assert!(
+                    bound.is_unsure || !is_further,
+                    "{x} {y} is {found:?}, not {truth:?}: {bound:?}"
+                );
+                sums[0] += 1;
+                sums[1] += usize::from(!bound.is_unsure);
+                sums[2] += usize::from(is_further);
+            }
         }
-        counts.set([all, sure, decided]);
+        counts.set(sums);
         Ok(())
     });
-    let [all, sure, decided] = counts.get();
-    println!("of {all} pixels {sure} are sure, {decided} were decided otherwise");
+    for [all, sure, decided] in counts.get() {
+        println!("of {all} pixels {sure} are sure, {decided} were decided otherwise");
+    }
     outcome.unwrap_or_else(|error| panic!("{error}"));
-    assert!(2 * sure > all, "of {all} pixels only {sure} are sure");
+    for [all, sure, decided] in counts.get() {
+        assert!(2 * sure > all, "of {all} pixels only {sure} are sure");
+        assert!(
+            MOST_DECIDED * decided < all,
+            "of {all} pixels {decided} were decided otherwise"
+        );
+    }
+}
+
+/// One pixel of so many may be decided otherwise, at most.
+const MOST_DECIDED: usize = 10_000;
+
+/// A picture with light, of a kind of highlights.
+fn lit<W: World + Copy, Q: Quality>(
+    frame: Frame<'_, W, Q>,
+    side: u32,
+    shading: reference::Shading,
+) -> reference::Picture {
+    let size = Size::new(side, side);
+    match shading {
+        reference::Shading::Phong => painted(&frame.shading::<Phong>().sized(size)),
+        _ => painted(&frame.sized(size)),
+    }
+}
+
+fn ending<Q: Quality>(reflections: usize) -> Ending {
+    Ending {
+        reflections,
+        smallest_weight: Q::SMALLEST_WEIGHT.to_num(),
+        stride: Q::STRIDE,
+        tolerance: Q::TOLERANCE.to_num(),
+    }
 }
 
 /// A number of any size from 10^-7 to 10, of either sign.

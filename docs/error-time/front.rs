@@ -1,10 +1,12 @@
-// Written by `cargo run --release --example report -- --core m3 --size 128x128`: what is best
-// for a frame of so many instructions. Include it where `Front`, `FrontPoint` and `Grade` are in scope.
+// Written by `cargo run --release --example report -- --core m3 --size 128x128`:
+// what is best for a frame of so many instructions. Include it where `Front`, `FrontPoint` and `Grade`
+// are in scope.
 
 /// castle
 pub const CASTLE: Front = Front::new(&[
     FrontPoint {
-        instructions: 70,
+        prepare: 124406,
+        instructions: 62,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -12,7 +14,8 @@ pub const CASTLE: Front = Front::new(&[
         largest: 231,
     },
     FrontPoint {
-        instructions: 126,
+        prepare: 124406,
+        instructions: 117,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -20,7 +23,8 @@ pub const CASTLE: Front = Front::new(&[
         largest: 231,
     },
     FrontPoint {
-        instructions: 301,
+        prepare: 122421,
+        instructions: 292,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -28,7 +32,8 @@ pub const CASTLE: Front = Front::new(&[
         largest: 211,
     },
     FrontPoint {
-        instructions: 865,
+        prepare: 121807,
+        instructions: 854,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -36,7 +41,8 @@ pub const CASTLE: Front = Front::new(&[
         largest: 76,
     },
     FrontPoint {
-        instructions: 899,
+        prepare: 121807,
+        instructions: 889,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -44,19 +50,21 @@ pub const CASTLE: Front = Front::new(&[
         largest: 17,
     },
     FrontPoint {
-        instructions: 904,
+        prepare: 121807,
+        instructions: 894,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
-        psnr: 6668,
+        psnr: 6669,
         largest: 17,
     },
     FrontPoint {
-        instructions: 1163,
+        prepare: 121807,
+        instructions: 1155,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
-        psnr: 6847,
+        psnr: 6848,
         largest: 17,
     },
 ]);
@@ -64,7 +72,8 @@ pub const CASTLE: Front = Front::new(&[
 /// shading_lights
 pub const SHADING_LIGHTS: Front = Front::new(&[
     FrontPoint {
-        instructions: 38,
+        prepare: 3382,
+        instructions: 39,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -72,6 +81,7 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
         largest: 184,
     },
     FrontPoint {
+        prepare: 3382,
         instructions: 55,
         reflections: 1,
         grade: Grade::Fast,
@@ -80,7 +90,8 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
         largest: 181,
     },
     FrontPoint {
-        instructions: 154,
+        prepare: 3382,
+        instructions: 155,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -88,7 +99,8 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
         largest: 180,
     },
     FrontPoint {
-        instructions: 422,
+        prepare: 3382,
+        instructions: 426,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -96,7 +108,8 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
         largest: 1,
     },
     FrontPoint {
-        instructions: 687,
+        prepare: 3382,
+        instructions: 696,
         reflections: 1,
         grade: Grade::Fine,
         scale: 1,
@@ -108,6 +121,7 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
 /// shading_speculars
 pub const SHADING_SPECULARS: Front = Front::new(&[
     FrontPoint {
+        prepare: 12424,
         instructions: 37,
         reflections: 0,
         grade: Grade::Fast,
@@ -116,7 +130,8 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
         largest: 173,
     },
     FrontPoint {
-        instructions: 61,
+        prepare: 12424,
+        instructions: 60,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -124,6 +139,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
         largest: 147,
     },
     FrontPoint {
+        prepare: 12406,
         instructions: 179,
         reflections: 1,
         grade: Grade::Fast,
@@ -132,6 +148,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
         largest: 155,
     },
     FrontPoint {
+        prepare: 12381,
         instructions: 515,
         reflections: 1,
         grade: Grade::Fast,
@@ -140,6 +157,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
         largest: 10,
     },
     FrontPoint {
+        prepare: 12381,
         instructions: 579,
         reflections: 2,
         grade: Grade::Fast,
@@ -148,6 +166,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
         largest: 5,
     },
     FrontPoint {
+        prepare: 12381,
         instructions: 595,
         reflections: 3,
         grade: Grade::Fast,
@@ -156,7 +175,8 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
         largest: 5,
     },
     FrontPoint {
-        instructions: 817,
+        prepare: 12381,
+        instructions: 821,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -164,7 +184,8 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
         largest: 1,
     },
     FrontPoint {
-        instructions: 819,
+        prepare: 12381,
+        instructions: 823,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -176,7 +197,8 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
 /// columns
 pub const COLUMNS: Front = Front::new(&[
     FrontPoint {
-        instructions: 63,
+        prepare: 25229,
+        instructions: 61,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -184,7 +206,8 @@ pub const COLUMNS: Front = Front::new(&[
         largest: 177,
     },
     FrontPoint {
-        instructions: 83,
+        prepare: 25229,
+        instructions: 80,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -192,7 +215,8 @@ pub const COLUMNS: Front = Front::new(&[
         largest: 178,
     },
     FrontPoint {
-        instructions: 186,
+        prepare: 25355,
+        instructions: 184,
         reflections: 0,
         grade: Grade::Fast,
         scale: 2,
@@ -200,7 +224,8 @@ pub const COLUMNS: Front = Front::new(&[
         largest: 163,
     },
     FrontPoint {
-        instructions: 249,
+        prepare: 25355,
+        instructions: 244,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -208,7 +233,8 @@ pub const COLUMNS: Front = Front::new(&[
         largest: 173,
     },
     FrontPoint {
-        instructions: 538,
+        prepare: 25443,
+        instructions: 536,
         reflections: 0,
         grade: Grade::Fast,
         scale: 1,
@@ -216,7 +242,8 @@ pub const COLUMNS: Front = Front::new(&[
         largest: 56,
     },
     FrontPoint {
-        instructions: 762,
+        prepare: 25443,
+        instructions: 754,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -224,7 +251,8 @@ pub const COLUMNS: Front = Front::new(&[
         largest: 16,
     },
     FrontPoint {
-        instructions: 832,
+        prepare: 25443,
+        instructions: 822,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -232,7 +260,8 @@ pub const COLUMNS: Front = Front::new(&[
         largest: 2,
     },
     FrontPoint {
-        instructions: 847,
+        prepare: 25443,
+        instructions: 837,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -240,7 +269,8 @@ pub const COLUMNS: Front = Front::new(&[
         largest: 1,
     },
     FrontPoint {
-        instructions: 1049,
+        prepare: 25443,
+        instructions: 1041,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -252,7 +282,8 @@ pub const COLUMNS: Front = Front::new(&[
 /// mirror1
 pub const MIRROR1: Front = Front::new(&[
     FrontPoint {
-        instructions: 46,
+        prepare: 17453,
+        instructions: 45,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -260,7 +291,8 @@ pub const MIRROR1: Front = Front::new(&[
         largest: 255,
     },
     FrontPoint {
-        instructions: 80,
+        prepare: 17453,
+        instructions: 79,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -268,7 +300,8 @@ pub const MIRROR1: Front = Front::new(&[
         largest: 255,
     },
     FrontPoint {
-        instructions: 245,
+        prepare: 17453,
+        instructions: 246,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -276,7 +309,8 @@ pub const MIRROR1: Front = Front::new(&[
         largest: 234,
     },
     FrontPoint {
-        instructions: 294,
+        prepare: 17453,
+        instructions: 297,
         reflections: 1,
         grade: Grade::Fine,
         scale: 2,
@@ -284,7 +318,8 @@ pub const MIRROR1: Front = Front::new(&[
         largest: 234,
     },
     FrontPoint {
-        instructions: 754,
+        prepare: 17453,
+        instructions: 761,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -292,7 +327,8 @@ pub const MIRROR1: Front = Front::new(&[
         largest: 47,
     },
     FrontPoint {
-        instructions: 962,
+        prepare: 17453,
+        instructions: 971,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -300,7 +336,8 @@ pub const MIRROR1: Front = Front::new(&[
         largest: 17,
     },
     FrontPoint {
-        instructions: 995,
+        prepare: 17453,
+        instructions: 1004,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -308,7 +345,8 @@ pub const MIRROR1: Front = Front::new(&[
         largest: 3,
     },
     FrontPoint {
-        instructions: 996,
+        prepare: 17453,
+        instructions: 1005,
         reflections: 4,
         grade: Grade::Fast,
         scale: 1,
@@ -316,7 +354,8 @@ pub const MIRROR1: Front = Front::new(&[
         largest: 1,
     },
     FrontPoint {
-        instructions: 1149,
+        prepare: 17453,
+        instructions: 1163,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -324,7 +363,8 @@ pub const MIRROR1: Front = Front::new(&[
         largest: 1,
     },
     FrontPoint {
-        instructions: 1151,
+        prepare: 17453,
+        instructions: 1165,
         reflections: 5,
         grade: Grade::Fine,
         scale: 1,
@@ -336,7 +376,8 @@ pub const MIRROR1: Front = Front::new(&[
 /// mirror2
 pub const MIRROR2: Front = Front::new(&[
     FrontPoint {
-        instructions: 49,
+        prepare: 26848,
+        instructions: 48,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -344,7 +385,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 251,
     },
     FrontPoint {
-        instructions: 105,
+        prepare: 26848,
+        instructions: 104,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -352,7 +394,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 224,
     },
     FrontPoint {
-        instructions: 166,
+        prepare: 26848,
+        instructions: 165,
         reflections: 2,
         grade: Grade::Fast,
         scale: 4,
@@ -360,7 +403,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 224,
     },
     FrontPoint {
-        instructions: 207,
+        prepare: 26848,
+        instructions: 205,
         reflections: 3,
         grade: Grade::Fast,
         scale: 4,
@@ -368,7 +412,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 224,
     },
     FrontPoint {
-        instructions: 455,
+        prepare: 26792,
+        instructions: 454,
         reflections: 2,
         grade: Grade::Fast,
         scale: 2,
@@ -376,6 +421,7 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 224,
     },
     FrontPoint {
+        prepare: 26792,
         instructions: 574,
         reflections: 2,
         grade: Grade::Fine,
@@ -384,6 +430,7 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 224,
     },
     FrontPoint {
+        prepare: 26792,
         instructions: 584,
         reflections: 3,
         grade: Grade::Fast,
@@ -392,7 +439,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 224,
     },
     FrontPoint {
-        instructions: 729,
+        prepare: 26792,
+        instructions: 730,
         reflections: 3,
         grade: Grade::Fine,
         scale: 2,
@@ -400,7 +448,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 224,
     },
     FrontPoint {
-        instructions: 1357,
+        prepare: 26029,
+        instructions: 1359,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -408,7 +457,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 164,
     },
     FrontPoint {
-        instructions: 1748,
+        prepare: 26029,
+        instructions: 1751,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -416,7 +466,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 115,
     },
     FrontPoint {
-        instructions: 1866,
+        prepare: 26029,
+        instructions: 1870,
         reflections: 4,
         grade: Grade::Fast,
         scale: 1,
@@ -424,7 +475,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 115,
     },
     FrontPoint {
-        instructions: 2495,
+        prepare: 26029,
+        instructions: 2502,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -432,7 +484,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 26,
     },
     FrontPoint {
-        instructions: 2669,
+        prepare: 26029,
+        instructions: 2678,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -440,7 +493,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 14,
     },
     FrontPoint {
-        instructions: 2701,
+        prepare: 26029,
+        instructions: 2710,
         reflections: 5,
         grade: Grade::Fine,
         scale: 1,
@@ -448,7 +502,8 @@ pub const MIRROR2: Front = Front::new(&[
         largest: 14,
     },
     FrontPoint {
-        instructions: 2715,
+        prepare: 26029,
+        instructions: 2725,
         reflections: 6,
         grade: Grade::Fine,
         scale: 1,
@@ -460,6 +515,7 @@ pub const MIRROR2: Front = Front::new(&[
 /// primitives
 pub const PRIMITIVES: Front = Front::new(&[
     FrontPoint {
+        prepare: 7710,
         instructions: 35,
         reflections: 0,
         grade: Grade::Fast,
@@ -468,7 +524,8 @@ pub const PRIMITIVES: Front = Front::new(&[
         largest: 255,
     },
     FrontPoint {
-        instructions: 52,
+        prepare: 7710,
+        instructions: 53,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -476,7 +533,8 @@ pub const PRIMITIVES: Front = Front::new(&[
         largest: 196,
     },
     FrontPoint {
-        instructions: 158,
+        prepare: 7710,
+        instructions: 160,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -484,7 +542,8 @@ pub const PRIMITIVES: Front = Front::new(&[
         largest: 212,
     },
     FrontPoint {
-        instructions: 498,
+        prepare: 7710,
+        instructions: 505,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -492,7 +551,8 @@ pub const PRIMITIVES: Front = Front::new(&[
         largest: 86,
     },
     FrontPoint {
-        instructions: 539,
+        prepare: 7710,
+        instructions: 547,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -500,7 +560,8 @@ pub const PRIMITIVES: Front = Front::new(&[
         largest: 20,
     },
     FrontPoint {
-        instructions: 552,
+        prepare: 7710,
+        instructions: 560,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -508,7 +569,8 @@ pub const PRIMITIVES: Front = Front::new(&[
         largest: 12,
     },
     FrontPoint {
-        instructions: 554,
+        prepare: 7710,
+        instructions: 563,
         reflections: 4,
         grade: Grade::Fast,
         scale: 1,
@@ -516,7 +578,8 @@ pub const PRIMITIVES: Front = Front::new(&[
         largest: 12,
     },
     FrontPoint {
-        instructions: 804,
+        prepare: 7710,
+        instructions: 819,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -524,7 +587,8 @@ pub const PRIMITIVES: Front = Front::new(&[
         largest: 11,
     },
     FrontPoint {
-        instructions: 806,
+        prepare: 7710,
+        instructions: 822,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -536,7 +600,8 @@ pub const PRIMITIVES: Front = Front::new(&[
 /// empty
 pub const EMPTY: Front = Front::new(&[
     FrontPoint {
-        instructions: 3,
+        prepare: 57,
+        instructions: 2,
         reflections: 0,
         grade: Grade::Fast,
         scale: 1,
@@ -548,17 +613,19 @@ pub const EMPTY: Front = Front::new(&[
 /// floor
 pub const FLOOR: Front = Front::new(&[
     FrontPoint {
-        instructions: 14,
+        prepare: 481,
+        instructions: 7,
         reflections: 0,
-        grade: Grade::Fine,
+        grade: Grade::Fast,
         scale: 4,
         psnr: 2432,
         largest: 124,
     },
     FrontPoint {
-        instructions: 50,
+        prepare: 481,
+        instructions: 24,
         reflections: 0,
-        grade: Grade::Fine,
+        grade: Grade::Fast,
         scale: 2,
         psnr: 65535,
         largest: 0,
@@ -568,7 +635,8 @@ pub const FLOOR: Front = Front::new(&[
 /// corner1
 pub const CORNER1: Front = Front::new(&[
     FrontPoint {
-        instructions: 23,
+        prepare: 805,
+        instructions: 22,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -576,7 +644,8 @@ pub const CORNER1: Front = Front::new(&[
         largest: 101,
     },
     FrontPoint {
-        instructions: 69,
+        prepare: 805,
+        instructions: 67,
         reflections: 0,
         grade: Grade::Fast,
         scale: 2,
@@ -584,19 +653,21 @@ pub const CORNER1: Front = Front::new(&[
         largest: 66,
     },
     FrontPoint {
-        instructions: 210,
+        prepare: 805,
+        instructions: 201,
         reflections: 0,
         grade: Grade::Fast,
         scale: 1,
-        psnr: 5606,
-        largest: 40,
+        psnr: 6023,
+        largest: 43,
     },
 ]);
 
 /// cylinders
 pub const CYLINDERS: Front = Front::new(&[
     FrontPoint {
-        instructions: 22,
+        prepare: 5208,
+        instructions: 21,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -604,7 +675,8 @@ pub const CYLINDERS: Front = Front::new(&[
         largest: 255,
     },
     FrontPoint {
-        instructions: 24,
+        prepare: 5208,
+        instructions: 23,
         reflections: 0,
         grade: Grade::Fine,
         scale: 4,
@@ -612,7 +684,8 @@ pub const CYLINDERS: Front = Front::new(&[
         largest: 255,
     },
     FrontPoint {
-        instructions: 70,
+        prepare: 5178,
+        instructions: 68,
         reflections: 0,
         grade: Grade::Fast,
         scale: 2,
@@ -620,7 +693,8 @@ pub const CYLINDERS: Front = Front::new(&[
         largest: 255,
     },
     FrontPoint {
-        instructions: 177,
+        prepare: 5178,
+        instructions: 174,
         reflections: 0,
         grade: Grade::Fast,
         scale: 1,
@@ -628,7 +702,8 @@ pub const CYLINDERS: Front = Front::new(&[
         largest: 35,
     },
     FrontPoint {
-        instructions: 272,
+        prepare: 5178,
+        instructions: 269,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -636,7 +711,8 @@ pub const CYLINDERS: Front = Front::new(&[
         largest: 6,
     },
     FrontPoint {
-        instructions: 317,
+        prepare: 5178,
+        instructions: 313,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -644,7 +720,8 @@ pub const CYLINDERS: Front = Front::new(&[
         largest: 6,
     },
     FrontPoint {
-        instructions: 339,
+        prepare: 5178,
+        instructions: 334,
         reflections: 2,
         grade: Grade::Fine,
         scale: 1,
@@ -652,7 +729,8 @@ pub const CYLINDERS: Front = Front::new(&[
         largest: 1,
     },
     FrontPoint {
-        instructions: 358,
+        prepare: 5178,
+        instructions: 353,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,

@@ -1,6 +1,6 @@
 //! The command line; it never opens a file.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Parser, ValueEnum, value_parser};
 use embedded_graphics::geometry::Size;
@@ -29,6 +29,10 @@ pub struct Arguments {
     /// The folder of the report; made if there is none, files of an earlier report are replaced
     #[arg(long, value_name = "DIR", default_value = "error-time")]
     pub out: PathBuf,
+
+    /// The folder of what was counted before [default: report in cargo's target folder]
+    #[arg(long, value_name = "DIR")]
+    pub counts: Option<PathBuf>,
 
     /// Width and height in pixels, each from 1 to 1024
     #[arg(long, value_name = "WxH", default_value = "128x128", value_parser = small_size)]
@@ -105,6 +109,30 @@ impl Arguments {
     }
 }
 
+impl Arguments {
+    /// The command that makes the same report, wherever it was written to.
+    pub fn command(&self) -> String {
+        let Size { width, height } = self.size;
+        let mut command = "cargo run --release --example report --".to_owned();
+        if !self
+            .scenes
+            .iter()
+            .map(PathBuf::as_path)
+            .eq(scenes::NAMES.map(Path::new))
+        {
+            command.extend(self.scenes.iter().map(|it| format!(" {}", it.display())));
+        }
+        if let Some(name) = &self.chosen {
+            command += &format!(" --scene {name}");
+        }
+        command += &format!(" --core {} --size {width}x{height}", self.core.name());
+        if self.reflections < u8::MAX {
+            command += &format!(" --reflections {}", self.reflections);
+        }
+        command.replace(char::is_control, " ")
+    }
+}
+
 fn small_size(text: &str) -> Result<Size, &'static str> {
     let found = size(text).ok();
     let is_small = |size: &Size| size.width <= 1024 && size.height <= 1024;
@@ -125,9 +153,8 @@ run time is counted: executed instructions of the whole frame on an emulated cor
 on `host` it is measured, all settings in turn, as a share of the time of the double-precision
 reference, on one thread, and given with its quartiles.
 
-What was counted is kept in cargo's target folder, a file for each scene, core and size, written
-after every setting: what is interrupted goes on where it was, and a second report counts only what
-has changed since.
+What was counted is kept in the folder --counts, a file for each scene, core and size, written after every setting: what is interrupted goes on where it was, and a second report counts only what has
+changed since.
 
 Written are points.csv with all settings, front.rs with the best ones as Rust source, index.md and
 index.html, which holds its pictures, and plots and pictures for each scene.

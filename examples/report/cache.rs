@@ -41,10 +41,9 @@ struct Count {
 
 impl Cache {
     /// What is kept under a name; nothing if that is unreadable.
-    pub fn open(name: &str, sources: &str) -> Result<Self, Failure> {
-        let folder = target().join("report");
-        fs::create_dir_all(&folder)
-            .map_err(|error| format!("{} cannot be made: {error}", folder.display()))?;
+    pub fn open(folder: &Path, name: &str, sources: &str) -> Result<Self, Failure> {
+        fs::create_dir_all(folder)
+            .map_err(|error| format!("--counts {} cannot be made: {error}", folder.display()))?;
         let file = folder.join(format!("{name}.json"));
         let text = fs::read_to_string(&file).unwrap_or_default();
         Ok(Self {
@@ -98,6 +97,8 @@ impl Cache {
         (instructions, prepare): (u64, u64),
         hash: &str,
     ) -> Result<(), Failure> {
+        // From here on not all that is kept was counted by one program.
+        self.kept.program = None;
         let count = Count {
             sources: self.sources.clone(),
             pixels,
@@ -139,13 +140,14 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Cargo's folder for what is built.
-fn target() -> PathBuf {
-    root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
+/// The folder of what was counted, unless another one is named: in that for what cargo builds.
+pub fn folder() -> PathBuf {
+    let target = env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into());
+    root().join(target).join("report")
 }
 
 /// What makes a firmware: if none of it changes nothing has to be counted again.
-const SOURCES: [&str; 15] = [
+const SOURCES: [&str; 18] = [
     "Cargo.toml",
     "src",
     "xtask/firmware/Cargo.toml",
@@ -156,11 +158,14 @@ const SOURCES: [&str; 15] = [
     "xtask/float_picture/src",
     "xtask/float_port/src",
     "xtask/frame_hash/src",
+    "xtask/src/emulator",
     "xtask/src/measure/cores.rs",
     "xtask/src/measure/firmware.rs",
     "xtask/src/measure/float_source.rs",
+    "xtask/src/measure/scene.rs",
     "xtask/src/scene_source",
     "xtask/src/sweep",
+    "xtask/src/toolchain.rs",
 ];
 
 /// A hash of all sources, of a scene's file if it comes from one, and of the compiler's version.

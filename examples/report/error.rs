@@ -21,6 +21,7 @@ pub struct Truth {
     pub picture: Picture,
     paths: Paths,
     is_of_planes: bool,
+    is_plain: bool,
 }
 
 /// How far a picture is from the truth.
@@ -42,6 +43,8 @@ pub struct Errors {
 /// What is promised of a picture, and how it is kept.
 #[derive(Clone, Copy, Debug)]
 pub struct Promised {
+    /// The share of the pixels that are sure: 0 to 1.
+    pub sure: f64,
     /// How many pixels that are not sure are further than 1 from what their ending comes to.
     pub decided: usize,
     /// How many were further off although they were sure: none.
@@ -76,6 +79,18 @@ pub struct Parts {
 }
 
 impl Parts {
+    /// Whether more is due to rounding than to any other part.
+    pub fn is_rounding(&self) -> bool {
+        let others = [
+            self.truncation,
+            self.cut_off,
+            self.between,
+            self.decided,
+            self.simplified,
+        ];
+        others.iter().all(|part| *part < self.rounding)
+    }
+
     /// In words, the part that is due the most.
     pub fn largest(&self) -> &'static str {
         let parts = [
@@ -101,6 +116,7 @@ impl Truth {
             picture: reference::render(scene, camera, width, height, ALL, shading),
             paths: Paths::follow(scene, camera, size, FOLLOWED, shading, &precision),
             is_of_planes: painter.is_of_planes(),
+            is_plain: painter.is_plain(),
         }
     }
 
@@ -144,9 +160,10 @@ impl Truth {
         Ending {
             reflections: reflections.into(),
             smallest_weight: numbers.smallest_weight.to_num(),
-            stride: match self.is_of_planes && numbers.stride > 1 {
-                true => 4,
-                false => numbers.stride,
+            stride: match numbers.stride {
+                _ if self.is_plain => 1,
+                2.. if self.is_of_planes => 4,
+                stride => stride,
             },
             tolerance: numbers.tolerance.to_num(),
         }
@@ -196,7 +213,9 @@ impl Truth {
         };
         let squares = sure.iter().map(|pixel| bounds[*pixel].levels().powi(2));
         let share = bounds.len() as f64 / sure.len().max(1) as f64;
+        let all = bounds.len().max(1) as f64;
         let promised = Promised {
+            sure: sure.len() as f64 / all,
             decided: decided.iter().filter(|it| **it).count(),
             broken: sure
                 .iter()

@@ -7,11 +7,10 @@ use crate::scene::Measured;
 use crate::settings::{Contestant, Level};
 
 /// The constants of all scenes.
-pub fn source(core: &str, size: &str, scenes: &[Measured]) -> String {
+pub fn source(command: &str, scenes: &[Measured]) -> String {
     let mut source = format!(
-        "// Written by `cargo run --release --example report -- --core {core} --size {size}`: what is \
-         best\n// for a frame of so many instructions. Include it where `Front`, `FrontPoint` and `Grade` \
-         are in scope.\n"
+        "// Written by `{command}`:\n// what is best for a frame of so many instructions. Include it \
+         where `Front`, `FrontPoint` and `Grade`\n// are in scope.\n"
     );
     for scene in scenes {
         let points = points(&scene.points);
@@ -68,9 +67,17 @@ fn points(points: &[Point]) -> Vec<&Point> {
     front
 }
 
-/// Instructions a pixel, rounded up.
+/// Instructions a pixel beyond those of the preparation, rounded up.
 fn rounded(point: &Point) -> u32 {
-    point.cost.middle.ceil() as u32
+    let pixels = point.pixels as f64;
+    let whole = (point.cost.middle * pixels).round() as u64;
+    let drawing = whole.saturating_sub(prepare(point).into());
+    drawing.div_ceil(point.pixels) as u32
+}
+
+/// Instructions of the preparation.
+fn prepare(point: &Point) -> u32 {
+    point.cost.prepare.unwrap_or_default() as u32
 }
 
 /// Hundredths of a decibel, rounded down.
@@ -89,8 +96,9 @@ fn line(point: &Point) -> String {
         _ => "Fast",
     };
     format!(
-        "    FrontPoint {{\n        instructions: {},\n        reflections: {},\n        \
+        "    FrontPoint {{\n        prepare: {},\n        instructions: {},\n        reflections: {},\n        \
          grade: Grade::{grade},\n        scale: {},\n        psnr: {},\n        largest: {},\n    }},\n",
+        prepare(point),
         rounded(point),
         point.setting.reflections,
         point.setting.scale,

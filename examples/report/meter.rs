@@ -1,7 +1,7 @@
 //! Counts instructions: asks `cargo xtask sweep` for what is not known yet.
 
 use std::io::{BufRead, BufReader, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 
 use embedded_graphics::geometry::Size;
@@ -23,6 +23,8 @@ pub struct Task<'a> {
     pub core: &'static str,
     pub size: Size,
     pub settings: &'a [Setting],
+    /// The folder of what was counted before.
+    pub counts: PathBuf,
 }
 
 /// Counts all settings of a task, and says of each when it is done.
@@ -41,7 +43,7 @@ pub fn count(task: &Task, done: &dyn Fn()) -> Result<Vec<Cost>, Failure> {
         false => "float",
     };
     let name = format!("{name}-{contestant}-{}-{width}x{height}", task.core);
-    let mut cache = Cache::open(&name, &cache::sources(task.scene)?)?;
+    let mut cache = Cache::open(&task.counts, &name, &cache::sources(task.scene)?)?;
     let is_known = |cache: &Cache, setting: &Setting| cache.cost(setting).is_some();
     let known = task
         .settings

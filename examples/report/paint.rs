@@ -65,6 +65,12 @@ impl Painter {
         self.scene.spheres.is_empty() && self.scene.cylinders.is_empty()
     }
 
+    /// Whether a constant scene traces every pixel, whatever its quality says: nothing in it looks
+    /// otherwise in another place.
+    pub fn is_plain(&self) -> bool {
+        !self.world.needs().places
+    }
+
     /// The picture under a setting.
     pub fn paint(&self, setting: &Setting) -> Picture {
         let Contestant::Fixed { level, shadows } = setting.contestant else {
@@ -83,7 +89,8 @@ impl Painter {
         let how = How {
             setting,
             shadows,
-            traces_all,
+            // As a constant scene does; the one here is filled at run time, and would not.
+            traces_all: traces_all || self.is_plain(),
             display: &mut display,
         };
         // As a board does that knows the scene when it is compiled: without pixels taken from others.

@@ -207,7 +207,7 @@ where
                 PURPLE.stroke_width(2),
             )
         }))?
-        .label("theory: no worse than this")
+        .label("theory, for sure pixels")
         .legend(|(x, y)| Cross::new((x + 10, y), 4, PURPLE.stroke_width(2)));
     if axis == Axis::Largest {
         let sure = shown.iter().filter_map(|it| {

@@ -10,6 +10,8 @@ pub struct Point {
     /// The core it was measured on.
     pub core: &'static str,
     pub cost: Cost,
+    /// Of the picture.
+    pub pixels: u64,
     pub errors: Errors,
     /// Whether no other setting of its contestant is cheaper and has less error.
     pub is_on_front: bool,

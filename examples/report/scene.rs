@@ -18,7 +18,7 @@ use crate::paint::{Painter, hash};
 use crate::point::{Cost, Point, mark_front};
 use crate::settings::{self, Level, Setting};
 use crate::source::Source;
-use crate::{host, write};
+use crate::{cache, host, write};
 
 /// A scene with all that was measured of it.
 pub struct Measured {
@@ -174,6 +174,7 @@ impl<'a> Plan<'a> {
             setting,
             core: core.name(),
             cost,
+            pixels: truth.picture.pixels.len() as u64,
             is_on_front: false,
         })
     }
@@ -224,6 +225,7 @@ fn count(
                     core: core.name(),
                     size: arguments.size,
                     settings,
+                    counts: arguments.counts.clone().unwrap_or_else(cache::folder),
                 },
             })
     });

@@ -7,7 +7,7 @@ use crate::scene::Measured;
 use crate::settings::{Contestant, Level};
 
 /// The names of the columns.
-const COLUMNS: [&str; 36] = [
+const COLUMNS: [&str; 37] = [
     "scene",
     "core",
     "size",
@@ -30,6 +30,7 @@ const COLUMNS: [&str; 36] = [
     "same",
     "within1",
     "on_front",
+    "sure_share",
     "sure_psnr",
     "sure_largest",
     "bound_psnr",
@@ -100,6 +101,7 @@ fn row(scene: &str, size: &str, point: &Point) -> Vec<String> {
         format!("{:.5}", errors.same),
         format!("{:.5}", errors.within1),
         point.is_on_front.to_string(),
+        of_promise(|it| format!("{:.5}", it.sure)),
         of_promise(|it| format!("{:.3}", it.psnr)),
         of_promise(|it| it.largest.to_string()),
         of_promise(|it| format!("{:.3}", it.bound_psnr)),

@@ -32,7 +32,7 @@ pub fn all(arguments: &Arguments, scenes: &[Measured]) -> Result<(), Failure> {
     let size = format!("{}x{}", arguments.size.width, arguments.size.height);
     folder.write("points.csv", &table::csv(arguments, scenes)?)?;
     if arguments.core != crate::arguments::Core::Host {
-        let source = source::source(arguments.core.name(), &size, scenes);
+        let source = source::source(&arguments.command(), scenes);
         folder.write("front.rs", source.as_bytes())?;
     }
     let seen = room::measure()?;
@@ -79,14 +79,18 @@ fn section<'a>(
     folder.write(&format!("{file}-psnr.svg"), psnr.as_bytes())?;
     folder.write(&format!("{file}-largest.svg"), largest.as_bytes())?;
     let front = front(&scene.points, GAIN);
-    let mut chosen = vec![0, front.len() / 2, front.len().saturating_sub(1)];
-    chosen.dedup();
-    let sample = |index: usize| -> Result<Sample, Failure> {
+    // Named by their place, so that a later report with other points replaces them.
+    let chosen = [
+        ("first", 0),
+        ("middle", front.len() / 2),
+        ("last", front.len().saturating_sub(1)),
+    ];
+    let sample = |(place, index): (&str, usize)| -> Result<Sample, Failure> {
         let picture = scene.painter.paint(&front[index].setting);
         let apart = difference_picture(&picture, &scene.truth.picture, DIFFERENCE_GAIN)?;
         let (picture, difference) = (png(&picture)?, png(&apart)?);
-        let name = format!("{file}-{}.png", index + 1);
-        let other = format!("{file}-{}-difference.png", index + 1);
+        let name = format!("{file}-{place}.png");
+        let other = format!("{file}-{place}-difference.png");
         folder.write(&name, &picture)?;
         folder.write(&other, &difference)?;
         Ok(Sample {
@@ -95,9 +99,13 @@ fn section<'a>(
             pictures: [picture, difference],
         })
     };
+    let samples = chosen.into_iter().map(sample);
+    let mut samples: Vec<Sample> = samples.collect::<Result<_, _>>()?;
+    // A front of one or two points has no more to show.
+    samples.dedup_by_key(|it| it.number);
     Ok(Section {
         scene,
-        samples: chosen.into_iter().map(sample).collect::<Result<_, _>>()?,
+        samples,
         front,
         file,
         psnr,

@@ -7,16 +7,18 @@ use crate::number::{Brightness, Unit};
 use crate::scene::World;
 
 impl<W: World, Q, K> Picture<W, Q, K> {
-    /// How far a pixel of this picture can be from one whose paths are followed for ever, on account
-    /// of the reflections that were left out, as a share of white: 0 to 1.
+    /// How far a pixel of this picture that was traced can be from one whose paths are followed for
+    /// ever, on account of the reflections that were left out, as a share of white: 0 to 1.
     ///
     /// What follows the last reflection adds up to no more than the path's weight Π αₖ times the
     /// brightest colour that anything in the scene can have; the largest such weight is the
     /// report's. In integers, a few instructions for each material and light, once a frame; rounded
-    /// up to 2⁻³⁰, and 1 where it is more: a display shows nothing above white.
+    /// up to 2⁻³⁰, and 1 where it is more: a display shows nothing above white. Materials that no shape
+    /// has count, too.
     ///
-    /// What rounding and the pixels between traced ones add to it does not depend on the number of
-    /// reflections alone: `docs/error-time` has it for every built-in scene.
+    /// Of the pixels between traced ones (see [`crate::Quality::STRIDE`]) it says nothing; what they
+    /// and rounding add does not depend on the number of reflections alone: `docs/error-time` has it
+    /// for every built-in scene.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
@@ -42,18 +44,16 @@ impl<W: World, Q, K> Picture<W, Q, K> {
     /// The largest component of any colour that a path can meet, in steps of 2⁻²⁶, rounded up.
     fn brightest(&self) -> u64 {
         let parts = self.world.parts();
-        let spheres = parts.spheres.iter().map(|it| it.material);
-        let planes = parts.planes.iter().map(|it| it.material);
-        let cylinders = parts.cylinders.iter().map(|it| it.material);
-        let materials = spheres.chain(planes).chain(cylinders);
-        let own = materials.map(|it| self.brightest_of(parts.material(it)));
+        let own = parts.materials.iter().map(|it| self.brightest_of(it));
         let most = own.max().unwrap_or(0);
         most.max(bits(parts.background.largest()))
     }
 
     /// (ambient + Σ over the lights of (diffuse + specular) · light) · colour, at its brightest.
     fn brightest_of(&self, material: &PreparedMaterial) -> u64 {
+        // The kernels' cosines and powers may be above 1 by their rounding, by far less than 2⁻¹⁵.
         let strongest = bits(material.diffuse) + bits(material.specular);
+        let strongest = strongest + strongest.div_ceil(1 << 15);
         let lamps = self.world.parts().lights.iter().map(|light| light.color);
         let component = |axis: usize| {
             let of = |color: Color| color.components().get(axis).map_or(0, |it| bits(*it));

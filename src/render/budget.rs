@@ -7,6 +7,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 
 use super::{Enlarged, Frame, Report};
+use crate::number::Unit;
 use crate::quality::{Fast, Fine, Quality};
 use crate::scene::World;
 use crate::shade::Shading;
@@ -23,7 +24,9 @@ pub enum Grade {
 /// Settings for a scene on a core, what they take and what they lose: measured, not worked out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FrontPoint {
-    /// Executed instructions for a pixel of the display.
+    /// Executed instructions of a frame's preparation, whatever its size.
+    pub prepare: u32,
+    /// Executed instructions for a pixel of the display beyond that.
     pub instructions: u32,
     /// At most this many reflections a path.
     pub reflections: u8,
@@ -38,8 +41,18 @@ pub struct FrontPoint {
     pub largest: u8,
 }
 
-/// The best settings for a scene on a core: each takes more instructions than the one before it and
-/// has less error.
+impl FrontPoint {
+    /// The instructions that a frame of this size is expected to take.
+    pub const fn expected(&self, size: Size) -> u64 {
+        // `u64::from` is not const.
+        let pixels = size.width as u64 * size.height as u64;
+        let drawing = pixels.saturating_mul(self.instructions as u64);
+        drawing.saturating_add(self.prepare as u64)
+    }
+}
+
+/// The best settings for a scene on a core: each takes more instructions a pixel than the one before
+/// it and has less error.
 ///
 /// `cargo run --release --example report` measures them for a scene of yours and writes them as
 /// Rust source.
@@ -50,7 +63,7 @@ impl Front {
     /// The front of these points.
     ///
     /// Panics, which stops the compiler for a constant, if there are none, or if one does not take
-    /// more instructions than the one before it and reach a higher PSNR.
+    /// more instructions a pixel than the one before it and reach a higher PSNR.
     pub const fn new(points: &'static [FrontPoint]) -> Self {
         assert!(!points.is_empty(), "a front has at least one point");
         let mut next = 1;
@@ -72,11 +85,11 @@ impl Front {
 
     /// What to draw a display of `size` with for so many instructions a frame.
     pub fn choose(&self, size: Size, instructions: u64) -> Choice {
-        let pixels = u64::from(size.width) * u64::from(size.height);
-        let expected = |point: &FrontPoint| pixels.saturating_mul(point.instructions.into());
-        let fitting = self.0.iter().rev().find(|it| expected(it) <= instructions);
+        let mut dearest_first = self.0.iter().rev();
+        let fitting = dearest_first.find(|it| it.expected(size) <= instructions);
         // There is a first one, by how a front is made.
         let point = fitting.or(self.0.first()).copied().unwrap_or(FrontPoint {
+            prepare: 0,
             instructions: 0,
             reflections: 0,
             grade: Grade::Fast,
@@ -107,9 +120,19 @@ pub struct Budgeted {
     pub choice: Choice,
     /// Of what was drawn.
     pub report: Report,
+    /// How far a pixel that was traced can be off on account of the reflections that were left out,
+    /// as a share of white: [`super::Picture::cut_off_bound`].
+    pub cut_off_bound: Unit,
     /// How many of the display's rows were still to be drawn when time was up: the lowest ones, which
     /// show what they showed before.
     pub missing_rows: u32,
+}
+
+/// What was drawn of a frame: its lowest rows may be missing.
+struct Drawn {
+    report: Report,
+    cut_off_bound: Unit,
+    rows: u32,
 }
 
 impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
@@ -119,19 +142,28 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     /// `time_is_up` is asked before every row. From when it says so nothing more is drawn: what was
     /// drawn stays, and the result says how many rows are missing. `|| false` draws all.
     ///
+    /// What the points of a front take is counted into a row in memory, at the size of the report. The
+    /// target comes on top: on a Cortex-M3 one in memory adds up to 16 instructions a pixel, or up to
+    /// 256 for each of the larger pixels, which are squares of their own (`xtask/tests/budget.rs` holds
+    /// this for the castle); a driver of a display has its own. On a smaller display a pixel takes more,
+    /// as fewer lie between traced ones: the castle at 64 by 48 up to 1.8 times what its front of 128
+    /// by 128 says, target included. So the report should be of your display's size (`--size`).
+    ///
     /// Only what calls this has both [`Fast`] and [`Fine`] in flash.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
     /// use reflet::{Front, FrontPoint, Grade, StaticFrame, scenes::{BuiltIn, Corner1}};
     ///
-    /// // Written by `cargo run --release --example report -- corner1`.
+    /// // Made up; `cargo run --release --example report -- corner1` writes what is measured.
     /// const FRONT: Front = Front::new(&[
     ///     FrontPoint {
-    ///         instructions: 80, reflections: 1, grade: Grade::Fast, scale: 2, psnr: 2400, largest: 160,
+    ///         prepare: 10_000, instructions: 80, reflections: 1,
+    ///         grade: Grade::Fast, scale: 2, psnr: 2400, largest: 160,
     ///     },
     ///     FrontPoint {
-    ///         instructions: 230, reflections: 2, grade: Grade::Fast, scale: 1, psnr: 6000, largest: 9,
+    ///         prepare: 10_000, instructions: 230, reflections: 2,
+    ///         grade: Grade::Fast, scale: 1, psnr: 6000, largest: 9,
     ///     },
     /// ]);
     ///
@@ -158,15 +190,16 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         let choice = front.choose(size, instructions);
         let (grade, scale) = (choice.point.grade, u32::from(choice.point.scale));
         let frame = self.reflections(choice.point.reflections);
-        let (report, rows) = match scale {
+        let drawn = match scale {
             0 | 1 => frame.graded(grade, time_is_up, target),
             _ => frame.graded(grade, time_is_up, &mut Enlarged::new(target, scale)),
         }?;
-        let drawn = rows.saturating_mul(scale.max(1));
+        let rows = drawn.rows.saturating_mul(scale.max(1));
         Ok(Budgeted {
             choice,
-            report,
-            missing_rows: size.height.saturating_sub(drawn),
+            report: drawn.report,
+            cut_off_bound: drawn.cut_off_bound,
+            missing_rows: size.height.saturating_sub(rows),
         })
     }
 
@@ -175,7 +208,7 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         grade: Grade,
         time_is_up: impl FnMut() -> bool,
         target: &mut D,
-    ) -> Result<(Report, u32), D::Error>
+    ) -> Result<Drawn, D::Error>
     where
         D: DrawTarget,
         D::Color: From<Rgb888>,
@@ -186,30 +219,37 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         }
     }
 
-    /// Draws rows over the target until time is up; the report, and how many were drawn.
+    /// Draws rows over the target until time is up.
     fn draw_until<D>(
         &self,
         mut time_is_up: impl FnMut() -> bool,
         target: &mut D,
-    ) -> Result<(Report, u32), D::Error>
+    ) -> Result<Drawn, D::Error>
     where
         D: DrawTarget,
         D::Color: From<Rgb888>,
     {
         let area = target.bounding_box();
-        let mut report = Report::NONE;
+        let mut drawn = Drawn {
+            report: Report::NONE,
+            cut_off_bound: Unit::ZERO,
+            rows: 0,
+        };
         if area.is_zero_sized() {
-            return Ok((report, 0));
+            return Ok(drawn);
         }
         let picture = self.sized(area.size);
         let Size { width, height } = picture.size();
         for y in 0..height {
             if time_is_up() {
-                return Ok((report, y));
+                break;
             }
             let row = Rectangle::new(Point::new(0, y as i32), Size::new(width, 1));
-            report = report.merge(picture.draw_area(row, area.top_left, target)?);
+            let report = picture.draw_area(row, area.top_left, target)?;
+            drawn.report = drawn.report.merge(report);
+            drawn.rows = y + 1;
         }
-        Ok((report, height))
+        drawn.cut_off_bound = picture.cut_off_bound(&drawn.report);
+        Ok(drawn)
     }
 }

@@ -56,9 +56,12 @@ impl<D: DrawTarget> DrawTarget for Enlarged<'_, D> {
     where
         I: IntoIterator<Item = Pixel<D::Color>>,
     {
-        let bounds = self.display.bounding_box();
+        let (own, bounds) = (self.bounding_box(), self.display.bounding_box());
         let side = Size::new_equal(self.scale);
         for Pixel(at, color) in pixels {
+            if !own.contains(at) {
+                continue;
+            }
             let at = bounds.top_left + at * self.scale as i32;
             let square = Rectangle::new(at, side).intersection(&bounds);
             self.display.fill_solid(&square, color)?;

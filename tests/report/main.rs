@@ -5,8 +5,10 @@
 mod program;
 
 use std::collections::BTreeMap;
-use std::fs;
+use std::ffi::OsString;
+use std::fs::{self, DirEntry};
 use std::path::Path;
+use std::time::SystemTime;
 
 use program::{Folder, Outcome};
 use reflet::scenes::NAMES;
@@ -32,6 +34,16 @@ fn number(row: &Row, column: &str) -> f64 {
     let text = &row[column];
     text.parse()
         .unwrap_or_else(|_| panic!("{column} of {row:?} is a number"))
+}
+
+/// When each of a folder's files was written.
+fn written(folder: &Path) -> BTreeMap<OsString, SystemTime> {
+    let entries = fs::read_dir(folder).expect("the folder can be read");
+    let entries = entries.map(|entry| entry.expect("an entry"));
+    let time = |entry: &DirEntry| entry.metadata().and_then(|it| it.modified());
+    entries
+        .map(|entry| (entry.file_name(), time(&entry).expect("a time")))
+        .collect()
 }
 
 /// What holds in every table, scene by scene.
@@ -120,7 +132,7 @@ fn kept_report_is_sound() {
 #[test]
 fn scene_is_counted_once_and_its_table_has_the_columns_of_the_kept_one() {
     let folder = Folder::new("report_counted");
-    let arguments = "corner1 --core m3 --size 16x16 --reflections 1 --out made";
+    let arguments = "corner1 --core m3 --size 16x16 --reflections 1 --counts kept --out made";
     let Outcome { code, stderr, .. } = report(&folder, arguments);
     assert_eq!(code, 0, "{stderr}");
     let made = folder.path("made");
@@ -130,9 +142,13 @@ fn scene_is_counted_once_and_its_table_has_the_columns_of_the_kept_one() {
     assert!(rows[0].keys().eq(kept[0].keys()));
     let cores: Vec<_> = rows.iter().map(|row| row["core"].as_str()).collect();
     assert!(cores.contains(&"m3") && cores.contains(&"m4f"));
-    // Nothing has changed since, so nothing is counted: the table is the same.
+    // Nothing has changed since, so nothing is counted, or it would be written again: the table is
+    // the same.
     let table = fs::read(made.join("points.csv")).unwrap();
+    let kept = written(&folder.path("kept"));
+    assert!(kept.len() >= 2, "{kept:?}");
     assert_eq!(report(&folder, arguments).code, 0);
+    assert_eq!(written(&folder.path("kept")), kept);
     assert_eq!(fs::read(made.join("points.csv")).unwrap(), table);
     let front = fs::read_to_string(made.join("front.rs")).unwrap();
     assert!(

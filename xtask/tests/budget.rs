@@ -1,5 +1,5 @@
-//! A frame with a budget on an emulated Cortex-M3: what fits is chosen, and the core's own clock ends
-//! it in time.
+//! A frame with a budget on an emulated Cortex-M3: what fits is chosen and takes no more than the
+//! budget, and the core's own clock ends it in time.
 
 use std::{collections::BTreeMap, env};
 
@@ -10,10 +10,23 @@ use embedded_graphics::{
 use embedded_graphics_simulator::SimulatorDisplay;
 use frame_hash::FrameHash;
 use reflet::{
-    Enlarged, Fine, StaticFrame,
+    Enlarged, Fine, FrontPoint, StaticFrame,
     scenes::{BuiltIn, Castle},
 };
 use xtask::{measure::cores::Core, root, toolchain};
+
+/// What was measured, and the size it was measured at.
+mod measured {
+    // Only the castle is drawn.
+    #![allow(dead_code)]
+
+    use embedded_graphics::geometry::Size;
+    use reflet::{Front, FrontPoint, Grade};
+
+    include!("../../docs/error-time/front.rs");
+
+    pub const SIZE: Size = Size::new(128, 128);
+}
 
 const SIZE: Size = Size::new(64, 48);
 
@@ -61,10 +74,20 @@ fn hash(display: &SimulatorDisplay<Rgb888>, missing: u64) -> u64 {
     hash.value()
 }
 
+/// What the target may take beyond a budget, at most: a row is asked of an iterator instead of written
+/// where it lies, or each larger pixel is a square of its own.
+fn target_takes(point: &FrontPoint) -> u64 {
+    let Size { width, height } = measured::SIZE;
+    let scale = u32::from(point.scale);
+    let pixels = u64::from(width.div_ceil(scale) * height.div_ceil(scale));
+    pixels * if scale == 1 { 16 } else { 256 }
+}
+
 #[test]
 fn board_draws_what_fits_and_stops_in_time() {
     let said = said();
-    assert_eq!(said.len(), 2);
+    let points = measured::CASTLE.points();
+    assert_eq!(said.len(), 2 + 2 * points.len());
     let castle = || Castle::frame(&Castle::CAMERA);
 
     // 325 instructions a pixel are too few for either: the cheapest it is.
@@ -86,4 +109,27 @@ fn board_draws_what_fits_and_stops_in_time() {
     let missing = best["missing"];
     assert!(0 < missing && missing < u64::from(SIZE.height), "{missing}");
     assert_eq!(best["hash"], hash(&display, missing));
+    // It ends before the first row that begins too late.
+    let (taken, longest) = (best["instructions"], best["longest"]);
+    assert!(3_000_000 < taken && taken <= 3_000_000 + longest, "{taken}");
+
+    for (size, frames) in [
+        (measured::SIZE, &said[2..2 + points.len()]),
+        (SIZE, &said[2 + points.len()..]),
+    ] {
+        for (point, frame) in points.iter().zip(frames) {
+            let (taken, budget) = (frame["instructions"], point.expected(size));
+            let share = 100.0 * taken as f64 / budget as f64;
+            println!("{size}: {taken} of {budget}, {share:.2} %: {point:?}");
+        }
+        for (point, frame) in points.iter().zip(frames) {
+            assert_eq!((frame["fits"], frame["missing"]), (1, 0));
+            // At another size other shares of the pixels are traced.
+            if size == measured::SIZE {
+                let (taken, budget) = (frame["instructions"], point.expected(size));
+                let most = budget + target_takes(point);
+                assert!(taken <= most, "{size}: {taken} of {budget}, {point:?}");
+            }
+        }
+    }
 }

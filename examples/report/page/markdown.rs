@@ -4,9 +4,9 @@ use super::{HEADS, Page, Section};
 
 /// The whole page.
 pub fn write(page: &Page) -> String {
-    let mut text = String::from(
-        "<!-- Written by `cargo run --release --example report`. Do not edit. -->\n\n\
-         # Error against run time\n\n",
+    let mut text = format!(
+        "<!-- Written by `{}`. Do not edit. -->\n\n# Error against run time\n\n",
+        page.arguments.command()
     );
     text += "[The same as one page with all its pictures](index.html), to be opened from disk.\n\n";
     text += &paragraphs(&page.introduction());

@@ -3,6 +3,8 @@
 pub mod html;
 pub mod markdown;
 
+use std::cmp::Ordering;
+
 use crate::arguments::{Arguments, Core};
 use crate::point::Point;
 use crate::scene::Measured;
@@ -37,12 +39,13 @@ pub struct Sample {
 }
 
 /// The heads of a scene's table.
-pub const HEADS: [&str; 13] = [
+pub const HEADS: [&str; 14] = [
     "",
     "setting",
     "cost",
     "PSNR",
     "largest",
+    "sure %",
     "sure",
     "bound",
     "truncation",
@@ -135,8 +138,9 @@ impl Page<'_> {
     /// What the columns of the tables are.
     pub fn columns(&self) -> String {
         format!(
-            "In the tables cost is in {}, PSNR in dB, and all others in 255ths: the largest difference \
-             of all pixels, of those that are sure, and what theory allows these; then, each alone, the \
+            "In the tables cost is in {}, PSNR in dB, and all others in 255ths but the percentage of \
+             the pixels that are sure: the largest difference of all pixels, of those that are sure, and \
+             what theory allows these; then, each alone, the \
              root of the mean square of what is due to truncation (reflections left out), to the weight \
              cut-off, to pixels between traced ones, to rounding, to pixels decided otherwise (with \
              their number), and to what is simplified (no shadows, larger pixels).",
@@ -157,23 +161,32 @@ impl Page<'_> {
     /// Fixed point against float at the same count, scene by scene.
     pub fn contest(&self) -> Vec<String> {
         let sentences = self.sections.iter().map(|section| {
-            let Contest { compared, lost } = section.contest(self.arguments.core);
+            let Contest {
+                compared,
+                same,
+                alone,
+                lost,
+            } = section.contest(self.arguments.core);
             let name = section.scene.painter.name();
-            match (compared, lost.as_slice()) {
-                (0, _) => format!("{name}: no point of the front lies there."),
-                (_, []) => format!("{name}: less error than float at each of {compared} points."),
-                (_, lost) => {
-                    let shown = lost.len().min(MOST_LOST);
-                    let more = match lost.len() - shown {
-                        0 => String::new(),
-                        more => format!("; and {more} more"),
-                    };
-                    format!(
-                        "{name}: less error at {} of {compared} points, not at {}{more}.",
-                        compared - lost.len(),
-                        lost[..shown].join("; ")
-                    )
-                }
+            if compared == 0 {
+                return format!("{name}: no point of the front lies there.");
+            }
+            let less = compared - same - alone - lost.len();
+            let mut words = format!("{name}: less error than float at {less} of {compared} points");
+            if same > 0 {
+                words += &format!(", the same at {same}");
+            }
+            if alone > 0 {
+                words += &format!(", no setting of float as cheap at {alone}");
+            }
+            if lost.is_empty() {
+                return words + ".";
+            }
+            let shown = lost.len().min(MOST_LOST);
+            words += &format!(", more at {}: {}", lost.len(), lost[..shown].join("; "));
+            match lost.len() - shown {
+                0 => words + ".",
+                more => format!("{words}; and {more} more."),
             }
         });
         sentences.collect()
@@ -204,8 +217,13 @@ const RANGE: std::ops::Range<f64> = 300.0..5000.0;
 /// So many of the points at which float has less error are explained.
 const MOST_LOST: usize = 4;
 
+/// Of the points that are compared; float has more error at all that are not named here.
 struct Contest {
     compared: usize,
+    /// With as much error as float.
+    same: usize,
+    /// With no float as cheap.
+    alone: usize,
     lost: Vec<String>,
 }
 
@@ -215,15 +233,16 @@ impl Section<'_> {
         let points = self.scene.points.iter().filter(|it| it.is_on_front);
         let mut points: Vec<_> = points.filter(|it| is_meant(it.cost.middle)).collect();
         points.sort_by(|a, b| a.cost.middle.total_cmp(&b.cost.middle));
-        let lost = points.iter().filter_map(|point| {
-            let best = self.float_within(point.cost.middle)?;
-            let is_lost = match point.psnr().is_finite() {
-                true => best.psnr() >= point.psnr(),
-                // Nothing has less error than none.
-                false => false,
+        let (mut same, mut alone, mut lost) = (0, 0, Vec::new());
+        for point in &points {
+            let Some(best) = self.float_within(point.cost.middle) else {
+                alone += 1;
+                continue;
             };
-            is_lost.then(|| {
-                format!(
+            match point.psnr().total_cmp(&best.psnr()) {
+                Ordering::Greater => (),
+                Ordering::Equal => same += 1,
+                Ordering::Less => lost.push(format!(
                     "{} ({}, {} dB; {}, {} dB): {}",
                     cost(point),
                     point.words(),
@@ -231,12 +250,14 @@ impl Section<'_> {
                     best.words(),
                     decibels(best.psnr()),
                     self.why(point, best),
-                )
-            })
-        });
+                )),
+            }
+        }
         Contest {
             compared: points.len(),
-            lost: lost.collect(),
+            same,
+            alone,
+            lost,
         }
     }
 
@@ -245,8 +266,9 @@ impl Section<'_> {
         let pixels = self.scene.truth.picture.pixels.len() as f64;
         let count = |share: f64| ((1.0 - share) * pixels).round();
         let beyond = |point: &Point| count(point.errors.within1);
+        let parts = &point.errors.parts;
         match (beyond(point), beyond(float)) {
-            (0.0, 0.0) => format!(
+            (0.0, 0.0) if parts.is_rounding() => format!(
                 "no pixel of either is further than 1 from the truth; {} of fixed point's and {} of \
                  float's lie so near to half way between two levels that they are rounded the other way, \
                  as a product of colours keeps 20 bits and f32 24",
@@ -256,7 +278,7 @@ impl Section<'_> {
             (own, other) => format!(
                 "most of it is due to {}; {own} pixels of fixed point's and {other} of float's are further \
                  than 1 from the truth",
-                point.errors.parts.largest()
+                parts.largest()
             ),
         }
     }
@@ -298,7 +320,7 @@ impl Section<'_> {
     }
 
     /// The rows of its table.
-    pub fn rows(&self) -> Vec<[String; 13]> {
+    pub fn rows(&self) -> Vec<[String; 14]> {
         let float = front_of_float(&self.scene.float);
         let soft = self.scene.soft.iter();
         let all = self.front.iter().copied().chain(float).chain(soft);
@@ -307,7 +329,7 @@ impl Section<'_> {
             .collect()
     }
 
-    fn row(&self, index: usize, point: &Point) -> [String; 13] {
+    fn row(&self, index: usize, point: &Point) -> [String; 14] {
         let (errors, parts) = (&point.errors, &point.errors.parts);
         let number = match index < self.front.len() {
             true => (index + 1).to_string(),
@@ -334,6 +356,7 @@ impl Section<'_> {
             cost(point),
             decibels(point.psnr()),
             errors.largest.to_string(),
+            of_promise(|it| percent(it.sure)),
             of_promise(|it| it.largest.to_string()),
             of_promise(|it| format!("{:.1}", it.bound)),
             format!("{:.2}", parts.truncation),
@@ -355,6 +378,11 @@ fn cost(point: &Point) -> String {
         Some((lower, upper)) => format!("{:.2} ({lower:.2} to {upper:.2})", point.cost.middle),
         None => format!("{:.0}", point.cost.middle),
     }
+}
+
+/// Rounded down, so that 100 are all.
+fn percent(share: f64) -> String {
+    format!("{:.1}", (1000.0 * share).floor() / 10.0)
 }
 
 /// In decibels, or that there is nothing to be measured.

@@ -80,6 +80,7 @@ fn draw<Q: Quality, K: Shading, W: World + Copy>(frame: Frame<'_, W>) {
 /// A frame with a budget.
 fn draw_within() {
     const POINT: FrontPoint = FrontPoint {
+        prepare: 1000,
         instructions: 100,
         reflections: 1,
         grade: Grade::Fast,

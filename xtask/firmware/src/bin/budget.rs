@@ -1,26 +1,40 @@
-//! Draws the castle with a budget of instructions, and then again until the clock says that time is
-//! up; reports what became of both.
+//! Draws the castle with budgets of instructions, and then again until the clock says that time is
+//! up; reports what became of each.
 #![no_std]
 #![no_main]
 
 use core::convert::Infallible;
+use core::hint::black_box;
 use core::ptr;
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Size};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::primitives::Rectangle;
 use firmware::{Clock, report};
 use frame_hash::FrameHash;
 use reflet::scenes::{BuiltIn, Castle};
 use reflet::{Budgeted, Front, FrontPoint, Grade, StaticFrame};
 
-const WIDTH: usize = 64;
-const HEIGHT: usize = 48;
+/// What was measured, and the size it was measured at.
+mod measured {
+    // Only the castle is drawn.
+    #![allow(dead_code)]
 
-static mut FRAME: [Rgb888; WIDTH * HEIGHT] = [Rgb888::BLACK; WIDTH * HEIGHT];
+    use reflet::{Front, FrontPoint, Grade};
 
+    include!("../../../../docs/error-time/front.rs");
+
+    pub const SIZE: (usize, usize) = (128, 128);
+}
+
+static mut FRAME: [Rgb888; measured::SIZE.0 * measured::SIZE.1] =
+    [Rgb888::BLACK; measured::SIZE.0 * measured::SIZE.1];
+
+/// Made up, so that both kinds of pixels are drawn.
 const CHEAP: FrontPoint = FrontPoint {
+    prepare: 0,
     instructions: 400,
     reflections: 1,
     grade: Grade::Fast,
@@ -41,12 +55,25 @@ const FRONT: Front = Front::new(&[
     },
 ]);
 
-/// A display in memory.
-struct Screen<'a>(&'a mut [Rgb888]);
+/// A display in memory, that takes rows and squares as the drivers of displays do.
+struct Screen<'a> {
+    pixels: &'a mut [Rgb888],
+    size: (usize, usize),
+}
+
+impl Screen<'_> {
+    /// So much of the row at a place as is in this rectangle; nothing outside of the display.
+    fn part(&mut self, area: &Rectangle, row: usize) -> &mut [Rgb888] {
+        let (left, top) = (area.top_left.x as usize, area.top_left.y as usize);
+        let start = (top + row) * self.size.0 + left;
+        let end = start + area.size.width as usize;
+        self.pixels.get_mut(start..end).unwrap_or_default()
+    }
+}
 
 impl OriginDimensions for Screen<'_> {
     fn size(&self) -> Size {
-        Size::new(WIDTH as u32, HEIGHT as u32)
+        Size::new(self.size.0 as u32, self.size.1 as u32)
     }
 }
 
@@ -59,9 +86,32 @@ impl DrawTarget for Screen<'_> {
         I: IntoIterator<Item = Pixel<Rgb888>>,
     {
         for Pixel(at, color) in pixels {
-            if let Some(pixel) = self.0.get_mut(at.y as usize * WIDTH + at.x as usize) {
+            if let Some(pixel) = self
+                .pixels
+                .get_mut(at.y as usize * self.size.0 + at.x as usize)
+            {
                 *pixel = color;
             }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
+    where
+        I: IntoIterator<Item = Rgb888>,
+    {
+        let mut colors = colors.into_iter();
+        for row in 0..area.size.height as usize {
+            for (pixel, color) in self.part(area, row).iter_mut().zip(&mut colors) {
+                *pixel = color;
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: Rgb888) -> Result<(), Infallible> {
+        for row in 0..area.size.height as usize {
+            self.part(area, row).fill(color);
         }
         Ok(())
     }
@@ -72,29 +122,49 @@ extern "C" fn main() -> ! {
     // Sound: nothing else names the frame, and the start-up code calls this once.
     let frame = unsafe { &mut *ptr::addr_of_mut!(FRAME) };
     let clock = Clock::start();
-    let mut draw = |budget: u64, limit: u32| {
-        frame.fill(Rgb888::BLACK);
-        let start = clock.now();
-        let is_up = || clock.since(start) > limit;
-        let mut screen = Screen(frame);
+    let mut draw = |front: &Front, size: (usize, usize), budget: u64, limit: u32| {
+        let pixels = &mut frame[..size.0 * size.1];
+        pixels.fill(Rgb888::BLACK);
         let castle = Castle::frame(&Castle::CAMERA);
-        let Ok(drawn) = castle.draw_within(&FRONT, budget, is_up, &mut screen);
+        let mut screen = Screen { pixels, size };
+        let mut longest = 0;
+        let start = clock.now();
+        let mut last = None;
+        let is_up = || {
+            if let Some(last) = last {
+                longest = clock.since(last).max(longest);
+            }
+            last = Some(clock.now());
+            clock.since(start) > limit
+        };
+        let Ok(drawn) = castle.draw_within(front, budget, is_up, &mut screen);
+        let taken = clock.since(start);
         let mut hash = FrameHash::NONE;
-        for pixel in frame.iter() {
+        for pixel in screen.pixels.iter() {
             hash.add([pixel.r(), pixel.g(), pixel.b()]);
         }
-        say(&drawn, hash);
+        say(&drawn, hash, (taken, longest));
     };
-    draw(1_000_000, u32::MAX);
-    draw(u64::MAX, 3_000_000);
+    let small = (64, 48);
+    draw(&FRONT, small, 1_000_000, u32::MAX);
+    draw(&FRONT, small, u64::MAX, 3_000_000);
+    let measured = black_box(&measured::CASTLE);
+    for size in [measured::SIZE, small] {
+        let whole = Size::new(size.0 as u32, size.1 as u32);
+        for point in measured.points() {
+            draw(measured, size, point.expected(whole), u32::MAX);
+        }
+    }
     semihosting::process::exit(0)
 }
 
-fn say(drawn: &Budgeted, hash: FrameHash) {
+fn say(drawn: &Budgeted, hash: FrameHash, (taken, longest): (u32, u32)) {
     report::text("drawn");
     report::number(" reflections=", drawn.choice.point.reflections.into());
     report::number(" fits=", drawn.choice.fits.into());
     report::number(" missing=", drawn.missing_rows.into());
     report::number(" hash=", hash.value());
+    report::number(" instructions=", taken.into());
+    report::number(" longest=", longest.into());
     report::text("\n");
 }
