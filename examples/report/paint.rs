@@ -9,7 +9,7 @@ use reflet::host::file::{FileScene, built};
 use reflet::host::precision;
 use reflet::host::reference::bound::Precision;
 use reflet::host::reference::{self, Picture};
-use reflet::{BlinnPhong, Bound, Camera, Enlarged, Frame, Needs, Quality, Unshadowed, World};
+use reflet::{BlinnPhong, Camera, Enlarged, Frame, Quality, Unshadowed};
 
 use crate::settings::{Contestant, Level, Setting, Visitor};
 use crate::source::{Kind, Source};
@@ -86,21 +86,14 @@ impl Painter {
 
     fn draw(&self, setting: &Setting, level: Level, shadows: bool, traces_all: bool) -> Picture {
         let mut display = SimulatorDisplay::new(self.size);
-        let how = How {
+        level.visit(Draw {
+            frame: self.world.frame(&self.camera),
             setting,
             shadows,
             // As a constant scene does; the one here is filled at run time, and would not.
             traces_all: traces_all || self.is_plain(),
             display: &mut display,
-        };
-        // As a board does that knows the scene when it is compiled: without pixels taken from others.
-        match self.world.frame_within::<OneColor>(&self.camera) {
-            Ok(frame) => level.visit(Draw { frame, how }),
-            Err(_) => level.visit(Draw {
-                frame: self.world.frame(&self.camera),
-                how,
-            }),
-        }
+        });
         let bytes = display.to_be_bytes();
         let pixels = bytes.chunks_exact(3).map(|it| [it[0], it[1], it[2]]);
         Picture {
@@ -133,43 +126,41 @@ pub fn hash(picture: &Picture) -> String {
     format!("{:016x}", hash.value())
 }
 
-/// A shape has one colour, wherever a ray meets it.
-struct OneColor;
-
-impl Bound for OneColor {
-    const NEEDS: Needs = Needs::ALL.without_places();
-}
-
-struct Draw<'a, W> {
-    frame: Frame<'a, W>,
-    how: How<'a>,
-}
-
-struct How<'a> {
+struct Draw<'a> {
+    frame: Frame<'a, &'a FileScene>,
     setting: &'a Setting,
     shadows: bool,
     traces_all: bool,
     display: &'a mut SimulatorDisplay<Rgb888>,
 }
 
-impl<W: World + Copy> Visitor for Draw<'_, W> {
+impl Visitor for Draw<'_> {
     type Output = ();
 
     fn visit<Q: Quality, T: Quality>(self) {
-        match self.how.traces_all {
-            true => drawn(self.frame.quality::<T>(), self.how),
-            false => drawn(self.frame.quality::<Q>(), self.how),
+        match self.traces_all {
+            true => drawn(
+                self.frame.quality::<T>(),
+                self.setting,
+                self.shadows,
+                self.display,
+            ),
+            false => drawn(
+                self.frame.quality::<Q>(),
+                self.setting,
+                self.shadows,
+                self.display,
+            ),
         }
     }
 }
 
-fn drawn<W: World + Copy, Q: Quality>(frame: Frame<'_, W, Q>, how: How<'_>) {
-    let How {
-        setting,
-        shadows,
-        display,
-        ..
-    } = how;
+fn drawn<Q: Quality>(
+    frame: Frame<'_, &FileScene, Q>,
+    setting: &Setting,
+    shadows: bool,
+    display: &mut SimulatorDisplay<Rgb888>,
+) {
     let frame = frame.reflections(setting.reflections);
     let mut target = Enlarged::new(display, setting.scale.into());
     let Ok(_) = match shadows {

@@ -282,7 +282,7 @@ fn weights_add_up_to_exactly_one() {
         let mut mirror = || {
             // Anything from 0 to just below 1, and both ends often.
             let bits = sweep.within(-(1 << 28), 5 << 28).clamp(0, (1 << 30) - 1);
-            let mirror = f64::from(bits as i32) / f64::from(1 << 30);
+            let mirror = f64::from(bits) / f64::from(1 << 30);
             scene
                 .add_material(Material::from_numbers([1; 3], 1, 0, (0, 1), mirror).unwrap())
                 .unwrap()
