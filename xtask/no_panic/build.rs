@@ -1,7 +1,7 @@
-//! Lets the linker find the default board's memory map.
+//! Lets the linker find the memory map.
 
 fn main() {
     let package = std::env::var("CARGO_MANIFEST_DIR").expect("cargo sets it");
-    println!("cargo::rustc-link-search={package}/../..");
-    println!("cargo::rerun-if-changed=../../memory.x");
+    println!("cargo::rustc-link-search={package}");
+    println!("cargo::rerun-if-changed=memory.x");
 }
