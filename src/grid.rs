@@ -23,14 +23,14 @@ impl Grid {
         }
     }
 
-    #[cfg(any(test, feature = "host"))]
     /// How many bits of a raw step lie behind the binary point of a scene unit.
+    #[cfg(any(test, feature = "host"))]
     pub const fn fraction_bits(&self) -> i32 {
         64 - self.drop as i32
     }
 
-    #[cfg(any(test, feature = "host"))]
     /// The middle of the scene.
+    #[cfg(any(test, feature = "host"))]
     pub const fn middle(&self) -> Position {
         self.middle
     }

@@ -161,25 +161,6 @@ pub struct Normals;
 #[derive(Clone, Copy, Debug)]
 pub struct Unshadowed<K = BlinnPhong>(PhantomData<K>);
 
-impl<K: sealed::Shading + Highlight> sealed::Shading for Unshadowed<K> {
-    const REFLECTS: bool = true;
-
-    #[allow(private_interfaces)]
-    #[inline(always)]
-    fn color<W: World, Q: Quality>(
-        world: &W,
-        view: &View,
-        surface: &Surface<'_>,
-        trail: &mut Trail,
-    ) -> Color {
-        lit_color::<W, Q, Self>(world, view, surface, trail)
-    }
-
-    fn missed<W: World>(world: &W) -> Color {
-        K::missed(world)
-    }
-}
-
 impl<K: Highlight> Highlight for Unshadowed<K> {
     const SHADOWS: bool = false;
 
@@ -189,26 +170,7 @@ impl<K: Highlight> Highlight for Unshadowed<K> {
     }
 }
 
-impl sealed::Shading for BlinnPhong {
-    const REFLECTS: bool = true;
-
-    #[allow(private_interfaces)]
-    #[inline(always)]
-    fn color<W: World, Q: Quality>(
-        world: &W,
-        view: &View,
-        surface: &Surface<'_>,
-        trail: &mut Trail,
-    ) -> Color {
-        lit_color::<W, Q, Self>(world, view, surface, trail)
-    }
-
-    fn missed<W: World>(world: &W) -> Color {
-        world.parts().background
-    }
-}
-
-impl sealed::Shading for Phong {
+impl<H: Highlight> sealed::Shading for H {
     const REFLECTS: bool = true;
 
     #[allow(private_interfaces)]

@@ -154,6 +154,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             weight = reflected;
             if weight == Unit::ZERO
                 || weight < Q::SMALLEST_WEIGHT
+                // Known when compiled, so that what follows is not linked.
                 || W::NEEDS.reflections == 0
                 || reflections >= self.reflections
             {
