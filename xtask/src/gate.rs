@@ -36,7 +36,9 @@ fn pass(steps: Vec<Step>) -> Result<()> {
     for (index, Step { name, program }) in steps.into_iter().enumerate() {
         println!("\n== {}: {name}\n   {program}", index + 1);
         let start = Instant::now();
+        // What only helps the next build fills the disk of a machine that is used once.
         program
+            .env("CARGO_INCREMENTAL", "0")
             .limit(LIMIT)
             .stream()
             .with_context(|| format!("the step `{name}` failed"))?;
@@ -65,12 +67,6 @@ fn steps(bare_metal: &BareMetal) -> Vec<Step> {
         step("format, xtask/stack_peak", format_of("xtask/stack_peak")),
         step("format, examples/microbit", format_of("examples/microbit")),
         step("format, examples/riscv", format_of("examples/riscv")),
-        step(
-            "clippy, everything",
-            cargo("clippy")
-                .args(["--workspace", "--all-targets"])
-                .args(deny),
-        ),
         step(
             "clippy, everything, all features",
             cargo("clippy")
