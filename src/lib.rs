@@ -138,7 +138,7 @@ pub use fault::Fault;
 pub use light::Light;
 pub use material::Material;
 pub use number::{Number, Unit};
-pub use quality::{Fast, Fine, Quality, Small};
+pub use quality::{Exact, Fast, Fine, Quality, Small};
 pub use render::{
     Budgeted, Choice, Ditherable, Dithered, Enlarged, Frame, Front, FrontPoint, Grade, Picture,
     Report, StaticFrame, Threshold, dither,

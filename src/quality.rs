@@ -7,17 +7,17 @@ pub(crate) const LONGEST_STRIDE: u32 = 4;
 
 /// What a frame may leave out. Choose with [`crate::Frame::quality`].
 ///
-/// [`Fast`] and [`Fine`] are those that most need. A quality of one's own may be more exact, or less:
+/// [`Fast`] and [`Fine`] are those that most need. A quality of one's own may be anything between:
 ///
 /// ```
-/// use reflet::{Quality, Unit};
+/// use reflet::{Fast, Quality, Unit};
 ///
-/// /// Leaves out nothing at all.
-/// struct Exact;
+/// /// As [`Fast`], with every pixel traced.
+/// struct Traced;
 ///
-/// impl Quality for Exact {
-///     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-///     const STRIDE: u32 = 1; // every pixel is traced
+/// impl Quality for Traced {
+///     const SMALLEST_WEIGHT: Unit = Fast::SMALLEST_WEIGHT;
+///     const STRIDE: u32 = 1;
 ///     const TOLERANCE: Unit = Unit::ZERO;
 /// }
 /// ```
@@ -80,11 +80,8 @@ impl Quality for Small {
     const IS_SMALL: bool = true;
 }
 
-/// The finest: a path ends when its weight is exactly zero, at least every second pixel is traced,
-/// and the others are exact to a quarter of an 8-bit step.
-///
-/// Where every pixel has to be traced, a quality of one's own with a stride of 1 does it (see
-/// [`Quality`]).
+/// For what is looked at closely: a path ends when its weight is exactly zero, at least every second
+/// pixel is traced, and the others are exact to a quarter of an 8-bit step.
 #[derive(Clone, Copy, Debug)]
 pub struct Fine;
 
@@ -92,4 +89,16 @@ impl Quality for Fine {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
     const STRIDE: u32 = 2;
     const TOLERANCE: Unit = Unit::from_bits(1 << 20);
+}
+
+/// Leaves out nothing: every pixel is traced, and every path until its weight is exactly zero.
+///
+/// For scenes in which a single pixel at an edge counts, and to compare other qualities with.
+#[derive(Clone, Copy, Debug)]
+pub struct Exact;
+
+impl Quality for Exact {
+    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
+    const STRIDE: u32 = 1;
+    const TOLERANCE: Unit = Unit::ZERO;
 }

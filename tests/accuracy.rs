@@ -10,7 +10,7 @@ use reflet::host::compare::{Difference, compare};
 use reflet::host::reference::{self, render};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
 use reflet::{
-    BlinnPhong, Camera, Fast, Fine, Material, Normals, Phong, Quality, Scene, SceneBuilder,
+    BlinnPhong, Camera, Exact, Fast, Fine, Material, Normals, Phong, Quality, Scene, SceneBuilder,
     Shading, Small, StaticFrame,
 };
 
@@ -44,6 +44,12 @@ const FINE: Bar = Bar {
 const SMALL: Bar = Bar {
     name: "small",
     ..FAST
+};
+
+/// At least as near as the fine one.
+const EXACT: Bar = Bar {
+    name: "exact",
+    ..FINE
 };
 
 const NORMALS: Bar = Bar {
@@ -104,6 +110,7 @@ impl<K: Shading> Visitor for Check<K> {
                 (FAST, difference::<S, Fast, K>(&truth)),
                 (FINE, difference::<S, Fine, K>(&truth)),
                 (SMALL, difference::<S, Small, K>(&truth)),
+                (EXACT, difference::<S, Exact, K>(&truth)),
             ],
         };
         let missed = bars

@@ -10,23 +10,14 @@ use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
 use reflet::{
-    BlinnPhong, Camera, Fast, Fine, Material, Phong, Quality, RuntimeScene, Shading, StaticScene,
-    Unit,
+    BlinnPhong, Camera, Exact, Fast, Fine, Material, Phong, Quality, RuntimeScene, Shading,
+    StaticScene, Unit,
 };
 
 const SIDE: u32 = 96;
 
 /// As many as any path of the scenes takes before nothing is left of it.
 const ALL: usize = 300;
-
-/// Leaves out nothing.
-struct Exact;
-
-impl Quality for Exact {
-    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const STRIDE: u32 = 1;
-    const TOLERANCE: Unit = Unit::ZERO;
-}
 
 /// Follows no weights below an eighth.
 struct Short;

@@ -15,7 +15,9 @@ use embedded_graphics::prelude::{Point, PointsIter, Size};
 use embedded_graphics::primitives::Rectangle;
 use painting::painted;
 use reflet::scenes::{BuiltIn, Mirror1, Primitives};
-use reflet::{Material, Number, Picture, Quality, Report, RuntimeScene, Static, StaticFrame, Unit};
+use reflet::{
+    Exact, Material, Number, Picture, Quality, Report, RuntimeScene, Static, StaticFrame,
+};
 
 /// A display that remembers what it is told, in order, and fails at the call it is told to.
 struct Recorder<C> {
@@ -75,15 +77,6 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
 /// A picture of a scene with mirrors and shadows.
 fn picture(width: u32, height: u32) -> Picture<Static<Mirror1>> {
     Mirror1::frame(&Mirror1::CAMERA).sized(Size::new(width, height))
-}
-
-/// Traces every pixel.
-struct Exact;
-
-impl Quality for Exact {
-    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const STRIDE: u32 = 1;
-    const TOLERANCE: Unit = Unit::ZERO;
 }
 
 /// The same, with every pixel traced.

@@ -9,16 +9,7 @@ use painting::painted;
 use proptest::prelude::*;
 use reflet::host::{compare::compare, reference};
 use reflet::scenes::{BuiltIn, Corner1, Floor, NAMES, Visitor, visit};
-use reflet::{Camera, Fast, Fine, Material, Quality, RuntimeScene, StaticFrame, Unit};
-
-/// Traces every pixel.
-struct Exact;
-
-impl Quality for Exact {
-    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const STRIDE: u32 = 1;
-    const TOLERANCE: Unit = Unit::ZERO;
-}
+use reflet::{Camera, Exact, Fast, Fine, Material, Quality, RuntimeScene, StaticFrame, Unit};
 
 /// Traces every fourth pixel, and takes the others from any curve.
 struct Coarse;

@@ -11,8 +11,9 @@ use proptest::{prelude::*, test_runner::TestRunner};
 use reflet::host::reference;
 use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Visitor, visit};
 use reflet::{
-    BlinnPhong, Bound, Camera, Description, Fast, Fine, Frame, Material, Mirrors, Needs, Normals,
-    Phong, Picture, Quality, RuntimeScene, Scene, Shading, Shininess, Small, StaticFrame, World,
+    BlinnPhong, Bound, Camera, Description, Exact, Fast, Fine, Frame, Material, Mirrors, Needs,
+    Normals, Phong, Picture, Quality, RuntimeScene, Scene, Shading, Shininess, Small, StaticFrame,
+    World,
 };
 
 /// Room for every built-in scene.
@@ -283,15 +284,6 @@ prop_compose! {
 fn within_a_step(a: &[[u8; 3]], b: &[[u8; 3]]) -> usize {
     let off = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|it| a[it].abs_diff(b[it]) > 1);
     a.iter().zip(b).filter(|(a, b)| off(a, b)).count()
-}
-
-/// Traces every pixel, by the fast ways.
-struct Exact;
-
-impl Quality for Exact {
-    const SMALLEST_WEIGHT: reflet::Unit = Fast::SMALLEST_WEIGHT;
-    const STRIDE: u32 = 1;
-    const TOLERANCE: reflet::Unit = reflet::Unit::ZERO;
 }
 
 /// Bounds that leave out one thing each.

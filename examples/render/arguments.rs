@@ -48,7 +48,7 @@ pub struct Arguments {
         long,
         default_value = "fast",
         hide_possible_values = true,
-        value_name = "fast|fine|small"
+        value_name = "fast|fine|small|exact"
     )]
     pub quality: Quality,
 
@@ -98,6 +98,7 @@ pub enum Quality {
     Fast,
     Fine,
     Small,
+    Exact,
 }
 
 impl Arguments {
@@ -156,6 +157,7 @@ impl Quality {
             Self::Fast => "fast",
             Self::Fine => "fine",
             Self::Small => "small",
+            Self::Exact => "exact",
         }
     }
 }

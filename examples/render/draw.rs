@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::scenes::{BuiltIn, Visitor};
-use reflet::{BlinnPhong, Camera, Fine, Frame, Normals, Phong, Report, Small, World};
+use reflet::{BlinnPhong, Camera, Exact, Fine, Frame, Normals, Phong, Report, Small, World};
 
 use crate::arguments::{Quality, Shading};
 use crate::source::{Kind, Source};
@@ -52,6 +52,7 @@ impl Draw<'_> {
             Quality::Fast => shaded(frame, settings.shading, display, rows),
             Quality::Fine => shaded(frame.quality::<Fine>(), settings.shading, display, rows),
             Quality::Small => shaded(frame.quality::<Small>(), settings.shading, display, rows),
+            Quality::Exact => shaded(frame.quality::<Exact>(), settings.shading, display, rows),
         }
     }
 }

@@ -142,7 +142,7 @@ impl Truth {
             parts.simplified = apart(picture, full, |_| true);
             promised = is_plain.then_some(kept);
         } else {
-            let ending = self.ending(Level::Traced, setting.reflections);
+            let ending = self.ending(Level::Exact, setting.reflections);
             parts.truncation = apart(&self.paths.picture(&ending), &self.picture, |_| true);
         }
         Ok(Errors {

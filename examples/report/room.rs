@@ -6,11 +6,10 @@ use std::ops::Add;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use plotters::prelude::*;
-use reflet::{Camera, Material, RuntimeScene};
+use reflet::{Camera, Exact, Material, RuntimeScene};
 
 use crate::Failure;
 use crate::plot::{BLUE, GREEN, PURPLE, VERMILLION};
-use crate::settings::Traced;
 
 const ALPHAS: [f64; 4] = [0.5, 0.9, 0.99, 0.999];
 
@@ -45,7 +44,7 @@ pub fn measure() -> Result<Vec<Seen>, Failure> {
             let frame = room
                 .frame(&camera)
                 .reflections(reflections)
-                .quality::<Traced>();
+                .quality::<Exact>();
             let picture = frame.sized(Size::new(8, 8));
             let expected = 255.0 * COLOR * (1.0 - alpha.powi(i32::from(reflections) + 1));
             let mut row = [Rgb888::BLACK; 8];

@@ -182,7 +182,7 @@ impl<'a> Plan<'a> {
 
 /// The last number of reflections, up to `most`, that changes the picture.
 fn last_that_matters(painter: &Painter, most: u8) -> u8 {
-    let painted = |number| painter.paint(&Setting::fixed(Level::Traced, number));
+    let painted = |number| painter.paint(&Setting::fixed(Level::Exact, number));
     let whole: Picture = painted(most);
     (0..most)
         .find(|number| painted(*number) == whole)

@@ -1,6 +1,6 @@
 //! The settings that are tried; it draws nothing.
 
-use reflet::{Fast, Fine, Quality, Unit};
+use reflet::{Exact, Fast, Fine, Quality, Unit};
 use serde_json::{Value, json};
 
 /// One setting.
@@ -24,8 +24,7 @@ pub enum Contestant {
 pub enum Level {
     Fast,
     Fine,
-    /// Every pixel is traced, and nothing cut off.
-    Traced,
+    Exact,
     /// [`Fast`] with a weight cut-off of 2⁻²
     Cut4,
     /// 2⁻⁴
@@ -52,7 +51,6 @@ impl<const STRIDE: u32, const TOLERANCE: i32, const WEIGHT: i32> Quality
 const FAST_TOLERANCE: i32 = Fast::TOLERANCE.to_bits();
 const FAST_WEIGHT: i32 = Fast::SMALLEST_WEIGHT.to_bits();
 
-pub type Traced = Own<1, 0, 1>;
 type Cut4 = Own<4, FAST_TOLERANCE, { 1 << 28 }>;
 type Cut16 = Own<4, FAST_TOLERANCE, { 1 << 26 }>;
 type Cut64 = Own<4, FAST_TOLERANCE, { 1 << 24 }>;
@@ -95,7 +93,7 @@ impl Level {
         match self {
             Self::Fast => "fast",
             Self::Fine => "fine",
-            Self::Traced => "traced",
+            Self::Exact => "exact",
             Self::Cut4 => "fast, cut at 1/4",
             Self::Cut16 => "fast, cut at 1/16",
             Self::Cut64 => "fast, cut at 1/64",
@@ -107,8 +105,8 @@ impl Level {
     pub fn visit<V: Visitor>(self, visitor: V) -> V::Output {
         match self {
             Self::Fast => visitor.visit::<Fast, Own<1, 0, FAST_WEIGHT>>(),
-            Self::Fine => visitor.visit::<Fine, Traced>(),
-            Self::Traced => visitor.visit::<Traced, Traced>(),
+            Self::Fine => visitor.visit::<Fine, Exact>(),
+            Self::Exact => visitor.visit::<Exact, Exact>(),
             Self::Cut4 => visitor.visit::<Cut4, Own<1, 0, { 1 << 28 }>>(),
             Self::Cut16 => visitor.visit::<Cut16, Own<1, 0, { 1 << 26 }>>(),
             Self::Cut64 => visitor.visit::<Cut64, Own<1, 0, { 1 << 24 }>>(),
@@ -131,6 +129,7 @@ impl Level {
         match self {
             Self::Fast => json!("fast"),
             Self::Fine => json!("fine"),
+            Self::Exact => json!("exact"),
             _ => json!({
                 "stride": stride,
                 "tolerance": tolerance.to_bits(),
@@ -226,7 +225,7 @@ pub fn fixed(numbers: &[u8]) -> Vec<Setting> {
     let cuts = [Level::Cut4, Level::Cut16, Level::Cut64];
     plain(Level::Fast)
         .chain(plain(Level::Fine))
-        .chain(plain(Level::Traced))
+        .chain(plain(Level::Exact))
         .chain(plain(Level::Rough4))
         .chain(plain(Level::Rough16))
         .chain(cuts.map(|level| Setting::fixed(level, most)))

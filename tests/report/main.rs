@@ -74,7 +74,7 @@ fn assert_is_sound(rows: &[Row], scenes: &[&str], cost: &str) {
         }
         assert!(promised >= 5, "{scene}");
         // The finest quality with all reflections: nothing but rounding is left.
-        let finest = fixed.iter().filter(|row| row["quality"] == "traced");
+        let finest = fixed.iter().filter(|row| row["quality"] == "exact");
         let finest = finest.max_by_key(|row| row["reflections"].parse::<u8>().unwrap());
         let finest = finest.expect("every pixel is traced, too");
         assert!(number(finest, "sure_largest") <= 1.0, "{finest:?}");

@@ -3,11 +3,12 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use reflet::Exact;
 use reflet::host::file::SceneFile;
 
 use super::catalogue::draft::{Draft, Setting, still_life};
 use super::catalogue::judge::painted;
-use super::symmetry::{Exact, SIDE, drawn};
+use super::symmetry::{SIDE, drawn};
 
 fn runner(cases: u32) -> TestRunner {
     let config = Config {

@@ -1,23 +1,14 @@
 //! A scene that is mirrored, turned by a right angle, moved or made larger shows the same picture,
 //! mirrored where it is.
 
+use reflet::Exact;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::file::SceneFile;
 use reflet::host::reference::Picture;
-use reflet::{Quality, Unit};
 use serde_json::Value;
 
 use super::catalogue::draft::{Draft, Setting, lit_by, still_life};
 use super::catalogue::judge::painted;
-
-/// Traces every pixel: what is left out between them depends on the side a row begins from.
-pub struct Exact;
-
-impl Quality for Exact {
-    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const STRIDE: u32 = 1;
-    const TOLERANCE: Unit = Unit::ZERO;
-}
 
 pub const SIDE: u32 = 96;
 

@@ -27,7 +27,7 @@ pub fn run() -> Result<()> {
          either plane is right there.\n"
     );
     for shading in ["blinn-phong", "phong"] {
-        for quality in ["fast", "fine", "small"] {
+        for quality in ["fast", "fine", "small", "exact"] {
             write!(
                 page,
                 "\n## {shading}, {quality}\n\n\

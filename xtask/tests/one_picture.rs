@@ -6,7 +6,7 @@ use embedded_graphics::{
 };
 use frame_hash::FrameHash;
 use reflet::{
-    Fast, Fine, Quality as Exactness, Small,
+    Exact, Fast, Fine, Quality as Exactness, Small,
     scenes::{self, BuiltIn, Visitor},
 };
 use xtask::measure::{
@@ -29,6 +29,7 @@ impl Visitor for Hash {
             Quality::Fast => hash::<S, Fast>(),
             Quality::Fine => hash::<S, Fine>(),
             Quality::Small => hash::<S, Small>(),
+            Quality::Exact => hash::<S, Exact>(),
             Quality::Float => unreachable!("floats are another matter"),
         }
     }
@@ -54,7 +55,7 @@ fn is_the_same_picture_as_here(core: &str) {
     let core = Core::find(core).expect("it is in the list");
     let (fast, fine) = (Quality::Fast, Quality::Fine);
     let pictures = [
-        ("castle", &[fast, fine, Quality::Small][..]),
+        ("castle", &[fast, fine, Quality::Small, Quality::Exact][..]),
         ("mirror1", &[fast, fine]),
         ("columns", &[fast]),
     ];

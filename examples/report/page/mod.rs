@@ -86,9 +86,9 @@ impl Page<'_> {
              every reflection (N → ∞): the peak signal-to-noise ratio over all channels in decibels, \
              and the largest difference of a channel, of 255."
                 .to_owned(),
-            "Fast and fine are the library's qualities; traced is one that traces every pixel and cuts \
+            "Fast, fine and exact are the library's qualities, of which exact traces every pixel and cuts \
              nothing off, and \"cut at\" and \"x tolerance\" are fast with another smallest weight or \
-             tolerance: all of these are a Quality of one's own. Without shadows is the shading \
+             tolerance, each a Quality of one's own. Without shadows is the shading \
              Unshadowed, and larger pixels are drawn on an Enlarged display."
                 .to_owned(),
             "The front is what pays: whoever wants less error has to spend more. Its points are \

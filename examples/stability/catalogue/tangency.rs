@@ -250,6 +250,7 @@ fn eyes() -> Vec<Case> {
     let within = "every ray begins inside of a wall that may be met once only";
     let here = Setting::HERE;
     let on = |draft: Draft| here.lit(here.furnish(draft));
+    let column = |draft: Draft| draft.cylinder([-1.6, -1.0, 0.6], UP, (0.5, 1.2), "red");
     // Outside by less than a pixel can show, so that the reference is defined.
     let aside = 0.6 + 1e-6;
     vec![
@@ -288,6 +289,26 @@ fn eyes() -> Vec<Case> {
                 UP,
                 90.0,
             )),
+        ),
+        picture(
+            "eye on a cylinder, outwards",
+            "the cylinder begins at the eye, and must not be seen from inside by rounding",
+            column(on(Draft::through(
+                [-1.1 + 1e-6, -1.0, 0.6],
+                [0.5, 0.0, 0.5],
+                UP,
+                90.0,
+            ))),
+        ),
+        picture(
+            "eye on a cylinder, inwards",
+            "the same from inside: all that is seen is the other side, and what its ends leave open",
+            column(on(Draft::through(
+                [-1.1 - 1e-6, -1.0, 0.6],
+                [-3.0, -1.0, 0.5],
+                UP,
+                90.0,
+            ))),
         ),
     ]
 }

@@ -84,6 +84,7 @@ pub enum Quality {
     Fast,
     Fine,
     Small,
+    Exact,
     Float,
 }
 
@@ -94,6 +95,7 @@ impl Quality {
             Self::Fast => "fast",
             Self::Fine => "fine",
             Self::Small => "small",
+            Self::Exact => "exact",
             Self::Float => "float",
         }
     }
@@ -134,6 +136,7 @@ impl Task {
             Quality::Fast => self.fixed("Fast", scene),
             Quality::Fine => self.fixed("Fine", scene),
             Quality::Small => self.fixed("Small", scene),
+            Quality::Exact => self.fixed("Exact", scene),
             Quality::Float => self.float(),
         };
         let mut hasher = DefaultHasher::new();

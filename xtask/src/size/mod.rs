@@ -63,7 +63,7 @@ left_out, the things that the firmware has no code for (`render --needs` says wh
 const TARGETS: [(&str, &str); 2] = [("thumbv6m-none-eabi", "m0"), ("thumbv7m-none-eabi", "m3")];
 
 /// All but the float port.
-pub const QUALITIES: [Quality; 3] = [Quality::Fast, Quality::Fine, Quality::Small];
+pub const QUALITIES: [Quality; 4] = [Quality::Fast, Quality::Fine, Quality::Small, Quality::Exact];
 
 /// Reflections where a scene has mirrors; the others have none to follow.
 const REFLECTIONS: [u8; 2] = [4, 0];

@@ -43,6 +43,7 @@ enum Quality {
 enum Named {
     Fast,
     Fine,
+    Exact,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
@@ -154,6 +155,7 @@ impl Run {
         let quality = match quality {
             Quality::Named(Named::Fast) => "reflet::Fast".to_owned(),
             Quality::Named(Named::Fine) => "reflet::Fine".to_owned(),
+            Quality::Named(Named::Exact) => "reflet::Exact".to_owned(),
             Quality::Own(own) => own.name(),
         };
         let shading = match shadows {

@@ -57,7 +57,7 @@ pub struct Arguments {
 
 const AFTER_HELP: &str = r#"
 Each of the settings is {"contestant": C, "reflections": 0 to 255, "scale": 1 or more}, and may have
-"skip": true, by which it is built in and not drawn, so that the program is that of all. C is "float", or {"fixed": {"quality": Q, "shadows": true}}, and Q is "fast", "fine", or
+"skip": true, by which it is built in and not drawn, so that the program is that of all. C is "float", or {"fixed": {"quality": Q, "shadows": true}}, and Q is "fast", "fine", "exact", or
 {"stride": 1, 2 or 4, "tolerance": 0 to 2^30, "smallest_weight": 1 to 2^30}, in steps of 2^-30.
 With a scale a picture that much smaller is drawn, and its pixels are repeated.
 

@@ -3,19 +3,11 @@
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
 use reflet::{
-    BlinnPhong, Fast, Fine, Frame, Normals, Phong, Quality, Report, Scene, Shading, Unit, World,
+    BlinnPhong, Exact, Fast, Fine, Frame, Normals, Phong, Quality, Report, Scene, Shading, Unit,
+    World,
 };
 
 use crate::Wild;
-
-/// Every pixel is traced, and every path to its end.
-struct Exact;
-
-impl Quality for Exact {
-    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const STRIDE: u32 = 1;
-    const TOLERANCE: Unit = Unit::ZERO;
-}
 
 /// What a picture has shown.
 #[derive(Clone, Copy, Debug)]
