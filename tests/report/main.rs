@@ -76,7 +76,7 @@ fn assert_is_sound(rows: &[Row], scenes: &[&str], cost: &str) {
         // The finest quality with all reflections: nothing but rounding is left.
         let finest = fixed.iter().filter(|row| row["quality"] == "exact");
         let finest = finest.max_by_key(|row| row["reflections"].parse::<u8>().unwrap());
-        let finest = finest.expect("every pixel is traced, too");
+        let finest = finest.expect("exact is tried, too");
         assert!(number(finest, "sure_largest") <= 1.0, "{finest:?}");
         assert_eq!(number(finest, "rms_between"), 0.0, "{finest:?}");
     }

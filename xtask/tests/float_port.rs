@@ -1,6 +1,7 @@
-//! The float port is what the library is compared with: its pictures are right.
+//! The float port and single precision are what the library is compared with: their pictures are
+//! right.
 
-use float_picture::{Shading, render};
+use float_picture::{Shading, render, single};
 use reflet::{
     host::{compare::compare, reference},
     scenes,
@@ -8,7 +9,7 @@ use reflet::{
 use xtask::measure::scene::Scene as Source;
 
 #[test]
-fn float_port_agrees_with_double_precision() {
+fn single_precision_agrees_with_double_precision() {
     const SIZE: (u32, u32) = (320, 320);
     let shadings = [
         (Shading::BlinnPhong, reference::Shading::BlinnPhong),
@@ -19,13 +20,16 @@ fn float_port_agrees_with_double_precision() {
         let (scene, camera) = Source::BuiltIn(name).reference();
         for (shading, exact) in shadings {
             let expected = reference::render(&scene, &camera, SIZE.0, SIZE.1, 4, exact);
-            let difference =
-                compare(&render(&scene, &camera, SIZE, 4, shading), &expected).unwrap();
-            println!("{name} {shading:?} {difference:?}");
-            assert!(
-                difference.within1 >= 0.999,
-                "{name}, {shading:?}: {difference:?}"
-            );
+            let port = render(&scene, &camera, SIZE, 4, shading);
+            let formulas = single::render(&scene, &camera, SIZE, 4, exact);
+            for (what, picture) in [("port", port), ("formulas", formulas)] {
+                let difference = compare(&picture, &expected).unwrap();
+                println!("{name} {shading:?} {what} {difference:?}");
+                assert!(
+                    difference.within1 >= 0.999,
+                    "{name}, {shading:?}, {what}: {difference:?}"
+                );
+            }
         }
     }
 }

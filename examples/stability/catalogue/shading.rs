@@ -89,8 +89,9 @@ pub fn cases() -> Vec<Case> {
         cases.push(match epsilon == 0.1 {
             true => case.unlike_single_precision(
                 "The red cylinder and the chalk sphere stand closer to each other than this epsilon: \
-                 a ray that leaves the cylinder starts within the sphere, and the two formats differ \
-                 in whether light reaches it there.",
+                 a ray that leaves the cylinder starts within the sphere, which hides the light from it. \
+                 Fixed point tells shadows of spheres by the length of their tangents, which is for \
+                 what starts outside of them.",
             ),
             false => case,
         });

@@ -50,11 +50,15 @@ mod shade;
 mod shape;
 mod trace;
 mod vector;
+mod view;
 mod world;
 
 pub use self::camera::Camera;
 pub use self::picture::{Picture, pixel, render};
 pub use self::scene::{Cylinder, Light, Material, Plane, Scene, Sphere};
+
+/// What is computed in. `xtask/float_picture` takes the same files in single precision.
+type Real = f64;
 
 /// How a hit becomes a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,3 +71,7 @@ pub enum Shading {
     /// nothing is met.
     Normals,
 }
+
+/// Apart from what they try, which `xtask/float_picture` takes, too.
+#[cfg(test)]
+mod tests;

@@ -4,9 +4,9 @@ use std::vec::Vec;
 
 use rayon::prelude::*;
 
-use super::camera::View;
 use super::trace;
 use super::vector::Vector;
+use super::view::View;
 use super::world::World;
 use super::{Camera, Scene, Shading};
 

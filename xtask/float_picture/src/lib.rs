@@ -1,5 +1,8 @@
-//! Pictures of the float port, in the form that the reference's are compared in.
+//! Pictures in single precision, in the form that the reference's are compared in: of the float port,
+//! as a program on a board would be written, and of the reference's own formulas.
 #![deny(missing_docs)]
+
+pub mod single;
 
 pub use float_port::Shading;
 use float_port::{Camera, Cylinder, Light, Material, Plane, Scene, Sphere, Vector, View};
@@ -14,7 +17,7 @@ fn unit(direction: [f64; 3]) -> Vector {
     vector(direction.map(|coordinate| coordinate / square.sqrt()))
 }
 
-/// The picture of a scene, every number of which is the nearest `f32`.
+/// The float port's picture of a scene, every number of which is the nearest `f32`.
 pub fn render(
     scene: &reference::Scene,
     camera: &reference::Camera,

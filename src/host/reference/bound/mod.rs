@@ -39,9 +39,9 @@ use std::vec::Vec;
 use rayon::prelude::*;
 
 pub use self::path::{Followed, Precision, Stage};
-use super::camera::View;
 use super::picture::quantised;
 use super::vector::Vector;
+use super::view::View;
 use super::world::World;
 use super::{Camera, Picture, Scene, Shading};
 

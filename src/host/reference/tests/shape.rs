@@ -1,4 +1,8 @@
-use super::*;
+//! Tests of `reference::shape`.
+
+use crate::host::reference::shape::*;
+use crate::host::reference::vector::Vector;
+use crate::host::reference::{Cylinder, Plane, Sphere};
 
 const BALL: Sphere = Sphere {
     center: [0.0, 0.0, 0.0],

@@ -1,0 +1,195 @@
+//! Tests of `reference::trace`.
+
+use std::vec;
+
+use crate::host::reference::shape::Ray;
+use crate::host::reference::trace::*;
+use crate::host::reference::vector::Vector;
+use crate::host::reference::world::World;
+use crate::host::reference::{Light, Material, Plane, Scene, Shading, Sphere};
+
+const SHADINGS: [Shading; 2] = [Shading::BlinnPhong, Shading::Phong];
+
+fn glowing(color: [f64; 3], mirror: f64) -> Material {
+    Material {
+        color,
+        ambient: 1.0,
+        diffuse: 0.0,
+        specular: 0.0,
+        shininess: 1.0,
+        mirror,
+    }
+}
+
+fn plane(height: f64, material: usize) -> Plane {
+    Plane {
+        point: [0.0, 0.0, height],
+        normal: [0.0, 0.0, 1.0],
+        material,
+    }
+}
+
+/// A room inside a sphere that glows and mirrors.
+fn room(mirror: f64) -> Scene {
+    Scene {
+        spheres: vec![Sphere {
+            center: [1.0, 2.0, 3.0],
+            radius: 4.0,
+            material: 0,
+        }],
+        materials: vec![glowing([0.75, 0.5, 2.0], mirror)],
+        ..Scene::default()
+    }
+}
+
+fn seen(scene: &Scene, ray: Ray, reflections: u32, shading: Shading) -> Vector {
+    color(&World::new(scene), ray, reflections, shading)
+}
+
+/// From the given height straight down.
+fn down(height: f64) -> Ray {
+    Ray {
+        origin: Vector([0.0, 0.0, height]),
+        direction: Vector([0.0, 0.0, -1.0]),
+    }
+}
+
+fn assert_near(found: Vector, expected: Vector) {
+    assert!(
+        (found - expected).length() < 1e-12,
+        "{found:?} {expected:?}"
+    );
+}
+
+#[test]
+fn closed_room_of_mirrors_shows_its_colour_but_for_what_is_cut_off() {
+    let ray = Ray {
+        origin: Vector([2.0, 1.0, 2.5]),
+        direction: Vector([0.3, -0.4, 0.9]).unit(),
+    };
+    for mirror in [0.0, 0.25, 0.5, 0.9, 0.999, 1.0] {
+        for reflections in [0, 1, 2, 7, 255] {
+            let cut_off = f64::powi(mirror, reflections as i32 + 1);
+            let expected = Vector([0.75, 0.5, 2.0]) * (1.0 - cut_off);
+            for shading in SHADINGS {
+                assert_near(seen(&room(mirror), ray, reflections, shading), expected);
+            }
+        }
+    }
+}
+
+#[test]
+fn hundred_thousand_reflections_need_no_stack() {
+    let ray = down(3.0);
+    assert_eq!(seen(&room(1.0), ray, 100_000, Shading::Phong), Vector::ZERO);
+    let found = seen(&room(0.99999), ray, 100_000, Shading::Phong);
+    let cut_off = (0.99999_f64.ln() * 100_001.0).exp();
+    assert!((found - Vector([0.75, 0.5, 2.0]) * (1.0 - cut_off)).length() < 1e-9);
+}
+
+#[test]
+fn ray_stops_at_the_first_surface_that_mirrors_nothing() {
+    // Four thousand million reflections would not end in time.
+    let expected = Vector([0.75, 0.5, 2.0]);
+    assert_eq!(
+        seen(&room(0.0), down(3.0), u32::MAX, Shading::Phong),
+        expected
+    );
+}
+
+#[test]
+fn miss_ends_the_recurrence_with_the_background() {
+    let scene = Scene {
+        planes: vec![plane(0.0, 0)],
+        materials: vec![glowing([1.0, 0.0, 0.0], 0.25)],
+        background: [0.0, 0.5, 1.0],
+        ..Scene::default()
+    };
+    for shading in SHADINGS {
+        let up = Ray {
+            direction: Vector([0.0, 0.0, 1.0]),
+            ..down(1.0)
+        };
+        assert_eq!(seen(&scene, up, 0, shading), Vector([0.0, 0.5, 1.0]));
+        assert_eq!(
+            seen(&scene, down(1.0), 0, shading),
+            Vector([0.75, 0.0, 0.0])
+        );
+        for reflections in [1, 2, 255] {
+            let expected = Vector([0.75, 0.125, 0.25]);
+            assert_eq!(seen(&scene, down(1.0), reflections, shading), expected);
+        }
+    }
+}
+
+#[test]
+fn two_parallel_mirrors_alternate() {
+    let (red, blue) = (Vector([1.0, 0.0, 0.0]), Vector([0.0, 0.0, 1.0]));
+    let scene = Scene {
+        planes: vec![plane(0.0, 0), plane(2.0, 1)],
+        materials: vec![glowing(red.0, 0.5), glowing(blue.0, 0.25)],
+        ..Scene::default()
+    };
+    let weights = [0.5, 0.5 * 0.75, 0.125 * 0.5, 0.0625 * 0.75, 0.015625 * 0.5];
+    let mut expected = Vector::ZERO;
+    for (reflections, weight) in weights.into_iter().enumerate() {
+        expected += if reflections % 2 == 0 { red } else { blue } * weight;
+        assert_eq!(
+            seen(&scene, down(1.0), reflections as u32, Shading::Phong),
+            expected
+        );
+    }
+}
+
+#[test]
+fn reflected_ray_starts_epsilon_above_its_surface() {
+    let scene = |epsilon| Scene {
+        planes: vec![plane(0.0, 0), plane(0.75, 1)],
+        materials: vec![glowing([0.0; 3], 1.0), glowing([1.0; 3], 0.0)],
+        epsilon,
+        ..Scene::default()
+    };
+    let found = |epsilon| seen(&scene(epsilon), down(0.5), 1, Shading::Phong);
+    assert_eq!(found(0.749), Vector::grey(1.0));
+    assert_eq!(found(0.751), Vector::ZERO);
+}
+
+#[test]
+fn mirrors_show_shaded_surfaces_lit_from_their_own_side() {
+    // Seen in the mirror, the ceiling is lit by the lamp between the two; 0.5 is its diffuse
+    // light straight below, and the mirror below has no colour of its own.
+    let ceiling = Material {
+        ambient: 0.0,
+        diffuse: 0.5,
+        ..glowing([1.0; 3], 0.0)
+    };
+    let scene = Scene {
+        planes: vec![plane(0.0, 0), plane(8.0, 1)],
+        lights: vec![Light {
+            position: [0.0, 0.0, 4.0],
+            color: [1.0, 0.5, 0.25],
+        }],
+        materials: vec![glowing([0.0; 3], 0.5), ceiling],
+        ..Scene::default()
+    };
+    for shading in SHADINGS {
+        let expected = Vector([0.25, 0.125, 0.0625]);
+        assert_eq!(seen(&scene, down(2.0), 1, shading), expected);
+    }
+}
+
+#[test]
+fn normals_view_shows_the_side_that_faces_the_ray_and_blue_beside_it() {
+    let scene = room(1.0);
+    let ray = |origin, direction| Ray {
+        origin: Vector(origin),
+        direction: Vector(direction),
+    };
+    let normals = |ray| seen(&scene, ray, 4, Shading::Normals);
+    let inside = ray([1.0, 2.0, 3.0], [0.0, 0.6, 0.8]);
+    assert_near(normals(inside), Vector([0.5, 0.2, 0.1]));
+    let outside = ray([9.0, 2.0, 3.0], [-1.0, 0.0, 0.0]);
+    assert_near(normals(outside), Vector([1.0, 0.5, 0.5]));
+    let beside = ray([9.0, 2.0, 3.0], [1.0, 0.0, 0.0]);
+    assert_eq!(normals(beside), Vector([0.0, 0.0, 1.0]));
+}
