@@ -57,13 +57,14 @@ impl<'a> Surface<'a> {
         };
         let climb = view.short_dot(outward);
         // At the rim of a shape rounding must not turn its outside into its inside.
-        let is_inside = match parts.is_plane(shape) {
-            true => climb > Unit::ZERO,
-            false => climb > RIM,
+        let (is_inside, epsilon) = match parts.is_plane(shape) {
+            true => (climb > Unit::ZERO, parts.epsilon),
+            false if climb > RIM => (true, parts.inner_epsilon),
+            false => (false, parts.epsilon),
         };
         let normal = outward.reversed_if(is_inside);
         Some(Self {
-            place: at.lifted(normal, parts.epsilon),
+            place: at.lifted(normal, epsilon),
             normal,
             view,
             // A cosine is within ±1.0001: nothing wraps, and nothing panics.

@@ -82,6 +82,7 @@ pub struct Scene<const S: usize, const P: usize, const C: usize, const L: usize,
     counts: Counts,
     background: Color,
     epsilon: Length,
+    inner_epsilon: Length,
     grid: Grid,
     camera: Option<Camera>,
 }

@@ -83,12 +83,23 @@ const fn size_fault(size: Number, fault: Fault) -> Option<Fault> {
 /// and so its normals to a 32nd.
 const SMALLEST: i32 = 64;
 
-/// The smallest epsilon, in steps: a hit is within this of its surface, and twice as far from that
-/// of a cylinder.
-const SMALLEST_EPSILON: i32 = 8;
+/// The smallest epsilon, in steps: what lies in the same place as a surface is not met from it.
+const SMALLEST_EPSILON: i32 = 2;
+
+/// The same inside of a sphere, where the shape itself may be met next: a hit is within this of its
+/// surface. Inside of a cylinder, twice as much.
+const SMALLEST_INSIDE: i32 = 8;
 
 /// The most a material may shine in its scene, in Q6.26: below 32 with room for rounding.
 const BRIGHTEST: i64 = 30 << 26;
+
+const fn at_least(length: Length, steps: i32) -> Length {
+    if length.to_bits() < steps {
+        Length::from_bits(steps)
+    } else {
+        length
+    }
+}
 
 impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
     Scene<S, P, C, L, M>
@@ -99,18 +110,15 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             Ok(grid) => grid,
             Err(fault) => return Err(SceneError::Scene(fault)),
         };
-        let mut epsilon = grid.length(scene.epsilon);
+        let epsilon = grid.length(scene.epsilon);
         if epsilon.to_bits() >= crate::ray::BALL {
             return Err(SceneError::Scene(Fault::Epsilon));
         }
-        let least = if scene.cylinders.is_empty() {
-            SMALLEST_EPSILON
+        let inside = if scene.cylinders.is_empty() {
+            SMALLEST_INSIDE
         } else {
-            2 * SMALLEST_EPSILON
+            2 * SMALLEST_INSIDE
         };
-        if epsilon.to_bits() < least {
-            epsilon = Length::from_bits(least);
-        }
         let mut prepared = Self {
             spheres: [PreparedSphere::NONE; S],
             planes: [PreparedPlane::NONE; P],
@@ -127,7 +135,8 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
                 materials: scene.materials.len(),
             },
             background: Color::from_numbers(scene.background),
-            epsilon,
+            epsilon: at_least(epsilon, SMALLEST_EPSILON),
+            inner_epsilon: at_least(epsilon, inside),
             grid,
             camera: scene.camera,
         };

@@ -79,7 +79,10 @@ pub struct Parts<'a> {
     pub(crate) lights: &'a [PreparedLight],
     pub(crate) materials: &'a [PreparedMaterial],
     pub(crate) background: Color,
+    /// How far above a surface rays start that leave it.
     pub(crate) epsilon: Length,
+    /// The same inside of a sphere or cylinder.
+    pub(crate) inner_epsilon: Length,
     pub(crate) grid: &'a Grid,
 }
 
@@ -157,6 +160,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             materials: used(&self.materials, self.counts.materials),
             background: self.background,
             epsilon: self.epsilon,
+            inner_epsilon: self.inner_epsilon,
             grid: &self.grid,
         }
     }
@@ -251,6 +255,7 @@ where
         materials: used(&Copied::<T>::MATERIALS, T::SCENE.counts.materials),
         background: T::SCENE.background,
         epsilon: T::SCENE.epsilon,
+        inner_epsilon: T::SCENE.inner_epsilon,
         grid: &Copied::<T>::GRID,
     };
 
