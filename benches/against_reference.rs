@@ -21,7 +21,7 @@ use embedded_graphics::{
 };
 use rayon::ThreadPoolBuilder;
 use reflet::{
-    Fast, Frame, Quality, StaticFrame, Unit, World,
+    Exact, Frame, StaticFrame, World,
     host::{
         compare::compare,
         file::SceneFile,
@@ -87,15 +87,6 @@ fn spheres(count: usize) -> Result<Pair, Box<dyn Error>> {
         move || by_library(built.frame(&camera)),
         move || by_reference(&scene, &reference_camera),
     )
-}
-
-/// Traces every pixel, as the reference does.
-struct Exact;
-
-impl Quality for Exact {
-    const SMALLEST_WEIGHT: Unit = Fast::SMALLEST_WEIGHT;
-    const STRIDE: u32 = 1;
-    const TOLERANCE: Unit = Unit::ZERO;
 }
 
 /// The library's whole frame, its preparation included.

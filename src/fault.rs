@@ -64,7 +64,8 @@ impl Fault {
                 "coordinates and sizes must be finite and within -2^30 to 2^30 scene units"
             }
             Self::Tiny => {
-                "size must be at least 2^-22 of the scene's extent: enlarge it or shrink the scene"
+                "radius and half the height must be at least 2^-22 of the scene's extent: \
+                 enlarge it or shrink the scene"
             }
             Self::Extent => "the scene must be larger than 2^-30 scene units: scale it up",
             Self::Color => "color components must be within 0 to 16",

@@ -7,18 +7,19 @@ pub(crate) const LONGEST_STRIDE: u32 = 4;
 
 /// What a frame may leave out. Choose with [`crate::Frame::quality`].
 ///
-/// [`Fast`] and [`Fine`] are those that most need. A quality of one's own may be anything between:
+/// [`Fast`] and [`Fine`] are those that most need. A quality of one's own may be more exact, or less:
 ///
 /// ```
 /// use reflet::{Fast, Quality, Unit};
 ///
-/// /// As [`Fast`], with every pixel traced.
-/// struct Traced;
+/// /// As [`Fast`], but that every second pixel is traced, and no mirror is followed for less than a
+/// /// sixteenth.
+/// struct Calm;
 ///
-/// impl Quality for Traced {
-///     const SMALLEST_WEIGHT: Unit = Fast::SMALLEST_WEIGHT;
-///     const STRIDE: u32 = 1;
-///     const TOLERANCE: Unit = Unit::ZERO;
+/// impl Quality for Calm {
+///     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 26);
+///     const STRIDE: u32 = 2;
+///     const TOLERANCE: Unit = Fast::TOLERANCE;
 /// }
 /// ```
 pub trait Quality {
@@ -91,7 +92,8 @@ impl Quality for Fine {
     const TOLERANCE: Unit = Unit::from_bits(1 << 20);
 }
 
-/// Leaves out nothing: every pixel is traced, and every path until its weight is exactly zero.
+/// Leaves out nothing: every pixel is traced, and every path until its weight is exactly zero or the
+/// frame's reflections are used up.
 ///
 /// For scenes in which a single pixel at an edge counts, and to compare other qualities with.
 #[derive(Clone, Copy, Debug)]

@@ -122,8 +122,8 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         }
     }
 
-    /// As exact as [`Fast`] (the default) or [`crate::Fine`], or in as little flash as
-    /// [`crate::Small`].
+    /// As exact as [`Fast`] (the default), [`crate::Fine`] or [`crate::Exact`], or in as little flash
+    /// as [`crate::Small`].
     #[must_use]
     pub fn quality<NewQ: Quality>(self) -> Frame<'a, W, NewQ, K> {
         self.with_kinds()

@@ -306,7 +306,7 @@ fn what_shows_in_the_whole_scene_is_refused_when_it_is_built() {
     scene.add_sphere([0; 3], 1e-9, white).unwrap();
     let error = scene.build().unwrap_err();
     assert_eq!(error, SceneError::Sphere(1, Fault::Tiny));
-    let words = "sphere 1: size must be at least 2^-22 of the scene's extent: \
+    let words = "sphere 1: radius and half the height must be at least 2^-22 of the scene's extent: \
                  enlarge it or shrink the scene";
     assert_eq!(error.to_string(), words);
 

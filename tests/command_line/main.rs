@@ -237,7 +237,7 @@ fn every_scene_shading_and_quality_renders() {
     let folder = Folder::new("all");
     for scene in scenes::NAMES {
         for shading in ["blinn-phong", "phong", "normals"] {
-            for quality in ["fast", "fine"] {
+            for quality in ["fast", "fine", "small", "exact"] {
                 let call = format!("{scene} --size 4x3 --shading {shading} --quality {quality}");
                 let line = line_of_json(&folder, &format!("{call} --json"));
                 assert_eq!(line["scene"], scene);
@@ -292,7 +292,10 @@ fn wrong_arguments_are_named_in_one_line() {
             "--shading gouraud",
             "possible values: blinn-phong, phong, normals".to_owned(),
         ),
-        ("--quality best", "possible values: fast, fine".to_owned()),
+        (
+            "--quality best",
+            "possible values: fast, fine, small, exact".to_owned(),
+        ),
         (
             "--out",
             "a value is required for '--out <F.png>'".to_owned(),

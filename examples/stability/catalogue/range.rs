@@ -9,6 +9,9 @@ type Room = RuntimeScene<2, 1, 1, 1, 1>;
 
 const MOST: f64 = (1 << 30) as f64;
 
+/// The smallest length that a number of a description may be: 2⁻⁶⁴.
+const SHORTEST: f64 = 1.0 / (1_u128 << 64) as f64;
+
 /// A number, and what a constructor is to say of it.
 type Limit<E> = (f64, Option<E>);
 
@@ -45,6 +48,8 @@ fn coordinates() -> Result<String, String> {
             (MOST, None),
             (-MOST, None),
             (MOST + 1.0, beyond),
+            (-MOST - 1.0, beyond),
+            (f64::INFINITY, beyond),
             (f64::NAN, beyond),
         ]
     };
@@ -125,19 +130,36 @@ fn sizes() -> Result<String, String> {
 
 fn ratio() -> Result<String, String> {
     // A planet of 2^20 fills the ball of 2^28 steps: 64 of them are a quarter.
-    held(
+    let beside_a_planet = || -> Result<(Room, MaterialId), SceneError> {
+        let (mut scene, id) = room();
+        scene.add_sphere([0.0; 3], f64::from(1 << 20), id)?;
+        Ok((scene, id))
+    };
+    let radius = held(
         "radius beside one of 2^20",
         &[
             (0.25, None),
             (0.248, Some(SceneError::Sphere(1, Fault::Tiny))),
         ],
         |radius| {
-            let (mut scene, id) = room();
-            scene.add_sphere([0.0; 3], f64::from(1 << 20), id)?;
+            let (mut scene, id) = beside_a_planet()?;
             scene.add_sphere([1.0, 2.0, 3.0], radius, id)?;
             scene.build().map(|_| ())
         },
-    )
+    )?;
+    let height = held(
+        "height beside it",
+        &[
+            (0.5, None),
+            (0.496, Some(SceneError::Cylinder(0, Fault::Tiny))),
+        ],
+        |height| {
+            let (mut scene, id) = beside_a_planet()?;
+            scene.add_cylinder([1.0, 2.0, 3.0], [0.0, 0.0, 1.0], 1.0, height, id)?;
+            scene.build().map(|_| ())
+        },
+    )?;
+    Ok(format!("{radius}. {height}"))
 }
 
 fn extent() -> Result<String, String> {
@@ -271,6 +293,68 @@ fn field_of_view() -> Result<String, String> {
     )
 }
 
+fn directions() -> Result<String, String> {
+    let refused = |fault: SceneError| [(SHORTEST, None), (-MOST, None), (0.0, Some(fault))];
+    let normal = SceneError::Plane(0, Fault::Normal);
+    let normal = held("length of a normal", &refused(normal), |z| {
+        let (mut scene, id) = room();
+        scene.add_plane([0.0; 3], [0.0, 0.0, z], id)
+    })?;
+    let axis = SceneError::Cylinder(0, Fault::Axis);
+    let axis = held("of an axis", &refused(axis), |x| {
+        let (mut scene, id) = room();
+        scene.add_cylinder([0.0; 3], [x, 0.0, 0.0], 1.0, 1.0, id)
+    })?;
+    let view = [
+        (SHORTEST, None),
+        (-MOST, None),
+        (0.0, Some(CameraError::View)),
+    ];
+    let view = held("from a camera to its target", &view, |y| {
+        Camera::new([0.0; 3], [0.0, y, 0.0], [0.0, 0.0, 1.0], 50.0).map(|_| ())
+    })?;
+    Ok([normal, axis, view].join(". "))
+}
+
+fn room_for() -> Result<String, String> {
+    let fill =
+        |what, most: f64, fault, add: fn(&mut Room, MaterialId) -> Result<(), SceneError>| {
+            held(what, &[(most, None), (most + 1.0, Some(fault))], |count| {
+                let (mut scene, id) = room();
+                (0..count as u32).try_for_each(|_| add(&mut scene, id))
+            })
+        };
+    let spheres = SceneError::Sphere(2, Fault::TooManySpheres);
+    let planes = SceneError::Plane(1, Fault::TooManyPlanes);
+    let cylinders = SceneError::Cylinder(1, Fault::TooManyCylinders);
+    let lights = SceneError::Light(1, Fault::TooManyLights);
+    let words = [
+        fill("spheres", 2.0, spheres, |room, id| {
+            room.add_sphere([0.0; 3], 1.0, id)
+        })?,
+        fill("planes", 1.0, planes, |room, id| {
+            room.add_plane([0.0; 3], [0.0, 0.0, 1.0], id)
+        })?,
+        fill("cylinders", 1.0, cylinders, |room, id| {
+            room.add_cylinder([0.0; 3], [0.0, 0.0, 1.0], 1.0, 1.0, id)
+        })?,
+        fill("lights", 1.0, lights, |room, _| {
+            room.add_light([0.0; 3], [1.0; 3])
+        })?,
+    ];
+    let mut other = Room::new();
+    let unknown = other.add_sphere([0.0; 3], 1.0, room().1).err();
+    let expected = Some(SceneError::Sphere(0, Fault::UnknownMaterial));
+    if unknown != expected {
+        return Err(format!("a material of another scene: {unknown:?}"));
+    }
+    Ok(format!(
+        "{}. A material that is not there: \"{}\"",
+        words.join(". "),
+        SceneError::Sphere(0, Fault::UnknownMaterial)
+    ))
+}
+
 fn up() -> Result<String, String> {
     let beyond = Some(CameraError::Up);
     held(
@@ -286,8 +370,10 @@ pub fn cases() -> Vec<Case> {
     vec![
         claim("coordinates", edge, coordinates),
         claim("radii and heights", edge, sizes),
-        claim("radius beside the scene's extent", edge, ratio),
+        claim("sizes beside the scene's extent", edge, ratio),
         claim("extent of a scene", edge, extent),
+        claim("normals, axes and views", edge, directions),
+        claim("room in a scene", edge, room_for),
         claim("epsilon", edge, epsilon),
         claim("materials", edge, coefficients),
         claim("light and background", edge, lights),

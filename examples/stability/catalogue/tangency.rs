@@ -209,7 +209,7 @@ fn stable_winners() -> Result<String, String> {
     });
     let names: Vec<_> = pictures.collect::<Result<_, String>>()?;
     Ok(format!(
-        "not a pixel of `Fine` or `Fast` differs from the picture with the first alone: {}",
+        "not a pixel of any quality differs from the picture with the first alone: {}",
         names.join(", ")
     ))
 }
