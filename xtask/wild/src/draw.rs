@@ -3,8 +3,8 @@
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
 use reflet::{
-    BlinnPhong, Exact, Fast, Fine, Frame, Normals, Phong, Quality, Report, Scene, Shading, Unit,
-    World,
+    BlinnPhong, Exact, Fast, Fine, Frame, Normals, Phong, Quality, Report, Scene, Shading, Small,
+    Unit, Unshadowed, World,
 };
 
 use crate::Wild;
@@ -32,7 +32,9 @@ impl Wild {
             2 => self.paint(frame.shading::<Phong>()),
             3 => self.paint(frame.shading::<Normals>()),
             4 => self.paint(frame.shading::<Phong>().quality::<Exact>()),
-            _ => self.paint(frame.shading::<BlinnPhong>().quality::<Exact>()),
+            5 => self.paint(frame.shading::<BlinnPhong>().quality::<Exact>()),
+            6 => self.paint(frame.quality::<Small>()),
+            _ => self.paint(frame.shading::<Unshadowed<BlinnPhong>>().quality::<Fast>()),
         })
     }
 
@@ -41,11 +43,12 @@ impl Wild {
         let (width, height) = (self.size.width, self.size.height);
         let mut row = vec![Rgb888::BLACK; width as usize];
         let mut report = Report::NONE;
+        // At most this many pixels of a row are traced: those of the picture, and where some are taken
+        // from others, two stretches beside it and the one before.
+        let beside = if Q::STRIDE == 1 { 0 } else { 12 };
+        let most = u64::from(width + beside) * (u64::from(self.reflections) + 1);
         for y in 0..height {
             let of_row = picture.row(y, 0, &mut row);
-            // At most this many pixels of a row are traced: those of the picture, two stretches
-            // beside it and the one before.
-            let most = u64::from(width + 12) * (u64::from(self.reflections) + 1);
             assert!(of_row.rays <= most, "{} rays, {most} at most", of_row.rays);
             report = report.merge(of_row);
         }
