@@ -3,6 +3,7 @@
 
 #[path = "../../examples/stability/catalogue/mod.rs"]
 mod catalogue;
+mod corpus;
 mod kept;
 #[path = "../../examples/stability/page.rs"]
 mod page;
