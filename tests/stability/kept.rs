@@ -3,8 +3,8 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use reflet::Exact;
 use reflet::host::file::SceneFile;
+use reflet::{Exact, Fast, Fine};
 
 use super::catalogue::draft::{Draft, Setting, still_life};
 use super::catalogue::judge::painted;
@@ -32,12 +32,21 @@ fn unlit(color: f64, mirror: f64, background: f64, spheres: &[([f64; 3], f64)]) 
     })
 }
 
-/// The picture of a scene file after so many reflections.
-fn reflected(draft: &Draft, reflections: u8) -> Vec<[u8; 3]> {
+/// The brightest channels of the pictures of a scene file after so many reflections, one for each
+/// quality.
+fn brightest(draft: &Draft, reflections: u8) -> [(&'static str, u8); 3] {
     let file = SceneFile::parse(&draft.text(), None).unwrap();
     let (built, (_, camera)) = (file.build().unwrap(), file.runtime().unwrap());
-    let frame = built.frame(&camera).reflections(reflections);
-    painted(frame.quality::<Exact>(), (24, 24)).pixels
+    let (frame, size) = (|| built.frame(&camera).reflections(reflections), (48, 24));
+    let pictures = [
+        ("Exact", painted(frame().quality::<Exact>(), size)),
+        ("Fine", painted(frame().quality::<Fine>(), size)),
+        ("Fast", painted(frame().quality::<Fast>(), size)),
+    ];
+    pictures.map(|(quality, picture)| {
+        let brightest = picture.pixels.into_iter().flatten().max();
+        (quality, brightest.unwrap())
+    })
 }
 
 #[test]
@@ -46,9 +55,10 @@ fn no_pixel_is_brighter_than_the_brightest_surface() {
     let scenes = (0.0..1.0, 0.0..=1.0, 0.0..1.0, spheres, any::<u8>());
     let outcome = runner(400).run(&scenes, |(color, mirror, background, spheres, n)| {
         let most = (255.0 * f64::max(color, background)).round() as u8;
-        let found = reflected(&unlit(color, mirror, background, &spheres), n);
-        let brightest = found.into_iter().flatten().max().unwrap();
-        prop_assert!(brightest <= most, "{brightest} of {most}");
+        let draft = unlit(color, mirror, background, &spheres);
+        for (quality, brightest) in brightest(&draft, n) {
+            prop_assert!(brightest <= most, "{quality}: {brightest} of {most}");
+        }
         Ok(())
     });
     outcome.unwrap_or_else(|error| panic!("{error}"));
@@ -58,22 +68,28 @@ fn no_pixel_is_brighter_than_the_brightest_surface() {
 fn lit_pixel_is_no_brighter_than_its_material_may_shine() {
     // Coefficients that add up to 1 under a light of 1.
     let coefficients = (0.0..1.0, 0.0..1.0, 0.0..=1.0, 0.0..300.0);
-    let scenes = (coefficients, 0.05..1.0, any::<u8>());
-    let outcome = runner(200).run(&scenes, |((ambient, part, mirror, shininess), color, n)| {
-        let (diffuse, specular) = ((1.0 - ambient) * part, (1.0 - ambient) * (1.0 - part));
-        let made = [ambient, diffuse, specular, shininess, mirror];
-        let draft = Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
-            .material("own", [color; 3], made)
-            .sphere([-0.5, 0.0, 0.5], 0.5, "own")
-            .cylinder([0.7, 0.0, 0.5], [0.0, 0.0, 1.0], (0.4, 1.0), "own")
-            .plane([0.0; 3], [0.0, 0.0, 1.0], "own")
-            .light([0.7, -3.0, 2.0])
-            .before([0.0; 3]);
-        let most = (255.0 * color).round() as u8;
-        let brightest = reflected(&draft, n).into_iter().flatten().max().unwrap();
-        prop_assert!(brightest <= most, "{brightest} of {most}");
-        Ok(())
-    });
+    // A light in the eye makes both terms as large as they can be in one point.
+    let eye = [0.5, -4.0, 1.5];
+    let scenes = (coefficients, 0.05..1.0, any::<u8>(), any::<bool>());
+    let outcome = runner(200).run(
+        &scenes,
+        |((ambient, part, mirror, shininess), color, n, is_beside)| {
+            let (diffuse, specular) = ((1.0 - ambient) * part, (1.0 - ambient) * (1.0 - part));
+            let made = [ambient, diffuse, specular, shininess, mirror];
+            let draft = Draft::seen_from(eye, [0.0, 0.0, 0.5])
+                .material("own", [color; 3], made)
+                .sphere([-0.5, 0.0, 0.5], 0.5, "own")
+                .cylinder([0.7, 0.0, 0.5], [0.0, 0.0, 1.0], (0.4, 1.0), "own")
+                .plane([0.0; 3], [0.0, 0.0, 1.0], "own")
+                .light(if is_beside { [0.7, -3.0, 2.0] } else { eye })
+                .before([0.0; 3]);
+            let most = (255.0 * color).round() as u8;
+            for (quality, brightest) in brightest(&draft, n) {
+                prop_assert!(brightest <= most, "{quality}: {brightest} of {most}");
+            }
+            Ok(())
+        },
+    );
     outcome.unwrap_or_else(|error| panic!("{error}"));
 }
 
@@ -87,8 +103,9 @@ fn black_absorbs_everything() {
         .plane([0.0; 3], [0.0, 0.0, 1.0], "soot")
         .plane([0.0, 9.0, 0.0], [0.0, 1.0, 0.0], "soot")
         .before([0.0; 3]);
-    let picture = drawn(&here.lit(scene).text());
-    assert!(picture.pixels.iter().all(|pixel| *pixel == [0; 3]));
+    for (quality, brightest) in brightest(&here.lit(scene), 4) {
+        assert_eq!(brightest, 0, "{quality}");
+    }
 }
 
 /// A camera that is moved by a step or two of the grid sees what it saw: no pixel changes by more than
