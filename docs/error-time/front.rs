@@ -24,7 +24,7 @@ pub const CASTLE: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 122421,
-        instructions: 292,
+        instructions: 290,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -33,7 +33,7 @@ pub const CASTLE: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 121807,
-        instructions: 854,
+        instructions: 848,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -42,7 +42,7 @@ pub const CASTLE: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 121807,
-        instructions: 889,
+        instructions: 882,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -51,7 +51,7 @@ pub const CASTLE: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 121807,
-        instructions: 894,
+        instructions: 887,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -60,7 +60,7 @@ pub const CASTLE: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 121807,
-        instructions: 1155,
+        instructions: 1145,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -73,7 +73,7 @@ pub const CASTLE: Front = Front::new(&[
 pub const SHADING_LIGHTS: Front = Front::new(&[
     FrontPoint {
         prepare: 3382,
-        instructions: 39,
+        instructions: 38,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -82,7 +82,7 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 3382,
-        instructions: 55,
+        instructions: 54,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -91,7 +91,7 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 3382,
-        instructions: 155,
+        instructions: 153,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -100,7 +100,7 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 3382,
-        instructions: 426,
+        instructions: 421,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -109,7 +109,7 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 3382,
-        instructions: 696,
+        instructions: 687,
         reflections: 1,
         grade: Grade::Fine,
         scale: 1,
@@ -122,7 +122,7 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
 pub const SHADING_SPECULARS: Front = Front::new(&[
     FrontPoint {
         prepare: 12424,
-        instructions: 37,
+        instructions: 36,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -131,7 +131,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12424,
-        instructions: 60,
+        instructions: 59,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -140,7 +140,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12406,
-        instructions: 179,
+        instructions: 175,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -149,7 +149,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12381,
-        instructions: 515,
+        instructions: 506,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -158,7 +158,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12381,
-        instructions: 579,
+        instructions: 569,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -167,7 +167,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12381,
-        instructions: 595,
+        instructions: 584,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -176,7 +176,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12381,
-        instructions: 821,
+        instructions: 806,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -185,7 +185,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12381,
-        instructions: 823,
+        instructions: 808,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -207,7 +207,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25229,
-        instructions: 80,
+        instructions: 79,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -216,7 +216,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25355,
-        instructions: 184,
+        instructions: 183,
         reflections: 0,
         grade: Grade::Fast,
         scale: 2,
@@ -225,7 +225,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25355,
-        instructions: 244,
+        instructions: 243,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -234,7 +234,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25443,
-        instructions: 536,
+        instructions: 532,
         reflections: 0,
         grade: Grade::Fast,
         scale: 1,
@@ -243,7 +243,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25443,
-        instructions: 754,
+        instructions: 750,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -252,7 +252,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25443,
-        instructions: 822,
+        instructions: 818,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -261,7 +261,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25443,
-        instructions: 837,
+        instructions: 833,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -270,7 +270,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25443,
-        instructions: 1041,
+        instructions: 1036,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -292,7 +292,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17453,
-        instructions: 79,
+        instructions: 78,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -301,7 +301,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17453,
-        instructions: 246,
+        instructions: 243,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -310,7 +310,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17453,
-        instructions: 297,
+        instructions: 293,
         reflections: 1,
         grade: Grade::Fine,
         scale: 2,
@@ -319,7 +319,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17453,
-        instructions: 761,
+        instructions: 751,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -328,7 +328,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17453,
-        instructions: 971,
+        instructions: 958,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -337,7 +337,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17453,
-        instructions: 1004,
+        instructions: 991,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -346,7 +346,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17453,
-        instructions: 1005,
+        instructions: 992,
         reflections: 4,
         grade: Grade::Fast,
         scale: 1,
@@ -355,7 +355,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17453,
-        instructions: 1163,
+        instructions: 1147,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -364,7 +364,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17453,
-        instructions: 1165,
+        instructions: 1150,
         reflections: 5,
         grade: Grade::Fine,
         scale: 1,
@@ -395,7 +395,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26848,
-        instructions: 165,
+        instructions: 164,
         reflections: 2,
         grade: Grade::Fast,
         scale: 4,
@@ -413,7 +413,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26792,
-        instructions: 454,
+        instructions: 453,
         reflections: 2,
         grade: Grade::Fast,
         scale: 2,
@@ -422,7 +422,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26792,
-        instructions: 574,
+        instructions: 573,
         reflections: 2,
         grade: Grade::Fine,
         scale: 2,
@@ -431,7 +431,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26792,
-        instructions: 584,
+        instructions: 583,
         reflections: 3,
         grade: Grade::Fast,
         scale: 2,
@@ -440,7 +440,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26792,
-        instructions: 730,
+        instructions: 728,
         reflections: 3,
         grade: Grade::Fine,
         scale: 2,
@@ -449,7 +449,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26029,
-        instructions: 1359,
+        instructions: 1356,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -458,7 +458,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26029,
-        instructions: 1751,
+        instructions: 1747,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -467,7 +467,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26029,
-        instructions: 1870,
+        instructions: 1865,
         reflections: 4,
         grade: Grade::Fast,
         scale: 1,
@@ -476,7 +476,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26029,
-        instructions: 2502,
+        instructions: 2497,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -485,7 +485,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26029,
-        instructions: 2678,
+        instructions: 2671,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -494,7 +494,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26029,
-        instructions: 2710,
+        instructions: 2704,
         reflections: 5,
         grade: Grade::Fine,
         scale: 1,
@@ -503,7 +503,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26029,
-        instructions: 2725,
+        instructions: 2718,
         reflections: 6,
         grade: Grade::Fine,
         scale: 1,
@@ -516,7 +516,7 @@ pub const MIRROR2: Front = Front::new(&[
 pub const PRIMITIVES: Front = Front::new(&[
     FrontPoint {
         prepare: 7710,
-        instructions: 35,
+        instructions: 34,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -525,7 +525,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7710,
-        instructions: 53,
+        instructions: 51,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -534,7 +534,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7710,
-        instructions: 160,
+        instructions: 156,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -543,7 +543,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7710,
-        instructions: 505,
+        instructions: 490,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -552,7 +552,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7710,
-        instructions: 547,
+        instructions: 530,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -561,7 +561,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7710,
-        instructions: 560,
+        instructions: 543,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -570,7 +570,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7710,
-        instructions: 563,
+        instructions: 546,
         reflections: 4,
         grade: Grade::Fast,
         scale: 1,
@@ -579,7 +579,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7710,
-        instructions: 819,
+        instructions: 794,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -588,7 +588,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7710,
-        instructions: 822,
+        instructions: 796,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
