@@ -7,7 +7,7 @@ use crate::number::sweep::Sweep;
 use crate::quality::Fast;
 use crate::scene::query::first;
 use crate::scene::{RuntimeScene, World};
-use crate::vector::{Position, Vector};
+use crate::vector::{Point, Position, Vector};
 
 type Scenery = RuntimeScene<2, 0, 1, 1, 1>;
 
@@ -16,12 +16,42 @@ type Scenery = RuntimeScene<2, 0, 1, 1, 1>;
 struct Fate {
     /// How often a wall was met.
     met: u64,
-    /// How often nothing was, though the shape is closed.
+    /// How often none was, though the ray had come to no open end; or one, but from outside.
     lost: u64,
+    /// How often a ray had come to an open end.
+    left_by_end: u64,
     /// How often it was met where the ray had left it.
     met_again: u64,
     /// How often it lay in the dark, with a light inside.
     dark: u64,
+}
+
+/// The cylinder that rays are inside of, in steps.
+struct Tube {
+    center: Point,
+    axis: [f64; 3],
+    radius: f64,
+    half_height: f64,
+}
+
+impl Tube {
+    /// Whether a ray from inside comes to the wall further from an end than rounding may tell.
+    fn keeps(&self, path: &Path) -> bool {
+        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let Vector { x, y, z } = self.center.to(path.ray.origin);
+        let start = [x, y, z].map(f64::from);
+        let way = path.direction().components().map(|it| it.to_num::<f64>());
+        let (rise, climb) = (dot(start, self.axis), dot(way, self.axis));
+        let square = 1.0 - climb * climb;
+        let half = dot(start, way) - rise * climb;
+        let outside = dot(start, start) - rise * rise - self.radius * self.radius;
+        let root = half * half - square * outside;
+        let distance = (-half + root.max(0.0).sqrt()) / square;
+        // The distance is a quotient by the square of the sine, unless that is small.
+        let sine = square.sqrt();
+        let unsure = 8.0 / (sine * sine.max(0.25));
+        (rise + distance * climb).abs() + unsure < self.half_height
+    }
 }
 
 /// Mirrors rays inside of spheres or very long cylinders of any size in steps, anywhere in the ball.
@@ -39,17 +69,13 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
         let mirror = scene.add_material(mirror).unwrap();
         // The two hold the ball at its size.
         let end = sweep.triple(1000).map(|it| f64::from(it) * 3.0e-4);
+        let axis = sweep.triple(1000).map(|it| f64::from(it) + 0.5);
+        let height = (radius * f64::from(sweep.within(2, 60))).min(0.8);
         match is_sphere {
-            true => scene.add_sphere(end, radius, mirror).unwrap(),
-            false => {
-                let axis = sweep.triple(1000).map(|it| f64::from(it) + 0.5);
-                let height = radius * f64::from(sweep.within(2, 60));
-                let height = height.min(0.8);
-                scene
-                    .add_cylinder(end, axis, radius, height, mirror)
-                    .unwrap();
-            }
+            true => scene.add_sphere(end, radius, mirror),
+            false => scene.add_cylinder(end, axis, radius, height, mirror),
         }
+        .unwrap();
         scene.add_sphere([0.0; 3], 0.999, mirror).unwrap();
         let aside = |sweep: &mut Sweep, part: f64| {
             let aside = sweep
@@ -64,6 +90,13 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
         assert!((27..=28).contains(&grid.fraction_bits()));
         // A ball that is hardly larger than 2²⁸ finer steps is half as many of these.
         let steps = steps >> (28 - grid.fraction_bits());
+        let long = axis.iter().map(|it| it * it).sum::<f64>().sqrt();
+        let tube = Tube {
+            center: grid.place(Position::new(end)).point,
+            axis: axis.map(|it| it / long),
+            radius: f64::from(steps),
+            half_height: height / 2.0 * 2f64.powi(grid.fraction_bits()),
+        };
         let number = match is_sphere {
             true => ShapeNumber::of_sphere(0),
             false => scene.parts().cylinder_number(0),
@@ -76,17 +109,17 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
             let mut path = Path::new(from, way);
             let mut left = ShapeNumber::NONE;
             for bounce in 0..16 {
-                let Some((at, shape)) = first(&scene, &path, left) else {
-                    fate.lost += 1;
+                let met = first(&scene, &path, left).filter(|(_, shape)| *shape == number);
+                let Some((at, shape)) = met else {
+                    match is_sphere || tube.keeps(&path) {
+                        true => fate.lost += 1,
+                        false => fate.left_by_end += 1,
+                    }
                     break;
                 };
-                if shape != number {
-                    // Out of an end of the cylinder, or through the wall of the sphere.
-                    fate.lost += u64::from(is_sphere);
-                    break;
-                }
                 fate.met += 1;
                 let surface = Surface::new(&scene, at, shape, path.direction()).unwrap();
+                fate.lost += u64::from(!surface.is_inside);
                 let gone = path.ray.origin.to(at.point).direction_and_length().1;
                 // A chord is as long as twice the radius times the cosine, and along a cylinder longer.
                 let cosine = surface.facing.to_num::<f64>();
@@ -122,6 +155,10 @@ fn assert_kept_inside(rounds: u32, is_sphere: bool, seed: u64) {
     let fate = followed_inside(rounds, is_sphere, seed);
     println!("{fate:?}");
     assert!(fate.met > 20 * u64::from(rounds), "{fate:?}");
+    assert!(
+        is_sphere || fate.left_by_end > u64::from(rounds),
+        "{fate:?}"
+    );
     assert_eq!(
         (fate.lost, fate.met_again, fate.dark),
         (0, 0, 0),
