@@ -82,6 +82,12 @@ fn steps(bare_metal: &BareMetal) -> Vec<Step> {
             cargo("test").args(["--workspace", "--features", FEATURES]),
         ),
         step(
+            "tests, ten million rays from every kind of surface",
+            cargo("test")
+                .args(["--workspace", "--features", FEATURES, "--lib"])
+                .args(["--", "--ignored"]),
+        ),
+        step(
             "fuzz, 30 seconds",
             cargo("xtask").args(["fuzz", "--seconds", "30"]),
         ),
