@@ -37,7 +37,7 @@ pub fn source(command: &str, scenes: &[Measured]) -> String {
 /// A point is worth its place if it is a quarter of a decibel better than the one before.
 const GAIN: f64 = 0.25;
 
-/// What the library has a value for: its own qualities, with shadows; the best of these.
+/// What the library has a value for: the qualities of `Grade`, with shadows; the best of these.
 fn points(points: &[Point]) -> Vec<&Point> {
     let is_known = |point: &&Point| {
         matches!(
