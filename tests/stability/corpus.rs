@@ -7,7 +7,7 @@ use wild::Wild;
 
 const KEPT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/fuzz/corpus/scene");
 
-/// Some are kept because the library refuses them in a way of its own; the others are drawn.
+/// Some are kept because the library refuses them in a way of its own; most are drawn.
 #[test]
 fn corpus_of_the_fuzzer_is_drawn() {
     let (mut files, mut drawn, mut rays) = (0, 0, 0);
@@ -24,5 +24,5 @@ fn corpus_of_the_fuzzer_is_drawn() {
     }
     println!("{drawn} scenes of {files} files, {rays} rays");
     assert!(files >= 60, "{files} files are too few");
-    assert!(3 * drawn >= files, "{drawn} scenes of {files} files");
+    assert!(2 * drawn >= files, "{drawn} scenes of {files} files");
 }
