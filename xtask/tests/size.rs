@@ -277,7 +277,7 @@ fn command_prints_lines_of_json_with_these_keys() {
         .lines()
         .map(|line| serde_json::from_str(line).unwrap())
         .collect();
-    assert_eq!(lines.len(), 3);
+    assert_eq!(lines.len(), size::QUALITIES.len());
     for line in lines {
         let keys: Vec<_> = line
             .as_object()
