@@ -212,23 +212,28 @@ impl Pictures {
         })
     }
 
+    /// By fixed point: `Exact`, `Fine` and `Fast`.
+    fn fixed(&self) -> [&reference::Picture; 3] {
+        [&self.exact, &self.fine, &self.fast]
+    }
+
+    /// By these and by single precision.
+    fn all(&self) -> [&reference::Picture; 4] {
+        [&self.exact, &self.fine, &self.fast, &self.single]
+    }
+
     fn against_truth(&self) -> [f64; 4] {
-        let pictures = [&self.exact, &self.fine, &self.fast, &self.single];
-        pictures.map(|picture| within8_of(picture, &self.truth))
+        self.all().map(|picture| within8_of(picture, &self.truth))
     }
 
     /// How many pixels of all qualities are not the same in another's.
     pub fn differing(&self, other: &Self) -> usize {
-        let pairs = [
-            (&self.exact, &other.exact),
-            (&self.fine, &other.fine),
-            (&self.fast, &other.fast),
-        ];
+        let pairs = self.fixed().into_iter().zip(other.fixed());
         let differ = pairs.map(|(a, b)| {
             let pixels = a.pixels.iter().zip(&b.pixels);
             pixels.filter(|(a, b)| a != b).count()
         });
-        differ.into_iter().sum()
+        differ.sum()
     }
 
     fn off(&self) -> Off {
@@ -253,8 +258,7 @@ impl Pictures {
 
     fn judge(&self, bar: f64) -> Verdict {
         let within8 = self.against_truth();
-        let pictures = [&self.exact, &self.fine, &self.fast, &self.single];
-        let errors = pictures.map(|it| mean_error(it, &self.truth));
+        let errors = self.all().map(|it| mean_error(it, &self.truth));
         let (single, single_within8) = (errors[3], within8[3]);
         let is_no_worse = |it: usize| {
             errors[it] <= single || (errors[it] < UNSEEN && within8[it] >= single_within8)
@@ -284,8 +288,7 @@ impl Pictures {
             };
             picture.pixels.iter().map(off).fold(0.0, f64::max)
         };
-        let pictures = [&self.exact, &self.fine, &self.fast, &self.single];
-        let [exact, fine, fast, single] = pictures.map(furthest);
+        let [exact, fine, fast, single] = self.all().map(furthest);
         let bar = 0.5 + ONE_LEVEL;
         Verdict {
             reference: "closed form",
@@ -308,10 +311,8 @@ impl Pictures {
                 .into_iter()
                 .fold(0.0, f64::max)
         };
-        let pictures = [&self.exact, &self.fine, &self.fast, &self.single];
-        let [exact, fine, fast, single] = pictures.map(apart);
-        let fixed = [&self.exact, &self.fine, &self.fast];
-        let histograms = fixed.map(|it| histogram_error(it, &self.truth));
+        let [exact, fine, fast, single] = self.all().map(apart);
+        let histograms = self.fixed().map(|it| histogram_error(it, &self.truth));
         let histogram = histograms.into_iter().fold(0.0, f64::max);
         // What pictures by the same chaos differ by.
         let noise = self.nudged.iter().map(apart).fold(0.0, f64::max);

@@ -5,7 +5,7 @@ use std::vec::Vec;
 use rayon::prelude::*;
 
 use super::trace;
-use super::vector::Vector;
+use super::vector::{Vector, quantised};
 use super::view::View;
 use super::world::World;
 use super::{Camera, Scene, Shading};
@@ -92,12 +92,6 @@ pub fn render(
         height,
         pixels,
     }
-}
-
-pub(super) fn quantised(color: Vector) -> [u8; 3] {
-    color
-        .0
-        .map(|channel| (255.0 * channel.clamp(0.0, 1.0)).round() as u8)
 }
 
 #[cfg(test)]

@@ -91,3 +91,10 @@ impl Neg for Vector {
         Self(self.0.map(|component| -component))
     }
 }
+
+/// A linear colour as bytes: each channel clamped to 0 to 1, and round(255 c).
+pub(super) fn quantised(color: Vector) -> [u8; 3] {
+    color
+        .0
+        .map(|channel| (255.0 * channel.clamp(0.0, 1.0)).round() as u8)
+}

@@ -43,9 +43,7 @@ pub fn render(
     let view = View::new(camera, width, height);
     let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     let pixels = places.map(|(x, y)| {
-        let color = trace::color(&world, view.ray(x, y), reflections, shading);
-        let level = |channel: f32| (255.0 * channel.clamp(0.0, 1.0)).round() as u8;
-        color.0.map(level)
+        vector::quantised(trace::color(&world, view.ray(x, y), reflections, shading))
     });
     Picture {
         width,

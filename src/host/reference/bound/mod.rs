@@ -39,8 +39,7 @@ use std::vec::Vec;
 use rayon::prelude::*;
 
 pub use self::path::{Followed, Precision, Stage};
-use super::picture::quantised;
-use super::vector::Vector;
+use super::vector::{Vector, quantised};
 use super::view::View;
 use super::world::World;
 use super::{Camera, Picture, Scene, Shading};
