@@ -94,13 +94,6 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// Which of the cylinders it is, if it is the outside of one.
-    #[inline(always)]
-    pub(crate) fn cylinder<W: World>(&self, world: &W) -> Option<usize> {
-        let index = world.parts().cylinder_index(self.shape);
-        index.filter(|_| !self.is_inside)
-    }
-
     /// Turns a path that met the surface into the mirrored one.
     #[inline(never)]
     pub(crate) fn reflect<W: World>(&self, world: &W, path: &mut Path) {
@@ -367,17 +360,13 @@ fn clear_strength<W: World, H: Highlight>(
     let back = direction.reversed();
     if W::NEEDS.shadows
         && H::SHADOWS
-        && blocked_from(
-            world,
-            (lamp, index),
-            back,
-            distance,
-            surface.cylinder(world),
-        )
+        && blocked_from(world, (lamp, index), back, distance, |cylinder| {
+            cylinder == surface.shape && !surface.is_inside
+        })
     {
         return Brightness::ZERO;
     }
-    surface.sent_on::<W, H>(world, direction, cosine)
+    surface.sent_on::<W, H>(world, back, cosine)
 }
 
 /// What a surface sends on of a light, wherever both are; rarely asked.
@@ -420,16 +409,17 @@ fn general_strength<W: World, Q: Quality, H: Highlight>(
         return Brightness::ZERO;
     }
     let cosine = surface.normal.short_dot(direction).max(Unit::ZERO);
-    surface.sent_on::<W, H>(world, direction, cosine)
+    surface.sent_on::<W, H>(world, direction.reversed(), cosine)
 }
 
 impl Surface<'_> {
-    /// diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ, for a light in a direction above the surface, and its n·l.
+    /// diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ, for light that comes along a direction from above the surface,
+    /// and its n·l.
     #[inline(always)]
     fn sent_on<W: World, H: Highlight>(
         &self,
         world: &W,
-        light: Direction,
+        along: Direction,
         cosine: Unit,
     ) -> Brightness {
         let material = self.material(world);
@@ -440,7 +430,7 @@ impl Surface<'_> {
         let cosines = Cosines {
             light: cosine,
             viewer: self.facing,
-            between: Unit::from_bits(-self.view.short_dot(light).to_bits()),
+            between: self.view.short_dot(along),
         };
         let highlight = H::highlight(&cosines, material.shininess, W::NEEDS.shininess);
         strength + lit(highlight, material.specular)

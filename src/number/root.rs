@@ -95,28 +95,28 @@ pub const fn root_of_unit(square: Unit) -> Unit {
     Unit::from_bits(root as i32)
 }
 
-/// 2³² / x for x = `mantissa` · 2⁻³¹ in 1 to 2, with a relative error below 2⁻²⁶.
+/// 2³¹ / x for x = `mantissa` · 2⁻³¹ in 1 to 2, with a relative error below 2⁻²⁶.
 ///
 /// From the table by one step of third order, y₀ (1 + e + e²) with e = 1 - x y₀ below 2⁻⁹.
 const fn reciprocal(mantissa: u32) -> u32 {
     let start = TABLE[(mantissa >> 23) as usize & 0xff] as u32;
-    // Within ±2²² as one with a sign.
-    let error = (1_u32 << 31).wrapping_sub(high_unsigned(mantissa, start << 16)) as i32;
-    let coarse = error >> 8;
-    let correction = error + ((coarse * coarse) >> 15);
+    // Within ±2²¹ as one with a sign.
+    let error = (1_u32 << 30).wrapping_sub(high_unsigned(mantissa, start << 15)) as i32;
+    let coarse = error >> 7;
+    let correction = error + ((coarse * coarse) >> 16);
     let refined = high((start << 15) as i32, correction << 2);
-    // The term left out is negative where x is 1 and the start too small: this stays below 2³².
-    (start << 16).wrapping_add(refined as u32)
+    // The term left out is negative where x is 1 and the start too small: this stays below 2³¹.
+    (start << 15).wrapping_add(refined as u32)
 }
 
 /// 2³⁰ `numerator` / `denominator` for a numerator below the denominator, with a relative error
 /// below 2⁻²⁶; the denominator is 1 to 2³⁰.
 #[inline(always)]
 pub const fn ratio(numerator: u32, denominator: u32) -> i32 {
-    let denominator = denominator | (denominator == 0) as u32;
+    // 32 of zero, for which nothing is promised but that nothing panics.
     let zeros = leading_zeros(denominator);
-    let reciprocal = reciprocal(denominator << zeros);
-    high_unsigned(numerator << (zeros - 1), reciprocal) as i32
+    let reciprocal = reciprocal(denominator.wrapping_shl(zeros));
+    high_unsigned(numerator.wrapping_shl(zeros), reciprocal) as i32
 }
 
 /// `numerator / denominator`, with a relative error below 2⁻²⁶; `denominator` is 1 to 2³² - 1,
@@ -128,7 +128,7 @@ pub const fn divide(numerator: u64, denominator: u32) -> Quotient {
     let zeros = numerator.leading_zeros();
     let leading = ((numerator << zeros) >> 32) as u32;
     Quotient {
-        mantissa: high_unsigned(leading, reciprocal(denominator << up)),
+        mantissa: high_unsigned(leading, reciprocal(denominator << up) << 1),
         exponent: 1 + up as i32 - zeros as i32,
     }
 }
@@ -182,7 +182,7 @@ mod tests {
     fn the_reciprocal_is_within_its_bound() {
         let mut worst = 0.0_f64;
         for mantissa in mantissas().map(|mantissa| mantissa | 1 << 31) {
-            let truth = 2f64.powi(63) / f64::from(mantissa);
+            let truth = 2f64.powi(62) / f64::from(mantissa);
             let error = (f64::from(reciprocal(mantissa)) - truth).abs() / truth;
             worst = worst.max(error);
         }

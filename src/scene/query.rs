@@ -6,7 +6,7 @@ use super::{Lamps, Parts, World, far};
 use crate::number::Length;
 use crate::ray::{Path, Place, REACH, Ray, Trail, spread};
 use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
-use crate::shape::plane::{Approach, PreparedPlane};
+use crate::shape::plane::{Approach, Bearing, PreparedPlane};
 use crate::shape::sphere::{PreparedSphere, SeenSphere};
 use crate::vector::{Direction, Vector};
 
@@ -41,13 +41,6 @@ impl ShapeNumber {
 impl Parts<'_> {
     pub(crate) fn cylinder_number(&self, index: usize) -> ShapeNumber {
         ShapeNumber((self.spheres.len() + index) as u32)
-    }
-
-    /// Where a cylinder stands among the cylinders.
-    #[inline(always)]
-    pub(crate) fn cylinder_index(&self, shape: ShapeNumber) -> Option<usize> {
-        let index = (shape.0 as usize).checked_sub(self.spheres.len())?;
-        (index < self.cylinders.len()).then_some(index)
     }
 
     /// The number that the planes begin with.
@@ -146,12 +139,17 @@ fn nearest_plane<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit
     };
     let number = |index: usize| ShapeNumber(parts.first_plane() + index as u32);
     // One by one, so that the compiler can work with the planes of a constant scene: most have
-    // coordinates that are 0 or 1.
+    // coordinates that are 0 or 1. All products first: a sign that is extended in another block makes
+    // three instructions of one.
+    let mut bearings = [Bearing::NONE; 4];
     for_first_four(parts.planes, |index, plane| {
-        nearest.meet(plane, number(index), ray, left);
+        bearings[index] = plane.bearing(ray);
+    });
+    for_first_four(parts.planes, |index, _| {
+        nearest.meet(&bearings[index], number(index), left);
     });
     for (index, plane) in parts.planes.iter().enumerate().skip(4) {
-        nearest.meet(plane, number(index), ray, left);
+        nearest.meet(&plane.bearing(ray), number(index), left);
     }
     Hit {
         distance: if nearest.is_met {
@@ -190,11 +188,11 @@ struct NearestPlane {
 
 impl NearestPlane {
     #[inline(always)]
-    fn meet(&mut self, plane: &PreparedPlane, number: ShapeNumber, ray: &Ray, left: ShapeNumber) {
+    fn meet(&mut self, bearing: &Bearing, number: ShapeNumber, left: ShapeNumber) {
         if number == left {
             return;
         }
-        let Some(approach) = plane.approach(ray) else {
+        let Some(approach) = bearing.approach() else {
             return;
         };
         if approach.is_before(&self.approach) {
@@ -415,20 +413,19 @@ pub(crate) fn blocked<W: World>(
 }
 
 /// Whether a sphere or cylinder lies between a light that stands clear and what is `distance` away
-/// from it in a direction: the outside of the cylinder `left`, which is not in the way, or anything
-/// else.
+/// from it in a direction; the outside of a cylinder that is left is not in the way.
 #[inline(always)]
 pub(crate) fn blocked_from<W: World>(
     world: &W,
     (lamp, index): (&W::Lamp, usize),
     direction: Direction,
     distance: Length,
-    left: Option<usize>,
+    is_left: impl Fn(ShapeNumber) -> bool,
 ) -> bool {
     let parts = world.parts();
     let (spheres, cylinders) = (lamp.spheres(), lamp.cylinders());
     let hides = |index: usize, cylinder: &PreparedCylinder, seen: &SeenCylinder| {
-        left != Some(index)
+        !is_left(parts.cylinder_number(index))
             && cylinder
                 .met(seen, direction, parts.epsilon, distance)
                 .is_some()

@@ -267,7 +267,9 @@ fn asked<W: World>(world: &W, random: &mut Random) -> [u32; 2] {
             };
             let left = Some(round % (2 * cylinders + 1)).filter(|&it| it < cylinders);
             let all = blocked_by_any(world, lamp, direction, reach, left);
-            let some = blocked_from(world, (lamp, index), direction, reach, left);
+            let some = blocked_from(world, (lamp, index), direction, reach, |cylinder| {
+                left.is_some_and(|left| cylinder == world.parts().cylinder_number(left))
+            });
             assert_eq!(some, all, "{direction:?} {reach:?} {left:?}");
             counts[usize::from(all)] += 1;
         }
@@ -334,7 +336,9 @@ fn told<W: World>(world: &W, random: &mut Random) -> [u32; 3] {
                 continue;
             }
             let way = path.direction().reversed();
-            let hidden = blocked_from(world, (lamp, index), way, distance, surface.cylinder(world));
+            let hidden = blocked_from(world, (lamp, index), way, distance, |cylinder| {
+                cylinder == surface.left(world)
+            });
             if general(surface.place) == hidden {
                 counts[usize::from(hidden)] += 1;
                 continue;

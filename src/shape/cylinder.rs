@@ -6,8 +6,8 @@
 
 use super::{MaterialId, Normaliser};
 use crate::number::{
-    Length, Number, Unit, high, high_unsigned, leading_zeros, ratio, reciprocal_root,
-    scaled_by_unit, square_root, unit_product, unit_shift, wide,
+    Length, Number, high, high_unsigned, leading_zeros, ratio, reciprocal_root, scaled_by_unit,
+    square_root, unit_shift, wide, wide_unsigned,
 };
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
@@ -44,7 +44,7 @@ pub struct PreparedCylinder {
     axis: Direction,
     radius: i32,
     /// (radius << lift)² · 2⁻³⁰: 2²⁸ to 2³⁰.
-    lifted_square: i32,
+    lifted_square: u32,
     half_height: i32,
     normaliser: Normaliser,
     pub(crate) material: MaterialId,
@@ -78,20 +78,9 @@ impl SeenCylinder {
     }
 }
 
-/// Where a line goes through the endless cylinder: `ahead` ± `half_chord`, measured across the
-/// axis and times `flat` sine of the angle between line and axis.
-struct Crossing {
-    ahead: i32,
-    half_chord: i32,
-    /// The cosine of the angle between line and axis.
-    climb: Unit,
-    /// The square of the sine, Q2.30.
-    flat: i32,
-}
-
 /// Rays closer to the axis than this (the square of the sine is below 1/16) are measured with the
 /// direction across the axis normalised.
-const STEEP: i32 = 1 << 26;
+const STEEP: u32 = 1 << 26;
 
 impl PreparedCylinder {
     /// Fills the room of a cylinder that a scene's type allows but the scene does not use.
@@ -117,7 +106,7 @@ impl PreparedCylinder {
             center,
             axis,
             radius: radius.to_bits(),
-            lifted_square: (wide(lifted, lifted) >> 30) as i32,
+            lifted_square: (wide(lifted, lifted) >> 30) as u32,
             half_height: half_height.to_bits(),
             normaliser,
             material,
@@ -194,38 +183,41 @@ impl PreparedCylinder {
         reach: Length,
     ) -> Option<Length> {
         let climb = direction.dot(self.axis);
-        let flat = (1 << 30) - unit_product(climb, climb).to_bits();
+        // All products of a number with a sign stand in one block: a sign that is extended in another
+        // makes three instructions of a product.
+        let flat = (1 << 30)
+            - (wide_unsigned(
+                climb.to_bits().unsigned_abs(),
+                climb.to_bits().unsigned_abs(),
+            ) >> 30) as u32;
         if flat < STEEP {
             return self.met_steeply(seen, direction, start, reach);
         }
         let lifted = sideways << self.normaliser.lift;
-        let half_chord_square = high(self.lifted_square, flat) - high(lifted, lifted);
+        let half_chord_square =
+            high_unsigned(self.lifted_square, flat) as i32 - high(lifted, lifted);
         if half_chord_square < 0 {
             return None;
         }
-        let crossing = Crossing {
-            ahead: seen.way.dot(direction) - scaled_by_unit(seen.rise, climb),
-            half_chord: root_of_lifted(half_chord_square as u32, self.normaliser.lift),
-            climb,
-            flat,
-        };
-        [-crossing.half_chord, crossing.half_chord]
-            .into_iter()
-            .find_map(|half_chord| {
-                let ahead = crossing.ahead + half_chord;
-                if ahead <= 0 || ahead >= crossing.flat || !self.is_wall(seen, &crossing, ahead) {
-                    return None;
-                }
-                let distance = Length::from_bits(ratio(ahead as u32, crossing.flat as u32));
-                (start < distance && distance < reach).then_some(distance)
-            })
-    }
-
-    /// Whether what is met `ahead` lies between the rims.
-    #[inline(always)]
-    fn is_wall(&self, seen: &SeenCylinder, crossing: &Crossing, ahead: i32) -> bool {
-        let height = wide(ahead, crossing.climb.to_bits()) - wide(seen.rise, crossing.flat);
-        height.abs() <= wide(self.half_height, crossing.flat)
+        // The middle of the crossing and half its length, measured across the axis and times the sine.
+        let ahead = seen.way.dot(direction) - scaled_by_unit(seen.rise, climb);
+        let half_chord = root_of_lifted(half_chord_square as u32, self.normaliser.lift);
+        // How far up the axis, times the square of the sine.
+        let height = wide(ahead, climb.to_bits()) + wide(seen.rise, -(flat as i32));
+        let climbed = wide(half_chord, climb.to_bits());
+        let limit = wide_unsigned(self.half_height as u32, flat) as i64;
+        [
+            (ahead - half_chord, height - climbed),
+            (ahead + half_chord, height + climbed),
+        ]
+        .into_iter()
+        .find_map(|(ahead, height)| {
+            if ahead <= 0 || ahead >= flat as i32 || height.abs() > limit {
+                return None;
+            }
+            let distance = Length::from_bits(ratio(ahead as u32, flat));
+            (start < distance && distance < reach).then_some(distance)
+        })
     }
 
     /// The same for all rays, at more cost, and as exact for those almost along the axis. The direction
