@@ -86,7 +86,10 @@ impl Place {
     /// Where every ray starts that leaves a surface here: `epsilon`, below 2²⁸, along the normal.
     #[inline(always)]
     pub const fn lifted(self, normal: Direction, epsilon: Length) -> Self {
-        let step = (epsilon.to_bits() >> shift_of(self.scale)) << 2;
+        let step = match self.scale {
+            0 => epsilon.to_bits(),
+            scale => coarser(epsilon, scale),
+        } << 2;
         let Point { x, y, z } = self.point;
         let point = Point::new(
             x + high(step, normal.x.to_bits()),
@@ -114,6 +117,13 @@ impl Place {
         let to = other.point.coarser(shift_of(scale - other.scale));
         (from.to(to), scale)
     }
+}
+
+/// A length in steps of 2^`scale`; rarely asked.
+#[cold]
+#[inline(never)]
+const fn coarser(length: Length, scale: u32) -> i32 {
+    length.to_bits() >> shift_of(scale)
 }
 
 /// A shift that an `i32` allows: past 31 nothing but the sign is left anyway.
@@ -185,6 +195,9 @@ pub(crate) const fn spread(number: u32) -> u32 {
 pub(crate) struct Trail(u32);
 
 impl Trail {
+    /// The highest bit.
+    const BENT: u32 = 1 << 31;
+
     /// Of a path that has not met anything.
     pub(crate) const fn new() -> Self {
         Self(0)
@@ -193,19 +206,20 @@ impl Trail {
     /// Adds what was met.
     #[inline(always)]
     pub(crate) fn note(&mut self, met: u32) {
-        self.0 = spread(self.0 ^ met).rotate_left(15);
+        // Times 2¹¹ + 1, in one instruction: no two short sums of small numbers are the same.
+        self.0 = self.0.wrapping_add(self.0 << 11).wrapping_add(met);
     }
 
     /// Of the whole path, which may have been mirrored in something round, and then gone on.
     #[inline(always)]
     pub(crate) fn ended(self, is_bent: bool) -> Self {
-        Self(self.0 & !1 | u32::from(is_bent))
+        Self(self.0 & !Self::BENT | u32::from(is_bent) << Self::BENT.trailing_zeros())
     }
 
     /// Whether the path was mirrored in something round.
     #[inline(always)]
     pub(crate) fn is_bent(self) -> bool {
-        self.0 & 1 != 0
+        self.0 & Self::BENT != 0
     }
 }
 

@@ -120,9 +120,10 @@ impl Vector {
         if distance < -radius {
             return true;
         }
-        let along = wide(distance, distance);
-        let aside = self.square() as i64 - along - (along >> 24) - (1 << 32);
-        aside > wide(radius, radius)
+        // Of all squares the high halves: each is short of its square by less than one.
+        let along = high(distance, distance);
+        let aside = (self.square() >> 32) as i32 - along - (along >> 24);
+        aside > high(radius, radius) + 4
     }
 
     /// What is left when the part of length `length` along `direction` is taken away.

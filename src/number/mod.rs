@@ -82,7 +82,7 @@ pub const fn unit_product(a: Unit, b: Unit) -> Unit {
 /// The share `part` of a share, neither below zero: rounded down to Q2.30.
 #[inline(always)]
 pub const fn share(whole: Unit, part: Unit) -> Unit {
-    Unit::from_bits((wide(whole.to_bits(), part.to_bits()) >> 30) as i32)
+    Unit::from_bits((wide_unsigned(whole.to_bits() as u32, part.to_bits() as u32) >> 30) as i32)
 }
 
 /// `raw · unit`, rounded down, in the format of `raw`; `|raw · unit|` must stay below 2³¹.

@@ -184,15 +184,8 @@ impl Table {
 /// The number of the cell that a coordinate lies in.
 #[inline(always)]
 const fn cell_number(coordinate: i32) -> i32 {
-    const LAST: i32 = SIDE as i32 / 2 - 1;
-    let number = coordinate >> CELL_BITS;
-    if number > LAST {
-        LAST
-    } else if number < -LAST - 1 {
-        -LAST - 1
-    } else {
-        number
-    }
+    // One beyond ±1 by a few last places, for which there is no cell, is drawn in; less than the margin.
+    (coordinate - (coordinate >> 25)) >> CELL_BITS
 }
 
 #[inline(always)]

@@ -185,7 +185,8 @@ impl PreparedSphere {
         if half_chord_square < 0 {
             return None;
         }
-        let half_chord = square_root(half_chord_square as u64);
+        // Of nothing it may be one.
+        let half_chord = square_root(half_chord_square as u64 | 1);
         let entry = distance - half_chord;
         let met = if entry > start.to_bits() {
             entry
