@@ -60,7 +60,7 @@ struct Kind<T, const ROOM: usize> {
     passed: u32,
 }
 
-impl<T, const ROOM: usize> Kind<T, ROOM> {
+impl<T: Copy, const ROOM: usize> Kind<T, ROOM> {
     #[inline(always)]
     fn new<const USED: bool>() -> Self {
         Self {
@@ -116,12 +116,15 @@ impl<T, const ROOM: usize> Kind<T, ROOM> {
                         };
                         self.open.push(open).ok()?;
                         let mut rest = self.open.as_mut_slice();
-                        while let [.., before, last] = rest {
-                            if !is_in_front(&last.seen, &before.seen) {
+                        while let [.., before, place] = rest {
+                            if !is_in_front(&open.seen, &before.seen) {
                                 break;
                             }
-                            core::mem::swap(before, last);
+                            *place = *before;
                             rest = rest.split_last_mut().map_or(&mut [], |(_, rest)| rest);
+                        }
+                        if let Some(place) = rest.last_mut() {
+                            *place = open;
                         }
                     }
                 }
@@ -206,7 +209,7 @@ impl Row {
         &self,
         world: &W,
         column: u32,
-        (direction, start): (Direction, Length),
+        (direction, start): (&Direction, Length),
         trail: &mut Trail,
     ) -> Hit {
         if self.is_full {
@@ -222,13 +225,15 @@ impl Row {
         &self,
         world: &W,
         column: u32,
-        (direction, start): (Direction, Length),
+        (direction, start): (&Direction, Length),
         trail: &mut Trail,
     ) -> Hit {
         // It is not known what is thin: no other ray has been alike.
         trail.note(column);
-        let origin = self.origin;
-        let ray = Ray { origin, direction };
+        let ray = Ray {
+            origin: self.origin,
+            direction: *direction,
+        };
         nearest_bounded::<W, false>(world, &ray, start, ShapeNumber::NONE, trail)
     }
 
@@ -283,16 +288,16 @@ impl Row {
         &self,
         world: &W,
         column: u32,
-        (direction, start): (Direction, Length),
+        (direction, start): (&Direction, Length),
         trail: &mut Trail,
     ) -> Hit {
         let mut nearest = Nearest::beyond(start);
         if W::NEEDS.spheres {
             nearest.pass(self.spheres.passed);
-            self.meet_spheres(world, column, direction, &mut nearest);
+            self.meet_spheres(world, column, *direction, &mut nearest);
         }
         if W::NEEDS.cylinders {
-            self.meet_cylinders(world, column, direction, &mut nearest);
+            self.meet_cylinders(world, column, *direction, &mut nearest);
         }
         nearest.hit(trail)
     }
@@ -308,10 +313,10 @@ impl Row {
         let parts = world.parts();
         for open in &self.spheres.open {
             let number = ShapeNumber::of_sphere(open.shape.into());
-            if open.has_column(column) {
-                let approach = open.seen.nearest_approach(direction);
-                let sphere = parts.spheres.get(usize::from(open.shape));
-                if let (true, Some(sphere)) = (open.seen.may_be_met(approach), sphere) {
+            if open.has_column(column)
+                && open.seen.may_be_met(open.seen.nearest_approach(direction))
+            {
+                if let Some(sphere) = parts.spheres.get(usize::from(open.shape)) {
                     if nearest.meet_sphere(sphere, open.seen.way(), direction, number) {
                         continue;
                     }

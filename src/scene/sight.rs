@@ -105,7 +105,7 @@ impl<'a, W: World> Sight<'a, W> {
         if self.camera.is_none() {
             return nearest_bounded::<W, false>(world, ray, START, ShapeNumber::NONE, trail);
         }
-        let ray = (ray.direction, START);
+        let ray = (&ray.direction, START);
         self.first.meet(world, self.column, ray, trail)
     }
 
@@ -134,7 +134,7 @@ impl<'a, W: World> Sight<'a, W> {
             y: self.y,
         };
         self.mirrored.turn_to(world, cut, self.columns);
-        let ray = (ray.direction, start);
+        let ray = (&ray.direction, start);
         self.mirrored.meet(world, self.column, ray, trail)
     }
 
