@@ -177,6 +177,18 @@ impl Bend {
         let ends = before.each(after, |before, after| before + after);
         ends.each(middle, |ends, middle| ends - 2 * middle)
     }
+
+    /// Of three sums of which the last is half as far from the middle as the first, at the last's
+    /// distance, but for a sixteenth.
+    #[inline(always)]
+    pub fn of_uneven(before: Sum, middle: Sum, after: Sum) -> Self {
+        let ends = before.each(after, |before, after| before + 2 * after);
+        ends.each(middle, |ends, middle| {
+            let bends = ends - 3 * middle;
+            // A third.
+            (bends >> 2) + (bends >> 4)
+        })
+    }
 }
 
 /// (1 + `unit`) / 2 as a brightness: how the normals view shows a coordinate.

@@ -260,7 +260,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         }
         self.stretch[1] = self.between(&start, &middle, first + 1);
         self.stretch[2] = middle.sum;
-        self.stretch[3] = self.between(&middle, &end, first + 3);
+        self.stretch[3] = self.last(&middle, &end, first + 3);
     }
 
     /// The colour of the one pixel between two.
@@ -271,6 +271,19 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             return start.sum.half_way(end.sum, [Bend::ZERO; 2]);
         }
         self.trace(column).sum
+    }
+
+    /// The colour of the one pixel between the middle and the end of a stretch, behind which another ends.
+    #[inline(always)]
+    fn last(&mut self, middle: &Traced, end: &Traced, column: u32) -> Sum {
+        let beyond = &self.ends[1];
+        if middle.trail == end.trail && end.trail == beyond.trail {
+            let bend = Bend::of_uneven(beyond.sum, end.sum, middle.sum);
+            if bend.is_within(4 * Self::TOLERANCE) {
+                return middle.sum.half_way(end.sum, [bend; 2]);
+            }
+        }
+        self.between(middle, end, column)
     }
 
     #[inline(never)]

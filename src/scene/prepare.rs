@@ -204,7 +204,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             }
             shape = 0;
             while shape < cylinders.len() && shape < C {
-                lamp.cylinders[shape] = cylinders[shape].seen_from(place.point);
+                lamp.cylinders[shape] = cylinders[shape].lit_from(place.point);
                 shape += 1;
             }
         }

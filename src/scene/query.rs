@@ -5,7 +5,7 @@ use super::mask::Mask;
 use super::{Lamps, Parts, World, far};
 use crate::number::Length;
 use crate::ray::{Path, Place, REACH, Ray, Trail, spread};
-use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
+use crate::shape::cylinder::{LitCylinder, PreparedCylinder, SeenCylinder};
 use crate::shape::plane::{Approach, Bearing, PreparedPlane};
 use crate::shape::sphere::{PreparedSphere, SeenSphere};
 use crate::vector::{Direction, Vector};
@@ -223,7 +223,9 @@ pub(crate) fn located<W: World>(
             return Some((at, hit.shape));
         }
     }
-    far::nearest::<W, false>(world, path, left, trail)
+    // Taken apart, or what is near is kept in memory, too.
+    let (at, shape) = far::nearest::<W, false>(world, path, left, trail)?;
+    Some((at, shape))
 }
 
 /// What a path that has left the shape `left` meets first, and where, with every shape asked.
@@ -424,18 +426,16 @@ pub(crate) fn blocked_from<W: World>(
 ) -> bool {
     let parts = world.parts();
     let (spheres, cylinders) = (lamp.spheres(), lamp.cylinders());
-    let hides = |index: usize, cylinder: &PreparedCylinder, seen: &SeenCylinder| {
+    let hides = |index: usize, cylinder: &PreparedCylinder, lit: &LitCylinder| {
         !is_left(parts.cylinder_number(index))
-            && cylinder
-                .met(seen, direction, parts.epsilon, distance)
-                .is_some()
+            && lit.is_before(cylinder, direction, parts.epsilon, distance)
     };
     if !W::NEEDS.sets {
         let mut cylinders = parts.cylinders.iter().zip(cylinders).enumerate();
         return spheres
             .iter()
             .any(|seen| seen.is_before(direction, distance))
-            || cylinders.any(|(index, (cylinder, seen))| hides(index, cylinder, seen));
+            || cylinders.any(|(index, (cylinder, lit))| hides(index, cylinder, lit));
     }
     let mask = match world.cells().get(index) {
         Some(cells) => cells.mask(direction),
@@ -447,7 +447,7 @@ pub(crate) fn blocked_from<W: World>(
         seen.is_some_and(|seen| seen.is_before(direction, distance))
     }) || runs.any_cylinder(mask, |index| {
         let cylinder = parts.cylinders.get(index).zip(cylinders.get(index));
-        cylinder.is_some_and(|(cylinder, seen)| hides(index, cylinder, seen))
+        cylinder.is_some_and(|(cylinder, lit)| hides(index, cylinder, lit))
     })
 }
 

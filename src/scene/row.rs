@@ -239,9 +239,14 @@ impl Row {
 
     /// Goes on to some columns, which do not begin before the last ones.
     #[inline(always)]
-    pub(crate) fn turn_to<W: World>(&mut self, world: &W, cut: Cut<'_>, columns: (u32, u32)) {
+    pub(crate) fn turn_to<'c, W: World>(
+        &mut self,
+        world: &W,
+        cut: impl FnOnce() -> Cut<'c>,
+        columns: (u32, u32),
+    ) {
         if columns.0 >= self.until {
-            self.open(world, cut, columns);
+            self.open(world, cut(), columns);
         }
     }
 

@@ -81,9 +81,10 @@ impl<'a, W: World> Sight<'a, W> {
             return;
         }
         self.columns = (first, last);
-        let cut = Cut {
+        let y = self.y;
+        let cut = || Cut {
             covered: outlook.first().of(world),
-            y: self.y,
+            y,
         };
         self.first.turn_to(world, cut, self.columns);
     }
@@ -129,9 +130,10 @@ impl<'a, W: World> Sight<'a, W> {
             trail.note(self.column);
             return nearest_bounded::<W, false>(world, ray, Length::from_bits(0), number, trail);
         };
-        let cut = Cut {
+        let y = self.y;
+        let cut = || Cut {
             covered: covered.of(world),
-            y: self.y,
+            y,
         };
         self.mirrored.turn_to(world, cut, self.columns);
         let ray = (&ray.direction, start);

@@ -14,7 +14,7 @@ use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::Length;
 use crate::shape::MaterialId;
-use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
+use crate::shape::cylinder::{PreparedCylinder, LitCylinder};
 use crate::shape::plane::PreparedPlane;
 use crate::shape::sphere::{PreparedSphere, SeenSphere};
 
@@ -23,7 +23,7 @@ use crate::shape::sphere::{PreparedSphere, SeenSphere};
 pub struct Lamp<const S: usize, const C: usize> {
     pub(super) light: PreparedLight,
     pub(super) spheres: [SeenSphere; S],
-    pub(super) cylinders: [SeenCylinder; C],
+    pub(super) cylinders: [LitCylinder; C],
 }
 
 impl<const S: usize, const C: usize> Lamp<S, C> {
@@ -31,7 +31,7 @@ impl<const S: usize, const C: usize> Lamp<S, C> {
     pub(super) const NONE: Self = Self {
         light: PreparedLight::NONE,
         spheres: [SeenSphere::NONE; S],
-        cylinders: [SeenCylinder::NONE; C],
+        cylinders: [LitCylinder::NONE; C],
     };
 }
 
@@ -47,7 +47,7 @@ pub trait Lamps {
 
     /// The scene's cylinders as the light sees them, and maybe more.
     #[allow(private_interfaces)]
-    fn cylinders(&self) -> &[SeenCylinder];
+    fn cylinders(&self) -> &[LitCylinder];
 }
 
 impl<const S: usize, const C: usize> Lamps for Lamp<S, C> {
@@ -65,7 +65,7 @@ impl<const S: usize, const C: usize> Lamps for Lamp<S, C> {
 
     #[allow(private_interfaces)]
     #[inline(always)]
-    fn cylinders(&self) -> &[SeenCylinder] {
+    fn cylinders(&self) -> &[LitCylinder] {
         &self.cylinders
     }
 }

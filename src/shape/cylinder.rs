@@ -78,6 +78,36 @@ impl SeenCylinder {
     }
 }
 
+/// A cylinder as a light sees it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LitCylinder {
+    seen: SeenCylinder,
+    /// Nothing of it is nearer than this.
+    nearest: i32,
+}
+
+impl LitCylinder {
+    /// Fills the room of a cylinder that a scene's type allows but the scene does not use.
+    pub(crate) const NONE: Self = Self {
+        seen: SeenCylinder::NONE,
+        nearest: i32::MAX,
+    };
+
+    /// Whether the cylinder that this is lies on a ray from the light, further away than `start` and
+    /// nearer than `reach`.
+    #[inline(always)]
+    pub(crate) fn is_before(
+        &self,
+        cylinder: &PreparedCylinder,
+        direction: Direction,
+        start: Length,
+        reach: Length,
+    ) -> bool {
+        self.nearest < reach.to_bits()
+            && cylinder.met(&self.seen, direction, start, reach).is_some()
+    }
+}
+
 /// Rays closer to the axis than this (the square of the sine is below 1/16) are measured with the
 /// direction across the axis normalised.
 const STEEP: u32 = 1 << 26;
@@ -141,6 +171,25 @@ impl PreparedCylinder {
             across: self.axis.crossed_with(way),
             rise: way.dot(self.axis),
         }
+    }
+
+    /// As seen from a light at a near point.
+    pub(crate) const fn lit_from(&self, origin: Point) -> LitCylinder {
+        let seen = self.seen_from(origin);
+        // The axis is within 2⁻²⁶ of length one, and the rise is rounded: it may be that much more.
+        let rise = wide(seen.rise, seen.rise) as u64;
+        let most = rise + (rise >> 24) + 4 * seen.rise.unsigned_abs() as u64 + 16;
+        let aside = square_root(seen.way.square().saturating_sub(most)) - self.radius;
+        let above = seen.rise.saturating_abs() - self.half_height - 16;
+        let outside = Vector::new(
+            if aside > 0 { aside } else { 0 },
+            if above > 0 { above } else { 0 },
+            0,
+        );
+        let distance = square_root(outside.square());
+        // A root and a height are known to a few steps, a large one to some more.
+        let nearest = distance - (distance >> 20) - 64;
+        LitCylinder { seen, nearest }
     }
 
     /// The distance at which a ray meets the wall first, from outside or from inside, above `start`
