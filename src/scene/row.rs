@@ -11,16 +11,17 @@ use super::query::{Hit, Nearest, ShapeNumber, nearest_bounded};
 use crate::number::Length;
 use crate::quality::LONGEST_STRIDE;
 use crate::ray::{Ray, Trail};
-use crate::shape::cylinder::SeenCylinder;
-use crate::shape::sphere::SeenSphere;
+use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
+use crate::shape::sphere::{PreparedSphere, SeenSphere};
 use crate::vector::{Direction, Point};
 
 /// A shape that can be met in the columns a row has come to, as its rays see it.
 #[derive(Clone, Copy, Debug)]
-struct Open<T> {
+struct Open<'a, T, S> {
     seen: T,
+    shape: &'a S,
     /// Which of its kind it is.
-    shape: u16,
+    index: u16,
     /// Its columns, the last one included.
     left: u16,
     right: u16,
@@ -28,7 +29,7 @@ struct Open<T> {
     middle: u16,
 }
 
-impl<T> Open<T> {
+impl<T, S> Open<'_, T, S> {
     /// Whether the shape can be met in a column.
     #[inline(always)]
     fn has_column(&self, column: u32) -> bool {
@@ -51,8 +52,8 @@ impl<T> Open<T> {
 
 /// The shapes of one kind.
 #[derive(Debug)]
-struct Kind<T, const ROOM: usize> {
-    open: Vec<Open<T>, ROOM>,
+struct Kind<'a, T, S, const ROOM: usize> {
+    open: Vec<Open<'a, T, S>, ROOM>,
     /// The first extent that has not been looked at.
     next: usize,
     /// What all rays have noted that pass on the right of the thin ones that have been closed; asked
@@ -60,7 +61,7 @@ struct Kind<T, const ROOM: usize> {
     passed: u32,
 }
 
-impl<T: Copy, const ROOM: usize> Kind<T, ROOM> {
+impl<'a, T: Copy, S: Copy, const ROOM: usize> Kind<'a, T, S, ROOM> {
     #[inline(always)]
     fn new<const USED: bool>() -> Self {
         Self {
@@ -86,14 +87,14 @@ impl<T: Copy, const ROOM: usize> Kind<T, ROOM> {
         extents: &[Extent],
         y: u16,
         (first, last): (u32, u32),
-        see: impl Fn(usize) -> Option<T>,
+        see: impl Fn(usize) -> Option<(T, &'a S)>,
         is_in_front: impl Fn(&T, &T) -> bool,
     ) -> Option<u32> {
         let passed = &mut self.passed;
         self.open.retain(|open| {
             let stays = u32::from(open.right) >= first;
             if !stays && open.middle < u16::MAX {
-                *passed ^= ShapeNumber::of_sphere(open.shape.into()).passed();
+                *passed ^= ShapeNumber::of_sphere(open.index.into()).passed();
             }
             stays
         });
@@ -106,10 +107,11 @@ impl<T: Copy, const ROOM: usize> Kind<T, ROOM> {
                     break;
                 }
                 if u32::from(extent.right) >= first {
-                    if let Some(seen) = see(extent.shape()) {
+                    if let Some((seen, shape)) = see(extent.shape()) {
                         let open = Open {
                             seen,
-                            shape: extent.shape() as u16,
+                            shape,
+                            index: extent.shape() as u16,
                             left: extent.left,
                             right: extent.right,
                             middle: extent.middle(y),
@@ -145,13 +147,13 @@ const CYLINDERS: usize = 8;
 ///
 /// Where there are too many for the room, every ray asks every shape.
 #[derive(Debug)]
-pub(crate) struct Row {
+pub(crate) struct Row<'a> {
     /// Where its rays come from.
     origin: Point,
     /// What is open stays the same for columns that begin before this one.
     until: u32,
-    spheres: Kind<SeenSphere, SPHERES>,
-    cylinders: Kind<SeenCylinder, CYLINDERS>,
+    spheres: Kind<'a, SeenSphere, PreparedSphere, SPHERES>,
+    cylinders: Kind<'a, SeenCylinder, PreparedCylinder, CYLINDERS>,
     /// Whether every shape is in every column.
     is_full: bool,
 }
@@ -164,7 +166,7 @@ pub(crate) struct Cut<'a> {
     pub(super) y: u16,
 }
 
-impl Row {
+impl<'a> Row<'a> {
     /// Every shape in every column; `USED` unless nobody is going to ask.
     #[inline(always)]
     pub(crate) fn of_everything<const USED: bool>(origin: Point) -> Self {
@@ -193,7 +195,7 @@ impl Row {
     /// If nothing is open from a column on, to which it has been turned, the first that is not known
     /// of.
     pub(crate) fn clear_until<W: World>(&self, first: u32) -> Option<u32> {
-        fn has_ended<T>(open: &Open<T>, first: u32) -> bool {
+        fn has_ended<T, S>(open: &Open<'_, T, S>, first: u32) -> bool {
             u32::from(open.right) < first
         }
         let is_clear = !self.is_full
@@ -241,7 +243,7 @@ impl Row {
     #[inline(always)]
     pub(crate) fn turn_to<'c, W: World>(
         &mut self,
-        world: &W,
+        world: &'a W,
         cut: impl FnOnce() -> Cut<'c>,
         columns: (u32, u32),
     ) {
@@ -252,7 +254,7 @@ impl Row {
 
     /// Turns to what can be met there.
     #[inline(never)]
-    fn open<W: World>(&mut self, world: &W, cut: Cut<'_>, columns: (u32, u32)) {
+    fn open<W: World>(&mut self, world: &'a W, cut: Cut<'_>, columns: (u32, u32)) {
         let (parts, origin) = (world.parts(), self.origin);
         let Cut { covered, y } = cut;
         let spheres = match W::NEEDS.spheres {
@@ -260,7 +262,10 @@ impl Row {
                 covered.spheres,
                 y,
                 columns,
-                |shape| Some(parts.spheres.get(shape)?.surely_seen_from(origin)),
+                |index| {
+                    let sphere = parts.spheres.get(index)?;
+                    Some((sphere.surely_seen_from(origin), sphere))
+                },
                 SeenSphere::is_in_front_of,
             ),
             false => Some(u32::MAX),
@@ -270,7 +275,10 @@ impl Row {
                 covered.cylinders,
                 y,
                 columns,
-                |shape| Some(parts.cylinders.get(shape)?.seen_from(origin)),
+                |index| {
+                    let cylinder = parts.cylinders.get(index)?;
+                    Some((cylinder.seen_from(origin), cylinder))
+                },
                 |_, _| false,
             ),
             false => Some(u32::MAX),
@@ -299,7 +307,7 @@ impl Row {
         let mut nearest = Nearest::beyond(start);
         if W::NEEDS.spheres {
             nearest.pass(self.spheres.passed);
-            self.meet_spheres(world, column, *direction, &mut nearest);
+            self.meet_spheres(column, *direction, &mut nearest);
         }
         if W::NEEDS.cylinders {
             self.meet_cylinders(world, column, *direction, &mut nearest);
@@ -308,24 +316,14 @@ impl Row {
     }
 
     #[inline(always)]
-    fn meet_spheres<W: World>(
-        &self,
-        world: &W,
-        column: u32,
-        direction: Direction,
-        nearest: &mut Nearest,
-    ) {
-        let parts = world.parts();
+    fn meet_spheres(&self, column: u32, direction: Direction, nearest: &mut Nearest) {
         for open in &self.spheres.open {
-            let number = ShapeNumber::of_sphere(open.shape.into());
+            let number = ShapeNumber::of_sphere(open.index.into());
             if open.has_column(column)
                 && open.seen.may_be_met(open.seen.nearest_approach(direction))
+                && nearest.meet_sphere(open.shape, open.seen.way(), direction, number)
             {
-                if let Some(sphere) = parts.spheres.get(usize::from(open.shape)) {
-                    if nearest.meet_sphere(sphere, open.seen.way(), direction, number) {
-                        continue;
-                    }
-                }
+                continue;
             }
             // Whether it may be seen matters beside it only, so that it does not matter further on
             // when it is closed.
@@ -350,12 +348,9 @@ impl Row {
             if !open.has_column(column) {
                 continue;
             }
-            let shape = usize::from(open.shape);
-            if let Some(cylinder) = parts.cylinders.get(shape) {
-                let is_thin = open.middle < u16::MAX;
-                let number = parts.cylinder_number(shape);
-                nearest.meet_cylinder::<false>(cylinder, (&open.seen, is_thin), direction, number);
-            }
+            let is_thin = open.middle < u16::MAX;
+            let number = parts.cylinder_number(open.index.into());
+            nearest.meet_cylinder::<false>(open.shape, (&open.seen, is_thin), direction, number);
         }
     }
 }

@@ -22,11 +22,11 @@ pub(crate) struct Sight<'a, W: World> {
     pub(crate) column: u32,
     /// Whether shapes that cannot be met are left out.
     is_choosy: bool,
-    first: Row,
+    first: Row<'a>,
     /// The plane that mirrored the latest ray of this row.
     plane: ShapeNumber,
     /// What can be met after it.
-    mirrored: Row,
+    mirrored: Row<'a>,
 }
 
 impl<'a, W: World> Sight<'a, W> {
@@ -73,7 +73,7 @@ impl<'a, W: World> Sight<'a, W> {
 
     /// Turns to the rays of some columns, which do not begin before those it was turned to.
     #[inline(always)]
-    pub(crate) fn turn_to(&mut self, world: &W, first: u32, last: u32) {
+    pub(crate) fn turn_to(&mut self, world: &'a W, first: u32, last: u32) {
         let Some(outlook) = self.outlook else {
             return;
         };
@@ -115,7 +115,7 @@ impl<'a, W: World> Sight<'a, W> {
     #[inline(always)]
     pub(crate) fn mirrored(
         &mut self,
-        world: &W,
+        world: &'a W,
         (number, plane): (ShapeNumber, &PreparedPlane),
         start: Length,
         ray: &Ray,

@@ -14,7 +14,7 @@ use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::Length;
 use crate::shape::MaterialId;
-use crate::shape::cylinder::{PreparedCylinder, LitCylinder};
+use crate::shape::cylinder::{LitCylinder, PreparedCylinder};
 use crate::shape::plane::PreparedPlane;
 use crate::shape::sphere::{PreparedSphere, SeenSphere};
 
