@@ -126,11 +126,20 @@ pub(crate) fn nearest<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded
     if parts.planes.is_empty() || (parts.planes.len() == 1 && parts.is_plane(left)) {
         return bounded;
     }
-    nearest_plane(world, ray, left, bounded)
+    match W::PLANES {
+        1 => nearer_plane(world, ray, left, bounded),
+        _ => nearest_plane(world, ray, left, bounded),
+    }
 }
 
+/// Out of line: several in line take more registers than there are.
 #[inline(never)]
 fn nearest_plane<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit) -> Hit {
+    nearer_plane(world, ray, left, bounded)
+}
+
+#[inline(always)]
+fn nearer_plane<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit) -> Hit {
     let parts = world.parts();
     let mut nearest = NearestPlane {
         approach: Approach::at(bounded.distance),

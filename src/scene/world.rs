@@ -131,6 +131,9 @@ pub trait World {
     /// What it can need: what it does not is not linked.
     const NEEDS: Needs;
 
+    /// How many planes there are at most.
+    const PLANES: usize;
+
     /// The scene's parts.
     fn parts(&self) -> Parts<'_>;
 
@@ -149,6 +152,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     type Outlook = Outlook<S, P, C>;
 
     const NEEDS: Needs = Needs::of_room([S, P, C, L, M]);
+    const PLANES: usize = P;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -182,6 +186,7 @@ impl<W: World> World for &W {
     type Outlook = W::Outlook;
 
     const NEEDS: Needs = W::NEEDS;
+    const PLANES: usize = W::PLANES;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -303,6 +308,7 @@ impl<T: Apart> World for Static<T> {
     type Outlook = <T::Scene as World>::Outlook;
 
     const NEEDS: Needs = T::NEEDS;
+    const PLANES: usize = T::PARTS.planes.len();
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -350,6 +356,7 @@ impl<W: World, B: Bound> World for Within<W, B> {
     type Outlook = W::Outlook;
 
     const NEEDS: Needs = W::NEEDS.both(&B::NEEDS);
+    const PLANES: usize = W::PLANES;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -385,6 +392,7 @@ impl<W: World> World for Whole<W> {
     type Outlook = W::Outlook;
 
     const NEEDS: Needs = Needs::ALL;
+    const PLANES: usize = W::PLANES;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
