@@ -244,7 +244,7 @@ impl Camera {
         let ahead = shifted(product as i64, (exponent + scale).max(-63));
         Lens {
             ahead: times(self.forward, ahead),
-            right: [0, 1, 2].map(|axis| shifted(raw(self.right)[axis], scale)),
+            right: self.right,
             up: [0, 1, 2].map(|axis| shifted(raw(self.up)[axis], scale)),
             scale,
             width,
@@ -280,7 +280,7 @@ fn times(direction: Direction, factor: i64) -> [i64; 3] {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lens {
     ahead: [i64; 3],
-    right: [i64; 3],
+    right: Direction,
     up: [i64; 3],
     scale: i32,
     width: u32,
@@ -294,10 +294,10 @@ impl Lens {
         let horizontal = 1 - i64::from(self.width);
         let middle = [0, 1, 2].map(|axis| self.ahead[axis] + self.up[axis] * vertical);
         let [x, y, z] = middle.map(|coordinate| (coordinate >> 32) as i32);
-        let side = shifted(1 << 30, self.scale);
+        let side = shifted(1 << 32, self.scale);
         RowDirections {
-            first: [0, 1, 2].map(|axis| middle[axis] + self.right[axis] * horizontal),
-            step: self.right.map(|coordinate| 2 * coordinate),
+            middle,
+            right: self.right,
             square: Vector::new(x, y, z).square(),
             aside: side * horizontal,
             step_aside: 2 * side,
@@ -310,12 +310,13 @@ impl Lens {
 /// What lies ahead and what lies aside are perpendicular, so their squares add up to that of the
 /// ray's length, and only the one aside changes along the row.
 pub(crate) struct RowDirections {
-    /// The way to the first pixel.
-    first: [i64; 3],
-    step: [i64; 3],
-    /// Of the way to the middle of the row.
+    /// The way to the middle of the row, with 32 more fraction bits.
+    middle: [i64; 3],
+    /// Where the columns go.
+    right: Direction,
+    /// The square of the way to the middle of the row.
     square: u64,
-    /// The way from there to the first pixel.
+    /// How far four times the way from there to the first pixel goes, with 32 more fraction bits.
     aside: i64,
     step_aside: i64,
 }
@@ -326,7 +327,7 @@ impl RowDirections {
     pub(crate) fn of(&self, column: u32) -> Direction {
         // A ray to a pixel is below 2⁶¹ (`Camera::lens`), one to a column beyond the picture, half
         // as wide as that at most, below 2⁶²: the sum does not wrap.
-        let aside = at(self.aside, self.step_aside, column);
+        let aside = self.aside(column) >> 2;
         let square = self.square + wide(aside, aside) as u64;
         self.way(column).direction_of_square(square)
     }
@@ -340,8 +341,17 @@ impl RowDirections {
     /// The way to the pixel of a column, below 2²⁹.
     #[inline(always)]
     fn way(&self, column: u32) -> Vector {
-        let ([x, y, z], [dx, dy, dz]) = (self.first, self.step);
-        Vector::new(at(x, dx, column), at(y, dy, column), at(z, dz, column))
+        let aside = self.aside(column);
+        let [x, y, z] = self.middle;
+        let Vector { x: dx, y: dy, z: dz } = self.right.raw();
+        let at = |middle: i64, right: i32| (middle.wrapping_add(wide(right, aside)) >> 32) as i32;
+        Vector::new(at(x, dx), at(y, dy), at(z, dz))
+    }
+
+    /// Four times the way from the middle of the row to the pixel of a column.
+    #[inline(always)]
+    fn aside(&self, column: u32) -> i32 {
+        at(self.aside, self.step_aside, column)
     }
 }
 
