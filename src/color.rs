@@ -1,6 +1,6 @@
 //! Floor 1: linear colour, its sum over reflections, and the one place where it is quantised.
 
-use crate::number::{Brightness, Number, Unit, high, tinted};
+use crate::number::{Brightness, Number, Unit, high_positive};
 
 /// A linear colour: red, green and blue in Q6.26, 0 to below 32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,30 +47,39 @@ impl Color {
     pub const fn grey(brightness: Brightness) -> Self {
         Self([brightness; 3])
     }
+}
 
-    /// The sum; it must stay below 32.
+/// The light that a surface sends on before it takes the surface's colour: Q12.20, below 32.
+#[derive(Clone, Copy, Debug)]
+pub struct Lighting([i32; 3]);
+
+impl Lighting {
+    /// How many fraction bits a [`Brightness`] has more.
+    const SHIFT: u32 = 6;
+
+    /// The same brightness in all three components, rounded down.
     #[inline(always)]
-    pub fn plus(self, other: Self) -> Self {
-        let ([r, g, b], [dr, dg, db]) = (self.0, other.0);
-        Self([r + dr, g + dg, b + db])
+    pub fn grey(brightness: Brightness) -> Self {
+        Self([brightness.to_bits() >> Self::SHIFT; 3])
     }
 
-    /// Every component times `brightness`; the products must stay below 32.
+    /// Adds a light's colour times how much of it is sent on, neither below zero, rounded down.
     #[inline(always)]
-    pub fn times(self, brightness: Brightness) -> Self {
-        let [r, g, b] = self.0;
-        Self([
-            tinted(r, brightness),
-            tinted(g, brightness),
-            tinted(b, brightness),
-        ])
+    pub fn add(&mut self, color: Color, strength: Brightness) {
+        let ([r, g, b], [red, green, blue]) = (self.0, color.0);
+        let sent = |light: Brightness| high_positive(light.to_bits(), strength.to_bits());
+        self.0 = [r + sent(red), g + sent(green), b + sent(blue)];
     }
 
-    /// Component by component; the products must stay below 32.
+    /// Component by component, rounded down to 2⁻²⁰; the products must stay below 32.
     #[inline(always)]
-    pub fn filtered(self, other: Self) -> Self {
-        let ([r, g, b], [dr, dg, db]) = (self.0, other.0);
-        Self([tinted(r, dr), tinted(g, dg), tinted(b, db)])
+    pub fn filtered(self, color: Color) -> Color {
+        let ([r, g, b], [red, green, blue]) = (self.0, color.0);
+        let tinted = |light: i32, color: Brightness| {
+            let product = high_positive(light << Self::SHIFT, color.to_bits());
+            Brightness::from_bits(product << Self::SHIFT)
+        };
+        Color([tinted(r, red), tinted(g, green), tinted(b, blue)])
     }
 }
 
@@ -94,7 +103,7 @@ impl Sum {
     #[inline(always)]
     pub fn add(&mut self, weight: Unit, color: Color) {
         let ([r, g, b], [red, green, blue]) = (self.0, color.0);
-        let share = |component: Brightness| high(weight.to_bits(), component.to_bits());
+        let share = |color: Brightness| high_positive(weight.to_bits(), color.to_bits());
         self.0 = [r + share(red), g + share(green), b + share(blue)];
     }
 

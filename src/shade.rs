@@ -3,7 +3,7 @@
 
 use core::marker::PhantomData;
 
-use crate::color::{Color, halved};
+use crate::color::{Color, Lighting, halved};
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{
@@ -278,7 +278,7 @@ fn lit_color<W: World, Q: Quality, H: Highlight>(
 ) -> Color {
     let material = surface.material(world);
     let mut received = Received {
-        color: Color::grey(material.ambient),
+        light: Lighting::grey(material.ambient),
         lights: 0,
     };
     if Q::IS_SMALL {
@@ -297,7 +297,7 @@ fn lit_color<W: World, Q: Quality, H: Highlight>(
     if !Q::IS_SMALL {
         trail.note(received.lights);
     }
-    let color = received.color.filtered(material.color);
+    let color = received.light.filtered(material.color);
     match W::NEEDS.colors {
         true => color,
         // Of the three channels, the compiler keeps one.
@@ -307,7 +307,7 @@ fn lit_color<W: World, Q: Quality, H: Highlight>(
 
 /// The light that comes to a surface and is sent on.
 struct Received {
-    color: Color,
+    light: Lighting,
     /// A bit for each light that is not hidden.
     lights: u32,
 }
@@ -316,7 +316,7 @@ impl Received {
     #[inline(always)]
     fn add(&mut self, index: usize, light: &PreparedLight, strength: Brightness) {
         if strength > Brightness::ZERO {
-            self.color = self.color.plus(light.color.times(strength));
+            self.light.add(light.color, strength);
             // Which of 32 lights; a trail may take two for one.
             self.lights |= 1_u32.wrapping_shl(index as u32);
         }

@@ -22,7 +22,7 @@ mod zeros;
 pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;
 pub use power::{Exponent, even_power, power, whole_power};
-pub use product::{high, high_unsigned, wide, wide_unsigned};
+pub use product::{high, high_positive, high_unsigned, wide, wide_positive, wide_unsigned};
 pub use root::{Quotient, divide, ratio, reciprocal_root, root_of_unit, square_root, unit_shift};
 pub use zeros::leading_zeros;
 
@@ -82,7 +82,7 @@ pub const fn unit_product(a: Unit, b: Unit) -> Unit {
 /// The share `part` of a share, neither below zero: rounded down to Q2.30.
 #[inline(always)]
 pub const fn share(whole: Unit, part: Unit) -> Unit {
-    Unit::from_bits((wide_unsigned(whole.to_bits() as u32, part.to_bits() as u32) >> 30) as i32)
+    Unit::from_bits((wide_positive(whole.to_bits(), part.to_bits()) >> 30) as i32)
 }
 
 /// `raw · unit`, rounded down, in the format of `raw`; `|raw · unit|` must stay below 2³¹.
@@ -94,10 +94,4 @@ pub const fn scaled_by_unit(raw: i32, unit: Unit) -> i32 {
 #[inline(always)]
 pub const fn lit(cosine: Unit, coefficient: Brightness) -> Brightness {
     Brightness::from_bits(high(coefficient.to_bits(), cosine.to_bits()) << 2)
-}
-
-/// The product of two brightnesses, rounded down to 2⁻²⁰; it must stay below 32.
-#[inline(always)]
-pub const fn tinted(a: Brightness, b: Brightness) -> Brightness {
-    Brightness::from_bits(high(a.to_bits(), b.to_bits()) << 6)
 }

@@ -22,6 +22,19 @@ pub const fn high(a: i32, b: i32) -> i32 {
     multiplier::high(a, b)
 }
 
+/// The product of two numbers neither of which is below zero. Where the compiler knows that of one
+/// only, the product of signed numbers takes it three instructions.
+#[inline(always)]
+pub const fn wide_positive(a: i32, b: i32) -> i64 {
+    multiplier::wide_positive(a, b)
+}
+
+/// Its upper half.
+#[inline(always)]
+pub const fn high_positive(a: i32, b: i32) -> i32 {
+    (wide_positive(a, b) >> 32) as i32
+}
+
 /// `a · b` · 2⁻³², rounded down.
 #[inline(always)]
 pub const fn high_unsigned(a: u32, b: u32) -> u32 {
@@ -39,6 +52,11 @@ mod multiplier {
     #[inline(always)]
     pub(super) const fn wide_unsigned(a: u32, b: u32) -> u64 {
         a as u64 * b as u64
+    }
+
+    #[inline(always)]
+    pub(super) const fn wide_positive(a: i32, b: i32) -> i64 {
+        wide_unsigned(a as u32, b as u32) as i64
     }
 
     #[inline(always)]
@@ -75,6 +93,11 @@ mod halves {
     #[inline(always)]
     pub(super) const fn wide(a: i32, b: i32) -> i64 {
         ((high(a, b) as i64) << 32) | a.wrapping_mul(b) as u32 as i64
+    }
+
+    #[inline(always)]
+    pub(super) const fn wide_positive(a: i32, b: i32) -> i64 {
+        wide(a, b)
     }
 
     /// From the product with signs: the compiler knows the one put together without, and calls for

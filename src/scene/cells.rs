@@ -73,9 +73,9 @@ impl Cells {
     #[inline(always)]
     pub(crate) fn mask(&self, direction: Direction) -> Mask {
         let Vector { x, y, z } = direction.raw();
-        // Never out of range.
         let index = cell(cell_number(x), cell_number(y), cell_number(z));
-        let number = self.numbers.get(index).copied().unwrap_or(0);
+        // Never out of range; said so, it need not be asked.
+        let number = self.numbers.get(index % CELLS).copied().unwrap_or(0);
         let set = self.sets.get(usize::from(number) % SETS);
         set.copied().unwrap_or(Mask::ALL)
     }

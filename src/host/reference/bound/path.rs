@@ -176,7 +176,7 @@ impl Hit {
         let material = surface.material;
         let mut lights = 0;
         let mut received = Vector::grey(material.ambient);
-        let mut error = Vector::grey(to_the_minus(27));
+        let mut error = Vector::grey(to_the_minus(20));
         for (index, lamp) in world.scene.lights.iter().enumerate() {
             let lit = strength(world, surface, lamp, trace::gleam(shading));
             if lit <= 0.0 {
