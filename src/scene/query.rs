@@ -288,7 +288,7 @@ pub(crate) fn nearest_bounded<W: World, const SMALL: bool>(
         let number = parts.cylinder_number(index);
         if number != left && !cylinder.is_passed_by(ray) {
             let seen = cylinder.seen_from(ray.origin);
-            nearest.meet_cylinder::<SMALL>(cylinder, (&seen, true), ray.direction, number);
+            nearest.meet_cylinder::<SMALL>(cylinder, (&seen, true), &ray.direction, number);
         }
     }
     if SMALL {
@@ -349,10 +349,10 @@ impl Nearest {
         &mut self,
         cylinder: &PreparedCylinder,
         (seen, is_thin): (&SeenCylinder, bool),
-        along: Direction,
+        along: &Direction,
         shape: ShapeNumber,
     ) {
-        let sideways = seen.sideways(along);
+        let sideways = seen.sideways(*along);
         if cylinder.is_beside(sideways) {
             if is_thin && sideways < 0 {
                 self.pass(shape.passed());
@@ -435,9 +435,11 @@ pub(crate) fn blocked_from<W: World>(
 ) -> bool {
     let parts = world.parts();
     let (spheres, cylinders) = (lamp.spheres(), lamp.cylinders());
+    // One copy in memory, for all cylinders.
+    let along = direction;
     let hides = |index: usize, cylinder: &PreparedCylinder, lit: &LitCylinder| {
         !is_left(parts.cylinder_number(index))
-            && lit.is_before(cylinder, direction, parts.epsilon, distance)
+            && lit.is_before(cylinder, &along, parts.epsilon, distance)
     };
     if !W::NEEDS.sets {
         let mut cylinders = parts.cylinders.iter().zip(cylinders).enumerate();

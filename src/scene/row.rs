@@ -310,7 +310,7 @@ impl<'a> Row<'a> {
             self.meet_spheres(column, *direction, &mut nearest);
         }
         if W::NEEDS.cylinders {
-            self.meet_cylinders(world, column, *direction, &mut nearest);
+            self.meet_cylinders(world, column, direction, &mut nearest);
         }
         nearest.hit(trail)
     }
@@ -340,7 +340,7 @@ impl<'a> Row<'a> {
         &self,
         world: &W,
         column: u32,
-        direction: Direction,
+        direction: &Direction,
         nearest: &mut Nearest,
     ) {
         let parts = world.parts();

@@ -99,7 +99,7 @@ impl LitCylinder {
     pub(crate) fn is_before(
         &self,
         cylinder: &PreparedCylinder,
-        direction: Direction,
+        direction: &Direction,
         start: Length,
         reach: Length,
     ) -> bool {
@@ -198,11 +198,11 @@ impl PreparedCylinder {
     pub(crate) fn met(
         &self,
         seen: &SeenCylinder,
-        direction: Direction,
+        direction: &Direction,
         start: Length,
         reach: Length,
     ) -> Option<Length> {
-        let sideways = seen.sideways(direction);
+        let sideways = seen.sideways(*direction);
         if self.is_beside(sideways) {
             return None;
         }
@@ -226,7 +226,7 @@ impl PreparedCylinder {
     pub(crate) fn met_beside(
         &self,
         seen: &SeenCylinder,
-        direction: Direction,
+        direction: &Direction,
         sideways: i32,
         start: Length,
         reach: Length,
@@ -249,7 +249,7 @@ impl PreparedCylinder {
             return None;
         }
         // The middle of the crossing and half its length, measured across the axis and times the sine.
-        let ahead = seen.way.dot(direction) - scaled_by_unit(seen.rise, climb);
+        let ahead = seen.way.dot(*direction) - scaled_by_unit(seen.rise, climb);
         let half_chord = root_of_lifted(half_chord_square as u32, self.normaliser.lift);
         // How far up the axis, times the square of the sine.
         let height = wide(ahead, climb.to_bits()) + wide(seen.rise, -(flat as i32));
@@ -278,7 +278,7 @@ impl PreparedCylinder {
     pub(crate) fn met_steeply(
         &self,
         seen: &SeenCylinder,
-        direction: Direction,
+        direction: &Direction,
         start: Length,
         reach: Length,
     ) -> Option<Length> {
@@ -314,7 +314,7 @@ impl PreparedCylinder {
     /// and below `reach`.
     pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
         let seen = self.seen_from(ray.origin);
-        self.met(&seen, ray.direction, Length::from_bits(0), reach)
+        self.met(&seen, &ray.direction, Length::from_bits(0), reach)
     }
 
     /// Whether the ray meets the wall above 0 and below `reach`.
