@@ -152,8 +152,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
                 sum.add(weight - reflected, color);
             }
             weight = reflected;
-            if weight == Unit::ZERO
-                || weight < Q::SMALLEST_WEIGHT
+            if weight == Unit::ZERO {
+                break;
+            }
+            if weight < Q::SMALLEST_WEIGHT
                 // Known when compiled, so that what follows is not linked.
                 || W::NEEDS.reflections == 0
                 || reflections >= self.reflections
