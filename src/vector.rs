@@ -148,7 +148,8 @@ impl Vector {
         let (shift, mantissa) = unit_shift(self.square());
         let root = reciprocal_root(mantissa);
         let length = (high_unsigned(mantissa, (root as u32) << 1) >> shift) as i32;
-        let part = if part < length { part } else { length };
+        // No more than all of it, however both are rounded.
+        let part = part - (part >> 24);
         (
             Direction::lengthened(self, shift, root),
             Length::from_bits(length),
