@@ -343,7 +343,11 @@ impl RowDirections {
     fn way(&self, column: u32) -> Vector {
         let aside = self.aside(column);
         let [x, y, z] = self.middle;
-        let Vector { x: dx, y: dy, z: dz } = self.right.raw();
+        let Vector {
+            x: dx,
+            y: dy,
+            z: dz,
+        } = self.right.raw();
         let at = |middle: i64, right: i32| (middle.wrapping_add(wide(right, aside)) >> 32) as i32;
         Vector::new(at(x, dx), at(y, dy), at(z, dz))
     }

@@ -23,6 +23,16 @@ impl Color {
         Self([brightness(red), brightness(green), brightness(blue)])
     }
 
+    /// 255 of its 256 parts, rounded up: what a [`Sum`] adds up, so that its upper bits are 8-bit levels.
+    pub const fn in_levels(self) -> Self {
+        const fn part(component: Brightness) -> Brightness {
+            let bits = component.to_bits();
+            Brightness::from_bits(bits - (bits >> 8))
+        }
+        let [red, green, blue] = self.0;
+        Self([part(red), part(green), part(blue)])
+    }
+
     /// Red, green and blue.
     pub const fn components(self) -> [Brightness; 3] {
         self.0
@@ -88,7 +98,7 @@ pub(crate) const fn brightness(number: Number) -> Brightness {
     Brightness::from_bits(number.quantised(26))
 }
 
-/// The sum of weighted colours along one path: Q8.24.
+/// The sum of weighted colours along one path, each [`Color::in_levels`]: Q8.24.
 ///
 /// With weights that sum to at most one and colours below 32 it stays below 32. Every term is
 /// rounded down to 2⁻²⁴, so that 256 of them lose less than 2⁻¹⁶, a 257th of an 8-bit step.
@@ -164,12 +174,7 @@ impl Sum {
     /// Clamped to 0 to 1 and rounded to 8 bits: round(255 c).
     #[inline(always)]
     pub fn to_rgb8(self) -> [u8; 3] {
-        // 255 · 2²⁴ fits 32 bits; what is above white in the last of 2²⁴ steps is white, too.
-        const WHITE: i32 = (1 << 24) - 1;
-        let level = |sum: i32| {
-            let clamped = sum.clamp(0, WHITE) as u32;
-            (((clamped << 8) - clamped + (1 << 23)) >> 24) as u8
-        };
+        let level = |sum: i32| ((sum + (1 << 15)) >> 16).clamp(0, 255) as u8;
         let [red, green, blue] = self.0;
         [level(red), level(green), level(blue)]
     }
@@ -216,7 +221,8 @@ mod tests {
 
     fn quantised(value: f64) -> u8 {
         let mut sum = Sum::ZERO;
-        sum.add(Unit::ONE, Color::grey(brightness(Number::new(value))));
+        let color = Color::grey(brightness(Number::new(value)));
+        sum.add(Unit::ONE, color.in_levels());
         sum.to_rgb8()[0]
     }
 

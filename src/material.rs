@@ -162,6 +162,7 @@ pub(crate) const fn is_color([red, green, blue]: [Number; 3]) -> bool {
 /// A material as the kernels read it.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedMaterial {
+    /// [`Color::in_levels`]
     pub(crate) color: Color,
     pub(crate) ambient: Brightness,
     pub(crate) diffuse: Brightness,
@@ -184,7 +185,7 @@ impl PreparedMaterial {
     /// Quantises a description: coefficients to 2⁻²⁶, α to 2⁻³⁰.
     pub(crate) const fn new(material: &Material) -> Self {
         Self {
-            color: Color::from_numbers(material.color),
+            color: Color::from_numbers(material.color).in_levels(),
             ambient: brightness(material.ambient),
             diffuse: brightness(material.diffuse),
             specular: brightness(material.specular),

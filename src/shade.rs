@@ -188,11 +188,11 @@ impl sealed::Shading for Normals {
 
     #[allow(private_interfaces)]
     fn color<W: World, Q: Quality>(_: &W, _: &View, surface: &Surface<'_>, _: &mut Trail) -> Color {
-        Color::new(surface.normal.components().map(halved))
+        Color::new(surface.normal.components().map(halved)).in_levels()
     }
 
     fn missed<W: World>(_: &W) -> Color {
-        Color::new([Brightness::ZERO, Brightness::ZERO, Brightness::ONE])
+        Color::new([Brightness::ZERO, Brightness::ZERO, Brightness::ONE]).in_levels()
     }
 }
 

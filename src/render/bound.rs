@@ -46,7 +46,9 @@ impl<W: World, Q, K> Picture<W, Q, K> {
         let parts = self.world.parts();
         let own = parts.materials.iter().map(|it| self.brightest_of(it));
         let most = own.max().unwrap_or(0);
-        most.max(bits(parts.background.largest()))
+        let most = most.max(bits(parts.background.largest()));
+        // What all colours are 255 parts of.
+        (most * 256).div_ceil(255)
     }
 
     /// (ambient + Σ over the lights of (diffuse + specular) · light) · colour, at its brightest.

@@ -134,7 +134,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
                 lights: scene.lights.len(),
                 materials: scene.materials.len(),
             },
-            background: Color::from_numbers(scene.background),
+            background: Color::from_numbers(scene.background).in_levels(),
             epsilon: at_least(epsilon, SMALLEST_EPSILON),
             inner_epsilon: at_least(epsilon, inside),
             grid,

@@ -238,12 +238,13 @@ fn blocked_by_any<W: World>(
 ) -> bool {
     let parts = world.parts();
     let spheres = lamp.spheres().iter().take(parts.spheres.len());
-    let cylinders = parts.cylinders.iter().zip(lamp.cylinders());
+    let light = lamp.light().place.point;
     spheres
         .clone()
         .any(|seen| seen.is_before(direction, distance))
-        || cylinders.enumerate().any(|(index, (cylinder, seen))| {
-            let met = cylinder.met(seen, direction, parts.epsilon, distance);
+        || parts.cylinders.iter().enumerate().any(|(index, cylinder)| {
+            let seen = cylinder.seen_from(light);
+            let met = cylinder.met(&seen, &direction, parts.epsilon, distance);
             left != Some(index) && met.is_some()
         })
 }

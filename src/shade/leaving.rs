@@ -236,7 +236,8 @@ fn left_outside(kind: Kind, rounds: u32, seed: u64) -> Fate {
             let below = plus(MIDDLE, shaped.axis, -0.02);
             scene.add_sphere(below, 0.01, white).unwrap();
         }
-        scene.add_light(light, [1, 1, 1]).unwrap();
+        // So bright that what it sends along the surface is not rounded to nothing.
+        scene.add_light(light, [4, 4, 4]).unwrap();
         scene.set_epsilon(1e-15).unwrap();
         let scene = scene.build().unwrap();
         let parts = scene.parts();

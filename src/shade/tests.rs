@@ -32,6 +32,13 @@ fn scenery(material: Material, fill: impl FnOnce(&mut Scenery)) -> Built {
     scene.build().unwrap()
 }
 
+/// What a colour is 255 parts of, of 256.
+fn whole(color: Color) -> [f64; 3] {
+    color
+        .components()
+        .map(|it| it.to_num::<f64>() * 256.0 / 255.0)
+}
+
 /// The colour of what is seen from `from` towards `towards`.
 fn seen<K: sealed::Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) -> [f64; 3] {
     let parts = scene.parts();
@@ -45,7 +52,7 @@ fn seen<K: sealed::Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) ->
         K::color::<_, Fast>(scene, &view, &surface, &mut Trail::new()),
         K::color::<_, Small>(scene, &view, &surface, &mut Trail::new()),
     ];
-    let [fast, small] = colors.map(|it| it.components().map(|it| it.to_num::<f64>()));
+    let [fast, small] = colors.map(whole);
     for (fast, small) in fast.into_iter().zip(small) {
         assert!((fast - small).abs() < 1e-6, "{fast}, small {small}");
     }
@@ -93,11 +100,11 @@ fn light_aside_is_scattered_by_its_cosine() {
     let scene = scenery(RED, |scene| {
         scene.add_light([x, y, 0.0], [1, 1, 1]).unwrap()
     });
-    // The sphere's radius of one is 2^-21 of the way.
+    // The sphere's radius of one is 2^-21 of the way; the material's colour is multiplied, too.
     assert_color(
         facing::<Phong>(&scene),
         [0.375, 0.09375, 0.0],
-        2f64.powi(-20),
+        2f64.powi(-21) + 2.0 * TINT,
     );
 }
 
@@ -122,7 +129,8 @@ fn lights_add_up() {
     let (none, one) = (lit(0), lit(1));
     for count in 2..=4 {
         let sum = [0, 1, 2].map(|it| none[it] + (one[it] - none[it]) * count as f64);
-        assert_color(lit(count), sum, 4.0 * STEP);
+        // Each is tinted by itself on one side.
+        assert_color(lit(count), sum, (count + 1) as f64 * TINT);
     }
 }
 
@@ -194,11 +202,12 @@ fn floor_darkens_evenly_to_black_where_the_light_sinks_into_it() {
         let rest: f64 = height - 0.001;
         let cosine = rest / (16.0 + rest * rest).sqrt();
         let found = floor_lit_from([-4.0, 0.0, height], |_| {});
-        // The light's colour is multiplied, and what it is multiplied with rounded down to 2^-24.
+        // The light's colour is multiplied and the material's, and what the light's is multiplied with
+        // rounded down to 2^-24.
         // Epsilon and the light's height are rounded to half a step of 2^-21, which counts a quarter
         // at a distance of 4.
         assert!(
-            (found - cosine).abs() <= TINT + 3.0 * 2f64.powi(-24) + 2f64.powi(-28),
+            (found - cosine).abs() <= 2.0 * TINT + 3.0 * 2f64.powi(-24) + 2f64.powi(-28),
             "{found}, not {cosine}, at {height}"
         );
     }
@@ -337,17 +346,16 @@ fn normals_are_shown_as_colours() {
 #[test]
 fn miss_is_the_background_and_blue_among_normals() {
     let scene = scenery(RED, |scene| scene.set_background([0.5, 0.25, 2.0]).unwrap());
-    let shown = |color: Color| color.components().map(|it| it.to_num::<f64>());
     assert_eq!(
-        shown(<BlinnPhong as sealed::Shading>::missed(&scene)),
+        whole(<BlinnPhong as sealed::Shading>::missed(&scene)),
         [0.5, 0.25, 2.0]
     );
     assert_eq!(
-        shown(<Phong as sealed::Shading>::missed(&scene)),
+        whole(<Phong as sealed::Shading>::missed(&scene)),
         [0.5, 0.25, 2.0]
     );
     assert_eq!(
-        shown(<Normals as sealed::Shading>::missed(&scene)),
+        whole(<Normals as sealed::Shading>::missed(&scene)),
         [0.0, 0.0, 1.0]
     );
 }
