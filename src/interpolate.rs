@@ -267,7 +267,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     #[inline(always)]
     fn between(&mut self, start: &Traced, end: &Traced, column: u32) -> Sum {
         let way = end.sum.less(start.sum);
-        if start.trail == end.trail && way.is_within(2 * Self::TOLERANCE) {
+        if start.trail == end.trail && way.is_within(3 * Self::TOLERANCE) {
             return start.sum.half_way(end.sum, [Bend::ZERO; 2]);
         }
         self.trace(column).sum
