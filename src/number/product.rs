@@ -35,6 +35,18 @@ pub const fn high_positive(a: i32, b: i32) -> i32 {
     (wide_positive(a, b) >> 32) as i32
 }
 
+/// `a` · `short` · 2⁻¹⁷, rounded down, for a short number below 2¹⁶.
+#[inline(always)]
+pub const fn scaled_unsigned(a: u32, short: u32) -> u32 {
+    multiplier::scaled_unsigned(a, short)
+}
+
+/// `a` · `short` · 2⁻¹⁵, rounded down, for `a` within ±2²⁹ and a short number below 2¹⁶.
+#[inline(always)]
+pub const fn scaled(a: i32, short: u32) -> i32 {
+    multiplier::scaled(a, short)
+}
+
 /// `a · b` · 2⁻³², rounded down.
 #[inline(always)]
 pub const fn high_unsigned(a: u32, b: u32) -> u32 {
@@ -68,6 +80,16 @@ mod multiplier {
     pub(super) const fn high_unsigned(a: u32, b: u32) -> u32 {
         (wide_unsigned(a, b) >> 32) as u32
     }
+
+    #[inline(always)]
+    pub(super) const fn scaled_unsigned(a: u32, short: u32) -> u32 {
+        high_unsigned(a, short << 15)
+    }
+
+    #[inline(always)]
+    pub(super) const fn scaled(a: i32, short: u32) -> i32 {
+        high(a << 2, (short << 15) as i32)
+    }
 }
 
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
@@ -98,6 +120,17 @@ mod halves {
     #[inline(always)]
     pub(super) const fn wide_positive(a: i32, b: i32) -> i64 {
         wide(a, b)
+    }
+
+    /// Of two products, as half of the short number is not there.
+    #[inline(always)]
+    pub(super) const fn scaled_unsigned(a: u32, short: u32) -> u32 {
+        ((a >> 16) * short + (((a & 0xffff) * short) >> 16)) >> 1
+    }
+
+    #[inline(always)]
+    pub(super) const fn scaled(a: i32, short: u32) -> i32 {
+        2 * (a >> 16) * short as i32 + ((low_half(a) as u32 * short) >> 15) as i32
     }
 
     /// From the product with signs: the compiler knows the one put together without, and calls for
@@ -135,6 +168,14 @@ mod tests {
                 let (a, b) = (a as u32, b as u32);
                 let product = u64::from(a) * u64::from(b);
                 assert_eq!(halves::wide_unsigned(a, b), product, "{a} * {b}");
+                let short = b & 0xffff;
+                let product = u64::from(a) * u64::from(short);
+                let scaled = halves::scaled_unsigned(a, short);
+                assert_eq!(u64::from(scaled), product >> 17, "{a} * {short}");
+                let held = a as i32 >> 2;
+                let product = i64::from(held) * i64::from(short);
+                let scaled = halves::scaled(held, short);
+                assert_eq!(scaled, (product >> 15) as i32, "{held} * {short}");
             }
         }
     }

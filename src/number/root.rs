@@ -5,7 +5,8 @@
 //! y₀ (1 + e/2 + 3e²/8), and the first term left out, 5e³/16, is below 2⁻²⁸ because the
 //! table has 256 entries a unit; rounding adds about as much.
 
-use super::{Unit, high, high_unsigned, leading_zeros};
+use super::product::{scaled, scaled_unsigned};
+use super::{Unit, high_unsigned, leading_zeros};
 
 /// Entry i is 2¹⁶ / √x at the middle of x = i/256 .. (i+1)/256, where x is 1 to 4. The first quarter
 /// of it is not needed for that, and holds 2¹⁶ / x at the middle of x = 1 + i/256 .. 1 + (i + 1)/256.
@@ -46,7 +47,7 @@ pub const fn reciprocal_root(mantissa: u32) -> i32 {
     let coarse = error >> 6;
     // Within ±2²¹·⁵, so that its product with the start, shifted up, is one with a high half.
     let correction = (error >> 1) + ((3 * (coarse * coarse) as u32) >> 21) as i32;
-    let refined = high((start << 15) as i32, correction << 2);
+    let refined = scaled(correction, start);
     // The terms left out are negative where x is 1 and the start too small, so this stays below 2³¹.
     (start << 15).wrapping_add(refined as u32) as i32
 }
@@ -101,10 +102,10 @@ pub const fn root_of_unit(square: Unit) -> Unit {
 const fn reciprocal(mantissa: u32) -> u32 {
     let start = TABLE[(mantissa >> 23) as usize & 0xff] as u32;
     // Within ±2²¹ as one with a sign.
-    let error = (1_u32 << 30).wrapping_sub(high_unsigned(mantissa, start << 15)) as i32;
+    let error = (1_u32 << 30).wrapping_sub(scaled_unsigned(mantissa, start)) as i32;
     let coarse = error >> 7;
     let correction = error + ((coarse * coarse) >> 16);
-    let refined = high((start << 15) as i32, correction << 2);
+    let refined = scaled(correction, start);
     // The term left out is negative where x is 1 and the start too small: this stays below 2³¹.
     (start << 15).wrapping_add(refined as u32)
 }

@@ -150,10 +150,12 @@ fn nearer_plane<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit)
     // One by one, so that the compiler can work with the planes of a constant scene: most have
     // coordinates that are 0 or 1. All products first: a sign that is extended in another block makes
     // three instructions of one.
-    let mut bearings = [Bearing::NONE; 4];
-    for_first_four(parts.planes, |index, plane| {
-        bearings[index] = plane.bearing(ray);
-    });
+    let bearings = [
+        bearing(parts.planes, 0, ray),
+        bearing(parts.planes, 1, ray),
+        bearing(parts.planes, 2, ray),
+        bearing(parts.planes, 3, ray),
+    ];
     for_first_four(parts.planes, |index, _| {
         nearest.meet(&bearings[index], number(index), left);
     });
@@ -167,6 +169,15 @@ fn nearer_plane<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit)
             bounded.distance
         },
         shape: nearest.shape,
+    }
+}
+
+/// Where a ray begins and where it goes, as one of the planes sees it.
+#[inline(always)]
+fn bearing(planes: &[PreparedPlane], index: usize, ray: &Ray) -> Bearing {
+    match planes.get(index) {
+        Some(plane) => plane.bearing(ray),
+        None => Bearing::NONE,
     }
 }
 

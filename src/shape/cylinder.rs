@@ -6,8 +6,8 @@
 
 use super::{MaterialId, Normaliser};
 use crate::number::{
-    Length, Number, high, high_unsigned, leading_zeros, ratio, reciprocal_root, scaled_by_unit,
-    square_root, unit_shift, wide, wide_unsigned,
+    Length, Number, high, high_positive, high_unsigned, leading_zeros, ratio, reciprocal_root,
+    scaled_by_unit, square_root, unit_shift, wide, wide_positive,
 };
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
@@ -44,7 +44,7 @@ pub struct PreparedCylinder {
     axis: Direction,
     radius: i32,
     /// (radius << lift)² · 2⁻³⁰: 2²⁸ to 2³⁰.
-    lifted_square: u32,
+    lifted_square: i32,
     half_height: i32,
     normaliser: Normaliser,
     pub(crate) material: MaterialId,
@@ -110,7 +110,7 @@ impl LitCylinder {
 
 /// Rays closer to the axis than this (the square of the sine is below 1/16) are measured with the
 /// direction across the axis normalised.
-const STEEP: u32 = 1 << 26;
+const STEEP: i32 = 1 << 26;
 
 impl PreparedCylinder {
     /// Fills the room of a cylinder that a scene's type allows but the scene does not use.
@@ -136,7 +136,7 @@ impl PreparedCylinder {
             center,
             axis,
             radius: radius.to_bits(),
-            lifted_square: (wide(lifted, lifted) >> 30) as u32,
+            lifted_square: (wide(lifted, lifted) >> 30) as i32,
             half_height: half_height.to_bits(),
             normaliser,
             material,
@@ -234,17 +234,13 @@ impl PreparedCylinder {
         let climb = direction.dot(self.axis);
         // All products of a number with a sign stand in one block: a sign that is extended in another
         // makes three instructions of a product.
-        let flat = (1 << 30)
-            - (wide_unsigned(
-                climb.to_bits().unsigned_abs(),
-                climb.to_bits().unsigned_abs(),
-            ) >> 30) as u32;
+        let steepness = climb.to_bits().abs();
+        let flat = (1 << 30) - (wide_positive(steepness, steepness) >> 30) as i32;
         if flat < STEEP {
             return self.met_steeply(seen, direction, start, reach);
         }
         let lifted = sideways << self.normaliser.lift;
-        let half_chord_square =
-            high_unsigned(self.lifted_square, flat) as i32 - high(lifted, lifted);
+        let half_chord_square = high_positive(self.lifted_square, flat) - high(lifted, lifted);
         if half_chord_square < 0 {
             return None;
         }
@@ -252,19 +248,19 @@ impl PreparedCylinder {
         let ahead = seen.way.dot(*direction) - scaled_by_unit(seen.rise, climb);
         let half_chord = root_of_lifted(half_chord_square as u32, self.normaliser.lift);
         // How far up the axis, times the square of the sine.
-        let height = wide(ahead, climb.to_bits()) + wide(seen.rise, -(flat as i32));
+        let height = wide(ahead, climb.to_bits()) + wide(seen.rise, -flat);
         let climbed = wide(half_chord, climb.to_bits());
-        let limit = wide_unsigned(self.half_height as u32, flat) as i64;
+        let limit = wide_positive(self.half_height, flat);
         [
             (ahead - half_chord, height - climbed),
             (ahead + half_chord, height + climbed),
         ]
         .into_iter()
         .find_map(|(ahead, height)| {
-            if ahead <= 0 || ahead >= flat as i32 || height.abs() > limit {
+            if ahead <= 0 || ahead >= flat || height.abs() > limit {
                 return None;
             }
-            let distance = Length::from_bits(ratio(ahead as u32, flat));
+            let distance = Length::from_bits(ratio(ahead as u32, flat as u32));
             (start < distance && distance < reach).then_some(distance)
         })
     }

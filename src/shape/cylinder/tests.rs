@@ -451,3 +451,41 @@ fn root_of_a_grazed_narrow_cylinder_is_nothing() {
     let truth = 257_f64.sqrt() * 65536.0;
     assert!((root - truth).abs() <= 2.0, "{root} {truth}");
 }
+
+#[test]
+fn nothing_of_a_cylinder_is_nearer_to_a_light_than_it_says() {
+    let mut close = 0;
+    for (index, (cylinder, ray)) in pairs(31).take(200_000).enumerate() {
+        // Every other light stands almost on the axis.
+        let origin = match index % 2 {
+            0 => ray.origin,
+            _ => {
+                let (Point { x, y, z }, half, _) = cylinder.capsule();
+                let Point { x: a, y: b, z: c } = ray.origin;
+                let [dx, dy, dz] = [a, b, c].map(|it| it >> 16);
+                Point::new(
+                    x + 3 * half.x + dx,
+                    y + 3 * half.y + dy,
+                    z + 3 * half.z + dz,
+                )
+            }
+        };
+        let axis = unit(in_doubles(cylinder.axis.raw()));
+        let way = in_doubles(origin.to(cylinder.center));
+        let rise = dot(way, axis).abs();
+        let aside = length(plus(way, -dot(way, axis), axis));
+        let outside = (aside - f64::from(cylinder.radius)).max(0.0);
+        let above = (rise - f64::from(cylinder.half_height)).max(0.0);
+        let truth = outside.hypot(above);
+        let nearest = f64::from(cylinder.lit_from(origin).nearest);
+        assert!(
+            nearest <= truth,
+            "{nearest}, not {truth}: {cylinder:?} {origin:?}"
+        );
+        close += u32::from(truth - nearest < 0.001 * truth + 256.0);
+        if let Some(met) = cylinder.intersect(&Ray { origin, ..ray }, EVERYWHERE) {
+            assert!(f64::from(met.to_bits()) > nearest);
+        }
+    }
+    assert!(close > 150_000, "{close}");
+}
