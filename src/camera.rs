@@ -276,7 +276,8 @@ fn times(direction: Direction, factor: i64) -> [i64; 3] {
     raw(direction).map(|coordinate| coordinate * factor)
 }
 
-/// A camera made ready for one size of picture: vectors in half pixels, scaled by a power of two.
+/// A camera made ready for one size of picture: vectors in half pixels, scaled by a power of two, but
+/// for the one to the right.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lens {
     ahead: [i64; 3],

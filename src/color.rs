@@ -101,7 +101,7 @@ pub(crate) const fn brightness(number: Number) -> Brightness {
 /// The sum of weighted colours along one path, each [`Color::in_levels`]: Q8.24.
 ///
 /// With weights that sum to at most one and colours below 32 it stays below 32. Every term is
-/// rounded down to 2⁻²⁴, so that 256 of them lose less than 2⁻¹⁶, a 257th of an 8-bit step.
+/// rounded down to 2⁻²⁴, so that 256 of them lose less than 2⁻¹⁶, a 256th of an 8-bit step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sum([i32; 3]);
 

@@ -185,7 +185,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     fn end(&mut self, column: u32) -> Traced {
         match column <= self.last {
             true => self.trace(column),
-            false => Traced::NONE,
+            false => Traced::BEYOND,
         }
     }
 

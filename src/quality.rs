@@ -43,7 +43,7 @@ pub trait Quality {
     /// That is: the bend of the curve changes by no more than the tolerance, or is no more than twice
     /// the tolerance where only one side of it is known; or a pixel traced half way is no further than
     /// the tolerance from it; or the colours on both sides of a single pixel differ by no more than
-    /// twice the tolerance.
+    /// three times the tolerance, or bend by no more than four times it.
     const TOLERANCE: Unit;
 
     /// Whether flash is scarcer than time; not so unless it is said.
@@ -57,7 +57,8 @@ pub trait Quality {
 /// The default: nothing that is left out is expected to change an 8-bit channel by more than a step.
 ///
 /// A path ends at weights below 1/256; at least every fourth pixel is traced, every second where a
-/// path was mirrored in something round, and the others are exact to a step.
+/// path was mirrored in something round, and the others are exact to a step, or to one and a half where
+/// only the pixels on both sides are known.
 #[derive(Clone, Copy, Debug)]
 pub struct Fast;
 

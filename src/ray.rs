@@ -203,11 +203,18 @@ impl Trail {
         Self(0)
     }
 
+    /// Of no path.
+    pub(crate) const fn of_none() -> Self {
+        Self(u32::MAX)
+    }
+
     /// Adds what was met.
     #[inline(always)]
     pub(crate) fn note(&mut self, met: u32) {
-        // Times 2¹¹ + 1, in one instruction: no two short sums of small numbers are the same.
-        self.0 = self.0.wrapping_add(self.0 << 11).wrapping_add(met);
+        // Times 1025, in one instruction. Sums of the same length are the same only where what was met
+        // differs by multiples of four in a row that the fourth power of 1024, or four times the third,
+        // makes nothing of: not by a shape or two, or a light.
+        self.0 = self.0.wrapping_add(self.0 << 10).wrapping_add(met);
     }
 
     /// Of the whole path, which may have been mirrored in something round, and then gone on.

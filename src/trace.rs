@@ -31,6 +31,12 @@ impl Traced {
         trail: Trail::new(),
     };
 
+    /// Of no path: black, and like no other.
+    pub(crate) const BEYOND: Self = Self {
+        sum: Sum::ZERO,
+        trail: Trail::of_none(),
+    };
+
     /// Of paths that meet nothing and pass by nothing that is thin.
     pub(crate) fn missed<W: World, K: Shading>(world: &W) -> Self {
         let mut missed = Self::NONE;

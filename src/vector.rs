@@ -148,8 +148,7 @@ impl Vector {
         let (shift, mantissa) = unit_shift(self.square());
         let root = reciprocal_root(mantissa);
         let length = (high_unsigned(mantissa, (root as u32) << 1) >> shift) as i32;
-        // No more than all of it, however both are rounded.
-        let part = part - (part >> 24);
+        let part = if part < length { part } else { length };
         (
             Direction::lengthened(self, shift, root),
             Length::from_bits(length),

@@ -6,6 +6,7 @@
 //! | Q2.30 | [`Unit`] | directions, weights, cosines |
 //! | Q6.26 | [`Brightness`] | colours and the light on a surface |
 //! | Q32.0 | [`Length`] | positions and distances, in steps of a power of two that the scene chooses |
+//! | Q12.20 | `i32` in [`crate::color`] | the light that a surface sends on |
 //! | Q8.24 | `i32` in [`crate::color`] | the sum over reflections |
 //!
 //! Nothing here knows a scene, a ray or a colour.

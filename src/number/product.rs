@@ -165,6 +165,9 @@ mod tests {
                 let product = i64::from(a) * i64::from(b);
                 assert_eq!(halves::wide(a, b), product, "{a} * {b}");
                 assert_eq!(i64::from(halves::high(a, b)), product >> 32, "{a} * {b}");
+                if a >= 0 && b >= 0 {
+                    assert_eq!(halves::wide_positive(a, b), product, "{a} * {b}");
+                }
                 let (a, b) = (a as u32, b as u32);
                 let product = u64::from(a) * u64::from(b);
                 assert_eq!(halves::wide_unsigned(a, b), product, "{a} * {b}");

@@ -114,7 +114,7 @@ const fn reciprocal(mantissa: u32) -> u32 {
 /// below 2⁻²⁶; the denominator is 1 to 2³⁰.
 #[inline(always)]
 pub const fn ratio(numerator: u32, denominator: u32) -> i32 {
-    // 32 of zero, for which nothing is promised but that nothing panics.
+    // The compiler does not know that it is not zero, of which there would be 32.
     let zeros = leading_zeros(denominator);
     let reciprocal = reciprocal(denominator.wrapping_shl(zeros));
     high_unsigned(numerator.wrapping_shl(zeros), reciprocal) as i32

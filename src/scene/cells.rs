@@ -249,12 +249,14 @@ impl Cap {
         let low = if -middle >= cosine - MARGIN {
             -(1 << 30)
         } else {
-            (along - spread) as i32 - MARGIN
+            let low = (along - spread) as i32 - MARGIN;
+            if low < -(1 << 30) { -(1 << 30) } else { low }
         };
         let high = if middle >= cosine - MARGIN {
             1 << 30
         } else {
-            (along + spread) as i32 + MARGIN
+            let high = (along + spread) as i32 + MARGIN;
+            if high > 1 << 30 { 1 << 30 } else { high }
         };
         (low, high)
     }

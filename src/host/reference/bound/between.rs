@@ -47,8 +47,16 @@ pub(super) fn error(row: &[&Stage], x: usize, stride: usize, tolerance: f64) -> 
     let is_line = stride == 2 || place != 2;
     if is_line && left.trail == right.trail {
         let way = less(right.color, left.color);
-        if stretch.allows(way, 2.0) {
+        if stretch.allows(way, 3.0) {
             worst = worst.max(miss(plus(left.color, way, 0.5)));
+        }
+        if let (3, 4, Some(beyond)) = (place, stride, row.get(end + stride)) {
+            // `Bend::of_uneven`, of which the pixel is moved by an eighth.
+            let far = less(beyond.color, right.color);
+            let bend = [0, 1, 2].map(|axis| 0.3125 * (far[axis] - 2.0 * way[axis]));
+            if right.trail == beyond.trail && stretch.allows(bend, 4.0) {
+                worst = worst.max(miss(plus(plus(left.color, way, 0.5), bend, -0.125)));
+            }
         }
     }
     worst + stretch.slack()

@@ -195,7 +195,7 @@ impl Hit {
             error += shares * rounded + Vector::grey(to_the_minus(20));
         }
         let color = Vector(material.color);
-        let tinted = color.filtered(error) + received * to_the_minus(26);
+        let tinted = color.filtered(error) + received * to_the_minus(25);
         (lights, largest(tinted) + to_the_minus(20))
     }
 
