@@ -276,7 +276,11 @@ pub fn cases() -> Vec<Case> {
             growing,
             growth_of_four,
         ),
-        chaotic("between three touching spheres, N = 60", three_seen),
+        chaotic("between three touching spheres, N = 60", three_seen).unlike_single_precision(
+            "Which lamp a chaotic path ends at is a draw, and so is the mean colour of all of them: that of \
+             single precision happens to be nearer to the reference's, whose own is about as far away \
+             with its eye moved.",
+        ),
         chaotic("between four touching spheres, N = 60", four_seen),
         reflected(
             "inside of a mirrored sphere",
