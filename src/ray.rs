@@ -211,9 +211,9 @@ impl Trail {
     /// Adds what was met.
     #[inline(always)]
     pub(crate) fn note(&mut self, met: u32) {
-        // Times 1025, in one instruction. Sums of the same length are the same only where what was met
-        // differs by multiples of four in a row that the fourth power of 1024, or four times the third,
-        // makes nothing of: not by a shape or two, or a light.
+        // Times 1025, in one instruction. As 1024³ · 4 and 1024⁴ are nothing in 32 bits, two trails may be
+        // taken for one if their notes differ by at least four times 1, -3, 3, -1, or by 1, -4, 6, -4, 1:
+        // not by one shape, or one light.
         self.0 = self.0.wrapping_add(self.0 << 10).wrapping_add(met);
     }
 
