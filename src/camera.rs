@@ -328,21 +328,20 @@ impl RowDirections {
     pub(crate) fn of(&self, column: u32) -> Direction {
         // A ray to a pixel is below 2⁶¹ (`Camera::lens`), one to a column beyond the picture, half
         // as wide as that at most, below 2⁶²: the sum does not wrap.
-        let aside = self.aside(column) >> 2;
-        let square = self.square + wide(aside, aside) as u64;
-        self.way(column).direction_of_square(square)
+        let aside = self.aside(column);
+        let square = self.square + wide(aside >> 2, aside >> 2) as u64;
+        self.way(aside).direction_of_square(square)
     }
 
     /// The same, but shorter: below half as long as a direction is. For what depends on signs alone.
     #[inline(always)]
     pub(crate) fn short_of(&self, column: u32) -> Direction {
-        Direction::from_raw(self.way(column))
+        Direction::from_raw(self.way(self.aside(column)))
     }
 
-    /// The way to the pixel of a column, below 2²⁹.
+    /// The way to a pixel that lies so far aside, below 2²⁹.
     #[inline(always)]
-    fn way(&self, column: u32) -> Vector {
-        let aside = self.aside(column);
+    fn way(&self, aside: i32) -> Vector {
         let [x, y, z] = self.middle;
         let Vector {
             x: dx,
