@@ -246,4 +246,19 @@ mod tests {
     fn what_is_brighter_than_white_is_white() {
         assert_eq!(quantised(16.0), 255);
     }
+
+    #[test]
+    fn three_sums_at_uneven_distances_tell_how_much_a_parabola_bends() {
+        // At 0, 2 and 3, at the distance of one: the second difference is twice the factor of x².
+        for factor in [-(1 << 24), -123_457, -1, 0, 1, 98_765, 1 << 24] {
+            let at = |x: i32| Sum([0, 7, -9].map(|slope| factor * x * x + slope * x + 1_000));
+            let Sum(bends) = Bend::of_uneven(at(0), at(2), at(3));
+            let truth = 2 * factor;
+            for bend in bends {
+                // A sixteenth less, and two shifts rounded down.
+                let short = (truth - bend).abs();
+                assert!(short <= truth.abs() / 16 + 2, "{bend}, not {truth}");
+            }
+        }
+    }
 }

@@ -147,8 +147,8 @@ fn nearer_plane<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit)
         is_met: false,
     };
     let number = |index: usize| ShapeNumber(parts.first_plane() + index as u32);
-    // One by one, so that the compiler can work with the planes of a constant scene: most have
-    // coordinates that are 0 or 1. All products first: a sign that is extended in another block makes
+    // One by one, so that the compiler can work with the planes of a constant scene; not by a closure,
+    // which is not always in line. All products first: a sign that is extended in another block makes
     // three instructions of one.
     let bearings = [
         bearing(parts.planes, 0, ray),

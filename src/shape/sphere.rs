@@ -112,7 +112,7 @@ impl SeenSphere {
     /// No root: the sphere is entered before its tangents' length and left after it.
     #[inline(always)]
     pub(crate) const fn is_before(&self, direction: Direction, reach: Length) -> bool {
-        self.way.dot(direction) >= self.tangent && self.tangent < reach.to_bits()
+        self.tangent < reach.to_bits() && self.way.dot(direction) >= self.tangent
     }
 }
 

@@ -252,3 +252,46 @@ fn height_is_counted_along_the_normal() {
     assert!((height - (4000 << 30)).abs() <= 10_000, "{height}");
     assert_eq!(plane(slope, offset).height(Point::new(-77, 0, 5000)), 0);
 }
+
+#[test]
+fn plane_across_an_axis_is_asked_as_any_other() {
+    let mut sweep = Sweep::new(7);
+    let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    for (index, axis) in axes.iter().cycle().take(60_000).enumerate() {
+        let normal = match index % 2 {
+            0 => direction(*axis),
+            _ => direction(*axis).reversed(),
+        };
+        // Not only at whole steps: an offset may have been rounded to anything.
+        let level = i64::from(sweep.within(-(1 << 30), 1 << 30));
+        let offset = (level << 30) + i64::from(sweep.within(0, (1 << 30) - 1)) * (level.signum());
+        let upright = plane(normal, offset);
+        assert!(
+            matches!(upright.upright, Upright::Yes { .. }),
+            "{upright:?}"
+        );
+        let general = PreparedPlane {
+            upright: Upright::No,
+            ..upright
+        };
+        let ray = ray_towards(&mut sweep, [0; 3], 1 << 28);
+        let [found, truth] = [upright, general].map(|plane| {
+            let Bearing { steps, sign, climb } = plane.bearing(&ray);
+            (steps, sign, climb)
+        });
+        assert_eq!(found, truth, "{upright:?} {ray:?}");
+    }
+}
+
+#[test]
+fn plane_across_no_axis_or_too_far_away_is_asked_by_products() {
+    let far = (1 << 60) + (1 << 30);
+    for (normal, offset) in [
+        (direction([0, 3, 4]), 0),
+        (Direction::X, far),
+        (Direction::X.reversed(), -far),
+    ] {
+        let plane = plane(normal, offset);
+        assert!(matches!(plane.upright, Upright::No), "{plane:?}");
+    }
+}
