@@ -10,7 +10,8 @@ use crate::number::{Length, Unit, share};
 use crate::quality::{LONGEST_STRIDE, Quality};
 use crate::ray::{Path, Place, Trail};
 use crate::scene::World;
-use crate::scene::query::{Hit, ShapeNumber, located, nearest, nearest_bounded};
+use crate::scene::nearest::{NOWHERE, ahead, nearest_ahead};
+use crate::scene::query::{Hit, ShapeNumber, located, nearest};
 use crate::scene::sight::Sight;
 use crate::scene::view::View;
 use crate::scene::{Mirrors, far};
@@ -133,12 +134,19 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         let mut path = Path::new(view.from, direction);
         let Traced { mut sum, mut trail } = Traced::NONE;
         let mut weight = Unit::ONE;
+        let mut mirror = ShapeNumber::NONE;
         let mut left = ShapeNumber::NONE;
         let mut distance = Length::from_bits(0);
         let mut reflections = 0;
         let mut is_bent = false;
         loop {
-            let met = self.meet(&path, reflections, left, &mut distance, &mut trail);
+            let met = self.meet(
+                &path,
+                reflections,
+                (mirror, left),
+                &mut distance,
+                &mut trail,
+            );
             let Some(surface) = surface(world, &path, met) else {
                 sum.add(weight, K::missed(world));
                 trail.note(u32::MAX);
@@ -176,6 +184,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             }
             is_bent |= !world.parts().is_plane(surface.shape);
             surface.reflect(world, &mut path);
+            mirror = surface.shape;
             left = surface.left(world);
         }
         self.rays += reflections + 1;
@@ -190,7 +199,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         &mut self,
         path: &Path,
         reflections: u32,
-        left: ShapeNumber,
+        (mirror, left): (ShapeNumber, ShapeNumber),
         distance: &mut Length,
         trail: &mut Trail,
     ) -> Option<(Place, ShapeNumber)> {
@@ -201,7 +210,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         if Q::IS_SMALL {
             return far::nearest::<W, true>(world, path, left, trail);
         }
-        let hit = self.nearest(path, reflections, left, *distance, trail);
+        let hit = self.nearest(path, reflections, (mirror, left), *distance, trail);
         *distance = hit.distance;
         located(world, path, left, hit, trail)
     }
@@ -212,7 +221,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         &mut self,
         path: &Path,
         reflections: u32,
-        left: ShapeNumber,
+        (mirror, left): (ShapeNumber, ShapeNumber),
         distance: Length,
         trail: &mut Trail,
     ) -> Hit {
@@ -231,7 +240,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
                     let plane = (left, plane);
                     self.sight.mirrored(world, plane, distance, ray, trail)
                 }
-                _ => nearest_bounded::<W, false>(world, ray, Length::from_bits(0), left, trail),
+                _ => {
+                    let ahead = ahead(world, mirror, ray.direction);
+                    nearest_ahead::<W, false>(world, (ray, ahead), NOWHERE, left, trail)
+                }
             }
         };
         nearest(world, ray, left, bounded)

@@ -6,7 +6,8 @@
 
 use super::World;
 use super::mask::Mask;
-use super::query::{NOWHERE, ShapeNumber, blocked_by_bounded, nearest_bounded, planes_but};
+use super::nearest::{NOWHERE, nearest_bounded};
+use super::query::{ShapeNumber, blocked_by_bounded, planes_but};
 use crate::number::{Length, shifted, square_root, wide};
 use crate::ray::{BALL, Path, Place, REACH, Ray, Trail};
 use crate::shape::plane::NOT_MET;

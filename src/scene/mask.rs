@@ -24,6 +24,11 @@ impl Mask {
         Self(self.0 | other.0)
     }
 
+    /// The first sixteen bits.
+    pub(crate) const fn low(self) -> u16 {
+        self.0 as u16
+    }
+
     /// How many runs are in only one of two sets.
     pub(crate) const fn difference(self, other: Self) -> u32 {
         (self.0 ^ other.0).count_ones()

@@ -4,13 +4,16 @@
 //! A scene is laid on a grid of its own: its shapes fill a ball of 2²⁸ steps, whatever their size
 //! in scene units, so the binary point is never the user's concern.
 
+mod ahead;
 mod builder;
 pub(crate) mod cells;
+mod directions;
 mod error;
 pub(crate) mod extent;
 pub(crate) mod far;
 mod layout;
 pub(crate) mod mask;
+pub(crate) mod nearest;
 mod needs;
 mod prepare;
 pub(crate) mod query;

@@ -91,7 +91,7 @@ pub enum Mirrors {
 }
 
 /// As many spheres and cylinders as are asked in less time than it takes to choose among them.
-const FEW: usize = 3;
+pub(super) const FEW: usize = 3;
 
 impl Needs {
     /// Everything.

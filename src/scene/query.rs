@@ -2,13 +2,15 @@
 
 use super::cells::Cells;
 use super::mask::Mask;
+#[cfg(any(test, feature = "host"))]
+use super::nearest::{NOWHERE, nearest_bounded};
 use super::{Lamps, Parts, World, far};
 use crate::number::Length;
 use crate::ray::{Path, Place, REACH, Ray, Trail, spread};
-use crate::shape::cylinder::{LitCylinder, PreparedCylinder, SeenCylinder};
+use crate::shape::cylinder::{LitCylinder, PreparedCylinder};
 use crate::shape::plane::{Approach, Bearing, PreparedPlane};
-use crate::shape::sphere::{PreparedSphere, SeenSphere};
-use crate::vector::{Direction, Vector};
+use crate::shape::sphere::PreparedSphere;
+use crate::vector::Direction;
 
 /// Names a shape of a scene, or none: spheres come first, then cylinders, then planes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +33,12 @@ impl ShapeNumber {
     #[inline(always)]
     pub(super) const fn passed(self) -> u32 {
         spread(self.0 + 1)
+    }
+
+    /// Where it stands among all shapes.
+    #[inline(always)]
+    pub(super) const fn index(self) -> usize {
+        self.0 as usize
     }
 
     pub(crate) const fn of_sphere(index: usize) -> Self {
@@ -68,7 +76,7 @@ impl<'a> Parts<'a> {
     /// The shape with a number.
     #[inline(always)]
     pub(crate) fn shape(&self, shape: ShapeNumber) -> Option<Shape<'a>> {
-        let number = shape.0 as usize;
+        let number = shape.index();
         if let Some(sphere) = self.spheres.get(number) {
             return Some(Shape::Sphere(sphere));
         }
@@ -266,140 +274,6 @@ pub(crate) fn first<W: World>(
         false => Hit::BEYOND,
     };
     located(world, path, left, hit, &mut trail)
-}
-
-/// No distance at all.
-pub(super) const NOWHERE: Length = Length::from_bits(0);
-
-/// The nearest sphere or cylinder of all but the one whose outside the ray has `left`, further than
-/// `start` along the ray; the distance is from there. Notes on which side of cylinders it passes, but
-/// where code is to be `SMALL`.
-#[inline(never)]
-pub(crate) fn nearest_bounded<W: World, const SMALL: bool>(
-    world: &W,
-    ray: &Ray,
-    start: Length,
-    left: ShapeNumber,
-    trail: &mut Trail,
-) -> Hit {
-    let mut nearest = Nearest::beyond(start);
-    let parts = world.parts();
-    for (index, sphere) in parts.spheres.iter().enumerate() {
-        let number = ShapeNumber::of_sphere(index);
-        if number == left {
-            continue;
-        }
-        let (center, radius) = sphere.ball();
-        let way = ray.origin.to(center);
-        if !way.passes_by(way.dot(ray.direction), radius) {
-            nearest.meet_sphere(sphere, way, ray.direction, number);
-        }
-    }
-    for (index, cylinder) in parts.cylinders.iter().enumerate() {
-        let number = parts.cylinder_number(index);
-        if number != left && !cylinder.is_passed_by(ray) {
-            let seen = cylinder.seen_from(ray.origin);
-            nearest.meet_cylinder::<SMALL>(cylinder, (&seen, true), &ray.direction, number);
-        }
-    }
-    if SMALL {
-        return nearest.behind_start();
-    }
-    nearest.hit(trail)
-}
-
-/// The nearest of the shapes that a ray has been held against.
-pub(super) struct Nearest {
-    start: Length,
-    hit: Hit,
-    /// On which sides of shapes the ray passes.
-    passed: u32,
-}
-
-impl Nearest {
-    /// Nothing yet, and nothing that is met before `start`.
-    #[inline(always)]
-    pub(super) fn beyond(start: Length) -> Self {
-        Self {
-            start,
-            hit: Hit::NONE,
-            passed: 0,
-        }
-    }
-
-    /// Says whether the sphere is the nearest up to now.
-    #[inline(always)]
-    pub(super) fn meet_sphere(
-        &mut self,
-        sphere: &PreparedSphere,
-        way: Vector,
-        along: Direction,
-        shape: ShapeNumber,
-    ) -> bool {
-        let distance = sphere.met(way, along, self.start, self.hit.distance);
-        if let Some(distance) = distance {
-            self.hit = Hit { distance, shape };
-        }
-        distance.is_some()
-    }
-
-    /// Whether a sphere is in front of what has been met.
-    #[inline(always)]
-    pub(super) fn may_see(&self, sphere: &SeenSphere) -> bool {
-        sphere.is_nearer_than(self.hit.distance)
-    }
-
-    /// Notes that the ray passes by something.
-    #[inline(always)]
-    pub(super) fn pass(&mut self, passed: u32) {
-        self.passed ^= passed;
-    }
-
-    #[inline(always)]
-    pub(super) fn meet_cylinder<const SMALL: bool>(
-        &mut self,
-        cylinder: &PreparedCylinder,
-        (seen, is_thin): (&SeenCylinder, bool),
-        along: &Direction,
-        shape: ShapeNumber,
-    ) {
-        let sideways = seen.sideways(*along);
-        if cylinder.is_beside(sideways) {
-            if is_thin && sideways < 0 {
-                self.pass(shape.passed());
-            }
-            return;
-        }
-        let (start, reach) = (self.start, self.hit.distance);
-        let distance = match SMALL {
-            true => cylinder.met_steeply(seen, along, start, reach),
-            false => cylinder.met_beside(seen, along, sideways, start, reach),
-        };
-        if let Some(distance) = distance {
-            self.hit = Hit { distance, shape };
-        }
-    }
-
-    /// The nearest, and how far behind `start` it is met.
-    #[inline(always)]
-    pub(super) fn hit(self, trail: &mut Trail) -> Hit {
-        trail.note(self.passed);
-        self.behind_start()
-    }
-
-    /// The same without a note.
-    #[inline(always)]
-    fn behind_start(self) -> Hit {
-        let distance = self.hit.distance.to_bits() - self.start.to_bits();
-        Hit {
-            distance: if self.hit.shape == ShapeNumber::NONE {
-                REACH
-            } else {
-                Length::from_bits(distance)
-            },
-            shape: self.hit.shape,
-        }
-    }
 }
 
 /// The planes but the one a ray has just left, and their numbers.

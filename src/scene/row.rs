@@ -7,7 +7,8 @@ use heapless::Vec;
 
 use super::World;
 use super::extent::{Covered, Extent};
-use super::query::{Hit, Nearest, ShapeNumber, nearest_bounded};
+use super::nearest::{Nearest, nearest_bounded};
+use super::query::{Hit, ShapeNumber};
 use crate::number::Length;
 use crate::quality::LONGEST_STRIDE;
 use crate::ray::{Ray, Trail};

@@ -2,7 +2,8 @@
 
 use super::World;
 use super::extent::Outlooks;
-use super::query::{Hit, ShapeNumber, nearest_bounded};
+use super::nearest::nearest_bounded;
+use super::query::{Hit, ShapeNumber};
 use super::row::{Cut, Row};
 use crate::number::Length;
 use crate::ray::{Place, Ray, Trail};

@@ -3,6 +3,7 @@
 
 use core::marker::PhantomData;
 
+use super::ahead::Ahead;
 use super::cells::Cells;
 use super::extent::{Outlook, Outlooks};
 use super::mask::Runs;
@@ -134,6 +135,9 @@ pub trait World {
     /// How many planes there are at most.
     const PLANES: usize;
 
+    /// Whether it is known what lies ahead of rays that leave spheres and cylinders.
+    const AHEAD: bool;
+
     /// The scene's parts.
     fn parts(&self) -> Parts<'_>;
 
@@ -143,6 +147,10 @@ pub trait World {
     /// Which shapes lie in which direction from each light.
     #[allow(private_interfaces)]
     fn cells(&self) -> &[Cells];
+
+    /// Which shapes lie ahead of rays that leave each sphere and each cylinder, if that is known.
+    #[allow(private_interfaces)]
+    fn ahead(&self) -> [&[Ahead]; 2];
 }
 
 impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize> World
@@ -153,6 +161,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
 
     const NEEDS: Needs = Needs::of_room([S, P, C, L, M]);
     const PLANES: usize = P;
+    const AHEAD: bool = false;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -179,6 +188,12 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     fn cells(&self) -> &[Cells] {
         used(&self.cells, self.counts.lights)
     }
+
+    #[allow(private_interfaces)]
+    #[inline(always)]
+    fn ahead(&self) -> [&[Ahead]; 2] {
+        [&[]; 2]
+    }
 }
 
 impl<W: World> World for &W {
@@ -187,6 +202,7 @@ impl<W: World> World for &W {
 
     const NEEDS: Needs = W::NEEDS;
     const PLANES: usize = W::PLANES;
+    const AHEAD: bool = W::AHEAD;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -202,6 +218,12 @@ impl<W: World> World for &W {
     #[inline(always)]
     fn cells(&self) -> &[Cells] {
         (**self).cells()
+    }
+
+    #[allow(private_interfaces)]
+    #[inline(always)]
+    fn ahead(&self) -> [&[Ahead]; 2] {
+        (**self).ahead()
     }
 }
 
@@ -243,6 +265,9 @@ pub trait Apart: StaticScene {
     const LAMPS: &'static [<Self::Scene as World>::Lamp];
     /// Which of them lie in which direction from each light.
     const CELLS: &'static [Cells];
+    /// Which of them lie ahead of rays that leave each sphere and each cylinder; nothing where no
+    /// ray is going to.
+    const AHEAD: [&'static [Ahead]; 2];
 }
 
 #[allow(private_interfaces)]
@@ -267,6 +292,14 @@ where
     const LAMPS: &'static [Lamp<S, C>] = used(&Copied::<T>::LAMPS, T::SCENE.counts.lights);
 
     const CELLS: &'static [Cells] = used(&Copied::<T>::CELLS, T::SCENE.counts.lights);
+
+    const AHEAD: [&'static [Ahead]; 2] = match T::SCENE.has_ahead() {
+        true => [
+            used(&Copied::<T>::AHEAD_OF_SPHERES, T::SCENE.counts.spheres),
+            used(&Copied::<T>::AHEAD_OF_CYLINDERS, T::SCENE.counts.cylinders),
+        ],
+        false => [&[]; 2],
+    };
 }
 
 /// Copies of the parts of a scene.
@@ -282,6 +315,8 @@ where
     const LIGHTS: [PreparedLight; L] = T::SCENE.lights;
     const CELLS: [Cells; L] = T::SCENE.cells;
     const LAMPS: [Lamp<S, C>; L] = T::SCENE.lamps;
+    const AHEAD_OF_SPHERES: [Ahead; S] = T::SCENE.ahead_of_spheres();
+    const AHEAD_OF_CYLINDERS: [Ahead; C] = T::SCENE.ahead_of_cylinders();
     const MATERIALS: [PreparedMaterial; M] = T::SCENE.materials;
     const GRID: Grid = T::SCENE.grid;
 }
@@ -309,6 +344,7 @@ impl<T: Apart> World for Static<T> {
 
     const NEEDS: Needs = T::NEEDS;
     const PLANES: usize = T::PARTS.planes.len();
+    const AHEAD: bool = !T::AHEAD[0].is_empty() || !T::AHEAD[1].is_empty();
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -324,6 +360,12 @@ impl<T: Apart> World for Static<T> {
     #[inline(always)]
     fn cells(&self) -> &[Cells] {
         T::CELLS
+    }
+
+    #[allow(private_interfaces)]
+    #[inline(always)]
+    fn ahead(&self) -> [&[Ahead]; 2] {
+        T::AHEAD
     }
 }
 
@@ -357,6 +399,7 @@ impl<W: World, B: Bound> World for Within<W, B> {
 
     const NEEDS: Needs = W::NEEDS.both(&B::NEEDS);
     const PLANES: usize = W::PLANES;
+    const AHEAD: bool = W::AHEAD;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -381,6 +424,12 @@ impl<W: World, B: Bound> World for Within<W, B> {
     fn cells(&self) -> &[Cells] {
         self.world.cells()
     }
+
+    #[allow(private_interfaces)]
+    #[inline(always)]
+    fn ahead(&self) -> [&[Ahead]; 2] {
+        self.world.ahead()
+    }
 }
 
 /// A scene with everything linked that any scene needs; see [`crate::Frame::whole`].
@@ -393,6 +442,7 @@ impl<W: World> World for Whole<W> {
 
     const NEEDS: Needs = Needs::ALL;
     const PLANES: usize = W::PLANES;
+    const AHEAD: bool = W::AHEAD;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -408,6 +458,12 @@ impl<W: World> World for Whole<W> {
     #[inline(always)]
     fn cells(&self) -> &[Cells] {
         self.0.cells()
+    }
+
+    #[allow(private_interfaces)]
+    #[inline(always)]
+    fn ahead(&self) -> [&[Ahead]; 2] {
+        self.0.ahead()
     }
 }
 

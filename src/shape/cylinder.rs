@@ -46,6 +46,8 @@ pub struct PreparedCylinder {
     /// (radius << lift)² · 2⁻³⁰: 2²⁸ to 2³⁰.
     lifted_square: i32,
     half_height: i32,
+    /// The radius of a ball around it.
+    reach: i32,
     normaliser: Normaliser,
     pub(crate) material: MaterialId,
 }
@@ -132,12 +134,14 @@ impl PreparedCylinder {
     ) -> Self {
         let normaliser = Normaliser::new(radius);
         let lifted = radius.to_bits() << normaliser.lift;
+        let outline = Vector::new(radius.to_bits(), half_height.to_bits(), 0);
         Self {
             center,
             axis,
             radius: radius.to_bits(),
             lifted_square: (wide(lifted, lifted) >> 30) as i32,
             half_height: half_height.to_bits(),
+            reach: rounded_up(square_root(outline.square())),
             normaliser,
             material,
         }
@@ -155,12 +159,39 @@ impl PreparedCylinder {
         (self.center, half_axis, self.radius)
     }
 
+    /// The middle and the radius of a ball around it.
+    #[inline(always)]
+    pub(crate) const fn ball(&self) -> (Point, i32) {
+        (self.center, self.reach)
+    }
+
+    /// How many links the chain of balls has that covers the wall.
+    pub(crate) const LINKS: i32 = 8;
+
+    /// The middle and the radius of one of the balls in a chain along the axis that covers the wall.
+    pub(crate) const fn link(&self, number: i32) -> (Point, i32) {
+        let (center, half_axis, radius) = self.capsule();
+        let step = Vector::new(
+            half_axis.x / Self::LINKS,
+            half_axis.y / Self::LINKS,
+            half_axis.z / Self::LINKS,
+        );
+        let steps = 2 * number + 1 - Self::LINKS;
+        let at =
+            center
+                .to_vector()
+                .plus(Vector::new(step.x * steps, step.y * steps, step.z * steps));
+        let square = wide(radius, radius) as u64 + step.square();
+        let reach = square_root(square) + Self::LINKS;
+        (Point::new(at.x, at.y, at.z), reach)
+    }
+
     /// Whether a ray from a near point passes by the ball around the cylinder.
     #[inline(always)]
     pub(crate) fn is_passed_by(&self, ray: &Ray) -> bool {
-        let way = ray.origin.to(self.center);
-        let bound = self.radius + self.half_height;
-        way.passes_by(way.dot(ray.direction), bound)
+        let (center, radius) = self.ball();
+        let way = ray.origin.to(center);
+        way.passes_by(way.dot(ray.direction), radius)
     }
 
     /// As seen from a near point.
@@ -324,6 +355,11 @@ impl PreparedCylinder {
         self.normaliser
             .direction(outward.without(self.axis, outward.dot(self.axis)))
     }
+}
+
+/// No less than what a root in so many steps was before it was rounded.
+const fn rounded_up(root: i32) -> i32 {
+    root + (root >> 24) + 2
 }
 
 /// √(`square` · 2³²) >> `lift`, for a square below 2²⁸.

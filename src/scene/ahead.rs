@@ -1,0 +1,242 @@
+//! Which spheres and cylinders can lie ahead of a ray that leaves a mirror, by its direction: for
+//! mirrors that are spheres or cylinders, whose rays go anywhere.
+//!
+//! Rays leave a mirror from within balls around it: those of a ball that meet another ball are the
+//! rays from its middle that meet one as large as both together. So each mirror has a table of the
+//! [directions](super::directions) as a light has, of 4 x 4 x 4 cells with a set of 16 bits each: 128
+//! bytes a shape. A shape is left out only where [`passes_by`](crate::vector::Vector::passes_by) would leave it out, so the
+//! picture and the trails are those of a scene without tables.
+//!
+//! Made by the compiler for constant scenes with such mirrors and [`Few::SHAPES`] shapes or fewer; in
+//! all others, rays after such mirrors ask every shape.
+
+use super::directions::{Table, cell_of};
+use super::mask::Mask;
+use super::needs::FEW;
+use super::{Scene, used};
+use crate::material::PreparedMaterial;
+use crate::number::{Unit, square_root};
+use crate::shape::MaterialId;
+use crate::shape::cylinder::PreparedCylinder;
+use crate::shape::sphere::PreparedSphere;
+use crate::vector::{Direction, Point, Vector};
+
+/// A set of the shapes of a scene that has not many: a bit for each, spheres first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Few(u16);
+
+impl Few {
+    /// How many shapes there may be.
+    pub(crate) const SHAPES: usize = 16;
+
+    /// Every shape.
+    pub(crate) const ALL: Self = Self(u16::MAX);
+
+    /// Calls with each of the shapes of one kind that are in the set, and says what the set is for
+    /// those after them.
+    #[inline(always)]
+    pub(crate) fn for_each<'a, T>(
+        self,
+        shapes: &'a [T],
+        mut call: impl FnMut(usize, &'a T),
+    ) -> Self {
+        let (set, count) = (u32::from(self.0), shapes.len().min(Self::SHAPES));
+        let mut rest = set & ((1 << count) - 1);
+        while rest != 0 {
+            let index = rest.trailing_zeros() as usize;
+            rest &= rest - 1;
+            if let Some(shape) = shapes.get(index) {
+                call(index, shape);
+            }
+        }
+        Self((set >> count) as u16)
+    }
+}
+
+/// Cells along one axis.
+const SIDE: usize = 4;
+
+/// How many cells there are.
+const CELLS: usize = SIDE * SIDE * SIDE;
+
+/// What lies ahead of the rays that leave one shape.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ahead([Few; CELLS]);
+
+impl Ahead {
+    /// Everything in every direction.
+    pub(super) const ALL: Self = Self([Few::ALL; CELLS]);
+
+    /// What a ray in a direction can meet.
+    #[inline(always)]
+    pub(crate) fn shapes(&self, direction: Direction) -> Few {
+        // Never out of range; said so, it need not be asked.
+        let cell = cell_of::<SIDE>(direction) % CELLS;
+        self.0.get(cell).copied().unwrap_or(Few::ALL)
+    }
+
+    const fn of(table: &Table<SIDE, CELLS>) -> Self {
+        let mut sets = [Few::ALL; CELLS];
+        let mut index = 0;
+        while index < CELLS {
+            sets[index] = Few(table.0[index].low());
+            index += 1;
+        }
+        Self(sets)
+    }
+}
+
+/// How far beyond a shape rays may start, apart from epsilon: a hit is known to a few steps.
+const SLACK: i32 = 1 << 10;
+
+/// A square of more than what `passes_by` may be off by: of the five products' high halves
+/// one each, of the length of a direction 2⁻²³ of a square below 2⁶⁰.
+const UNSURE: u64 = 32 << 32;
+
+/// Adds what rays from a ball of this radius can meet of a scene.
+const fn add_all(
+    table: &mut Table<SIDE, CELLS>,
+    (origin, radius): (Point, i32),
+    spheres: &[PreparedSphere],
+    cylinders: &[PreparedCylinder],
+) {
+    let mut index = 0;
+    while index < spheres.len() {
+        add(
+            table,
+            (origin, radius),
+            spheres[index].ball(),
+            (index, false),
+        );
+        index += 1;
+    }
+    index = 0;
+    while index < cylinders.len() {
+        let bit = spheres.len() + index;
+        add(
+            table,
+            (origin, radius),
+            cylinders[index].ball(),
+            (bit, true),
+        );
+        index += 1;
+    }
+}
+
+const fn add(
+    table: &mut Table<SIDE, CELLS>,
+    (origin, from): (Point, i32),
+    (center, radius): (Point, i32),
+    (bit, is_noted): (usize, bool),
+) {
+    let way = origin.to(center);
+    let radius = square_root(radius as i64 as u64 * radius as u64 + UNSURE) + 16;
+    let both = from as i64 + radius as i64;
+    let distance = square_root(way.square()) as i64;
+    if distance <= both {
+        // In all directions.
+        return table.add_ball(Vector::ZERO, 1, Mask::of(bit));
+    }
+    table.add_ball(way, both as i32, Mask::of(bit));
+    // A ray that goes away from what is further away than this passes by it before it begins:
+    // √(D² - R²) > R.
+    if is_noted && 2 * distance <= 3 * both {
+        table.add_ball(way.reversed(), both as i32, Mask::of(bit));
+    }
+}
+
+impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
+    Scene<S, P, C, L, M>
+{
+    /// Whether there are mirrors whose rays have tables.
+    pub(super) const fn has_ahead(&self) -> bool {
+        let bounded = self.counts.spheres + self.counts.cylinders;
+        if bounded <= FEW || bounded > Few::SHAPES {
+            return false;
+        }
+        let mut index = 0;
+        while index < self.counts.spheres && index < S {
+            if self.mirrors(self.spheres[index].material) {
+                return true;
+            }
+            index += 1;
+        }
+        index = 0;
+        while index < self.counts.cylinders && index < C {
+            if self.mirrors(self.cylinders[index].material) {
+                return true;
+            }
+            index += 1;
+        }
+        false
+    }
+
+    const fn mirrors(&self, material: MaterialId) -> bool {
+        let mirror = match material.index() < M {
+            true => self.materials[material.index()].mirror,
+            false => PreparedMaterial::NONE.mirror,
+        };
+        mirror.to_bits() > Unit::ZERO.to_bits()
+    }
+
+    /// How far from a surface rays start at most.
+    const fn most_epsilon(&self) -> i32 {
+        let (outer, inner) = (self.epsilon.to_bits(), self.inner_epsilon.to_bits());
+        SLACK + if outer > inner { outer } else { inner }
+    }
+
+    /// What lies ahead of rays that leave each sphere.
+    pub(super) const fn ahead_of_spheres(&self) -> [Ahead; S] {
+        let mut all = [Ahead::ALL; S];
+        let (spheres, cylinders) = self.bounded();
+        let mut index = 0;
+        while self.has_ahead() && index < spheres.len() && index < S {
+            let sphere = &spheres[index];
+            index += 1;
+            if !self.mirrors(sphere.material) {
+                continue;
+            }
+            let (center, radius) = sphere.ball();
+            let mut table = Table::NONE;
+            let ball = (center, radius + self.most_epsilon());
+            add_all(&mut table, ball, spheres, cylinders);
+            all[index - 1] = Ahead::of(&table);
+        }
+        all
+    }
+
+    /// What lies ahead of rays that leave each cylinder: of the links of a chain of balls that covers
+    /// its wall.
+    pub(super) const fn ahead_of_cylinders(&self) -> [Ahead; C] {
+        let mut all = [Ahead::ALL; C];
+        let (spheres, cylinders) = self.bounded();
+        let mut index = 0;
+        while self.has_ahead() && index < cylinders.len() && index < C {
+            let cylinder = &cylinders[index];
+            index += 1;
+            if !self.mirrors(cylinder.material) {
+                continue;
+            }
+            let mut table = Table::NONE;
+            let mut link = 0;
+            while link < PreparedCylinder::LINKS {
+                let (center, radius) = cylinder.link(link);
+                let ball = (center, radius + self.most_epsilon());
+                add_all(&mut table, ball, spheres, cylinders);
+                link += 1;
+            }
+            all[index - 1] = Ahead::of(&table);
+        }
+        all
+    }
+
+    const fn bounded(&self) -> (&[PreparedSphere], &[PreparedCylinder]) {
+        (
+            used(&self.spheres, self.counts.spheres),
+            used(&self.cylinders, self.counts.cylinders),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,196 @@
+use super::*;
+use crate::material::Material;
+use crate::number::scaled_by_unit;
+use crate::number::sweep::Sweep;
+use crate::ray::{REACH, Ray};
+use crate::scene::{RuntimeScene, StaticScene, World};
+
+type Scenery = RuntimeScene<6, 1, 5, 1, 2>;
+type Built = Scene<6, 1, 5, 1, 2>;
+
+/// Spheres and cylinders of all sizes, all of them mirrors; every other time with a plane, so that the
+/// ball of the scene is larger.
+fn crowd(sweep: &mut Sweep, number: usize) -> Built {
+    let mut scene = Scenery::new();
+    let mirror = scene
+        .add_material(Material::new([0.5; 3]).mirror(0.5))
+        .unwrap();
+    let mut coordinate = |limit: i32| f64::from(sweep.within(-limit, limit)) / 256.0;
+    for _ in 0..6 {
+        let center = [0; 3].map(|_| coordinate(2048));
+        let radius = 2f64.powf(coordinate(1024) - 2.0);
+        scene.add_sphere(center, radius, mirror).unwrap();
+    }
+    for _ in 0..5 {
+        let center = [0; 3].map(|_| coordinate(2048));
+        let axis = [0; 3].map(|_| coordinate(256) + 1e-3);
+        let [radius, height] = [0; 2].map(|_| 2f64.powf(coordinate(1024) - 1.0));
+        scene
+            .add_cylinder(center, axis, radius, height, mirror)
+            .unwrap();
+    }
+    if number % 2 == 1 {
+        let floor = [0.0, 0.0, -9.0];
+        scene.add_plane(floor, [0.0, 0.0, 1.0], mirror).unwrap();
+    }
+    scene.build().unwrap()
+}
+
+fn any_direction(sweep: &mut Sweep) -> Direction {
+    let [x, y, z] = sweep.triple(1 << 28);
+    Vector::new(x, y, z).direction_and_length().0
+}
+
+/// A point so far from another in a direction.
+fn beside(from: Point, direction: Direction, length: i32) -> Point {
+    let [x, y, z] = direction.components().map(|it| scaled_by_unit(length, it));
+    Point::new(from.x + x, from.y + y, from.z + z)
+}
+
+/// Every shape with a ball, a point from which a ray may leave it, and what is said to lie ahead.
+fn mirrors(scene: &Built, sweep: &mut Sweep) -> std::vec::Vec<(Point, Ahead)> {
+    let parts = scene.parts();
+    let epsilon = scene.inner_epsilon.to_bits();
+    let mut mirrors = std::vec::Vec::new();
+    for (sphere, ahead) in parts.spheres.iter().zip(scene.ahead_of_spheres()) {
+        let (center, radius) = sphere.ball();
+        // Inside or outside.
+        let length = radius + sweep.within(-epsilon, epsilon);
+        let from = beside(center, any_direction(sweep), length);
+        mirrors.push((from, ahead));
+    }
+    for (cylinder, ahead) in parts.cylinders.iter().zip(scene.ahead_of_cylinders()) {
+        let (center, half, radius) = cylinder.capsule();
+        let (axis, length) = half.direction_and_length();
+        let up = beside(
+            center,
+            axis,
+            sweep.within(-length.to_bits(), length.to_bits()),
+        );
+        let across = axis.perpendicular(any_direction(sweep)).unwrap();
+        let from = beside(up, across, radius + sweep.within(-epsilon, epsilon));
+        mirrors.push((from, ahead));
+    }
+    mirrors
+}
+
+/// Towards anything, and often past the rim of a shape.
+fn direction_from(origin: Point, scene: &Built, sweep: &mut Sweep) -> Direction {
+    let parts = scene.parts();
+    let balls = parts.spheres.iter().map(PreparedSphere::ball);
+    let balls = balls.chain(parts.cylinders.iter().map(PreparedCylinder::ball));
+    let chosen = sweep.within(0, 2 * 11 - 1) as usize;
+    match balls.into_iter().nth(chosen) {
+        Some((center, radius)) => {
+            let rim = beside(center, any_direction(sweep), radius);
+            let (direction, _) = origin.to(rim).direction_and_length();
+            match sweep.within(0, 1) {
+                0 => direction,
+                _ => direction.reversed(),
+            }
+        }
+        None => any_direction(sweep),
+    }
+}
+
+#[test]
+fn what_is_not_ahead_is_passed_by() {
+    let mut sweep = Sweep::new(1);
+    let (mut asked, mut left_out, mut met) = (0, 0, 0);
+    for number in 0..600 {
+        let scene = crowd(&mut sweep, number);
+        let parts = scene.parts();
+        for (origin, ahead) in mirrors(&scene, &mut sweep) {
+            for _ in 0..200 {
+                let direction = direction_from(origin, &scene, &mut sweep);
+                let ray = Ray { origin, direction };
+                let mut is_ahead = [false; 11];
+                let later = ahead
+                    .shapes(direction)
+                    .for_each(parts.spheres, |index, _| is_ahead[index] = true);
+                later.for_each(parts.cylinders, |index, _| is_ahead[6 + index] = true);
+                for (sphere, is_ahead) in parts.spheres.iter().zip(&is_ahead) {
+                    let hit = sphere.intersect(&ray, REACH);
+                    met += u32::from(hit.is_some());
+                    assert!(*is_ahead || hit.is_none(), "{sphere:?} {ray:?}");
+                }
+                for (cylinder, is_ahead) in parts.cylinders.iter().zip(&is_ahead[6..]) {
+                    let is_passed_by = cylinder.is_passed_by(&ray);
+                    met += u32::from(!is_passed_by);
+                    assert!(*is_ahead || is_passed_by, "{cylinder:?} {ray:?}");
+                }
+                asked += is_ahead.iter().filter(|it| **it).count();
+                left_out += is_ahead.iter().filter(|it| !**it).count();
+            }
+        }
+    }
+    assert!(met > 1_000_000, "{met}");
+    assert!(left_out > asked / 2, "{left_out} left out, {asked} asked");
+}
+
+#[test]
+fn everything_is_ahead_of_what_does_not_mirror() {
+    let mut scene = Scenery::new();
+    let chalk = scene.add_material(Material::new([0.5; 3])).unwrap();
+    let mirror = Material::new([0.5; 3]).mirror(0.5);
+    let mirror = scene.add_material(mirror).unwrap();
+    for (x, material) in [(-6.0, chalk), (-2.0, mirror), (2.0, chalk), (6.0, chalk)] {
+        scene.add_sphere([x, 0.0, 0.0], 0.5, material).unwrap();
+    }
+    let scene = scene.build().unwrap();
+    let all = scene.ahead_of_spheres().map(|ahead| ahead.0);
+    assert_eq!(all[0], Ahead::ALL.0);
+    assert_ne!(all[1], Ahead::ALL.0);
+    let up = Direction::from_raw(Vector::new(0, 0, 1 << 30));
+    // Nothing lies above it but, of what it is not known, itself.
+    assert_eq!(Ahead(all[1]).shapes(up), Few(0b10));
+    assert_eq!(Ahead(all[1]).shapes(Direction::X), Few(0b1110));
+}
+
+const MIRROR: Material = Material::new([0.5; 3]).mirror(0.5);
+
+struct Four;
+impl StaticScene for Four {
+    type Scene = Scene<4, 1, 0, 0>;
+    const SCENE: &'static Self::Scene = &Scene::builder()
+        .sphere([0.0, 0.0, 0.0], 1.0, MIRROR)
+        .sphere([4.0, 0.0, 0.0], 1.0, MIRROR)
+        .sphere([8.0, 0.0, 0.0], 1.0, MIRROR)
+        .sphere([12.0, 0.0, 0.0], 1.0, MIRROR)
+        .build();
+}
+
+struct Three;
+impl StaticScene for Three {
+    type Scene = Scene<3, 1, 0, 0>;
+    const SCENE: &'static Self::Scene = &Scene::builder()
+        .sphere([0.0, 0.0, 0.0], 1.0, MIRROR)
+        .sphere([4.0, 0.0, 0.0], 1.0, MIRROR)
+        .sphere([8.0, 0.0, 0.0], 1.0, MIRROR)
+        .build();
+}
+
+/// The floor alone mirrors.
+struct Floor;
+impl StaticScene for Floor {
+    type Scene = Scene<4, 1, 0, 0>;
+    const SCENE: &'static Self::Scene = &Scene::builder()
+        .sphere([0.0, 0.0, 0.0], 1.0, Material::new([0.5; 3]))
+        .sphere([4.0, 0.0, 0.0], 1.0, Material::new([0.5; 3]))
+        .sphere([8.0, 0.0, 0.0], 1.0, Material::new([0.5; 3]))
+        .sphere([12.0, 0.0, 0.0], 1.0, Material::new([0.5; 3]))
+        .plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], MIRROR)
+        .build();
+}
+
+#[test]
+fn only_constant_scenes_with_round_mirrors_and_some_shapes_have_tables() {
+    use crate::scene::Static;
+    assert!(<Static<Four> as World>::AHEAD);
+    assert!(!<Static<Three> as World>::AHEAD);
+    assert!(!<Static<Floor> as World>::AHEAD);
+    assert!(!<Scene<4, 1, 0, 0> as World>::AHEAD);
+    let four = Static::<Four>::new();
+    let [spheres, cylinders] = four.ahead();
+    assert_eq!((spheres.len(), cylinders.len()), (4, 0));
+}
