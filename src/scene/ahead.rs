@@ -4,7 +4,7 @@
 //! Rays leave a mirror from within balls around it: those of a ball that meet another ball are the
 //! rays from its middle that meet one as large as both together. So each mirror has a table of the
 //! [directions](super::directions) as a light has, of 4 x 4 x 4 cells with a set of 16 bits each: 128
-//! bytes a shape. A shape is left out only where [`passes_by`](crate::vector::Vector::passes_by) would leave it out, so the
+//! bytes a mirror. A shape is left out only where [`passes_by`](crate::vector::Vector::passes_by) would leave it out, so the
 //! picture and the trails are those of a scene without tables.
 //!
 //! Made by the compiler for constant scenes with such mirrors and [`Few::SHAPES`] shapes or fewer; in
@@ -86,6 +86,41 @@ impl Ahead {
     }
 }
 
+/// What lies ahead of the rays that leave each of the mirrors of a scene.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RoundMirrors {
+    /// Which table each shape has.
+    pub(super) numbers: [u8; Few::SHAPES],
+    pub(super) tables: &'static [Ahead],
+}
+
+impl RoundMirrors {
+    /// Of a scene of which nothing is known.
+    pub(super) const NONE: &'static Self = &Self {
+        numbers: [u8::MAX; Few::SHAPES],
+        tables: &[],
+    };
+
+    /// What a ray can meet that leaves a shape, by where that stands among all shapes.
+    #[inline(always)]
+    pub(super) fn ahead(&self, shape: usize, direction: Direction) -> Few {
+        let number = self.numbers.get(shape).copied().unwrap_or(u8::MAX);
+        let table = self.tables.get(usize::from(number));
+        table.map_or(Few::ALL, |ahead| ahead.shapes(direction))
+    }
+}
+
+/// Of the sizes that lists of tables have, the one for so many.
+pub(super) const fn room_for(tables: usize) -> usize {
+    match tables {
+        0..=4 => tables,
+        5..=6 => 6,
+        7..=8 => 8,
+        9..=12 => 12,
+        _ => Few::SHAPES,
+    }
+}
+
 /// How far beyond a shape rays may start, apart from epsilon: a hit is known to a few steps.
 const SLACK: i32 = 1 << 10;
 
@@ -148,27 +183,25 @@ const fn add(
 impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
     Scene<S, P, C, L, M>
 {
-    /// Whether there are mirrors whose rays have tables.
-    pub(super) const fn has_ahead(&self) -> bool {
-        let bounded = self.counts.spheres + self.counts.cylinders;
+    /// How many spheres and cylinders mirror; none where their rays have no tables.
+    pub(super) const fn round_mirrors(&self) -> usize {
+        let (spheres, cylinders) = self.bounded();
+        let bounded = spheres.len() + cylinders.len();
+        let mut count = 0;
         if bounded <= FEW || bounded > Few::SHAPES {
-            return false;
+            return count;
         }
         let mut index = 0;
-        while index < self.counts.spheres && index < S {
-            if self.mirrors(self.spheres[index].material) {
-                return true;
-            }
+        while index < spheres.len() {
+            count += self.mirrors(spheres[index].material) as usize;
             index += 1;
         }
         index = 0;
-        while index < self.counts.cylinders && index < C {
-            if self.mirrors(self.cylinders[index].material) {
-                return true;
-            }
+        while index < cylinders.len() {
+            count += self.mirrors(cylinders[index].material) as usize;
             index += 1;
         }
-        false
+        count
     }
 
     const fn mirrors(&self, material: MaterialId) -> bool {
@@ -185,49 +218,63 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         SLACK + if outer > inner { outer } else { inner }
     }
 
-    /// What lies ahead of rays that leave each sphere.
-    pub(super) const fn ahead_of_spheres(&self) -> [Ahead; S] {
-        let mut all = [Ahead::ALL; S];
+    /// Which table each shape has.
+    pub(super) const fn numbers_ahead(&self) -> [u8; Few::SHAPES] {
+        let mut numbers = [u8::MAX; Few::SHAPES];
         let (spheres, cylinders) = self.bounded();
-        let mut index = 0;
-        while self.has_ahead() && index < spheres.len() && index < S {
-            let sphere = &spheres[index];
-            index += 1;
-            if !self.mirrors(sphere.material) {
-                continue;
+        let (mut index, mut used) = (0, 0);
+        while index < spheres.len() + cylinders.len() && index < Few::SHAPES {
+            let material = match index < spheres.len() {
+                true => spheres[index].material,
+                false => cylinders[index - spheres.len()].material,
+            };
+            if self.mirrors(material) {
+                numbers[index] = used;
+                used += 1;
             }
-            let (center, radius) = sphere.ball();
-            let mut table = Table::NONE;
-            let ball = (center, radius + self.most_epsilon());
-            add_all(&mut table, ball, spheres, cylinders);
-            all[index - 1] = Ahead::of(&table);
+            index += 1;
         }
-        all
+        numbers
     }
 
-    /// What lies ahead of rays that leave each cylinder: of the links of a chain of balls that covers
-    /// its wall.
-    pub(super) const fn ahead_of_cylinders(&self) -> [Ahead; C] {
-        let mut all = [Ahead::ALL; C];
+    /// The table of each mirror, if there is this much room and not much more is needed.
+    pub(super) const fn tables_ahead<const N: usize>(&self) -> [Ahead; N] {
+        let mut tables = [Ahead::ALL; N];
+        if room_for(self.round_mirrors()) != N {
+            return tables;
+        }
         let (spheres, cylinders) = self.bounded();
-        let mut index = 0;
-        while self.has_ahead() && index < cylinders.len() && index < C {
-            let cylinder = &cylinders[index];
-            index += 1;
-            if !self.mirrors(cylinder.material) {
-                continue;
-            }
-            let mut table = Table::NONE;
-            let mut link = 0;
-            while link < PreparedCylinder::LINKS {
-                let (center, radius) = cylinder.link(link);
+        let (mut index, mut used) = (0, 0);
+        while index < spheres.len() && used < N {
+            let sphere = &spheres[index];
+            if self.mirrors(sphere.material) {
+                let (center, radius) = sphere.ball();
+                let mut table = Table::NONE;
                 let ball = (center, radius + self.most_epsilon());
                 add_all(&mut table, ball, spheres, cylinders);
-                link += 1;
+                tables[used] = Ahead::of(&table);
+                used += 1;
             }
-            all[index - 1] = Ahead::of(&table);
+            index += 1;
         }
-        all
+        index = 0;
+        while index < cylinders.len() && used < N {
+            let cylinder = &cylinders[index];
+            if self.mirrors(cylinder.material) {
+                let mut table = Table::NONE;
+                let mut link = 0;
+                while link < PreparedCylinder::LINKS {
+                    let (center, radius) = cylinder.link(link);
+                    let ball = (center, radius + self.most_epsilon());
+                    add_all(&mut table, ball, spheres, cylinders);
+                    link += 1;
+                }
+                tables[used] = Ahead::of(&table);
+                used += 1;
+            }
+            index += 1;
+        }
+        tables
     }
 
     const fn bounded(&self) -> (&[PreparedSphere], &[PreparedCylinder]) {

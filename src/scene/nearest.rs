@@ -18,13 +18,7 @@ pub(crate) fn ahead<W: World>(world: &W, left: ShapeNumber, direction: Direction
     if !W::AHEAD {
         return Few::ALL;
     }
-    let [spheres, cylinders] = world.ahead();
-    let index = left.index();
-    let ahead = match index.checked_sub(spheres.len()) {
-        None => spheres.get(index),
-        Some(index) => cylinders.get(index),
-    };
-    ahead.map_or(Few::ALL, |ahead| ahead.shapes(direction))
+    world.round_mirrors().ahead(left.index(), direction)
 }
 
 /// The nearest sphere or cylinder of all but the one whose outside the ray has `left`, further than
@@ -62,7 +56,7 @@ pub(crate) fn nearest_ahead<W: World, const SMALL: bool>(
             nearest.meet_sphere(sphere, way, ray.direction, number);
         }
     };
-    let cylinders_ahead = match W::AHEAD {
+    let cylinders_ahead = match W::AHEAD && !SMALL {
         true => ahead.for_each(parts.spheres, &mut ask_sphere),
         false => {
             let spheres = parts.spheres.iter().enumerate();
@@ -77,7 +71,7 @@ pub(crate) fn nearest_ahead<W: World, const SMALL: bool>(
             nearest.meet_cylinder::<SMALL>(cylinder, (&seen, true), &ray.direction, number);
         }
     };
-    if W::AHEAD {
+    if W::AHEAD && !SMALL {
         cylinders_ahead.for_each(parts.cylinders, ask_cylinder);
     } else {
         let cylinders = parts.cylinders.iter().enumerate();

@@ -3,7 +3,7 @@
 
 use core::marker::PhantomData;
 
-use super::ahead::Ahead;
+use super::ahead::{Ahead, RoundMirrors, room_for};
 use super::cells::Cells;
 use super::extent::{Outlook, Outlooks};
 use super::mask::Runs;
@@ -150,7 +150,7 @@ pub trait World {
 
     /// Which shapes lie ahead of rays that leave each sphere and each cylinder, if that is known.
     #[allow(private_interfaces)]
-    fn ahead(&self) -> [&[Ahead]; 2];
+    fn round_mirrors(&self) -> &RoundMirrors;
 }
 
 impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize> World
@@ -191,8 +191,8 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
 
     #[allow(private_interfaces)]
     #[inline(always)]
-    fn ahead(&self) -> [&[Ahead]; 2] {
-        [&[]; 2]
+    fn round_mirrors(&self) -> &RoundMirrors {
+        RoundMirrors::NONE
     }
 }
 
@@ -222,8 +222,8 @@ impl<W: World> World for &W {
 
     #[allow(private_interfaces)]
     #[inline(always)]
-    fn ahead(&self) -> [&[Ahead]; 2] {
-        (**self).ahead()
+    fn round_mirrors(&self) -> &RoundMirrors {
+        (**self).round_mirrors()
     }
 }
 
@@ -267,7 +267,7 @@ pub trait Apart: StaticScene {
     const CELLS: &'static [Cells];
     /// Which of them lie ahead of rays that leave each sphere and each cylinder; nothing where no
     /// ray is going to.
-    const AHEAD: [&'static [Ahead]; 2];
+    const ROUND_MIRRORS: &'static RoundMirrors;
 }
 
 #[allow(private_interfaces)]
@@ -293,12 +293,19 @@ where
 
     const CELLS: &'static [Cells] = used(&Copied::<T>::CELLS, T::SCENE.counts.lights);
 
-    const AHEAD: [&'static [Ahead]; 2] = match T::SCENE.has_ahead() {
-        true => [
-            used(&Copied::<T>::AHEAD_OF_SPHERES, T::SCENE.counts.spheres),
-            used(&Copied::<T>::AHEAD_OF_CYLINDERS, T::SCENE.counts.cylinders),
-        ],
-        false => [&[]; 2],
+    const ROUND_MIRRORS: &'static RoundMirrors = &RoundMirrors {
+        numbers: T::SCENE.numbers_ahead(),
+        tables: match room_for(T::SCENE.round_mirrors()) {
+            0 => &[],
+            1 => &Copied::<T>::AHEAD_OF_1,
+            2 => &Copied::<T>::AHEAD_OF_2,
+            3 => &Copied::<T>::AHEAD_OF_3,
+            4 => &Copied::<T>::AHEAD_OF_4,
+            6 => &Copied::<T>::AHEAD_OF_6,
+            8 => &Copied::<T>::AHEAD_OF_8,
+            12 => &Copied::<T>::AHEAD_OF_12,
+            _ => &Copied::<T>::AHEAD_OF_16,
+        },
     };
 }
 
@@ -315,8 +322,15 @@ where
     const LIGHTS: [PreparedLight; L] = T::SCENE.lights;
     const CELLS: [Cells; L] = T::SCENE.cells;
     const LAMPS: [Lamp<S, C>; L] = T::SCENE.lamps;
-    const AHEAD_OF_SPHERES: [Ahead; S] = T::SCENE.ahead_of_spheres();
-    const AHEAD_OF_CYLINDERS: [Ahead; C] = T::SCENE.ahead_of_cylinders();
+    // An array's length cannot come from the scene, so there is one of each size.
+    const AHEAD_OF_1: [Ahead; 1] = T::SCENE.tables_ahead();
+    const AHEAD_OF_2: [Ahead; 2] = T::SCENE.tables_ahead();
+    const AHEAD_OF_3: [Ahead; 3] = T::SCENE.tables_ahead();
+    const AHEAD_OF_4: [Ahead; 4] = T::SCENE.tables_ahead();
+    const AHEAD_OF_6: [Ahead; 6] = T::SCENE.tables_ahead();
+    const AHEAD_OF_8: [Ahead; 8] = T::SCENE.tables_ahead();
+    const AHEAD_OF_12: [Ahead; 12] = T::SCENE.tables_ahead();
+    const AHEAD_OF_16: [Ahead; 16] = T::SCENE.tables_ahead();
     const MATERIALS: [PreparedMaterial; M] = T::SCENE.materials;
     const GRID: Grid = T::SCENE.grid;
 }
@@ -344,7 +358,7 @@ impl<T: Apart> World for Static<T> {
 
     const NEEDS: Needs = T::NEEDS;
     const PLANES: usize = T::PARTS.planes.len();
-    const AHEAD: bool = !T::AHEAD[0].is_empty() || !T::AHEAD[1].is_empty();
+    const AHEAD: bool = !T::ROUND_MIRRORS.tables.is_empty();
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -364,8 +378,8 @@ impl<T: Apart> World for Static<T> {
 
     #[allow(private_interfaces)]
     #[inline(always)]
-    fn ahead(&self) -> [&[Ahead]; 2] {
-        T::AHEAD
+    fn round_mirrors(&self) -> &RoundMirrors {
+        T::ROUND_MIRRORS
     }
 }
 
@@ -427,8 +441,8 @@ impl<W: World, B: Bound> World for Within<W, B> {
 
     #[allow(private_interfaces)]
     #[inline(always)]
-    fn ahead(&self) -> [&[Ahead]; 2] {
-        self.world.ahead()
+    fn round_mirrors(&self) -> &RoundMirrors {
+        self.world.round_mirrors()
     }
 }
 
@@ -462,8 +476,8 @@ impl<W: World> World for Whole<W> {
 
     #[allow(private_interfaces)]
     #[inline(always)]
-    fn ahead(&self) -> [&[Ahead]; 2] {
-        self.0.ahead()
+    fn round_mirrors(&self) -> &RoundMirrors {
+        self.0.round_mirrors()
     }
 }
 

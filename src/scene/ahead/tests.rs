@@ -52,14 +52,16 @@ fn mirrors(scene: &Built, sweep: &mut Sweep) -> std::vec::Vec<(Point, Ahead)> {
     let parts = scene.parts();
     let epsilon = scene.inner_epsilon.to_bits();
     let mut mirrors = std::vec::Vec::new();
-    for (sphere, ahead) in parts.spheres.iter().zip(scene.ahead_of_spheres()) {
+    // All of the eleven shapes are.
+    let tables = scene.tables_ahead::<12>();
+    for (sphere, ahead) in parts.spheres.iter().zip(tables) {
         let (center, radius) = sphere.ball();
         // Inside or outside.
         let length = radius + sweep.within(-epsilon, epsilon);
         let from = beside(center, any_direction(sweep), length);
         mirrors.push((from, ahead));
     }
-    for (cylinder, ahead) in parts.cylinders.iter().zip(scene.ahead_of_cylinders()) {
+    for (cylinder, ahead) in parts.cylinders.iter().zip(tables.into_iter().skip(6)) {
         let (center, half, radius) = cylinder.capsule();
         let (axis, length) = half.direction_and_length();
         let up = beside(
@@ -129,7 +131,7 @@ fn what_is_not_ahead_is_passed_by() {
 }
 
 #[test]
-fn everything_is_ahead_of_what_does_not_mirror() {
+fn only_what_mirrors_has_a_table() {
     let mut scene = Scenery::new();
     let chalk = scene.add_material(Material::new([0.5; 3])).unwrap();
     let mirror = Material::new([0.5; 3]).mirror(0.5);
@@ -138,13 +140,13 @@ fn everything_is_ahead_of_what_does_not_mirror() {
         scene.add_sphere([x, 0.0, 0.0], 0.5, material).unwrap();
     }
     let scene = scene.build().unwrap();
-    let all = scene.ahead_of_spheres().map(|ahead| ahead.0);
-    assert_eq!(all[0], Ahead::ALL.0);
-    assert_ne!(all[1], Ahead::ALL.0);
-    let up = Direction::from_raw(Vector::new(0, 0, 1 << 30));
+    let numbers = scene.numbers_ahead();
+    assert_eq!(&numbers[..4], [u8::MAX, 0, u8::MAX, u8::MAX]);
+    let [ahead] = scene.tables_ahead();
     // Nothing lies above it but, of what it is not known, itself.
-    assert_eq!(Ahead(all[1]).shapes(up), Few(0b10));
-    assert_eq!(Ahead(all[1]).shapes(Direction::X), Few(0b1110));
+    let up = Direction::from_raw(Vector::new(0, 0, 1 << 30));
+    assert_eq!(ahead.shapes(up), Few(0b10));
+    assert_eq!(ahead.shapes(Direction::X), Few(0b1110));
 }
 
 const MIRROR: Material = Material::new([0.5; 3]).mirror(0.5);
@@ -191,6 +193,5 @@ fn only_constant_scenes_with_round_mirrors_and_some_shapes_have_tables() {
     assert!(!<Static<Floor> as World>::AHEAD);
     assert!(!<Scene<4, 1, 0, 0> as World>::AHEAD);
     let four = Static::<Four>::new();
-    let [spheres, cylinders] = four.ahead();
-    assert_eq!((spheres.len(), cylinders.len()), (4, 0));
+    assert_eq!(four.round_mirrors().tables.len(), 4);
 }
