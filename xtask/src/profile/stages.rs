@@ -66,7 +66,7 @@ pub enum Rule {
 
 /// The rules, by the beginning of a function's [`path`]; the first that fits counts. A function that
 /// none fits belongs to its caller's stage.
-const RULES: [(&str, Rule); 25] = [
+const RULES: [(&str, Rule); 27] = [
     (
         "firmware::contestant::Fixed::prepare",
         Rule::AllIs(Stage::Preparation),
@@ -78,6 +78,8 @@ const RULES: [(&str, Rule); 25] = [
     ("reflet::scene::row::Row::meet_", Rule::Meets),
     ("reflet::scene::row", Rule::Is(Stage::Spans)),
     ("reflet::scene::sight", Rule::Is(Stage::Spans)),
+    ("reflet::scene::nearest", Rule::Meets),
+    ("reflet::scene::ahead", Rule::Meets),
     ("reflet::scene::query::nearest", Rule::Meets),
     ("reflet::scene::query::blocked", Rule::Is(Stage::Shadow)),
     ("reflet::scene::far::nearest", Rule::Meets),
