@@ -4,18 +4,19 @@
 //! Rays leave a mirror from within balls around it: those of a ball that meet another ball are the
 //! rays from its middle that meet one as large as both together. So each mirror has a table of the
 //! [directions](super::directions) as a light has, of 4 x 4 x 4 cells with a set of 16 bits each: 128
-//! bytes a mirror. A shape is left out only where [`passes_by`](crate::vector::Vector::passes_by) would leave it out, so the
-//! picture and the trails are those of a scene without tables.
+//! bytes of flash. A sphere is left out only where it is not met, a cylinder only where the ball around
+//! it is passed by ([`passes_by`](crate::vector::Vector::passes_by)), so that no side of it would be
+//! noted: the picture and the trails are those of a scene without tables.
 //!
-//! Made by the compiler for constant scenes with such mirrors and [`Few::SHAPES`] shapes or fewer; in
-//! all others, rays after such mirrors ask every shape.
+//! Made by the compiler for constant scenes with such mirrors and 4 to [`Few::SHAPES`] spheres and
+//! cylinders; in all others, rays after such mirrors ask every shape.
 
 use super::directions::{Table, cell_of};
 use super::mask::Mask;
 use super::needs::FEW;
 use super::{Scene, used};
 use crate::material::PreparedMaterial;
-use crate::number::{Unit, square_root};
+use crate::number::{Unit, square_root, wide};
 use crate::shape::MaterialId;
 use crate::shape::cylinder::PreparedCylinder;
 use crate::shape::sphere::PreparedSphere;
@@ -121,11 +122,13 @@ pub(super) const fn room_for(tables: usize) -> usize {
     }
 }
 
-/// How far beyond a shape rays may start, apart from epsilon: a hit is known to a few steps.
+/// How far beyond a shape rays may start, apart from epsilon: a hit is known to a few steps, on a
+/// cylinder that is met along its axis to some hundred.
 const SLACK: i32 = 1 << 10;
 
-/// A square of more than what `passes_by` may be off by: of the five products' high halves
-/// one each, of the length of a direction 2⁻²³ of a square below 2⁶⁰.
+/// More than the squares in `passes_by` may be off by. In units of 2³²: the length of a direction and
+/// what is taken off for it, 2⁻²⁴ and 2⁻²⁵ of a square below 2⁶⁰, are 24; what it adds for products
+/// rounded down 4, and those one each.
 const UNSURE: u64 = 32 << 32;
 
 /// Adds what rays from a ball of this radius can meet of a scene.
@@ -165,7 +168,7 @@ const fn add(
     (bit, is_noted): (usize, bool),
 ) {
     let way = origin.to(center);
-    let radius = square_root(radius as i64 as u64 * radius as u64 + UNSURE) + 16;
+    let radius = square_root(wide(radius, radius) as u64 + UNSURE) + 16;
     let both = from as i64 + radius as i64;
     let distance = square_root(way.square()) as i64;
     if distance <= both {
@@ -173,8 +176,8 @@ const fn add(
         return table.add_ball(Vector::ZERO, 1, Mask::of(bit));
     }
     table.add_ball(way, both as i32, Mask::of(bit));
-    // A ray that goes away from what is further away than this passes by it before it begins:
-    // √(D² - R²) > R.
+    // What is this far away, √2 times the sum of the radii, lies further behind a ray that goes away
+    // from it than its radius, and is passed by so.
     if is_noted && 2 * distance <= 3 * both {
         table.add_ball(way.reversed(), both as i32, Mask::of(bit));
     }
@@ -184,7 +187,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     Scene<S, P, C, L, M>
 {
     /// How many spheres and cylinders mirror; none where their rays have no tables.
-    pub(super) const fn round_mirrors(&self) -> usize {
+    pub(super) const fn count_round_mirrors(&self) -> usize {
         let (spheres, cylinders) = self.bounded();
         let bounded = spheres.len() + cylinders.len();
         let mut count = 0;
@@ -237,10 +240,11 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         numbers
     }
 
-    /// The table of each mirror, if there is this much room and not much more is needed.
+    /// The table of each mirror, where `N` is the room for so many: of all sizes that the compiler works
+    /// out, one is used.
     pub(super) const fn tables_ahead<const N: usize>(&self) -> [Ahead; N] {
         let mut tables = [Ahead::ALL; N];
-        if room_for(self.round_mirrors()) != N {
+        if room_for(self.count_round_mirrors()) != N {
             return tables;
         }
         let (spheres, cylinders) = self.bounded();
@@ -286,4 +290,4 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -1,8 +1,8 @@
 //! Sets of spheres and cylinders: which of them a ray need ask.
 //!
 //! A set is a mask of 64 bits. Where a scene has more shapes, a bit stands for a run of them. Every
-//! set that is made here or in [`super::cells`] and [`super::row`] holds all shapes that a ray can
-//! meet, and may hold more: it changes the work, never the picture.
+//! set that is made here or in [`super::cells`], [`super::ahead`] and [`super::row`] holds all shapes
+//! that a ray can meet, and may hold more: it changes the work, never the picture.
 
 /// A set of runs of shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@
 //! A scene is laid on a grid of its own: its shapes fill a ball of 2²⁸ steps, whatever their size
 //! in scene units, so the binary point is never the user's concern.
 
-mod ahead;
+pub(crate) mod ahead;
 mod builder;
 pub(crate) mod cells;
 mod directions;

@@ -12,13 +12,13 @@ use crate::vector::{Direction, Vector};
 /// No distance at all.
 pub(crate) const NOWHERE: Length = Length::from_bits(0);
 
-/// What lies ahead of a ray that leaves a shape in a direction, as far as that is known.
+/// What lies ahead of a ray that a shape has mirrored, as far as that is known.
 #[inline(always)]
-pub(crate) fn ahead<W: World>(world: &W, left: ShapeNumber, direction: Direction) -> Few {
+pub(crate) fn ahead<W: World>(world: &W, mirror: ShapeNumber, direction: Direction) -> Few {
     if !W::AHEAD {
         return Few::ALL;
     }
-    world.round_mirrors().ahead(left.index(), direction)
+    world.round_mirrors().ahead(mirror.index(), direction)
 }
 
 /// The nearest sphere or cylinder of all but the one whose outside the ray has `left`, further than

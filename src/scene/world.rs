@@ -295,7 +295,7 @@ where
 
     const ROUND_MIRRORS: &'static RoundMirrors = &RoundMirrors {
         numbers: T::SCENE.numbers_ahead(),
-        tables: match room_for(T::SCENE.round_mirrors()) {
+        tables: match room_for(T::SCENE.count_round_mirrors()) {
             0 => &[],
             1 => &Copied::<T>::AHEAD_OF_1,
             2 => &Copied::<T>::AHEAD_OF_2,

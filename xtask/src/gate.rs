@@ -57,6 +57,13 @@ fn steps(bare_metal: &BareMetal) -> Vec<Step> {
     let step = |name, program| Step { name, program };
     let deny = ["--", "-D", "warnings"];
     let library = ["--package", "reflet", "--lib", "--no-default-features"];
+    // Built for every target and run on none: the sooner the better.
+    let unused = |of| {
+        let build = bare_metal.cargo("build", &TARGETS).args(of);
+        build
+            .args(["--config", "profile.dev.package.'*'.opt-level=0"])
+            .env("CARGO_PROFILE_DEV_DEBUG", "0")
+    };
     let mut steps = vec![
         step("format", cargo("fmt").args(["--all", "--check"])),
         step("format, examples/pico", format_of("examples/pico")),
@@ -97,16 +104,10 @@ fn steps(bare_metal: &BareMetal) -> Vec<Step> {
                 .args(["--package", "reflet", "--no-deps", "--features", FEATURES])
                 .env("RUSTDOCFLAGS", "-D warnings"),
         ),
-        step(
-            "bare metal, no features",
-            bare_metal.cargo("build", &TARGETS).args(library),
-        ),
+        step("bare metal, no features", unused(library)),
         step(
             "bare metal, scenes and micromath",
-            bare_metal
-                .cargo("build", &TARGETS)
-                .args(library)
-                .args(["--features", FIRMWARE_FEATURES]),
+            unused(library).args(["--features", FIRMWARE_FEATURES]),
         ),
     ];
     // Clippy belongs to the toolchain in use, which may have no core library for a board.

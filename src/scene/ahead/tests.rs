@@ -6,11 +6,11 @@ use crate::ray::{REACH, Ray};
 use crate::scene::{RuntimeScene, StaticScene, World};
 
 type Scenery = RuntimeScene<6, 1, 5, 1, 2>;
-type Built = Scene<6, 1, 5, 1, 2>;
+pub(crate) type Built = Scene<6, 1, 5, 1, 2>;
 
 /// Spheres and cylinders of all sizes, all of them mirrors; every other time with a plane, so that the
 /// ball of the scene is larger.
-fn crowd(sweep: &mut Sweep, number: usize) -> Built {
+pub(crate) fn crowd(sweep: &mut Sweep, number: usize) -> Built {
     let mut scene = Scenery::new();
     let mirror = scene
         .add_material(Material::new([0.5; 3]).mirror(0.5))
@@ -33,7 +33,19 @@ fn crowd(sweep: &mut Sweep, number: usize) -> Built {
         let floor = [0.0, 0.0, -9.0];
         scene.add_plane(floor, [0.0, 0.0, 1.0], mirror).unwrap();
     }
+    scene.add_light([9, -20, 12], [1.0; 3]).unwrap();
     scene.build().unwrap()
+}
+
+impl Built {
+    /// The tables that it would have as a constant.
+    pub(crate) fn leaked_round_mirrors(&self) -> RoundMirrors {
+        let tables = std::boxed::Box::new(self.tables_ahead::<12>());
+        RoundMirrors {
+            numbers: self.numbers_ahead(),
+            tables: std::boxed::Box::leak(tables),
+        }
+    }
 }
 
 fn any_direction(sweep: &mut Sweep) -> Direction {
@@ -76,22 +88,24 @@ fn mirrors(scene: &Built, sweep: &mut Sweep) -> std::vec::Vec<(Point, Ahead)> {
     mirrors
 }
 
-/// Towards anything, and often past the rim of a shape.
+/// Towards anything, and mostly along the rim of a shape.
 fn direction_from(origin: Point, scene: &Built, sweep: &mut Sweep) -> Direction {
     let parts = scene.parts();
     let balls = parts.spheres.iter().map(PreparedSphere::ball);
-    let balls = balls.chain(parts.cylinders.iter().map(PreparedCylinder::ball));
-    let chosen = sweep.within(0, 2 * 11 - 1) as usize;
-    match balls.into_iter().nth(chosen) {
-        Some((center, radius)) => {
-            let rim = beside(center, any_direction(sweep), radius);
-            let (direction, _) = origin.to(rim).direction_and_length();
-            match sweep.within(0, 1) {
-                0 => direction,
-                _ => direction.reversed(),
-            }
-        }
-        None => any_direction(sweep),
+    let mut balls = balls.chain(parts.cylinders.iter().map(PreparedCylinder::ball));
+    let Some((center, radius)) = balls.nth(sweep.within(0, 12) as usize) else {
+        return any_direction(sweep);
+    };
+    let (towards, _) = origin.to(center).direction_and_length();
+    let Some(across) = towards.perpendicular(any_direction(sweep)) else {
+        return towards;
+    };
+    let beyond = sweep.within(-64, 16);
+    let rim = beside(center, across, radius + (radius >> 8) * beyond / 16);
+    let (direction, _) = origin.to(rim).direction_and_length();
+    match sweep.within(0, 3) {
+        0 => direction.reversed(),
+        _ => direction,
     }
 }
 

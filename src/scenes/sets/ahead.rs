@@ -1,0 +1,86 @@
+//! Tests: paths come to the same whether or not mirrors have tables of what lies ahead of their rays.
+
+use crate::Camera;
+use crate::color::Sum;
+use crate::number::sweep::Sweep;
+use crate::quality::Exact;
+use crate::ray::Trail;
+use crate::scene::ahead::RoundMirrors;
+use crate::scene::ahead::tests::{Built, crowd};
+use crate::scene::cells::Cells;
+use crate::scene::sight::Sight;
+use crate::scene::view::View;
+use crate::scene::{Needs, Parts, World};
+use crate::shade::BlinnPhong;
+use crate::trace::{Traced, Tracer};
+
+/// A scene filled at run time, with the tables of a constant one.
+struct Tabled<'a> {
+    scene: &'a Built,
+    mirrors: RoundMirrors,
+}
+
+impl World for Tabled<'_> {
+    type Lamp = <Built as World>::Lamp;
+    type Outlook = <Built as World>::Outlook;
+
+    const NEEDS: Needs = <Built as World>::NEEDS;
+    const PLANES: usize = <Built as World>::PLANES;
+    const AHEAD: bool = true;
+
+    fn parts(&self) -> Parts<'_> {
+        self.scene.parts()
+    }
+
+    fn lamps(&self) -> &[Self::Lamp] {
+        self.scene.lamps()
+    }
+
+    fn cells(&self) -> &[Cells] {
+        self.scene.cells()
+    }
+
+    fn round_mirrors(&self) -> &RoundMirrors {
+        &self.mirrors
+    }
+}
+
+/// What the paths through all pixels come to.
+fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, Trail)> {
+    const SIDE: u32 = 32;
+    let lens = camera.lens(SIDE, SIDE);
+    let from = world.parts().grid.place(camera.description().position);
+    let view = View::new(world, from);
+    let rows = (0..SIDE).flat_map(|y| {
+        let sight = Sight::of_everything::<true>(None, from);
+        let mut tracer = Tracer::<W, BlinnPhong, Exact>::new(world, &view, sight, 5);
+        let directions = lens.row(y);
+        let mut pixels = std::vec::Vec::new();
+        for x in 0..SIDE {
+            let Traced { sum, trail } = tracer.trace(x, directions.of(x));
+            pixels.push((sum, trail));
+        }
+        pixels
+    });
+    rows.collect()
+}
+
+#[test]
+fn paths_come_to_the_same_with_tables_and_without() {
+    let mut sweep = Sweep::new(2);
+    let mut lit = 0;
+    for number in 0..60 {
+        let scene = crowd(&mut sweep, number);
+        let tabled = Tabled {
+            scene: &scene,
+            mirrors: scene.leaked_round_mirrors(),
+        };
+        // From outside, and from among the shapes.
+        let distance = if number % 3 == 0 { 2.0 } else { 24.0 };
+        let camera = Camera::look_at([0.5, -distance, 3.0], [0.0; 3], [0.0, 0.0, 1.0]);
+        let [with, without] = [traced(&tabled, &camera), traced(&&scene, &camera)];
+        assert!(with == without, "{scene:?}");
+        lit += with.iter().filter(|(sum, _)| *sum != Sum::ZERO).count();
+    }
+    assert!(lit > 20_000, "{lit}");
+}
