@@ -207,8 +207,8 @@ impl Bend {
 
 /// (1 + `unit`) / 2 as a brightness: how the normals view shows a coordinate.
 ///
-/// A coordinate a last place beyond ±1 is taken for ±1. The coordinate is rounded to 2⁻²⁰ first, so that one that is zero but for rounding lands on the
-/// same side of level 127.5 everywhere.
+/// A coordinate a last place beyond ±1 is taken for ±1. The coordinate is rounded to 2⁻²⁰ first, so that
+/// one that is zero but for rounding lands on the same side of level 127.5 everywhere.
 pub fn halved(unit: Unit) -> Brightness {
     let held = unit.to_bits().clamp(-(1 << 30), 1 << 30);
     let rounded = (held + (1 << 9)) >> 10 << 10;
