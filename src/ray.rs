@@ -198,9 +198,9 @@ impl Trail {
     /// The highest bit.
     const BENT: u32 = 1 << 31;
 
-    /// Of a path that has not met anything.
+    /// Of a path that has not met anything; not zero, or notes of zero would leave it as it is.
     pub(crate) const fn new() -> Self {
-        Self(0)
+        Self(1)
     }
 
     /// Of no path.

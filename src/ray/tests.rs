@@ -113,3 +113,19 @@ fn leaving_point_lies_epsilon_along_the_normal() {
         );
     }
 }
+
+#[test]
+fn trails_of_different_lengths_differ() {
+    // Notes of zero are those of the outside of the first shape, and of no light.
+    let noted = |zeros: usize| {
+        let mut trail = Trail::new();
+        (0..zeros).for_each(|_| trail.note(0));
+        trail.note(u32::MAX);
+        trail.ended(false)
+    };
+    for longer in 0..24 {
+        for shorter in 0..longer {
+            assert_ne!(noted(longer), noted(shorter), "{longer} and {shorter}");
+        }
+    }
+}
