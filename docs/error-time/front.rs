@@ -51,7 +51,7 @@ pub const CASTLE: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 120877,
-        instructions: 774,
+        instructions: 773,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -91,7 +91,7 @@ pub const SHADING_LIGHTS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 3299,
-        instructions: 139,
+        instructions: 138,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -176,7 +176,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12179,
-        instructions: 736,
+        instructions: 737,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -185,7 +185,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12179,
-        instructions: 738,
+        instructions: 739,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -225,7 +225,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25015,
-        instructions: 208,
+        instructions: 207,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -234,7 +234,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 454,
+        instructions: 453,
         reflections: 0,
         grade: Grade::Fast,
         scale: 1,
@@ -243,7 +243,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 636,
+        instructions: 635,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -252,7 +252,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 689,
+        instructions: 688,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -261,7 +261,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 701,
+        instructions: 700,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -279,7 +279,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 883,
+        instructions: 882,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -346,7 +346,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17206,
-        instructions: 830,
+        instructions: 829,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -485,7 +485,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25717,
-        instructions: 2252,
+        instructions: 2253,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -503,7 +503,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25717,
-        instructions: 2442,
+        instructions: 2443,
         reflections: 5,
         grade: Grade::Fine,
         scale: 1,
@@ -543,11 +543,11 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 139,
+        instructions: 140,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
-        psnr: 2659,
+        psnr: 2658,
         largest: 212,
     },
     FrontPoint {
@@ -561,7 +561,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 470,
+        instructions: 471,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -588,7 +588,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 703,
+        instructions: 704,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -597,7 +597,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 705,
+        instructions: 707,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -654,7 +654,7 @@ pub const CORNER1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 729,
-        instructions: 61,
+        instructions: 62,
         reflections: 0,
         grade: Grade::Fast,
         scale: 2,
@@ -663,7 +663,7 @@ pub const CORNER1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 729,
-        instructions: 185,
+        instructions: 187,
         reflections: 0,
         grade: Grade::Fine,
         scale: 1,
