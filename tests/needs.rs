@@ -378,6 +378,17 @@ fn what_a_bound_leaves_out_is_missed_by_no_scene_within_it() {
     assert!(counts.iter().all(|count| *count >= 10), "{counts:?}");
 }
 
+/// Paths off such a plane, which is the first of the shapes, meet nothing else, as those beside it do.
+#[test]
+fn dark_plane_is_told_from_nothing() {
+    let mut scene = Few::new();
+    let blue = Material::new([0.0, 0.0, 0.4]).ambient(0.78).diffuse(0.0);
+    let blue = scene.add_material(blue.mirror(0.983)).unwrap();
+    let (point, normal) = ([0.0, 3.0, -4.0], [0.1, 0.2, 1.0]);
+    scene.add_plane(point, normal, blue).unwrap();
+    assert!(is_held::<0>(&scene.build().unwrap()));
+}
+
 #[test]
 fn reflections_beyond_a_bound_are_cut_off() {
     struct Once;
