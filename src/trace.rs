@@ -6,7 +6,7 @@
 use core::marker::PhantomData;
 
 use crate::color::Sum;
-use crate::number::{Length, Unit, share};
+use crate::number::{Unit, share};
 use crate::quality::{LONGEST_STRIDE, Quality};
 use crate::ray::{Path, Place, Trail};
 use crate::scene::World;
@@ -136,17 +136,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         let mut weight = Unit::ONE;
         let mut mirror = ShapeNumber::NONE;
         let mut left = ShapeNumber::NONE;
-        let mut distance = Length::from_bits(0);
         let mut reflections = 0;
         let mut is_bent = false;
         loop {
-            let met = self.meet(
-                &path,
-                reflections,
-                (mirror, left),
-                &mut distance,
-                &mut trail,
-            );
+            let met = self.meet(&path, reflections, (mirror, left), &mut trail);
             let Some(surface) = surface(world, &path, met) else {
                 sum.add(weight, K::missed(world));
                 trail.note(u32::MAX);
@@ -192,15 +185,13 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         Traced { sum, trail }
     }
 
-    /// What a path that has been reflected so often meets first, and where; how far away, if the path
-    /// is short.
+    /// What a path that has been reflected so often meets first, and where.
     #[inline(always)]
     fn meet(
         &mut self,
         path: &Path,
         reflections: u32,
         (mirror, left): (ShapeNumber, ShapeNumber),
-        distance: &mut Length,
         trail: &mut Trail,
     ) -> Option<(Place, ShapeNumber)> {
         let world = self.world;
@@ -210,8 +201,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         if Q::IS_SMALL {
             return far::nearest::<W, true>(world, path, left, trail);
         }
-        let hit = self.nearest(path, reflections, (mirror, left), *distance, trail);
-        *distance = hit.distance;
+        let hit = self.nearest(path, reflections, (mirror, left), trail);
         located(world, path, left, hit, trail)
     }
 
@@ -222,7 +212,6 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         path: &Path,
         reflections: u32,
         (mirror, left): (ShapeNumber, ShapeNumber),
-        distance: Length,
         trail: &mut Trail,
     ) -> Hit {
         let (world, ray) = (self.world, &path.ray);
@@ -237,8 +226,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         } else {
             match parts.plane(left) {
                 Some(plane) if reflections == 1 => {
-                    let plane = (left, plane);
-                    self.sight.mirrored(world, plane, distance, ray, trail)
+                    self.sight.mirrored(world, (left, plane), ray, trail)
                 }
                 _ => {
                     let ahead = ahead(world, mirror, ray.direction);

@@ -186,6 +186,12 @@ impl<'a> Row<'a> {
         (self.is_full, self.until) = (true, u32::MAX);
     }
 
+    /// How far from where its rays come from one of them goes on from.
+    #[inline(always)]
+    pub(crate) fn distance(&self, ray: &Ray) -> Length {
+        Length::from_bits(self.origin.to(ray.origin).dot(ray.direction))
+    }
+
     /// Turns into what can be met in one row, from its first column on.
     pub(crate) fn see(&mut self) {
         (self.is_full, self.until) = (false, 0);

@@ -111,14 +111,12 @@ impl<'a, W: World> Sight<'a, W> {
         self.first.meet(world, self.column, ray, trail)
     }
 
-    /// What such a ray meets first of them once a plane with a number has mirrored it,
-    /// `start` steps from the camera.
+    /// What such a ray meets first of them once a plane with a number has mirrored it.
     #[inline(always)]
     pub(crate) fn mirrored(
         &mut self,
         world: &'a W,
         (number, plane): (ShapeNumber, &PreparedPlane),
-        start: Length,
         ray: &Ray,
         trail: &mut Trail,
     ) -> Hit {
@@ -137,7 +135,7 @@ impl<'a, W: World> Sight<'a, W> {
             y,
         };
         self.mirrored.turn_to(world, cut, self.columns);
-        let ray = (&ray.direction, start);
+        let ray = (&ray.direction, self.mirrored.distance(ray));
         self.mirrored.meet(world, self.column, ray, trail)
     }
 

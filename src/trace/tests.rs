@@ -271,6 +271,43 @@ fn path_between_facing_mirrors_stays_between_them() {
     }
 }
 
+/// A mirror less than a step in front of the camera is met by the far kernels alone, where another
+/// plane is met so far out that they are asked: what it shows begins at the mirror, and not where the near
+/// ones met the other.
+#[test]
+fn mirror_that_the_camera_almost_lies_in_shows_all_that_is_before_other_planes() {
+    let mut scene = RuntimeScene::<1, 2, 0, 0, 3>::new();
+    let mut material = |color: [f64; 3], alpha: f64| {
+        let made = Material::from_numbers(color, 1, 0, (0, 1), alpha).unwrap();
+        scene.add_material(made).unwrap()
+    };
+    let [red, green, mirror] = [
+        material([1.0, 0.0, 0.0], 0.0),
+        material([0.0, 1.0, 0.0], 0.0),
+        material([1.0; 3], 1.0),
+    ];
+    // A step is 2⁻²⁴, and the camera 0.3 of one above the mirror, which has a slope of 2⁻²⁰.
+    let slope = 2f64.powi(-20);
+    let below = 0.3 * 2f64.powi(-24) / slope;
+    scene.set_epsilon(2f64.powi(-20)).unwrap();
+    scene.add_sphere([0, 0, 0], 16, red).unwrap();
+    scene.add_plane([15.5, 0.0, 0.0], [1, 0, 0], green).unwrap();
+    scene
+        .add_plane([0.0, -16.0, -16.0 - below], [0.0, 1.0, slope], mirror)
+        .unwrap();
+    let scene = scene.build().unwrap();
+    assert_eq!(scene.parts().grid.fraction_bits(), 24);
+    let from = scene.parts().grid.place(Position::new([-16.0; 3]));
+    let followed = |y: f64| {
+        let path = path(from, [0.75, y, 0.59]);
+        let followed = followed_by::<Phong, Fine, _>(&scene, path, 1);
+        (followed.rays, followed.sum.to_rgb8())
+    };
+    // Straight away from the mirror; and by it.
+    assert_eq!(followed(0.277), (1, [255, 0, 0]));
+    assert_eq!(followed(-0.277), (2, [255, 0, 0]));
+}
+
 /// Four mirrors of any shares α before a background, all of the full brightness: whatever a path
 /// meets, the shares of its light add up to exactly one, so that every pixel is exactly white.
 #[test]
