@@ -87,11 +87,6 @@ impl Vector {
         Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
     }
 
-    /// The way back.
-    pub(crate) const fn reversed(self) -> Self {
-        Self::new(-self.x, -self.y, -self.z)
-    }
-
     /// The length along `direction` with 30 more fraction bits: below 2⁶² for coordinates
     /// within ±2³⁰.
     pub const fn dot_wide(self, direction: Direction) -> i64 {

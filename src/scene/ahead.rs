@@ -15,9 +15,7 @@ use super::directions::{Table, cell_of};
 use super::mask::Mask;
 use super::needs::FEW;
 use super::{Scene, used};
-use crate::material::PreparedMaterial;
 use crate::number::{Unit, square_root, wide};
-use crate::shape::MaterialId;
 use crate::shape::cylinder::PreparedCylinder;
 use crate::shape::sphere::PreparedSphere;
 use crate::vector::{Direction, Point, Vector};
@@ -131,36 +129,7 @@ const SLACK: i32 = 1 << 10;
 /// rounded down 4, and those one each.
 const UNSURE: u64 = 32 << 32;
 
-/// Adds what rays from a ball of this radius can meet of a scene.
-const fn add_all(
-    table: &mut Table<SIDE, CELLS>,
-    (origin, radius): (Point, i32),
-    spheres: &[PreparedSphere],
-    cylinders: &[PreparedCylinder],
-) {
-    let mut index = 0;
-    while index < spheres.len() {
-        add(
-            table,
-            (origin, radius),
-            spheres[index].ball(),
-            (index, false),
-        );
-        index += 1;
-    }
-    index = 0;
-    while index < cylinders.len() {
-        let bit = spheres.len() + index;
-        add(
-            table,
-            (origin, radius),
-            cylinders[index].ball(),
-            (bit, true),
-        );
-        index += 1;
-    }
-}
-
+/// Adds a shape in a ball, if rays from another can meet it; on which side they pass it may be noted.
 const fn add(
     table: &mut Table<SIDE, CELLS>,
     (origin, from): (Point, i32),
@@ -179,7 +148,7 @@ const fn add(
     // What is this far away, √2 times the sum of the radii, lies further behind a ray that goes away
     // from it than its radius, and is passed by so.
     if is_noted && 2 * distance <= 3 * both {
-        table.add_ball(way.reversed(), both as i32, Mask::of(bit));
+        table.add_ball(Vector::ZERO.minus(way), both as i32, Mask::of(bit));
     }
 }
 
@@ -188,50 +157,24 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
 {
     /// How many spheres and cylinders mirror; none where their rays have no tables.
     pub(super) const fn count_round_mirrors(&self) -> usize {
-        let (spheres, cylinders) = self.bounded();
-        let bounded = spheres.len() + cylinders.len();
-        let mut count = 0;
+        let bounded = self.counts.spheres + self.counts.cylinders;
         if bounded <= FEW || bounded > Few::SHAPES {
-            return count;
+            return 0;
         }
-        let mut index = 0;
-        while index < spheres.len() {
-            count += self.mirrors(spheres[index].material) as usize;
-            index += 1;
-        }
-        index = 0;
-        while index < cylinders.len() {
-            count += self.mirrors(cylinders[index].material) as usize;
+        let (mut index, mut count) = (0, 0);
+        while index < bounded {
+            count += self.is_mirror(index) as usize;
             index += 1;
         }
         count
     }
 
-    const fn mirrors(&self, material: MaterialId) -> bool {
-        let mirror = match material.index() < M {
-            true => self.materials[material.index()].mirror,
-            false => PreparedMaterial::NONE.mirror,
-        };
-        mirror.to_bits() > Unit::ZERO.to_bits()
-    }
-
-    /// How far from a surface rays start at most.
-    const fn most_epsilon(&self) -> i32 {
-        let (outer, inner) = (self.epsilon.to_bits(), self.inner_epsilon.to_bits());
-        SLACK + if outer > inner { outer } else { inner }
-    }
-
     /// Which table each shape has.
     pub(super) const fn numbers_ahead(&self) -> [u8; Few::SHAPES] {
         let mut numbers = [u8::MAX; Few::SHAPES];
-        let (spheres, cylinders) = self.bounded();
         let (mut index, mut used) = (0, 0);
-        while index < spheres.len() + cylinders.len() && index < Few::SHAPES {
-            let material = match index < spheres.len() {
-                true => spheres[index].material,
-                false => cylinders[index - spheres.len()].material,
-            };
-            if self.mirrors(material) {
+        while index < Few::SHAPES {
+            if self.is_mirror(index) {
                 numbers[index] = used;
                 used += 1;
             }
@@ -247,38 +190,66 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         if room_for(self.count_round_mirrors()) != N {
             return tables;
         }
-        let (spheres, cylinders) = self.bounded();
         let (mut index, mut used) = (0, 0);
-        while index < spheres.len() && used < N {
-            let sphere = &spheres[index];
-            if self.mirrors(sphere.material) {
-                let (center, radius) = sphere.ball();
-                let mut table = Table::NONE;
-                let ball = (center, radius + self.most_epsilon());
-                add_all(&mut table, ball, spheres, cylinders);
-                tables[used] = Ahead::of(&table);
-                used += 1;
-            }
-            index += 1;
-        }
-        index = 0;
-        while index < cylinders.len() && used < N {
-            let cylinder = &cylinders[index];
-            if self.mirrors(cylinder.material) {
-                let mut table = Table::NONE;
-                let mut link = 0;
-                while link < PreparedCylinder::LINKS {
-                    let (center, radius) = cylinder.link(link);
-                    let ball = (center, radius + self.most_epsilon());
-                    add_all(&mut table, ball, spheres, cylinders);
-                    link += 1;
-                }
-                tables[used] = Ahead::of(&table);
+        while index < Few::SHAPES && used < N {
+            if self.is_mirror(index) {
+                tables[used] = self.ahead_of(index);
                 used += 1;
             }
             index += 1;
         }
         tables
+    }
+
+    /// Whether a sphere or cylinder mirrors, by where it stands among them.
+    const fn is_mirror(&self, index: usize) -> bool {
+        let (spheres, cylinders) = self.bounded();
+        let material = if index < spheres.len() {
+            spheres[index].material
+        } else if index - spheres.len() < cylinders.len() {
+            cylinders[index - spheres.len()].material
+        } else {
+            return false;
+        };
+        let index = material.index();
+        index < M && self.materials[index].mirror.to_bits() > Unit::ZERO.to_bits()
+    }
+
+    /// What lies ahead of rays that leave a sphere or cylinder, by where it stands among them: one of
+    /// them, as it is a mirror.
+    const fn ahead_of(&self, index: usize) -> Ahead {
+        let (spheres, cylinders) = self.bounded();
+        let mut table = Table::NONE;
+        if index < spheres.len() {
+            self.add_all(&mut table, spheres[index].ball());
+        } else {
+            let cylinder = &cylinders[index - spheres.len()];
+            let mut link = 0;
+            while link < PreparedCylinder::LINKS {
+                self.add_all(&mut table, cylinder.link(link));
+                link += 1;
+            }
+        }
+        Ahead::of(&table)
+    }
+
+    /// Adds all that rays from the surface of this ball, or epsilon beside it, can meet.
+    const fn add_all(&self, table: &mut Table<SIDE, CELLS>, (origin, radius): (Point, i32)) {
+        let (spheres, cylinders) = self.bounded();
+        let (outer, inner) = (self.epsilon.to_bits(), self.inner_epsilon.to_bits());
+        let epsilon = if outer > inner { outer } else { inner };
+        let from = (origin, radius + epsilon + SLACK);
+        let mut index = 0;
+        while index < spheres.len() {
+            add(table, from, spheres[index].ball(), (index, false));
+            index += 1;
+        }
+        index = 0;
+        while index < cylinders.len() {
+            let bit = spheres.len() + index;
+            add(table, from, cylinders[index].ball(), (bit, true));
+            index += 1;
+        }
     }
 
     const fn bounded(&self) -> (&[PreparedSphere], &[PreparedCylinder]) {

@@ -165,25 +165,18 @@ fn only_what_mirrors_has_a_table() {
 
 const MIRROR: Material = Material::new([0.5; 3]).mirror(0.5);
 
-struct Four;
-impl StaticScene for Four {
-    type Scene = Scene<4, 1, 0, 0>;
-    const SCENE: &'static Self::Scene = &Scene::builder()
-        .sphere([0.0, 0.0, 0.0], 1.0, MIRROR)
-        .sphere([4.0, 0.0, 0.0], 1.0, MIRROR)
-        .sphere([8.0, 0.0, 0.0], 1.0, MIRROR)
-        .sphere([12.0, 0.0, 0.0], 1.0, MIRROR)
-        .build();
-}
-
-struct Three;
-impl StaticScene for Three {
-    type Scene = Scene<3, 1, 0, 0>;
-    const SCENE: &'static Self::Scene = &Scene::builder()
-        .sphere([0.0, 0.0, 0.0], 1.0, MIRROR)
-        .sphere([4.0, 0.0, 0.0], 1.0, MIRROR)
-        .sphere([8.0, 0.0, 0.0], 1.0, MIRROR)
-        .build();
+/// So many mirrors in a row.
+struct Row<const N: usize>;
+impl<const N: usize> StaticScene for Row<N> {
+    type Scene = Scene<N, 1, 0, 0>;
+    const SCENE: &'static Self::Scene = &{
+        let (mut scene, mut index) = (Scene::builder(), 0);
+        while index < N {
+            scene = scene.sphere([4.0 * index as f64, 0.0, 0.0], 1.0, MIRROR);
+            index += 1;
+        }
+        scene.build()
+    };
 }
 
 /// The floor alone mirrors.
@@ -203,12 +196,16 @@ impl StaticScene for Floor {
 fn only_constant_scenes_with_round_mirrors_and_some_shapes_have_tables() {
     use crate::scene::Static;
     let have_tables = [
-        <Static<Four> as World>::AHEAD,
-        <Static<Three> as World>::AHEAD,
+        <Static<Row<3>> as World>::AHEAD,
+        <Static<Row<4>> as World>::AHEAD,
+        <Static<Row<16>> as World>::AHEAD,
+        <Static<Row<17>> as World>::AHEAD,
         <Static<Floor> as World>::AHEAD,
         <Scene<4, 1, 0, 0> as World>::AHEAD,
     ];
-    assert_eq!(have_tables, [true, false, false, false]);
-    let four = Static::<Four>::new();
-    assert_eq!(four.round_mirrors().tables.len(), 4);
+    assert_eq!(have_tables, [false, true, true, false, false, false]);
+    fn tables<const N: usize>() -> usize {
+        Static::<Row<N>>::new().round_mirrors().tables.len()
+    }
+    assert_eq!([tables::<4>(), tables::<5>(), tables::<16>()], [4, 6, 16]);
 }

@@ -78,7 +78,7 @@ fn paths_come_to_the_same_with_tables_and_without() {
         // From outside, and from among the shapes.
         let distance = if number % 3 == 0 { 2.0 } else { 24.0 };
         let camera = Camera::look_at([0.5, -distance, 3.0], [0.0; 3], [0.0, 0.0, 1.0]);
-        let [with, without] = [traced(&tabled, &camera), traced(&&scene, &camera)];
+        let [with, without] = [traced(&tabled, &camera), traced(&scene, &camera)];
         assert!(with == without, "{scene:?}");
         lit += with.iter().filter(|(sum, _)| *sum != Sum::ZERO).count();
     }
