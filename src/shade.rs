@@ -99,7 +99,7 @@ impl<'a> Surface<'a> {
     pub(crate) fn reflect<W: World>(&self, world: &W, path: &mut Path) {
         let cosine = Unit::from_bits(-self.facing.to_bits());
         let direction = self.view.reflected(self.normal, cosine);
-        // A curved surface's normal has a length of one but for 2⁻¹⁶.
+        // A curved surface's normal has a length of one but for 2⁻¹⁶, or 2⁻¹⁴ far away.
         let direction = match world.parts().is_plane(self.shape) {
             true => direction,
             false => direction.renormalised(),
