@@ -99,7 +99,8 @@ impl<'a> Surface<'a> {
     pub(crate) fn reflect<W: World>(&self, world: &W, path: &mut Path) {
         let cosine = Unit::from_bits(-self.facing.to_bits());
         let direction = self.view.reflected(self.normal, cosine);
-        // A curved surface's normal has a length of one but for 2⁻¹⁶, or 2⁻¹⁴ far away.
+        // A curved surface's normal has a length of one but for 2⁻¹⁶, or 2⁻¹⁴ far away; four times as
+        // much is what the direction's is off by.
         let direction = match world.parts().is_plane(self.shape) {
             true => direction,
             false => direction.renormalised(),

@@ -313,11 +313,13 @@ impl Direction {
         )
     }
 
-    /// The same direction with its length corrected: one Newton step, which leaves the last bit
-    /// of a length that was within 2⁻¹⁵ of one.
+    /// The same direction with its length corrected: one step of third order, which leaves the last
+    /// bits of a length that was within 2⁻¹¹ of one.
     pub const fn renormalised(self) -> Self {
         // Half of 1 - |d|², in Q30.
-        let excess = (((1_i64 << 60) + (1 << 30) - self.raw().square() as i64) >> 31) as i32;
+        let lack = (((1_i64 << 60) + (1 << 30) - self.raw().square() as i64) >> 31) as i32;
+        // 1 / √(1 - 2 h) = 1 + h + 3 h² / 2 + ...
+        let excess = lack + high(2 * lack, 3 * lack);
         Self::from_raw(Vector::new(
             grown(self.x.to_bits(), excess),
             grown(self.y.to_bits(), excess),

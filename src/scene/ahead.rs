@@ -129,7 +129,8 @@ const SLACK: i32 = 1 << 10;
 /// rounded down 4, and those one each.
 const UNSURE: u64 = 32 << 32;
 
-/// Adds a shape in a ball, if rays from another can meet it; on which side they pass it may be noted.
+/// Adds a shape in a ball to the directions of the rays from another that can meet it, or note on which
+/// side they pass it.
 const fn add(
     table: &mut Table<SIDE, CELLS>,
     (origin, from): (Point, i32),
@@ -215,8 +216,8 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         index < M && self.materials[index].mirror.to_bits() > Unit::ZERO.to_bits()
     }
 
-    /// What lies ahead of rays that leave a sphere or cylinder, by where it stands among them: one of
-    /// them, as it is a mirror.
+    /// What lies ahead of rays that leave a sphere or cylinder, by where it stands among them; there is
+    /// one.
     const fn ahead_of(&self, index: usize) -> Ahead {
         let (spheres, cylinders) = self.bounded();
         let mut table = Table::NONE;

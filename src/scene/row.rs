@@ -186,7 +186,8 @@ impl<'a> Row<'a> {
         (self.is_full, self.until) = (true, u32::MAX);
     }
 
-    /// How far from where its rays come from one of them goes on from.
+    /// How far along a ray its start lies from where all rays of the row seem to come from; a few steps
+    /// off, and below zero by as many where both are one.
     #[inline(always)]
     pub(crate) fn distance(&self, ray: &Ray) -> Length {
         Length::from_bits(self.origin.to(ray.origin).dot(ray.direction))

@@ -57,7 +57,7 @@ impl Normaliser {
     }
 
     /// The direction of `vector`, whose length is the one given, but for a few steps; its length is
-    /// within 2⁻¹⁶ of one, and within 2⁻¹⁴ where a cylinder is met so far away that it is 16 steps.
+    /// within 2⁻¹⁶ of one. A cylinder that is met 2²⁹ steps away is met a dozen steps off: about 2⁻¹⁴.
     #[inline(always)]
     const fn direction(&self, vector: Vector) -> Direction {
         if self.lift > LIFT {

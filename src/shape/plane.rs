@@ -277,6 +277,9 @@ impl PreparedPlane {
     pub(crate) fn intersect_far(&self, path: &Path) -> u64 {
         let (height, scale) = self.height_far(path.from());
         let climb = path.direction().dot(self.normal).to_bits();
+        // One that is zero when it is rounded down to 2⁻²⁸ is none: near rays do not meet the plane from
+        // below then, and its surface would be seen from above.
+        let climb = if climb >> 2 == 0 { 0 } else { climb };
         let Some((height, descent)) = descent(height, climb) else {
             return NOT_MET;
         };

@@ -8,7 +8,7 @@ use crate::ray::Place;
 use crate::scene::extent::Outlooks;
 use crate::scene::{RuntimeScene, Scene, World};
 use crate::shade::{BlinnPhong, Normals, Phong};
-use crate::vector::Position;
+use crate::vector::{Position, Vector};
 
 /// A last place of a weight.
 const ULP: f64 = 1.0 / (1 << 30) as f64;
@@ -271,7 +271,7 @@ fn path_between_facing_mirrors_stays_between_them() {
     }
 }
 
-/// A mirror less than a step in front of the camera is met by the far kernels alone, where another
+/// A sloping mirror less than a step below the camera is met by the far kernels alone, where another
 /// plane is met so far out that they are asked: what it shows begins at the mirror, and not where the near
 /// ones met the other.
 #[test]
@@ -303,9 +303,29 @@ fn mirror_that_the_camera_almost_lies_in_shows_all_that_is_before_other_planes()
         let followed = followed_by::<Phong, Fine, _>(&scene, path, 1);
         (followed.rays, followed.sum.to_rgb8())
     };
-    // Straight away from the mirror; and by it.
+    // Away from the mirror, and towards it.
     assert_eq!(followed(0.277), (1, [255, 0, 0]));
     assert_eq!(followed(-0.277), (2, [255, 0, 0]));
+}
+
+/// A ray that climbs to a mirror by less than 2⁻²⁸ of its length does not meet it, however far it goes: to
+/// the surface that is no climb, and it would be seen from the other side.
+#[test]
+fn mirror_is_met_from_below_only_by_rays_that_climb() {
+    let mut scene = RuntimeScene::<1, 1, 0, 0, 1>::new();
+    let mirror = Material::from_numbers([1; 3], 0, 0, (0, 1), 1).unwrap();
+    let mirror = scene.add_material(mirror).unwrap();
+    scene.add_sphere([0, 0, 3], 1, mirror).unwrap();
+    scene.add_plane([0, 0, 0], [0, 0, 1], mirror).unwrap();
+    let scene = scene.build().unwrap();
+    let step = 2f64.powi(-scene.parts().grid.fraction_bits());
+    let from = scene.parts().grid.place(Position::new([-11.0, 0.0, -step]));
+    assert!(from.is_near());
+    for climb in 1..9 {
+        let direction = Direction::from_raw(Vector::new(1 << 30, 0, climb));
+        let followed = followed_by::<Phong, Fine, _>(&scene, Path::new(from, direction), 1);
+        assert_eq!(followed.rays, if climb < 4 { 1 } else { 2 }, "{climb}");
+    }
 }
 
 /// Four mirrors of any shares α before a background, all of the full brightness: whatever a path

@@ -104,9 +104,10 @@ fn renormalising_repairs_a_length() {
     let mut sweep = Sweep::new(3);
     for direction in directions(4) {
         let [x, y, z] = components(direction);
-        let wrong = f64::from(sweep.within(-1000, 1000)) / 1000.0 * 2f64.powi(-15);
+        let wrong = f64::from(sweep.within(-1000, 1000)) / 1000.0 * 2f64.powi(-11);
         let spoilt = [x, y, z].map(|it| Unit::from_bits((it * (1.0 + wrong) / ULP) as i32));
-        // The step leaves 3/2 of the square of what was wrong: 1.5 last places.
+        // The step leaves 5/2 of the third power of what was wrong, a third of a last place, and what
+        // is rounded.
         let [x, y, z] = spoilt;
         let repaired = components(Direction { x, y, z }.renormalised());
         assert!(
