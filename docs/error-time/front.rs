@@ -73,7 +73,7 @@ pub const CASTLE: Front = Front::new(&[
 pub const SHADING_LIGHTS: Front = Front::new(&[
     FrontPoint {
         prepare: 3299,
-        instructions: 35,
+        instructions: 34,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -131,7 +131,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12222,
-        instructions: 53,
+        instructions: 54,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -140,7 +140,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12204,
-        instructions: 160,
+        instructions: 161,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -149,7 +149,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12179,
-        instructions: 457,
+        instructions: 460,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -158,7 +158,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12179,
-        instructions: 518,
+        instructions: 521,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -167,7 +167,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12179,
-        instructions: 532,
+        instructions: 536,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -176,7 +176,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12179,
-        instructions: 737,
+        instructions: 742,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -185,7 +185,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 12179,
-        instructions: 739,
+        instructions: 744,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -198,7 +198,7 @@ pub const SHADING_SPECULARS: Front = Front::new(&[
 pub const COLUMNS: Front = Front::new(&[
     FrontPoint {
         prepare: 24894,
-        instructions: 52,
+        instructions: 53,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -225,7 +225,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25015,
-        instructions: 207,
+        instructions: 209,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -234,7 +234,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 453,
+        instructions: 455,
         reflections: 0,
         grade: Grade::Fast,
         scale: 1,
@@ -243,7 +243,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 635,
+        instructions: 639,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -252,7 +252,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 688,
+        instructions: 692,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -261,7 +261,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 700,
+        instructions: 703,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -270,7 +270,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 871,
+        instructions: 876,
         reflections: 2,
         grade: Grade::Fine,
         scale: 1,
@@ -279,7 +279,7 @@ pub const COLUMNS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25099,
-        instructions: 882,
+        instructions: 887,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -310,7 +310,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17206,
-        instructions: 208,
+        instructions: 209,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -319,7 +319,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17206,
-        instructions: 256,
+        instructions: 257,
         reflections: 1,
         grade: Grade::Fine,
         scale: 2,
@@ -328,7 +328,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17206,
-        instructions: 638,
+        instructions: 640,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -337,7 +337,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17206,
-        instructions: 803,
+        instructions: 807,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -346,7 +346,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17206,
-        instructions: 829,
+        instructions: 834,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -355,7 +355,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17206,
-        instructions: 831,
+        instructions: 835,
         reflections: 4,
         grade: Grade::Fast,
         scale: 1,
@@ -364,7 +364,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17206,
-        instructions: 969,
+        instructions: 974,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -373,7 +373,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17206,
-        instructions: 977,
+        instructions: 983,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -382,7 +382,7 @@ pub const MIRROR1: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 17206,
-        instructions: 979,
+        instructions: 985,
         reflections: 5,
         grade: Grade::Fine,
         scale: 1,
@@ -395,7 +395,7 @@ pub const MIRROR1: Front = Front::new(&[
 pub const MIRROR2: Front = Front::new(&[
     FrontPoint {
         prepare: 26530,
-        instructions: 43,
+        instructions: 42,
         reflections: 0,
         grade: Grade::Fast,
         scale: 4,
@@ -404,7 +404,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26530,
-        instructions: 90,
+        instructions: 89,
         reflections: 1,
         grade: Grade::Fast,
         scale: 4,
@@ -413,7 +413,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26530,
-        instructions: 142,
+        instructions: 140,
         reflections: 2,
         grade: Grade::Fast,
         scale: 4,
@@ -422,7 +422,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26530,
-        instructions: 177,
+        instructions: 175,
         reflections: 3,
         grade: Grade::Fast,
         scale: 4,
@@ -431,7 +431,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26474,
-        instructions: 404,
+        instructions: 399,
         reflections: 2,
         grade: Grade::Fast,
         scale: 2,
@@ -440,7 +440,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26474,
-        instructions: 516,
+        instructions: 509,
         reflections: 3,
         grade: Grade::Fast,
         scale: 2,
@@ -449,7 +449,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 26474,
-        instructions: 658,
+        instructions: 649,
         reflections: 3,
         grade: Grade::Fine,
         scale: 2,
@@ -458,7 +458,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25717,
-        instructions: 1216,
+        instructions: 1200,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -467,7 +467,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25717,
-        instructions: 1567,
+        instructions: 1546,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -476,7 +476,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25717,
-        instructions: 1674,
+        instructions: 1651,
         reflections: 4,
         grade: Grade::Fast,
         scale: 1,
@@ -485,7 +485,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25717,
-        instructions: 2253,
+        instructions: 2222,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -494,7 +494,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25717,
-        instructions: 2412,
+        instructions: 2379,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -503,7 +503,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25717,
-        instructions: 2443,
+        instructions: 2409,
         reflections: 5,
         grade: Grade::Fine,
         scale: 1,
@@ -512,7 +512,7 @@ pub const MIRROR2: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 25717,
-        instructions: 2456,
+        instructions: 2423,
         reflections: 6,
         grade: Grade::Fine,
         scale: 1,
@@ -543,7 +543,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 140,
+        instructions: 139,
         reflections: 1,
         grade: Grade::Fast,
         scale: 2,
@@ -552,7 +552,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 435,
+        instructions: 433,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
@@ -561,7 +561,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 471,
+        instructions: 468,
         reflections: 2,
         grade: Grade::Fast,
         scale: 1,
@@ -570,7 +570,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 483,
+        instructions: 480,
         reflections: 3,
         grade: Grade::Fast,
         scale: 1,
@@ -579,7 +579,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 485,
+        instructions: 482,
         reflections: 4,
         grade: Grade::Fast,
         scale: 1,
@@ -588,7 +588,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 704,
+        instructions: 700,
         reflections: 3,
         grade: Grade::Fine,
         scale: 1,
@@ -597,7 +597,7 @@ pub const PRIMITIVES: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 7670,
-        instructions: 707,
+        instructions: 703,
         reflections: 4,
         grade: Grade::Fine,
         scale: 1,
@@ -712,7 +712,7 @@ pub const CYLINDERS: Front = Front::new(&[
     },
     FrontPoint {
         prepare: 5045,
-        instructions: 219,
+        instructions: 220,
         reflections: 1,
         grade: Grade::Fast,
         scale: 1,
