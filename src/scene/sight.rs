@@ -2,10 +2,9 @@
 
 use super::World;
 use super::extent::Outlooks;
-use super::nearest::nearest_bounded;
+use super::nearest::{NOWHERE, nearest_bounded};
 use super::query::{Hit, ShapeNumber};
 use super::row::{Cut, Row};
-use crate::number::Length;
 use crate::ray::{Place, Ray, Trail};
 use crate::shape::plane::PreparedPlane;
 use crate::vector::Point;
@@ -103,11 +102,10 @@ impl<'a, W: World> Sight<'a, W> {
     /// What a ray of the camera meets first of the spheres and cylinders.
     #[inline(always)]
     pub(crate) fn first(&self, world: &W, ray: &Ray, trail: &mut Trail) -> Hit {
-        const START: Length = Length::from_bits(0);
         if self.camera.is_none() {
-            return nearest_bounded::<W, false>(world, ray, START, ShapeNumber::NONE, trail);
+            return nearest_bounded::<W, false>(world, ray, NOWHERE, ShapeNumber::NONE, trail);
         }
-        let ray = (&ray.direction, START);
+        let ray = (&ray.direction, NOWHERE);
         self.first.meet(world, self.column, ray, trail)
     }
 
@@ -127,7 +125,7 @@ impl<'a, W: World> Sight<'a, W> {
         let (Some(covered), true) = (covered, is_known) else {
             // It is not known what is thin: no other ray has been alike.
             trail.note(self.column);
-            return nearest_bounded::<W, false>(world, ray, Length::from_bits(0), number, trail);
+            return nearest_bounded::<W, false>(world, ray, NOWHERE, number, trail);
         };
         let y = self.y;
         let cut = || Cut {
