@@ -1,12 +1,10 @@
 //! How far fixed point is from double precision, on every built-in scene and in a telephoto view.
 
-mod painting;
-
 use std::fmt::Display;
 
 use embedded_graphics::prelude::Size;
-use painting::painted;
 use reflet::host::compare::{Difference, compare};
+use reflet::host::painted;
 use reflet::host::reference::{self, render};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
 use reflet::{

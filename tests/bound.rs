@@ -1,10 +1,8 @@
 //! What a picture is off by stays within what is promised, but where rounding decides otherwise what
 //! is met; and a room of mirrors converges as the formula says.
 
-mod painting;
-
 use embedded_graphics::prelude::Size;
-use painting::painted;
+use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture};

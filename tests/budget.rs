@@ -1,15 +1,13 @@
 //! A frame with a budget: what is chosen, where it stops, what it says of it; a display with larger
 //! pixels; a picture without shadows; and the bound that a report gives.
 
-mod painting;
-
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
-use painting::painted;
 use reflet::host::compare::compare;
+use reflet::host::painted;
 use reflet::host::reference::{self, pixel};
 use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES, Visitor, visit};
 use reflet::{

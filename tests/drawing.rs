@@ -1,8 +1,6 @@
 //! How a picture gets into a display: every pixel once, inside, in order; whole, in part, in
 //! pieces, and not a row further once the display has failed.
 
-mod painting;
-
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::Dimensions;
@@ -13,7 +11,7 @@ use embedded_graphics::pixelcolor::{
 };
 use embedded_graphics::prelude::{Point, PointsIter, Size};
 use embedded_graphics::primitives::Rectangle;
-use painting::painted;
+use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Mirror1, Primitives};
 use reflet::{
     Exact, Material, Number, Picture, Quality, Report, RuntimeScene, Static, StaticFrame,

@@ -1,10 +1,8 @@
 //! What stands far from the shapes: lights and cameras beyond the near region.
 
-mod painting;
-
 use embedded_graphics::prelude::Size;
-use painting::painted;
 use reflet::host::compare::compare;
+use reflet::host::painted;
 use reflet::host::reference::{self, Picture, Shading};
 use reflet::{Camera, Fine, Material, RuntimeScene};
 

@@ -1,12 +1,10 @@
 //! micromath's numbers and vectors are taken where a camera or a scene is made at run time.
 #![cfg(feature = "micromath")]
 
-mod painting;
-
 use embedded_graphics::prelude::Size;
 use micromath::F32;
 use micromath::vector::F32x3;
-use painting::painted;
+use reflet::host::painted;
 use reflet::{Camera, CameraError, Fault, Material, Number, Position, RuntimeScene, SceneError};
 
 fn vector([x, y, z]: [f32; 3]) -> F32x3 {

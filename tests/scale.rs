@@ -1,10 +1,8 @@
 //! A scene has no size and no place of its own: scaled by a power of two, or moved by numbers that
 //! the format holds, it gives the same picture to the bit.
 
-mod painting;
-
 use embedded_graphics::prelude::Size;
-use painting::painted;
+use reflet::host::painted;
 use reflet::host::reference::Picture;
 use reflet::{Camera, Fine, Material, RuntimeScene};
 

@@ -2,15 +2,13 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, ValueEnum, value_parser};
+use clap::{Parser, value_parser};
+use command_line::{Failure, Quality, Shading, in_one_line, size};
 use embedded_graphics::geometry::Size;
-use reflet::host::reference;
 use reflet::scenes;
 
-use crate::Failure;
 use crate::dither::Levels;
 use crate::draw::Settings;
-use crate::words::{in_one_line, size};
 
 /// Renders a scene of mirrors in fixed point, as a microcontroller does.
 #[derive(Parser)]
@@ -86,21 +84,6 @@ pub struct Arguments {
     pub window: bool,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-pub enum Shading {
-    BlinnPhong,
-    Phong,
-    Normals,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-pub enum Quality {
-    Fast,
-    Fine,
-    Small,
-    Exact,
-}
-
 impl Arguments {
     /// What the command line says, or the line that says what is wrong with it.
     ///
@@ -110,7 +93,7 @@ impl Arguments {
             if !error.use_stderr() {
                 error.exit();
             }
-            in_one_line(&error.render().to_string()).into()
+            in_one_line(&error).into()
         })
     }
 
@@ -126,38 +109,6 @@ impl Arguments {
             reflections,
             shading,
             quality,
-        }
-    }
-}
-
-impl Shading {
-    /// The word on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::BlinnPhong => "blinn-phong",
-            Self::Phong => "phong",
-            Self::Normals => "normals",
-        }
-    }
-
-    /// The same of the reference.
-    pub fn reference(self) -> reference::Shading {
-        match self {
-            Self::BlinnPhong => reference::Shading::BlinnPhong,
-            Self::Phong => reference::Shading::Phong,
-            Self::Normals => reference::Shading::Normals,
-        }
-    }
-}
-
-impl Quality {
-    /// The word on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Fast => "fast",
-            Self::Fine => "fine",
-            Self::Small => "small",
-            Self::Exact => "exact",
         }
     }
 }

@@ -9,8 +9,8 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::scenes::{BuiltIn, Visitor};
 use reflet::{BlinnPhong, Camera, Exact, Fine, Frame, Normals, Phong, Report, Small, World};
 
-use crate::arguments::{Quality, Shading};
-use crate::source::{Kind, Source};
+use command_line::{Kind, Source};
+use command_line::{Quality, Shading};
 
 /// How a picture is drawn.
 #[derive(Clone, Copy)]

@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use crate::Failure;
+use command_line::Failure;
 
 /// The path of a file that is still to be written.
 pub struct NewFile(PathBuf);

@@ -11,24 +11,17 @@ mod output;
 mod picture;
 mod progress;
 mod report;
-#[path = "../shared/source.rs"]
-mod source;
 #[cfg(feature = "window")]
 mod window;
-#[path = "../shared/words.rs"]
-mod words;
 
-use std::error::Error;
 use std::io::{self, Write};
 use std::process::ExitCode;
+
+use command_line::{Failure, Source, one_line};
 
 use self::arguments::Arguments;
 use self::output::Outputs;
 use self::picture::Drawing;
-use self::source::Source;
-use self::words::one_line;
-
-type Failure = Box<dyn Error + Send + Sync>;
 
 fn main() -> ExitCode {
     match Arguments::read().and_then(|arguments| run(&arguments)) {

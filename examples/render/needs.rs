@@ -4,9 +4,9 @@ use reflet::scenes::{BuiltIn, Visitor};
 use reflet::{Need, Needs};
 use serde_json::json;
 
-use crate::arguments::Quality;
 use crate::draw::Settings;
-use crate::source::{Kind, Source};
+use command_line::Quality;
+use command_line::{Kind, Source};
 
 /// What a scene needs.
 pub fn of(source: &Source) -> Needs {

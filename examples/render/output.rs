@@ -9,7 +9,9 @@ use image::ImageFormat;
 use crate::arguments::Arguments;
 use crate::file::NewFile;
 use crate::picture::Drawing;
-use crate::{Failure, report};
+use command_line::Failure;
+
+use crate::report;
 
 /// What is asked for, its paths checked.
 pub struct Outputs<'a> {

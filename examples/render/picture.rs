@@ -10,12 +10,12 @@ use reflet::host::compare::{Difference, compare};
 use reflet::host::reference::{self, Picture};
 use reflet::{Camera, CameraError, Report};
 
-use crate::Failure;
 use crate::arguments::Arguments;
 use crate::dither::Levels;
 use crate::draw::{Draw, Settings};
 use crate::progress;
-use crate::source::Source;
+use command_line::Failure;
+use command_line::Source;
 
 /// A picture and what is known about it.
 pub struct Drawing {
@@ -41,7 +41,7 @@ impl Drawing {
         let exactly = || {
             let Size { width, height } = arguments.size;
             let (reflections, shading) = (arguments.reflections.into(), arguments.shading);
-            let shading = shading.reference();
+            let shading = shading.into();
             let render = || reference::render(&scene, &camera, width, height, reflections, shading);
             progress::watch(None, |_| timed(render))
         };

@@ -12,8 +12,9 @@ use reflet::scenes;
 use crate::arguments::Arguments;
 use crate::draw::Settings;
 use crate::picture::{Drawing, exact};
-use crate::source::Source;
-use crate::{Failure, output, report};
+use crate::{output, report};
+use command_line::Failure;
+use command_line::Source;
 
 /// One press of an arrow key, in degrees.
 const STEP: i32 = 5;

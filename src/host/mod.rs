@@ -3,8 +3,11 @@
 
 pub mod compare;
 pub mod file;
+mod painted;
 pub mod path;
 pub mod reference;
+
+pub use self::painted::painted;
 
 use crate::number::Number;
 use crate::scene::World;

@@ -27,6 +27,18 @@ impl Sweep {
         self.within(1 << octave, 2 << octave)
     }
 
+    /// A number from -1 to 1.
+    #[cfg(any(feature = "host", feature = "scenes"))]
+    pub(crate) fn share(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    /// Three numbers from -1 to 1.
+    #[cfg(any(feature = "host", feature = "scenes"))]
+    pub(crate) fn place(&mut self) -> [f64; 3] {
+        [0; 3].map(|_| self.share())
+    }
+
     /// Three coordinates within ±`limit`.
     pub(crate) fn triple(&mut self, limit: i32) -> [i32; 3] {
         [0; 3].map(|_| self.within(-limit, limit))

@@ -2,6 +2,7 @@
 //! work, never the picture.
 
 use super::{BuiltIn, NAMES, Visitor, visit};
+use crate::number::sweep::Sweep;
 use crate::number::{Length, Unit};
 use crate::quality::Fine;
 use crate::ray::{Path, Place, REACH};
@@ -68,23 +69,6 @@ fn rows_of_the_built_in_scenes_miss_no_shape() {
     }
 }
 
-/// A generator good enough for scenes (Marsaglia, "Xorshift RNGs", 2003).
-struct Random(u64);
-
-impl Random {
-    /// From -1 to 1.
-    fn number(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn point(&mut self) -> [f64; 3] {
-        [self.number(), self.number(), self.number()]
-    }
-}
-
 /// A scene full of spheres and cylinders.
 type Crowd<const S: usize, const C: usize> = Scene<S, 2, C, 2, 1>;
 
@@ -93,43 +77,43 @@ type Description<const S: usize, const C: usize> = RuntimeScene<S, 2, C, 2, 1>;
 
 /// Some spheres and cylinders, all mirrors, and two lights; one of them among the shapes.
 fn described<const S: usize, const C: usize>(
-    random: &mut Random,
+    random: &mut Sweep,
     (spheres, cylinders): (usize, usize),
 ) -> (Description<S, C>, MaterialId) {
     let mut scene = Description::new();
     let glass = Material::new([0.9, 0.8, 0.7]).mirror(0.5);
     let glass = scene.add_material(glass).unwrap();
     for _ in 0..spheres {
-        let radius = 0.02 + 0.08 * random.number().abs();
-        scene.add_sphere(random.point(), radius, glass).unwrap();
+        let radius = 0.02 + 0.08 * random.share().abs();
+        scene.add_sphere(random.place(), radius, glass).unwrap();
     }
     for _ in 0..cylinders {
-        let (radius, height) = (0.01 + 0.03 * random.number().abs(), random.number().abs());
-        let (center, axis) = (random.point(), random.point());
+        let (radius, height) = (0.01 + 0.03 * random.share().abs(), random.share().abs());
+        let (center, axis) = (random.place(), random.place());
         scene
             .add_cylinder(center, axis, radius, height + 0.01, glass)
             .unwrap();
     }
-    for place in [random.point(), random.point().map(|x| 4.0 * x)] {
+    for place in [random.place(), random.place().map(|x| 4.0 * x)] {
         scene.add_light(place, [0.5, 0.5, 0.5]).unwrap();
     }
     (scene, glass)
 }
 
 /// A crowd between two mirrors.
-fn crowd<const S: usize, const C: usize>(random: &mut Random) -> Crowd<S, C> {
+fn crowd<const S: usize, const C: usize>(random: &mut Sweep) -> Crowd<S, C> {
     let (mut scene, glass) = described(random, (S, C));
     scene
         .add_plane([0.0, 0.0, -1.1], [0.0, 0.0, 1.0], glass)
         .unwrap();
     scene
-        .add_plane(random.point().map(|x| 3.0 * x), random.point(), glass)
+        .add_plane(random.place().map(|x| 3.0 * x), random.place(), glass)
         .unwrap();
     scene.build().unwrap()
 }
 
 /// A crowd in a scene with room for more of everything.
-fn roomy_crowd(random: &mut Random) -> Crowd<40, 24> {
+fn roomy_crowd(random: &mut Sweep) -> Crowd<40, 24> {
     let (mut scene, glass) = described(random, (18, 9));
     scene
         .add_plane([0.0, 0.0, -1.1], [0.0, 0.0, 1.0], glass)
@@ -138,19 +122,19 @@ fn roomy_crowd(random: &mut Random) -> Crowd<40, 24> {
 }
 
 /// A camera that looks at the middle of a crowd.
-fn camera(random: &mut Random, position: [f64; 3]) -> Camera {
-    let fov = 60.0 + 50.0 * random.number();
+fn camera(random: &mut Sweep, position: [f64; 3]) -> Camera {
+    let fov = 60.0 + 50.0 * random.share();
     Camera::new(position, [0.0; 3], [0.1, 0.2, 1.0], fov).unwrap()
 }
 
 #[test]
 fn rows_of_crowded_scenes_miss_no_shape() {
-    let mut random = Random(0x9e37_79b9_7f4a_7c15);
+    let mut random = Sweep::new(0x9e37_79b9_7f4a_7c15);
     for round in 0..6 {
         // More shapes than a mask has bits and rows have room for, and few enough for both.
         let (many, few) = (crowd::<100, 40>(&mut random), crowd::<24, 8>(&mut random));
         let (tubes, roomy) = (crowd::<0, 12>(&mut random), roomy_crowd(&mut random));
-        let position = random.point().map(|x| 2.5 * x);
+        let position = random.place().map(|x| 2.5 * x);
         let camera = camera(&mut random, position);
         compare(&many, &camera, &format!("crowd {round}"));
         compare(&few, &camera, &format!("small crowd {round}"));
@@ -160,8 +144,8 @@ fn rows_of_crowded_scenes_miss_no_shape() {
 }
 
 /// A position within a share of its radius of a sphere's middle, on every axis.
-fn about<W: World>(world: &W, random: &mut Random, share: f64, sphere: usize) -> [f64; 3] {
-    let (parts, aside) = (world.parts(), random.point());
+fn about<W: World>(world: &W, random: &mut Sweep, share: f64, sphere: usize) -> [f64; 3] {
+    let (parts, aside) = (world.parts(), random.place());
     let (center, radius) = parts.spheres[sphere].ball();
     let center = [center.x, center.y, center.z].map(f64::from);
     let aside = aside.map(|it| share * it * f64::from(radius));
@@ -172,10 +156,10 @@ fn about<W: World>(world: &W, random: &mut Random, share: f64, sphere: usize) ->
 
 #[test]
 fn rows_that_show_a_rim_large_miss_no_shape() {
-    let mut random = Random(0xa54f_f53a_5f1d_36f1);
+    let mut random = Sweep::new(0xa54f_f53a_5f1d_36f1);
     for round in 0..40 {
         let scene = crowd::<24, 8>(&mut random);
-        let position = random.point().map(|x| 2.5 * x);
+        let position = random.place().map(|x| 2.5 * x);
         let target = about(&scene, &mut random, 1.2, round % 24);
         // A sphere is wider than the picture.
         let camera = Camera::new(position, target, [0.1, 0.2, 1.0], 0.6).unwrap();
@@ -185,7 +169,7 @@ fn rows_that_show_a_rim_large_miss_no_shape() {
 
 #[test]
 fn rows_seen_from_far_away_miss_no_shape() {
-    let mut random = Random(0x6a09_e667_f3bc_c908);
+    let mut random = Sweep::new(0x6a09_e667_f3bc_c908);
     for round in 0..3 {
         let scene = crowd::<24, 8>(&mut random);
         let camera = Camera::new([900.0, 700.0, 500.0], [0.0; 3], [0.0, 0.0, 1.0], 0.2).unwrap();
@@ -197,7 +181,7 @@ fn rows_seen_from_far_away_miss_no_shape() {
 
 #[test]
 fn rows_seen_from_inside_a_sphere_miss_no_shape() {
-    let mut random = Random(0xbb67_ae85_84ca_a73b);
+    let mut random = Sweep::new(0xbb67_ae85_84ca_a73b);
     for round in 0..4 {
         // Inside of one of the spheres of the crowd, which others reach into.
         let scene = crowd::<100, 40>(&mut random);
@@ -213,7 +197,7 @@ fn rows_seen_from_inside_a_sphere_miss_no_shape() {
             .add_plane([0.0, 0.0, -0.8], [0.0, 0.1, 1.0], glass)
             .unwrap();
         let scene = scene.build().unwrap();
-        let position = random.point().map(|x| 1.5 * x);
+        let position = random.place().map(|x| 1.5 * x);
         let inside = camera(&mut random, position);
         is_inside(&scene, &inside);
         compare(&scene, &inside, &format!("crowd inside {round}"));
@@ -251,7 +235,7 @@ fn blocked_by_any<W: World>(
 
 /// Asks in many directions what the cells around a scene's lights know and what all shapes say;
 /// how often a light was hidden, and how often it was not.
-fn asked<W: World>(world: &W, random: &mut Random) -> [u32; 2] {
+fn asked<W: World>(world: &W, random: &mut Sweep) -> [u32; 2] {
     let mut counts = [0; 2];
     let cylinders = world.parts().cylinders.len();
     let lamps = world.lamps().iter().enumerate();
@@ -260,9 +244,9 @@ fn asked<W: World>(world: &W, random: &mut Random) -> [u32; 2] {
             // As far as can be seen to all sides, or to a place among the shapes.
             let light = lamp.light().place;
             let (direction, reach) = match round % 2 {
-                0 => (Position::new(random.point()).direction().unwrap(), REACH),
+                0 => (Position::new(random.place()).direction().unwrap(), REACH),
                 _ => {
-                    let place = world.parts().grid.place(Position::new(random.point()));
+                    let place = world.parts().grid.place(Position::new(random.place()));
                     light.to(place).0.direction_and_length()
                 }
             };
@@ -280,7 +264,7 @@ fn asked<W: World>(world: &W, random: &mut Random) -> [u32; 2] {
 
 #[test]
 fn cells_miss_no_shape() {
-    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    let mut random = Sweep::new(0x2545_f491_4f6c_dd1d);
     // Runs of shapes, a bit for each shape, also with room for more, and so few that all are asked.
     let mut counts = [[0; 2]; 4];
     for _ in 0..6 {
@@ -304,15 +288,15 @@ fn cells_miss_no_shape() {
 /// Whether what a light that stands clear hides is told alike by the way from it and by the way to it,
 /// at what a camera sees of a scene without planes; counted are lights that are hidden or not, and
 /// where rounding decided.
-fn told<W: World>(world: &W, random: &mut Random) -> [u32; 3] {
+fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
     let parts = world.parts();
     let mut counts = [0; 3];
     let from = parts
         .grid
-        .place(Position::new(random.point().map(|x| 2.5 * x)));
+        .place(Position::new(random.place().map(|x| 2.5 * x)));
     let view = View::new(world, from);
     for _ in 0..10_000 {
-        let towards = parts.grid.place(Position::new(random.point()));
+        let towards = parts.grid.place(Position::new(random.place()));
         let (direction, _) = from.to(towards).0.direction_and_length();
         let Some((at, shape)) = first(world, &Path::new(from, direction), ShapeNumber::NONE) else {
             continue;
@@ -348,7 +332,7 @@ fn told<W: World>(world: &W, random: &mut Random) -> [u32; 3] {
             // Rounding decides if it does so a few steps aside.
             let Point { x, y, z } = surface.place.point;
             let aside = (0..200).any(|_| {
-                let [dx, dy, dz] = random.point().map(|it| (it * 64.0) as i32);
+                let [dx, dy, dz] = random.place().map(|it| (it * 64.0) as i32);
                 general(Place::new(Point::new(x + dx, y + dy, z + dz), 0)) == hidden
             });
             assert!(aside, "{hidden}: {surface:?} {light:?}");
@@ -359,7 +343,7 @@ fn told<W: World>(world: &W, random: &mut Random) -> [u32; 3] {
 
 #[test]
 fn clear_lights_are_hidden_by_what_blocks_the_way_to_them() {
-    let mut random = Random(0x510e_527f_ade6_82d1);
+    let mut random = Sweep::new(0x510e_527f_ade6_82d1);
     let mut counts = [0; 3];
     for _ in 0..20 {
         let (mut many, _) = described::<100, 40>(&mut random, (100, 40));

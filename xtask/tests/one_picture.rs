@@ -1,12 +1,10 @@
 //! A frame is the same, to the bit, on the machine that runs the tests and on every core.
 
-use embedded_graphics::{
-    geometry::Size,
-    pixelcolor::{Rgb888, RgbColor},
-};
+use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
 use reflet::{
     Exact, Fast, Fine, Quality as Exactness, Small,
+    host::painted,
     scenes::{self, BuiltIn, Visitor},
 };
 use xtask::measure::{
@@ -37,17 +35,10 @@ impl Visitor for Hash {
 
 fn hash<S: BuiltIn, Q: Exactness>() -> String {
     let size = Size::new_equal(SIDE.into());
-    let picture = S::frame(&S::CAMERA)
-        .reflections(4)
-        .quality::<Q>()
-        .sized(size);
-    let mut row = [Rgb888::BLACK; SIDE as usize];
+    let frame = S::frame(&S::CAMERA).reflections(4).quality::<Q>();
     let mut hash = FrameHash::NONE;
-    for y in 0..size.height {
-        picture.row(y, 0, &mut row);
-        row.iter()
-            .for_each(|pixel| hash.add([pixel.r(), pixel.g(), pixel.b()]));
-    }
+    let picture = painted(&frame.sized(size));
+    picture.pixels.into_iter().for_each(|pixel| hash.add(pixel));
     format!("{:016x}", hash.value())
 }
 

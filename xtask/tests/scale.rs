@@ -3,7 +3,7 @@
 
 use std::process::Command;
 
-use spiral::Order;
+use benchmark::Order;
 use xtask::{
     measure::{cores::Core, figures::Figures},
     scale::{BAR, FEW, MANY, SIZE, count},

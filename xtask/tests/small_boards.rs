@@ -7,14 +7,12 @@ use std::{
     time::Duration,
 };
 
-use embedded_graphics::{
-    geometry::Size,
-    pixelcolor::{Rgb888, RgbColor},
-};
+use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
 use object::{Object, ObjectSection, SectionFlags, elf};
 use reflet::{
     StaticFrame,
+    host::painted,
     scenes::{BuiltIn, Castle},
 };
 use xtask::{emulator::qemu::Qemu, root, toolchain};
@@ -48,14 +46,9 @@ fn stack_of_right_picture(said: &str) -> u64 {
 }
 
 fn hash() -> u64 {
-    let picture = Castle::frame(&Castle::CAMERA).sized(Size::new_equal(SIDE));
-    let mut row = [Rgb888::BLACK; SIDE as usize];
+    let picture = painted(&Castle::frame(&Castle::CAMERA).sized(Size::new_equal(SIDE)));
     let mut hash = FrameHash::NONE;
-    for y in 0..SIDE {
-        picture.row(y, 0, &mut row);
-        row.iter()
-            .for_each(|pixel| hash.add([pixel.r(), pixel.g(), pixel.b()]));
-    }
+    picture.pixels.into_iter().for_each(|pixel| hash.add(pixel));
     hash.value()
 }
 

@@ -65,7 +65,7 @@ impl Held<'_> {
     }
 
     /// Follows a path from the camera over some mirrors, and holds what is on its way.
-    fn along(&mut self, random: &mut Random, direction: Direction) {
+    fn along(&mut self, random: &mut Sweep, direction: Direction) {
         let (mut path, mut left) = (Path::new(self.view.from, direction), ShapeNumber::NONE);
         for _ in 0..4 {
             let Some((at, shape)) = first(self.scene, &path, left) else {
@@ -77,7 +77,7 @@ impl Held<'_> {
             }
             if path.from().is_near() && at.is_near() {
                 let (_, length) = path.from().point.to(at.point).direction_and_length();
-                let part = f64::from(length.to_bits()) * random.number().abs();
+                let part = f64::from(length.to_bits()) * random.share().abs();
                 let part = Length::from_bits(part as i32);
                 let on_the_way = Place::new(path.ray.origin.along(path.direction(), part), 0);
                 self.at(on_the_way, ShapeNumber::NONE, None);
@@ -94,18 +94,18 @@ impl Held<'_> {
 
 #[test]
 fn view_knows_from_which_lights_planes_hide_what_it_shows() {
-    let mut random = Random(0x3c6e_f372_fe94_f82b);
+    let mut random = Sweep::new(0x3c6e_f372_fe94_f82b);
     let mut standings = [0; 3];
     for round in 0..3000 {
         let mut scene = RuntimeScene::<0, 4, 0, 4, 1>::new();
         let glass = Material::new([1.0; 3]).mirror(0.5);
         let glass = scene.add_material(glass).unwrap();
-        let points = [0; 4].map(|_| random.point());
+        let points = [0; 4].map(|_| random.place());
         for point in &points[..1 + round % 4] {
-            scene.add_plane(*point, random.point(), glass).unwrap();
+            scene.add_plane(*point, random.place(), glass).unwrap();
         }
         // Among the planes, beside them, in one of them and far away.
-        let [near, beside, far] = [1.0, 8.0, 1e6].map(|size| random.point().map(|x| size * x));
+        let [near, beside, far] = [1.0, 8.0, 1e6].map(|size| random.place().map(|x| size * x));
         for light in [near, beside, points[0], far] {
             scene.add_light(light, [1, 1, 1]).unwrap();
         }
@@ -113,7 +113,7 @@ fn view_knows_from_which_lights_planes_hide_what_it_shows() {
         scene.set_camera(camera(&mut random, [0.1, 0.2, 0.3]));
         let scene = scene.build().unwrap();
         let size = [1.0, 3.0, 3.0, 1e6][round / 4 % 4];
-        let position = random.point().map(|x| size * x);
+        let position = random.place().map(|x| size * x);
         let from = scene.parts().grid.place(Position::new(position));
         let mut held = Held {
             scene: &scene,
@@ -121,7 +121,7 @@ fn view_knows_from_which_lights_planes_hide_what_it_shows() {
             standings,
         };
         for _ in 0..10 {
-            let target = random.point();
+            let target = random.place();
             let towards = [0, 1, 2].map(|it| 2.0 * target[it] - position[it]);
             let direction = Position::new(towards).direction().unwrap();
             held.along(&mut random, direction);

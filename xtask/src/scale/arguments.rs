@@ -27,7 +27,7 @@ pub struct Arguments {
 }
 
 const AFTER_HELP: &str = "\
-The scenes are those of xtask/spiral: beads along a spiral over a mirroring floor, the smaller the
+The scenes are those of xtask/benchmark: beads along a spiral over a mirroring floor, the smaller the
 more there are, and one light. Each is measured as `cargo xtask measure` does it, with quality fast,
 Blinn-Phong shading and 4 reflections, and once more with its spheres listed in random order.
 

@@ -1,6 +1,6 @@
 //! `cargo xtask scale`: what a frame takes with more and more spheres.
 //!
-//! The scenes are [`spiral`]'s, alike but for the number of their spheres; each becomes a constant
+//! The scenes are [`benchmark`]'s, alike but for the number of their spheres; each becomes a constant
 //! scene and is measured as any other ([`crate::measure`]). [`page`] makes `docs/scale.md` of it.
 
 pub mod arguments;
@@ -9,9 +9,9 @@ mod page;
 use std::io::{self, Write};
 
 use anyhow::{Context, Result};
+use benchmark::Order;
 use reflet::host::{file::SceneFile, reference};
 use serde::Serialize;
-use spiral::Order;
 
 use self::arguments::Arguments;
 use crate::{
@@ -105,7 +105,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 pub fn count(core: &'static Core, size: Size, spheres: usize, order: Order) -> Result<Figures> {
     measure::count(&Task {
         core,
-        scene: Scene::parse(&spiral::scene(spheres, order))?,
+        scene: Scene::parse(&benchmark::scene(spheres, order))?,
         settings: Settings {
             size,
             reflections: 4,
@@ -204,7 +204,7 @@ impl Scale {
 
 /// The share of the pixels that show a sphere.
 fn seen(size: Size, spheres: usize) -> Result<f64> {
-    let file = SceneFile::parse(&spiral::scene(spheres, Order::Spiral), None)?;
+    let file = SceneFile::parse(&benchmark::scene(spheres, Order::Spiral), None)?;
     let (mut scene, camera) = file.reference();
     scene.planes.clear();
     let (width, height) = (size.width.into(), size.height.into());

@@ -19,7 +19,7 @@ Measured by `cargo xtask scale`, which renders scenes of 1 to {last} spheres at 
 reflections, Blinn-Phong shading and quality `Fast` on an emulated {title} (QEMU), and counts every
 executed instruction. It measures other cores and sizes, too: `cargo xtask scale --help`.
 
-The scenes come from `xtask/spiral`: beads of one size hang along a spiral over a mirroring floor,
+The scenes come from `xtask/benchmark`: beads of one size hang along a spiral over a mirroring floor,
 with one light; every other is a mirror. The more beads, the smaller they are, so that they fill
 the same share of the picture, and what grows is the number of shapes alone. Each is a constant
 scene with room for its own number of spheres, the last one a `Scene<{last}, 1, 0, 1, 5>`.

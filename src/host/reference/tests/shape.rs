@@ -3,6 +3,7 @@
 use crate::host::reference::shape::*;
 use crate::host::reference::vector::Vector;
 use crate::host::reference::{Cylinder, Plane, Sphere};
+use crate::number::sweep::Sweep;
 
 const BALL: Sphere = Sphere {
     center: [0.0, 0.0, 0.0],
@@ -189,23 +190,12 @@ fn off(shape: &Shape, at: Vector) -> f64 {
     }
 }
 
-/// Numbers from -1 to 1, the same in every run.
-fn sweep() -> impl FnMut() -> f64 {
-    let mut state = 7_u64;
-    move || {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-}
-
 #[test]
 fn every_hit_of_a_sweep_lies_on_its_surface_and_nothing_lies_before_it() {
-    let mut next = sweep();
+    let mut sweep = Sweep::new(7);
     let mut met = 0;
     for _ in 0..2000 {
-        let mut vector = |scale: f64| [0; 3].map(|_| next() * scale);
+        let mut vector = |scale: f64| sweep.place().map(|number| number * scale);
         let (center, axis, origin, direction) =
             (vector(2.0), vector(1.0), vector(6.0), vector(1.0));
         let ray = ray(origin, direction);

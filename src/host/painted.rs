@@ -1,0 +1,41 @@
+//! A frame of the library as a picture that can be compared; it knows no scene.
+
+use std::vec;
+use std::vec::Vec;
+
+use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics::prelude::Size;
+
+use super::reference::Picture;
+use crate::quality::Quality;
+use crate::scene::World;
+use crate::shade::Shading;
+
+/// Draws a frame row by row into the form that pictures are compared in.
+///
+/// ```
+/// use embedded_graphics::prelude::Size;
+/// use reflet::StaticFrame;
+/// use reflet::host::painted;
+/// use reflet::scenes::{BuiltIn, Empty};
+///
+/// let frame = Empty::frame(&Empty::CAMERA);
+/// let picture = painted(&frame.sized(Size::new(2, 1)));
+/// assert_eq!(picture.pixels.len(), 2);
+/// ```
+pub fn painted<W: World, Q: Quality, K: Shading>(
+    picture: &crate::render::Picture<W, Q, K>,
+) -> Picture {
+    let Size { width, height } = picture.size();
+    let mut row = vec![Rgb888::BLACK; width as usize];
+    let rows = (0..height).flat_map(|y| {
+        picture.row(y, 0, &mut row);
+        let bytes = row.iter().map(|pixel| [pixel.r(), pixel.g(), pixel.b()]);
+        bytes.collect::<Vec<_>>()
+    });
+    Picture {
+        pixels: rows.collect(),
+        width,
+        height,
+    }
+}

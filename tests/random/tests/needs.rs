@@ -1,0 +1,447 @@
+//! What a scene does not need is left out, and nothing else: pictures are the same as with
+//! everything.
+
+use std::cell::Cell;
+
+use embedded_graphics::prelude::Size;
+use proptest::{prelude::*, test_runner::TestRunner};
+use reflet::host::painted;
+use reflet::host::reference;
+use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Visitor, visit};
+use reflet::{
+    BlinnPhong, Bound, Camera, Description, Exact, Fast, Fine, Frame, Material, Mirrors, Needs,
+    Normals, Phong, Picture, Quality, RuntimeScene, Scene, Shading, Shininess, Small, StaticFrame,
+    World,
+};
+
+/// Room for every built-in scene.
+type Largest = RuntimeScene<64, 8, 32, 8, 16>;
+
+/// A run-time scene filled from a description.
+fn refilled(description: &Description<'_>) -> Largest {
+    let mut scene = Largest::new();
+    let materials = description.materials.iter().map(|material: &Material| {
+        let [ambient, diffuse, specular, shininess, mirror] = material.described_coefficients();
+        let highlight = (specular, shininess);
+        let color = material.described_color();
+        Material::from_numbers(color, ambient, diffuse, highlight, mirror).unwrap()
+    });
+    let ids: Vec<_> = materials
+        .map(|material| scene.add_material(material).unwrap())
+        .collect();
+    for sphere in description.spheres {
+        let id = ids[sphere.material.index()];
+        scene.add_sphere(sphere.center, sphere.radius, id).unwrap();
+    }
+    for plane in description.planes {
+        let id = ids[plane.material.index()];
+        scene.add_plane(plane.point, plane.normal, id).unwrap();
+    }
+    for tube in description.cylinders {
+        let id = ids[tube.material.index()];
+        scene
+            .add_cylinder(tube.center, tube.axis, tube.radius, tube.height, id)
+            .unwrap();
+    }
+    for light in description.lights {
+        scene.add_light(light.position, light.color).unwrap();
+    }
+    scene.set_background(description.background).unwrap();
+    scene.set_epsilon(description.epsilon).unwrap();
+    scene.set_camera(description.camera.unwrap());
+    scene
+}
+
+fn assert_same<A, B, Q, K>(name: &str, a: &Picture<A, Q, K>, b: &Picture<B, Q, K>)
+where
+    A: World,
+    B: World,
+    Q: Quality,
+    K: Shading,
+{
+    assert!(painted(a) == painted(b), "{name}");
+}
+
+/// Holds a scene in flash, of which only what it needs is linked, against the same filled at run time
+/// in a type that has room for everything.
+struct Twice;
+
+impl Visitor for Twice {
+    type Output = ();
+
+    fn visit<S: BuiltIn>(self) {
+        let scene = S::with_description(|description| refilled(&description).build().unwrap());
+        assert_eq!(Needs::of::<S>(), scene.needs(), "{}", S::NAME);
+        let (fixed, filled) = (S::frame(&S::CAMERA), scene.frame(&S::CAMERA));
+        alike::<Fast, BlinnPhong, _, _>(S::NAME, fixed, filled);
+        let (fixed, filled) = (S::frame(&S::CAMERA), scene.frame(&S::CAMERA));
+        alike::<Fine, Phong, _, _>(S::NAME, fixed, filled);
+        let (fixed, filled) = (S::frame(&S::CAMERA), scene.frame(&S::CAMERA));
+        alike::<Small, BlinnPhong, _, _>(S::NAME, fixed, filled);
+        let (fixed, whole) = (S::frame(&S::CAMERA), S::frame(&S::CAMERA).whole());
+        alike::<Fast, BlinnPhong, _, _>(S::NAME, fixed, whole);
+    }
+}
+
+fn alike<Q, K, A, B>(name: &str, fixed: Frame<'_, A>, filled: Frame<'_, B>)
+where
+    Q: Quality,
+    K: Shading,
+    A: World + Copy,
+    B: World + Copy,
+{
+    let size = Size::new(80, 60);
+    let fixed = fixed.quality::<Q>().shading::<K>();
+    let filled = filled.quality::<Q>().shading::<K>();
+    assert_same(name, &fixed.sized(size), &filled.sized(size));
+}
+
+#[test]
+fn scene_in_flash_and_scene_filled_at_run_time_give_the_same_picture() {
+    for name in NAMES {
+        visit(name, Twice).unwrap();
+    }
+}
+
+/// Holds reflections that are known when the program is compiled against the same number of others.
+struct Known;
+
+impl Visitor for Known {
+    type Output = ();
+
+    fn visit<S: BuiltIn>(self) {
+        let frame = || S::frame(&S::CAMERA);
+        let size = Size::new(64, 48);
+        let known = [
+            painted(&frame().most_reflections::<0>().sized(size)),
+            painted(&frame().most_reflections::<1>().sized(size)),
+            painted(&frame().most_reflections::<3>().sized(size)),
+        ];
+        let small = [
+            painted(
+                &frame()
+                    .quality::<Small>()
+                    .most_reflections::<0>()
+                    .sized(size),
+            ),
+            painted(
+                &frame()
+                    .quality::<Small>()
+                    .most_reflections::<1>()
+                    .sized(size),
+            ),
+            painted(
+                &frame()
+                    .quality::<Small>()
+                    .most_reflections::<3>()
+                    .sized(size),
+            ),
+        ];
+        for (index, reflections) in [0, 1, 3].into_iter().enumerate() {
+            let frame = || frame().reflections(reflections);
+            let found = painted(&frame().sized(size));
+            assert!(known[index] == found, "{}, {reflections}", S::NAME);
+            let found = painted(&frame().quality::<Small>().sized(size));
+            assert!(small[index] == found, "{}, {reflections}, small", S::NAME);
+        }
+    }
+}
+
+#[test]
+fn reflections_may_be_known_when_the_program_is_compiled() {
+    for name in NAMES {
+        visit(name, Known).unwrap();
+    }
+}
+
+/// What the castle needs at most.
+struct Like;
+
+impl Bound for Like {
+    const NEEDS: Needs = Needs::of::<Castle>();
+}
+
+/// No more than a bare floor.
+struct Bare;
+
+impl Bound for Bare {
+    const NEEDS: Needs = Needs::of::<Floor>();
+}
+
+#[test]
+fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
+    let scene = |read: &dyn Fn(&mut Largest)| {
+        let mut scene = Largest::new();
+        read(&mut scene);
+        scene.build().unwrap()
+    };
+    let castle = Castle::with_description(|it| refilled(&it).build().unwrap());
+    let (free, bound) = (
+        castle.frame(&Castle::CAMERA),
+        castle.frame_within::<Like>(&Castle::CAMERA),
+    );
+    let size = Size::new(80, 60);
+    assert_same(
+        "castle",
+        &free.sized(size),
+        &bound.ok().unwrap().sized(size),
+    );
+
+    let floor = Floor::with_description(|it| refilled(&it).build().unwrap());
+    let bound = floor.frame_within::<Bare>(&Floor::CAMERA).ok().unwrap();
+    assert_same(
+        "floor",
+        &floor.frame(&Floor::CAMERA).sized(size),
+        &bound.sized(size),
+    );
+    let excess =
+        |scene: &reflet::Scene<64, 8, 32, 8, 16>| scene.frame_within::<Bare>(&Castle::CAMERA).err();
+    assert_eq!(excess(&castle).unwrap().need, "spheres");
+    assert_eq!(excess(&floor), None);
+    let two_floors = scene(&|scene| {
+        let glass = scene
+            .add_material(Material::new([0.5; 3]).mirror(0.5))
+            .unwrap();
+        scene.add_plane([0, 0, -1], [0, 0, 1], glass).unwrap();
+        scene.add_plane([0, 0, 1], [0, 0, 1], glass).unwrap();
+    });
+    assert_eq!(excess(&two_floors).unwrap().need, "mirrored");
+}
+
+#[test]
+fn castle_and_mirrors_need_what_is_expected_of_them() {
+    let castle = Needs::of::<Castle>();
+    assert!(castle.spheres && castle.planes && castle.cylinders && castle.shadows);
+    assert_eq!(
+        (castle.shininess, castle.mirrors),
+        (Shininess::Even, Mirrors::Some)
+    );
+    let mirror1 = Needs::of::<Mirror1>();
+    assert!(mirror1.mirrored && mirror1.within(&Needs::ALL.without_planes()).is_err());
+}
+
+fn coefficient() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(0.0), 0.0..1.0]
+}
+
+prop_compose! {
+    fn material()(
+        grey in any::<bool>(),
+        color in [0.0..1.0, 0.0..1.0, 0.0..1.0],
+        rest in [coefficient(), coefficient(), coefficient()],
+        shininess in prop_oneof![Just(4.0), Just(5.0), 0.5..30.0],
+        mirror in prop_oneof![Just(0.0), Just(1.0), 0.0..1.0],
+    ) -> Material {
+        let color = if grey { [color[0]; 3] } else { color };
+        let [ambient, diffuse, specular] = rest;
+        Material::from_numbers(color, ambient, diffuse, (specular, shininess), mirror).unwrap()
+    }
+}
+
+prop_compose! {
+    fn point()(point in [-2.0..2.0, -2.0..2.0, -2.0..2.0]) -> [f64; 3] {
+        point
+    }
+}
+
+type Few = RuntimeScene<2, 2, 1, 2, 2>;
+
+prop_compose! {
+    /// A scene of few shapes, so that each need is often missing.
+    fn few()(
+        materials in [material(), material()],
+        one_material in any::<bool>(),
+        spheres in prop::collection::vec(point(), 0..=2),
+        planes in prop::collection::vec(point(), 0..=2),
+        cylinders in prop::collection::vec(point(), 0..=1),
+        lights in prop::collection::vec((point(), coefficient()), 0..=2),
+    ) -> Few {
+        let mut scene = Few::new();
+        let ids = materials.map(|it| scene.add_material(it).unwrap());
+        let id = |index: usize| ids[if one_material { 0 } else { index % 2 }];
+        for (index, at) in spheres.into_iter().enumerate() {
+            scene.add_sphere(at, 0.7, id(index)).unwrap();
+        }
+        for (index, at) in planes.into_iter().enumerate() {
+            // Beyond the camera at most by their tilt.
+            let point = [at[0], 3.0 + at[1].abs(), at[2] - 4.0];
+            let normal = if index == 0 { [0.1, 0.2, 1.0] } else { [0.0, -1.0, 0.3] };
+            scene.add_plane(point, normal, id(index + 1)).unwrap();
+        }
+        for at in cylinders {
+            scene.add_cylinder(at, [0.3, 0.2, 1.0], 0.4, 1.5, id(1)).unwrap();
+        }
+        for (at, green) in lights {
+            scene.add_light(at.map(|it| 4.0 * it), [0.5, green, 0.5]).unwrap();
+        }
+        scene
+    }
+}
+
+/// As fast as everything else, and small beside it.
+fn within_a_step(a: &[[u8; 3]], b: &[[u8; 3]]) -> usize {
+    let off = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|it| a[it].abs_diff(b[it]) > 1);
+    a.iter().zip(b).filter(|(a, b)| off(a, b)).count()
+}
+
+/// Bounds that leave out one thing each.
+struct Off<const I: usize>;
+
+const OFF: [Needs; 10] = [
+    Needs::ALL.without_places(),
+    Needs::ALL.without_spheres(),
+    Needs::ALL.without_planes(),
+    Needs::ALL.without_cylinders(),
+    Needs::ALL.without_lights(),
+    Needs::ALL.without_highlights(),
+    Needs::ALL.with_shininess(Shininess::Even),
+    Needs::ALL.without_mirrors(),
+    Needs::ALL.with_mirrors(Mirrors::All),
+    Needs::ALL.without_colors(),
+];
+
+impl<const I: usize> Bound for Off<I> {
+    const NEEDS: Needs = OFF[I];
+}
+
+/// Whether a scene is within a bound; if so, its pictures are held against those with no bound.
+fn is_held<const I: usize>(scene: &Scene<2, 2, 1, 2, 2>) -> bool {
+    let size = Size::new(24, 20);
+    let Ok(frame) = scene.frame_within::<Off<I>>(&FRONT) else {
+        return false;
+    };
+    let same = |name: &str, a: reference::Picture, b: reference::Picture| {
+        assert!(a == b, "{name} of {:?}, bound {:?}", scene.needs(), OFF[I]);
+    };
+    same(
+        "small normals",
+        painted(&frame.quality::<Small>().shading::<Normals>().sized(size)),
+        painted(
+            &scene
+                .frame(&FRONT)
+                .quality::<Small>()
+                .shading::<Normals>()
+                .sized(size),
+        ),
+    );
+    let frame = || scene.frame_within::<Off<I>>(&FRONT).ok().unwrap();
+    same(
+        "fine",
+        painted(&frame().quality::<Fine>().sized(size)),
+        painted(&scene.frame(&FRONT).quality::<Fine>().sized(size)),
+    );
+    same(
+        "small",
+        painted(&frame().quality::<Small>().shading::<Phong>().sized(size)),
+        painted(
+            &scene
+                .frame(&FRONT)
+                .quality::<Small>()
+                .shading::<Phong>()
+                .sized(size),
+        ),
+    );
+    true
+}
+
+const FRONT: Camera = Camera::look_at([0.3, -6.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0]);
+
+#[test]
+fn what_a_bound_leaves_out_is_missed_by_no_scene_within_it() {
+    let mut runner = TestRunner::new(ProptestConfig::with_cases(300));
+    let counts = [const { Cell::new(0) }; OFF.len()];
+    let held = runner.run(&few(), |scene| {
+        let Ok(scene) = scene.build() else {
+            return Ok(());
+        };
+        let held = [
+            is_held::<0>(&scene),
+            is_held::<1>(&scene),
+            is_held::<2>(&scene),
+            is_held::<3>(&scene),
+            is_held::<4>(&scene),
+            is_held::<5>(&scene),
+            is_held::<6>(&scene),
+            is_held::<7>(&scene),
+            is_held::<8>(&scene),
+            is_held::<9>(&scene),
+        ];
+        for (count, held) in counts.iter().zip(held) {
+            count.set(count.get() + u32::from(held));
+        }
+        Ok(())
+    });
+    held.unwrap();
+    let counts = counts.map(|count| count.get());
+    assert!(counts.iter().all(|count| *count >= 10), "{counts:?}");
+}
+
+/// Paths off such a plane, which is the first of the shapes, meet nothing else, as those beside it do.
+#[test]
+fn dark_plane_is_told_from_nothing() {
+    let mut scene = Few::new();
+    let blue = Material::new([0.0, 0.0, 0.4]).ambient(0.78).diffuse(0.0);
+    let blue = scene.add_material(blue.mirror(0.983)).unwrap();
+    let (point, normal) = ([0.0, 3.0, -4.0], [0.1, 0.2, 1.0]);
+    scene.add_plane(point, normal, blue).unwrap();
+    assert!(is_held::<0>(&scene.build().unwrap()));
+}
+
+#[test]
+fn reflections_beyond_a_bound_are_cut_off() {
+    struct Once;
+
+    impl Bound for Once {
+        const NEEDS: Needs = Needs::ALL.with_reflections(1);
+    }
+
+    let mirrors = Mirror1::with_description(|it| refilled(&it).build().unwrap());
+    let size = Size::new(64, 48);
+    let once = painted(&mirrors.frame(&Mirror1::CAMERA).reflections(1).sized(size));
+    let bound = mirrors.frame_within::<Once>(&Mirror1::CAMERA).ok().unwrap();
+    assert!(painted(&bound.sized(size)) == once);
+    let most = Mirror1::frame(&Mirror1::CAMERA).most_reflections::<1>();
+    assert!(painted(&most.reflections(4).sized(size)) == once);
+}
+
+/// A ball between a light and a floor a million times as far away, looked at from as far.
+#[test]
+fn shadow_falls_on_what_is_far_from_what_throws_it() {
+    let mut scene = Few::new();
+    let chalk = Material::new([1.0; 3]).ambient(0.25).diffuse(0.5);
+    let chalk = scene.add_material(chalk).unwrap();
+    scene.add_sphere([0.0, 0.0, -0.75], 0.5, chalk).unwrap();
+    scene
+        .add_plane([0.0, 0.0, -1e6], [0.0, 0.0, 1.0], chalk)
+        .unwrap();
+    scene.add_light([0.0, 0.0, 0.0], [1.0, 1.0, 1.0]).unwrap();
+    let scene = scene.build().unwrap();
+    let size = Size::new(16, 16);
+    let mut seen = Vec::new();
+    // Below the ball, and far to the side of its shadow.
+    for x in [0.0, 4e6] {
+        let camera = Camera::look_at([x, -2e5, -6e5], [x, 0.0, -1e6], [0.0, 0.0, 1.0]);
+        let camera = camera.fov(20.0);
+        let fast = painted(&scene.frame(&camera).sized(size)).pixels[8 * 16 + 8];
+        let small = painted(&scene.frame(&camera).quality::<Small>().sized(size));
+        assert_eq!(fast, small.pixels[8 * 16 + 8], "x = {x}");
+        seen.push(fast[0]);
+    }
+    assert!(seen[0] == 64 && seen[1] > 70, "{seen:?}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    /// The general ways, which `Small` goes, meet what the fast ones meet: but for pixels at edges, where
+    /// rounding decides, no channel differs by more than a step.
+    #[test]
+    fn small_code_shows_what_fast_code_shows(scene in few()) {
+        let Ok(scene) = scene.build() else { return Ok(()) };
+        let size = Size::new(40, 32);
+        let fast = painted(&scene.frame(&FRONT).quality::<Exact>().sized(size));
+        let small = painted(&scene.frame(&FRONT).quality::<Small>().sized(size));
+        let off = within_a_step(&fast.pixels, &small.pixels);
+        prop_assert!(off <= 4, "{off} of {} pixels", fast.pixels.len());
+    }
+}

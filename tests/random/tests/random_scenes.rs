@@ -1,0 +1,461 @@
+//! Any valid scene is painted as double precision paints it, and nothing overflows on the way.
+
+use std::cell::{Cell, RefCell};
+
+use embedded_graphics::prelude::Size;
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
+use reflet::host::compare::{Difference, compare};
+use reflet::host::painted;
+use reflet::host::precision;
+use reflet::host::reference::bound::{Ending, Paths};
+use reflet::host::reference::{self, render};
+use reflet::{
+    Camera, CameraError, Fast, Fine, Frame, Material, MaterialId, Normals, Phong, Quality,
+    RuntimeScene, SceneError, World,
+};
+
+const SIDE: u32 = 48;
+
+/// Shares of pixels that must be within 8 and within 1 of the reference in every scene. They are
+/// below 1 because a pixel on a rim may see past it; in most scenes no pixel differs.
+const WITHIN_8: f64 = 0.99;
+const WITHIN_1: f64 = 0.98;
+
+type Triple = [f64; 3];
+type Scenery = RuntimeScene<16, 4, 6, 4, 4>;
+
+/// A scene in a cube of ±1, how large that cube is, and where it stands.
+#[derive(Clone, Debug)]
+struct Recipe {
+    materials: Vec<Surface>,
+    spheres: Vec<(Triple, f64, usize)>,
+    planes: Vec<(Triple, Triple, usize)>,
+    cylinders: Vec<(Triple, Triple, (f64, f64), usize)>,
+    lights: Vec<(Triple, f64, Triple)>,
+    background: Triple,
+    eye: Eye,
+    target: Triple,
+    up: Triple,
+    scale: f64,
+    offset: Triple,
+    reflections: u8,
+    shading: reference::Shading,
+}
+
+#[derive(Clone, Debug)]
+struct Surface {
+    color: Triple,
+    ambient: f64,
+    diffuse: f64,
+    specular: f64,
+    shininess: f64,
+    mirror: f64,
+}
+
+/// Where the camera stands, in the scene's cube, and its field of view.
+#[derive(Clone, Debug)]
+enum Eye {
+    /// Somewhere among the shapes.
+    Within(Triple, f64),
+    /// In the sphere of this number, if there is one, else in the middle.
+    InSphere(usize, f64),
+    /// So many sizes of the scene away in this direction.
+    Away(Triple, f64, f64),
+}
+
+fn triple(range: std::ops::Range<f64>) -> impl Strategy<Value = Triple> {
+    prop::array::uniform3(range)
+}
+
+fn surface() -> impl Strategy<Value = Surface> {
+    let shininess = prop_oneof![
+        (0..=16_i32).prop_map(f64::from),
+        prop::sample::select(vec![32.0, 50.0, 128.0]),
+        0.0..200.0,
+    ];
+    let mirror = prop_oneof![3 => Just(0.0), 3 => 0.0..1.0, 1 => Just(1.0)];
+    let shares = (0.0..0.3, 0.0..1.0, 0.0..1.0);
+    (triple(0.0..1.0), shares, shininess, mirror).prop_map(
+        |(color, (ambient, diffuse, specular), shininess, mirror)| Surface {
+            color,
+            ambient,
+            diffuse,
+            specular,
+            shininess,
+            mirror,
+        },
+    )
+}
+
+fn eye() -> impl Strategy<Value = Eye> {
+    let any = || triple(-1.0..1.0);
+    prop_oneof![
+        3 => (any(), 30.0..120.0).prop_map(|(at, fov)| Eye::Within(at, fov)),
+        1 => (0..16_usize, 30.0..120.0).prop_map(|(at, fov)| Eye::InSphere(at, fov)),
+        4 => (any(), 2.0..5.0, 30.0..70.0).prop_map(|(to, far, fov)| Eye::Away(to, far, fov)),
+        1 => (any(), 15.0..100.0, 1.0..8.0).prop_map(|(to, far, fov)| Eye::Away(to, far, fov)),
+    ]
+}
+
+fn recipe() -> impl Strategy<Value = Recipe> {
+    let any = || triple(-1.0..1.0);
+    let spheres = prop::collection::vec((any(), 0.02..0.4, 0..4_usize), 1..16);
+    let planes = prop::collection::vec((triple(-2.0..2.0), any(), 0..4_usize), 0..4);
+    let sizes = (0.02..0.3, 0.05..2.0);
+    let cylinders = prop::collection::vec((any(), any(), sizes, 0..4_usize), 0..6);
+    // Near and far ones.
+    let away = prop_oneof![4 => 0.5..3.0, 1 => 10.0..1000.0, 1 => Just(5e3)];
+    let lights = prop::collection::vec((any(), away, triple(0.0..1.0)), 1..4);
+    // 10^-3 to 10^5
+    let scale = prop_oneof![1 => Just(1.0), 3 => (-3.0..5.0).prop_map(|it: f64| 10f64.powf(it))];
+    let offset = prop_oneof![2 => Just([0.0; 3]), 1 => triple(-100.0..100.0)];
+    let shading = prop::sample::select(vec![
+        reference::Shading::BlinnPhong,
+        reference::Shading::Phong,
+        reference::Shading::Normals,
+    ]);
+    let things = (spheres, planes, cylinders, lights);
+    let surfaces = prop::collection::vec(surface(), 4);
+    let view = (eye(), triple(-0.3..0.3), any());
+    let place = (scale, offset, triple(0.0..1.0), 0..9_u8, shading);
+    (surfaces, things, view, place).prop_map(
+        |(materials, (spheres, planes, cylinders, lights), (eye, target, up), place)| Recipe {
+            materials,
+            spheres,
+            planes,
+            cylinders,
+            lights,
+            eye,
+            target,
+            up,
+            scale: place.0,
+            offset: place.1,
+            background: place.2,
+            reflections: place.3,
+            shading: place.4,
+        },
+    )
+}
+
+impl Recipe {
+    /// From the cube to the scene.
+    fn placed(&self, at: Triple) -> Triple {
+        [0, 1, 2].map(|axis| (at[axis] + self.offset[axis]) * self.scale)
+    }
+
+    fn scene(&self) -> Result<Scenery, SceneError> {
+        let mut scene = Scenery::new();
+        let made = self.materials.iter().map(|surface| {
+            let highlight = (surface.specular, surface.shininess);
+            let Surface {
+                color,
+                ambient,
+                diffuse,
+                mirror,
+                ..
+            } = *surface;
+            Material::from_numbers(color, ambient, diffuse, highlight, mirror).unwrap()
+        });
+        let ids: Vec<MaterialId> = made
+            .map(|it| scene.add_material(it))
+            .collect::<Result<_, _>>()?;
+        for &(center, radius, id) in &self.spheres {
+            scene.add_sphere(self.placed(center), radius * self.scale, ids[id])?;
+        }
+        for &(point, normal, id) in &self.planes {
+            scene.add_plane(self.placed(point), normal, ids[id])?;
+        }
+        for &(center, axis, (radius, height), id) in &self.cylinders {
+            let (radius, height) = (radius * self.scale, height * self.scale);
+            scene.add_cylinder(self.placed(center), axis, radius, height, ids[id])?;
+        }
+        for &(towards, away, color) in &self.lights {
+            let position = self.placed(towards.map(|it| it * away));
+            scene.add_light(position, color)?;
+        }
+        scene.set_background(self.background)?;
+        scene.set_epsilon(1e-4 * self.scale)?;
+        Ok(scene)
+    }
+
+    fn camera(&self) -> Result<Camera, CameraError> {
+        let (position, fov) = match self.eye {
+            Eye::Within(at, fov) => (at, fov),
+            Eye::InSphere(index, fov) if !self.spheres.is_empty() => {
+                let (center, radius, _) = self.spheres[index % self.spheres.len()];
+                (center.map(|it| it + 0.3 * radius), fov)
+            }
+            Eye::InSphere(_, fov) => ([0.5; 3], fov),
+            Eye::Away(towards, far, fov) => {
+                let length = towards.into_iter().map(|it| it * it).sum::<f64>().sqrt();
+                (towards.map(|it| it / length * far), fov)
+            }
+        };
+        let (position, target) = (self.placed(position), self.placed(self.target));
+        Camera::new(position, target, self.up, fov)
+    }
+}
+
+/// Tries the same cases every time.
+fn runner(cases: u32) -> TestRunner {
+    let config = Config {
+        cases,
+        failure_persistence: None,
+        ..Config::default()
+    };
+    TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
+}
+
+#[test]
+fn any_valid_scene_is_painted_as_double_precision_paints_it() {
+    let results = RefCell::new(Vec::new());
+    let outcome = runner(2000).run(&recipe(), |recipe| {
+        // While a failure is made smaller, what is left may be no scene any more.
+        let (scene, camera) = (recipe.scene(), recipe.camera());
+        let mut scene = scene.map_err(|error| TestCaseError::reject(error.to_string()))?;
+        let camera = camera.map_err(|error| TestCaseError::reject(error.to_string()))?;
+        scene.set_camera(camera);
+        let built = scene.build();
+        let built = built.map_err(|error| TestCaseError::reject(error.to_string()))?;
+        let frame = built
+            .frame(&camera)
+            .reflections(recipe.reflections)
+            .quality::<Fine>();
+        let size = Size::new(SIDE, SIDE);
+        let picture = match recipe.shading {
+            reference::Shading::BlinnPhong => painted(&frame.sized(size)),
+            reference::Shading::Phong => painted(&frame.shading::<Phong>().sized(size)),
+            reference::Shading::Normals => painted(&frame.shading::<Normals>().sized(size)),
+        };
+        let (truth, camera) = ((&scene.description()).into(), (&camera).into());
+        let n = u32::from(recipe.reflections);
+        let truth = render(&truth, &camera, SIDE, SIDE, n, recipe.shading);
+        let found = compare(&picture, &truth).unwrap();
+        let mut colors = picture.pixels;
+        colors.sort_unstable();
+        colors.dedup();
+        results.borrow_mut().push((found, colors.len()));
+        prop_assert!(
+            found.within8 >= WITHIN_8 && found.within1 >= WITHIN_1,
+            "{found:?}"
+        );
+        Ok(())
+    });
+    let (differences, colors): (Vec<_>, Vec<_>) = results.into_inner().into_iter().unzip();
+    let worst = |share: fn(&Difference) -> f64| differences.iter().map(share).fold(1.0, f64::min);
+    let (within8, within1) = (worst(|found| found.within8), worst(|found| found.within1));
+    let close = differences.iter().filter(|found| found.max <= 1).count();
+    let seen = differences.len();
+    println!("{close} of {seen} pictures are within 1 everywhere");
+    println!("the worst is within 8 on {within8:.4}, within 1 on {within1:.4} of its pixels");
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+    // What is compared must be worth it.
+    let colorful = colors.iter().filter(|count| **count > 50).count();
+    assert!(
+        2 * colorful > seen,
+        "only {colorful} of {seen} pictures show much"
+    );
+}
+
+#[test]
+fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
+    /// Of a picture.
+    const SIDE: u32 = 32;
+    /// As many as leave nothing of a path whose mirrors do not keep everything.
+    const ALL: usize = 200;
+    // Of each quality: pixels, those of which something is promised, those decided otherwise.
+    let counts = Cell::new([[0_usize; 3]; 2]);
+    let outcome = runner(400).run(&recipe(), |recipe| {
+        let (scene, camera) = (recipe.scene(), recipe.camera());
+        let mut scene = scene.map_err(|error| TestCaseError::reject(error.to_string()))?;
+        let camera = camera.map_err(|error| TestCaseError::reject(error.to_string()))?;
+        scene.set_camera(camera);
+        let built = scene.build();
+        let built = built.map_err(|error| TestCaseError::reject(error.to_string()))?;
+        // Normals are no light.
+        let shading = match recipe.shading {
+            reference::Shading::Phong => reference::Shading::Phong,
+            _ => reference::Shading::BlinnPhong,
+        };
+        let frame = || built.frame(&camera).reflections(recipe.reflections);
+        let reflections = recipe.reflections.into();
+        let pictures = [
+            lit(frame().quality::<Fast>(), SIDE, shading),
+            lit(frame().quality::<Fine>(), SIDE, shading),
+        ];
+        let endings = [ending::<Fast>(reflections), ending::<Fine>(reflections)];
+        let (exact, camera) = ((&scene.description()).into(), (&camera).into());
+        let precision = precision(&built);
+        let paths = Paths::follow(&exact, &camera, (SIDE, SIDE), ALL, shading, &precision);
+        let mut sums = counts.get();
+        for (sums, (picture, ending)) in sums.iter_mut().zip(pictures.iter().zip(endings)) {
+            let places = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
+            let pixels = places.zip(&picture.pixels);
+            for (bound, ((x, y), found)) in paths.bounds(&ending).iter().zip(pixels) {
+                let truth = paths.path(x, y).ended(ALL, 0.0).color;
+                let truth = truth.map(|channel| 255.0 * channel.clamp(0.0, 1.0));
+                let apart = (0..3).map(|axis| (f64::from(found[axis]) - truth[axis]).abs());
+                // One of the two is not rounded to 8 bits.
+                let is_further = apart.fold(0.0, f64::max) > 255.0 * bound.share() + 0.5;
+                prop_assert!(
+                    bound.is_unsure || !is_further,
+                    "{x} {y} is {found:?}, not {truth:?}: {bound:?}"
+                );
+                sums[0] += 1;
+                sums[1] += usize::from(!bound.is_unsure);
+                sums[2] += usize::from(is_further);
+            }
+        }
+        counts.set(sums);
+        Ok(())
+    });
+    for [all, sure, decided] in counts.get() {
+        println!("of {all} pixels {sure} are sure, {decided} were decided otherwise");
+    }
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+    for [all, sure, decided] in counts.get() {
+        assert!(2 * sure > all, "of {all} pixels only {sure} are sure");
+        assert!(
+            MOST_DECIDED * decided < all,
+            "of {all} pixels {decided} were decided otherwise"
+        );
+    }
+}
+
+/// One pixel of so many may be decided otherwise, at most.
+const MOST_DECIDED: usize = 10_000;
+
+/// A picture with light, of a kind of highlights.
+fn lit<W: World + Copy, Q: Quality>(
+    frame: Frame<'_, W, Q>,
+    side: u32,
+    shading: reference::Shading,
+) -> reference::Picture {
+    let size = Size::new(side, side);
+    match shading {
+        reference::Shading::Phong => painted(&frame.shading::<Phong>().sized(size)),
+        _ => painted(&frame.sized(size)),
+    }
+}
+
+fn ending<Q: Quality>(reflections: usize) -> Ending {
+    Ending {
+        reflections,
+        smallest_weight: Q::SMALLEST_WEIGHT.to_num(),
+        stride: Q::STRIDE,
+        tolerance: Q::TOLERANCE.to_num(),
+    }
+}
+
+/// A number of any size from 10^-7 to 10, of either sign.
+fn any_size() -> impl Strategy<Value = f64> {
+    let sizes = (-7.0..1.0).prop_map(|it: f64| 10f64.powf(it));
+    (sizes, any::<bool>()).prop_map(|(size, sign)| if sign { size } else { -size })
+}
+
+/// Three numbers of sizes that have nothing to do with each other.
+fn any_triple() -> impl Strategy<Value = Triple> {
+    [any_size(), any_size(), any_size()]
+}
+
+/// The surface, the shapes and the lights of a scene, with all lengths in some unit.
+#[derive(Clone, Debug)]
+struct Wild {
+    surface: (f64, f64, f64, f64),
+    spheres: Vec<(Triple, f64)>,
+    planes: Vec<(Triple, Triple)>,
+    cylinders: Vec<(Triple, Triple, f64, f64)>,
+    lights: Vec<(Triple, f64)>,
+    epsilon: f64,
+    unit: f64,
+}
+
+fn wild() -> impl Strategy<Value = Wild> {
+    let shininess = (-3.0..6.0).prop_map(|it: f64| 10f64.powf(it));
+    let surface = (0.0..2.0, 0.0..2.0, shininess, 0.0..=1.0);
+    let spheres = prop::collection::vec((any_triple(), any_size()), 0..6);
+    let planes = prop::collection::vec((any_triple(), any_triple()), 0..4);
+    let cylinder = (any_triple(), any_triple(), any_size(), any_size());
+    let cylinders = prop::collection::vec(cylinder, 0..4);
+    let lights = prop::collection::vec((any_triple(), 0.0..2.0), 0..4);
+    let unit = (-9.0..8.0).prop_map(|it: f64| 10f64.powf(it));
+    let shapes = (spheres, planes, cylinders);
+    (surface, shapes, lights, any_size(), unit).prop_map(
+        |(surface, (spheres, planes, cylinders), lights, epsilon, unit)| Wild {
+            surface,
+            spheres,
+            planes,
+            cylinders,
+            lights,
+            epsilon,
+            unit,
+        },
+    )
+}
+
+impl Wild {
+    fn placed(&self, at: Triple) -> Triple {
+        at.map(|it| it * self.unit)
+    }
+
+    fn scene(&self) -> Result<Scenery, SceneError> {
+        let (diffuse, specular, shininess, mirror) = self.surface;
+        let made =
+            Material::from_numbers([2.0, 1.0, 0.1], 0.1, diffuse, (specular, shininess), mirror);
+        let mut scene = Scenery::new();
+        let id = scene.add_material(made.unwrap())?;
+        let sized = |size: f64| size.abs() * self.unit;
+        for &(center, radius) in &self.spheres {
+            scene.add_sphere(self.placed(center), sized(radius), id)?;
+        }
+        for &(point, normal) in &self.planes {
+            scene.add_plane(self.placed(point), normal, id)?;
+        }
+        for &(center, axis, radius, height) in &self.cylinders {
+            let (radius, height) = (sized(radius), sized(height));
+            scene.add_cylinder(self.placed(center), axis, radius, height, id)?;
+        }
+        for &(position, color) in &self.lights {
+            scene.add_light(self.placed(position), [color; 3])?;
+        }
+        scene.set_epsilon(sized(self.epsilon))?;
+        Ok(scene)
+    }
+}
+
+#[test]
+fn no_scene_that_is_accepted_overflows() {
+    let (accepted, refused) = (Cell::new(0), Cell::new(0));
+    let fov = prop_oneof![0.001..180.0, (-3.0..2.0).prop_map(|it: f64| 10f64.powf(it))];
+    let eye = (any_triple(), any_triple(), any_triple(), fov);
+    let frame = (any::<u8>(), 1..9_u32, 1..9_u32);
+    let cases = (wild(), eye, any::<bool>(), frame);
+    let outcome = runner(6000).run(&cases, |(wild, eye, is_the_scenes_own, frame)| {
+        let (position, target, up, fov) = eye;
+        let camera = Camera::new(wild.placed(position), wild.placed(target), up, fov);
+        let (Ok(mut scene), Ok(camera)) = (wild.scene(), camera) else {
+            refused.set(refused.get() + 1);
+            return Ok(());
+        };
+        if is_the_scenes_own {
+            scene.set_camera(camera);
+        }
+        let Ok(built) = scene.build() else {
+            refused.set(refused.get() + 1);
+            return Ok(());
+        };
+        accepted.set(accepted.get() + 1);
+        let (reflections, width, height) = frame;
+        let size = Size::new(width, height);
+        let frame = || built.frame(&camera).reflections(reflections);
+        painted(&frame().sized(size));
+        painted(&frame().shading::<Phong>().quality::<Fine>().sized(size));
+        painted(&frame().shading::<Normals>().sized(size));
+        Ok(())
+    });
+    let (accepted, refused) = (accepted.get(), refused.get());
+    println!("{accepted} scenes painted, {refused} refused");
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+    assert!(accepted > 2000, "{accepted} scenes are too few");
+}

@@ -1,0 +1,172 @@
+//! How many times as long the double-precision reference takes for a picture as the library does.
+//!
+//! Both draw the same scene through the same camera, with the same size, reflections and shading,
+//! to 8 bits a channel, with every pixel traced, on one and the same thread. They take turns, a frame
+//! each, so that whatever else the machine does holds up both: a quotient tells more than the times it
+//! is made of.
+//!
+//! `cargo bench --package benchmark` prints what a frame takes and, at the end, a table of the quotients.
+
+use std::{
+    cell::RefCell,
+    error::Error,
+    hint::black_box,
+    time::{Duration, Instant},
+};
+
+use benchmark::Order;
+use criterion::Criterion;
+use embedded_graphics::prelude::Size;
+use rayon::ThreadPoolBuilder;
+use reflet::{
+    Exact, Frame, StaticFrame, World,
+    host::{
+        compare::compare,
+        file::SceneFile,
+        painted,
+        reference::{self, Picture, Shading},
+    },
+    scenes::{BuiltIn, Castle},
+};
+
+const SIDE: u32 = 128;
+const REFLECTIONS: u8 = 4;
+
+/// The reference is to take at least this many times as long.
+const BAR: f64 = 3.0;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    // The reference draws on all threads of the pool it is called in.
+    let pool = ThreadPoolBuilder::new().num_threads(1).build()?;
+    pool.install(|| run().map_err(|error| error.to_string()))?;
+    Ok(())
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
+    let pairs = [castle()?, spheres(64)?, spheres(256)?];
+    let mut criterion = Criterion::default()
+        .without_plots()
+        .sample_size(25)
+        .warm_up_time(Duration::from_millis(500))
+        .measurement_time(Duration::from_secs(5))
+        .configure_from_args();
+    for pair in &pairs {
+        pair.measure(&mut criterion);
+    }
+    criterion.final_summary();
+    let lines: Vec<_> = pairs.iter().filter_map(Pair::line).collect();
+    if !lines.is_empty() {
+        println!(
+            "reference / library, {SIDE}x{SIDE}, {REFLECTIONS} reflections; the bar is {BAR}\n"
+        );
+        println!("{:<12}  median  middle half    all", "scene");
+        println!("{}", lines.join("\n"));
+    }
+    Ok(())
+}
+
+fn castle() -> Result<Pair, Box<dyn Error>> {
+    let scene = Castle::with_description(|description| reference::Scene::from(&description));
+    let camera = reference::Camera::from(&Castle::CAMERA);
+    Pair::new(
+        "castle".to_owned(),
+        || by_library(Castle::frame(&Castle::CAMERA)),
+        move || by_reference(&scene, &camera),
+    )
+}
+
+/// The scene with this number of spheres that `cargo xtask scale` measures, too.
+fn spheres(count: usize) -> Result<Pair, Box<dyn Error>> {
+    let file = SceneFile::parse(&benchmark::scene(count, Order::Spiral), None)?;
+    let (built, (_, camera)) = (file.build()?, file.runtime()?);
+    let (scene, reference_camera) = file.reference();
+    Pair::new(
+        format!("{count} spheres"),
+        move || by_library(built.frame(&camera)),
+        move || by_reference(&scene, &reference_camera),
+    )
+}
+
+/// The library's whole frame, its preparation included.
+fn by_library<W: World + Copy>(frame: Frame<'_, W>) -> Picture {
+    let frame = frame.quality::<Exact>().reflections(REFLECTIONS);
+    painted(&frame.sized(Size::new_equal(SIDE)))
+}
+
+fn by_reference(scene: &reference::Scene, camera: &reference::Camera) -> Picture {
+    let (reflections, shading) = (REFLECTIONS.into(), Shading::BlinnPhong);
+    reference::render(scene, camera, SIDE, SIDE, reflections, shading)
+}
+
+/// Draws a picture.
+type Draw = Box<dyn Fn() -> Picture>;
+
+/// One scene, drawn by both.
+struct Pair {
+    name: String,
+    library: Draw,
+    reference: Draw,
+    /// The quotients so far, each over some frames in turns.
+    quotients: RefCell<Vec<f64>>,
+}
+
+impl Pair {
+    /// Fails where the two do not draw the same picture: then their times say nothing.
+    fn new(
+        name: String,
+        library: impl Fn() -> Picture + 'static,
+        reference: impl Fn() -> Picture + 'static,
+    ) -> Result<Self, Box<dyn Error>> {
+        let difference = compare(&library(), &reference())?;
+        if difference.within1 < 0.999 {
+            return Err(format!("{name}: not the same picture: {difference:?}").into());
+        }
+        Ok(Self {
+            name,
+            library: Box::new(library),
+            reference: Box::new(reference),
+            quotients: RefCell::default(),
+        })
+    }
+
+    fn measure(&self, criterion: &mut Criterion) {
+        let mut group = criterion.benchmark_group(&self.name);
+        group.bench_function("reference", |bencher| {
+            bencher.iter_custom(|frames| self.in_turns(frames).0);
+        });
+        group.bench_function("library", |bencher| {
+            bencher.iter_custom(|frames| self.in_turns(frames).1);
+        });
+        group.finish();
+    }
+
+    /// Draws so many frames with each; returns what the reference's took and what the library's.
+    fn in_turns(&self, frames: u64) -> (Duration, Duration) {
+        let (mut reference, mut library) = (Duration::ZERO, Duration::ZERO);
+        for _ in 0..frames {
+            reference += time(&self.reference);
+            library += time(&self.library);
+        }
+        let quotient = reference.as_secs_f64() / library.as_secs_f64();
+        self.quotients.borrow_mut().push(quotient);
+        (reference, library)
+    }
+
+    /// The row of the table, unless the command line has left this scene out.
+    fn line(&self) -> Option<String> {
+        let mut all = self.quotients.borrow().clone();
+        all.sort_by(f64::total_cmp);
+        let last = all.len().checked_sub(1)?;
+        let [least, low, median, high, most] = [0, 1, 2, 3, 4].map(|part| all[last * part / 4]);
+        Some(format!(
+            "{:<12}  {median:>6.2}  {low:.2} to {high:.2}   {least:.2} to {most:.2}",
+            self.name
+        ))
+    }
+}
+
+fn time(draw: &Draw) -> Duration {
+    let start = Instant::now();
+    black_box(draw());
+    start.elapsed()
+}

@@ -1,0 +1,23 @@
+//! Lines about what is wrong with a command.
+
+/// The message of the command line's parser, which spans several lines, in one line. Its advice to
+/// read the help is left out.
+pub fn in_one_line(error: &clap::Error) -> String {
+    let text = error.render().to_string();
+    let is_end = |line: &&str| line.starts_with("Usage:") || line.starts_with("For more info");
+    let is_empty = |line: &&str| line.is_empty() || line.starts_with("tip: to pass");
+    let lines = text.lines().map(str::trim).take_while(|line| !is_end(line));
+    let lines: Vec<_> = lines.filter(|line| !is_empty(line)).collect();
+    lines.join("; ").trim_start_matches("error: ").to_owned()
+}
+
+/// The text with every control character and line separator escaped. A path or a file may contain
+/// some, and they would break the line.
+pub fn one_line(text: &str) -> String {
+    let breaks = |letter: char| letter.is_control() || matches!(letter, '\u{2028}' | '\u{2029}');
+    let escaped = |letter: char| match breaks(letter) {
+        true => letter.escape_default().to_string(),
+        false => letter.to_string(),
+    };
+    text.chars().map(escaped).collect()
+}

@@ -1,0 +1,93 @@
+//! Sizes, qualities and shadings as words of the command line.
+
+use clap::ValueEnum;
+use embedded_graphics::geometry::Size;
+use reflet::host::reference;
+
+/// Width and height of a picture, such as `320x240`.
+///
+/// # Errors
+///
+/// The text is not two numbers from 1 to 65535 with an `x` between them.
+pub fn size(text: &str) -> Result<Size, &'static str> {
+    let side = |digits: &str| match digits.bytes().all(|digit| digit.is_ascii_digit()) {
+        true => digits.parse::<u16>().ok().filter(|&side| side > 0),
+        false => None,
+    };
+    let sides = text
+        .split_once('x')
+        .map(|(width, height)| (side(width), side(height)));
+    match sides {
+        Some((Some(width), Some(height))) => Ok(Size::new(width.into(), height.into())),
+        _ => Err("not a width and a height from 1 to 65535, such as 320x240"),
+    }
+}
+
+/// A shading of the library, as a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, ValueEnum)]
+pub enum Shading {
+    BlinnPhong,
+    Phong,
+    Normals,
+}
+
+impl Shading {
+    /// The word on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::BlinnPhong => "blinn-phong",
+            Self::Phong => "phong",
+            Self::Normals => "normals",
+        }
+    }
+
+    /// The name of the type in the library, and of the variant elsewhere.
+    pub fn type_name(self) -> &'static str {
+        match self {
+            Self::BlinnPhong => "BlinnPhong",
+            Self::Phong => "Phong",
+            Self::Normals => "Normals",
+        }
+    }
+}
+
+impl From<Shading> for reference::Shading {
+    fn from(shading: Shading) -> Self {
+        match shading {
+            Shading::BlinnPhong => Self::BlinnPhong,
+            Shading::Phong => Self::Phong,
+            Shading::Normals => Self::Normals,
+        }
+    }
+}
+
+/// A quality of the library, as a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, ValueEnum)]
+pub enum Quality {
+    Fast,
+    Fine,
+    Small,
+    Exact,
+}
+
+impl Quality {
+    /// The word on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fast => "fast",
+            Self::Fine => "fine",
+            Self::Small => "small",
+            Self::Exact => "exact",
+        }
+    }
+
+    /// The name of the type in the library.
+    pub fn type_name(self) -> &'static str {
+        match self {
+            Self::Fast => "Fast",
+            Self::Fine => "Fine",
+            Self::Small => "Small",
+            Self::Exact => "Exact",
+        }
+    }
+}

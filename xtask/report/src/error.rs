@@ -1,0 +1,249 @@
+//! What a picture is off by, what it may be off by, and where that comes from; it draws nothing.
+
+use reflet::host::compare::compare;
+use reflet::host::reference::bound::{Bound, Ending, Paths};
+use reflet::host::reference::{self, Picture, Shading};
+
+use crate::paint::Painter;
+use crate::settings::{Contestant, Level, Setting};
+use command_line::Failure;
+
+/// How many reflections stand for all of them: what is left of a path then is less than a display
+/// shows, unless its mirrors keep nearly everything for ever.
+const ALL: u32 = 2000;
+
+/// As many as a setting can have, and one.
+const FOLLOWED: usize = 256;
+
+/// What a scene's pictures are measured by.
+pub struct Truth {
+    /// With all reflections.
+    pub picture: Picture,
+    paths: Paths,
+    is_of_planes: bool,
+    is_plain: bool,
+}
+
+/// How far a picture is from the truth.
+#[derive(Clone, Debug)]
+pub struct Errors {
+    /// Of all pixels, in decibels; infinite where nothing differs.
+    pub psnr: f64,
+    /// The largest difference of a channel.
+    pub largest: u8,
+    /// Shares of the pixels that are the same and within 1.
+    pub same: f64,
+    pub within1: f64,
+    /// Where something is promised: in fixed point, with shadows, at full resolution.
+    pub promised: Option<Promised>,
+    /// Where the error comes from: the root of the mean square in 255ths, of each part alone.
+    pub parts: Parts,
+}
+
+/// What is promised of a picture, and how it is kept.
+#[derive(Clone, Copy, Debug)]
+pub struct Promised {
+    /// The share of the pixels that are sure: 0 to 1.
+    pub sure: f64,
+    /// How many pixels that are not sure are further than 1 from what their ending comes to.
+    pub decided: usize,
+    /// How many were further off although they were sure: none.
+    pub broken: usize,
+    /// The largest difference of a channel, and the largest bound, of those that are sure.
+    pub largest: u8,
+    pub bound: f64,
+    /// The PSNR of those that are sure, and the least that their bounds allow.
+    pub psnr: f64,
+    pub bound_psnr: f64,
+    /// Π αₖ · max |c| with what is left out, in 255ths, at its largest.
+    pub truncation: f64,
+    /// What rounding may do, in 255ths, at its largest.
+    pub rounding: f64,
+}
+
+/// Where an error comes from.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Parts {
+    /// From reflections that are left out.
+    pub truncation: f64,
+    /// From weights that are not followed.
+    pub cut_off: f64,
+    /// From pixels that are taken from those beside them.
+    pub between: f64,
+    /// From the formats.
+    pub rounding: f64,
+    /// From pixels where rounding decided otherwise what is met.
+    pub decided: f64,
+    /// From shadows that are left out, and from larger pixels.
+    pub simplified: f64,
+}
+
+impl Parts {
+    /// Whether more is due to rounding than to any other part.
+    pub fn is_rounding(&self) -> bool {
+        let others = [
+            self.truncation,
+            self.cut_off,
+            self.between,
+            self.decided,
+            self.simplified,
+        ];
+        others.iter().all(|part| *part < self.rounding)
+    }
+
+    /// In words, the part that is due the most.
+    pub fn largest(&self) -> &'static str {
+        let parts = [
+            (self.truncation, "reflections left out"),
+            (self.cut_off, "the weight cut-off"),
+            (self.between, "pixels between traced ones"),
+            (self.rounding, "rounding"),
+            (self.decided, "edges that rounding decides otherwise"),
+            (self.simplified, "larger pixels or shadows left out"),
+        ];
+        let largest = parts.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+        largest.map_or("nothing", |part| part.1)
+    }
+}
+
+impl Truth {
+    pub fn new(painter: &Painter) -> Self {
+        let (width, height) = (painter.size.width, painter.size.height);
+        let (scene, camera) = (&painter.scene, &painter.exact_camera);
+        let (shading, precision) = (Shading::BlinnPhong, painter.precision());
+        let size = (width, height);
+        Self {
+            picture: reference::render(scene, camera, width, height, ALL, shading),
+            paths: Paths::follow(scene, camera, size, FOLLOWED, shading, &precision),
+            is_of_planes: painter.is_of_planes(),
+            is_plain: painter.is_plain(),
+        }
+    }
+
+    /// What is wrong with a picture.
+    pub fn errors(
+        &self,
+        painter: &Painter,
+        setting: &Setting,
+        picture: &Picture,
+    ) -> Result<Errors, Failure> {
+        let found = compare(picture, &self.picture)?;
+        let mut parts = Parts::default();
+        let mut promised = None;
+        if let Contestant::Fixed { level, shadows } = setting.contestant {
+            let plain = Setting::fixed(level, setting.reflections);
+            let is_plain = shadows && setting.scale == 1;
+            let full = match is_plain {
+                true => picture,
+                false => &painter.paint(&plain),
+            };
+            let kept;
+            (parts, kept) = self.parts(painter, level, setting.reflections, full);
+            parts.simplified = apart(picture, full, |_| true);
+            promised = is_plain.then_some(kept);
+        } else {
+            let ending = self.ending(Level::Exact, setting.reflections);
+            parts.truncation = apart(&self.paths.picture(&ending), &self.picture, |_| true);
+        }
+        Ok(Errors {
+            psnr: found.psnr,
+            largest: found.max,
+            same: found.same,
+            within1: found.within1,
+            promised,
+            parts,
+        })
+    }
+
+    fn ending(&self, level: Level, reflections: u8) -> Ending {
+        let numbers = level.numbers();
+        Ending {
+            reflections: reflections.into(),
+            smallest_weight: numbers.smallest_weight.to_num(),
+            stride: match numbers.stride {
+                _ if self.is_plain => 1,
+                2.. if self.is_of_planes => 4,
+                stride => stride,
+            },
+            tolerance: numbers.tolerance.to_num(),
+        }
+    }
+
+    fn parts(
+        &self,
+        painter: &Painter,
+        level: Level,
+        reflections: u8,
+        picture: &Picture,
+    ) -> (Parts, Promised) {
+        let ending = self.ending(level, reflections);
+        let (bounds, exact) = (self.paths.bounds(&ending), self.paths.picture(&ending));
+        let all = self.paths.picture(&Ending {
+            smallest_weight: 0.0,
+            ..ending
+        });
+        let traced = painter.paint_traced(level, reflections);
+        let difference = |a: &Picture, b: &Picture, pixel: usize| {
+            let (a, b) = (a.pixels[pixel], b.pixels[pixel]);
+            (0..3)
+                .map(|axis| a[axis].abs_diff(b[axis]))
+                .max()
+                .unwrap_or(0)
+        };
+        // Against the same ending, so that what was cut off hides no wrong decision.
+        let is_decided =
+            |pixel: usize| bounds[pixel].is_unsure && difference(picture, &exact, pixel) > 1;
+        let decided: Vec<bool> = (0..bounds.len()).map(is_decided).collect();
+        let parts = Parts {
+            truncation: apart(&all, &self.picture, |_| true),
+            cut_off: apart(&exact, &all, |_| true),
+            between: apart(picture, &traced, |pixel| !decided[pixel]),
+            rounding: apart(&traced, &exact, |pixel| {
+                !decided[pixel] && !bounds[pixel].is_unsure
+            }),
+            decided: apart(picture, &exact, |pixel| decided[pixel]),
+            simplified: 0.0,
+        };
+        let far = |pixel: usize| difference(picture, &self.picture, pixel);
+        let is_sure = |pixel: usize| !bounds[pixel].is_unsure;
+        let sure: Vec<usize> = (0..bounds.len()).filter(|it| is_sure(*it)).collect();
+        let most = |of: fn(&Bound) -> f64| {
+            let all = sure.iter().map(|pixel| of(&bounds[*pixel]));
+            all.fold(0.0, f64::max)
+        };
+        let squares = sure.iter().map(|pixel| bounds[*pixel].levels().powi(2));
+        let share = bounds.len() as f64 / sure.len().max(1) as f64;
+        let all = bounds.len().max(1) as f64;
+        let promised = Promised {
+            sure: sure.len() as f64 / all,
+            decided: decided.iter().filter(|it| **it).count(),
+            broken: sure
+                .iter()
+                .filter(|it| f64::from(far(**it)) > bounds[**it].levels())
+                .count(),
+            largest: sure.iter().map(|pixel| far(*pixel)).max().unwrap_or(0),
+            bound: most(Bound::levels),
+            psnr: decibels(apart(picture, &self.picture, is_sure).powi(2) * share),
+            bound_psnr: decibels(squares.sum::<f64>() / sure.len().max(1) as f64),
+            truncation: most(|bound| (255.0 * bound.truncation).min(255.0)),
+            rounding: most(|bound| (255.0 * bound.rounding).min(255.0)),
+        };
+        (parts, promised)
+    }
+}
+
+fn decibels(mean_square: f64) -> f64 {
+    10.0 * (255.0_f64.powi(2) / mean_square).log10()
+}
+
+/// The root of the mean square, over all pixels, of how far apart those are that are asked for.
+fn apart(a: &Picture, b: &Picture, is_asked: impl Fn(usize) -> bool) -> f64 {
+    let pixels = a.pixels.iter().zip(&b.pixels).enumerate();
+    let asked = pixels.filter(|(index, _)| is_asked(*index));
+    let square = |a: u8, b: u8| f64::from(a.abs_diff(b)).powi(2);
+    let pixel = |(_, (a, b)): (usize, (&[u8; 3], &[u8; 3]))| {
+        (0..3).map(|axis| square(a[axis], b[axis])).sum::<f64>()
+    };
+    let sum = asked.map(pixel).fold(0.0, |sum, it| sum + it);
+    (sum / (3 * a.pixels.len()) as f64).sqrt()
+}

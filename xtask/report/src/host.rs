@@ -1,0 +1,69 @@
+//! Measures time on this machine: all settings in turn, against the double-precision reference.
+
+use std::collections::HashMap;
+use std::hint::black_box;
+use std::time::Instant;
+
+use rayon::ThreadPoolBuilder;
+use reflet::host::reference::{self, Shading};
+
+use crate::paint::{Painter, hash};
+use crate::point::Cost;
+use crate::settings::Setting;
+use command_line::Failure;
+
+/// How often each setting is measured.
+const ROUNDS: usize = 9;
+
+/// What each setting takes, in percents of the time that the reference takes with as many
+/// reflections, at full resolution and on one thread. Says of each round of a setting when it is done.
+///
+/// The settings take turns, so that whatever else the machine does meets all alike.
+pub fn time(
+    painter: &Painter,
+    settings: &[Setting],
+    done: &dyn Fn(),
+) -> Result<Vec<Cost>, Failure> {
+    let pool = ThreadPoolBuilder::new().num_threads(1).build()?;
+    let reference = |reflections: u8| {
+        let (scene, camera, size) = (&painter.scene, &painter.exact_camera, painter.size);
+        let (width, height) = (size.width, size.height);
+        let n = u32::from(reflections);
+        let shading = Shading::BlinnPhong;
+        let render = || reference::render(scene, camera, width, height, n, shading);
+        pool.install(|| seconds(render))
+    };
+    let mut shares = vec![Vec::with_capacity(ROUNDS); settings.len()];
+    for _ in 0..ROUNDS {
+        let mut wholes = HashMap::new();
+        for (setting, shares) in settings.iter().zip(&mut shares) {
+            let reflections = setting.reflections;
+            let whole = *wholes
+                .entry(reflections)
+                .or_insert_with(|| reference(reflections));
+            shares.push(100.0 * seconds(|| painter.paint(setting)) / whole);
+            done();
+        }
+    }
+    let costs = settings.iter().zip(shares).map(|(setting, mut shares)| {
+        shares.sort_by(f64::total_cmp);
+        Cost {
+            middle: shares[ROUNDS / 2],
+            quartiles: Some((shares[ROUNDS / 4], shares[ROUNDS - 1 - ROUNDS / 4])),
+            prepare: None,
+            hash: hash(&painter.paint(setting)),
+        }
+    });
+    Ok(costs.collect())
+}
+
+/// How many settings' rounds there are.
+pub fn rounds(settings: usize) -> usize {
+    ROUNDS * settings
+}
+
+fn seconds<T>(work: impl FnOnce() -> T) -> f64 {
+    let started = Instant::now();
+    black_box(work());
+    started.elapsed().as_secs_f64()
+}

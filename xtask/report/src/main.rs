@@ -1,0 +1,37 @@
+//! Measures what a scene costs and loses under many settings, and writes a report of it.
+//!
+//! `cargo run --release --package report -- --help`
+
+mod arguments;
+mod cache;
+mod error;
+mod front;
+mod host;
+mod meter;
+mod page;
+mod paint;
+mod plot;
+mod point;
+mod room;
+mod scene;
+mod settings;
+mod table;
+mod write;
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use command_line::one_line;
+
+use self::arguments::Arguments;
+
+fn main() -> ExitCode {
+    match Arguments::read().and_then(|arguments| scene::report(&arguments)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            // Nothing is left to be done if even this cannot be said.
+            let _ = writeln!(io::stderr(), "error: {}", one_line(&failure.to_string()));
+            ExitCode::from(2)
+        }
+    }
+}

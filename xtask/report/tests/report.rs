@@ -1,0 +1,219 @@
+//! The report of error against run time: one scene made small, and what is kept in the repository.
+
+use std::collections::BTreeMap;
+use std::ffi::OsString;
+use std::fs::{self, DirEntry};
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::SystemTime;
+
+use reflet::scenes::NAMES;
+use tempfile::TempDir;
+
+/// A row of points.csv by the names of its columns.
+type Row = BTreeMap<String, String>;
+
+const REPORT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/error-time");
+
+/// Runs the command in a folder with arguments that are separated by spaces.
+fn report(folder: &TempDir, arguments: &str) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_report"))
+        .args(arguments.split_whitespace())
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .output()
+        .expect("the command runs")
+}
+
+/// Runs the command, which has to succeed.
+fn reported(folder: &TempDir, arguments: &str) {
+    let output = report(folder, arguments);
+    let complaints = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{complaints}");
+}
+
+fn rows(folder: &Path) -> Vec<Row> {
+    let mut reader = csv::Reader::from_path(folder.join("points.csv")).expect("there is a table");
+    let rows = reader
+        .deserialize()
+        .map(|row| row.expect("a row of the table"));
+    rows.collect()
+}
+
+fn number(row: &Row, column: &str) -> f64 {
+    let text = &row[column];
+    text.parse()
+        .unwrap_or_else(|_| panic!("{column} of {row:?} is a number"))
+}
+
+/// When each of a folder's files was written.
+fn written(folder: &Path) -> BTreeMap<OsString, SystemTime> {
+    let entries = fs::read_dir(folder).expect("the folder can be read");
+    let entries = entries.map(|entry| entry.expect("an entry"));
+    let time = |entry: &DirEntry| entry.metadata().and_then(|it| it.modified());
+    entries
+        .map(|entry| (entry.file_name(), time(&entry).expect("a time")))
+        .collect()
+}
+
+/// What holds in every table, scene by scene.
+fn assert_is_sound(rows: &[Row], scenes: &[&str], cost: &str) {
+    for scene in scenes {
+        let of = |contestant: &str| -> Vec<&Row> {
+            let own = rows.iter().filter(|row| row["scene"] == *scene);
+            own.filter(|row| row["contestant"] == contestant).collect()
+        };
+        let (fixed, float) = (of("fixed"), of("float"));
+        assert!(fixed.len() >= 15 && float.len() >= 3, "{scene}");
+        assert_front_is_monotone(&fixed, cost);
+        let plain = fixed
+            .iter()
+            .filter(|row| row["shadows"] == "true" && row["scale"] == "1");
+        let mut promised = 0;
+        for row in plain {
+            assert_eq!(row["beyond_bound"], "0", "{row:?}");
+            assert!(
+                number(row, "sure_largest") <= number(row, "bound_largest"),
+                "{row:?}"
+            );
+            assert!(
+                number(row, "sure_psnr") >= number(row, "bound_psnr"),
+                "{row:?}"
+            );
+            promised += 1;
+        }
+        assert!(promised >= 5, "{scene}");
+        // The finest quality with all reflections: nothing but rounding is left.
+        let finest = fixed.iter().filter(|row| row["quality"] == "exact");
+        let finest = finest.max_by_key(|row| row["reflections"].parse::<u8>().unwrap());
+        let finest = finest.expect("exact is tried, too");
+        assert!(number(finest, "sure_largest") <= 1.0, "{finest:?}");
+        assert_eq!(number(finest, "rms_between"), 0.0, "{finest:?}");
+    }
+}
+
+/// Whoever pays more on the front has less error, and nobody else has less for as much.
+fn assert_front_is_monotone(fixed: &[&Row], cost: &str) {
+    let mut front: Vec<_> = fixed
+        .iter()
+        .filter(|row| row["on_front"] == "true")
+        .collect();
+    assert!(!front.is_empty());
+    front.sort_by(|a, b| {
+        let by_cost = number(a, cost).total_cmp(&number(b, cost));
+        by_cost.then(number(a, "psnr").total_cmp(&number(b, "psnr")))
+    });
+    for pair in front.windows(2) {
+        assert!(
+            number(pair[0], "psnr") <= number(pair[1], "psnr"),
+            "{pair:?}"
+        );
+    }
+    for row in fixed {
+        // The numbers in the table are rounded.
+        let beats = |point: &&Row| {
+            number(row, cost) < number(point, cost) - 0.1
+                && number(row, "psnr") > number(point, "psnr") + 0.001
+        };
+        let beaten = front.iter().find(|point| beats(point));
+        assert_eq!(beaten, None, "{row:?}");
+    }
+}
+
+#[test]
+fn kept_report_is_sound() {
+    let rows = rows(Path::new(REPORT));
+    assert!(rows.iter().all(|row| row["size"] == "128x128"));
+    assert_is_sound(&rows, &NAMES, "instructions_per_pixel");
+    let page = fs::read_to_string(Path::new(REPORT).join("index.md")).unwrap();
+    for name in NAMES {
+        for plot in ["psnr", "largest"] {
+            let file = format!("{name}-{plot}.svg");
+            assert!(page.contains(&format!("({file})")), "{file}");
+            let svg = fs::read_to_string(Path::new(REPORT).join(file)).unwrap();
+            assert!(svg.starts_with("<svg"));
+        }
+    }
+    let html = fs::read_to_string(Path::new(REPORT).join("index.html")).unwrap();
+    assert!(!html.contains("src=\"http") && !html.contains("href=\"http"));
+    assert!(html.contains("src=\"data:image/png;base64,"));
+}
+
+#[test]
+fn scene_is_counted_once_and_its_table_has_the_columns_of_the_kept_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = "corner1 --core m3 --size 16x16 --reflections 1 --counts kept --out made";
+    reported(&folder, arguments);
+    let made = folder.path().join("made");
+    let rows = rows(&made);
+    assert_is_sound(&rows, &["corner1"], "instructions_per_pixel");
+    let kept = self::rows(Path::new(REPORT));
+    assert!(rows[0].keys().eq(kept[0].keys()));
+    let cores: Vec<_> = rows.iter().map(|row| row["core"].as_str()).collect();
+    assert!(cores.contains(&"m3") && cores.contains(&"m4f"));
+    // Nothing has changed since, so nothing is counted, or it would be written again: the table is
+    // the same.
+    let table = fs::read(made.join("points.csv")).unwrap();
+    let kept = written(&folder.path().join("kept"));
+    assert!(kept.len() >= 2, "{kept:?}");
+    reported(&folder, arguments);
+    assert_eq!(written(&folder.path().join("kept")), kept);
+    assert_eq!(fs::read(made.join("points.csv")).unwrap(), table);
+    let front = fs::read_to_string(made.join("front.rs")).unwrap();
+    assert!(
+        front.contains("pub const CORNER1: Front = Front::new(&["),
+        "{front}"
+    );
+}
+
+#[test]
+fn scene_file_is_timed_on_this_machine_with_quartiles() {
+    let folder = tempfile::tempdir().unwrap();
+    let camera = r#"{"position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50}"#;
+    let glass = r#"{"name": "glass", "color": [1, 1, 1], "ambient": 0.5, "diffuse": 0.5,
+        "specular": 0, "shininess": 1, "mirror": 0.5}"#;
+    let scene = format!(
+        r#"{{"name": "ball", "camera": {camera}, "materials": [{glass}],
+            "lights": [{{"position": [3, -4, 6], "color": [1, 1, 1]}}],
+            "spheres": [{{"center": [0, 0, 1], "radius": 1, "material": "glass"}}],
+            "planes": [{{"center": [0, 0, 0], "normal": [0, 0, 1], "material": "glass"}}]}}"#
+    );
+    fs::write(folder.path().join("ball.json"), scene).unwrap();
+    reported(&folder, "./ball.json --core host --size 12x12 --out made");
+    let rows = rows(&folder.path().join("made"));
+    assert_is_sound(&rows, &["ball"], "time_percent");
+    for row in &rows {
+        let [lower, middle, upper] = ["time_lower_quartile", "time_percent", "time_upper_quartile"]
+            .map(|column| number(row, column));
+        assert!(0.0 < lower && lower <= middle && middle <= upper, "{row:?}");
+    }
+}
+
+#[test]
+fn wrong_arguments_are_named_in_one_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let cases = [
+        ("sandcastle", "sandcastle"),
+        ("no.json", "no.json"),
+        ("castle castle", "castle"),
+        ("castle mirror1 --scene a", "--scene"),
+        ("--core m9", "--core"),
+        ("--size 0x5", "--size"),
+        ("--size 2000x5", "1024"),
+        ("--reflections 256", "--reflections"),
+        ("--out /dev/null/made", "--out"),
+        ("--speed", "--speed"),
+    ];
+    for (arguments, name) in cases {
+        let Output {
+            status,
+            stdout,
+            stderr,
+        } = report(&folder, arguments);
+        let complaint = String::from_utf8_lossy(&stderr);
+        assert_eq!((status.code(), stdout.len()), (Some(2), 0), "{arguments}");
+        assert_eq!(complaint.lines().count(), 1, "{complaint}");
+        assert!(complaint.contains(name), "{arguments}: {complaint}");
+    }
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+}

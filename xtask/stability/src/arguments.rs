@@ -1,0 +1,43 @@
+//! The command line; it never opens a file.
+
+use std::path::PathBuf;
+
+use clap::Parser;
+use command_line::{Failure, in_one_line};
+
+/// Tries every case of the catalogue and writes docs/stability.md.
+///
+/// The exit code is 0; 1 where a case has missed its bar, is worse than f32 for no reason that is
+/// named, or too many are worse; and 2 after an error, which is one line.
+#[derive(Parser)]
+#[command(name = "stability", max_term_width = 100)]
+pub struct Arguments {
+    /// Print one line of JSON a case, and write no page
+    #[arg(long)]
+    pub json: bool,
+
+    /// Where the page is written
+    #[arg(long, value_name = "F.md", default_value = "docs/stability.md")]
+    pub page: PathBuf,
+
+    /// Draw random scenes instead until so many rays have been followed, with every overflow
+    /// checked: needs `--profile checked` in the place of `--release`
+    #[arg(long, value_name = "N")]
+    pub rays: Option<u64>,
+
+    /// Which random scenes
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+}
+
+impl Arguments {
+    /// What the command line says, or the line that says what is wrong with it.
+    pub fn read() -> Result<Self, Failure> {
+        Self::try_parse().map_err(|error| {
+            if !error.use_stderr() {
+                error.exit();
+            }
+            in_one_line(&error).into()
+        })
+    }
+}

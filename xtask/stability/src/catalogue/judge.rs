@@ -1,0 +1,394 @@
+//! Tries a case and says what came of it; it never prints.
+
+use embedded_graphics::geometry::Size;
+use float_picture::single;
+use reflet::host;
+use reflet::host::compare::compare;
+use reflet::host::file::SceneFile;
+use reflet::host::reference::{self, Shading, render};
+use reflet::{Exact, Fine, Frame, Quality, World};
+
+use super::{Case, Measured, Trial};
+
+/// Pixels a side, and where paths are long.
+pub const SIDE: u32 = 96;
+pub const SHORT_SIDE: u32 = 32;
+
+/// More reflections than this are many.
+pub const MANY: u8 = 20;
+
+/// A picture with as many pixels within 8 as single precision's is no worse than it where its mean
+/// error is below this, in 255ths.
+pub const UNSEEN: f64 = 0.05;
+
+/// How far a pixel may be off and not be counted as off, in 255ths.
+const VISIBLE: u8 = 8;
+
+/// How far a picture of one colour may be off, in 255ths.
+const ONE_LEVEL: f64 = 1.0;
+
+/// At most this share of a chaotic picture's pixels is within 8.
+const CHAOTIC: f64 = 0.9;
+
+/// How far the eye is moved for other references of a chaotic picture, in scene units.
+const NUDGES: [f64; 4] = [1e-7, -1e-7, 2e-7, -2e-7];
+
+/// How many times as far as the furthest of those a chaotic picture may be off.
+const TIMES_NOISE: f64 = 1.5;
+
+/// What came of a case.
+pub struct Verdict {
+    /// What it was compared with.
+    pub reference: &'static str,
+    /// What the errors are errors of.
+    pub unit: &'static str,
+    /// The errors of fixed point and of single precision; none of what has no number.
+    pub errors: Option<[f64; 2]>,
+    /// The shares of pixels within 8 of 255, of a picture: `Exact`, `Fine`, `Fast` and single precision.
+    pub within8: Option<[f64; 4]>,
+    /// The pixels of `Exact` that are not within 8, of a picture.
+    pub off: Option<Off>,
+    /// Whether the bar is met.
+    pub is_met: bool,
+    /// Whether fixed point is no worse than single precision: `Exact`, `Fine` and `Fast`. What is no
+    /// picture is the same in all.
+    pub no_worse: Option<[bool; 3]>,
+    /// The bar, and what else is to be said.
+    pub words: String,
+}
+
+impl Verdict {
+    /// Whether the error of fixed point is not larger than that of single precision, whatever is seen.
+    pub fn is_strictly_no_worse(&self) -> Option<bool> {
+        self.errors.map(|[fixed, single]| fixed <= single)
+    }
+}
+
+/// Pixels that are not within 8, and where they are.
+#[derive(Clone, Copy, Debug)]
+pub struct Off {
+    /// All of them.
+    pub pixels: usize,
+    /// Those at an edge: in the reference a pixel beside it differs by more than 8.
+    pub at_edges: usize,
+    /// Those of `Fine` that are right in `Exact`.
+    pub lost: usize,
+    /// Those of them at an edge.
+    pub lost_at_edges: usize,
+}
+
+/// Tries a case.
+pub fn judge(case: &Case) -> Verdict {
+    match &case.trial {
+        Trial::Picture(picture) => match Pictures::of(
+            &picture.draft.text(),
+            picture.reflections,
+            picture.is_chaotic,
+        ) {
+            Ok(pictures) => match picture.is_chaotic {
+                true => pictures.judge_statistics(),
+                false => pictures.judge(picture.bar),
+            },
+            Err(words) => refused(words),
+        },
+        Trial::Closed {
+            draft,
+            reflections,
+            color,
+        } => match Pictures::of(&draft.text(), *reflections, false) {
+            Ok(pictures) => pictures.judge_color(*color),
+            Err(words) => refused(words),
+        },
+        Trial::Measured(measure) => judge_measured(measure()),
+        Trial::Claim(claim) => {
+            let outcome = claim();
+            Verdict {
+                reference: "what is promised",
+                unit: "",
+                errors: None,
+                within8: None,
+                off: None,
+                is_met: outcome.is_ok(),
+                no_worse: None,
+                words: outcome.unwrap_or_else(|words| words),
+            }
+        }
+    }
+}
+
+fn refused(words: String) -> Verdict {
+    Verdict {
+        reference: "none",
+        unit: "",
+        errors: None,
+        within8: None,
+        off: None,
+        is_met: false,
+        no_worse: None,
+        words,
+    }
+}
+
+fn judge_measured(measured: Measured) -> Verdict {
+    let Measured {
+        reference,
+        unit,
+        fixed,
+        single,
+        bar,
+        uncertain,
+        note,
+    } = measured;
+    Verdict {
+        reference,
+        unit,
+        errors: Some([fixed, single]),
+        within8: None,
+        off: None,
+        is_met: fixed <= bar,
+        no_worse: Some([fixed <= single.max(uncertain); 3]),
+        words: format!("at most {bar:.2e}. {note}"),
+    }
+}
+
+/// One scene, painted in every way.
+pub struct Pictures {
+    truth: reference::Picture,
+    exact: reference::Picture,
+    fine: reference::Picture,
+    fast: reference::Picture,
+    single: reference::Picture,
+    /// The reference from other eyes hardly aside; none unless statistics are wanted.
+    nudged: Vec<reference::Picture>,
+}
+
+/// A picture by the core.
+pub fn painted<W: World + Copy, Q: Quality>(
+    frame: Frame<'_, W, Q>,
+    (width, height): (u32, u32),
+) -> reference::Picture {
+    host::painted(&frame.sized(Size::new(width, height)))
+}
+
+impl Pictures {
+    /// Of a scene file; of a chaotic one all that statistics need.
+    pub fn of(text: &str, reflections: u8, is_chaotic: bool) -> Result<Self, String> {
+        let file = SceneFile::parse(text, None).map_err(|error| error.to_string())?;
+        let built = file.build().map_err(|error| error.to_string())?;
+        let (_, camera) = file.runtime().map_err(|error| error.to_string())?;
+        let frame = || built.frame(&camera).reflections(reflections);
+        let (scene, eye) = file.reference();
+        let side = match reflections > MANY && !is_chaotic {
+            true => SHORT_SIDE,
+            false => SIDE,
+        };
+        let size = (side, side);
+        let n = u32::from(reflections);
+        let nudges = NUDGES.iter().filter(|_| is_chaotic);
+        let nudged = nudges.map(|nudge| {
+            let mut eye = eye.clone();
+            eye.position[0] += nudge;
+            render(&scene, &eye, side, side, n, Shading::BlinnPhong)
+        });
+        Ok(Self {
+            nudged: nudged.collect(),
+            truth: render(&scene, &eye, side, side, n, Shading::BlinnPhong),
+            exact: painted(frame().quality::<Exact>(), size),
+            fine: painted(frame().quality::<Fine>(), size),
+            fast: painted(frame(), size),
+            single: single::render(&scene, &eye, size, n, Shading::BlinnPhong),
+        })
+    }
+
+    /// By fixed point: `Exact`, `Fine` and `Fast`.
+    fn fixed(&self) -> [&reference::Picture; 3] {
+        [&self.exact, &self.fine, &self.fast]
+    }
+
+    /// By these and by single precision.
+    fn all(&self) -> [&reference::Picture; 4] {
+        [&self.exact, &self.fine, &self.fast, &self.single]
+    }
+
+    fn against_truth(&self) -> [f64; 4] {
+        self.all().map(|picture| within8_of(picture, &self.truth))
+    }
+
+    /// How many pixels of all qualities are not the same in another's.
+    pub fn differing(&self, other: &Self) -> usize {
+        let pairs = self.fixed().into_iter().zip(other.fixed());
+        let differ = pairs.map(|(a, b)| {
+            let pixels = a.pixels.iter().zip(&b.pixels);
+            pixels.filter(|(a, b)| a != b).count()
+        });
+        differ.sum()
+    }
+
+    fn off(&self) -> Off {
+        let is_off = |picture: &reference::Picture, index: usize| {
+            differ(&picture.pixels[index], &self.truth.pixels[index])
+        };
+        let all = 0..self.truth.pixels.len();
+        let is_lost = |it: &usize| is_off(&self.fine, *it) && !is_off(&self.exact, *it);
+        let lost: Vec<_> = all.clone().filter(is_lost).collect();
+        let off: Vec<_> = all.filter(|it| is_off(&self.exact, *it)).collect();
+        let at_edges = |pixels: &[usize]| {
+            let edges = pixels.iter().filter(|it| is_edge(&self.truth, **it));
+            edges.count()
+        };
+        Off {
+            pixels: off.len(),
+            at_edges: at_edges(&off),
+            lost: lost.len(),
+            lost_at_edges: at_edges(&lost),
+        }
+    }
+
+    fn judge(&self, bar: f64) -> Verdict {
+        let within8 = self.against_truth();
+        let errors = self.all().map(|it| mean_error(it, &self.truth));
+        let (single, single_within8) = (errors[3], within8[3]);
+        let is_no_worse = |it: usize| {
+            errors[it] <= single || (errors[it] < UNSEEN && within8[it] >= single_within8)
+        };
+        Verdict {
+            reference: "double",
+            unit: "mean, 255ths",
+            errors: Some([errors[0], single]),
+            within8: Some(within8),
+            off: Some(self.off()),
+            is_met: within8[..3].iter().all(|share| *share >= bar),
+            no_worse: Some([0, 1, 2].map(is_no_worse)),
+            words: format!(
+                "{:.1} % of the pixels within 8, in every quality",
+                100.0 * bar
+            ),
+        }
+    }
+
+    fn judge_color(&self, color: [f64; 3]) -> Verdict {
+        let furthest = |picture: &reference::Picture| {
+            let off = |pixel: &[u8; 3]| {
+                let off = [0, 1, 2].map(|channel| {
+                    (f64::from(pixel[channel]) - 255.0 * color[channel].clamp(0.0, 1.0)).abs()
+                });
+                off.into_iter().fold(0.0, f64::max)
+            };
+            picture.pixels.iter().map(off).fold(0.0, f64::max)
+        };
+        let [exact, fine, fast, single] = self.all().map(furthest);
+        let bar = 0.5 + ONE_LEVEL;
+        Verdict {
+            reference: "closed form",
+            unit: "largest, 255ths",
+            errors: Some([exact, single]),
+            within8: Some(self.against_truth()),
+            off: Some(self.off()),
+            is_met: exact.max(fine).max(fast) <= bar,
+            no_worse: Some([exact, fine, fast].map(|error| error <= single)),
+            words: format!("{bar} in every quality, half of one by rounding; `Fast` {fast:.2}"),
+        }
+    }
+
+    fn judge_statistics(&self) -> Verdict {
+        let within8 = self.against_truth();
+        let apart = |picture| {
+            let (a, b) = (mean_color(picture), mean_color(&self.truth));
+            [0, 1, 2]
+                .map(|it| (a[it] - b[it]).abs())
+                .into_iter()
+                .fold(0.0, f64::max)
+        };
+        let [exact, fine, fast, single] = self.all().map(apart);
+        let histograms = self.fixed().map(|it| histogram_error(it, &self.truth));
+        let histogram = histograms.into_iter().fold(0.0, f64::max);
+        // What pictures by the same chaos differ by.
+        let noise = self.nudged.iter().map(apart).fold(0.0, f64::max);
+        let bins = self
+            .nudged
+            .iter()
+            .map(|it| histogram_error(it, &self.truth));
+        let bins = bins.fold(0.0, f64::max);
+        let furthest = exact.max(fine).max(fast);
+        let are_close = furthest <= TIMES_NOISE * noise && histogram <= TIMES_NOISE * bins;
+        // By the reference alone: whose eye is moved by less than a pixel can show sees another picture.
+        let moved = self.nudged.iter().map(|it| within8_of(it, &self.truth));
+        let alike = moved.fold(0.0, f64::max);
+        let is_chaotic = alike <= CHAOTIC;
+        Verdict {
+            reference: "double, statistics",
+            unit: "mean colour, 255ths",
+            errors: Some([exact, single]),
+            within8: Some(within8),
+            // No pixel is expected to be right.
+            off: None,
+            is_met: are_close && is_chaotic,
+            no_worse: Some([exact, fine, fast].map(|error| error <= single.max(noise))),
+            words: format!(
+                "at most {} % of the reference's own pixels within 8 with its eye moved (here {}); and \
+                 for the mean colour (`Fast` {fast:.3}) and the \
+                 share of pixels in another bin of a histogram of 16 (here {histogram:.4}) at most \
+                 {TIMES_NOISE} times what the reference differs from itself by with its eye moved by \
+                 {:.0e}: {noise:.3} and {bins:.4}. What is below that cannot be told apart",
+                100.0 * CHAOTIC,
+                format_args!("{:.1} %", 100.0 * alike),
+                NUDGES.into_iter().fold(0.0, f64::max),
+            ),
+        }
+    }
+}
+
+/// The share of pixels within 8.
+fn within8_of(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
+    compare(picture, truth).expect("one size").within8
+}
+
+/// Whether two pixels are not within 8.
+fn differ(a: &[u8; 3], b: &[u8; 3]) -> bool {
+    a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > VISIBLE)
+}
+
+/// Whether a pixel differs from one of the eight around it.
+fn is_edge(picture: &reference::Picture, index: usize) -> bool {
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    let (x, y) = (index % width, index / width);
+    let near = |at: usize, most: usize| at.saturating_sub(1)..=(at + 1).min(most - 1);
+    let mut around = near(y, height).flat_map(|y| near(x, width).map(move |x| y * width + x));
+    around.any(|other| differ(&picture.pixels[index], &picture.pixels[other]))
+}
+
+fn mean_error(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
+    let pairs = picture
+        .pixels
+        .iter()
+        .flatten()
+        .zip(truth.pixels.iter().flatten());
+    let sum: u64 = pairs.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
+    sum as f64 / (3 * truth.pixels.len()) as f64
+}
+
+fn mean_color(picture: &reference::Picture) -> [f64; 3] {
+    let count = picture.pixels.len() as f64;
+    [0, 1, 2].map(|it| {
+        let sum: f64 = picture
+            .pixels
+            .iter()
+            .map(|pixel| f64::from(pixel[it]))
+            .sum();
+        sum / count
+    })
+}
+
+/// The share of channels that lie in another of 16 bins, those that have changed places apart.
+fn histogram_error(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
+    let mut bins = [0_i64; 48];
+    for (pictures, sign) in [(picture, 1), (truth, -1)] {
+        for pixel in &pictures.pixels {
+            for (channel, value) in pixel.iter().enumerate() {
+                bins[16 * channel + usize::from(value / 16)] += sign;
+            }
+        }
+    }
+    let moved: i64 = bins.iter().map(|count| count.abs()).sum();
+    moved as f64 / (2 * 3 * truth.pixels.len()) as f64
+}

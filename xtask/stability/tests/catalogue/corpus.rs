@@ -1,0 +1,28 @@
+//! What the fuzzer has kept is drawn again, every overflow checked, without the fuzzer, which needs a
+//! C++ compiler.
+
+use std::fs;
+
+use wild::Wild;
+
+const KEPT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fuzz/corpus/scene");
+
+/// Some are kept because the library refuses them in a way of its own; most are drawn.
+#[test]
+fn corpus_of_the_fuzzer_is_drawn() {
+    let (mut files, mut drawn, mut rays) = (0, 0, 0);
+    for entry in fs::read_dir(KEPT).unwrap() {
+        let path = entry.unwrap().path();
+        // Named before it is drawn, so that a panic tells which file it is.
+        println!("{}", path.display());
+        let bytes = fs::read(&path).unwrap();
+        files += 1;
+        if let Some(picture) = Wild::read(&bytes).and_then(|wild| wild.draw()) {
+            drawn += 1;
+            rays += picture.rays;
+        }
+    }
+    println!("{drawn} scenes of {files} files, {rays} rays");
+    assert!(files >= 60, "{files} files are too few");
+    assert!(2 * drawn >= files, "{drawn} scenes of {files} files");
+}

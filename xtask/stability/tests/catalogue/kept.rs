@@ -1,0 +1,152 @@
+//! What every picture keeps: no more light than there is, and no jump where the camera moves by a
+//! step.
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use reflet::host::file::SceneFile;
+use reflet::{Exact, Fast, Fine};
+
+use super::symmetry::{SIDE, drawn};
+use stability::catalogue::draft::{Draft, Setting, still_life};
+use stability::catalogue::judge::painted;
+
+fn runner(cases: u32) -> TestRunner {
+    let config = Config {
+        cases,
+        failure_persistence: None,
+        ..Config::default()
+    };
+    TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
+}
+
+/// Shapes of one material in front of a background, lit by nothing.
+fn unlit(color: f64, mirror: f64, background: f64, spheres: &[([f64; 3], f64)]) -> Draft {
+    let draft = Draft::through([0.1, -3.0, 0.3], [0.0; 3], [0.0, 0.0, 1.0], 80.0)
+        .material("own", [color; 3], [1.0, 0.0, 0.0, 1.0, mirror])
+        .plane([0.0, 0.0, -1.0], [0.1, 0.0, 1.0], "own")
+        .cylinder([0.0, 0.5, 0.0], [0.3, 0.2, 1.0], (0.3, 1.5), "own")
+        .before([background; 3]);
+    let all = spheres.iter();
+    all.fold(draft, |draft, (center, radius)| {
+        draft.sphere(*center, *radius, "own")
+    })
+}
+
+/// The brightest channels of the pictures of a scene file after so many reflections, one for each
+/// quality.
+fn brightest(draft: &Draft, reflections: u8) -> [(&'static str, u8); 3] {
+    let file = SceneFile::parse(&draft.text(), None).unwrap();
+    let (built, (_, camera)) = (file.build().unwrap(), file.runtime().unwrap());
+    let (frame, size) = (|| built.frame(&camera).reflections(reflections), (48, 24));
+    let pictures = [
+        ("Exact", painted(frame().quality::<Exact>(), size)),
+        ("Fine", painted(frame().quality::<Fine>(), size)),
+        ("Fast", painted(frame().quality::<Fast>(), size)),
+    ];
+    pictures.map(|(quality, picture)| {
+        let brightest = picture.pixels.into_iter().flatten().max();
+        (quality, brightest.unwrap())
+    })
+}
+
+#[test]
+fn no_pixel_is_brighter_than_the_brightest_surface() {
+    let spheres = prop::collection::vec((prop::array::uniform3(-1.0..1.0), 0.05..0.6), 0..6);
+    let scenes = (0.0..1.0, 0.0..=1.0, 0.0..1.0, spheres, any::<u8>());
+    let outcome = runner(400).run(&scenes, |(color, mirror, background, spheres, n)| {
+        let most = (255.0 * f64::max(color, background)).round() as u8;
+        let draft = unlit(color, mirror, background, &spheres);
+        for (quality, brightest) in brightest(&draft, n) {
+            prop_assert!(brightest <= most, "{quality}: {brightest} of {most}");
+        }
+        Ok(())
+    });
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn lit_pixel_is_no_brighter_than_its_material_may_shine() {
+    // Coefficients that add up to 1 under a light of 1.
+    let coefficients = (0.0..1.0, 0.0..1.0, 0.0..=1.0, 0.0..300.0);
+    // A light in the eye makes both terms as large as they can be in one point.
+    let eye = [0.5, -4.0, 1.5];
+    let scenes = (coefficients, 0.05..1.0, any::<u8>(), any::<bool>());
+    let outcome = runner(200).run(
+        &scenes,
+        |((ambient, part, mirror, shininess), color, n, is_beside)| {
+            let (diffuse, specular) = ((1.0 - ambient) * part, (1.0 - ambient) * (1.0 - part));
+            let made = [ambient, diffuse, specular, shininess, mirror];
+            let draft = Draft::seen_from(eye, [0.0, 0.0, 0.5])
+                .material("own", [color; 3], made)
+                .sphere([-0.5, 0.0, 0.5], 0.5, "own")
+                .cylinder([0.7, 0.0, 0.5], [0.0, 0.0, 1.0], (0.4, 1.0), "own")
+                .plane([0.0; 3], [0.0, 0.0, 1.0], "own")
+                .light(if is_beside { [0.7, -3.0, 2.0] } else { eye })
+                .before([0.0; 3]);
+            let most = (255.0 * color).round() as u8;
+            for (quality, brightest) in brightest(&draft, n) {
+                prop_assert!(brightest <= most, "{quality}: {brightest} of {most}");
+            }
+            Ok(())
+        },
+    );
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn black_absorbs_everything() {
+    let here = Setting::HERE;
+    let scene = Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+        .material("soot", [0.0; 3], [1.0, 1.0, 1.0, 4.0, 0.0])
+        .sphere([-0.5, 0.0, 0.5], 0.5, "soot")
+        .cylinder([0.7, 0.0, 0.5], [0.0, 0.0, 1.0], (0.4, 1.0), "soot")
+        .plane([0.0; 3], [0.0, 0.0, 1.0], "soot")
+        .plane([0.0, 9.0, 0.0], [0.0, 1.0, 0.0], "soot")
+        .before([0.0; 3]);
+    for (quality, brightest) in brightest(&here.lit(scene), 4) {
+        assert_eq!(brightest, 0, "{quality}");
+    }
+}
+
+/// A camera that is moved by a step or two of the grid sees what it saw: no pixel changes by more than
+/// two levels but at edges, where something else may come to lie in a pixel's middle.
+#[test]
+fn camera_moved_by_a_step_changes_edges_alone() {
+    let eyes = [[0.5, -4.0, 1.5], [-3.0, -2.5, 0.7], [1.0, -0.9, 0.1]];
+    let mut changed = 0;
+    for [x, y, z] in eyes {
+        let at = |x, y, z| still_life([x, y, z], [0.0, 0.0, 0.5], 60.0).text();
+        let before = drawn(&at(x, y, z));
+        // The still life is laid on steps of 2^-23 to 2^-22.
+        let step = 2f64.powi(-22);
+        for moved in [[x + step, y, z], [x, y + step, z], [x, y, z - step]] {
+            let after = drawn(&at(moved[0], moved[1], moved[2]));
+            for (index, (a, b)) in before.pixels.iter().zip(&after.pixels).enumerate() {
+                let apart = a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
+                changed += u32::from(apart > 0);
+                assert!(
+                    apart <= 2 || is_edge(&before.pixels, index),
+                    "pixel {index}: {a:?} {b:?}, {moved:?}"
+                );
+            }
+        }
+    }
+    println!("{changed} pixels have changed");
+    assert!(
+        changed < 9 * SIDE * SIDE / 100,
+        "{changed} pixels have changed"
+    );
+}
+
+/// Whether a pixel differs from one beside it.
+fn is_edge(pixels: &[[u8; 3]], index: usize) -> bool {
+    let side = SIDE as usize;
+    let (x, y) = (index % side, index / side);
+    let beside = |at: usize, most: usize| at.saturating_sub(1)..=(at + 1).min(most - 1);
+    let mut around = beside(y, side).flat_map(|y| beside(x, side).map(move |x| y * side + x));
+    let differs = |other: usize| {
+        let pairs = pixels[index].iter().zip(&pixels[other]);
+        pairs.map(|(a, b)| a.abs_diff(*b)).max() > Some(4)
+    };
+    around.any(differs)
+}

@@ -1,0 +1,125 @@
+//! Stiff and extreme cases: every case of the catalogue meets its bar, the page says what came of
+//! them, and what a picture must keep is kept: energy, symmetry, continuity.
+
+mod corpus;
+mod kept;
+mod symmetry;
+
+use std::fs;
+
+use proptest::prelude::RngCore;
+use proptest::test_runner::{RngAlgorithm, TestRng};
+use stability::catalogue::draft::still_life;
+use stability::catalogue::judge::judge;
+use stability::catalogue::{BAR, Case, Measured, Picture, Trial, chapters};
+use stability::report::Tried;
+use stability::{page, report};
+use wild::Wild;
+
+#[test]
+fn every_case_meets_its_bar_and_the_page_says_so() {
+    let chapters = chapters();
+    let all = chapters
+        .iter()
+        .flat_map(|(chapter, cases)| cases.iter().map(|case| Tried::new(chapter, case)));
+    let tried: Vec<_> = all.collect();
+    let failures = report::failures(&tried);
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    assert!(report::Compared::of(&tried).is_aim_met());
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/stability.md");
+    let written = fs::read_to_string(path).unwrap();
+    assert!(
+        written == page::page(&tried),
+        "docs/stability.md is old: cargo run --release --package stability"
+    );
+}
+
+#[test]
+fn no_two_cases_have_one_name() {
+    let mut names: Vec<_> = chapters()
+        .into_iter()
+        .flat_map(|(_, cases)| cases.into_iter().map(|case| case.name))
+        .collect();
+    let all = names.len();
+    names.sort();
+    names.dedup();
+    assert_eq!(names.len(), all);
+}
+
+fn case(trial: Trial) -> Case {
+    Case::new("a case", "", trial)
+}
+
+#[test]
+fn verdicts_can_fail() {
+    let scene = || still_life([0.5, -4.0, 1.5], [0.0, 0.0, 0.5], 50.0);
+    let picture = |bar| {
+        let picture = Picture {
+            draft: scene(),
+            reflections: 4,
+            bar,
+            is_chaotic: false,
+        };
+        case(Trial::Picture(picture))
+    };
+    assert!(judge(&picture(BAR)).is_met);
+    assert!(!judge(&picture(1.01)).is_met);
+    // A scene that is refused is no scene that is drawn well.
+    let refused = Picture {
+        draft: scene().sphere([0.0; 3], -1.0, "gold"),
+        reflections: 4,
+        bar: 0.0,
+        is_chaotic: false,
+    };
+    assert!(!judge(&case(Trial::Picture(refused))).is_met);
+    let of_one_color = Trial::Closed {
+        draft: scene(),
+        reflections: 4,
+        color: [0.5; 3],
+    };
+    assert!(!judge(&case(of_one_color)).is_met);
+    let measured = |fixed, single| {
+        let measured = case(Trial::Measured(match (fixed, single) {
+            (true, _) => || found(2.0, 3.0),
+            (_, true) => || found(0.5, 0.25),
+            _ => || found(0.5, 0.5),
+        }));
+        Tried::new("a chapter", &measured)
+    };
+    assert_eq!(report::failures(&[measured(false, false)]).len(), 0);
+    assert_eq!(report::failures(&[measured(true, false)]).len(), 1);
+    // Worse for no reason, and none of one is too few.
+    let worse = [measured(false, true)];
+    assert_eq!(report::failures(&worse).len(), 1);
+    assert!(!report::Compared::of(&worse).is_aim_met());
+    assert!(!judge(&case(Trial::Claim(|| Err("no".to_owned())))).is_met);
+}
+
+fn found(fixed: f64, single: f64) -> Measured {
+    Measured {
+        reference: "",
+        unit: "",
+        fixed,
+        single,
+        bar: 1.0,
+        uncertain: 0.0,
+        note: String::new(),
+    }
+}
+
+/// The tests are compiled with every overflow checked; `stability --rays` goes on from here.
+#[test]
+fn random_scenes_overflow_nowhere() {
+    let mut random = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);
+    let mut bytes = [0; 600];
+    let (mut rays, mut scenes) = (0, 0);
+    while rays < 1_000_000 {
+        random.fill_bytes(&mut bytes);
+        if let Some(drawn) = Wild::read(&bytes).and_then(|wild| wild.draw()) {
+            rays += drawn.rays;
+            scenes += 1;
+        }
+    }
+    println!("{rays} rays in {scenes} scenes");
+    assert!(scenes > 1000, "{scenes} scenes are too few");
+}

@@ -1,0 +1,252 @@
+//! A scene that is mirrored, turned by a right angle, moved or made larger shows the same picture,
+//! mirrored where it is.
+
+use reflet::host::compare::{Difference, compare};
+use reflet::host::file::SceneFile;
+use reflet::host::reference::Picture;
+use reflet::{Exact, Fast, Quality};
+use serde_json::{Value, json};
+
+use stability::catalogue::draft::{Draft, Setting, lit_by, still_life};
+use stability::catalogue::judge::painted;
+
+pub const SIDE: u32 = 96;
+
+/// The picture of a scene file.
+pub fn drawn(text: &str) -> Picture {
+    drawn_in::<Exact>(text)
+}
+
+fn drawn_in<Q: Quality>(text: &str) -> Picture {
+    let file = SceneFile::parse(text, None).unwrap();
+    let (built, (_, camera)) = (file.build().unwrap(), file.runtime().unwrap());
+    painted(built.frame(&camera).quality::<Q>(), (SIDE, SIDE))
+}
+
+/// A scene file with every place and direction changed.
+fn changed(text: &str, change: impl Fn([f64; 3], bool) -> [f64; 3] + Copy) -> String {
+    let mut scene: Value = serde_json::from_str(text).unwrap();
+    change_all(&mut scene, change);
+    scene.to_string()
+}
+
+fn change_all(value: &mut Value, change: impl Fn([f64; 3], bool) -> [f64; 3] + Copy) {
+    match value {
+        Value::Array(items) => items.iter_mut().for_each(|item| change_all(item, change)),
+        Value::Object(fields) => {
+            for (name, field) in fields {
+                let is_place = matches!(name.as_str(), "position" | "target" | "center");
+                let is_way = matches!(name.as_str(), "up" | "normal" | "axis");
+                if is_place || is_way {
+                    let triple: [f64; 3] = serde_json::from_value(field.take()).unwrap();
+                    *field = json!(change(triple, is_place));
+                } else {
+                    change_all(field, change);
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Scenes with all kinds of shapes, mirrors and shadows.
+fn scenes() -> Vec<Draft> {
+    vec![
+        Setting::HERE.still_life(),
+        still_life([-3.0, -2.5, 0.7], [0.0, 0.0, 0.4], 70.0),
+        // From inside of the golden sphere, which nothing but a light in it makes visible.
+        still_life([-1.2, 0.1, 0.7], [0.0, 0.0, 0.5], 100.0)
+            .shining([-0.9, -0.2, 0.8], [0.5, 0.6, 0.7]),
+        lit_by([-2.0, 1.5, 3.0]),
+    ]
+}
+
+/// Rounding is downwards, so a mirrored ray is not the mirrored one to the last bit: colours differ by
+/// a level where they are half way between two, and rims by a pixel.
+fn assert_same(found: &Picture, expected: &Picture, what: &str) {
+    let Difference { within1, same, .. } = compare(found, expected).unwrap();
+    println!("{what}: same {same:.4}, within 1 {within1:.4}");
+    assert!(within1 >= 0.998 && same >= 0.98, "{what}: {same} {within1}");
+}
+
+#[test]
+fn mirrored_scene_shows_the_mirrored_picture() {
+    for (number, scene) in scenes().iter().enumerate() {
+        let picture = drawn(&scene.text());
+        for axis in 0..3 {
+            let mirror = |mut at: [f64; 3], _| {
+                at[axis] = -at[axis];
+                at
+            };
+            let mut mirrored = drawn(&changed(&scene.text(), mirror));
+            // Right is forward x up, so every mirrored scene is seen with left and right exchanged.
+            let rows = mirrored.pixels.chunks_exact_mut(SIDE as usize);
+            rows.for_each(<[_]>::reverse);
+            assert_same(&mirrored, &picture, &format!("scene {number}, axis {axis}"));
+        }
+    }
+}
+
+#[test]
+fn turned_scene_shows_the_same_picture() {
+    for (number, scene) in scenes().iter().enumerate() {
+        let picture = drawn(&scene.text());
+        for turned in [
+            |[x, y, z]: [f64; 3]| [-y, x, z],
+            |[x, y, z]: [f64; 3]| [y, z, x],
+            |[x, y, z]: [f64; 3]| [x, -z, y],
+        ] {
+            let found = drawn(&changed(&scene.text(), |at, _| turned(at)));
+            assert_same(&found, &picture, &format!("scene {number}, turned"));
+        }
+    }
+}
+
+/// A whole number of steps, from which every place is a whole number of steps away as before.
+const WHOLE: [f64; 3] = [3.0, -5.0, 7.0];
+
+#[test]
+fn moved_scene_shows_the_same_picture() {
+    for (number, scene) in scenes().iter().enumerate() {
+        let picture = drawn(&scene.text());
+        // A whole number of steps, and then any number.
+        for offset in [WHOLE, [1234.567, -0.001, 99.9], [1e6, 2e6, -3e6]] {
+            let shift = |at: [f64; 3], is_place: bool| match is_place {
+                true => [0, 1, 2].map(|axis| at[axis] + offset[axis]),
+                false => at,
+            };
+            let found = drawn(&changed(&scene.text(), shift));
+            assert_same(&found, &picture, &format!("scene {number}, moved"));
+            if offset == WHOLE {
+                assert!(found.pixels == picture.pixels, "scene {number}");
+            }
+        }
+    }
+}
+
+#[test]
+fn directions_of_any_length_show_the_same_picture() {
+    for scene in scenes() {
+        let picture = drawn(&scene.text());
+        for factor in [2f64.powi(-20), 3.0, 1e6] {
+            let longer = |at: [f64; 3], is_place: bool| match is_place {
+                true => at,
+                false => at.map(|it| it * factor),
+            };
+            let found = drawn(&changed(&scene.text(), longer));
+            assert_same(&found, &picture, "longer");
+            if factor == 2f64.powi(-20) {
+                assert!(found.pixels == picture.pixels, "a power of two");
+            }
+        }
+    }
+}
+
+/// A scene file with every place and length so many times as large.
+fn enlarged(text: &str, factor: f64) -> String {
+    let places = changed(text, |at, is_place| match is_place {
+        true => at.map(|it| it * factor),
+        false => at,
+    });
+    let mut scene: Value = serde_json::from_str(&places).unwrap();
+    enlarge_lengths(&mut scene, factor);
+    // One that is not said is a thousandth of a unit, whatever the scene's lengths are.
+    assert!(scene["epsilon"].is_number());
+    scene.to_string()
+}
+
+fn enlarge_lengths(value: &mut Value, factor: f64) {
+    match value {
+        Value::Array(items) => items
+            .iter_mut()
+            .for_each(|item| enlarge_lengths(item, factor)),
+        Value::Object(fields) => {
+            for (name, field) in fields {
+                match name.as_str() {
+                    "radius" | "height" | "epsilon" => {
+                        *field = json!(field.as_f64().unwrap() * factor);
+                    }
+                    _ => enlarge_lengths(field, factor),
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// Scenes of other kinds than a still life.
+fn other_scenes() -> Vec<(&'static str, Draft)> {
+    let pebbles = Draft::seen_from([0.5, -6.0, 2.0], [0.0, 0.0, 0.8])
+        .sphere([0.0, 0.0, -1e3], 1e3, "chalk")
+        .sphere([0.0, 0.0, 1.0], 1.0, "gold")
+        .sphere([1.6, 0.0, 0.5], 0.5, "water");
+    let room = [0, 1, 2].into_iter().fold(
+        Draft::through([0.7, -0.6, 0.1], [-0.3, 0.8, -0.2], UP, 110.0),
+        |draft, axis| {
+            let wall = |side: f64| {
+                let mut at = [0.0; 3];
+                at[axis] = side;
+                at
+            };
+            draft
+                .plane(wall(-1.1), wall(1.0), "water")
+                .plane(wall(1.3), wall(-1.0), "gold")
+        },
+    );
+    let room = room.sphere([0.2, 0.4, -0.6], 0.4, "mirror");
+    let tube = Draft::through([-1.9, 0.1, 0.05], [0.0; 3], UP, 90.0)
+        .cylinder([0.0; 3], [1.0, 0.1, 0.05], (0.5, 5.0), "gold")
+        .sphere([0.6, 0.1, -0.2], 0.2, "mirror");
+    let bubble = Draft::through([0.3, -0.4, 0.2], [0.0, 0.5, 0.0], UP, 100.0)
+        .sphere([0.0; 3], 1.0, "gold")
+        .sphere([-0.3, 0.4, -0.2], 0.25, "water");
+    let reeds = (0..8).map(f64::from).fold(
+        Draft::seen_from([0.0, -3.0, 0.6], [0.0; 3]),
+        |draft, number| {
+            let at = [0.3 * number - 1.0, (2.4 * number).sin(), 0.1 * number - 0.5];
+            let axis = [(1.7 * number).cos(), 0.3, 1.0];
+            draft
+                .cylinder(at, axis, (1e-3, 2.0), "gold")
+                .sphere(at.map(|it| 0.7 * it), 2e-3, "red")
+        },
+    );
+    let horizon = Draft::through([0.0, 0.0, 0.3], [1.0, 3.0, 0.2], UP, 70.0)
+        .plane([0.0; 3], [0.03, -0.02, 1.0], "water")
+        .plane([0.0, 40.0, 0.0], [0.1, -1.0, 0.2], "chalk");
+    let lit = [
+        ("planet", pebbles, [3.0, -5.0, 6.0]),
+        ("room", room, [0.2, 0.3, 0.9]),
+        ("tube", tube, [-1.0, 0.0, 0.2]),
+        ("bubble", bubble, [0.1, -0.2, 0.7]),
+        ("reeds", reeds, [700.0, -900.0, 450.0]),
+        ("horizon", horizon, [900.0, -300.0, 600.0]),
+    ];
+    let lit = lit.into_iter();
+    lit.map(|(name, draft, light)| (name, draft.light(light).epsilon(1e-3)))
+        .collect()
+}
+
+/// A power of two moves the binary point of every number and changes no digit: not a pixel differs.
+#[test]
+fn scene_made_larger_by_a_power_of_two_shows_the_same_picture() {
+    let still_lifes = scenes().into_iter().map(|scene| ("still life", scene));
+    for (name, scene) in still_lifes.chain(other_scenes()) {
+        let pictures = |text: &str| [drawn_in::<Exact>(text), drawn_in::<Fast>(text)];
+        let expected = pictures(&scene.text());
+        let mut colors = expected[0].pixels.clone();
+        colors.sort();
+        colors.dedup();
+        println!("{name}: {} colours", colors.len());
+        assert!(colors.len() > 20, "{name} shows nothing");
+        for power in [-20, -7, 1, 20] {
+            let found = pictures(&enlarged(&scene.text(), 2f64.powi(power)));
+            for ((quality, found), expected) in ["Exact", "Fast"].iter().zip(found).zip(&expected) {
+                let pairs = found.pixels.iter().zip(&expected.pixels);
+                let differ = pairs.filter(|(a, b)| a != b).count();
+                assert_eq!(differ, 0, "{name}, 2^{power}, {quality}");
+            }
+        }
+    }
+}
