@@ -1,6 +1,6 @@
 //! The castle alone on the same OLED: what the other scenes need is not in this firmware.
 //!
-//! `cargo run --release --example board_castle --target thumbv7m-none-eabi` boots it in QEMU.
+//! `cargo run --profile firmware --example board_castle --target thumbv7m-none-eabi` boots it in QEMU.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -16,7 +16,7 @@ fn main() -> ! {
 #[cfg(not(target_os = "none"))]
 fn main() {
     eprintln!(
-        "this is firmware: cargo run --release --example board_castle --target thumbv7m-none-eabi"
+        "this is firmware: cargo run --profile firmware --example board_castle --target thumbv7m-none-eabi"
     );
     std::process::exit(2);
 }

@@ -1,6 +1,6 @@
 //! Every built-in scene on an OLED: the firmware of the default board, an LM3S6965 (Cortex-M3).
 //!
-//! `cargo run --release --example board --target thumbv7m-none-eabi` boots it in QEMU.
+//! `cargo run --profile firmware --example board --target thumbv7m-none-eabi` boots it in QEMU.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]
@@ -22,6 +22,8 @@ fn main() -> ! {
 /// Where there is no board, it says what is meant.
 #[cfg(not(target_os = "none"))]
 fn main() {
-    eprintln!("this is firmware: cargo run --release --example board --target thumbv7m-none-eabi");
+    eprintln!(
+        "this is firmware: cargo run --profile firmware --example board --target thumbv7m-none-eabi"
+    );
     std::process::exit(2);
 }

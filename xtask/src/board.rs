@@ -52,7 +52,8 @@ pub fn build() -> Result<PathBuf> {
 pub fn build_example(name: &str) -> Result<PathBuf> {
     let root = root();
     env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))?;
-    toolchain::build(TARGET, &["--package", "reflet", "--example", name])
+    let example = ["--package", "reflet", "--example", name];
+    toolchain::build_in("firmware", TARGET, &example)
 }
 
 fn machine() -> Qemu {

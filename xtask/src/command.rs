@@ -66,6 +66,26 @@ impl Program {
         Ok(text(output))
     }
 
+    /// Runs the program and returns all that it printed, errors in their place, and how it ended.
+    pub fn watch(mut self) -> (String, Result<(), Failure>) {
+        let pipe = io::pipe().and_then(|(reader, writer)| {
+            self.command.stdout(writer.try_clone()?).stderr(writer);
+            Ok(reader)
+        });
+        let child = self.spawn();
+        // The command's own ends of the pipe would keep it open.
+        self.command.stdout(Stdio::null()).stderr(Stdio::null());
+        match child {
+            Ok(mut child) => {
+                let said = collect(pipe.ok());
+                let outcome = self.wait(&mut child);
+                let outcome = outcome.and_then(|status| self.judge(status, String::new()));
+                (text(said), outcome)
+            }
+            Err(failure) => (String::new(), Err(failure)),
+        }
+    }
+
     /// Whether the program exists, runs and is content.
     pub fn succeeds(self) -> bool {
         self.read().is_ok()
@@ -226,6 +246,14 @@ mod tests {
     #[test]
     fn output_is_read_without_the_space_around_it() {
         assert_eq!(shell("echo '  a b '").read().unwrap(), "a b");
+    }
+
+    #[test]
+    fn all_that_is_said_is_heard_in_its_order() {
+        let (said, outcome) = shell("echo a; echo b >&2; echo c; exit 3").watch();
+        assert_eq!(said, "a\nb\nc");
+        let words = "`sh -c echo a; echo b >&2; echo c; exit 3` failed (exit status: 3)";
+        assert_eq!(outcome.unwrap_err().to_string(), words);
     }
 
     #[test]

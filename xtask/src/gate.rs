@@ -1,168 +1,255 @@
-//! The gate: the checks every change passes, in the order of what fails fastest.
+//! The gate: the checks that every change passes, and the long ones that `--all` adds.
+//!
+//! Formats are checked first, then everything is built. The other steps do not depend on each other
+//! and run side by side, as a firmware is linked on one core only.
 
-use std::time::{Duration, Instant};
+use std::{
+    collections::VecDeque,
+    sync::Mutex,
+    thread,
+    time::{Duration, Instant},
+};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, anyhow};
+use clap::Args;
 
 use crate::{
     command::Program,
-    toolchain::{BareMetal, TARGETS},
+    toolchain::{BareMetal, OLDEST_RUST, TARGETS, has_oldest_rust, target_directory},
 };
 
-/// All features but `window`, which links to SDL: it is checked, but need not be on the machine.
-const FEATURES: &str = "reflet/host,reflet/scenes,reflet/micromath";
+/// Sets up, then runs the gate and stops after the first step that fails.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct Arguments {
+    /// Adds what takes long: every ignored test, 10 minutes of fuzzing, 10^8 random rays
+    #[arg(long)]
+    all: bool,
+}
 
-/// The features a firmware may use.
-const FIRMWARE_FEATURES: &str = "scenes,micromath";
+/// No step of the gate takes a tenth of this on a machine that is well.
+const LIMIT: Duration = Duration::from_secs(60 * 60);
 
-/// No step takes a tenth of this on a machine that is well.
-const LIMIT: Duration = Duration::from_secs(30 * 60);
+/// How many steps run at a time.
+const LANES: usize = 2;
+
+/// Packages outside of the workspace: each is built with flags or for a target of its own.
+const ALONE: [&str; 8] = [
+    "examples/microbit",
+    "examples/pico",
+    "examples/riscv",
+    "fuzz",
+    "xtask/faulty",
+    "xtask/firmware",
+    "xtask/no_panic",
+    "xtask/stack_peak",
+];
 
 /// One check with the name it is reported under.
 struct Step {
-    name: &'static str,
+    name: String,
     program: Program,
 }
 
 /// Runs the whole gate.
-pub fn run() -> Result<()> {
+pub fn run(arguments: Arguments) -> Result<()> {
     let bare_metal = BareMetal::find().context("the bare-metal targets are gone since setup")?;
-    pass(steps(&bare_metal))
-}
-
-/// Runs every step until one fails, and names it.
-fn pass(steps: Vec<Step>) -> Result<()> {
     let mut times = Vec::new();
-    for (index, Step { name, program }) in steps.into_iter().enumerate() {
-        println!("\n== {}: {name}\n   {program}", index + 1);
-        let start = Instant::now();
-        // What only helps the next build fills the disk of a machine that is used once.
-        program
-            .env("CARGO_INCREMENTAL", "0")
-            .limit(LIMIT)
-            .stream()
-            .with_context(|| format!("the step `{name}` failed"))?;
-        times.push((name, start.elapsed()));
-        println!("== {name}: {:.1} s", start.elapsed().as_secs_f64());
+    for step in first() {
+        times.push(take(step)?);
     }
+    let mut steps = VecDeque::from(tests(arguments.all));
+    steps.extend(library(&bare_metal, arguments.all));
+    // Clippy belongs to the toolchain in use, which may have no core library for a board.
+    if let BareMetal::Prebuilt = bare_metal {
+        steps.extend(boards());
+    }
+    if arguments.all {
+        steps.extend(long());
+    }
+    let mut untried = Vec::new();
+    match oldest_rust() {
+        Some(step) => steps.push_back(step),
+        None => untried.push("the oldest supported Rust: that toolchain cannot be installed here"),
+    }
+    times.extend(side_by_side(steps)?);
     println!("\n== all steps");
     for (name, time) in &times {
         println!("{:>8.1} s  {name}", time.as_secs_f64());
+    }
+    for name in &untried {
+        println!("untried: {name}");
     }
     println!("gate: {} passed, 0 failed", times.len());
     Ok(())
 }
 
-fn steps(bare_metal: &BareMetal) -> Vec<Step> {
-    let step = |name, program| Step { name, program };
-    let deny = ["--", "-D", "warnings"];
-    let library = ["--package", "reflet", "--lib", "--no-default-features"];
-    // Built for every target and run on none: the sooner the better.
-    let unused = |of| {
-        let build = bare_metal.cargo("build", &TARGETS).args(of);
-        build
-            .args(["--config", "profile.dev.package.'*'.opt-level=0"])
-            .env("CARGO_PROFILE_DEV_DEBUG", "0")
+/// Runs the steps in [`LANES`] until all are done or one fails.
+fn side_by_side(steps: VecDeque<Step>) -> Result<Vec<(String, Duration)>> {
+    let (steps, done) = (Mutex::new(steps), Mutex::new(Ok(Vec::new())));
+    let next = || match *done.lock().expect("no lane panics") {
+        Ok(_) => steps.lock().expect("no lane panics").pop_front(),
+        Err(_) => None,
     };
-    let mut steps = vec![
-        step("format", cargo("fmt").args(["--all", "--check"])),
-        step("format, examples/pico", format_of("examples/pico")),
-        step("format, fuzz", format_of("fuzz")),
-        step("format, xtask/faulty", format_of("xtask/faulty")),
-        step("format, xtask/no_panic", format_of("xtask/no_panic")),
-        step("format, xtask/firmware", format_of("xtask/firmware")),
-        step("format, xtask/stack_peak", format_of("xtask/stack_peak")),
-        step("format, examples/microbit", format_of("examples/microbit")),
-        step("format, examples/riscv", format_of("examples/riscv")),
-        step(
-            "clippy, everything, all features",
-            cargo("clippy")
-                .args(["--workspace", "--all-targets", "--all-features"])
-                .args(deny),
-        ),
-        step(
-            "clippy, the library without features",
-            cargo("clippy").args(library).args(deny),
-        ),
-        step(
-            "tests",
-            cargo("test").args(["--workspace", "--features", FEATURES]),
-        ),
-        step(
-            "tests, ten million rays from every kind of surface",
-            cargo("test")
-                .args(["--workspace", "--features", FEATURES, "--lib"])
-                .args(["--", "--ignored"]),
-        ),
-        step(
-            "fuzz, 30 seconds",
-            cargo("xtask").args(["fuzz", "--seconds", "30"]),
-        ),
-        step(
-            "documentation",
-            cargo("doc")
-                .args(["--package", "reflet", "--no-deps", "--features", FEATURES])
-                .env("RUSTDOCFLAGS", "-D warnings"),
-        ),
-        step("bare metal, no features", unused(library)),
-        step(
-            "bare metal, scenes and micromath",
-            unused(library).args(["--features", FIRMWARE_FEATURES]),
-        ),
-    ];
-    // Clippy belongs to the toolchain in use, which may have no core library for a board.
-    if let BareMetal::Prebuilt = bare_metal {
-        let board = cargo("clippy")
-            .args(["--release", "--package", "reflet", "--example", "board"])
-            .args(["--target", "thumbv7m-none-eabi"]);
-        steps.push(step("clippy, the default board", board.args(deny)));
-        for (name, package, target) in [
-            ("clippy, xtask/firmware", "xtask/firmware", TARGETS[0]),
-            (
-                "clippy, xtask/firmware, RISC-V",
-                "xtask/firmware",
-                TARGETS[4],
-            ),
-            ("clippy, examples/microbit", "examples/microbit", TARGETS[0]),
-            ("clippy, examples/riscv", "examples/riscv", TARGETS[4]),
-        ] {
-            steps.push(step(name, clippy_of(package, target).args(deny)));
+    let lane = || {
+        while let Some(step) = next() {
+            let taken = take(step);
+            let mut done = done.lock().expect("no lane panics");
+            match (&mut *done, taken) {
+                (Ok(times), Ok(time)) => times.push(time),
+                (Ok(_), Err(error)) => *done = Err(error),
+                // The first failure is the one to report.
+                (Err(_), _) => {}
+            }
         }
-        let pico = cargo("clippy")
-            .args(["--release", "--manifest-path", "examples/pico/Cargo.toml"])
-            .args(["--target", "thumbv6m-none-eabi"]);
-        steps.push(step("clippy, examples/pico", pico.args(deny)));
-    }
-    steps
-}
-
-/// The format of a package that stands alone.
-fn format_of(package: &str) -> Program {
-    let manifest = format!("{package}/Cargo.toml");
-    cargo("fmt").args(["--check", "--manifest-path", &manifest])
-}
-
-/// Clippy for a package that stands alone. What is measured by the firmware is generated, so only
-/// its library is looked at.
-fn clippy_of(package: &str, target: &str) -> Program {
-    let manifest = format!("{package}/Cargo.toml");
-    let parts = if package == "xtask/firmware" {
-        "--lib"
-    } else {
-        "--bins"
     };
-    cargo("clippy").args([
-        "--release",
-        "--target",
-        target,
-        parts,
-        "--manifest-path",
-        &manifest,
-    ])
+    thread::scope(|scope| {
+        for _ in 0..LANES {
+            scope.spawn(lane);
+        }
+    });
+    done.into_inner().expect("no lane panics")
+}
+
+/// Runs one step and prints what it said when it is done.
+fn take(Step { name, program }: Step) -> Result<(String, Duration)> {
+    println!("== begin: {name}\n   {program}");
+    let start = Instant::now();
+    let (said, outcome) = program.limit(LIMIT).watch();
+    let time = start.elapsed();
+    println!("\n== {name}: {:.1} s\n{said}", time.as_secs_f64());
+    match outcome {
+        Ok(()) => Ok((name, time)),
+        Err(failure) => Err(anyhow!(failure).context(format!("the step `{name}` failed"))),
+    }
+}
+
+fn step(name: &str, program: Program) -> Step {
+    let name = name.to_owned();
+    Step { name, program }
 }
 
 fn cargo(subcommand: &str) -> Program {
     Program::new("cargo").args([subcommand])
+}
+
+/// Formats, which take no time, and all test programs, which use every core.
+fn first() -> Vec<Step> {
+    let alone = ALONE.map(|package| {
+        let manifest = format!("{package}/Cargo.toml");
+        let format = cargo("fmt").args(["--check", "--manifest-path", &manifest]);
+        step(&format!("format, {package}"), format)
+    });
+    let mut steps = vec![step("format", cargo("fmt").args(["--all", "--check"]))];
+    steps.extend(alone);
+    let build = cargo("test").args(["--workspace", "--no-run"]);
+    steps.push(step("build of all tests", build));
+    steps
+}
+
+/// The tests: those that build firmware apart from the others. `all` adds the ignored ones.
+fn tests(all: bool) -> Vec<Step> {
+    let test = |packages: &[&str]| {
+        let test = cargo("test").args(packages);
+        match all {
+            true => test.args(["--", "--include-ignored"]),
+            false => test,
+        }
+    };
+    vec![
+        step(
+            "tests on emulated boards",
+            test(&["--package", "xtask", "--package", "report"]),
+        ),
+        step(
+            "tests on this machine",
+            test(&["--workspace", "--exclude", "xtask", "--exclude", "report"]),
+        ),
+    ]
+}
+
+/// Everything else about the library: lints, documentation, the package, the targets, the fuzzer.
+fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
+    let library = ["--package", "reflet", "--lib", "--no-default-features"];
+    let firmware = ["--features", "scenes,micromath"];
+    let check = |targets: &[&str]| bare_metal.cargo("check", targets).args(library);
+    let fewer = if all { &TARGETS[..] } else { &TARGETS[..1] };
+    let seconds = if all { "600" } else { "10" };
+    let warnings = ["--", "-D", "warnings"];
+    let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
+    let rays = cargo("test").args(["--package", "reflet", "--lib", "--", "--ignored"]);
+    vec![
+        step("clippy, everything", rest.args(warnings)),
+        step(
+            "clippy, the library without features",
+            cargo("clippy").args(library).args(warnings),
+        ),
+        step("fuzz", cargo("xtask").args(["fuzz", "--seconds", seconds])),
+        step(
+            "package",
+            cargo("package").args(["--package", "reflet", "--allow-dirty"]),
+        ),
+        step(
+            "documentation, as docs.rs builds it",
+            cargo("doc")
+                .args(["--package", "reflet", "--no-deps", "--no-default-features"])
+                .args(["--features", "host,micromath,scenes"])
+                .env("RUSTDOCFLAGS", "-D warnings --cfg docsrs"),
+        ),
+        step("ten million rays from every kind of surface", rays),
+        step("bare metal", check(&TARGETS).args(firmware)),
+        step("bare metal, no features", check(fewer)),
+    ]
+}
+
+/// Lints of what runs on a board. Only the library of the measuring firmware is looked at: the rest
+/// of it is generated.
+fn boards() -> Vec<Step> {
+    let clippy = |name: &str, target: &str, what: &[&str]| {
+        let program = cargo("clippy").args(["--target", target]);
+        let program = program.args(what).args(["--", "-D", "warnings"]);
+        step(&format!("clippy, {name}, {target}"), program)
+    };
+    let alone = |package: &str, part: &str, target: &str| {
+        let manifest = format!("{package}/Cargo.toml");
+        clippy(package, target, &["--manifest-path", &manifest, part])
+    };
+    let [m0, m3, .., rv32] = TARGETS;
+    vec![
+        clippy(
+            "examples/board",
+            m3,
+            &["--package", "reflet", "--example", "board"],
+        ),
+        alone("examples/microbit", "--bins", m0),
+        alone("examples/pico", "--bins", m0),
+        alone("examples/riscv", "--bins", rv32),
+        alone("xtask/firmware", "--lib", m0),
+        alone("xtask/firmware", "--lib", rv32),
+    ]
+}
+
+/// What only `--all` runs.
+fn long() -> Vec<Step> {
+    let rays = cargo("run").args(["--profile", "checked", "--package", "stability", "--"]);
+    vec![step(
+        "10^8 random rays with overflow checks",
+        rays.args(["--rays", "100000000"]),
+    )]
+}
+
+/// The library on the oldest Rust it supports, where that toolchain is there.
+fn oldest_rust() -> Option<Step> {
+    let check = Program::new("cargo")
+        .args([
+            &format!("+{OLDEST_RUST}"),
+            "check",
+            "--package",
+            "reflet",
+            "--lib",
+        ])
+        .args(["--features", "host,micromath,scenes"])
+        .env("CARGO_TARGET_DIR", target_directory().join("oldest"));
+    has_oldest_rust().then(|| step("oldest supported Rust", check))
 }
 
 #[cfg(test)]
@@ -170,19 +257,21 @@ mod tests {
     use super::*;
 
     #[test]
-    fn first_step_that_fails_is_named_and_the_last() {
-        let step = |name, program| Step {
-            name,
-            program: Program::new(program),
-        };
-        let steps = vec![
-            step("well", "true"),
-            step("ill", "false"),
-            step("unmet", "no-such-program"),
-        ];
+    fn step_that_fails_is_named() {
+        let steps = [("well", "true"), ("ill", "false")];
+        let steps = steps.map(|(name, program)| step(name, Program::new(program)));
         assert_eq!(
-            format!("{:#}", pass(steps).unwrap_err()),
+            format!("{:#}", side_by_side(steps.into()).unwrap_err()),
             "the step `ill` failed: `false` failed (exit status: 1)"
         );
+    }
+
+    #[test]
+    fn nothing_is_begun_after_a_failure() {
+        let missing = || step("unmet", Program::new("no-such-program"));
+        let steps = (0..8).map(|_| missing()).collect();
+        let error = side_by_side(steps).unwrap_err();
+        let words = "the step `unmet` failed: there is no program `no-such-program`";
+        assert_eq!(format!("{error:#}"), words);
     }
 }

@@ -15,8 +15,7 @@ use xtask::{
 enum Chore {
     /// Gets what the tests need and is not on this machine; quick when nothing is missing.
     Setup,
-    /// Sets up, then runs the whole gate and stops at the first step that fails.
-    Test,
+    Test(gate::Arguments),
     /// Measures every built-in scene against the reference and writes docs/accuracy.md.
     Accuracy,
     /// Boots the default board unseen and saves what its display shows.
@@ -90,7 +89,7 @@ fn run(chore: &Chore) -> Result<()> {
         Chore::Setup => setup::run(),
         Chore::Accuracy => accuracy::run(),
         Chore::Fuzz(arguments) => fuzz::run(arguments),
-        Chore::Test => setup::run().and_then(|()| gate::run()),
+        Chore::Test(arguments) => setup::run().and_then(|()| gate::run(*arguments)),
         _ => Ok(()),
     }
 }

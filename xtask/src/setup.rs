@@ -15,6 +15,8 @@ struct Need {
     is_there: fn() -> bool,
     get: fn() -> Result<()>,
     by_hand: &'static str,
+    /// What is left undone without it; nothing if the gate cannot do without it.
+    without: Option<&'static str>,
 }
 
 const NEEDS: &[Need] = &[
@@ -23,6 +25,7 @@ const NEEDS: &[Need] = &[
         is_there: || Program::new("cargo").args(["fmt", "--version"]).succeeds(),
         get: || toolchain::add_component("rustfmt"),
         by_hand: "rustup component add rustfmt",
+        without: None,
     },
     Need {
         name: "clippy",
@@ -33,18 +36,21 @@ const NEEDS: &[Need] = &[
         },
         get: || toolchain::add_component("clippy"),
         by_hand: "rustup component add clippy",
+        without: None,
     },
     Need {
         name: "bare-metal targets",
         is_there: || toolchain::BareMetal::find().is_some(),
         get: toolchain::get_bare_metal,
         by_hand: toolchain::BARE_METAL_BY_HAND,
+        without: None,
     },
     Need {
         name: "C++ compiler, for the fuzzer",
         is_there: fuzz::compiles_cpp,
         get: || apt::install(&["g++"]),
         by_hand: "as root: apt-get install g++",
+        without: None,
     },
     Need {
         name: "QEMU",
@@ -56,6 +62,7 @@ const NEEDS: &[Need] = &[
         },
         get: || apt::install(&["qemu-system-arm", "qemu-system-misc"]),
         by_hand: "as root: apt-get install --no-install-recommends qemu-system-arm qemu-system-misc",
+        without: None,
     },
     Need {
         name: "node and npm",
@@ -65,12 +72,21 @@ const NEEDS: &[Need] = &[
         },
         get: || apt::install(&["nodejs", "npm"]),
         by_hand: "as root: apt-get install --no-install-recommends nodejs npm",
+        without: None,
     },
     Need {
         name: "RP2040 emulator",
         is_there: rp2040::is_installed,
         get: || Ok(rp2040::install()?),
         by_hand: "npm ci --prefix xtask/emulator/rp2040, with npm's registry in reach",
+        without: None,
+    },
+    Need {
+        name: "oldest supported Rust",
+        is_there: toolchain::has_oldest_rust,
+        get: toolchain::get_oldest_rust,
+        by_hand: "rustup toolchain install 1.87 --profile minimal",
+        without: Some("the gate names the oldest supported Rust as untried"),
     },
 ];
 
@@ -85,6 +101,10 @@ fn meet_all(needs: &[Need]) -> Result<()> {
     for need in needs {
         if let Err(error) = meet(need) {
             println!("setup: {}: not got: {error:#}", need.name);
+            if let Some(without) = need.without {
+                println!("setup: {}: going on, {without}", need.name);
+                continue;
+            }
             missing.push(format!("\n  {}: {}", need.name, need.by_hand));
         }
     }
@@ -125,6 +145,7 @@ mod tests {
         is_there: || true,
         get: || panic!("nobody asked for it"),
         by_hand: "boil water",
+        without: None,
     };
 
     #[test]
@@ -139,14 +160,23 @@ mod tests {
             is_there: || false,
             get: || bail!("no cow"),
             by_hand: "milk a cow",
+            without: None,
         };
         let useless = Need {
             name: "sugar",
             is_there: || false,
             get: || Ok(()),
             by_hand: "grow a beet",
+            without: None,
         };
-        let error = meet_all(&[refused, HERE, useless]).unwrap_err();
+        let welcome = Need {
+            name: "biscuits",
+            is_there: || false,
+            get: || bail!("eaten"),
+            by_hand: "bake some",
+            without: Some("tea is drunk without"),
+        };
+        let error = meet_all(&[refused, welcome, HERE, useless]).unwrap_err();
         assert_eq!(
             error.to_string(),
             "setup could not get all the tests need. By hand:\n  \

@@ -25,6 +25,9 @@ pub const TARGETS: [&str; 5] = [
     "riscv32imac-unknown-none-elf",
 ];
 
+/// The oldest Rust that the library supports, as Cargo.toml says it.
+pub const OLDEST_RUST: &str = env!("CARGO_PKG_RUST_VERSION");
+
 /// What a person types to get the bare-metal targets.
 pub const BARE_METAL_BY_HAND: &str = "rustup target add thumbv6m-none-eabi thumbv7m-none-eabi \
      thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf, \
@@ -51,6 +54,19 @@ pub fn get_bare_metal() -> Result<()> {
     };
     println!("setup: {refusal:#}; Debian's compiler and library source instead");
     apt::install(&["rustc-web", "rust-web-src"]).context(refusal)
+}
+
+/// Gets the oldest supported toolchain.
+pub fn get_oldest_rust() -> Result<()> {
+    rustup(&["toolchain", "install", OLDEST_RUST, "--profile", "minimal"])
+}
+
+/// Whether the oldest supported toolchain is there.
+pub fn has_oldest_rust() -> bool {
+    let toolchain = format!("+{OLDEST_RUST}");
+    Program::new("cargo")
+        .args([&*toolchain, "--version"])
+        .succeeds()
 }
 
 fn rustup(arguments: &[&str]) -> Result<()> {
@@ -111,15 +127,21 @@ impl BareMetal {
     }
 }
 
-/// Builds one program in release mode, `arguments` being what `cargo build` needs to know to find
-/// it, and returns where it is. Run in the folder whose configuration is meant.
+/// Builds one program of a package that stands alone, in release mode; see [`build_in`].
 pub fn build(target: &str, arguments: &[&str]) -> Result<PathBuf> {
+    build_in("release", target, arguments)
+}
+
+/// Builds one program in a profile and returns where it is. `arguments` is what `cargo build` needs
+/// to find it. Run in the folder whose configuration is meant.
+pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathBuf> {
     let bare_metal = BareMetal::find()
         .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
     let messages = bare_metal
         .cargo("build", &[target])
         .args([
-            "--release",
+            "--profile",
+            profile,
             "--locked",
             "--message-format=json-render-diagnostics",
         ])

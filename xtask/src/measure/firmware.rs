@@ -10,9 +10,8 @@ use std::{
 use anyhow::{Context, Result, bail, ensure};
 use object::{Object, ObjectSection, SectionFlags, elf};
 use rustix::fs::FlockOperation;
-use tempfile::NamedTempFile;
 
-use super::{cores::Core, scene::Scene, task::Task};
+use super::{cores::Core, images, scene::Scene, task::Task};
 use crate::{root, toolchain};
 
 /// A first build compiles a dozen crates; later ones take seconds.
@@ -60,8 +59,7 @@ impl Weight {
 
 /// Builds and runs the firmware for a task.
 pub fn run(task: &Task) -> Result<Outcome> {
-    let place = Place::take(task.core)?;
-    let programs = build(task, &place)?;
+    let programs = build(task)?;
     let weight = programs.weight()?;
     let said = task
         .core
@@ -84,14 +82,12 @@ pub fn run(task: &Task) -> Result<Outcome> {
 
 /// Builds the firmware for a task and weighs it.
 pub fn weight(task: &Task) -> Result<Weight> {
-    let place = Place::take(task.core)?;
-    build(task, &place)?.weight()
+    build(task)?.weight()
 }
 
 /// Builds the firmware for a task and does something with the program that draws the scene.
 pub fn with_program<R>(task: &Task, run: impl FnOnce(&Path) -> Result<R>) -> Result<R> {
-    let place = Place::take(task.core)?;
-    run(&build(task, &place)?.scene)
+    run(&build(task)?.scene)
 }
 
 /// Whether a symbol is that of a function whose instructions are counted.
@@ -113,74 +109,99 @@ impl Programs {
     }
 }
 
-/// Where the firmware for a core is built: every task for the same target is built there, so it is
-/// one task's alone until its programs have run.
+/// Where the firmware for a core is built.
 struct Place {
     /// The job, and the source of a scene from a file.
     jobs: PathBuf,
-    /// What cargo builds.
+    /// What cargo builds. Cores of one target share it.
     target: PathBuf,
-    /// Held until it is dropped.
-    _lock: File,
 }
 
 impl Place {
-    /// Waits until nobody else is there, in this process or another.
-    fn take(core: &Core) -> Result<Self> {
+    fn of(core: &Core) -> Self {
         let place = toolchain::target_directory().join("firmware");
-        let (jobs, target) = (place.join(core.name), place.join(core.target));
-        let lock = [&jobs, &target]
+        Self {
+            jobs: place.join(core.name),
+            target: place.join(core.target),
+        }
+    }
+
+    /// Where the source of a file's scene lies.
+    fn scene(&self) -> PathBuf {
+        self.jobs.join("scene.rs")
+    }
+
+    /// Waits until nobody else builds there, in this process or another. The lock is held until the
+    /// file is dropped.
+    fn lock(&self) -> Result<File> {
+        let lock = [&self.jobs, &self.target]
             .into_iter()
             .try_for_each(fs::create_dir_all)
-            .and_then(|()| File::create(target.join("lock")))
-            .with_context(|| format!("cannot write in {}", place.display()))?;
+            .and_then(|()| File::create(self.target.join("lock")))
+            .with_context(|| format!("cannot write in {}", self.target.display()))?;
         rustix::fs::flock(&lock, FlockOperation::LockExclusive)
-            .with_context(|| format!("cannot lock {}", target.display()))?;
-        Ok(Self {
-            jobs,
-            target,
-            _lock: lock,
-        })
+            .with_context(|| format!("cannot lock {}", self.target.display()))?;
+        Ok(lock)
     }
 }
 
-fn build(task: &Task, place: &Place) -> Result<Programs> {
-    let scene = place.jobs.join("scene.rs");
-    if let Scene::File { source, .. } = &task.scene {
-        write(&scene, &source.text)?;
-    }
-    let source = place.jobs.join("job.rs");
-    let job = task.job(&scene);
-    write(&source, &job.source)?;
-    compile(task.core, &source, &place.target, &[])?;
-    let programs = place.target.join(task.core.target).join("release");
-    Ok(Programs {
-        scene: programs.join("scene"),
-        empty: programs.join("empty"),
+/// The programs for a task.
+fn build(task: &Task) -> Result<Programs> {
+    let place = Place::of(task.core);
+    let job = task.job(&place.scene());
+    let source = job.source;
+    let programs = Programs {
+        scene: images::place((&source, task.scene.source(), task.core.target))?,
+        empty: images::place(("empty", task.core.target))?,
         ticket: job.ticket,
-    })
+    };
+    let wanted = [("scene", &*programs.scene), ("empty", &*programs.empty)];
+    make(task.core, &task.scene, &source, &wanted, &[])?;
+    Ok(programs)
 }
 
-/// Builds the firmware that goes through several settings of a scene; `job` makes its source of the
-/// place where the source of a file's scene lies. The program is the caller's own.
+/// The firmware that goes through several settings of a scene; `job` makes its source of the place
+/// where the source of a file's scene lies.
 pub(crate) fn build_sweep(
     core: &Core,
     scene: &Scene,
     job: impl FnOnce(&Path) -> String,
-) -> Result<NamedTempFile> {
-    let place = Place::take(core)?;
-    let file = place.jobs.join("scene.rs");
-    if let Scene::File { source, .. } = scene {
-        write(&file, &source.text)?;
-    }
-    let source = place.jobs.join("sweep.rs");
-    write(&source, &job(&file))?;
+) -> Result<PathBuf> {
+    let source = job(&Place::of(core).scene());
+    let program = images::place(("sweep", &source, scene.source(), core.target))?;
     let chosen = ["--bin", "sweep", "--features", "sweep"];
-    compile(core, &source, &place.target, &chosen)?;
-    let built = place.target.join(core.target).join("release/sweep");
-    let own = NamedTempFile::with_prefix("reflet-").context("there is no place for a program")?;
-    fs::copy(&built, own.path()).with_context(|| format!("cannot copy {}", built.display()))?;
-    Ok(own)
+    make(core, scene, &source, &[("sweep", &program)], &chosen)?;
+    Ok(program)
+}
+
+/// Builds the wanted programs of a job and keeps each where it is wanted. What is there is taken as
+/// it is.
+fn make(
+    core: &Core,
+    scene: &Scene,
+    job: &str,
+    wanted: &[(&str, &Path)],
+    chosen: &[&str],
+) -> Result<()> {
+    let are_there = || wanted.iter().all(|(_, kept)| kept.is_file());
+    if are_there() {
+        return Ok(());
+    }
+    let place = Place::of(core);
+    let _lock = place.lock()?;
+    // Somebody else may have built them in the meantime.
+    if are_there() {
+        return Ok(());
+    }
+    if let Some(text) = scene.source() {
+        write(&place.scene(), text)?;
+    }
+    let source = place.jobs.join("job.rs");
+    write(&source, job)?;
+    compile(core, &source, &place.target, chosen)?;
+    let built = place.target.join(core.target).join("release");
+    let keep = |(name, kept): &(&str, &Path)| images::keep(&built.join(name), kept);
+    wanted.iter().try_for_each(keep)
 }
 
 fn compile(core: &Core, job: &Path, target: &Path, chosen: &[&str]) -> Result<()> {

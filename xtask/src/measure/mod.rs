@@ -1,6 +1,7 @@
 //! `cargo xtask measure`: what a scene takes on a core, in instructions and bytes.
 //!
-//! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds and runs it;
+//! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds and runs it, and `images` keeps what was
+//! built;
 //! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
 
 pub mod arguments;
@@ -9,6 +10,7 @@ pub mod cores;
 pub mod figures;
 pub(crate) mod firmware;
 pub(crate) mod float_source;
+mod images;
 mod page;
 pub mod record;
 pub mod scene;

@@ -91,6 +91,14 @@ impl Scene {
         }
     }
 
+    /// The Rust source of a scene from a file.
+    pub(crate) fn source(&self) -> Option<&str> {
+        match self {
+            Self::BuiltIn(_) => None,
+            Self::File { source, .. } => Some(&source.text),
+        }
+    }
+
     /// How a firmware names it: the module that has to be declared, if there is one, the scene's type
     /// and its camera; `file` is where the source of a file's scene lies.
     pub(crate) fn names(&self, file: &Path) -> (String, String, String) {

@@ -81,13 +81,13 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let program = firmware::build_sweep(core, &scene, |file| {
         job::source(&scene, file, arguments.size, ticket, &runs)
     })?;
-    let fingerprint = format!("{:016x}", firmware::fingerprint(program.path())?);
+    let fingerprint = format!("{:016x}", firmware::fingerprint(&program)?);
     say(&json!({ "program": fingerprint }))?;
     if arguments.known.as_ref() == Some(&fingerprint) {
         return Ok(());
     }
     let emulator = core.counting_emulator().limit(LIMIT);
-    let mut running = emulator.boot(program.path())?;
+    let mut running = emulator.boot(&program)?;
     for (index, _) in (0..).zip(&runs).filter(|(_, run)| !run.skip) {
         let line = running.line(|line| line.starts_with("measured "))?;
         let report = Report::find(&line)?;

@@ -1,0 +1,84 @@
+//! Firmware images that are built already, kept by what they were built from: one image serves all
+//! tests and commands that need it. It builds nothing.
+
+use std::{
+    fs,
+    hash::{DefaultHasher, Hash, Hasher},
+    path::{Path, PathBuf},
+    sync::OnceLock,
+};
+
+use anyhow::{Context, Result};
+
+use crate::{command::Program, root, toolchain};
+
+/// Everything that an image is made of, apart from its job. The versions of other packages stand in
+/// the lock file in xtask/firmware.
+const SOURCES: [&str; 6] = [
+    "Cargo.toml",
+    "src",
+    "xtask/firmware",
+    "xtask/float_port",
+    "xtask/frame_hash",
+    "xtask/stack_peak",
+];
+
+/// The image that is made of `key`, whether it is there or not. Images of older sources are removed.
+pub fn place(key: impl Hash) -> Result<PathBuf> {
+    let mut hasher = DefaultHasher::new();
+    key.hash(&mut hasher);
+    Ok(folder()?.join(format!("{:016x}", hasher.finish())))
+}
+
+/// Keeps a copy of a program at a place, whole or not at all.
+pub fn keep(program: &Path, place: &Path) -> Result<()> {
+    let half = place.with_extension("part");
+    fs::copy(program, &half)
+        .and_then(|_| fs::rename(&half, place))
+        .with_context(|| format!("cannot keep {}", place.display()))
+}
+
+/// The folder of the images of the sources as they are now.
+fn folder() -> Result<&'static Path> {
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    if let Some(folder) = FOLDER.get() {
+        return Ok(folder);
+    }
+    let all = toolchain::target_directory().join("firmware/images");
+    let name = format!("{:016x}", sources()?);
+    let folder = all.join(&name);
+    fs::create_dir_all(&folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    for entry in all.read_dir()?.flatten() {
+        if entry.file_name() != *name {
+            fs::remove_dir_all(entry.path())?;
+        }
+    }
+    Ok(FOLDER.get_or_init(|| folder))
+}
+
+/// A hash of the sources and of the compiler's version.
+fn sources() -> Result<u64> {
+    let mut hasher = DefaultHasher::new();
+    Program::new("rustc")
+        .args(["-vV"])
+        .read()?
+        .hash(&mut hasher);
+    for path in SOURCES {
+        add(&root().join(path), &mut hasher)?;
+    }
+    Ok(hasher.finish())
+}
+
+/// Adds the content of a file, or of all files of a folder in the order of their names.
+fn add(path: &Path, hasher: &mut impl Hasher) -> Result<()> {
+    let unreadable = || format!("cannot read {}", path.display());
+    if !path.is_dir() {
+        path.hash(hasher);
+        fs::read(path).with_context(unreadable)?.hash(hasher);
+        return Ok(());
+    }
+    let entries = path.read_dir().with_context(unreadable)?.flatten();
+    let mut paths: Vec<_> = entries.map(|entry| entry.path()).collect();
+    paths.sort();
+    paths.iter().try_for_each(|path| add(path, hasher))
+}
