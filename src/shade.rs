@@ -152,7 +152,7 @@ pub struct Normals;
 /// Shaded by `K`, [`BlinnPhong`] or [`Phong`], but nothing throws a shadow: a light shines on every
 /// surface that faces it, whatever stands between them.
 ///
-/// What a scene takes without its shadows, and what it loses, `examples/report` shows.
+/// What a scene takes without its shadows, and what it loses, `xtask/report` shows.
 #[derive(Clone, Copy, Debug)]
 pub struct Unshadowed<K = BlinnPhong>(PhantomData<K>);
 

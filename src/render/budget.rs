@@ -54,7 +54,7 @@ impl FrontPoint {
 /// The best settings for a scene on a core: each takes more instructions a pixel than the one before
 /// it and has less error.
 ///
-/// `cargo run --release --example report` measures them for a scene of yours and writes them as
+/// `cargo run --release --package report` measures them for a scene of yours and writes them as
 /// Rust source.
 #[derive(Clone, Copy, Debug)]
 pub struct Front(&'static [FrontPoint]);
@@ -155,7 +155,7 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
     /// use reflet::{Front, FrontPoint, Grade, StaticFrame, scenes::{BuiltIn, Corner1}};
     ///
-    /// // Made up; `cargo run --release --example report -- corner1` writes what is measured.
+    /// // Made up; `cargo run --release --package report -- corner1` writes what is measured.
     /// const FRONT: Front = Front::new(&[
     ///     FrontPoint {
     ///         prepare: 10_000, instructions: 80, reflections: 1,

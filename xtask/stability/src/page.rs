@@ -39,7 +39,7 @@ fn head(tried: &[Tried]) -> String {
     };
     format!(
         "# Stiff and extreme cases\n\n\
-         Written by `cargo run --release --example stability`, which ends with exit code 1 where a \
+         Written by `cargo run --release --package stability`, which ends with exit code 1 where a \
          case misses its bar, is worse than `f32` for no reason that is named, or the aim below is \
          missed; the tests try the same catalogue.\n\n\
          Pictures are {SIDE}x{SIDE} ({SHORT_SIDE}x{SHORT_SIDE} with more than {MANY} reflections), in \
