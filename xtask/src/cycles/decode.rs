@@ -1,11 +1,11 @@
 //! What the instructions of a program are, as far as their timing depends on it.
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result};
 use capstone::{
-    Capstone,
+    Capstone, RegId,
     arch::{
-        BuildsCapstone, BuildsCapstoneExtraMode,
-        arm::{ArchExtraMode, ArchMode},
+        BuildsCapstone, BuildsCapstoneExtraMode, DetailsArchInsn,
+        arm::{ArchExtraMode, ArchMode, ArmOperand, ArmOperandType, ArmReg::*},
     },
 };
 use object::{Object, ObjectSection, SectionKind};
@@ -155,214 +155,202 @@ fn decode(code: &[u8]) -> Result<Instruction> {
         .arm()
         .mode(ArchMode::Thumb)
         .extra_mode([ArchExtraMode::MClass, ArchExtraMode::V8].into_iter())
-        .build()
-        .map_err(|error| anyhow!("no decoder: {error}"))?;
-    let decoded = decoder
-        .disasm_count(code, 0, 1)
-        .map_err(|error| anyhow!("not decoded: {error}"))?;
+        .detail(true)
+        .build()?;
+    let decoded = decoder.disasm_count(code, 0, 1)?;
     let decoded = decoded.first().context("not decoded")?;
-    let mnemonic = decoded.mnemonic().context("it has no name")?;
-    let operands = decoded.op_str().unwrap_or_default();
-    Ok(instruction(
-        mnemonic,
-        operands,
-        decoded.bytes().len() as u32,
-    ))
-}
-
-fn instruction(mnemonic: &str, operands: &str, size: u32) -> Instruction {
-    let mnemonic = mnemonic.trim_end_matches(".w");
-    let kind = kind(mnemonic, operands);
-    let (outside, inside) = match operands.split_once('[') {
-        Some((outside, inside)) => (outside, inside),
-        None => (operands, ""),
-    };
-    let list = operands.split_once('{').map_or("", |(_, list)| list);
-    let first = outside.split(',').next().unwrap_or("");
+    let name = decoder.insn_name(decoded.id()).context("it has no name")?;
+    let detail = decoder.insn_detail(decoded)?;
+    let detail = detail.arch_detail();
+    let operands: Vec<_> = detail.arm().context("not Arm")?.operands().collect();
+    let (kind, first) = (kind(&name, &operands), registers(operands.first()));
     let sets = match kind {
-        Kind::LoadMany(_) => registers(if list.is_empty() { outside } else { list }),
-        Kind::LongMultiply | Kind::LongMultiplyAdd => {
-            registers(&outside.split(',').take(2).collect::<Vec<_>>().join(","))
-        }
+        Kind::LoadMany(_) => registers(&operands[bases(&name)..]),
+        Kind::LongMultiply | Kind::LongMultiplyAdd => registers(&operands[..2]),
         Kind::Store | Kind::StoreIndexed | Kind::StoreMany(_) => 0,
-        _ if ["cmp", "cmn", "tst", "teq", "b", "cb"]
-            .iter()
-            .any(|it| is(mnemonic, it)) =>
-        {
-            0
-        }
-        _ => registers(first),
+        _ if matches!(&*name, "cmp" | "cmn" | "tst" | "teq") => 0,
+        _ => first,
     };
-    let address = match kind {
-        Kind::LoadMany(_) | Kind::StoreMany(_) if !list.is_empty() => registers(first),
-        _ => registers(inside),
+    let address = match &*name {
+        "ldm" | "ldmdb" | "stm" | "stmdb" | "push" | "pop" => first,
+        _ => addressed(&operands),
     };
-    Instruction {
-        size,
+    Ok(Instruction {
+        size: decoded.bytes().len() as u32,
         kind,
         sets,
         address,
-    }
+    })
 }
 
-fn kind(mnemonic: &str, operands: &str) -> Kind {
-    let starts = |beginning: &str| mnemonic.starts_with(beginning);
-    let count = |width: u32| {
-        let list = operands.split_once('{').map_or("", |(_, list)| list);
-        width
-            * list
-                .split(',')
-                .filter(|item| !item.trim().is_empty())
-                .count() as u32
-    };
-    match mnemonic {
-        _ if starts("v") => float_kind(mnemonic, operands),
-        _ if starts("umull") || starts("smull") => Kind::LongMultiply,
-        _ if starts("umlal") || starts("smlal") || starts("umaal") => Kind::LongMultiplyAdd,
-        _ if starts("mla") || starts("mls") => Kind::MultiplyAdd,
-        _ if starts("mul") => Kind::Multiply,
-        _ if starts("udiv") || starts("sdiv") => Kind::Divide,
-        _ if starts("ldrd") => Kind::LoadMany(2),
-        _ if starts("ldm") || starts("pop") => Kind::LoadMany(count(1)),
-        _ if starts("ldr") => Kind::Load,
-        _ if starts("strd") => Kind::StoreMany(2),
-        _ if starts("stm") || starts("push") => Kind::StoreMany(count(1)),
-        _ if starts("str") => match operands.split_once('[') {
-            Some((_, inside)) if registers(inside).count_ones() > 1 => Kind::StoreIndexed,
-            _ => Kind::Store,
-        },
-        _ if starts("tbb") || starts("tbh") => Kind::TableJump,
-        _ if is(mnemonic, "bx") || is(mnemonic, "blx") => Kind::Jump,
-        _ if is(mnemonic, "bl") => Kind::Call,
-        _ if is(mnemonic, "b") || starts("cbz") || starts("cbnz") => Kind::Branch,
-        _ if starts("mrs") || starts("msr") || starts("cps") => Kind::Special,
+/// The kind of an instruction, whose name has neither a condition nor a suffix.
+fn kind(name: &str, operands: &[ArmOperand]) -> Kind {
+    let listed = (operands.len() - bases(name)) as u32;
+    match name {
+        "umull" | "smull" => Kind::LongMultiply,
+        "umlal" | "umaal" => Kind::LongMultiplyAdd,
+        _ if name.starts_with("smlal") => Kind::LongMultiplyAdd,
+        "mla" | "mls" => Kind::MultiplyAdd,
+        "mul" => Kind::Multiply,
+        "udiv" | "sdiv" => Kind::Divide,
+        "ldrd" => Kind::LoadMany(2),
+        "ldm" | "ldmdb" | "pop" => Kind::LoadMany(listed),
+        _ if name.starts_with("ldr") => Kind::Load,
+        "strd" => Kind::StoreMany(2),
+        "stm" | "stmdb" | "push" => Kind::StoreMany(listed),
+        _ if name.starts_with("str") && addressed(operands).count_ones() > 1 => Kind::StoreIndexed,
+        _ if name.starts_with("str") => Kind::Store,
+        "tbb" | "tbh" => Kind::TableJump,
+        "bx" | "blx" => Kind::Jump,
+        "bl" => Kind::Call,
+        "b" | "cbz" | "cbnz" => Kind::Branch,
+        "mrs" | "msr" | "cps" => Kind::Special,
         "dmb" | "dsb" | "isb" => Kind::Barrier,
+        "vldr" => Kind::FloatLoad(words(&operands[..1])),
+        "vstr" => Kind::FloatStore(words(&operands[..1])),
+        "vldmia" | "vldmdb" | "vstmia" | "vstmdb" | "vpush" | "vpop" => {
+            Kind::FloatMany(words(operands))
+        }
+        "vdiv" | "vsqrt" => Kind::FloatDivideOrRoot,
+        "vmla" | "vmls" | "vnmla" | "vnmls" => Kind::FloatMultiplyAdd,
+        "vfma" | "vfms" | "vfnma" | "vfnms" => Kind::FloatMultiplyAdd,
+        "vmov" if operands.len() > 2 => Kind::FloatMovePair,
+        // What the decoder calls VMRS, and VMOV of a constant or of half a register.
+        "fmstat" | "fconsts" | "fconstd" | "fmdhr" | "fmdlr" => Kind::Float,
+        _ if name.starts_with('v') => Kind::Float,
         _ => Kind::Plain,
     }
 }
 
-fn float_kind(mnemonic: &str, operands: &str) -> Kind {
-    let starts = |beginning: &str| mnemonic.starts_with(beginning);
-    let width = |register: &str| {
-        if register.trim().starts_with('d') {
-            2
-        } else {
-            1
-        }
-    };
-    let words = || {
-        let list = operands.split_once('{').map_or(operands, |(_, list)| list);
-        let registers = list.trim_end_matches('}').split(',');
-        registers.map(width).sum()
-    };
-    let is_multiply_add = ["vmla", "vmls", "vfm", "vfnm", "vnmla", "vnmls"];
-    match mnemonic {
-        _ if starts("vldr") => Kind::FloatLoad(width(operands)),
-        _ if starts("vstr") => Kind::FloatStore(width(operands)),
-        _ if ["vldm", "vstm", "vpush", "vpop"]
-            .iter()
-            .any(|it| starts(it)) =>
-        {
-            Kind::FloatMany(words())
-        }
-        _ if starts("vdiv") || starts("vsqrt") => Kind::FloatDivideOrRoot,
-        _ if is_multiply_add.iter().any(|it| starts(it)) => Kind::FloatMultiplyAdd,
-        _ if starts("vmov") && operands.split(',').count() > 2 => Kind::FloatMovePair,
-        _ => Kind::Float,
+/// How many operands stand before the list of those that are loaded or stored.
+fn bases(name: &str) -> usize {
+    usize::from(matches!(name, "ldm" | "ldmdb" | "stm" | "stmdb"))
+}
+
+/// The core's registers among operands, a bit each.
+fn registers<'a>(operands: impl IntoIterator<Item = &'a ArmOperand>) -> u16 {
+    let bits = operands.into_iter().map(|operand| match operand.op_type {
+        ArmOperandType::Reg(register) => bit(register),
+        _ => 0,
+    });
+    bits.fold(0, |set, bit| set | bit)
+}
+
+/// The core's registers in the addresses among operands.
+fn addressed(operands: &[ArmOperand]) -> u16 {
+    let bits = operands.iter().map(|operand| match operand.op_type {
+        ArmOperandType::Mem(memory) => bit(memory.base()) | bit(memory.index()),
+        _ => 0,
+    });
+    bits.fold(0, |set, bits| set | bits)
+}
+
+/// The bit of a register of the core; none for any other.
+fn bit(register: RegId) -> u16 {
+    match register.0.into() {
+        ARM_REG_SP => 1 << 13,
+        ARM_REG_LR => 1 << 14,
+        ARM_REG_PC => COUNTER,
+        register @ ARM_REG_R0..=ARM_REG_R12 => 1 << (register - ARM_REG_R0),
+        _ => 0,
     }
 }
 
-/// Whether a mnemonic is this one, with or without a condition.
-fn is(mnemonic: &str, name: &str) -> bool {
-    const CONDITIONS: [&str; 17] = [
-        "", "eq", "ne", "hs", "cs", "lo", "cc", "mi", "pl", "vs", "vc", "hi", "ls", "ge", "lt",
-        "gt", "le",
-    ];
-    let condition = mnemonic.strip_prefix(name);
-    condition.is_some_and(|condition| CONDITIONS.contains(&condition))
-}
-
-/// The core's registers that a text names, a bit each.
-fn registers(text: &str) -> u16 {
-    let words = text.split(|letter: char| !letter.is_ascii_alphanumeric());
-    let number = |word: &str| match word {
-        "sb" => Some(9),
-        "sl" => Some(10),
-        "fp" => Some(11),
-        "ip" => Some(12),
-        "sp" => Some(13),
-        "lr" => Some(14),
-        "pc" => Some(15),
-        _ => word
-            .strip_prefix('r')?
-            .parse()
-            .ok()
-            .filter(|&number| number < 16),
-    };
-    words
-        .filter_map(number)
-        .fold(0, |set, number: u32| set | 1 << number)
+/// The words in registers of the float unit.
+fn words(operands: &[ArmOperand]) -> u32 {
+    let words = operands.iter().map(|operand| match operand.op_type {
+        ArmOperandType::Reg(RegId(register)) => match register.into() {
+            ARM_REG_S0..=ARM_REG_S31 => 1,
+            ARM_REG_D0..=ARM_REG_D31 => 2,
+            _ => 0,
+        },
+        _ => 0,
+    });
+    words.sum()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    /// An instruction of two bytes, or of four with the half word first that lies first.
+    fn instruction(code: u32) -> Instruction {
+        let [second, first] = [code as u16, (code >> 16) as u16].map(u16::to_le_bytes);
+        let bytes = match code >> 16 {
+            0 => second.to_vec(),
+            _ => [first, second].concat(),
+        };
+        let instruction = decode(&bytes).unwrap();
+        assert_eq!(instruction.size as usize, bytes.len());
+        instruction
+    }
+
     #[test]
     fn instructions_are_told_apart() {
         let kinds = [
-            ("adds", "r0, r1, r2", Kind::Plain),
-            ("bics", "r0, r1", Kind::Plain),
-            ("it", "eq", Kind::Plain),
-            ("muls", "r0, r1, r0", Kind::Multiply),
-            ("smull", "r0, r1, r2, r3", Kind::LongMultiply),
-            ("smlal", "r0, r1, r2, r3", Kind::LongMultiplyAdd),
-            ("mls", "r0, r1, r2, r3", Kind::MultiplyAdd),
-            ("udiv", "r0, r1, r2", Kind::Divide),
-            ("ldrb.w", "r0, [r1, #4]", Kind::Load),
-            ("ldrd", "r0, r1, [sp, #4]", Kind::LoadMany(2)),
-            ("pop", "{r4, r5, pc}", Kind::LoadMany(3)),
-            ("push.w", "{r4, lr}", Kind::StoreMany(2)),
-            ("stm.w", "sp, {r0, r1, r2, r3}", Kind::StoreMany(4)),
-            ("str", "r0, [r1, #4]", Kind::Store),
-            ("str", "r0, [r1, r2]", Kind::StoreIndexed),
-            ("b", "#0x42", Kind::Branch),
-            ("bls", "#0x42", Kind::Branch),
-            ("cbnz", "r0, #0x42", Kind::Branch),
-            ("bl", "#0x42", Kind::Call),
-            ("bx", "lr", Kind::Jump),
-            ("blx", "r3", Kind::Jump),
-            ("mrs", "r0, primask", Kind::Special),
-            ("vadd.f32", "s0, s1, s2", Kind::Float),
-            ("vfma.f32", "s0, s1, s2", Kind::FloatMultiplyAdd),
-            ("vsqrt.f32", "s0, s1", Kind::FloatDivideOrRoot),
-            ("vldr", "s0, [sp, #4]", Kind::FloatLoad(1)),
-            ("vldr", "d0, [sp, #4]", Kind::FloatLoad(2)),
-            ("vpush", "{d8, d9}", Kind::FloatMany(4)),
-            ("vmov", "r0, s1", Kind::Float),
-            ("vmov", "r0, r1, d1", Kind::FloatMovePair),
+            (0x1888, "adds r0, r1, r2", Kind::Plain),
+            (0x4388, "bics r0, r1", Kind::Plain),
+            (0xbf08, "it eq", Kind::Plain),
+            (0x4348, "muls r0, r1, r0", Kind::Multiply),
+            (0xfb82_0103, "smull r0, r1, r2, r3", Kind::LongMultiply),
+            (0xfbc2_0103, "smlal r0, r1, r2, r3", Kind::LongMultiplyAdd),
+            (0xfb01_3012, "mls r0, r1, r2, r3", Kind::MultiplyAdd),
+            (0xfbb1_f0f2, "udiv r0, r1, r2", Kind::Divide),
+            (0xf891_0004, "ldrb.w r0, [r1, #4]", Kind::Load),
+            (0xe9dd_0101, "ldrd r0, r1, [sp, #4]", Kind::LoadMany(2)),
+            (0xbd30, "pop {r4, r5, pc}", Kind::LoadMany(3)),
+            (0xe92d_4010, "push.w {r4, lr}", Kind::StoreMany(2)),
+            (
+                0xe88d_000f,
+                "stm.w sp, {r0, r1, r2, r3}",
+                Kind::StoreMany(4),
+            ),
+            (0x6048, "str r0, [r1, #4]", Kind::Store),
+            (0x5088, "str r0, [r1, r2]", Kind::StoreIndexed),
+            (0xe01f, "b #0x42", Kind::Branch),
+            (0xd91f, "bls #0x42", Kind::Branch),
+            (0xb9f8, "cbnz r0, #0x42", Kind::Branch),
+            (0xf000_f81f, "bl #0x42", Kind::Call),
+            (0x4770, "bx lr", Kind::Jump),
+            (0x4798, "blx r3", Kind::Jump),
+            (0xf3ef_8010, "mrs r0, primask", Kind::Special),
+            (0xee30_0a81, "vadd.f32 s0, s1, s2", Kind::Float),
+            (0xeef1_fa10, "vmrs apsr_nzcv, fpscr", Kind::Float),
+            (0xeeb7_0a00, "vmov.f32 s0, #1.0", Kind::Float),
+            (0xeea0_0a81, "vfma.f32 s0, s1, s2", Kind::FloatMultiplyAdd),
+            (0xeeb1_0ae0, "vsqrt.f32 s0, s1", Kind::FloatDivideOrRoot),
+            (0xed9d_0a01, "vldr s0, [sp, #4]", Kind::FloatLoad(1)),
+            (0xed9d_0b01, "vldr d0, [sp, #4]", Kind::FloatLoad(2)),
+            (0xed2d_8b04, "vpush {d8, d9}", Kind::FloatMany(4)),
+            (0xee10_0a90, "vmov r0, s1", Kind::Float),
+            (0xec51_0b11, "vmov r0, r1, d1", Kind::FloatMovePair),
         ];
-        for (mnemonic, operands, expected) in kinds {
-            let found = instruction(mnemonic, operands, 2);
-            assert_eq!(found.kind, expected, "{mnemonic} {operands}");
+        for (code, text, kind) in kinds {
+            assert_eq!(instruction(code).kind, kind, "{text}");
         }
     }
 
     #[test]
     fn registers_are_told_from_addresses() {
-        let sets = |mnemonic, operands| {
-            let found = instruction(mnemonic, operands, 2);
-            (found.sets, found.address)
-        };
-        assert_eq!(sets("ldr", "r0, [r1, sb, lsl #2]"), (1, 1 << 1 | 1 << 9));
-        assert_eq!(sets("str", "r0, [r1, #4]"), (0, 1 << 1));
-        assert_eq!(sets("adds", "r3, r1, r2"), (1 << 3, 0));
-        assert_eq!(sets("umull", "r3, ip, r2, r1"), (1 << 3 | 1 << 12, 0));
-        assert_eq!(sets("cmp", "r3, r1"), (0, 0));
-        assert_eq!(sets("ldm", "r4!, {r0, r1}"), (3, 1 << 4));
-        assert!(instruction("pop", "{r4, pc}", 2).sets_counter());
-        assert!(instruction("mov", "pc, r4", 2).sets_counter());
-        assert!(!instruction("bx", "lr", 2).sets_counter());
+        for (code, text, sets, address) in [
+            (
+                0xf851_0029,
+                "ldr.w r0, [r1, sb, lsl #2]",
+                1,
+                1 << 1 | 1 << 9,
+            ),
+            (0x6048, "str r0, [r1, #4]", 0, 1 << 1),
+            (0x188b, "adds r3, r1, r2", 1 << 3, 0),
+            (0xfba2_3c01, "umull r3, ip, r2, r1", 1 << 3 | 1 << 12, 0),
+            (0x428b, "cmp r3, r1", 0, 0),
+            (0xcc03, "ldm r4!, {r0, r1}", 3, 1 << 4),
+        ] {
+            let found = instruction(code);
+            assert_eq!((found.sets, found.address), (sets, address), "{text}");
+        }
+        assert!(instruction(0xbd10).sets_counter(), "pop {{r4, pc}}");
+        assert!(instruction(0x46a7).sets_counter(), "mov pc, r4");
+        assert!(!instruction(0x4770).sets_counter(), "bx lr");
     }
 
     #[test]
