@@ -63,23 +63,23 @@ impl Program {
     }
 
     /// Runs the program and returns all that it printed, errors in their place, and how it ended.
-    pub fn watch(mut self) -> (String, Result<(), Failure>) {
-        let pipe = io::pipe().and_then(|(reader, writer)| {
-            self.command.stdout(writer.try_clone()?).stderr(writer);
-            Ok(reader)
-        });
-        let child = self.spawn();
-        // The command's own ends of the pipe would keep it open.
-        self.command.stdout(Stdio::null()).stderr(Stdio::null());
-        match child {
-            Ok(mut child) => {
-                let said = collect(pipe.ok());
-                let outcome = self.wait(&mut child);
-                let outcome = outcome.and_then(|status| self.judge(status, String::new()));
-                (text(said), outcome)
+    pub fn watch(self) -> (String, Result<(), Failure>) {
+        let mut said = String::new();
+        let outcome = self.start().and_then(|mut running| {
+            while let Some(line) = running.line()? {
+                said += &line;
+                said.push('\n');
             }
-            Err(failure) => (String::new(), Err(failure)),
-        }
+            match running.status()? {
+                status if status.success() => Ok(()),
+                status => Err(Failure::Status {
+                    command: running.command.clone(),
+                    status,
+                    complaints: String::new(),
+                }),
+            }
+        });
+        (said, outcome)
     }
 
     /// Whether the program exists, runs and is content.
@@ -271,7 +271,7 @@ mod tests {
     #[test]
     fn all_that_is_said_is_heard_in_its_order() {
         let (said, outcome) = shell("echo a; echo b >&2; echo c; exit 3").watch();
-        assert_eq!(said, "a\nb\nc");
+        assert_eq!(said, "a\nb\nc\n");
         let words = "`sh -c echo a; echo b >&2; echo c; exit 3` failed (exit status: 3)";
         assert_eq!(outcome.unwrap_err().to_string(), words);
     }
