@@ -21,35 +21,44 @@ fn reported(said: &[String], name: &str) -> f64 {
 
 #[test]
 fn estimate_for_m0_plus_is_within_10_percent_of_what_an_rp2040_counts() {
-    for scene in ["castle", "columns", "shading_speculars"] {
-        let task = Task {
-            core: Core::find("m0").unwrap(),
-            scene: Scene::BuiltIn(scene),
-            settings: Settings {
-                size: Size {
-                    width: 8,
-                    height: 8,
-                },
-                reflections: 4,
-                shading: Shading::BlinnPhong,
-                quality: Quality::Fast,
-                is_whole: false,
+    assert_is_within_10_percent("castle");
+}
+
+#[test]
+#[ignore = "long: the same of more scenes"]
+fn estimate_is_as_good_for_other_scenes() {
+    assert_is_within_10_percent("columns");
+    assert_is_within_10_percent("shading_speculars");
+}
+
+fn assert_is_within_10_percent(scene: &'static str) {
+    let task = Task {
+        core: Core::find("m0").unwrap(),
+        scene: Scene::BuiltIn(scene),
+        settings: Settings {
+            size: Size {
+                width: 8,
+                height: 8,
             },
-        };
-        let estimate = estimate(&task).unwrap().unwrap();
-        let run = |rp2040: Rp2040| {
-            let said = with_program(&task, |program| Ok(rp2040.run(program)?.said));
-            reported(
-                &said.unwrap_or_else(|error| panic!("{error:#}")),
-                "instructions",
-            )
-        };
-        let cycles = run(Rp2040::default());
-        let instructions = run(Rp2040::default().counting_instructions());
-        println!("{scene}: {estimate:?}, {cycles} cycles, {instructions} instructions");
-        assert!((estimate.cycles / cycles - 1.0).abs() < 0.1, "{scene}");
-        // What is looked at is what is counted, but for the calls themselves.
-        let seen = estimate.instructions as f64;
-        assert!((seen / instructions - 1.0).abs() < 0.001, "{scene}");
-    }
+            reflections: 4,
+            shading: Shading::BlinnPhong,
+            quality: Quality::Fast,
+            is_whole: false,
+        },
+    };
+    let estimate = estimate(&task).unwrap().unwrap();
+    let run = |rp2040: Rp2040| {
+        let said = with_program(&task, |program| Ok(rp2040.run(program)?.said));
+        reported(
+            &said.unwrap_or_else(|error| panic!("{error:#}")),
+            "instructions",
+        )
+    };
+    let cycles = run(Rp2040::default());
+    let instructions = run(Rp2040::default().counting_instructions());
+    println!("{scene}: {estimate:?}, {cycles} cycles, {instructions} instructions");
+    assert!((estimate.cycles / cycles - 1.0).abs() < 0.1, "{scene}");
+    // What is looked at is what is counted, but for the calls themselves.
+    let seen = estimate.instructions as f64;
+    assert!((seen / instructions - 1.0).abs() < 0.001, "{scene}");
 }

@@ -1,5 +1,7 @@
 //! A frame is the same, to the bit, on the machine that runs the tests and on every core.
 
+use std::thread;
+
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
 use reflet::{
@@ -8,7 +10,7 @@ use reflet::{
     scenes::{self, BuiltIn, Visitor},
 };
 use xtask::measure::{
-    cores::Core,
+    cores::{CORES, Core},
     count,
     scene::Scene,
     task::{Quality, Settings, Shading, Size as Pixels, Task},
@@ -42,16 +44,11 @@ fn hash<S: BuiltIn, Q: Exactness>() -> String {
     format!("{:016x}", hash.value())
 }
 
-fn is_the_same_picture_as_here(core: &str) {
+/// Draws scenes in some qualities on a core and here.
+fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, &[Quality])]) {
     let core = Core::find(core).expect("it is in the list");
-    let (fast, fine) = (Quality::Fast, Quality::Fine);
-    let pictures = [
-        ("castle", &[fast, fine, Quality::Small][..]),
-        ("mirror1", &[fast, fine]),
-        ("columns", &[fast]),
-    ];
     for (name, qualities) in pictures {
-        for &quality in qualities {
+        for &quality in *qualities {
             let task = Task {
                 core,
                 scene: Scene::BuiltIn(name),
@@ -68,32 +65,33 @@ fn is_the_same_picture_as_here(core: &str) {
             };
             let figures = count(&task).unwrap_or_else(|error| panic!("{error:#}"));
             let here = scenes::visit(name, Hash(quality)).expect("it is in the list");
-            assert_eq!(figures.hash, here, "{name}, {quality:?}");
+            assert_eq!(figures.hash, here, "{} {name}, {quality:?}", core.name);
         }
     }
 }
 
 #[test]
-fn cortex_m0_draws_the_same_picture() {
-    is_the_same_picture_as_here("m0");
+fn every_core_draws_the_same_pictures() {
+    let cores = ["m0", "m3", "m4f", "m33", "rv32"];
+    let pictures = [
+        ("castle", &[Quality::Fast][..]),
+        ("mirror1", &[Quality::Fine]),
+        ("columns", &[Quality::Small]),
+    ];
+    // Each has a target of its own, so they do not wait for each other.
+    thread::scope(|scope| {
+        for core in cores {
+            scope.spawn(|| are_the_same_pictures_as_here(core, &pictures));
+        }
+    });
 }
 
 #[test]
-fn cortex_m3_draws_the_same_picture() {
-    is_the_same_picture_as_here("m3");
-}
-
-#[test]
-fn cortex_m4f_draws_the_same_picture() {
-    is_the_same_picture_as_here("m4f");
-}
-
-#[test]
-fn cortex_m33_draws_the_same_picture() {
-    is_the_same_picture_as_here("m33");
-}
-
-#[test]
-fn rv32imac_draws_the_same_picture() {
-    is_the_same_picture_as_here("rv32");
+#[ignore = "long: all scenes in all qualities, on every core"]
+fn every_core_draws_every_scene_in_every_quality() {
+    let qualities = [Quality::Fast, Quality::Fine, Quality::Small, Quality::Exact];
+    let pictures = scenes::NAMES.map(|name| (name, &qualities[..]));
+    for core in CORES {
+        are_the_same_pictures_as_here(core.name, &pictures);
+    }
 }
