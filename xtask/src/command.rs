@@ -6,11 +6,14 @@
 use std::{
     ffi::OsStr,
     fmt,
-    io::{self, Read},
-    process::{Child, Command, ExitStatus, Stdio},
+    io::{self, BufRead, BufReader, Read},
+    process::{Child, Command, ExitStatus, Output, Stdio},
+    sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender},
     thread,
     time::{Duration, Instant},
 };
+
+use rustix::process::{Pid, Signal, kill_process};
 
 /// A program about to run: what is called, in which environment, and for how long at most.
 #[derive(Debug)]
@@ -49,21 +52,14 @@ impl Program {
     }
 
     /// Runs the program; its output goes where ours goes.
-    pub fn stream(mut self) -> Result<(), Failure> {
-        let mut child = self.spawn()?;
-        let status = self.wait(&mut child)?;
-        self.judge(status, String::new())
+    pub fn stream(self) -> Result<(), Failure> {
+        self.run().map(|_| ())
     }
 
     /// Runs the program and returns what it printed, without the white space around it.
     pub fn read(mut self) -> Result<String, Failure> {
         self.command.stdout(Stdio::piped()).stderr(Stdio::piped());
-        let mut child = self.spawn()?;
-        let output = collect(child.stdout.take());
-        let complaints = collect(child.stderr.take());
-        let status = self.wait(&mut child)?;
-        self.judge(status, text(complaints))?;
-        Ok(text(output))
+        Ok(text(&self.run()?.stdout))
     }
 
     /// Whether the program exists, runs and is content.
@@ -71,43 +67,63 @@ impl Program {
         self.read().is_ok()
     }
 
-    fn spawn(&mut self) -> Result<Child, Failure> {
-        self.command.spawn().map_err(|error| Failure::Start {
-            program: self.command.get_program().to_string_lossy().into_owned(),
-            error,
+    /// Starts the program and returns while it runs; its output can be read line by line.
+    pub fn start(mut self) -> Result<Running, Failure> {
+        self.command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = self.spawn()?;
+        let (sender, lines) = mpsc::sync_channel(LINES);
+        forward(child.stderr.take(), sender.clone());
+        forward(child.stdout.take(), sender);
+        Ok(Running {
+            command: self.to_string(),
+            child,
+            lines,
+            limit: self.limit,
+            deadline: Instant::now() + self.limit,
         })
     }
 
-    fn wait(&self, child: &mut Child) -> Result<ExitStatus, Failure> {
-        let start = Instant::now();
-        loop {
-            match child.try_wait() {
-                Ok(Some(status)) => return Ok(status),
-                Ok(None) if start.elapsed() < self.limit => {
-                    thread::sleep(Duration::from_millis(10));
-                }
-                _ => {
-                    end(child);
-                    return Err(Failure::TimeOut {
-                        command: self.to_string(),
-                        limit: self.limit,
-                    });
-                }
+    fn run(mut self) -> Result<Output, Failure> {
+        /// What is ended closes its pipes in milliseconds.
+        const PATIENCE: Duration = Duration::from_secs(10);
+        let child = self.spawn()?;
+        let id = child.id();
+        let (sender, output) = mpsc::channel();
+        thread::spawn(move || sender.send(child.wait_with_output()));
+        match output.recv_timeout(self.limit) {
+            Ok(Ok(output)) if output.status.success() => Ok(output),
+            Ok(Ok(Output { status, stderr, .. })) => Err(Failure::Status {
+                command: self.to_string(),
+                status,
+                complaints: text(&stderr),
+            }),
+            Ok(Err(_)) | Err(_) => {
+                end(id as i32);
+                let _ = output.recv_timeout(PATIENCE);
+                Err(Failure::TimeOut {
+                    command: self.to_string(),
+                    limit: self.limit,
+                })
             }
         }
     }
 
-    fn judge(&self, status: ExitStatus, complaints: String) -> Result<(), Failure> {
-        if status.success() {
-            return Ok(());
+    fn spawn(&mut self) -> Result<Child, Failure> {
+        let child = self.command.spawn();
+        child.map_err(|error| self.not_started(error))
+    }
+
+    fn not_started(&self, error: io::Error) -> Failure {
+        let program = self.command.get_program().to_string_lossy().into_owned();
+        match error.kind() {
+            io::ErrorKind::NotFound => Failure::Missing { program },
+            _ => Failure::Start { program, error },
         }
-        Err(Failure::Status {
-            command: self.to_string(),
-            status,
-            complaints,
-        })
     }
 }
+
+/// How many lines of a program's output may wait to be read.
+const LINES: usize = 1 << 12;
 
 /// The command line, as a person would type it.
 impl fmt::Display for Program {
@@ -119,100 +135,107 @@ impl fmt::Display for Program {
     }
 }
 
-/// What can go wrong with another program.
+/// Sends on the lines of a pipe until it closes or nobody listens any more.
+fn forward(pipe: Option<impl Read + Send + 'static>, lines: SyncSender<String>) {
+    let Some(pipe) = pipe else { return };
+    thread::spawn(move || {
+        BufReader::new(pipe)
+            .split(b'\n')
+            .map_while(Result::ok)
+            .try_for_each(|line| lines.send(String::from_utf8_lossy(&line).trim_end().into()))
+    });
+}
+
+/// A program that runs; dropping it ends it.
 #[derive(Debug)]
+pub struct Running {
+    command: String,
+    child: Child,
+    lines: Receiver<String>,
+    limit: Duration,
+    deadline: Instant,
+}
+
+impl Running {
+    /// The next line that it prints as output or as a complaint; `None` once it prints no more.
+    pub fn line(&mut self) -> Result<Option<String>, Failure> {
+        let rest = self.deadline.saturating_duration_since(Instant::now());
+        match self.lines.recv_timeout(rest) {
+            Ok(line) => Ok(Some(line)),
+            Err(RecvTimeoutError::Disconnected) => Ok(None),
+            Err(RecvTimeoutError::Timeout) => Err(self.time_out()),
+        }
+    }
+
+    /// How it ended. It has closed its pipes, so it will be a moment at most.
+    pub fn status(&mut self) -> Result<ExitStatus, Failure> {
+        loop {
+            match self.child.try_wait() {
+                Ok(Some(status)) => return Ok(status),
+                Ok(None) if Instant::now() < self.deadline => {
+                    thread::sleep(Duration::from_millis(1));
+                }
+                _ => return Err(self.time_out()),
+            }
+        }
+    }
+
+    fn time_out(&self) -> Failure {
+        Failure::TimeOut {
+            command: self.command.clone(),
+            limit: self.limit,
+        }
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        // It may have ended already.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// What can go wrong with another program.
+#[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    /// It could not be started, mostly because it is not there.
+    #[error("there is no program `{program}`")]
+    Missing { program: String },
+    #[error("`{program}` does not start: {error}")]
     Start { program: String, error: io::Error },
     /// It ended, and not well.
+    #[error("`{command}` failed ({status}){}", after(": ", complaints))]
     Status {
         command: String,
         status: ExitStatus,
         complaints: String,
     },
     /// It did not end in time and was ended.
+    #[error("`{command}` was ended after {} s", .limit.as_secs_f64())]
     TimeOut { command: String, limit: Duration },
 }
 
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Start { program, error } if error.kind() == io::ErrorKind::NotFound => {
-                write!(f, "there is no program `{program}`")
-            }
-            Self::Start { program, error } => write!(f, "`{program}` does not start: {error}"),
-            Self::Status {
-                command,
-                status,
-                complaints,
-            } => {
-                write!(f, "`{command}` failed ({status})")?;
-                match complaints.as_str() {
-                    "" => Ok(()),
-                    complaints => write!(f, ": {complaints}"),
-                }
-            }
-            Self::TimeOut { command, limit } => {
-                write!(f, "`{command}` was ended after {} s", limit.as_secs_f64())
-            }
-        }
+/// Words with their beginning; nothing if there are no words.
+pub(crate) fn after(beginning: &str, words: &str) -> String {
+    match words {
+        "" => String::new(),
+        words => format!("{beginning}{words}"),
     }
 }
 
-impl std::error::Error for Failure {}
-
-/// Reads a pipe to its end beside the program that fills it.
-fn collect(pipe: Option<impl Read + Send + 'static>) -> thread::JoinHandle<Vec<u8>> {
-    thread::spawn(move || {
-        let mut bytes = Vec::new();
-        if let Some(mut pipe) = pipe {
-            // A pipe that breaks has said what it could; the exit status tells the rest.
-            let _ = pipe.read_to_end(&mut bytes);
-        }
-        bytes
-    })
-}
-
-fn text(collected: thread::JoinHandle<Vec<u8>>) -> String {
-    let bytes = collected.join().unwrap_or_default();
-    String::from_utf8_lossy(&bytes).trim().to_owned()
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).trim().to_owned()
 }
 
 /// Ends a process and all it started: an orphan would go on and hold our output open.
-fn end(child: &mut Child) {
-    let mut processes = vec![child.id()];
-    if let Ok(table) = Program::new("ps").args(["-A", "-o", "pid=,ppid="]).read() {
-        processes.extend(descendants(&table, child.id()));
+fn end(id: i32) {
+    let children = Program::new("pgrep").args(["-P", &id.to_string()]).read();
+    if let Some(process) = Pid::from_raw(id) {
+        // It may have ended already.
+        let _ = kill_process(process, Signal::KILL);
     }
-    let ids = processes.iter().map(u32::to_string);
-    Program::new("kill").args(["-KILL"]).args(ids).succeeds();
-    // Already gone where `kill` did its work; the way to end it where there is no `kill`.
-    let _ = child.kill();
-    let _ = child.wait();
-}
-
-/// The processes below `root` in a table of `id parent` lines.
-fn descendants(table: &str, root: u32) -> Vec<u32> {
-    let pairs: Vec<(u32, u32)> = table
-        .lines()
-        .filter_map(|line| {
-            let mut words = line.split_whitespace().map(str::parse);
-            Some((words.next()?.ok()?, words.next()?.ok()?))
-        })
-        .collect();
-    let mut found = vec![root];
-    let mut next = 0;
-    while next < found.len() {
-        let parent = found[next];
-        found.extend(
-            pairs
-                .iter()
-                .filter(|pair| pair.1 == parent)
-                .map(|pair| pair.0),
-        );
-        next += 1;
-    }
-    found.split_off(1)
+    let children = children.unwrap_or_default();
+    children.lines().flat_map(str::parse).for_each(end);
 }
 
 #[cfg(test)]
@@ -246,17 +269,12 @@ mod tests {
     #[test]
     fn program_past_its_limit_is_ended_with_its_children() {
         let start = Instant::now();
-        // Reading waits until the last holder of the pipe is gone: the grandchild, too.
-        let slow = shell("(sleep 60; :) & sleep 60").limit(Duration::from_millis(200));
+        // Reading waits for the last holder of the pipe: the child of the child's child, too.
+        let slow = shell("(sh -c 'sleep 60; :'; :) & sleep 60").limit(Duration::from_millis(200));
         let failure = slow.read().unwrap_err();
         assert!(failure.to_string().ends_with("was ended after 0.2 s"));
-        assert!(start.elapsed() < Duration::from_secs(30));
-    }
-
-    #[test]
-    fn descendants_are_found_across_generations() {
-        let table = "  1 0\n 10 1\n 11 10\n 12 11\n 20 1\n";
-        assert_eq!(descendants(table, 10), [11, 12]);
+        // Less than it waits for what cannot be ended.
+        assert!(start.elapsed() < Duration::from_secs(10));
     }
 
     #[test]

@@ -5,32 +5,23 @@
 //! fault, is a [`Failure`] that repeats its words and names the fault. It knows no firmware.
 
 use std::{
-    env,
-    ffi::{OsStr, OsString},
-    fmt,
-    io::{self, BufRead, BufReader, Read},
-    ops::ControlFlow,
-    os::unix::net::UnixStream,
-    path::Path,
-    process::{Child, Command, ExitStatus, Stdio},
-    sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender},
-    thread,
-    time::{Duration, Instant},
+    env, ffi::OsStr, ops::ControlFlow, os::unix::net::UnixStream, path::Path, process::ExitStatus,
+    time::Duration,
 };
 
 use image::RgbImage;
+use serde::Serialize;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
 use super::qmp::{self, Monitor};
-use crate::command::Program;
+use crate::command::{self, Program, after};
 
 /// An emulated board about to boot a firmware, and for how long it may run.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Qemu {
-    program: &'static str,
-    arguments: Vec<OsString>,
-    limit: Duration,
+    name: &'static str,
+    program: Program,
 }
 
 impl Qemu {
@@ -44,22 +35,17 @@ impl Qemu {
         Self::new("qemu-system-riscv32").args(["-M", "virt", "-bios", "none"])
     }
 
-    fn new(program: &'static str) -> Self {
-        let emulator = Self {
-            program,
-            arguments: Vec::new(),
-            limit: Duration::from_secs(60),
-        };
-        emulator
+    fn new(name: &'static str) -> Self {
+        let program = Program::new(name);
+        Self { name, program }
             .args(["-semihosting-config", "enable=on,target=native"])
             .args(["-serial", "null", "-monitor", "none"])
     }
 
     /// Appends options of QEMU's.
-    pub fn args<A: AsRef<OsStr>>(mut self, arguments: impl IntoIterator<Item = A>) -> Self {
-        let arguments = arguments.into_iter().map(|it| it.as_ref().to_owned());
-        self.arguments.extend(arguments);
-        self
+    pub fn args<A: AsRef<OsStr>>(self, arguments: impl IntoIterator<Item = A>) -> Self {
+        let program = self.program.args(arguments);
+        Self { program, ..self }
     }
 
     /// Lets every instruction take 2^`shift` ns of the board's time, so that its timers count
@@ -70,7 +56,8 @@ impl Qemu {
 
     /// The time after which the firmware is ended; a minute unless it is named.
     pub fn limit(self, limit: Duration) -> Self {
-        Self { limit, ..self }
+        let program = self.program.limit(limit);
+        Self { program, ..self }
     }
 
     /// Runs a firmware until it ends by itself and returns what it said.
@@ -85,7 +72,7 @@ impl Qemu {
         firmware: &Path,
         mut see: impl FnMut(u32) -> ControlFlow<()>,
     ) -> Result<(), Failure> {
-        let stepping = one_by_one(self.program);
+        let stepping = one_by_one(self.name);
         let logged = self.args(["-d", "exec,nochain"]).args(stepping);
         let mut running = logged.boot(firmware)?;
         while let Some(line) = running.receive()? {
@@ -100,32 +87,16 @@ impl Qemu {
 
     /// Boots a firmware and returns while it runs, its display unseen.
     pub fn boot(self, firmware: &Path) -> Result<Running, Failure> {
-        let start = |error| Failure::Start {
-            program: self.program,
+        let folder = TempDir::with_prefix("reflet-").map_err(|error| command::Failure::Start {
+            program: self.name.to_owned(),
             error,
-        };
-        let folder = TempDir::with_prefix("reflet-").map_err(start)?;
-        let mut monitor = OsString::from("unix:");
-        monitor.push(folder.path().join(MONITOR));
-        monitor.push(",server=on,wait=off");
-        let mut child = self
-            .command(firmware)
-            .args(["-display", "none", "-qmp"])
-            .arg(monitor)
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .map_err(start)?;
-        let (sender, lines) = mpsc::sync_channel(LINES);
-        forward(child.stderr.take(), sender.clone());
-        forward(child.stdout.take(), sender);
+        })?;
+        let socket = folder.path().join(MONITOR);
+        let monitor = format!("unix:{},server=on,wait=off", socket.display());
+        let program = self.kernel(firmware).args(["-display", "none"]);
         Ok(Running {
-            child,
-            lines,
+            program: program.args(["-qmp", &monitor]).start()?,
             said: Vec::new(),
-            limit: self.limit,
-            deadline: Instant::now() + self.limit,
             folder,
             monitor: None,
         })
@@ -134,26 +105,15 @@ impl Qemu {
     /// Shows a firmware to a person until they or it end it: without a limit, its words where ours
     /// go, and its display in a window if this machine has a screen.
     pub fn show(self, firmware: &Path) -> Result<(), Failure> {
-        let mut command = self.command(firmware);
-        if !has_screen() {
-            command.args(["-display", "none"]);
-        }
-        let status = command.status().map_err(|error| Failure::Start {
-            program: self.program,
-            error,
-        })?;
-        judge(status, &[])
+        let unseen = ["-display", "none"].into_iter().filter(|_| !has_screen());
+        let program = self.kernel(firmware).args(unseen).limit(Duration::MAX);
+        Ok(program.stream()?)
     }
 
-    fn command(&self, firmware: &Path) -> Command {
-        let mut command = Command::new(self.program);
-        command.args(&self.arguments).arg("-kernel").arg(firmware);
-        command
+    fn kernel(self, firmware: &Path) -> Program {
+        self.program.args(["-kernel".as_ref(), firmware])
     }
 }
-
-/// How many lines may wait to be read.
-const LINES: usize = 1 << 12;
 
 /// The monitor's socket in the folder of a run.
 const MONITOR: &str = "monitor";
@@ -164,49 +124,23 @@ fn has_screen() -> bool {
     cfg!(target_os = "macos") || ["DISPLAY", "WAYLAND_DISPLAY"].into_iter().any(is_named)
 }
 
-/// Sends on the lines of a pipe until it closes or nobody listens any more.
-fn forward(pipe: Option<impl Read + Send + 'static>, lines: SyncSender<String>) {
-    let Some(pipe) = pipe else { return };
-    thread::spawn(move || {
-        BufReader::new(pipe)
-            .split(b'\n')
-            .map_while(Result::ok)
-            .map(|line| String::from_utf8_lossy(&line).trim_end().to_owned())
-            .try_for_each(|line| lines.send(line))
-    });
-}
-
 /// A key of the machine QEMU runs on; a board makes of it what it will.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Key {
     Left,
     Right,
     Up,
     Down,
+    #[serde(rename = "ctrl")]
     Control,
-}
-
-impl Key {
-    /// QEMU's name for it.
-    const fn code(self) -> &'static str {
-        match self {
-            Self::Left => "left",
-            Self::Right => "right",
-            Self::Up => "up",
-            Self::Down => "down",
-            Self::Control => "ctrl",
-        }
-    }
 }
 
 /// A firmware that runs; dropping it ends it.
 #[derive(Debug)]
 pub struct Running {
-    child: Child,
-    lines: Receiver<String>,
+    program: command::Running,
     said: Vec<String>,
-    limit: Duration,
-    deadline: Instant,
     folder: TempDir,
     monitor: Option<Monitor<UnixStream>>,
 }
@@ -221,24 +155,19 @@ impl Running {
                 return Ok(line);
             }
         }
-        let status = self.status()?;
-        judge(status, &self.said)?;
-        Err(Failure::Silence {
-            said: self.said.join("\n"),
-        })
+        let said = self.judged()?;
+        Err(Failure::Silence { said })
     }
 
     /// Waits until the firmware ends by itself, and returns all it has said.
     pub fn end(mut self) -> Result<String, Failure> {
         while self.next_line()?.is_some() {}
-        let status = self.status()?;
-        judge(status, &self.said)?;
-        Ok(self.said.join("\n"))
+        self.judged()
     }
 
     /// Presses a key and lets it go.
     pub fn press(&mut self, key: Key) -> Result<(), Failure> {
-        let key = json!({ "type": "qcode", "data": key.code() });
+        let key = json!({ "type": "qcode", "data": key });
         for down in [true, false] {
             let event = json!({ "type": "key", "data": { "down": down, "key": key } });
             self.ask("input-send-event", json!({ "events": [event] }))?;
@@ -262,36 +191,34 @@ impl Running {
 
     /// The next line, which is not taken for the firmware's words.
     fn receive(&mut self) -> Result<Option<String>, Failure> {
-        let rest = self.deadline.saturating_duration_since(Instant::now());
-        match self.lines.recv_timeout(rest) {
-            Ok(line) => Ok(Some(line)),
-            Err(RecvTimeoutError::Disconnected) => Ok(None),
-            Err(RecvTimeoutError::Timeout) => Err(self.time_out()),
+        let line = self.program.line();
+        line.map_err(|failure| self.named(failure))
+    }
+
+    /// All that the firmware has said, if it has ended well.
+    fn judged(&mut self) -> Result<String, Failure> {
+        let status = self.program.status();
+        let status = status.map_err(|failure| self.named(failure))?;
+        match status.success() {
+            true => Ok(self.said.join("\n")),
+            false => Err(Failure::Fault {
+                status,
+                said: tail(&self.said),
+            }),
         }
     }
 
-    /// How the firmware ended: it has closed its pipes, so it will be a moment at most.
-    fn status(&mut self) -> Result<ExitStatus, Failure> {
-        loop {
-            match self.child.try_wait() {
-                Ok(Some(status)) => return Ok(status),
-                Ok(None) if Instant::now() < self.deadline => {
-                    thread::sleep(Duration::from_millis(1));
-                }
-                _ => return Err(self.time_out()),
-            }
-        }
-    }
-
-    fn time_out(&mut self) -> Failure {
+    /// The failure of the program as one of the firmware: it did not end in time.
+    fn named(&mut self, failure: command::Failure) -> Failure {
+        let command::Failure::TimeOut { limit, .. } = failure else {
+            return failure.into();
+        };
         // A monitor that does not answer either leaves the rest of the message to say it.
-        let registers = self.ask(
-            "human-monitor-command",
-            json!({ "command-line": "info registers" }),
-        );
+        let arguments = json!({ "command-line": "info registers" });
+        let registers = self.ask("human-monitor-command", arguments);
         let registers = registers.unwrap_or_default();
         Failure::TimeOut {
-            limit: self.limit,
+            limit,
             whereabouts: registers.as_str().and_then(whereabouts),
             said: tail(&self.said),
         }
@@ -302,29 +229,16 @@ impl Running {
             Some(monitor) => monitor,
             none => none.insert(connect(&self.folder.path().join(MONITOR))?),
         };
-        monitor
-            .execute(command, arguments)
-            .map_err(Failure::Monitor)
+        Ok(monitor.execute(command, arguments)?)
     }
 }
 
-impl Drop for Running {
-    fn drop(&mut self) {
-        // It may have ended already, which is just as well.
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
-fn connect(socket: &Path) -> Result<Monitor<UnixStream>, Failure> {
+fn connect(socket: &Path) -> Result<Monitor<UnixStream>, qmp::Error> {
     /// The monitor answers in milliseconds, on a busy machine in some more.
     const PATIENCE: Duration = Duration::from_secs(10);
-    let stream = UnixStream::connect(socket).and_then(|stream| {
-        stream.set_read_timeout(Some(PATIENCE))?;
-        Ok(stream)
-    });
-    let stream = stream.map_err(|error| Failure::Monitor(error.into()))?;
-    Monitor::new(stream).map_err(Failure::Monitor)
+    let stream = UnixStream::connect(socket)?;
+    stream.set_read_timeout(Some(PATIENCE))?;
+    Monitor::new(stream)
 }
 
 /// The options by which QEMU executes one instruction at a time: they changed in version 8.1.
@@ -380,89 +294,66 @@ fn exception_name(number: u32) -> String {
     }
 }
 
-fn judge(status: ExitStatus, said: &[String]) -> Result<(), Failure> {
-    if status.success() {
-        return Ok(());
-    }
-    Err(Failure::Fault {
-        status,
-        said: tail(said),
-    })
-}
-
 /// The last words, with room for a panic's message or QEMU's list of registers.
 fn tail(said: &[String]) -> String {
     said[said.len().saturating_sub(20)..].join("\n")
 }
 
 /// What can go wrong on an emulated board.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub enum Failure {
     /// QEMU could not be started, mostly because it is not there.
-    Start {
-        program: &'static str,
-        error: io::Error,
-    },
+    #[error("{failure}{}", advice(failure))]
+    Start { failure: command::Failure },
     /// The firmware ended, and not well: by a panic, a fault, or its own exit status.
+    #[error("the firmware failed ({status}){}", quote(said))]
     Fault { status: ExitStatus, said: String },
     /// The firmware did not end, or did not say what was waited for, in time.
+    #[error(
+        "the firmware was ended after {} s{}{}",
+        .limit.as_secs_f64(),
+        after(": ", whereabouts.as_deref().unwrap_or_default()),
+        quote(said)
+    )]
     TimeOut {
         limit: Duration,
         whereabouts: Option<String>,
         said: String,
     },
     /// The firmware ended well without saying what was waited for.
+    #[error("the firmware ended before it said what was waited for{}", quote(said))]
     Silence { said: String },
     /// QEMU's monitor failed.
-    Monitor(qmp::Error),
+    #[error(transparent)]
+    Monitor(#[from] qmp::Error),
     /// The picture of the display cannot be read.
+    #[error("the picture of the display is unreadable: {0}")]
     Screen(image::ImageError),
 }
 
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Start { program, error } if error.kind() == io::ErrorKind::NotFound => {
-                write!(
-                    f,
-                    "there is no program `{program}`: `cargo xtask setup` gets it"
-                )
-            }
-            Self::Start { program, error } => write!(f, "`{program}` does not start: {error}"),
-            Self::Fault { status, said } => {
-                write!(f, "the firmware failed ({status})")?;
-                quote(f, said)
-            }
-            Self::TimeOut {
-                limit,
-                whereabouts,
-                said,
-            } => {
-                write!(f, "the firmware was ended after {} s", limit.as_secs_f64())?;
-                if let Some(whereabouts) = whereabouts {
-                    write!(f, ": {whereabouts}")?;
-                }
-                quote(f, said)
-            }
-            Self::Silence { said } => {
-                write!(f, "the firmware ended before it said what was waited for")?;
-                quote(f, said)
-            }
-            Self::Monitor(error) => error.fmt(f),
-            Self::Screen(error) => write!(f, "the picture of the display is unreadable: {error}"),
+impl From<command::Failure> for Failure {
+    fn from(failure: command::Failure) -> Self {
+        match failure {
+            command::Failure::Status { status, .. } => Self::Fault {
+                status,
+                said: String::new(),
+            },
+            failure => Self::Start { failure },
         }
     }
 }
 
-/// Repeats the firmware's words, if it had any.
-fn quote(f: &mut fmt::Formatter<'_>, said: &str) -> fmt::Result {
-    match said {
-        "" => Ok(()),
-        said => write!(f, "; it said:\n{said}"),
+fn advice(failure: &command::Failure) -> &'static str {
+    match failure {
+        command::Failure::Missing { .. } => ": `cargo xtask setup` gets it",
+        _ => "",
     }
 }
 
-impl std::error::Error for Failure {}
+/// Repeats the firmware's words, if it had any.
+pub(super) fn quote(said: &str) -> String {
+    after("; it said:\n", said)
+}
 
 #[cfg(test)]
 mod tests {

@@ -2,10 +2,7 @@
 //!
 //! It knows the protocol and no board. Written after the QEMU Machine Protocol Specification.
 
-use std::{
-    fmt,
-    io::{self, BufRead, BufReader, Read, Write},
-};
+use std::io::{self, BufRead, BufReader, Read, Write};
 
 use serde_json::{Value, json};
 
@@ -60,33 +57,18 @@ impl<S: Read + Write> Monitor<S> {
 }
 
 /// What can go wrong in a conversation.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The stream broke, or QEMU did not answer in time.
-    Stream(io::Error),
+    #[error("QEMU's monitor does not answer: {0}")]
+    Stream(#[from] io::Error),
     /// QEMU did not carry out a command, for the reason it gives.
+    #[error("QEMU refuses `{command}`: {reason}")]
     Refused { command: String, reason: String },
     /// QEMU said something that is no part of the protocol.
+    #[error("QEMU's monitor says {0}")]
     Protocol(Value),
 }
-
-impl From<io::Error> for Error {
-    fn from(error: io::Error) -> Self {
-        Self::Stream(error)
-    }
-}
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Stream(error) => write!(f, "QEMU's monitor does not answer: {error}"),
-            Self::Refused { command, reason } => write!(f, "QEMU refuses `{command}`: {reason}"),
-            Self::Protocol(message) => write!(f, "QEMU's monitor says {message}"),
-        }
-    }
-}
-
-impl std::error::Error for Error {}
 
 #[cfg(test)]
 mod tests {

@@ -6,7 +6,7 @@
 //! [`Failure`] that repeats its words and names the fault.
 
 use std::{
-    fmt, fs, io,
+    fs, io,
     path::{Path, PathBuf},
     time::Duration,
 };
@@ -15,8 +15,9 @@ use serde::Deserialize;
 use serde_json::Value;
 use tempfile::TempDir;
 
+use super::qemu::quote;
 use crate::{
-    command::{self, Program},
+    command::{self, Program, after},
     root,
 };
 
@@ -62,19 +63,6 @@ pub enum Key {
     Select,
 }
 
-impl Key {
-    /// The script's name for it.
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Up => "up",
-            Self::Down => "down",
-            Self::Left => "left",
-            Self::Right => "right",
-            Self::Select => "select",
-        }
-    }
-}
-
 /// An RP2040 about to be switched on, and what is to be done with it.
 #[derive(Clone, Debug)]
 pub struct Rp2040 {
@@ -112,7 +100,9 @@ impl Rp2040 {
     /// Waits for one more picture after these keys have been pressed, one after the other; those of
     /// the first picture are pressed while it is being drawn. The last picture ends the run.
     pub fn picture(mut self, keys: &[Key]) -> Self {
-        let names: Vec<_> = keys.iter().map(|key| key.name()).collect();
+        // The script's names for them.
+        let names = keys.iter().map(|key| format!("{key:?}").to_lowercase());
+        let names: Vec<_> = names.collect();
         self.frames.push(match names[..] {
             [] => "-".into(),
             _ => names.join("+"),
@@ -136,7 +126,7 @@ impl Rp2040 {
         if !is_installed() {
             return Err(Failure::NotInstalled);
         }
-        let pictures = TempDir::with_prefix("reflet-").map_err(Failure::Picture)?;
+        let pictures = TempDir::with_prefix("reflet-")?;
         let prefix = pictures.path().join("picture");
         let report = Program::new("node")
             .args([folder().join("run.js"), firmware.to_owned()])
@@ -148,10 +138,9 @@ impl Rp2040 {
             .args([format!("--frames={}", self.frames.join(","))])
             .args(["--pictures".as_ref(), prefix.as_os_str()])
             .limit(LIMIT)
-            .read()
-            .map_err(Failure::Emulator)?;
+            .read()?;
         let report: Report = serde_json::from_str(&report).map_err(Failure::Report)?;
-        report.judge()?.with_pictures(&prefix)
+        report.judge(&prefix)
     }
 }
 
@@ -159,8 +148,8 @@ impl Rp2040 {
 #[derive(Deserialize)]
 struct Report {
     fault: Option<Fault>,
-    cycles: u64,
-    instructions: u64,
+    #[serde(flatten)]
+    counts: Counts,
     frames: Vec<Counts>,
     said: Words,
     display: Display,
@@ -225,7 +214,8 @@ pub struct Picture {
 }
 
 impl Report {
-    fn judge(self) -> Result<Run, Failure> {
+    /// Reads the pictures from `PREFIX-0.rgb565` and so on, if all went well.
+    fn judge(self, prefix: &Path) -> Result<Run, Failure> {
         let mut said = self.said.rtt;
         said.extend(self.said.semihosting.into_iter().map(|line| line.text));
         if let Some(Fault { reason, function }) = self.fault {
@@ -236,90 +226,49 @@ impl Report {
                 said: said.join("\n"),
             });
         }
-        let (cycles, instructions) = (self.cycles, self.instructions);
-        let unread = |counts| Picture {
-            counts,
-            pixels: Vec::new(),
+        let picture = |(index, counts)| {
+            let bytes = fs::read(format!("{}-{index}.rgb565", prefix.display()))?;
+            let pixels = bytes.chunks_exact(2);
+            let pixels = pixels.map(|it| u16::from_be_bytes([it[0], it[1]]));
+            Ok(Picture {
+                counts,
+                pixels: pixels.collect(),
+            })
         };
+        let pictures = self.frames.into_iter().enumerate().map(picture);
         Ok(Run {
-            pictures: self.frames.into_iter().map(unread).collect(),
+            pictures: pictures.collect::<io::Result<_>>()?,
             said,
             display: self.display,
-            counts: Counts {
-                cycles,
-                instructions,
-            },
+            counts: self.counts,
         })
     }
 }
 
-impl Run {
-    /// Reads the pictures from `PREFIX-0.rgb565` and so on.
-    fn with_pictures(mut self, prefix: &Path) -> Result<Self, Failure> {
-        for (index, picture) in self.pictures.iter_mut().enumerate() {
-            let file = format!("{}-{index}.rgb565", prefix.display());
-            let bytes = fs::read(file).map_err(Failure::Picture)?;
-            let pixels = bytes.chunks_exact(2);
-            picture.pixels = pixels
-                .map(|it| u16::from_be_bytes([it[0], it[1]]))
-                .collect();
-        }
-        Ok(self)
-    }
-}
-
 /// What can go wrong with a run.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    /// The packages of the emulator are missing.
+    #[error("the packages of {} are missing: `cargo xtask setup` gets them", folder().display())]
     NotInstalled,
     /// The emulator does not start or fails.
-    Emulator(command::Failure),
-    /// The emulator says something that is not understood.
+    #[error(transparent)]
+    Emulator(#[from] command::Failure),
+    #[error("the emulator's report is unreadable: {0}")]
     Report(serde_json::Error),
-    /// A picture cannot be handed over.
-    Picture(io::Error),
+    #[error("a picture cannot be handed over: {0}")]
+    Picture(#[from] io::Error),
     /// The firmware failed, or was ended because it reached its limit.
+    #[error(
+        "the firmware failed: {reason}{}{}",
+        after(" in ", function.as_deref().unwrap_or_default()),
+        quote(said)
+    )]
     Fault {
         reason: String,
         function: Option<String>,
         said: String,
     },
 }
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotInstalled => {
-                let folder = folder();
-                let folder = folder.display();
-                write!(
-                    f,
-                    "the packages of {folder} are missing: `cargo xtask setup` gets them"
-                )
-            }
-            Self::Emulator(failure) => failure.fmt(f),
-            Self::Report(error) => write!(f, "the emulator's report is unreadable: {error}"),
-            Self::Picture(error) => write!(f, "a picture cannot be handed over: {error}"),
-            Self::Fault {
-                reason,
-                function,
-                said,
-            } => {
-                write!(f, "the firmware failed: {reason}")?;
-                if let Some(function) = function {
-                    write!(f, " in {function}")?;
-                }
-                match said.as_str() {
-                    "" => Ok(()),
-                    said => write!(f, "; it said:\n{said}"),
-                }
-            }
-        }
-    }
-}
-
-impl std::error::Error for Failure {}
 
 #[cfg(test)]
 mod tests {
@@ -341,7 +290,7 @@ mod tests {
         }"#;
         let report: Report = serde_json::from_str(report).unwrap();
         assert_eq!(
-            report.judge().unwrap_err().to_string(),
+            report.judge(Path::new("")).unwrap_err().to_string(),
             "the firmware failed: no such memory in pico::cores::main; it said:\n\
              cores: 2"
         );
