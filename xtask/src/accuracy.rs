@@ -2,13 +2,12 @@
 //! and writes what the command line prints into `docs/accuracy.md`.
 
 use std::fmt::Write as _;
-use std::fs;
 use std::time::Duration;
 
 use anyhow::{Context, Result};
 use serde_json::Value;
 
-use crate::command::Program;
+use crate::{command::Program, kept};
 
 const PAGE: &str = "docs/accuracy.md";
 const SIZE: &str = "320x320";
@@ -40,9 +39,7 @@ pub fn run() -> Result<()> {
             }
         }
     }
-    fs::write(PAGE, page).with_context(|| format!("cannot write {PAGE}"))?;
-    println!("{PAGE}");
-    Ok(())
+    kept::write(PAGE.as_ref(), &page)
 }
 
 /// One row of a table.

@@ -5,7 +5,8 @@
 //! [`profile`] which part of a frame takes it, [`scale`] how that grows with the number of shapes,
 //! [`sweep`] what many settings of a scene take, [`size`] what is in flash, [`fuzz`] draws what any
 //! bytes describe, [`cycles`] how instructions become cycles, [`scene_source`] makes Rust of scene
-//! files, [`apt`] knows Debian's packages, [`command`] how to run another program and [`table`] how
+//! files, [`kept`] reads and
+//! writes what they keep, [`apt`] knows Debian's packages, [`command`] how to run another program and [`table`] how
 //! a page shows figures.
 
 pub mod accuracy;
@@ -16,6 +17,7 @@ pub mod cycles;
 pub mod emulator;
 pub mod fuzz;
 pub mod gate;
+pub mod kept;
 pub mod measure;
 pub mod misuse;
 pub mod pico;

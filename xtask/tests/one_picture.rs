@@ -11,10 +11,10 @@ use xtask::measure::{
     cores::Core,
     count,
     scene::Scene,
-    task::{Quality, Settings, Shading, Size as Pixels, Task},
+    task::{Quality, Size as Pixels, Task},
 };
 
-const SIDE: u16 = 64;
+const SIDE: u32 = 64;
 
 /// The hash of a scene's frame, drawn here.
 struct Hash(Quality);
@@ -24,17 +24,17 @@ impl Visitor for Hash {
 
     fn visit<S: BuiltIn>(self) -> String {
         match self.0 {
-            Quality::Fast => hash::<S, Fast>(),
-            Quality::Fine => hash::<S, Fine>(),
-            Quality::Small => hash::<S, Small>(),
-            Quality::Exact => hash::<S, Exact>(),
+            Quality::FAST => hash::<S, Fast>(),
+            Quality::FINE => hash::<S, Fine>(),
+            Quality::SMALL => hash::<S, Small>(),
+            Quality::EXACT => hash::<S, Exact>(),
             Quality::Float => unreachable!("floats are another matter"),
         }
     }
 }
 
 fn hash<S: BuiltIn, Q: Exactness>() -> String {
-    let size = Size::new_equal(SIDE.into());
+    let size = Size::new_equal(SIDE);
     let frame = S::frame(&S::CAMERA).reflections(4).quality::<Q>();
     let mut hash = FrameHash::NONE;
     let picture = painted(&frame.sized(size));
@@ -44,28 +44,16 @@ fn hash<S: BuiltIn, Q: Exactness>() -> String {
 
 fn is_the_same_picture_as_here(core: &str) {
     let core = Core::find(core).expect("it is in the list");
-    let (fast, fine) = (Quality::Fast, Quality::Fine);
+    let (fast, fine) = (Quality::FAST, Quality::FINE);
     let pictures = [
-        ("castle", &[fast, fine, Quality::Small][..]),
+        ("castle", &[fast, fine, Quality::SMALL][..]),
         ("mirror1", &[fast, fine]),
         ("columns", &[fast]),
     ];
     for (name, qualities) in pictures {
         for &quality in qualities {
-            let task = Task {
-                core,
-                scene: Scene::BuiltIn(name),
-                settings: Settings {
-                    size: Pixels {
-                        width: SIDE,
-                        height: SIDE,
-                    },
-                    reflections: 4,
-                    shading: Shading::BlinnPhong,
-                    quality,
-                    is_whole: false,
-                },
-            };
+            let size = Pixels::new(SIDE, SIDE);
+            let task = Task::new(core, Scene::BuiltIn(name), size, quality);
             let figures = count(&task).unwrap_or_else(|error| panic!("{error:#}"));
             let here = scenes::visit(name, Hash(quality)).expect("it is in the list");
             assert_eq!(figures.hash, here, "{name}, {quality:?}");

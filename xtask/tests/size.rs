@@ -1,6 +1,6 @@
 //! A firmware carries what its scene needs and nothing else, and no scene grows unseen.
 
-use std::{collections::BTreeSet, process::Command, thread};
+use std::{collections::BTreeSet, thread};
 
 use serde_json::{Value, json};
 use xtask::{
@@ -13,8 +13,10 @@ use xtask::{
         weigh, weight, with_program,
     },
     profile::names::Names,
-    size,
+    root, size,
 };
+
+mod common;
 
 /// A scene with one of everything, but what a test takes away.
 fn scene() -> Value {
@@ -52,20 +54,10 @@ fn without(mut scene: Value, list: &str) -> Value {
 }
 
 fn task(scene: Scene, quality: Quality, shading: Shading) -> Task {
-    Task {
-        core: Core::find("m3").unwrap(),
-        scene,
-        settings: Settings {
-            size: Size {
-                width: 16,
-                height: 8,
-            },
-            reflections: 4,
-            shading,
-            quality,
-            is_whole: false,
-        },
-    }
+    let core = Core::find("m3").unwrap();
+    let mut task = Task::new(core, scene, Size::new(16, 8), quality);
+    task.settings.shading = shading;
+    task
 }
 
 /// What is in the firmware of a scene: its functions, inlined ones too, and its size in flash.
@@ -79,7 +71,7 @@ fn linked(scene: &Value, quality: Quality, shading: Shading) -> (BTreeSet<String
 
 #[test]
 fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
-    let (fast, phong) = (Quality::Fast, Shading::BlinnPhong);
+    let (fast, phong) = (Quality::FAST, Shading::BlinnPhong);
     let all = linked(&scene(), fast, phong);
     let number = |value: f64| json!(value);
     let plane = without(without(scene(), "spheres"), "cylinders");
@@ -130,7 +122,7 @@ fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
     let (normals, flash) = linked(&scene(), fast, Shading::Normals);
     assert!(has(&normals, "color::halved") && !has(&normals, "lit_color"));
     assert!(flash < all.1);
-    let (small, flash) = linked(&scene(), Quality::Small, phong);
+    let (small, flash) = linked(&scene(), Quality::SMALL, phong);
     for part in [
         "Colors<W,K,Q>::follow",
         "scene::row::",
@@ -153,7 +145,7 @@ fn empty_scene_has_nothing_but_the_loop_that_writes_the_background() {
         "interpolate::Colors",
         "Tracer",
     ];
-    for quality in [Quality::Fast, Quality::Small] {
+    for quality in [Quality::FAST, Quality::SMALL] {
         let task = task(scene.clone(), quality, Shading::BlinnPhong);
         let names = with_program(&task, |program| Names::read(program)?.all()).unwrap();
         for room in rooms {
@@ -171,8 +163,8 @@ fn empty_scene_has_nothing_but_the_loop_that_writes_the_background() {
 fn no_scene_is_slower_than_with_everything_linked() {
     for name in ["castle", "columns", "corner1", "floor", "mirror1"] {
         let scene = Scene::BuiltIn(name);
-        let mut task = task(scene, Quality::Fast, Shading::BlinnPhong);
-        (task.settings.size.width, task.settings.size.height) = (64, 32);
+        let mut task = task(scene, Quality::FAST, Shading::BlinnPhong);
+        task.settings.size = Size::new(64, 32);
         let own = count(&task).unwrap();
         task.settings.is_whole = true;
         let whole = count(&task).unwrap();
@@ -188,11 +180,11 @@ fn no_scene_is_slower_than_with_everything_linked() {
 /// What scenes may take of flash on thumbv7m, whatever the budget says: scene, quality, reflections
 /// and bytes.
 const LIMITS: [(&str, Quality, u8, u64); 5] = [
-    ("floor", Quality::Fast, 4, 3 * 1024),
-    ("corner1", Quality::Small, 4, 6 * 1024),
-    ("shading_lights", Quality::Small, 0, 8 * 1024),
-    ("castle", Quality::Fast, 4, 32 * 1024),
-    ("castle", Quality::Small, 4, 12 * 1024),
+    ("floor", Quality::FAST, 4, 3 * 1024),
+    ("corner1", Quality::SMALL, 4, 6 * 1024),
+    ("shading_lights", Quality::SMALL, 0, 8 * 1024),
+    ("castle", Quality::FAST, 4, 32 * 1024),
+    ("castle", Quality::SMALL, 4, 12 * 1024),
 ];
 
 #[test]
@@ -244,7 +236,7 @@ fn is_weighed_in_tests(task: &Task) -> bool {
         quality,
         ..
     } = task.settings;
-    reflections == 4 && quality == Quality::Small
+    reflections == 4 && quality == Quality::SMALL
 }
 
 #[test]
@@ -260,45 +252,16 @@ fn whole_firmware_of_the_castle_is_below_48_kib() {
 
 #[test]
 fn command_prints_lines_of_json_with_these_keys() {
-    let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
-        .args([
-            "size",
-            "--json",
-            "--scene",
-            "empty",
-            "--target",
-            "thumbv7m-none-eabi",
-        ])
-        .output()
-        .unwrap();
-    assert!(output.status.success());
-    let text = String::from_utf8(output.stdout).unwrap();
-    let lines: Vec<Value> = text
-        .lines()
-        .map(|line| serde_json::from_str(line).unwrap())
-        .collect();
+    let arguments = "size --json --scene empty --target thumbv7m-none-eabi";
+    let done = common::xtask(&root(), arguments);
+    assert_eq!(done.code, 0, "{}", done.err);
+    let lines = done.out.lines().map(serde_json::from_str);
+    let lines: Vec<Value> = lines.map(Result::unwrap).collect();
     assert_eq!(lines.len(), size::QUALITIES.len());
     for line in lines {
-        let keys: Vec<_> = line
-            .as_object()
-            .unwrap()
-            .keys()
-            .map(String::as_str)
-            .collect();
-        let mut expected = [
-            "target",
-            "scene",
-            "quality",
-            "reflections",
-            "code",
-            "constants",
-            "flash",
-            "ram",
-            "stack",
-            "left_out",
-        ];
-        expected.sort_unstable();
-        assert_eq!(keys, expected);
+        let keys = line.as_object().unwrap().keys().map(String::as_str);
+        let expected = "target scene quality reflections code constants flash ram stack left_out";
+        assert_eq!(keys.collect::<BTreeSet<_>>(), expected.split(' ').collect());
         assert_eq!(line["left_out"].as_array().unwrap().len(), 14);
         let [code, constants, flash] =
             ["code", "constants", "flash"].map(|key| line[key].as_u64().unwrap());

@@ -70,7 +70,7 @@ fn small(task: &Task, figures: &Figures) -> Task {
     /// A second or two.
     const INSTRUCTIONS: f64 = 1e6;
     let side = (INSTRUCTIONS / figures.instructions_per_pixel).sqrt();
-    let side = side.clamp(4.0, 16.0) as u16;
+    let side = side.clamp(4.0, 16.0) as u32;
     let mut task = task.clone();
     let size = &mut task.settings.size;
     (size.width, size.height) = (size.width.min(side), size.height.min(side));

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
+use command_line::Source;
 use reflet::{
     host::{file::SceneFile, reference},
     scenes::{self, BuiltIn, Visitor},
@@ -86,7 +87,7 @@ impl Scene {
     /// The numbers it was written with.
     pub fn reference(&self) -> (reference::Scene, reference::Camera) {
         match self {
-            Self::BuiltIn(name) => visit(name, Describe),
+            Self::BuiltIn(name) => Source::built_in(name).expect(KNOWN).reference(),
             Self::File { file, .. } => file.reference(),
         }
     }
@@ -110,24 +111,11 @@ impl Scene {
 
     /// The name of a built-in scene's type.
     pub fn type_name(name: &str) -> &'static str {
-        visit(name, TypeName)
+        scenes::visit(name, TypeName).expect(KNOWN)
     }
 }
 
-fn visit<V: Visitor>(name: &str, visitor: V) -> V::Output {
-    scenes::visit(name, visitor).expect("the name was found in the list of names")
-}
-
-struct Describe;
-
-impl Visitor for Describe {
-    type Output = (reference::Scene, reference::Camera);
-
-    fn visit<S: BuiltIn>(self) -> Self::Output {
-        let scene = S::with_description(|description| reference::Scene::from(&description));
-        (scene, reference::Camera::from(&S::CAMERA.description()))
-    }
-}
+const KNOWN: &str = "the name was found in the list of names";
 
 struct TypeName;
 
