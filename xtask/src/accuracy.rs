@@ -44,25 +44,12 @@ pub fn run() -> Result<()> {
 
 /// One row of a table.
 fn measure(scene: &str, shading: &str, quality: &str) -> Result<String> {
+    let render = "run --quiet --release --example render --";
     let printed = Program::new("cargo")
-        .args([
-            "run",
-            "--quiet",
-            "--release",
-            "--example",
-            "render",
-            "--",
-            scene,
-        ])
-        .args(["--size", SIZE, "--reflections", REFLECTIONS])
-        .args([
-            "--shading",
-            shading,
-            "--quality",
-            quality,
-            "--check",
-            "--json",
-        ])
+        .args(render.split(' '))
+        .args([scene, "--size", SIZE, "--reflections", REFLECTIONS])
+        .args(["--shading", shading, "--quality", quality])
+        .args(["--check", "--json"])
         .limit(Duration::from_secs(600))
         .read()?;
     let figures: Value = serde_json::from_str(&printed)

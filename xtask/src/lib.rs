@@ -31,7 +31,12 @@ pub mod sweep;
 pub mod table;
 pub mod toolchain;
 
-use std::path::{Path, PathBuf};
+use std::{
+    env,
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context, Result};
 
 /// The folder of the repository.
 pub fn root() -> PathBuf {
@@ -40,4 +45,10 @@ pub fn root() -> PathBuf {
         .parent()
         .expect("xtask lies in the repository")
         .to_owned()
+}
+
+/// Makes the folder of the repository the current one: its configuration is found from there.
+pub fn enter_root() -> Result<()> {
+    let root = root();
+    env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))
 }

@@ -13,7 +13,7 @@ use reflet::{
 use xtask::{
     board::{self, Board},
     emulator::qemu::{Failure, Key, Qemu},
-    root, toolchain,
+    enter_root, root, toolchain,
 };
 
 mod common;
@@ -125,7 +125,7 @@ fn faulty(name: &str) -> PathBuf {
         "--bin",
         name,
     ];
-    std::env::set_current_dir(root()).unwrap();
+    enter_root().unwrap();
     toolchain::build("thumbv7m-none-eabi", &arguments).unwrap()
 }
 

@@ -73,44 +73,24 @@ fn linked(scene: &Value, quality: Quality, shading: Shading) -> (BTreeSet<String
 fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
     let (fast, phong) = (Quality::FAST, Shading::BlinnPhong);
     let all = linked(&scene(), fast, phong);
-    let number = |value: f64| json!(value);
+    let with = |key, value: f64| with_material(scene(), key, &json!(value));
     let plane = without(without(scene(), "spheres"), "cylinders");
     // What is absent, without what; the names of functions of which nothing may be left.
     let pairs = [
-        (without(scene(), "spheres"), phong, "shape::sphere::"),
-        (without(scene(), "planes"), phong, "shape::plane::"),
-        (without(scene(), "cylinders"), phong, "shape::cylinder::"),
-        (without(scene(), "lights"), phong, "Surface::sent_on"),
-        (plane, phong, "blocked"),
-        (
-            with_material(scene(), "specular", &number(0.0)),
-            phong,
-            "half_way_square",
-        ),
-        (
-            with_material(scene(), "shininess", &number(3.0)),
-            phong,
-            "fractional_power",
-        ),
-        (
-            with_material(scene(), "shininess", &number(4.0)),
-            phong,
-            "root_of_unit",
-        ),
-        (
-            with_material(scene(), "mirror", &number(0.0)),
-            phong,
-            "Surface::reflect",
-        ),
-        (
-            with_material(scene(), "mirror", &number(1.0)),
-            phong,
-            "lit_color",
-        ),
+        (without(scene(), "spheres"), "shape::sphere::"),
+        (without(scene(), "planes"), "shape::plane::"),
+        (without(scene(), "cylinders"), "shape::cylinder::"),
+        (without(scene(), "lights"), "Surface::sent_on"),
+        (plane, "blocked"),
+        (with("specular", 0.0), "half_way_square"),
+        (with("shininess", 3.0), "fractional_power"),
+        (with("shininess", 4.0), "root_of_unit"),
+        (with("mirror", 0.0), "Surface::reflect"),
+        (with("mirror", 1.0), "lit_color"),
     ];
     let has = |names: &BTreeSet<String>, part: &str| names.iter().any(|name| name.contains(part));
-    for (scene, shading, part) in pairs {
-        let (names, flash) = linked(&scene, fast, shading);
+    for (scene, part) in pairs {
+        let (names, flash) = linked(&scene, fast, phong);
         assert!(has(&all.0, part), "{part} is not found where it is needed");
         let left: Vec<_> = names.iter().filter(|name| name.contains(part)).collect();
         assert!(left.is_empty(), "{part}: {left:?}");
