@@ -9,7 +9,7 @@ use xtask::{
         cores::Core,
         count,
         scene::Scene,
-        task::{Quality, Settings, Shading, Size, Task},
+        task::{Quality, Shading, Size, Task},
         weigh, weight, with_program,
     },
     profile::names::Names,
@@ -211,12 +211,7 @@ fn no_scene_has_grown_beyond_its_budget() {
 /// On the larger core, fast and fine scenes are weighed where their instructions are counted; on the
 /// smaller one, the same code is.
 fn is_weighed_in_tests(task: &Task) -> bool {
-    let Settings {
-        reflections,
-        quality,
-        ..
-    } = task.settings;
-    reflections == 4 && quality == Quality::SMALL
+    task.settings.reflections == 4 && task.settings.quality == Quality::SMALL
 }
 
 #[test]

@@ -16,7 +16,7 @@ use super::{
 #[command(after_long_help = AFTER_HELP)]
 pub struct Arguments {
     #[command(flatten)]
-    choice: Choice,
+    pub(super) choice: Choice,
 
     /// Print a line of JSON instead of a table
     #[arg(long)]
@@ -32,7 +32,7 @@ pub struct Arguments {
 pub struct Choice {
     /// The core [default: m3]
     #[arg(long, value_parser = Core::parser())]
-    core: Option<&'static Core>,
+    pub(super) core: Option<&'static Core>,
 
     /// A built-in scene, or a scene file
     #[arg(long, value_name = "NAME|FILE.json", default_value = "castle")]
@@ -81,18 +81,6 @@ A FILE.json is turned into a constant scene on the way, as `cargo xtask scene FI
 The JSON keys are core, scene, size, reflections, shading, quality, instructions_per_pixel,
 prepare_instructions, flash, ram, stack, hash (FNV-1a, 64 bits, of the RGB8 bytes) and
 cycles_per_pixel (null where no timings are published).";
-
-impl Arguments {
-    /// The core that is asked for.
-    pub(super) fn core(&self) -> Option<&'static Core> {
-        self.choice.core
-    }
-
-    /// The one measurement that is asked for.
-    pub(super) fn task(&self) -> Result<Task> {
-        self.choice.task()
-    }
-}
 
 impl Choice {
     /// The task that it comes to.

@@ -27,9 +27,9 @@ use crate::cycles::{self, Estimate};
 /// Does what the command line asks for.
 pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.all {
-        return record::renew(arguments.core());
+        return record::renew(arguments.choice.core);
     }
-    let figures = measure(&arguments.task()?)?;
+    let figures = measure(&arguments.choice.task()?)?;
     let text = match arguments.json {
         true => figures.json()?,
         false => figures::table(&[figures]),

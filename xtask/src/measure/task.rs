@@ -151,13 +151,8 @@ impl Task {
     }
 
     fn fixed(&self, quality: &str, scene: &Path) -> String {
-        let Settings {
-            reflections,
-            shading,
-            ..
-        } = self.settings;
+        let (reflections, shading) = (self.settings.reflections, self.settings.shading.type_name());
         let (module, scene, camera) = self.scene.names(scene);
-        let shading = shading.type_name();
         let contestant = match self.settings.is_whole {
             true => "Everything",
             false => "Fixed",
@@ -175,12 +170,7 @@ impl Task {
 
     fn float(&self) -> String {
         let (scene, camera) = self.scene.reference();
-        let Settings {
-            reflections,
-            shading,
-            ..
-        } = self.settings;
-        let shading = shading.type_name();
+        let (reflections, shading) = (self.settings.reflections, self.settings.shading.type_name());
         let (scene, camera) = (float_source::scene(&scene), float_source::camera(&camera));
         format!(
             "pub struct Seen;\n\n\

@@ -26,7 +26,7 @@ use crate::{
         cores::Core,
         outcome,
         scene::Scene,
-        task::{Quality, Settings, Size, Task},
+        task::{Quality, Size, Task},
         weigh, weight,
     },
     root, table,
@@ -164,11 +164,7 @@ impl Figures {
     /// Builds, weighs and runs a task.
     pub fn of(task: &Task) -> Result<Self> {
         let outcome = outcome(task)?;
-        let Settings {
-            reflections,
-            quality,
-            ..
-        } = task.settings;
+        let (reflections, quality) = (task.settings.reflections, task.settings.quality);
         let left_out = needs(task.scene.name(), reflections).list();
         // Small code asks every shape.
         let is_out = |name| quality == Quality::SMALL && name == "sets";
@@ -196,13 +192,9 @@ impl Figures {
 
     /// Whether they are those of a task.
     pub fn are_of(&self, task: &Task) -> bool {
-        let Settings {
-            reflections,
-            quality,
-            ..
-        } = task.settings;
-        (self.target.as_str(), self.scene.as_str()) == (task.core.target, task.scene.name())
-            && (self.quality.as_str(), self.reflections) == (quality.name(), reflections)
+        (&*self.target, &*self.scene) == (task.core.target, task.scene.name())
+            && self.quality == task.settings.quality.name()
+            && self.reflections == task.settings.reflections
     }
 
     /// What a task weighs more than these, if that is too much: more than 2 %.
