@@ -2,13 +2,12 @@
 //! and writes what the command line prints into `docs/accuracy.md`.
 
 use std::fmt::Write as _;
-use std::fs;
 use std::time::Duration;
 
 use anyhow::{Context, Result};
 use serde_json::Value;
 
-use crate::command::Program;
+use crate::{command::Program, kept};
 
 const PAGE: &str = "docs/accuracy.md";
 const SIZE: &str = "320x320";
@@ -40,32 +39,17 @@ pub fn run() -> Result<()> {
             }
         }
     }
-    fs::write(PAGE, page).with_context(|| format!("cannot write {PAGE}"))?;
-    println!("{PAGE}");
-    Ok(())
+    kept::write(PAGE.as_ref(), &page)
 }
 
 /// One row of a table.
 fn measure(scene: &str, shading: &str, quality: &str) -> Result<String> {
+    let render = "run --quiet --release --example render --";
     let printed = Program::new("cargo")
-        .args([
-            "run",
-            "--quiet",
-            "--release",
-            "--example",
-            "render",
-            "--",
-            scene,
-        ])
-        .args(["--size", SIZE, "--reflections", REFLECTIONS])
-        .args([
-            "--shading",
-            shading,
-            "--quality",
-            quality,
-            "--check",
-            "--json",
-        ])
+        .args(render.split(' '))
+        .args([scene, "--size", SIZE, "--reflections", REFLECTIONS])
+        .args(["--shading", shading, "--quality", quality])
+        .args(["--check", "--json"])
         .limit(Duration::from_secs(600))
         .read()?;
     let figures: Value = serde_json::from_str(&printed)

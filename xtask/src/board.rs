@@ -2,18 +2,17 @@
 //! its display.
 
 use std::{
-    env,
     path::{Path, PathBuf},
     time::Duration,
 };
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use image::RgbImage;
 use reflet::scenes::NAMES;
 
 use crate::{
     emulator::qemu::{Failure, Key, Qemu, Running},
-    root,
+    enter_root,
     screenshot::{self, Arguments},
     toolchain,
 };
@@ -50,8 +49,7 @@ pub fn build() -> Result<PathBuf> {
 
 /// Builds a firmware for the board and returns where it is.
 pub fn build_example(name: &str) -> Result<PathBuf> {
-    let root = root();
-    env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))?;
+    enter_root()?;
     let example = ["--package", "reflet", "--example", name];
     toolchain::build_in("firmware", TARGET, &example)
 }

@@ -6,9 +6,9 @@
 use std::{
     ffi::OsStr,
     fmt,
-    io::{self, BufRead, BufReader},
+    io::{self, BufRead, BufReader, Read},
     process::{Child, Command, ExitStatus, Output, Stdio},
-    sync::mpsc::{self, Receiver, RecvTimeoutError},
+    sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender},
     thread,
     time::{Duration, Instant},
 };
@@ -89,19 +89,11 @@ impl Program {
 
     /// Starts the program and returns while it runs; its output can be read line by line.
     pub fn start(mut self) -> Result<Running, Failure> {
-        let (reader, writer) = io::pipe().map_err(|error| self.not_started(error))?;
-        let second = writer
-            .try_clone()
-            .map_err(|error| self.not_started(error))?;
-        self.command.stdout(writer).stderr(second);
-        let child = self.spawn()?;
+        self.command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = self.spawn()?;
         let (sender, lines) = mpsc::sync_channel(LINES);
-        thread::spawn(move || {
-            BufReader::new(reader)
-                .split(b'\n')
-                .map_while(Result::ok)
-                .try_for_each(|line| sender.send(String::from_utf8_lossy(&line).trim_end().into()))
-        });
+        forward(child.stderr.take(), sender.clone());
+        forward(child.stdout.take(), sender);
         Ok(Running {
             command: self.to_string(),
             child,
@@ -161,6 +153,17 @@ impl fmt::Display for Program {
             .get_args()
             .try_for_each(|argument| write!(f, " {}", argument.to_string_lossy()))
     }
+}
+
+/// Sends on the lines of a pipe until it closes or nobody listens any more.
+fn forward(pipe: Option<impl Read + Send + 'static>, lines: SyncSender<String>) {
+    let Some(pipe) = pipe else { return };
+    thread::spawn(move || {
+        BufReader::new(pipe)
+            .split(b'\n')
+            .map_while(Result::ok)
+            .try_for_each(|line| lines.send(String::from_utf8_lossy(&line).trim_end().into()))
+    });
 }
 
 /// A program that runs; dropping it ends it.

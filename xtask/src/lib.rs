@@ -5,7 +5,8 @@
 //! [`profile`] which part of a frame takes it, [`scale`] how that grows with the number of shapes,
 //! [`sweep`] what many settings of a scene take, [`size`] what is in flash, [`fuzz`] draws what any
 //! bytes describe, [`cycles`] how instructions become cycles, [`scene_source`] makes Rust of scene
-//! files, [`apt`] knows Debian's packages, [`command`] how to run another program and [`table`] how
+//! files, [`kept`] reads and
+//! writes what they keep, [`apt`] knows Debian's packages, [`command`] how to run another program and [`table`] how
 //! a page shows figures.
 
 pub mod accuracy;
@@ -16,6 +17,7 @@ pub mod cycles;
 pub mod emulator;
 pub mod fuzz;
 pub mod gate;
+pub mod kept;
 pub mod measure;
 pub mod misuse;
 pub mod pico;
@@ -29,7 +31,12 @@ pub mod sweep;
 pub mod table;
 pub mod toolchain;
 
-use std::path::{Path, PathBuf};
+use std::{
+    env,
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context, Result};
 
 /// The folder of the repository.
 pub fn root() -> PathBuf {
@@ -38,4 +45,10 @@ pub fn root() -> PathBuf {
         .parent()
         .expect("xtask lies in the repository")
         .to_owned()
+}
+
+/// Makes the folder of the repository the current one: its configuration is found from there.
+pub fn enter_root() -> Result<()> {
+    let root = root();
+    env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))
 }

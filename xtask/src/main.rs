@@ -1,12 +1,12 @@
 //! The command line of the chores: `cargo xtask --help` lists them.
 
-use std::{env, path::PathBuf, process::ExitCode};
+use std::{path::PathBuf, process::ExitCode};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap::Parser;
 use xtask::{
-    accuracy, board, fuzz, gate, measure, misuse::Misuse, pico, profile, root, scale, scene_source,
-    screenshot, setup, size, sweep,
+    accuracy, board, enter_root, fuzz, gate, measure, misuse::Misuse, pico, profile, scale,
+    scene_source, screenshot, setup, size, sweep,
 };
 
 /// The chores of the reflet repository.
@@ -83,8 +83,7 @@ fn run(chore: &Chore) -> Result<()> {
         Chore::Scene { file, name } => return scene_source::run(file, name.as_deref()),
         _ => {}
     }
-    let root = root();
-    env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))?;
+    enter_root()?;
     match chore {
         Chore::Setup => setup::run(),
         Chore::Accuracy => accuracy::run(),

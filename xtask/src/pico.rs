@@ -1,7 +1,7 @@
 //! The Raspberry Pi Pico, examples/pico in rp2040js: builds it, emulates it, and looks at its
 //! display.
 
-use std::{env, path::PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use image::{Rgb, RgbImage};
@@ -9,7 +9,7 @@ use reflet::scenes::NAMES;
 
 use crate::{
     emulator::rp2040::{Key, Picture, Rp2040, SIDE},
-    root,
+    enter_root,
     screenshot::{self, Arguments},
     toolchain,
 };
@@ -35,8 +35,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 
 /// Builds the firmware and returns where it is.
 pub fn build() -> Result<PathBuf> {
-    let root = root();
-    env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))?;
+    enter_root()?;
     toolchain::build(TARGET, &["--manifest-path", "examples/pico/Cargo.toml"])
 }
 

@@ -1,7 +1,7 @@
 //! The default board in QEMU: its display shows what the simulator shows, dot for dot, also after
 //! its keys have been pressed; and what goes wrong on a board is named and never hangs.
 
-use std::{fs, path::PathBuf, process::Command, time::Duration};
+use std::{fs, path::PathBuf, time::Duration};
 
 use embedded_graphics::{geometry::Size, pixelcolor::Gray4};
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
@@ -13,8 +13,10 @@ use reflet::{
 use xtask::{
     board::{self, Board},
     emulator::qemu::{Failure, Key, Qemu},
-    root, toolchain,
+    enter_root, root, toolchain,
 };
+
+mod common;
 
 /// Degrees an arrow key turns the camera by.
 const STEP: i32 = 10;
@@ -96,31 +98,19 @@ fn picture_on_the_boards_page_is_what_it_shows() {
 fn command_saves_what_the_display_shows_and_replaces_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("columns.png");
-    let call = || {
-        Command::new(env!("CARGO_BIN_EXE_xtask"))
-            .args(["board", "--scene", "columns", "--screenshot"])
-            .arg(&path)
-            .output()
-            .unwrap()
-    };
+    let arguments = format!("board --scene columns --screenshot {}", path.display());
+    let call = || common::xtask(folder.path(), &arguments);
     let first = call();
-    assert!(first.status.success(), "{first:?}");
-    let said = String::from_utf8(first.stdout).unwrap();
-    assert!(said.contains("\ncolumns: "), "{said}");
-    assert!(
-        said.ends_with(&format!("written to {}\n", path.display())),
-        "{said}"
-    );
+    assert_eq!(first.code, 0, "{}", first.err);
+    assert!(first.out.contains("\ncolumns: "), "{}", first.out);
+    let last = format!("written to {}\n", path.display());
+    assert!(first.out.ends_with(&last), "{}", first.out);
     let saved = image::open(&path).unwrap().to_rgb8();
     assert!(saved == simulated::<Columns>(&Columns::CAMERA));
 
     let second = call();
-    assert_eq!(second.status.code(), Some(2), "{second:?}");
-    let said = String::from_utf8(second.stderr).unwrap();
-    assert_eq!(
-        said,
-        format!("error: {} exists and is not written over\n", path.display())
-    );
+    let refusal = format!("error: {} exists and is not written over\n", path.display());
+    assert_eq!((second.code, second.err), (2, refusal));
 }
 
 /// A firmware of xtask/faulty.
@@ -135,7 +125,7 @@ fn faulty(name: &str) -> PathBuf {
         "--bin",
         name,
     ];
-    std::env::set_current_dir(root()).unwrap();
+    enter_root().unwrap();
     toolchain::build("thumbv7m-none-eabi", &arguments).unwrap()
 }
 

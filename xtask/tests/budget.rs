@@ -1,7 +1,7 @@
 //! A frame with a budget on an emulated Cortex-M3: what fits is chosen and takes no more than the
 //! budget, and the core's own clock ends it in time.
 
-use std::{collections::BTreeMap, env};
+use std::collections::BTreeMap;
 
 use embedded_graphics::{
     geometry::{OriginDimensions, Size},
@@ -13,7 +13,7 @@ use reflet::{
     Enlarged, Fine, FrontPoint, StaticFrame,
     scenes::{BuiltIn, Castle},
 };
-use xtask::{measure::cores::Core, root, toolchain};
+use xtask::{enter_root, measure::cores::Core, toolchain};
 
 /// What was measured, and the size it was measured at.
 mod measured {
@@ -32,7 +32,7 @@ const SIZE: Size = Size::new(64, 48);
 
 /// The numbers of each line that the firmware says.
 fn said() -> Vec<BTreeMap<String, u64>> {
-    env::set_current_dir(root()).unwrap();
+    enter_root().unwrap();
     let core = Core::find("m3").unwrap();
     // Where the other programs of this package are built, too.
     let place = toolchain::target_directory()

@@ -6,7 +6,7 @@ use xtask::{
         cores::Core,
         estimate,
         scene::Scene,
-        task::{Quality, Settings, Shading, Size, Task},
+        task::{Quality, Size, Task},
         with_program,
     },
 };
@@ -32,20 +32,8 @@ fn estimate_is_as_good_for_other_scenes() {
 }
 
 fn assert_is_within_10_percent(scene: &'static str) {
-    let task = Task {
-        core: Core::find("m0").unwrap(),
-        scene: Scene::BuiltIn(scene),
-        settings: Settings {
-            size: Size {
-                width: 8,
-                height: 8,
-            },
-            reflections: 4,
-            shading: Shading::BlinnPhong,
-            quality: Quality::Fast,
-            is_whole: false,
-        },
-    };
+    let (core, built_in) = (Core::find("m0").unwrap(), Scene::BuiltIn(scene));
+    let task = Task::new(core, built_in, Size::new(8, 8), Quality::FAST);
     let estimate = estimate(&task).unwrap().unwrap();
     let run = |rp2040: Rp2040| {
         let said = with_program(&task, |program| Ok(rp2040.run(program)?.said));

@@ -2,14 +2,14 @@
 //! way, and links only if no panic is left.
 
 use std::{
-    env, fs,
+    fs,
     path::Path,
     sync::{Mutex, PoisonError},
 };
 
 use anyhow::Result;
 use object::{Object, ObjectSymbol};
-use xtask::{board, profile::names::Names, root, toolchain};
+use xtask::{board, enter_root, profile::names::Names, toolchain};
 
 const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7m-none-eabi"];
 
@@ -20,7 +20,7 @@ fn build(target: &str, features: &str) -> Result<Vec<String>> {
     let _one_at_a_time = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
     let place = toolchain::target_directory().join("no_panic");
     let place = place.to_string_lossy();
-    env::set_current_dir(root())?;
+    enter_root()?;
     let manifest = ["--manifest-path", "xtask/no_panic/Cargo.toml"];
     let arguments = ["--target-dir", &*place, "--features", features];
     let program = toolchain::build(target, &[&manifest[..], &arguments[..]].concat())?;

@@ -13,10 +13,10 @@ use xtask::measure::{
     cores::{CORES, Core},
     count,
     scene::Scene,
-    task::{Quality, Settings, Shading, Size as Pixels, Task},
+    task::{Quality, Size as Pixels, Task},
 };
 
-const SIDE: u16 = 64;
+const SIDE: u32 = 64;
 
 /// The hash of a scene's frame, drawn here.
 struct Hash(Quality);
@@ -26,17 +26,17 @@ impl Visitor for Hash {
 
     fn visit<S: BuiltIn>(self) -> String {
         match self.0 {
-            Quality::Fast => hash::<S, Fast>(),
-            Quality::Fine => hash::<S, Fine>(),
-            Quality::Small => hash::<S, Small>(),
-            Quality::Exact => hash::<S, Exact>(),
+            Quality::FAST => hash::<S, Fast>(),
+            Quality::FINE => hash::<S, Fine>(),
+            Quality::SMALL => hash::<S, Small>(),
+            Quality::EXACT => hash::<S, Exact>(),
             Quality::Float => unreachable!("floats are another matter"),
         }
     }
 }
 
 fn hash<S: BuiltIn, Q: Exactness>() -> String {
-    let size = Size::new_equal(SIDE.into());
+    let size = Size::new_equal(SIDE);
     let frame = S::frame(&S::CAMERA).reflections(4).quality::<Q>();
     let mut hash = FrameHash::NONE;
     let picture = painted(&frame.sized(size));
@@ -49,20 +49,8 @@ fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, &[Qualit
     let core = Core::find(core).expect("it is in the list");
     for (name, qualities) in pictures {
         for &quality in *qualities {
-            let task = Task {
-                core,
-                scene: Scene::BuiltIn(name),
-                settings: Settings {
-                    size: Pixels {
-                        width: SIDE,
-                        height: SIDE,
-                    },
-                    reflections: 4,
-                    shading: Shading::BlinnPhong,
-                    quality,
-                    is_whole: false,
-                },
-            };
+            let size = Pixels::new(SIDE, SIDE);
+            let task = Task::new(core, Scene::BuiltIn(name), size, quality);
             let figures = count(&task).unwrap_or_else(|error| panic!("{error:#}"));
             let here = scenes::visit(name, Hash(quality)).expect("it is in the list");
             assert_eq!(figures.hash, here, "{} {name}, {quality:?}", core.name);
@@ -74,9 +62,9 @@ fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, &[Qualit
 fn every_core_draws_the_same_pictures() {
     let cores = ["m0", "m3", "m4f", "m33", "rv32"];
     let pictures = [
-        ("castle", &[Quality::Fast][..]),
-        ("mirror1", &[Quality::Fine]),
-        ("columns", &[Quality::Small]),
+        ("castle", &[Quality::FAST][..]),
+        ("mirror1", &[Quality::FINE]),
+        ("columns", &[Quality::SMALL]),
     ];
     // Each has a target of its own, so they do not wait for each other.
     thread::scope(|scope| {
@@ -89,7 +77,7 @@ fn every_core_draws_the_same_pictures() {
 #[test]
 #[ignore = "long: all scenes in all qualities, on every core"]
 fn every_core_draws_every_scene_in_every_quality() {
-    let qualities = [Quality::Fast, Quality::Fine, Quality::Small, Quality::Exact];
+    let qualities = [Quality::FAST, Quality::FINE, Quality::SMALL, Quality::EXACT];
     let pictures = scenes::NAMES.map(|name| (name, &qualities[..]));
     for core in CORES {
         are_the_same_pictures_as_here(core.name, &pictures);

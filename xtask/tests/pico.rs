@@ -2,11 +2,7 @@
 
 use std::{fs, path::PathBuf, sync::OnceLock};
 
-use embedded_graphics::{
-    geometry::{Point, Size},
-    pixelcolor::{Rgb565, raw::RawU16},
-    prelude::*,
-};
+use embedded_graphics::{geometry::Size, pixelcolor::Rgb565};
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::{
     Camera,
@@ -24,13 +20,12 @@ fn firmware() -> &'static PathBuf {
 
 /// What the simulator shows, as RGB565.
 fn simulated<S: BuiltIn>(camera: &Camera) -> Vec<u16> {
-    let size = Size::new(SIDE, SIDE);
-    let mut display = SimulatorDisplay::<Rgb565>::new(size);
+    let mut display = SimulatorDisplay::<Rgb565>::new(Size::new(SIDE, SIDE));
     S::frame(camera).draw(&mut display).unwrap();
-    let pixel = |x, y| RawU16::from(display.get_pixel(Point::new(x, y))).into_inner();
-    let rows = 0..SIDE as i32;
-    rows.flat_map(|y| (0..SIDE as i32).map(move |x| (x, y)))
-        .map(|(x, y)| pixel(x, y))
+    let bytes = display.to_be_bytes();
+    let pixels = bytes.chunks_exact(2);
+    pixels
+        .map(|it| u16::from_be_bytes([it[0], it[1]]))
         .collect()
 }
 

@@ -1,47 +1,33 @@
 //! `cargo xtask profile`, as a user calls it.
 
-use std::{collections::HashMap, process::Command};
+use std::collections::HashMap;
 
 use serde_json::Value;
 use xtask::{
     measure::{
         cores::Core,
+        outcome,
         scene::Scene,
-        task::{Quality, Settings, Shading, Size, Task},
-        with_program,
+        task::{Quality, Size, Task},
     },
     profile::{STAGES, Stage, profile},
+    root,
 };
 
-const STAGE_NAMES: [&str; 8] = [
-    "preparation",
-    "spans",
-    "primary",
-    "shading",
-    "shadow",
-    "reflection",
-    "output",
-    "other",
-];
+mod common;
 
-/// Exit code, output and complaints.
-fn xtask(arguments: &str) -> (i32, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
-        .args(arguments.split_whitespace())
-        .output()
-        .unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code().unwrap(),
-        text(output.stdout),
-        text(output.stderr),
-    )
+use common::{Done, assert_mistakes, xtask};
+
+const STAGE_NAMES: &str = "preparation spans primary shading shadow reflection output other";
+
+fn stage_names() -> impl Iterator<Item = &'static str> {
+    STAGE_NAMES.split(' ')
 }
 
 /// What the command prints as JSON.
 fn lines(arguments: &str) -> Vec<Value> {
-    let (code, out, complaints) = xtask(&format!("profile --json {arguments}"));
-    assert_eq!((code, complaints.as_str()), (0, ""));
+    let Done { code, out, err } = xtask(&root(), &format!("profile --json {arguments}"));
+    assert_eq!((code, err.as_str()), (0, ""));
     let line = |line| serde_json::from_str(line).unwrap();
     out.lines().map(line).collect()
 }
@@ -61,41 +47,17 @@ fn count(line: &Value) -> u64 {
     line["instructions"].as_u64().unwrap()
 }
 
-/// A number that the measurement firmware reports.
-fn reported(said: &str, name: &str) -> u64 {
-    let report = said.lines().find_map(|line| line.strip_prefix("measured "));
-    let mut words = report.unwrap().split(' ');
-    let digits = words.find_map(|word| word.strip_prefix(name)?.strip_prefix('='));
-    u64::from_str_radix(digits.unwrap(), 16).unwrap()
-}
-
 #[test]
 fn total_is_what_measure_counts_but_for_the_calls() {
     const ROWS: u64 = 16;
-    let task = Task {
-        core: Core::find("m3").unwrap(),
-        scene: Scene::BuiltIn("primitives"),
-        settings: Settings {
-            size: Size {
-                width: 16,
-                height: ROWS as u16,
-            },
-            reflections: 4,
-            shading: Shading::BlinnPhong,
-            quality: Quality::Fast,
-            is_whole: false,
-        },
-    };
-    let sums = profile(&task).unwrap();
-    let said = with_program(&task, |program| {
-        Ok(task.core.counting_emulator().run(program)?)
-    });
-    let said = said.unwrap();
+    let (core, scene) = (Core::find("m3").unwrap(), Scene::BuiltIn("primitives"));
+    let task = Task::new(core, scene, Size::new(16, ROWS as u32), Quality::FAST);
+    let (sums, counted) = (profile(&task).unwrap(), outcome(&task).unwrap());
     // Arguments are loaded and the call itself is made between two looks at the clock.
     let call = 1..=32;
-    let beyond = reported(&said, "prepare") - sums.stage(Stage::Preparation);
+    let beyond = counted.prepare - sums.stage(Stage::Preparation);
     assert!(call.contains(&beyond), "{beyond} for a call");
-    let beyond = reported(&said, "instructions") - sums.total() - beyond;
+    let beyond = counted.instructions - sums.total() - beyond;
     assert!(call.contains(&(beyond / ROWS)), "{beyond} for {ROWS} calls");
     for stage in STAGES {
         assert!(sums.stage(stage) > 0, "{stage:?}");
@@ -107,10 +69,10 @@ fn stages_and_tables_add_up_to_the_total() {
     // A core that lacks instructions calls for what they do from everywhere.
     let lines = lines("--core m0 --scene castle --size 8x8 --functions --top 100000");
     let stages = stages(&lines);
-    let sum: u64 = STAGE_NAMES.iter().map(|name| stages[name]).sum();
+    let sum: u64 = stage_names().map(|name| stages[name]).sum();
     assert_eq!(
         (stages.len(), sum),
-        (STAGE_NAMES.len() + 1, stages["total"])
+        (stage_names().count() + 1, stages["total"])
     );
     let rows = |table: &str, stage: Option<&str>| {
         let rows = lines.iter().filter(|line| line["table"] == table);
@@ -118,7 +80,7 @@ fn stages_and_tables_add_up_to_the_total() {
         rows.cloned().collect::<Vec<_>>()
     };
     let sum = |rows: &[Value]| rows.iter().map(count).sum::<u64>();
-    for name in STAGE_NAMES {
+    for name in stage_names() {
         assert_eq!(sum(&rows("innermost", Some(name))), stages[name], "{name}");
         for row in rows("library", Some(name)) {
             let all = row["all_per_pixel"].as_f64().unwrap() * 64.0;
@@ -144,7 +106,7 @@ fn stages_and_tables_add_up_to_the_total() {
             let rows = rows("innermost", Some(stage));
             rows.iter().any(|row| text(row, "name") == name)
         };
-        STAGE_NAMES.into_iter().filter(is_in).count()
+        stage_names().filter(is_in).count()
     };
     let shared = linked.iter().map(|row| stages_of(text(row, "name")));
     assert!(shared.max().unwrap() > 2);
@@ -192,16 +154,14 @@ fn empty_scene_is_neither_shaded_nor_mirrored() {
 
 #[test]
 fn tables_name_what_they_show() {
-    let (code, out, complaints) = xtask("profile --scene floor --size 8x8 --functions --top 3");
-    assert_eq!((code, complaints.as_str()), (0, ""));
+    let arguments = "profile --scene floor --size 8x8 --functions --top 3";
+    let Done { code, out, err } = xtask(&root(), arguments);
+    assert_eq!((code, err.as_str()), (0, ""));
     let parts: Vec<_> = out.split("\n\n").collect();
     assert_eq!(parts.len(), 5, "{out}");
     let first = |line: &str| line.split_whitespace().next().unwrap_or("").to_owned();
     let names: Vec<_> = parts[0].lines().map(first).collect();
-    assert_eq!(
-        names.join(" "),
-        format!("stage {} total", STAGE_NAMES.join(" "))
-    );
+    assert_eq!(names.join(" "), format!("stage {} total", STAGE_NAMES));
     for part in &parts[1..] {
         // A title, the heads and the rows.
         assert_eq!(part.lines().count(), 5, "{part}");
@@ -211,35 +171,17 @@ fn tables_name_what_they_show() {
 
 #[test]
 fn mistakes_are_one_line_and_exit_code_2() {
-    for (arguments, words) in [
-        ("--core rv32", "rv32 cannot be profiled"),
-        ("--quality float", "the float port cannot be profiled"),
-        ("--core m5", "invalid value 'm5' for '--core <CORE>'"),
-        ("--size 0x3", "not a width and a height from 1 to 65535"),
-        ("--reflections 256", "256 is not in 0..=255"),
-        (
-            "--scene sandcastle",
-            "there is no built-in scene sandcastle, only castle,",
-        ),
-        (
-            "--scene missing.json",
-            "missing.json: No such file or directory",
-        ),
-        ("--name ball", "--name chooses from a file"),
-        (
-            "--top 3",
-            "the following required arguments were not provided:; --functions",
-        ),
-        (
-            "--functions --top many",
-            "invalid value 'many' for '--top <N>'",
-        ),
-        ("--all", "unexpected argument '--all' found"),
-    ] {
-        let (code, out, complaints) = xtask(&format!("profile {arguments}"));
-        assert_eq!((code, out.as_str()), (2, ""), "{arguments}: {complaints}");
-        assert_eq!(complaints.lines().count(), 1, "{complaints}");
-        assert!(complaints.starts_with("error: "), "{complaints}");
-        assert!(complaints.contains(words), "{arguments}: {complaints}");
-    }
+    let mistakes = "
+profile --core rv32 => rv32 cannot be profiled
+profile --quality float => the float port cannot be profiled
+profile --core m5 => invalid value 'm5' for '--core <CORE>'
+profile --size 0x3 => not a width and a height from 1 to 65535
+profile --reflections 256 => 256 is not in 0..=255
+profile --scene sandcastle => there is no built-in scene sandcastle, only castle,
+profile --scene missing.json => missing.json: No such file or directory
+profile --name ball => --name chooses from a file
+profile --top 3 => the following required arguments were not provided:; --functions
+profile --functions --top many => invalid value 'many' for '--top <N>'
+profile --all => unexpected argument '--all' found";
+    assert_mistakes(&root(), mistakes);
 }

@@ -1,6 +1,6 @@
 //! A firmware carries what its scene needs and nothing else, and no scene grows unseen.
 
-use std::{collections::BTreeSet, process::Command, thread};
+use std::{collections::BTreeSet, thread};
 
 use reflet::scenes;
 use serde_json::{Value, json};
@@ -10,12 +10,14 @@ use xtask::{
         cores::Core,
         count,
         scene::Scene,
-        task::{Quality, Settings, Shading, Size, Task},
+        task::{Quality, Shading, Size, Task},
         weigh, weight, with_program,
     },
     profile::names::Names,
-    size,
+    root, size,
 };
+
+mod common;
 
 /// A scene with one of everything, but what a test takes away.
 fn scene() -> Value {
@@ -53,21 +55,11 @@ fn without(mut scene: Value, list: &str) -> Value {
 }
 
 fn task(scene: Scene, quality: Quality, shading: Shading) -> Task {
-    Task {
-        core: Core::find("m3").unwrap(),
-        scene,
-        settings: Settings {
-            // As the kept figures are measured, so that images serve both.
-            size: Size {
-                width: 64,
-                height: 64,
-            },
-            reflections: 4,
-            shading,
-            quality,
-            is_whole: false,
-        },
-    }
+    let core = Core::find("m3").unwrap();
+    // As the kept figures are measured, so that images serve both.
+    let mut task = Task::new(core, scene, Size::new(64, 64), quality);
+    task.settings.shading = shading;
+    task
 }
 
 /// What is in the firmware of a scene: its functions, inlined ones too, and its size in flash.
@@ -81,46 +73,26 @@ fn linked(scene: &Value, quality: Quality, shading: Shading) -> (BTreeSet<String
 
 #[test]
 fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
-    let (fast, phong) = (Quality::Fast, Shading::BlinnPhong);
+    let (fast, phong) = (Quality::FAST, Shading::BlinnPhong);
     let all = linked(&scene(), fast, phong);
-    let number = |value: f64| json!(value);
+    let with = |key, value: f64| with_material(scene(), key, &json!(value));
     let plane = without(without(scene(), "spheres"), "cylinders");
     // What is absent, without what; the names of functions of which nothing may be left.
     let pairs = [
-        (without(scene(), "spheres"), phong, "shape::sphere::"),
-        (without(scene(), "planes"), phong, "shape::plane::"),
-        (without(scene(), "cylinders"), phong, "shape::cylinder::"),
-        (without(scene(), "lights"), phong, "Surface::sent_on"),
-        (plane, phong, "blocked"),
-        (
-            with_material(scene(), "specular", &number(0.0)),
-            phong,
-            "half_way_square",
-        ),
-        (
-            with_material(scene(), "shininess", &number(3.0)),
-            phong,
-            "fractional_power",
-        ),
-        (
-            with_material(scene(), "shininess", &number(4.0)),
-            phong,
-            "root_of_unit",
-        ),
-        (
-            with_material(scene(), "mirror", &number(0.0)),
-            phong,
-            "Surface::reflect",
-        ),
-        (
-            with_material(scene(), "mirror", &number(1.0)),
-            phong,
-            "lit_color",
-        ),
+        (without(scene(), "spheres"), "shape::sphere::"),
+        (without(scene(), "planes"), "shape::plane::"),
+        (without(scene(), "cylinders"), "shape::cylinder::"),
+        (without(scene(), "lights"), "Surface::sent_on"),
+        (plane, "blocked"),
+        (with("specular", 0.0), "half_way_square"),
+        (with("shininess", 3.0), "fractional_power"),
+        (with("shininess", 4.0), "root_of_unit"),
+        (with("mirror", 0.0), "Surface::reflect"),
+        (with("mirror", 1.0), "lit_color"),
     ];
     let has = |names: &BTreeSet<String>, part: &str| names.iter().any(|name| name.contains(part));
-    for (scene, shading, part) in pairs {
-        let (names, flash) = linked(&scene, fast, shading);
+    for (scene, part) in pairs {
+        let (names, flash) = linked(&scene, fast, phong);
         assert!(has(&all.0, part), "{part} is not found where it is needed");
         let left: Vec<_> = names.iter().filter(|name| name.contains(part)).collect();
         assert!(left.is_empty(), "{part}: {left:?}");
@@ -132,7 +104,7 @@ fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
     let (normals, flash) = linked(&scene(), fast, Shading::Normals);
     assert!(has(&normals, "color::halved") && !has(&normals, "lit_color"));
     assert!(flash < all.1);
-    let (small, flash) = linked(&scene(), Quality::Small, phong);
+    let (small, flash) = linked(&scene(), Quality::SMALL, phong);
     for part in [
         "Colors<W,K,Q>::follow",
         "scene::row::",
@@ -155,7 +127,7 @@ fn empty_scene_has_nothing_but_the_loop_that_writes_the_background() {
         "interpolate::Colors",
         "Tracer",
     ];
-    for quality in [Quality::Fast, Quality::Small] {
+    for quality in [Quality::FAST, Quality::SMALL] {
         let task = task(scene.clone(), quality, Shading::BlinnPhong);
         let names = with_program(&task, |program| Names::read(program)?.all()).unwrap();
         for room in rooms {
@@ -182,7 +154,7 @@ fn no_scene_is_slower_than_with_everything_linked() {
 
 fn are_not_slower_than_with_everything(names: &[&'static str]) {
     for name in names {
-        let mut task = task(Scene::BuiltIn(name), Quality::Fast, Shading::BlinnPhong);
+        let mut task = task(Scene::BuiltIn(name), Quality::FAST, Shading::BlinnPhong);
         let own = count(&task).unwrap();
         task.settings.is_whole = true;
         let whole = count(&task).unwrap();
@@ -198,11 +170,11 @@ fn are_not_slower_than_with_everything(names: &[&'static str]) {
 /// What scenes may take of flash on thumbv7m, whatever the budget says: scene, quality, reflections
 /// and bytes.
 const LIMITS: [(&str, Quality, u8, u64); 5] = [
-    ("floor", Quality::Fast, 4, 3 * 1024),
-    ("corner1", Quality::Small, 4, 6 * 1024),
-    ("shading_lights", Quality::Small, 0, 8 * 1024),
-    ("castle", Quality::Fast, 4, 32 * 1024),
-    ("castle", Quality::Small, 4, 12 * 1024),
+    ("floor", Quality::FAST, 4, 3 * 1024),
+    ("corner1", Quality::SMALL, 4, 6 * 1024),
+    ("shading_lights", Quality::SMALL, 0, 8 * 1024),
+    ("castle", Quality::FAST, 4, 32 * 1024),
+    ("castle", Quality::SMALL, 4, 12 * 1024),
 ];
 
 #[test]
@@ -230,7 +202,7 @@ fn no_scene_has_grown_beyond_its_budget() {
             quality,
             ..
         } = task.settings;
-        task.core.name == "m3" && reflections == 4 && quality == Quality::Small
+        task.core.name == "m3" && reflections == 4 && quality == Quality::SMALL
     });
 }
 
@@ -275,45 +247,16 @@ fn whole_firmware_of_the_castle_is_below_48_kib() {
 
 #[test]
 fn command_prints_lines_of_json_with_these_keys() {
-    let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
-        .args([
-            "size",
-            "--json",
-            "--scene",
-            "empty",
-            "--target",
-            "thumbv7m-none-eabi",
-        ])
-        .output()
-        .unwrap();
-    assert!(output.status.success());
-    let text = String::from_utf8(output.stdout).unwrap();
-    let lines: Vec<Value> = text
-        .lines()
-        .map(|line| serde_json::from_str(line).unwrap())
-        .collect();
+    let arguments = "size --json --scene empty --target thumbv7m-none-eabi";
+    let done = common::xtask(&root(), arguments);
+    assert_eq!(done.code, 0, "{}", done.err);
+    let lines = done.out.lines().map(serde_json::from_str);
+    let lines: Vec<Value> = lines.map(Result::unwrap).collect();
     assert_eq!(lines.len(), size::QUALITIES.len());
     for line in lines {
-        let keys: Vec<_> = line
-            .as_object()
-            .unwrap()
-            .keys()
-            .map(String::as_str)
-            .collect();
-        let mut expected = [
-            "target",
-            "scene",
-            "quality",
-            "reflections",
-            "code",
-            "constants",
-            "flash",
-            "ram",
-            "stack",
-            "left_out",
-        ];
-        expected.sort_unstable();
-        assert_eq!(keys, expected);
+        let keys = line.as_object().unwrap().keys().map(String::as_str);
+        let expected = "target scene quality reflections code constants flash ram stack left_out";
+        assert_eq!(keys.collect::<BTreeSet<_>>(), expected.split(' ').collect());
         assert_eq!(line["left_out"].as_array().unwrap().len(), 14);
         let [code, constants, flash] =
             ["code", "constants", "flash"].map(|key| line[key].as_u64().unwrap());

@@ -1,21 +1,16 @@
 //! The boards without a display: the castle is drawn row by row, and it is the picture that is
 //! drawn here.
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-    time::Duration,
-};
+use std::{path::PathBuf, time::Duration};
 
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
-use object::{Object, ObjectSection, SectionFlags, elf};
 use reflet::{
     StaticFrame,
     host::painted,
     scenes::{BuiltIn, Castle},
 };
-use xtask::{emulator::qemu::Qemu, root, toolchain};
+use xtask::{emulator::qemu::Qemu, measure::weigh, root, toolchain};
 
 const SIDE: u32 = 240;
 
@@ -52,26 +47,12 @@ fn hash() -> u64 {
     hash.value()
 }
 
-/// Bytes of static variables.
-fn statics(program: &Path) -> u64 {
-    let bytes = fs::read(program).unwrap();
-    let program = object::File::parse(&*bytes).unwrap();
-    let is_variable = |flags| {
-        let wanted = u64::from(elf::SHF_ALLOC | elf::SHF_WRITE);
-        matches!(flags, SectionFlags::Elf { sh_flags } if sh_flags & wanted == wanted)
-    };
-    let variables = program
-        .sections()
-        .filter(|section| is_variable(section.flags()));
-    variables.map(|section| section.size()).sum()
-}
-
 #[test]
 fn castle_on_a_microbit_is_the_same_picture_in_6_kib_of_ram() {
     let program = build("thumbv6m-none-eabi", "microbit");
     let said = Qemu::arm("microbit").limit(LIMIT).run(&program);
     let stack = stack_of_right_picture(&said.unwrap_or_else(|error| panic!("{error}")));
-    let ram = statics(&program) + stack;
+    let ram = weigh(&program).unwrap().ram + stack;
     assert!(ram <= 6 * 1024, "{ram} bytes");
 }
 

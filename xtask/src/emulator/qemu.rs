@@ -4,10 +4,7 @@
 //! Every run has a time limit, and nothing outlives it. A firmware that ends badly, or hangs in a
 //! fault, is a [`Failure`] that repeats its words and names the fault. It knows no firmware.
 
-use std::{
-    env, ffi::OsStr, ops::ControlFlow, os::unix::net::UnixStream, path::Path, process::ExitStatus,
-    time::Duration,
-};
+use std::{env, ffi::OsStr, ops::ControlFlow, path::Path, process::ExitStatus, time::Duration};
 
 use image::RgbImage;
 use serde::Serialize;
@@ -105,11 +102,7 @@ impl Qemu {
     /// Shows a firmware to a person until they or it end it: without a limit, its words where ours
     /// go, and its display in a window if this machine has a screen.
     pub fn show(self, firmware: &Path) -> Result<(), Failure> {
-        let unseen: &[_] = if has_screen() {
-            &[]
-        } else {
-            &["-display", "none"]
-        };
+        let unseen = ["-display", "none"].into_iter().filter(|_| !has_screen());
         let program = self.kernel(firmware).args(unseen).limit(Duration::MAX);
         Ok(program.stream()?)
     }
@@ -146,7 +139,7 @@ pub struct Running {
     program: command::Running,
     said: Vec<String>,
     folder: TempDir,
-    monitor: Option<Monitor<UnixStream>>,
+    monitor: Option<Monitor>,
 }
 
 impl Running {
@@ -231,18 +224,10 @@ impl Running {
     fn ask(&mut self, command: &str, arguments: Value) -> Result<Value, Failure> {
         let monitor = match &mut self.monitor {
             Some(monitor) => monitor,
-            none => none.insert(connect(&self.folder.path().join(MONITOR))?),
+            none => none.insert(Monitor::connect(&self.folder.path().join(MONITOR))?),
         };
         Ok(monitor.execute(command, arguments)?)
     }
-}
-
-fn connect(socket: &Path) -> Result<Monitor<UnixStream>, qmp::Error> {
-    /// The monitor answers in milliseconds, on a busy machine in some more.
-    const PATIENCE: Duration = Duration::from_secs(10);
-    let stream = UnixStream::connect(socket)?;
-    stream.set_read_timeout(Some(PATIENCE))?;
-    Monitor::new(stream)
 }
 
 /// The options by which QEMU executes one instruction at a time: they changed in version 8.1.

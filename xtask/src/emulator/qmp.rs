@@ -2,19 +2,33 @@
 //!
 //! It knows the protocol and no board. Written after the QEMU Machine Protocol Specification.
 
-use std::io::{self, BufRead, BufReader, Read, Write};
+use std::{
+    io::{self, BufRead, BufReader, Write},
+    os::unix::net::UnixStream,
+    path::Path,
+    time::Duration,
+};
 
 use serde_json::{Value, json};
 
-/// A conversation with QEMU's monitor over any stream.
+/// A conversation with QEMU's monitor.
 #[derive(Debug)]
-pub struct Monitor<S> {
-    stream: BufReader<S>,
+pub struct Monitor {
+    stream: BufReader<UnixStream>,
 }
 
-impl<S: Read + Write> Monitor<S> {
-    /// Takes up the conversation: reads the greeting and asks for no extra capabilities.
-    pub fn new(stream: S) -> Result<Self, Error> {
+impl Monitor {
+    /// Takes up the conversation with the monitor that listens at a socket.
+    pub fn connect(socket: &Path) -> Result<Self, Error> {
+        /// The monitor answers in milliseconds, on a busy machine in some more.
+        const PATIENCE: Duration = Duration::from_secs(10);
+        let stream = UnixStream::connect(socket)?;
+        stream.set_read_timeout(Some(PATIENCE))?;
+        Self::new(stream)
+    }
+
+    /// Reads the greeting and asks for no extra capabilities.
+    fn new(stream: UnixStream) -> Result<Self, Error> {
         let stream = BufReader::new(stream);
         let mut monitor = Self { stream };
         let greeting = monitor.message()?;
@@ -72,53 +86,32 @@ pub enum Error {
 
 #[cfg(test)]
 mod tests {
+    use std::net::Shutdown;
+
     use super::*;
 
-    /// A monitor that has its answers ready and remembers what it was asked.
-    struct Script {
-        answers: io::Cursor<&'static str>,
-        asked: Vec<u8>,
-    }
-
-    impl Read for Script {
-        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-            self.answers.read(buffer)
-        }
-    }
-
-    impl Write for Script {
-        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-            self.asked.write(bytes)
-        }
-
-        fn flush(&mut self) -> io::Result<()> {
-            Ok(())
-        }
-    }
-
-    fn monitor(answers: &'static str) -> Result<Monitor<Script>, Error> {
-        Monitor::new(Script {
-            answers: io::Cursor::new(answers),
-            asked: Vec::new(),
-        })
+    /// A monitor that has its answers ready, and the stream that it is asked by.
+    fn monitor(answers: &str) -> (Result<Monitor, Error>, UnixStream) {
+        let (stream, mut asked) = UnixStream::pair().unwrap();
+        asked.write_all(answers.as_bytes()).unwrap();
+        asked.shutdown(Shutdown::Write).unwrap();
+        (Monitor::new(stream), asked)
     }
 
     #[test]
     fn answer_is_found_among_the_events() {
-        let mut monitor = monitor(concat!(
+        let (monitor, asked) = monitor(concat!(
             "{\"QMP\": {}}\n",
             "{\"return\": {}}\n",
             "{\"event\": \"RESUME\"}\n",
             "{\"return\": {\"running\": true}}\n",
-        ))
-        .unwrap();
+        ));
+        let mut monitor = monitor.unwrap();
         let answer = monitor.execute("query-status", json!({})).unwrap();
         assert_eq!(answer, json!({ "running": true }));
-        let asked = monitor.stream.into_inner().asked;
-        let asked: Vec<Value> = asked
-            .split_inclusive(|&byte| byte == b'\n')
-            .map(|line| serde_json::from_slice(line).unwrap())
-            .collect();
+        drop(monitor);
+        let asked = serde_json::Deserializer::from_reader(asked).into_iter();
+        let asked: Vec<Value> = asked.map(Result::unwrap).collect();
         assert_eq!(
             asked,
             [
@@ -130,23 +123,23 @@ mod tests {
 
     #[test]
     fn refusal_names_the_command_and_the_reason() {
-        let mut monitor = monitor(concat!(
+        let (monitor, _asked) = monitor(concat!(
             "{\"QMP\": {}}\n",
             "{\"return\": {}}\n",
             "{\"error\": {\"class\": \"GenericError\", \"desc\": \"no screen\"}}\n",
-        ))
-        .unwrap();
-        let refusal = monitor.execute("screendump", json!({})).unwrap_err();
+        ));
+        let refusal = monitor
+            .unwrap()
+            .execute("screendump", json!({}))
+            .unwrap_err();
         assert_eq!(refusal.to_string(), "QEMU refuses `screendump`: no screen");
     }
 
     #[test]
     fn conversation_that_breaks_off_is_an_error() {
-        assert!(matches!(monitor(""), Err(Error::Stream(_))));
-        assert!(matches!(monitor("hello\n"), Err(Error::Protocol(_))));
-        assert!(matches!(
-            monitor("{\"return\": {}}\n"),
-            Err(Error::Protocol(_))
-        ));
+        let error = |answers| monitor(answers).0.unwrap_err();
+        assert!(matches!(error(""), Error::Stream(_)));
+        assert!(matches!(error("hello\n"), Error::Protocol(_)));
+        assert!(matches!(error("{\"return\": {}}\n"), Error::Protocol(_)));
     }
 }

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use clap::{Args, builder::PossibleValuesParser, value_parser};
+use clap::{Args, value_parser};
 
 use super::{
-    cores::{CORES, Core},
+    cores::Core,
     scene::Scene,
     task::{Quality, Settings, Shading, Size, Task},
 };
@@ -16,7 +16,7 @@ use super::{
 #[command(after_long_help = AFTER_HELP)]
 pub struct Arguments {
     #[command(flatten)]
-    choice: Choice,
+    pub(super) choice: Choice,
 
     /// Print a line of JSON instead of a table
     #[arg(long)]
@@ -31,8 +31,8 @@ pub struct Arguments {
 #[derive(Args, Debug)]
 pub struct Choice {
     /// The core [default: m3]
-    #[arg(long, value_parser = PossibleValuesParser::new(CORES.map(|core| core.name)))]
-    core: Option<String>,
+    #[arg(long, value_parser = Core::parser())]
+    pub(super) core: Option<&'static Core>,
 
     /// A built-in scene, or a scene file
     #[arg(long, value_name = "NAME|FILE.json", default_value = "castle")]
@@ -61,7 +61,7 @@ pub struct Choice {
     shading: Shading,
 
     /// How exactly fixed point computes, or the float port instead
-    #[arg(long, value_enum, default_value_t = Quality::Fast)]
+    #[arg(long, value_enum, default_value_t = Quality::FAST)]
     quality: Quality,
 
     /// Link everything that any scene needs, whether this one does or not
@@ -82,33 +82,15 @@ The JSON keys are core, scene, size, reflections, shading, quality, instructions
 prepare_instructions, flash, ram, stack, hash (FNV-1a, 64 bits, of the RGB8 bytes) and
 cycles_per_pixel (null where no timings are published).";
 
-impl Arguments {
-    /// The core that is asked for.
-    pub(super) fn core(&self) -> Option<&'static Core> {
-        self.choice.core()
-    }
-
-    /// The one measurement that is asked for.
-    pub(super) fn task(&self) -> Result<Task> {
-        self.choice.task()
-    }
-}
-
 impl Choice {
-    fn core(&self) -> Option<&'static Core> {
-        self.core.as_deref().and_then(Core::find)
-    }
-
     /// The task that it comes to.
     ///
     /// # Errors
     /// [`Misuse`](crate::misuse::Misuse) where the scene cannot be used.
     pub fn task(&self) -> Result<Task> {
-        let core = self
-            .core()
-            .unwrap_or(Core::find("m3").expect("it is in the list"));
+        let m3 = Core::find("m3").expect("it is in the list");
         Ok(Task {
-            core,
+            core: self.core.unwrap_or(m3),
             scene: Scene::open(&self.scene, self.name.as_deref())?,
             settings: Settings {
                 size: self.size,

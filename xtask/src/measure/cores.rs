@@ -1,5 +1,7 @@
 //! The cores that can be measured, and the emulated machines that have them.
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
 use crate::{cycles::Timing, emulator::qemu::Qemu};
 
 /// A core.
@@ -74,6 +76,12 @@ impl Core {
     /// The core of this name.
     pub fn find(name: &str) -> Option<&'static Self> {
         CORES.iter().find(|core| core.name == name)
+    }
+
+    /// Finds the core that a command line names.
+    pub fn parser() -> impl TypedValueParser<Value = &'static Self> {
+        let find = |name: String| Self::find(&name).expect("it is one of the possible values");
+        PossibleValuesParser::new(CORES.map(|core| core.name)).map(find)
     }
 
     /// A machine with this core.

@@ -69,24 +69,11 @@ fn tenths(number: f64) -> f64 {
 
 /// A table, one row a measurement.
 pub fn table(rows: &[Figures]) -> String {
-    let head = [
-        "core",
-        "scene",
-        "size",
-        "refl.",
-        "shading",
-        "quality",
-        "instr/pixel",
-        "prepare",
-        "flash",
-        "RAM",
-        "stack",
-        "hash",
-        "cycles/pixel",
-    ];
-    let mut cells = vec![head.map(str::to_owned)];
+    let head = "core scene size refl. shading quality instr/pixel prepare flash RAM stack hash \
+                cycles/pixel";
+    let mut cells = vec![head.split(' ').map(str::to_owned).collect()];
     cells.extend(rows.iter().map(|row| {
-        [
+        vec![
             row.core.clone(),
             row.scene.clone(),
             row.size.clone(),
@@ -107,12 +94,12 @@ pub fn table(rows: &[Figures]) -> String {
 }
 
 /// Columns as wide as their widest cell; numbers to the right.
-fn aligned<const N: usize>(rows: &[[String; N]]) -> String {
+fn aligned(rows: &[Vec<String>]) -> String {
     let width = |column: usize| {
         let cells = rows.iter().map(|row| row[column].chars().count());
         cells.max().unwrap_or(0)
     };
-    let widths: [usize; N] = std::array::from_fn(width);
+    let widths: Vec<_> = (0..rows[0].len()).map(width).collect();
     let is_number = |column: usize| {
         let mut cells = rows.iter().skip(1).map(|row| &row[column]);
         cells.all(|cell| cell.parse::<f64>().is_ok())

@@ -29,9 +29,9 @@ use crate::cycles::{self, Estimate};
 /// Does what the command line asks for.
 pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.all {
-        return record::renew(arguments.core());
+        return record::renew(arguments.choice.core);
     }
-    let figures = measure(&arguments.task()?)?;
+    let figures = measure(&arguments.choice.task()?)?;
     let text = match arguments.json {
         true => figures.json()?,
         false => figures::table(&[figures]),
@@ -72,7 +72,7 @@ fn small(task: &Task, figures: &Figures) -> Task {
     /// A second or two.
     const INSTRUCTIONS: f64 = 1e6;
     let side = (INSTRUCTIONS / figures.instructions_per_pixel).sqrt();
-    let side = side.clamp(4.0, 16.0) as u16;
+    let side = side.clamp(4.0, 16.0) as u32;
     let mut task = task.clone();
     let size = &mut task.settings.size;
     (size.width, size.height) = (size.width.min(side), size.height.min(side));

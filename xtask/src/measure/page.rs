@@ -97,43 +97,38 @@ impl Page<'_> {
 
     /// A row a scene, a column a core.
     fn by_core(&self, quality: &str, cell: impl Fn(&Figures) -> String) -> String {
-        let mut head = vec!["scene".to_owned()];
-        head.extend(CORES.iter().map(|core| core.title.to_owned()));
-        let rows = scenes::NAMES.map(|scene| {
-            let cells = CORES.iter().map(|core| {
-                let row = self.row(core.name, scene, quality);
-                row.map_or_else(|| "-".to_owned(), &cell)
-            });
-            [scene.to_owned()].into_iter().chain(cells).collect()
-        });
-        markdown(1, &head, &rows)
+        let titles = CORES.iter().map(|core| core.title.to_owned());
+        by_scene(titles, |scene| {
+            let cell = |core: &Core| self.row(core.name, scene, quality).map(&cell);
+            CORES.iter().map(cell).collect()
+        })
     }
 
     fn float(&self) -> String {
         const CORES: [&str; 2] = ["m3", "m4f"];
-        let mut head = vec!["scene".to_owned()];
-        for core in CORES {
-            head.extend(["Fast", "Fine", "float"].map(|name| format!("{core} {name}")));
-            head.push("float / Fast".to_owned());
-        }
-        let rows = scenes::NAMES.map(|scene| {
-            let mut cells = vec![scene.to_owned()];
-            for core in CORES {
+        let head = CORES.map(|core| {
+            let [fast, fine, float] =
+                ["Fast", "Fine", "float"].map(|name| format!("{core} {name}"));
+            [fast, fine, float, "float / Fast".to_owned()]
+        });
+        by_scene(head.concat(), |scene| {
+            let cells = CORES.map(|core| {
                 let figure = |quality| {
                     let row = self.row(core, scene, quality);
                     row.map(|row| row.instructions_per_pixel)
                 };
                 let [fast, fine, float] = ["fast", "fine", "float"].map(figure);
                 let whole = |figure: Option<f64>| figure.map(|figure| format!("{figure:.0}"));
-                let quotient = fast
-                    .zip(float)
-                    .map(|(fast, float)| format!("{:.1}", float / fast));
-                let figures = [whole(fast), whole(fine), whole(float), quotient];
-                cells.extend(figures.map(|figure| figure.unwrap_or_else(|| "-".to_owned())));
-            }
-            cells
-        });
-        markdown(1, &head, &rows)
+                let times = |(fast, float)| format!("{:.1}", float / fast);
+                [
+                    whole(fast),
+                    whole(fine),
+                    whole(float),
+                    fast.zip(float).map(times),
+                ]
+            });
+            cells.concat()
+        })
     }
 
     /// A column a core whose timings are known, and the float port where it is measured.
@@ -145,20 +140,17 @@ impl Page<'_> {
             qualities.map(move |quality| (core, quality))
         });
         let columns: Vec<_> = columns.collect();
-        let mut head = vec!["scene".to_owned()];
-        head.extend(columns.iter().map(|(core, quality)| match *quality {
+        let head = columns.iter().map(|(core, quality)| match *quality {
             "float" => format!("{}, float", core.title),
             _ => core.title.to_owned(),
-        }));
-        let rows = scenes::NAMES.map(|scene| {
-            let cells = columns.iter().map(|(core, quality)| {
-                let row = self.row(core.name, scene, quality);
-                let cycles = row.and_then(|row| row.cycles_per_pixel);
-                cycles.map_or_else(|| "-".to_owned(), |cycles| format!("{cycles:.0}"))
-            });
-            [scene.to_owned()].into_iter().chain(cells).collect()
         });
-        markdown(1, &head, &rows)
+        by_scene(head, |scene| {
+            let cells = columns.iter().map(|(core, quality)| {
+                let cycles = self.row(core.name, scene, quality)?.cycles_per_pixel?;
+                Some(format!("{cycles:.0}"))
+            });
+            cells.collect()
+        })
     }
 
     /// A row a board, a column a scene.
@@ -197,6 +189,21 @@ impl Page<'_> {
             most => format!("Static variables: {most} bytes at most.\n"),
         }
     }
+}
+
+/// A row a scene.
+fn by_scene(
+    columns: impl IntoIterator<Item = String>,
+    cells: impl Fn(&str) -> Vec<Option<String>>,
+) -> String {
+    let head: Vec<_> = ["scene".to_owned()].into_iter().chain(columns).collect();
+    let rows = scenes::NAMES.map(|scene| {
+        let mut row = vec![scene.to_owned()];
+        let cells = cells(scene).into_iter();
+        row.extend(cells.map(|cell| cell.unwrap_or_else(|| "-".to_owned())));
+        row
+    });
+    markdown(1, &head, &rows)
 }
 
 /// Two digits that count.

@@ -1,13 +1,9 @@
 //! The figures that are kept in the repository: every built-in scene on every core, a file a core
 //! in `docs/measured`, and the page `docs/boards.md` made of them.
 
-use std::{
-    fs,
-    path::{Path, PathBuf},
-    thread,
-};
+use std::{path::PathBuf, thread};
 
-use anyhow::{Context, Result, bail};
+use anyhow::Result;
 use reflet::scenes;
 
 use super::{
@@ -15,17 +11,12 @@ use super::{
     figures::Figures,
     measure, page,
     scene::Scene,
-    task::{Quality, Settings, Shading, Size, Task},
+    task::{Quality, Size, Task},
 };
-use crate::root;
+use crate::{kept, root};
 
 /// How everything is measured, but for the quality.
-const SIZE: Size = Size {
-    width: 64,
-    height: 64,
-};
-const REFLECTIONS: u8 = 4;
-const SHADING: Shading = Shading::BlinnPhong;
+const SIZE: Size = Size::new(64, 64);
 
 /// Measures one core or all of them again, and writes their files and the page.
 pub fn renew(core: Option<&'static Core>) -> Result<()> {
@@ -41,7 +32,7 @@ pub fn renew(core: Option<&'static Core>) -> Result<()> {
     });
     renewed.into_iter().collect::<Result<()>>()?;
     let rows = CORES.iter().map(read).collect::<Result<Vec<_>>>()?;
-    write(&root().join("docs/boards.md"), &page::write(&rows.concat()))
+    kept::write(&root().join("docs/boards.md"), &page::write(&rows.concat()))
 }
 
 fn renew_core(core: &'static Core) -> Result<()> {
@@ -55,56 +46,27 @@ fn renew_core(core: &'static Core) -> Result<()> {
         lines += &figures.json()?;
         lines.push('\n');
     }
-    write(&file(core), &lines)
+    kept::write(&file(core), &lines)
 }
 
 /// All that is measured on a core.
 pub fn tasks(core: &'static Core) -> Vec<Task> {
     let qualities: &[Quality] = match core.name {
-        "m3" | "m4f" => &[Quality::Fast, Quality::Fine, Quality::Float],
-        _ => &[Quality::Fast, Quality::Fine],
+        "m3" | "m4f" => &[Quality::FAST, Quality::FINE, Quality::Float],
+        _ => &[Quality::FAST, Quality::FINE],
     };
     let tasks = scenes::NAMES.into_iter().flat_map(|name| {
-        qualities.iter().map(move |&quality| Task {
-            core,
-            scene: Scene::BuiltIn(name),
-            settings: Settings {
-                size: SIZE,
-                reflections: REFLECTIONS,
-                shading: SHADING,
-                quality,
-                is_whole: false,
-            },
-        })
+        let task = move |&quality| Task::new(core, Scene::BuiltIn(name), SIZE, quality);
+        qualities.iter().map(task)
     });
     tasks.collect()
 }
 
 /// The figures of a core as they are kept.
 pub fn read(core: &Core) -> Result<Vec<Figures>> {
-    let file = file(core);
-    let text = match fs::read_to_string(&file) {
-        Ok(text) => text,
-        Err(_) => bail!(
-            "there is no {}: `cargo xtask measure --all --core {}` writes it",
-            file.display(),
-            core.name
-        ),
-    };
-    let figures = |line| serde_json::from_str(line);
-    let rows: Result<Vec<_>, _> = text.lines().map(figures).collect();
-    rows.with_context(|| format!("{} is not what the command writes", file.display()))
+    kept::read(&file(core), &format!("measure --all --core {}", core.name))
 }
 
 fn file(core: &Core) -> PathBuf {
     root().join(format!("docs/measured/{}.jsonl", core.name))
-}
-
-fn write(file: &Path, text: &str) -> Result<()> {
-    let folder = file.parent().unwrap_or(file);
-    fs::create_dir_all(folder)
-        .and_then(|()| fs::write(file, text))
-        .with_context(|| format!("cannot write {}", file.display()))?;
-    println!("{}", file.display());
-    Ok(())
 }

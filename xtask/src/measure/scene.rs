@@ -1,8 +1,9 @@
 //! The scene that is measured: a built-in one, or one from a file.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Result, bail};
+use command_line::Source;
 use reflet::{
     host::{file::SceneFile, reference},
     scenes::{self, BuiltIn, Visitor},
@@ -17,8 +18,6 @@ pub enum Scene {
     BuiltIn(&'static str),
     /// One from a file.
     File {
-        /// What it is called.
-        name: String,
         /// The numbers.
         file: Box<SceneFile>,
         /// The Rust source of the same scene.
@@ -35,7 +34,7 @@ impl Scene {
     pub fn open(scene: &Path, chosen: Option<&str>) -> Result<Self> {
         let text = scene.to_string_lossy();
         if text.contains(['.', '/', '\\']) {
-            return Self::read(scene, chosen);
+            return Ok(scene_source::read(scene, chosen)?.into());
         }
         if chosen.is_some() {
             bail!(Misuse::new("--name chooses from a file"));
@@ -49,44 +48,26 @@ impl Scene {
         }
     }
 
-    fn read(path: &Path, chosen: Option<&str>) -> Result<Self> {
-        let (file, source) = scene_source::read(path, chosen)?;
-        let stem = || PathBuf::from(path.file_stem().unwrap_or(path.as_os_str()));
-        let name = file
-            .name()
-            .map_or_else(|| stem().display().to_string(), str::to_owned);
-        Ok(Self::File {
-            name,
-            file: Box::new(file),
-            source,
-        })
-    }
-
     /// The scene of a file that is only a text, and need not have been written anywhere.
     ///
     /// # Errors
     /// [`Misuse`] where the text cannot be used.
     pub fn parse(text: &str) -> Result<Self> {
-        let (file, source) = scene_source::parse(text)?;
-        Ok(Self::File {
-            name: file.name().unwrap_or("scene").to_owned(),
-            file: Box::new(file),
-            source,
-        })
+        Ok(scene_source::parse(text)?.into())
     }
 
     /// What it is called.
     pub fn name(&self) -> &str {
         match self {
             Self::BuiltIn(name) => name,
-            Self::File { name, .. } => name,
+            Self::File { source, .. } => &source.name,
         }
     }
 
     /// The numbers it was written with.
     pub fn reference(&self) -> (reference::Scene, reference::Camera) {
         match self {
-            Self::BuiltIn(name) => visit(name, Describe),
+            Self::BuiltIn(name) => Source::built_in(name).expect(KNOWN).reference(),
             Self::File { file, .. } => file.reference(),
         }
     }
@@ -118,24 +99,18 @@ impl Scene {
 
     /// The name of a built-in scene's type.
     pub fn type_name(name: &str) -> &'static str {
-        visit(name, TypeName)
+        scenes::visit(name, TypeName).expect(KNOWN)
     }
 }
 
-fn visit<V: Visitor>(name: &str, visitor: V) -> V::Output {
-    scenes::visit(name, visitor).expect("the name was found in the list of names")
-}
-
-struct Describe;
-
-impl Visitor for Describe {
-    type Output = (reference::Scene, reference::Camera);
-
-    fn visit<S: BuiltIn>(self) -> Self::Output {
-        let scene = S::with_description(|description| reference::Scene::from(&description));
-        (scene, reference::Camera::from(&S::CAMERA.description()))
+impl From<(SceneFile, scene_source::Source)> for Scene {
+    fn from((file, source): (SceneFile, scene_source::Source)) -> Self {
+        let file = Box::new(file);
+        Self::File { file, source }
     }
 }
+
+const KNOWN: &str = "the name was found in the list of names";
 
 struct TypeName;
 

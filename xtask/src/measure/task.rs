@@ -8,18 +8,25 @@ use std::{
     str::FromStr,
 };
 
-use clap::ValueEnum;
+use clap::{ValueEnum, builder::PossibleValue};
+pub use command_line::Shading;
+use command_line::{Quality as Fixed, size};
 
 use super::{cores::Core, float_source, scene::Scene};
 
 /// Width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
-    pub width: u16,
-    pub height: u16,
+    pub width: u32,
+    pub height: u32,
 }
 
 impl Size {
+    /// This width and height.
+    pub const fn new(width: u32, height: u32) -> Self {
+        Self { width, height }
+    }
+
     /// How many pixels there are.
     pub fn pixels(self) -> u64 {
         u64::from(self.width) * u64::from(self.height)
@@ -36,68 +43,45 @@ impl FromStr for Size {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let side = |digits: &str| match digits.bytes().all(|digit| digit.is_ascii_digit()) {
-            true => digits.parse::<u16>().ok().filter(|&side| side > 0),
-            false => None,
-        };
-        let sides = text
-            .split_once('x')
-            .map(|(width, height)| (side(width), side(height)));
-        match sides {
-            Some((Some(width), Some(height))) => Ok(Self { width, height }),
-            _ => Err("not a width and a height from 1 to 65535, such as 320x240"),
-        }
-    }
-}
-
-/// How light shines on a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Shading {
-    BlinnPhong,
-    Phong,
-    Normals,
-}
-
-impl Shading {
-    /// The word on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::BlinnPhong => "blinn-phong",
-            Self::Phong => "phong",
-            Self::Normals => "normals",
-        }
-    }
-
-    /// The name of the type.
-    fn type_name(self) -> &'static str {
-        match self {
-            Self::BlinnPhong => "BlinnPhong",
-            Self::Phong => "Phong",
-            Self::Normals => "Normals",
-        }
+        size(text).map(|size| Self::new(size.width, size.height))
     }
 }
 
 /// How exactly fixed point computes, or the float port instead.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quality {
-    Fast,
-    Fine,
-    Small,
-    Exact,
+    Fixed(Fixed),
     Float,
 }
 
 impl Quality {
+    pub const FAST: Self = Self::Fixed(Fixed::Fast);
+    pub const FINE: Self = Self::Fixed(Fixed::Fine);
+    pub const SMALL: Self = Self::Fixed(Fixed::Small);
+    pub const EXACT: Self = Self::Fixed(Fixed::Exact);
+
     /// The word on the command line.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Fast => "fast",
-            Self::Fine => "fine",
-            Self::Small => "small",
-            Self::Exact => "exact",
+            Self::Fixed(quality) => quality.name(),
             Self::Float => "float",
         }
+    }
+}
+
+impl ValueEnum for Quality {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[
+            Self::FAST,
+            Self::FINE,
+            Self::SMALL,
+            Self::EXACT,
+            Self::Float,
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()))
     }
 }
 
@@ -129,14 +113,27 @@ pub struct Job {
 }
 
 impl Task {
+    /// A scene with four reflections and Blinn-Phong shading, and what it needs linked.
+    pub fn new(core: &'static Core, scene: Scene, size: Size, quality: Quality) -> Self {
+        let settings = Settings {
+            size,
+            reflections: 4,
+            shading: Shading::BlinnPhong,
+            quality,
+            is_whole: false,
+        };
+        Self {
+            core,
+            scene,
+            settings,
+        }
+    }
+
     /// The firmware's source for this; `scene` is where the source of a file's scene lies.
     pub fn job(&self, scene: &Path) -> Job {
         let Settings { size, .. } = self.settings;
         let contestant = match self.settings.quality {
-            Quality::Fast => self.fixed("Fast", scene),
-            Quality::Fine => self.fixed("Fine", scene),
-            Quality::Small => self.fixed("Small", scene),
-            Quality::Exact => self.fixed("Exact", scene),
+            Quality::Fixed(quality) => self.fixed(quality.type_name(), scene),
             Quality::Float => self.float(),
         };
         let mut hasher = DefaultHasher::new();
@@ -154,13 +151,8 @@ impl Task {
     }
 
     fn fixed(&self, quality: &str, scene: &Path) -> String {
-        let Settings {
-            reflections,
-            shading,
-            ..
-        } = self.settings;
+        let (reflections, shading) = (self.settings.reflections, self.settings.shading.type_name());
         let (module, scene, camera) = self.scene.names(scene);
-        let shading = shading.type_name();
         let contestant = match self.settings.is_whole {
             true => "Everything",
             false => "Fixed",
@@ -178,12 +170,7 @@ impl Task {
 
     fn float(&self) -> String {
         let (scene, camera) = self.scene.reference();
-        let Settings {
-            reflections,
-            shading,
-            ..
-        } = self.settings;
-        let shading = shading.type_name();
+        let (reflections, shading) = (self.settings.reflections, self.settings.shading.type_name());
         let (scene, camera) = (float_source::scene(&scene), float_source::camera(&camera));
         format!(
             "pub struct Seen;\n\n\

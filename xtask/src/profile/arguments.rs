@@ -1,16 +1,15 @@
 //! The command line of `cargo xtask profile`.
 
-use anyhow::Result;
 use clap::Args;
 
-use crate::measure::{arguments::Choice, task::Task};
+use crate::measure::arguments::Choice;
 
 /// Counts the instructions that a frame takes, by stage and by function.
 #[derive(Args, Debug)]
 #[command(after_long_help = AFTER_HELP)]
 pub struct Arguments {
     #[command(flatten)]
-    choice: Choice,
+    pub(super) choice: Choice,
 
     /// Print the hottest functions, too
     #[arg(long)]
@@ -55,10 +54,3 @@ spans and preparation weigh more in a small picture. --core rv32 and --quality f
 The JSON keys are stage, instructions, instructions_per_pixel and share, a line for each stage and
 one for the `total`. With --functions the rows of the tables follow, with table (library, innermost,
 line or linked) and name, and where they apply stage, all_per_pixel and calls_per_pixel.";
-
-impl Arguments {
-    /// What is profiled.
-    pub(super) fn task(&self) -> Result<Task> {
-        self.choice.task()
-    }
-}

@@ -33,7 +33,7 @@ use crate::{
 
 /// Does what the command line asks for.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let task = arguments.task()?;
+    let task = arguments.choice.task()?;
     let sums = profile(&task)?;
     let rows = arguments.functions.then_some(arguments.top);
     let pixels = task.settings.size.pixels();

@@ -109,27 +109,21 @@ impl Table {
 }
 
 fn functions(sums: &Sums, rows: usize) -> [Table; 4] {
-    let plain = |counts: &HashMap<(Stage, String), u64>| {
-        let rows = counts.iter().map(|((stage, name), &own)| Row {
-            stage: Some(*stage),
-            name: name.clone(),
-            own,
-            second: 0,
-        });
-        rows.collect()
+    let row = |stage, name: &str, own, second| Row {
+        stage,
+        name: name.to_owned(),
+        own,
+        second,
     };
-    let library = sums.library.iter().map(|((stage, name), row)| Row {
-        stage: Some(*stage),
-        name: name.clone(),
-        own: row.own,
-        second: row.all,
-    });
-    let linked = sums.linked.iter().map(|(name, row)| Row {
-        stage: None,
-        name: name.clone(),
-        own: row.own,
-        second: row.calls,
-    });
+    let plain = |counts: &HashMap<(Stage, String), u64>| {
+        let rows = counts.iter();
+        rows.map(|((stage, name), &own)| row(Some(*stage), name, own, 0))
+            .collect()
+    };
+    let library = sums.library.iter();
+    let library = library.map(|((stage, name), it)| row(Some(*stage), name, it.own, it.all));
+    let linked = sums.linked.iter();
+    let linked = linked.map(|(name, it)| row(None, name, it.own, it.calls));
     let table = |key, title, second, all: Vec<Row>| Table {
         key,
         title,

@@ -1,12 +1,9 @@
 //! The command line of `cargo xtask scale`.
 
-use clap::{Args, builder::PossibleValuesParser};
+use clap::Args;
 
 use super::SIZE;
-use crate::measure::{
-    cores::{CORES, Core},
-    task::Size,
-};
+use crate::measure::{cores::Core, task::Size};
 
 /// Measures what a frame takes with 1, 2, 4 and so on to 256 spheres; without options it also
 /// writes docs/scale.md.
@@ -14,8 +11,8 @@ use crate::measure::{
 #[command(after_long_help = AFTER_HELP)]
 pub struct Arguments {
     /// The core [default: m3]
-    #[arg(long, value_parser = PossibleValuesParser::new(CORES.map(|core| core.name)))]
-    core: Option<String>,
+    #[arg(long, value_parser = Core::parser())]
+    core: Option<&'static Core>,
 
     /// Width and height in pixels [default: 64x64]
     #[arg(long, value_name = "WxH")]
@@ -44,8 +41,8 @@ times has to be below).";
 impl Arguments {
     /// The core that is asked for.
     pub(super) fn core(&self) -> &'static Core {
-        let name = self.core.as_deref().unwrap_or("m3");
-        Core::find(name).expect("the command line takes no other")
+        let m3 = Core::find("m3").expect("it is in the list");
+        self.core.unwrap_or(m3)
     }
 
     /// The size that is asked for.

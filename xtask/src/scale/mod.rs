@@ -15,12 +15,13 @@ use serde::Serialize;
 
 use self::arguments::Arguments;
 use crate::{
+    kept,
     measure::{
         self,
         cores::Core,
         figures::Figures,
         scene::Scene,
-        task::{Quality, Settings, Shading, Size, Task},
+        task::{Quality, Size, Task},
     },
     root,
 };
@@ -38,10 +39,7 @@ pub const MANY: usize = 256;
 pub const BAR: f64 = 6.0;
 
 /// How everything is measured unless the command line says otherwise.
-pub const SIZE: Size = Size {
-    width: 64,
-    height: 64,
-};
+pub const SIZE: Size = Size::new(64, 64);
 
 /// What the scene with one number of spheres comes to. In JSON the keys are the names of the
 /// fields.
@@ -93,27 +91,15 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         false => writeln!(out, "\n{}", scale.verdict())?,
     }
     if arguments.are_defaults() {
-        let page = root().join("docs/scale.md");
-        std::fs::write(&page, page::write(core, &scale))
-            .with_context(|| format!("cannot write {}", page.display()))?;
-        writeln!(out, "{}", page.display())?;
+        kept::write(&root().join("docs/scale.md"), &page::write(core, &scale))?;
     }
     Ok(())
 }
 
 /// Measures the scene with this number of spheres.
 pub fn count(core: &'static Core, size: Size, spheres: usize, order: Order) -> Result<Figures> {
-    measure::count(&Task {
-        core,
-        scene: Scene::parse(&benchmark::scene(spheres, order))?,
-        settings: Settings {
-            size,
-            reflections: 4,
-            shading: Shading::BlinnPhong,
-            quality: Quality::Fast,
-            is_whole: false,
-        },
-    })
+    let scene = Scene::parse(&benchmark::scene(spheres, order))?;
+    measure::count(&Task::new(core, scene, size, Quality::FAST))
 }
 
 /// The columns of the table.
@@ -207,9 +193,8 @@ fn seen(size: Size, spheres: usize) -> Result<f64> {
     let file = SceneFile::parse(&benchmark::scene(spheres, Order::Spiral), None)?;
     let (mut scene, camera) = file.reference();
     scene.planes.clear();
-    let (width, height) = (size.width.into(), size.height.into());
     let shading = reference::Shading::Normals;
-    let picture = reference::render(&scene, &camera, width, height, 0, shading);
+    let picture = reference::render(&scene, &camera, size.width, size.height, 0, shading);
     // What that shading shows where nothing is met; no normal looks so.
     let is_sphere = |pixel: &&[u8; 3]| **pixel != [0, 0, 255];
     let shown = picture.pixels.iter().filter(is_sphere).count();
@@ -249,26 +234,14 @@ mod tests {
     #[test]
     fn json_has_the_keys_that_the_help_names() {
         let json = serde_json::to_value(scale()).unwrap();
-        let keys = |value: &Value| {
-            value
-                .as_object()
-                .unwrap()
-                .keys()
-                .cloned()
-                .collect::<Vec<_>>()
+        let has = |value: &Value, keys: &str| {
+            let found = value.as_object().unwrap().keys().map(String::as_str);
+            assert_eq!(found.collect::<Vec<_>>().join(" "), keys);
         };
-        let expected = ["bar", "core", "members", "shuffled_times", "size", "times"];
-        assert_eq!(keys(&json), expected);
-        let expected = [
-            "flash",
-            "instructions_per_pixel",
-            "prepare_instructions",
-            "seen",
-            "shuffled_instructions_per_pixel",
-            "spheres",
-            "times",
-        ];
-        assert_eq!(keys(&json["members"][0]), expected);
+        has(&json, "bar core members shuffled_times size times");
+        let keys = "flash instructions_per_pixel prepare_instructions seen \
+                    shuffled_instructions_per_pixel spheres times";
+        has(&json["members"][0], keys);
         assert_eq!(json["members"][0]["times"], Value::Null);
         assert_eq!(json["members"][8]["times"], 2.0);
     }

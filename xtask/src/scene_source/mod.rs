@@ -18,6 +18,8 @@ use crate::{command::Program, misuse::Misuse};
 /// A constant scene in Rust source.
 #[derive(Clone, Debug)]
 pub struct Source {
+    /// What the scene is called.
+    pub name: String,
     /// The name of the scene's type.
     pub type_name: String,
     /// The source, as rustfmt lays it out.
@@ -57,13 +59,17 @@ pub fn parse(text: &str) -> Result<(SceneFile, Source)> {
 /// called.
 fn source(file: &SceneFile, text: &str, unnamed: &str) -> Result<Source> {
     file.build().map_err(Misuse::new)?;
-    let name = file.name().unwrap_or(unnamed);
+    let name = file.name().unwrap_or(unnamed).to_owned();
     let (scene, camera) = file.reference();
-    let type_name = names::type_name(name);
+    let type_name = names::type_name(&name);
     let materials = names::constants(&material_names(text, file.name())?, &type_name);
-    let text = write::source(name, &type_name, &materials, &scene, &camera);
+    let text = write::source(&name, &type_name, &materials, &scene, &camera);
     let text = laid_out(&text)?;
-    Ok(Source { type_name, text })
+    Ok(Source {
+        name,
+        type_name,
+        text,
+    })
 }
 
 /// The names of the materials, which the library does not keep. The text has been read without

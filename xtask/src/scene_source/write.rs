@@ -1,9 +1,8 @@
 //! The source text, before it is laid out.
 
 use std::collections::BTreeSet;
-use std::fmt::Write as _;
 
-use reflet::host::reference::{Camera, Cylinder, Material, Plane, Scene, Sphere};
+use reflet::host::reference::{Camera, Cylinder, Light, Material, Plane, Scene, Sphere};
 
 /// How far rays are lifted off surfaces unless the scene says otherwise.
 const EPSILON: f64 = 1e-3;
@@ -77,58 +76,31 @@ fn constant(name: &str, material: &Material) -> String {
 }
 
 fn builder(scene: &Scene, materials: &[String]) -> String {
+    let sphere = |it: &Sphere| {
+        let (center, radius) = (vector(it.center), number(it.radius));
+        format!(".sphere({center}, {radius}, {})", materials[it.material])
+    };
+    let plane = |it: &Plane| {
+        let (point, normal) = (vector(it.point), vector(it.normal));
+        format!(".plane({point}, {normal}, {})", materials[it.material])
+    };
+    let cylinder = |it: &Cylinder| {
+        let (center, axis) = (vector(it.center), vector(it.axis));
+        let (radius, height) = (number(it.radius), number(it.height));
+        let material = &materials[it.material];
+        format!(".cylinder({center}, {axis}, {radius}, {height}, {material})")
+    };
+    let light = |it: &Light| format!(".light({}, {})", vector(it.position), vector(it.color));
     let mut text = String::from("Scene::builder()");
-    for Sphere {
-        center,
-        radius,
-        material,
-    } in &scene.spheres
-    {
-        let (center, radius) = (vector(*center), number(*radius));
-        let _ = write!(
-            text,
-            ".sphere({center}, {radius}, {})",
-            materials[*material]
-        );
-    }
-    for Plane {
-        point,
-        normal,
-        material,
-    } in &scene.planes
-    {
-        let (point, normal) = (vector(*point), vector(*normal));
-        let _ = write!(text, ".plane({point}, {normal}, {})", materials[*material]);
-    }
-    for Cylinder {
-        center,
-        axis,
-        radius,
-        height,
-        material,
-    } in &scene.cylinders
-    {
-        let (center, axis) = (vector(*center), vector(*axis));
-        let (radius, height) = (number(*radius), number(*height));
-        let material = &materials[*material];
-        let _ = write!(
-            text,
-            ".cylinder({center}, {axis}, {radius}, {height}, {material})"
-        );
-    }
-    for light in &scene.lights {
-        let _ = write!(
-            text,
-            ".light({}, {})",
-            vector(light.position),
-            vector(light.color)
-        );
-    }
+    text.extend(scene.spheres.iter().map(sphere));
+    text.extend(scene.planes.iter().map(plane));
+    text.extend(scene.cylinders.iter().map(cylinder));
+    text.extend(scene.lights.iter().map(light));
     if scene.background != [0.0; 3] {
-        let _ = write!(text, ".background({})", vector(scene.background));
+        text += &format!(".background({})", vector(scene.background));
     }
     if scene.epsilon != EPSILON {
-        let _ = write!(text, ".epsilon({})", number(scene.epsilon));
+        text += &format!(".epsilon({})", number(scene.epsilon));
     }
     text + ".camera(CAMERA).build()"
 }

@@ -7,13 +7,12 @@
 mod page;
 
 use std::{
-    fs,
     io::{self, Write},
     path::PathBuf,
     thread,
 };
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use clap::{Args, builder::PossibleValuesParser};
 use reflet::{
     Needs,
@@ -22,12 +21,12 @@ use reflet::{
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    board,
+    board, kept,
     measure::{
         cores::Core,
         outcome,
         scene::Scene,
-        task::{Quality, Settings, Shading, Size, Task},
+        task::{Quality, Size, Task},
         weigh, weight,
     },
     root, table,
@@ -63,16 +62,13 @@ left_out, the things that the firmware has no code for (`render --needs` says wh
 const TARGETS: [(&str, &str); 2] = [("thumbv6m-none-eabi", "m0"), ("thumbv7m-none-eabi", "m3")];
 
 /// All but the float port.
-pub const QUALITIES: [Quality; 4] = [Quality::Fast, Quality::Fine, Quality::Small, Quality::Exact];
+pub const QUALITIES: [Quality; 4] = [Quality::FAST, Quality::FINE, Quality::SMALL, Quality::EXACT];
 
 /// Reflections where a scene has mirrors; the others have none to follow.
 const REFLECTIONS: [u8; 2] = [4, 0];
 
 /// The stack does not hang on it.
-const SIZE: Size = Size {
-    width: 64,
-    height: 16,
-};
+const SIZE: Size = Size::new(64, 16);
 
 /// The whole firmware of the default board with nothing but the castle.
 pub const BOARD: &str = "board_castle";
@@ -123,8 +119,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.target.is_none() && arguments.scene.is_none() {
         let board = weigh(&board::build_example(BOARD)?)?;
         let lines = figures.iter().map(|it| Ok(it.json()? + "\n"));
-        write(&budget(), &lines.collect::<Result<String>>()?)?;
-        write(&root().join("docs/sizes.md"), &page::write(&figures, board))?;
+        kept::write(&budget(), &lines.collect::<Result<String>>()?)?;
+        kept::write(&root().join("docs/sizes.md"), &page::write(&figures, board))?;
     }
     Ok(())
 }
@@ -139,16 +135,10 @@ pub fn tasks() -> Vec<Task> {
                 if reflections != REFLECTIONS[0] && needs(name, u8::MAX).reflections == 0 {
                     continue;
                 }
-                tasks.extend(QUALITIES.map(|quality| Task {
-                    core,
-                    scene: Scene::BuiltIn(name),
-                    settings: Settings {
-                        size: SIZE,
-                        reflections,
-                        shading: Shading::BlinnPhong,
-                        quality,
-                        is_whole: false,
-                    },
+                tasks.extend(QUALITIES.map(|quality| {
+                    let mut task = Task::new(core, Scene::BuiltIn(name), SIZE, quality);
+                    task.settings.reflections = reflections;
+                    task
                 }));
             }
         }
@@ -174,14 +164,10 @@ impl Figures {
     /// Builds, weighs and runs a task.
     pub fn of(task: &Task) -> Result<Self> {
         let outcome = outcome(task)?;
-        let Settings {
-            reflections,
-            quality,
-            ..
-        } = task.settings;
+        let (reflections, quality) = (task.settings.reflections, task.settings.quality);
         let left_out = needs(task.scene.name(), reflections).list();
         // Small code asks every shape.
-        let is_out = |name| quality == Quality::Small && name == "sets";
+        let is_out = |name| quality == Quality::SMALL && name == "sets";
         let left_out = left_out
             .iter()
             .filter(|it| !it.is_needed || is_out(it.name));
@@ -206,13 +192,9 @@ impl Figures {
 
     /// Whether they are those of a task.
     pub fn are_of(&self, task: &Task) -> bool {
-        let Settings {
-            reflections,
-            quality,
-            ..
-        } = task.settings;
-        (self.target.as_str(), self.scene.as_str()) == (task.core.target, task.scene.name())
-            && (self.quality.as_str(), self.reflections) == (quality.name(), reflections)
+        (&*self.target, &*self.scene) == (task.core.target, task.scene.name())
+            && self.quality == task.settings.quality.name()
+            && self.reflections == task.settings.reflections
     }
 
     /// What a task weighs more than these, if that is too much: more than 2 %.
@@ -246,24 +228,9 @@ fn needs(name: &str, reflections: u8) -> Needs {
 
 /// The figures as they are kept.
 pub fn kept() -> Result<Vec<Figures>> {
-    let file = budget();
-    let Ok(text) = fs::read_to_string(&file) else {
-        bail!(
-            "there is no {}: `cargo xtask size` writes it",
-            file.display()
-        );
-    };
-    let figures = |line| serde_json::from_str(line);
-    let rows: Result<Vec<_>, _> = text.lines().map(figures).collect();
-    rows.with_context(|| format!("{} is not what the command writes", file.display()))
+    kept::read(&budget(), "size")
 }
 
 fn budget() -> PathBuf {
     root().join("docs/measured/sizes.jsonl")
-}
-
-fn write(file: &PathBuf, text: &str) -> Result<()> {
-    fs::write(file, text).with_context(|| format!("cannot write {}", file.display()))?;
-    println!("{}", file.display());
-    Ok(())
 }

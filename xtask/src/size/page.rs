@@ -1,8 +1,6 @@
 //! `docs/sizes.md`, from what was weighed.
 
-use reflet::scenes;
-
-use super::{Figures, QUALITIES, REFLECTIONS, TARGETS};
+use super::{Figures, QUALITIES};
 use crate::{measure::Weight, table::markdown};
 
 const HEAD: &str = "\
@@ -20,11 +18,12 @@ are mirrors that this leaves out.
 FILE.json` weighs it. The tests fail when a scene grows by more than 2 % beyond these figures.
 ";
 
-/// The page.
+/// The page. The figures lie in the order of [`tasks`](super::tasks).
 pub(super) fn write(figures: &[Figures], board: Weight) -> String {
+    let targets = || figures.chunk_by(|one, other| one.target == other.target);
     let mut page = HEAD.to_owned();
-    for (target, _) in TARGETS {
-        page += &format!("\n## {target}\n\n{}", flash(figures, target));
+    for figures in targets() {
+        page += &format!("\n## {}\n\n{}", figures[0].target, flash(figures));
     }
     page += &format!(
         "\n## A whole firmware\n\nThe [castle alone](../examples/board/castle.rs) on the default board, \
@@ -33,95 +32,56 @@ pub(super) fn write(figures: &[Figures], board: Weight) -> String {
         board.flash, board.ram
     );
     page += "\n## Stack and what is left out\n\n";
-    for (target, _) in TARGETS {
-        page += &format!("### {target}\n\n{}\n", rest(figures, target));
+    for figures in targets() {
+        page += &format!("### {}\n\n{}\n", figures[0].target, rest(figures));
     }
     page.trim_end().to_owned() + "\n"
 }
 
-fn find<'a>(
-    figures: &'a [Figures],
-    target: &str,
-    scene: &str,
-    quality: &str,
-    reflections: u8,
-) -> Option<&'a Figures> {
-    figures.iter().find(|it| {
-        (it.target.as_str(), it.scene.as_str()) == (target, scene)
-            && (it.quality.as_str(), it.reflections) == (quality, reflections)
-    })
-}
-
-/// The scenes that were weighed with so many reflections, and their rows.
-fn rows(
+/// A table with a row for each scene and number of reflections, of the figures of one target.
+/// A row begins with these cells `before` the others, which are for each of the qualities.
+fn by_quality<const B: usize, const N: usize>(
     figures: &[Figures],
-    target: &str,
-    cells: impl Fn(&dyn Fn(&str) -> Option<Figures>) -> Vec<String>,
-) -> Vec<Vec<String>> {
-    let mut rows = Vec::new();
-    for scene in scenes::NAMES {
-        for reflections in REFLECTIONS {
-            let find = |quality: &str| find(figures, target, scene, quality, reflections).cloned();
-            if find(QUALITIES[0].name()).is_none() {
-                continue;
-            }
-            let mut row = vec![scene.to_owned(), reflections.to_string()];
-            row.extend(cells(&find));
-            rows.push(row);
-        }
+    head: [&str; B],
+    before: impl Fn(&Figures) -> [String; B],
+    names: [&str; N],
+    cells: impl Fn(&Figures) -> [u64; N],
+) -> String {
+    let mut head = head.map(str::to_owned).to_vec();
+    for quality in QUALITIES {
+        head.extend(names.map(|name| format!("{} {name}", quality.name())));
     }
-    rows
+    let rows = figures.chunks(QUALITIES.len()).map(|qualities| {
+        let numbers = qualities.iter().flat_map(&cells);
+        let mut row = before(&qualities[0]).to_vec();
+        row.extend(numbers.map(|number| number.to_string()));
+        row
+    });
+    markdown(B - 1, &head, &rows.collect::<Vec<_>>())
 }
 
 /// Code, constants and flash by quality.
-fn flash(figures: &[Figures], target: &str) -> String {
-    let mut head = vec!["scene".to_owned(), "N".to_owned()];
-    for quality in QUALITIES {
-        head.extend(["code", "constants", "flash"].map(|it| format!("{} {it}", quality.name())));
-    }
-    let rows = rows(figures, target, |find| {
-        let cells = QUALITIES.map(|quality| match find(quality.name()) {
-            Some(it) => [it.code, it.constants, it.flash].map(|it| it.to_string()),
-            None => ["-"; 3].map(str::to_owned),
-        });
-        cells.concat()
-    });
-    markdown(1, &head, &rows)
+fn flash(figures: &[Figures]) -> String {
+    let before = |it: &Figures| [it.scene.clone(), it.reflections.to_string()];
+    let names = ["code", "constants", "flash"];
+    by_quality(figures, ["scene", "N"], before, names, |it| {
+        [it.code, it.constants, it.flash]
+    })
 }
 
 /// What is left out, and the stack by quality.
-fn rest(figures: &[Figures], target: &str) -> String {
-    let mut head = ["scene", "left out", "N"].map(str::to_owned).to_vec();
-    head.extend(QUALITIES.map(|quality| format!("{} stack", quality.name())));
-    let mut rows = rows(figures, target, |find| {
-        let stacks = QUALITIES.map(|quality| find(quality.name()).map(|it| it.stack));
-        let cell = |stack: Option<u64>| stack.map_or_else(|| "-".to_owned(), |it| it.to_string());
-        let mut cells = stacks.map(cell).to_vec();
-        let left_out = find(QUALITIES[0].name()).map(|it| it.left_out.join(", "));
-        cells.push(left_out.unwrap_or_default());
-        cells
-    });
-    for row in &mut rows {
-        let left_out = row.pop().unwrap_or_default();
-        row.insert(1, left_out);
-    }
-    markdown(2, &head, &rows)
+fn rest(figures: &[Figures]) -> String {
+    let before = |it: &Figures| {
+        let left_out = it.left_out.join(", ");
+        [it.scene.clone(), left_out, it.reflections.to_string()]
+    };
+    let head = ["scene", "left out", "N"];
+    by_quality(figures, head, before, ["stack"], |it| [it.stack])
 }
 
 /// A table of everything, for people at a terminal.
 pub(super) fn table(figures: &[Figures]) -> (Vec<String>, Vec<Vec<String>>) {
-    let head = [
-        "target",
-        "scene",
-        "quality",
-        "left out",
-        "N",
-        "code",
-        "constants",
-        "flash",
-        "RAM",
-        "stack",
-    ];
+    let head = "target,scene,quality,left out,N,code,constants,flash,RAM,stack".split(',');
     let rows = figures.iter().map(|it| {
         let texts = [&it.target, &it.scene, &it.quality].map(Clone::clone);
         let numbers = [
@@ -137,5 +97,5 @@ pub(super) fn table(figures: &[Figures]) -> (Vec<String>, Vec<Vec<String>>) {
         row.extend(numbers.map(|it| it.to_string()));
         row
     });
-    (head.map(str::to_owned).to_vec(), rows.collect())
+    (head.map(str::to_owned).collect(), rows.collect())
 }

@@ -1,6 +1,6 @@
 //! `cargo xtask measure` and `cargo xtask scene`, as a user calls them.
 
-use std::{fs, path::Path, process::Command};
+use std::{collections::BTreeSet, fs, path::Path, process::Command};
 
 use serde_json::Value;
 use xtask::measure::{
@@ -10,6 +10,11 @@ use xtask::measure::{
     record,
     task::{Quality, Task},
 };
+
+#[path = "../common/mod.rs"]
+mod common;
+
+use common::Done;
 
 const SCENES: &str = r#"[
     {
@@ -37,28 +42,16 @@ const SCENES: &str = r#"[
     }
 ]"#;
 
-/// What a command came to.
-struct Done {
-    code: i32,
-    out: String,
-    err: String,
-}
-
 /// Calls the command in a folder that holds `scenes.json`.
-fn xtask(arguments: &str) -> Done {
+fn in_folder<T>(call: impl FnOnce(&Path) -> T) -> T {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("scenes.json"), SCENES).unwrap();
     fs::write(folder.path().join("broken.json"), "{\n").unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
-        .args(arguments.split_whitespace())
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
-    Done {
-        code: output.status.code().unwrap(),
-        out: String::from_utf8(output.stdout).unwrap(),
-        err: String::from_utf8(output.stderr).unwrap(),
-    }
+    call(folder.path())
+}
+
+fn xtask(arguments: &str) -> Done {
+    in_folder(|folder| common::xtask(folder, arguments))
 }
 
 fn measured(arguments: &str) -> Value {
@@ -71,24 +64,10 @@ fn measured(arguments: &str) -> Value {
 #[test]
 fn json_has_these_keys_and_the_defaults() {
     let figures = measured("--size 16x8");
-    let keys: Vec<_> = figures.as_object().unwrap().keys().cloned().collect();
-    let mut expected = vec![
-        "core",
-        "scene",
-        "size",
-        "reflections",
-        "shading",
-        "quality",
-        "instructions_per_pixel",
-        "prepare_instructions",
-        "flash",
-        "ram",
-        "stack",
-        "hash",
-        "cycles_per_pixel",
-    ];
-    expected.sort_unstable();
-    assert_eq!(keys, expected);
+    let keys = figures.as_object().unwrap().keys().map(String::as_str);
+    let expected = "core scene size reflections shading quality instructions_per_pixel \
+                    prepare_instructions flash ram stack hash cycles_per_pixel";
+    assert_eq!(keys.collect::<BTreeSet<_>>(), expected.split(' ').collect());
     let settings = ["core", "scene", "size", "reflections", "shading", "quality"];
     assert_eq!(
         settings.map(|key| figures[key].to_string()).join(" "),
@@ -176,90 +155,33 @@ fn source_describes_the_scene_of_the_file() {
 
 #[test]
 fn mistakes_are_one_line_and_exit_code_2() {
-    let mistakes = [
-        (
-            "measure --core m5",
-            "invalid value 'm5' for '--core <CORE>'",
-        ),
-        (
-            "measure --size 0x3",
-            "not a width and a height from 1 to 65535",
-        ),
-        (
-            "measure --size 3",
-            "not a width and a height from 1 to 65535",
-        ),
-        ("measure --reflections 256", "256 is not in 0..=255"),
-        ("measure --reflections -1", "-1 is not in 0..=255"),
-        (
-            "measure --shading flat",
-            "invalid value 'flat' for '--shading <SHADING>'",
-        ),
-        (
-            "measure --quality best",
-            "invalid value 'best' for '--quality <QUALITY>'",
-        ),
-        (
-            "measure --scene sandcastle",
-            "there is no built-in scene sandcastle, only castle,",
-        ),
-        (
-            "measure --scene castle --name ball",
-            "--name chooses from a file",
-        ),
-        (
-            "measure --scene missing.json",
-            "missing.json: No such file or directory",
-        ),
-        (
-            "measure --scene broken.json",
-            "broken.json: line 2, column 0: EOF",
-        ),
-        (
-            "measure --scene scenes.json",
-            "scenes.json: choose one of the scenes ball, nothing",
-        ),
-        ("measure --all --scene castle", "cannot be used with"),
-        (
-            "measure --everything",
-            "unexpected argument '--everything' found",
-        ),
-        (
-            "scene",
-            "the following required arguments were not provided",
-        ),
-        (
-            "scene missing.json",
-            "missing.json: No such file or directory",
-        ),
-        (
-            "scene scenes.json",
-            "scenes.json: choose one of the scenes ball, nothing",
-        ),
-        (
-            "scene scenes.json --name x",
-            "scenes.json: there is no scene x, only ball, nothing",
-        ),
-        ("dance", "unrecognized subcommand 'dance'"),
-    ];
-    for (arguments, words) in mistakes {
-        let done = xtask(arguments);
-        let lines = done.err.lines().count();
-        assert_eq!(
-            (done.code, lines, done.out.as_str()),
-            (2, 1, ""),
-            "{arguments}: {}",
-            done.err
-        );
-        assert!(done.err.starts_with("error: "), "{}", done.err);
-        assert!(done.err.contains(words), "{arguments}: {}", done.err);
-    }
+    let mistakes = "
+measure --core m5 => invalid value 'm5' for '--core <CORE>'
+measure --size 0x3 => not a width and a height from 1 to 65535
+measure --size 3 => not a width and a height from 1 to 65535
+measure --reflections 256 => 256 is not in 0..=255
+measure --reflections -1 => -1 is not in 0..=255
+measure --shading flat => invalid value 'flat' for '--shading <SHADING>'
+measure --quality best => invalid value 'best' for '--quality <QUALITY>'
+measure --scene sandcastle => there is no built-in scene sandcastle, only castle,
+measure --scene castle --name ball => --name chooses from a file
+measure --scene missing.json => missing.json: No such file or directory
+measure --scene broken.json => broken.json: line 2, column 0: EOF
+measure --scene scenes.json => scenes.json: choose one of the scenes ball, nothing
+measure --all --scene castle => cannot be used with
+measure --everything => unexpected argument '--everything' found
+scene => the following required arguments were not provided
+scene missing.json => missing.json: No such file or directory
+scene scenes.json => scenes.json: choose one of the scenes ball, nothing
+scene scenes.json --name x => scenes.json: there is no scene x, only ball, nothing
+dance => unrecognized subcommand 'dance'";
+    in_folder(|folder| common::assert_mistakes(folder, mistakes));
 }
 
 #[test]
 fn kept_figures_of_the_default_quality_are_within_2_percent() {
     assert_are_kept(Core::find("m3").unwrap(), |task| {
-        task.settings.quality == Quality::Fast
+        task.settings.quality == Quality::FAST
     });
 }
 

@@ -1,0 +1,27 @@
+//! The files that the chores write and the repository keeps.
+
+use std::{fs, path::Path};
+
+use anyhow::{Context, Result, bail};
+use serde::de::DeserializeOwned;
+
+/// Reads a file with a line of JSON for each value, which `cargo xtask COMMAND` writes.
+pub fn read<T: DeserializeOwned>(file: &Path, command: &str) -> Result<Vec<T>> {
+    let name = file.display();
+    let Ok(text) = fs::read_to_string(file) else {
+        bail!("there is no {name}: `cargo xtask {command}` writes it");
+    };
+    let values = text.lines().map(serde_json::from_str);
+    let values: Result<_, _> = values.collect();
+    values.with_context(|| format!("{name} is not what the command writes"))
+}
+
+/// Writes a file, and says so.
+pub fn write(file: &Path, text: &str) -> Result<()> {
+    let name = file.display();
+    fs::create_dir_all(file.parent().unwrap_or(file))
+        .and_then(|()| fs::write(file, text))
+        .with_context(|| format!("cannot write {name}"))?;
+    println!("{name}");
+    Ok(())
+}
