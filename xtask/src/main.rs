@@ -6,7 +6,7 @@ use anyhow::Result;
 use clap::Parser;
 use xtask::{
     accuracy, board, enter_root, fuzz, gate, measure, misuse::Misuse, pico, profile, scale,
-    scene_source, screenshot, setup, size, sweep,
+    scene_source, screenshot, setup, size,
 };
 
 /// The chores of the reflet repository.
@@ -33,7 +33,6 @@ enum Chore {
     Scale(scale::arguments::Arguments),
     Size(size::Arguments),
     Fuzz(fuzz::Arguments),
-    Sweep(sweep::Arguments),
     /// Prints a scene file as the Rust source of a constant scene.
     Scene {
         /// JSON, one scene or an array of scenes
@@ -79,7 +78,6 @@ fn run(chore: &Chore) -> Result<()> {
         Chore::Profile(arguments) => return profile::run(arguments),
         Chore::Scale(arguments) => return scale::run(arguments),
         Chore::Size(arguments) => return size::run(arguments),
-        Chore::Sweep(arguments) => return sweep::run(arguments),
         Chore::Scene { file, name } => return scene_source::run(file, name.as_deref()),
         _ => {}
     }

@@ -9,7 +9,7 @@
 //! formats with `core::fmt` or can panic: where a linked program does, it is the contestant who
 //! needs it.
 //!
-//! A third one, `sweep`, goes through many settings of a scene for `cargo xtask sweep`, and `budget`
+//! A third one, `sweep`, goes through many settings of a scene for the package `report`, and `budget`
 //! draws frames with a budget, by the core's own clock; nobody weighs these.
 #![no_std]
 

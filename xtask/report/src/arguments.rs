@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Parser, ValueEnum, value_parser};
+use anyhow::{Result, anyhow};
+use clap::{Parser, value_parser};
+use command_line::{in_one_line, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
-
-use command_line::Failure;
-use command_line::{in_one_line, size};
+use xtask::measure::cores;
 
 /// Measures what scenes cost and lose under many settings, and writes a report of it.
 #[derive(Parser)]
@@ -21,9 +21,8 @@ pub struct Arguments {
     #[arg(long = "scene", value_name = "NAME")]
     pub chosen: Option<String>,
 
-    /// Where it runs
-    #[arg(long, default_value = "m3", hide_possible_values = true)]
-    #[arg(value_name = "m0|m3|m4f|rv32|host")]
+    /// Where it runs: m0, m3, m4f, m33, m7, rv32 or host
+    #[arg(long, default_value = "m3", value_parser = Core::parse)]
     pub core: Core,
 
     /// The folder of the report; made if there is none, files of an earlier report are replaced
@@ -50,35 +49,45 @@ pub struct Arguments {
 }
 
 /// Where it runs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Core {
-    M0,
-    M3,
-    M4f,
-    Rv32,
+    /// On this machine.
     Host,
+    Emulated(&'static cores::Core),
 }
 
 impl Core {
+    /// A core by its word on the command line.
+    pub fn parse(word: &str) -> Result<Self, String> {
+        let names = || cores::CORES.map(|core| core.name).join(", ");
+        match (word, cores::Core::find(word)) {
+            ("host", _) => Ok(Self::Host),
+            (_, Some(core)) => Ok(Self::Emulated(core)),
+            _ => Err(format!("the cores are {}, and host", names())),
+        }
+    }
+
+    /// Where the float port runs: on a core with hardware for it.
+    pub fn of_float(self) -> Self {
+        match self {
+            Self::Host => Self::Host,
+            Self::Emulated(_) => Self::parse("m4f").expect("there is a Cortex-M4F"),
+        }
+    }
+
     /// The word on the command line.
     pub fn name(self) -> &'static str {
         match self {
-            Self::M0 => "m0",
-            Self::M3 => "m3",
-            Self::M4f => "m4f",
-            Self::Rv32 => "rv32",
             Self::Host => "host",
+            Self::Emulated(core) => core.name,
         }
     }
 
     /// Its name in prose.
     pub fn title(self) -> &'static str {
         match self {
-            Self::M0 => "Cortex-M0",
-            Self::M3 => "Cortex-M3",
-            Self::M4f => "Cortex-M4F",
-            Self::Rv32 => "RV32IMAC",
             Self::Host => "this machine",
+            Self::Emulated(core) => core.title,
         }
     }
 
@@ -86,7 +95,7 @@ impl Core {
     pub fn unit(self) -> &'static str {
         match self {
             Self::Host => "% of the reference's time",
-            _ => "instructions a pixel",
+            Self::Emulated(_) => "instructions a pixel",
         }
     }
 }
@@ -95,41 +104,39 @@ impl Arguments {
     /// What the command line says, or the line that says what is wrong with it.
     ///
     /// Prints the help and ends the program where that is what was asked for.
-    pub fn read() -> Result<Self, Failure> {
+    pub fn read() -> Result<Self> {
         let mut arguments = Self::try_parse().map_err(|error| {
             if !error.use_stderr() {
                 error.exit();
             }
-            Failure::from(in_one_line(&error))
+            anyhow!(in_one_line(&error))
         })?;
         if arguments.scenes.is_empty() {
             arguments.scenes = scenes::NAMES.map(PathBuf::from).into();
         }
         Ok(arguments)
     }
-}
 
-impl Arguments {
     /// The command that makes the same report, wherever it was written to.
     pub fn command(&self) -> String {
-        let Size { width, height } = self.size;
         let mut command = "cargo run --release --package report --".to_owned();
-        if !self
-            .scenes
-            .iter()
-            .map(PathBuf::as_path)
-            .eq(scenes::NAMES.map(Path::new))
-        {
+        let all = scenes::NAMES.map(Path::new);
+        if !self.scenes.iter().map(PathBuf::as_path).eq(all) {
             command.extend(self.scenes.iter().map(|it| format!(" {}", it.display())));
         }
         if let Some(name) = &self.chosen {
             command += &format!(" --scene {name}");
         }
-        command += &format!(" --core {} --size {width}x{height}", self.core.name());
+        command += &format!(" --core {} --size {}", self.core.name(), self.size_words());
         if self.reflections < u8::MAX {
             command += &format!(" --reflections {}", self.reflections);
         }
         command.replace(char::is_control, " ")
+    }
+
+    /// The size as it is written on the command line.
+    pub fn size_words(&self) -> String {
+        format!("{}x{}", self.size.width, self.size.height)
     }
 }
 
@@ -149,15 +156,16 @@ Built-in scenes: {}.
 A name with a dot or a slash in it is a file: JSON, one scene or an array of scenes.
 
 The error is that of the 8-bit picture against double precision that follows every reflection. The
-run time is counted: executed instructions of the whole frame on an emulated core, over its pixels;
-on `host` it is measured, all settings in turn, as a share of the time of the double-precision
-reference, on one thread, and given with its quartiles.
+run time is counted: executed instructions of the whole frame on an emulated core, over its pixels.
+On `host` it is measured on one thread, all settings in turn, as a share of the time of the
+double-precision reference, with its quartiles.
 
-What was counted is kept in the folder --counts, a file for each scene, core and size, written after every setting: what is interrupted goes on where it was, and a second report counts only what has
-changed since.
+The counts are kept in the folder --counts, in a file for each scene, core and size. It is written
+after every setting, so an interrupted run goes on where it was. A later report counts a scene again
+only if its program has changed.
 
-Written are points.csv with all settings, front.rs with the best ones as Rust source, index.md and
-index.html, which holds its pictures, and plots and pictures for each scene.
+Written are index.md, the plots and pictures of each scene, points.csv with all settings, and front.rs
+with the best settings as Rust source.
 
 The exit code is 0, or 2 after an error, which is one line.",
         scenes::NAMES.join(", ")

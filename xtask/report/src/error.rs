@@ -1,12 +1,14 @@
 //! What a picture is off by, what it may be off by, and where that comes from; it draws nothing.
 
+use anyhow::Result;
+use embedded_graphics::geometry::Size;
 use reflet::host::compare::compare;
+use reflet::host::precision;
 use reflet::host::reference::bound::{Bound, Ending, Paths};
 use reflet::host::reference::{self, Picture, Shading};
+use xtask::sweep::{Contestant, Level, Setting};
 
 use crate::paint::Painter;
-use crate::settings::{Contestant, Level, Setting};
-use command_line::Failure;
 
 /// How many reflections stand for all of them: what is left of a path then is less than a display
 /// shows, unless its mirrors keep nearly everything for ever.
@@ -20,8 +22,6 @@ pub struct Truth {
     /// With all reflections.
     pub picture: Picture,
     paths: Paths,
-    is_of_planes: bool,
-    is_plain: bool,
 }
 
 /// How far a picture is from the truth.
@@ -79,19 +79,7 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Whether more is due to rounding than to any other part.
-    pub fn is_rounding(&self) -> bool {
-        let others = [
-            self.truncation,
-            self.cut_off,
-            self.between,
-            self.decided,
-            self.simplified,
-        ];
-        others.iter().all(|part| *part < self.rounding)
-    }
-
-    /// In words, the part that is due the most.
+    /// The part that is due the most, in words.
     pub fn largest(&self) -> &'static str {
         let parts = [
             (self.truncation, "reflections left out"),
@@ -108,15 +96,13 @@ impl Parts {
 
 impl Truth {
     pub fn new(painter: &Painter) -> Self {
-        let (width, height) = (painter.size.width, painter.size.height);
+        let Size { width, height } = painter.size;
         let (scene, camera) = (&painter.scene, &painter.exact_camera);
-        let (shading, precision) = (Shading::BlinnPhong, painter.precision());
-        let size = (width, height);
+        let (shading, size) = (Shading::BlinnPhong, (width, height));
+        let precision = precision(&*painter.world);
         Self {
             picture: reference::render(scene, camera, width, height, ALL, shading),
             paths: Paths::follow(scene, camera, size, FOLLOWED, shading, &precision),
-            is_of_planes: painter.is_of_planes(),
-            is_plain: painter.is_plain(),
         }
     }
 
@@ -126,49 +112,41 @@ impl Truth {
         painter: &Painter,
         setting: &Setting,
         picture: &Picture,
-    ) -> Result<Errors, Failure> {
+    ) -> Result<Errors> {
         let found = compare(picture, &self.picture)?;
-        let mut parts = Parts::default();
-        let mut promised = None;
-        if let Contestant::Fixed { level, shadows } = setting.contestant {
-            let plain = Setting::fixed(level, setting.reflections);
-            let is_plain = shadows && setting.scale == 1;
-            let full = match is_plain {
-                true => picture,
-                false => &painter.paint(&plain),
-            };
-            let kept;
-            (parts, kept) = self.parts(painter, level, setting.reflections, full);
-            parts.simplified = apart(picture, full, |_| true);
-            promised = is_plain.then_some(kept);
-        } else {
-            let ending = self.ending(Level::Exact, setting.reflections);
-            parts.truncation = apart(&self.paths.picture(&ending), &self.picture, |_| true);
-        }
-        Ok(Errors {
+        let mut errors = Errors {
             psnr: found.psnr,
             largest: found.max,
             same: found.same,
             within1: found.within1,
-            promised,
-            parts,
-        })
+            promised: None,
+            parts: Parts::default(),
+        };
+        let reflections = setting.reflections;
+        let Contestant::Fixed { level, shadows } = setting.contestant else {
+            let ending = ending(painter, Level::EXACT, reflections);
+            errors.parts.truncation = self.apart_from(&self.paths.picture(&ending));
+            return Ok(errors);
+        };
+        let is_plain = shadows && setting.scale == 1;
+        let full = match is_plain {
+            true => picture,
+            false => &painter.paint(&Setting::fixed(level, reflections)),
+        };
+        let (parts, promised) = self.parts(painter, level, reflections, full);
+        errors.parts = Parts {
+            simplified: apart(picture, full, |_| true),
+            ..parts
+        };
+        errors.promised = is_plain.then_some(promised);
+        Ok(errors)
     }
 
-    fn ending(&self, level: Level, reflections: u8) -> Ending {
-        let numbers = level.numbers();
-        Ending {
-            reflections: reflections.into(),
-            smallest_weight: numbers.smallest_weight.to_num(),
-            stride: match numbers.stride {
-                _ if self.is_plain => 1,
-                2.. if self.is_of_planes => 4,
-                stride => stride,
-            },
-            tolerance: numbers.tolerance.to_num(),
-        }
+    fn apart_from(&self, picture: &Picture) -> f64 {
+        apart(picture, &self.picture, |_| true)
     }
 
+    /// Of a picture with shadows and at full resolution.
     fn parts(
         &self,
         painter: &Painter,
@@ -176,55 +154,42 @@ impl Truth {
         reflections: u8,
         picture: &Picture,
     ) -> (Parts, Promised) {
-        let ending = self.ending(level, reflections);
+        let ending = ending(painter, level, reflections);
         let (bounds, exact) = (self.paths.bounds(&ending), self.paths.picture(&ending));
         let all = self.paths.picture(&Ending {
             smallest_weight: 0.0,
             ..ending
         });
         let traced = painter.paint_traced(level, reflections);
-        let difference = |a: &Picture, b: &Picture, pixel: usize| {
-            let (a, b) = (a.pixels[pixel], b.pixels[pixel]);
-            (0..3)
-                .map(|axis| a[axis].abs_diff(b[axis]))
-                .max()
-                .unwrap_or(0)
-        };
+        let is_sure = |pixel: usize| !bounds[pixel].is_unsure;
         // Against the same ending, so that what was cut off hides no wrong decision.
-        let is_decided =
-            |pixel: usize| bounds[pixel].is_unsure && difference(picture, &exact, pixel) > 1;
-        let decided: Vec<bool> = (0..bounds.len()).map(is_decided).collect();
+        let decided = (0..bounds.len())
+            .map(|pixel| bounds[pixel].is_unsure && difference(picture, &exact, pixel) > 1);
+        let decided: Vec<bool> = decided.collect();
         let parts = Parts {
-            truncation: apart(&all, &self.picture, |_| true),
+            truncation: self.apart_from(&all),
             cut_off: apart(&exact, &all, |_| true),
             between: apart(picture, &traced, |pixel| !decided[pixel]),
-            rounding: apart(&traced, &exact, |pixel| {
-                !decided[pixel] && !bounds[pixel].is_unsure
-            }),
+            rounding: apart(&traced, &exact, |pixel| !decided[pixel] && is_sure(pixel)),
             decided: apart(picture, &exact, |pixel| decided[pixel]),
             simplified: 0.0,
         };
-        let far = |pixel: usize| difference(picture, &self.picture, pixel);
-        let is_sure = |pixel: usize| !bounds[pixel].is_unsure;
-        let sure: Vec<usize> = (0..bounds.len()).filter(|it| is_sure(*it)).collect();
-        let most = |of: fn(&Bound) -> f64| {
-            let all = sure.iter().map(|pixel| of(&bounds[*pixel]));
-            all.fold(0.0, f64::max)
-        };
-        let squares = sure.iter().map(|pixel| bounds[*pixel].levels().powi(2));
-        let share = bounds.len() as f64 / sure.len().max(1) as f64;
-        let all = bounds.len().max(1) as f64;
+        let sure: Vec<(u8, &Bound)> = (0..bounds.len())
+            .filter(|pixel| is_sure(*pixel))
+            .map(|pixel| (difference(picture, &self.picture, pixel), &bounds[pixel]))
+            .collect();
+        let most = |of: fn(&Bound) -> f64| sure.iter().map(|it| of(it.1)).fold(0.0, f64::max);
+        let squares = sure.iter().map(|(_, bound)| bound.levels().powi(2));
+        let (all, count) = (bounds.len().max(1) as f64, sure.len().max(1) as f64);
+        let broken = |it: &&(u8, &Bound)| f64::from(it.0) > it.1.levels();
         let promised = Promised {
             sure: sure.len() as f64 / all,
             decided: decided.iter().filter(|it| **it).count(),
-            broken: sure
-                .iter()
-                .filter(|it| f64::from(far(**it)) > bounds[**it].levels())
-                .count(),
-            largest: sure.iter().map(|pixel| far(*pixel)).max().unwrap_or(0),
+            broken: sure.iter().filter(broken).count(),
+            largest: sure.iter().map(|it| it.0).max().unwrap_or(0),
             bound: most(Bound::levels),
-            psnr: decibels(apart(picture, &self.picture, is_sure).powi(2) * share),
-            bound_psnr: decibels(squares.sum::<f64>() / sure.len().max(1) as f64),
+            psnr: decibels(apart(picture, &self.picture, is_sure).powi(2) * (all / count)),
+            bound_psnr: decibels(squares.sum::<f64>() / count),
             truncation: most(|bound| (255.0 * bound.truncation).min(255.0)),
             rounding: most(|bound| (255.0 * bound.rounding).min(255.0)),
         };
@@ -232,18 +197,39 @@ impl Truth {
     }
 }
 
+/// Where the paths of a level end, and which of them are traced.
+fn ending(painter: &Painter, level: Level, reflections: u8) -> Ending {
+    let numbers = level.numbers();
+    let is_of_planes = painter.scene.spheres.is_empty() && painter.scene.cylinders.is_empty();
+    Ending {
+        reflections: reflections.into(),
+        smallest_weight: numbers.smallest_weight.to_num(),
+        stride: match numbers.stride {
+            _ if painter.is_plain() => 1,
+            2.. if is_of_planes => 4,
+            stride => stride,
+        },
+        tolerance: numbers.tolerance.to_num(),
+    }
+}
+
 fn decibels(mean_square: f64) -> f64 {
     10.0 * (255.0_f64.powi(2) / mean_square).log10()
+}
+
+/// The largest difference of a channel of a pixel.
+fn difference(a: &Picture, b: &Picture, pixel: usize) -> u8 {
+    let pairs = a.pixels[pixel].into_iter().zip(b.pixels[pixel]);
+    pairs.map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
 
 /// The root of the mean square, over all pixels, of how far apart those are that are asked for.
 fn apart(a: &Picture, b: &Picture, is_asked: impl Fn(usize) -> bool) -> f64 {
     let pixels = a.pixels.iter().zip(&b.pixels).enumerate();
     let asked = pixels.filter(|(index, _)| is_asked(*index));
-    let square = |a: u8, b: u8| f64::from(a.abs_diff(b)).powi(2);
-    let pixel = |(_, (a, b)): (usize, (&[u8; 3], &[u8; 3]))| {
-        (0..3).map(|axis| square(a[axis], b[axis])).sum::<f64>()
-    };
-    let sum = asked.map(pixel).fold(0.0, |sum, it| sum + it);
+    let channels = asked.flat_map(|(_, (a, b))| a.iter().zip(b));
+    let squares = channels.map(|(a, b)| f64::from(a.abs_diff(*b)).powi(2));
+    // Not -0, which an empty sum is.
+    let sum = squares.fold(0.0, |sum, it| sum + it);
     (sum / (3 * a.pixels.len()) as f64).sqrt()
 }

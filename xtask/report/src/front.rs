@@ -1,10 +1,9 @@
 //! The front as Rust source, for the library's budget; it measures nothing.
 
-use std::fmt::Write as _;
+use xtask::sweep::{Contestant, Level};
 
-use crate::point::Point;
+use crate::point::{GAIN, Point};
 use crate::scene::Measured;
-use crate::settings::{Contestant, Level};
 
 /// The constants of all scenes.
 pub fn source(command: &str, scenes: &[Measured]) -> String {
@@ -17,36 +16,28 @@ pub fn source(command: &str, scenes: &[Measured]) -> String {
         if points.is_empty() {
             continue;
         }
-        let name: String = scene.painter.name().chars().map(constant).collect();
-        let name = match name.starts_with(|first: char| first.is_ascii_digit()) {
-            true => format!("SCENE_{name}"),
-            false => name,
-        };
-        let words = scene.painter.name().replace(char::is_control, " ");
-        write!(
-            source,
-            "\n/// {words}\npub const {name}: Front = Front::new(&[\n"
-        )
-        .expect("a string takes all");
+        let name: String = scene.painter.name.chars().map(constant).collect();
+        let is_digit = name.starts_with(|first: char| first.is_ascii_digit());
+        let name = if is_digit {
+            "SCENE_".to_owned()
+        } else {
+            String::new()
+        } + &name;
+        let words = scene.painter.name.replace(char::is_control, " ");
+        source += &format!("/// {words}\npub const {name}: Front = Front::new(&[\n");
         source.extend(points.iter().map(|point| line(point)));
         source += "]);\n";
     }
     source
 }
 
-/// A point is worth its place if it is a quarter of a decibel better than the one before.
-const GAIN: f64 = 0.25;
-
 /// What the library has a value for: the qualities of `Grade`, with shadows; the best of these.
 fn points(points: &[Point]) -> Vec<&Point> {
-    let is_known = |point: &&Point| {
-        matches!(
-            point.setting.contestant,
-            Contestant::Fixed {
-                level: Level::Fast | Level::Fine,
-                shadows: true
-            }
-        )
+    let is_known = |point: &&Point| match point.setting.contestant {
+        Contestant::Fixed { level, shadows } => {
+            shadows && [Level::FAST, Level::FINE].contains(&level)
+        }
+        Contestant::Float => false,
     };
     let mut known: Vec<&Point> = points.iter().filter(is_known).collect();
     known.sort_by(|a, b| {
@@ -91,13 +82,13 @@ fn hundredths(point: &Point) -> u16 {
 fn line(point: &Point) -> String {
     let grade = match point.setting.contestant {
         Contestant::Fixed {
-            level: Level::Fine, ..
+            level: Level::FINE, ..
         } => "Fine",
         _ => "Fast",
     };
     format!(
-        "    FrontPoint {{\n        prepare: {},\n        instructions: {},\n        reflections: {},\n        \
-         grade: Grade::{grade},\n        scale: {},\n        psnr: {},\n        largest: {},\n    }},\n",
+        "    FrontPoint {{ prepare: {}, instructions: {}, reflections: {}, grade: Grade::{grade}, \
+         scale: {}, psnr: {}, largest: {} }},\n",
         prepare(point),
         rounded(point),
         point.setting.reflections,

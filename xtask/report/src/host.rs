@@ -4,26 +4,22 @@ use std::collections::HashMap;
 use std::hint::black_box;
 use std::time::Instant;
 
+use anyhow::Result;
 use rayon::ThreadPoolBuilder;
 use reflet::host::reference::{self, Shading};
+use xtask::sweep::Setting;
 
 use crate::paint::{Painter, hash};
 use crate::point::Cost;
-use crate::settings::Setting;
-use command_line::Failure;
 
 /// How often each setting is measured.
-const ROUNDS: usize = 9;
+pub const ROUNDS: usize = 9;
 
 /// What each setting takes, in percents of the time that the reference takes with as many
-/// reflections, at full resolution and on one thread. Says of each round of a setting when it is done.
+/// reflections, at full resolution and on one thread. Calls `done` after each round of a setting.
 ///
 /// The settings take turns, so that whatever else the machine does meets all alike.
-pub fn time(
-    painter: &Painter,
-    settings: &[Setting],
-    done: &dyn Fn(),
-) -> Result<Vec<Cost>, Failure> {
+pub fn time(painter: &Painter, settings: &[Setting], done: &dyn Fn()) -> Result<Vec<Cost>> {
     let pool = ThreadPoolBuilder::new().num_threads(1).build()?;
     let reference = |reflections: u8| {
         let (scene, camera, size) = (&painter.scene, &painter.exact_camera, painter.size);
@@ -55,11 +51,6 @@ pub fn time(
         }
     });
     Ok(costs.collect())
-}
-
-/// How many settings' rounds there are.
-pub fn rounds(settings: usize) -> usize {
-    ROUNDS * settings
 }
 
 fn seconds<T>(work: impl FnOnce() -> T) -> f64 {

@@ -3,7 +3,7 @@
 //! `cargo run --release --package report -- --help`
 
 mod arguments;
-mod cache;
+mod contest;
 mod error;
 mod front;
 mod host;
@@ -15,6 +15,7 @@ mod point;
 mod room;
 mod scene;
 mod settings;
+mod svg;
 mod table;
 mod write;
 
@@ -30,7 +31,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             // Nothing is left to be done if even this cannot be said.
-            let _ = writeln!(io::stderr(), "error: {}", one_line(&failure.to_string()));
+            let _ = writeln!(io::stderr(), "error: {}", one_line(&format!("{failure:#}")));
             ExitCode::from(2)
         }
     }

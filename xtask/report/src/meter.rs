@@ -1,166 +1,169 @@
-//! Counts instructions: asks `cargo xtask sweep` for what is not known yet.
+//! Counts instructions. What was counted before is kept in a file for each scene, contestant, core and
+//! size, and is not counted again.
 
-use std::io::{BufRead, BufReader, Write};
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::Command;
 
-use embedded_graphics::geometry::Size;
-use serde_json::Value;
+use anyhow::{Context, Result};
+use serde::{Deserialize, Serialize};
 use tempfile::NamedTempFile;
+use xtask::root;
+use xtask::sweep::{Count, Sweep};
 
-use crate::cache::{self, Cache};
-use crate::point::Cost;
-use crate::settings::Setting;
-use command_line::Failure;
-
-/// What is counted.
-pub struct Task<'a> {
-    /// The scene as the command line names it, and one of several in its file.
-    pub scene: &'a Path,
-    pub chosen: Option<&'a str>,
-    /// What the scene is called.
-    pub name: &'a str,
-    pub core: &'static str,
-    pub size: Size,
-    pub settings: &'a [Setting],
-    /// The folder of what was counted before.
-    pub counts: PathBuf,
+/// The file.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+struct Kept {
+    /// Hashes of the settings and of all sources of the firmware.
+    settings: u64,
+    sources: u64,
+    /// The program that counted all settings.
+    program: Option<u64>,
+    /// Of the first settings.
+    counts: Vec<Count>,
 }
 
-/// Counts all settings of a task, and says of each when it is done.
-pub fn count(task: &Task, done: &dyn Fn()) -> Result<Vec<Cost>, Failure> {
-    let Size { width, height } = task.size;
-    let safe = |letter: char| {
-        if letter.is_alphanumeric() {
-            letter
-        } else {
-            '_'
-        }
-    };
-    let name: String = task.name.chars().map(safe).collect();
-    let contestant = match task.settings.iter().any(|it| !it.is_float()) {
-        true => "fixed",
-        false => "float",
-    };
-    let name = format!("{name}-{contestant}-{}-{width}x{height}", task.core);
-    let mut cache = Cache::open(&task.counts, &name, &cache::sources(task.scene)?)?;
-    let is_known = |cache: &Cache, setting: &Setting| cache.cost(setting).is_some();
-    let known = task
-        .settings
-        .iter()
-        .filter(|it| is_known(&cache, it))
-        .count();
-    (0..known).for_each(|_| done());
-    if known < task.settings.len() {
-        sweep(task, &mut cache, done)?;
+/// Counts all settings of a sweep that are not known from the file. Calls `done` after each setting.
+/// `scene` is what the command line calls the scene.
+pub fn count(mut sweep: Sweep, scene: &Path, file: &Path, done: &dyn Fn()) -> Result<Vec<Count>> {
+    let (mut kept, old) = Kept::read(file, hash(sweep.settings), sources(scene)?);
+    sweep.known = kept.counts.len();
+    (0..sweep.known).for_each(|_| done());
+    if sweep.known == sweep.settings.len() {
+        return Ok(kept.counts);
     }
-    let costs = task.settings.iter().map(|setting| cache.cost(setting));
-    let costs: Option<Vec<Cost>> = costs.collect();
-    costs.ok_or_else(|| format!("{}: not every setting was counted", task.name).into())
+    let program = sweep.build()?;
+    let fingerprint = Some(program.fingerprint()?);
+    if let Some(old) = old.filter(|it| it.program == fingerprint) {
+        kept.counts = old.counts;
+        kept.counts.iter().for_each(|_| done());
+    } else {
+        program.run(|count| {
+            kept.counts.push(count);
+            done();
+            kept.write(file)
+        })?;
+    }
+    // A program that skips what is known is another one.
+    kept.program = fingerprint.filter(|_| sweep.known == 0);
+    kept.write(file)?;
+    Ok(kept.counts)
 }
 
-fn sweep(task: &Task, cache: &mut Cache, done: &dyn Fn()) -> Result<(), Failure> {
-    let is_known: Vec<bool> = task
-        .settings
-        .iter()
-        .map(|it| cache.cost(it).is_some())
-        .collect();
-    let runs = task
-        .settings
-        .iter()
-        .zip(&is_known)
-        .map(|(setting, is_known)| {
-            let mut run = setting.json();
-            run["skip"] = Value::from(*is_known);
-            run
-        });
-    let mut file = NamedTempFile::with_prefix("reflet-")?;
-    file.write_all(Value::from_iter(runs).to_string().as_bytes())?;
-    let mut child = Sweep::start(task, file.path(), cache.program(task.settings))?;
-    let mut program = None;
-    while let Some(line) = child.line()? {
-        if let Some(found) = line["program"].as_str() {
-            if Some(found) == cache.program(task.settings) {
-                let open = is_known.iter().filter(|it| !**it).count();
-                cache.renew(task.settings)?;
-                (0..open).for_each(|_| done());
-                return child.end(task);
+impl Kept {
+    /// What is known with these sources, and what was known with others.
+    fn read(file: &Path, settings: u64, sources: u64) -> (Self, Option<Self>) {
+        let text = fs::read_to_string(file).unwrap_or_default();
+        let found = serde_json::from_str(&text).ok();
+        match found.filter(|it: &Self| it.settings == settings) {
+            Some(kept) if kept.sources == sources => (kept, None),
+            old => {
+                let (program, counts) = (None, Vec::new());
+                (
+                    Self {
+                        settings,
+                        sources,
+                        program,
+                        counts,
+                    },
+                    old,
+                )
             }
-            program = is_known.iter().all(|it| !it).then(|| found.to_owned());
-            continue;
         }
-        let number = |key: &str| line[key].as_u64();
-        let count = (number("run"), number("instructions"), number("prepare"));
-        let (Some(run), Some(instructions), Some(prepare)) = count else {
-            return Err(format!("cargo xtask sweep printed {line}").into());
-        };
-        let setting = usize::try_from(run)
-            .ok()
-            .and_then(|run| task.settings.get(run));
-        let setting = setting.ok_or("cargo xtask sweep printed a setting nobody asked for")?;
-        let pixels = u64::from(task.size.width) * u64::from(task.size.height);
-        let hash = line["hash"].as_str().unwrap_or_default();
-        cache.keep(setting, pixels, (instructions, prepare), hash)?;
-        done();
     }
-    child.end(task)?;
-    match program {
-        Some(program) => cache.set_program(&program, task.settings),
-        None => Ok(()),
+
+    /// Replaces the file as a whole, so that it is whole whenever the program ends.
+    fn write(&self, file: &Path) -> Result<()> {
+        let folder = file.parent().unwrap_or(Path::new("."));
+        let written = || -> Result<()> {
+            fs::create_dir_all(folder)?;
+            let mut new = NamedTempFile::new_in(folder)?;
+            new.write_all(&serde_json::to_vec(self)?)?;
+            new.persist(file)?;
+            Ok(())
+        };
+        written().with_context(|| format!("--counts: {} cannot be written", file.display()))
     }
 }
 
-/// The command that counts.
-struct Sweep {
-    child: Child,
-    lines: Box<dyn Iterator<Item = std::io::Result<String>>>,
+fn hash(value: impl Hash) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    value.hash(&mut hasher);
+    hasher.finish()
 }
 
-impl Sweep {
-    fn start(task: &Task, runs: &Path, known: Option<&str>) -> Result<Self, Failure> {
-        let Size { width, height } = task.size;
-        let scene = match task.scene.is_file() {
-            true => task.scene.canonicalize()?,
-            false => task.scene.to_owned(),
-        };
-        let mut command = Command::new("cargo");
-        command
-            .current_dir(cache::root())
-            .args(["run", "--quiet", "--package", "xtask", "--", "sweep"])
-            .args(["--core", task.core, "--size", &format!("{width}x{height}")])
-            .arg("--scene")
-            .arg(scene)
-            .arg("--runs")
-            .arg(runs)
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped());
-        if let Some(name) = task.chosen {
-            command.args(["--name", name]);
-        }
-        if let Some(program) = known {
-            command.args(["--known", program]);
-        }
-        let mut child = command
-            .spawn()
-            .map_err(|error| format!("cargo does not start: {error}"))?;
-        let out = child.stdout.take().ok_or("cargo has no standard output")?;
-        Ok(Self {
-            child,
-            lines: Box::new(BufReader::new(out).lines()),
-        })
-    }
+/// What makes a firmware: if none of it changes nothing has to be counted again.
+const SOURCES: [&str; 11] = [
+    "Cargo.toml",
+    "src",
+    "xtask/firmware/Cargo.toml",
+    "xtask/firmware/Cargo.lock",
+    "xtask/firmware/build.rs",
+    "xtask/firmware/memory",
+    "xtask/firmware/src",
+    "xtask/float_picture/src",
+    "xtask/float_port/src",
+    "xtask/frame_hash/src",
+    "xtask/src",
+];
 
-    fn line(&mut self) -> Result<Option<Value>, Failure> {
-        let Some(line) = self.lines.next().transpose()? else {
-            return Ok(None);
-        };
-        Ok(Some(serde_json::from_str(&line)?))
+/// A hash of all sources, of a scene's file if it comes from one, and of the compiler's version.
+fn sources(scene: &Path) -> Result<u64> {
+    let mut hasher = DefaultHasher::new();
+    let compiler = Command::new("rustc").arg("-vV").output();
+    let version = compiler.map(|it| it.stdout).unwrap_or_default();
+    version.hash(&mut hasher);
+    for path in SOURCES {
+        add(&root().join(path), &mut hasher)?;
     }
+    if scene.is_file() {
+        add(scene, &mut hasher)?;
+    }
+    Ok(hasher.finish())
+}
 
-    fn end(mut self, task: &Task) -> Result<(), Failure> {
-        match self.child.wait()?.success() {
-            true => Ok(()),
-            false => Err(format!("{} on {} could not be counted", task.name, task.core).into()),
-        }
+/// Adds a file, or all files below a folder but those that only a desktop sees.
+fn add(path: &Path, hasher: &mut DefaultHasher) -> Result<()> {
+    let unreadable = || format!("{} cannot be read", path.display());
+    if path.ends_with("host") || path.ends_with("tests.rs") {
+        return Ok(());
+    }
+    if !path.is_dir() {
+        let text = fs::read(path).with_context(unreadable)?;
+        (path.strip_prefix(root()).unwrap_or(path), text).hash(hasher);
+        return Ok(());
+    }
+    let entries = fs::read_dir(path).with_context(unreadable)?;
+    let paths = entries.map(|entry| entry.map(|it| it.path()));
+    let mut paths: Vec<PathBuf> = paths.collect::<Result<_, _>>().with_context(unreadable)?;
+    paths.sort();
+    paths.iter().try_for_each(|path| add(path, hasher))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_known_of_the_same_settings_and_sources_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("made").join("counts.json");
+        let count = Count {
+            instructions: 20,
+            prepare: 3,
+            hash: u64::MAX,
+        };
+        let (mut kept, old) = Kept::read(&file, 1, 2);
+        assert_eq!((kept.counts.len(), old), (0, None));
+        kept.counts.push(count);
+        kept.write(&file).unwrap();
+        let (kept, old) = Kept::read(&file, 1, 2);
+        assert_eq!((kept.counts.as_slice(), old), ([count].as_slice(), None));
+        let (other, old) = Kept::read(&file, 1, 3);
+        assert_eq!((other.counts.len(), old), (0, Some(kept)));
+        let (other, old) = Kept::read(&file, 9, 2);
+        assert_eq!((other.counts.len(), old), (0, None));
     }
 }

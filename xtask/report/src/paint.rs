@@ -1,26 +1,26 @@
 //! Pictures of a scene under a setting, drawn here: the same to the bit as on every core.
 
+use std::marker::PhantomData;
+
+use anyhow::Result;
+use command_line::{Kind, Source};
 use embedded_graphics::geometry::Size;
-use embedded_graphics::pixelcolor::Rgb888;
-use embedded_graphics_simulator::SimulatorDisplay;
 use float_picture::{Shading, render as render_in_f32};
 use frame_hash::FrameHash;
 use reflet::host::file::{FileScene, built};
-use reflet::host::precision;
-use reflet::host::reference::bound::Precision;
+use reflet::host::painted;
 use reflet::host::reference::{self, Picture};
-use reflet::{BlinnPhong, Camera, Enlarged, Frame, Quality, Unshadowed};
-
-use crate::settings::{Contestant, Level, Setting, Visitor};
-use command_line::{Kind, Source};
+use reflet::{BlinnPhong, Camera, Frame, Quality, Unit, Unshadowed};
+use xtask::sweep::{Contestant, Level, Setting, Visitor};
 
 /// A scene ready to be painted.
 ///
 /// Constant scenes are filled at run time here, and their pictures are the same to the bit; so one
 /// type stands for all scenes.
 pub struct Painter {
-    name: String,
-    world: Box<FileScene>,
+    /// What the scene is called.
+    pub name: String,
+    pub world: Box<FileScene>,
     camera: Camera,
     /// The same in double precision.
     pub scene: reference::Scene,
@@ -29,40 +29,20 @@ pub struct Painter {
 }
 
 impl Painter {
-    pub fn new(source: Source, size: Size) -> Result<Self, command_line::Failure> {
+    pub fn new(source: Source, size: Size) -> Result<Self> {
         let (scene, exact_camera) = source.reference();
-        let reference::Camera {
-            position,
-            target,
-            up,
-            fov,
-        } = exact_camera.clone();
+        let at = &exact_camera;
         Ok(Self {
             name: source.name().to_owned(),
+            camera: Camera::new(at.position, at.target, at.up, at.fov)?,
             world: match source.kind {
                 Kind::BuiltIn => built(&scene, &exact_camera)?,
                 Kind::File(_, scene) => scene,
             },
-            camera: Camera::new(position, target, up, fov)?,
             scene,
             exact_camera,
             size,
         })
-    }
-
-    /// What the scene is called.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// The grid that the scene is laid on.
-    pub fn precision(&self) -> Precision {
-        precision(&*self.world)
-    }
-
-    /// Whether nothing but planes is in it.
-    pub fn is_of_planes(&self) -> bool {
-        self.scene.spheres.is_empty() && self.scene.cylinders.is_empty()
     }
 
     /// Whether a constant scene traces every pixel, whatever its quality says: nothing in it looks
@@ -73,43 +53,34 @@ impl Painter {
 
     /// The picture under a setting.
     pub fn paint(&self, setting: &Setting) -> Picture {
-        let Contestant::Fixed { level, shadows } = setting.contestant else {
-            return self.float(setting);
-        };
-        self.draw(setting, level, shadows, false)
+        // As a constant scene does; the one here is filled at run time, and would not.
+        self.draw(setting, self.is_plain())
     }
 
     /// The picture under a setting of fixed point with shadows and every pixel traced.
     pub fn paint_traced(&self, level: Level, reflections: u8) -> Picture {
-        self.draw(&Setting::fixed(level, reflections), level, true, true)
+        self.draw(&Setting::fixed(level, reflections), true)
     }
 
-    fn draw(&self, setting: &Setting, level: Level, shadows: bool, traces_all: bool) -> Picture {
-        let mut display = SimulatorDisplay::new(self.size);
-        level.visit(Draw {
-            frame: self.world.frame(&self.camera),
-            setting,
-            shadows,
-            // As a constant scene does; the one here is filled at run time, and would not.
-            traces_all: traces_all || self.is_plain(),
-            display: &mut display,
-        });
-        let bytes = display.to_be_bytes();
-        let pixels = bytes.chunks_exact(3).map(|it| [it[0], it[1], it[2]]);
-        Picture {
-            width: self.size.width,
-            height: self.size.height,
-            pixels: pixels.collect(),
-        }
-    }
-
-    fn float(&self, setting: &Setting) -> Picture {
+    fn draw(&self, setting: &Setting, traces_all: bool) -> Picture {
         let Size { width, height } = self.size;
         let scale = u32::from(setting.scale);
-        let size = (width.div_ceil(scale), height.div_ceil(scale));
-        let (shading, reflections) = (Shading::BlinnPhong, setting.reflections.into());
-        let small = render_in_f32(&self.scene, &self.exact_camera, size, reflections, shading);
-        let at = |x: u32, y: u32| small.pixels[(y / scale * size.0 + x / scale) as usize];
+        let size = Size::new(width.div_ceil(scale), height.div_ceil(scale));
+        let reflections = setting.reflections;
+        let small = match setting.contestant {
+            Contestant::Fixed { level, shadows } => level.visit(Draw {
+                frame: self.world.frame(&self.camera).reflections(reflections),
+                size,
+                shadows,
+                traces_all,
+            }),
+            Contestant::Float => {
+                let (scene, camera) = (&self.scene, &self.exact_camera);
+                let (size, shading) = (size.into(), Shading::BlinnPhong);
+                render_in_f32(scene, camera, size, reflections.into(), shading).pixels
+            }
+        };
+        let at = |x: u32, y: u32| small[(y / scale * size.width + x / scale) as usize];
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
         Picture {
             width,
@@ -120,51 +91,48 @@ impl Painter {
 }
 
 /// The hash that a firmware reports of the same picture.
-pub fn hash(picture: &Picture) -> String {
+pub fn hash(picture: &Picture) -> u64 {
     let mut hash = FrameHash::NONE;
     picture.pixels.iter().for_each(|pixel| hash.add(*pixel));
-    format!("{:016x}", hash.value())
+    hash.value()
 }
 
+/// `Q` with every pixel traced.
+struct Traced<Q>(PhantomData<Q>);
+
+impl<Q: Quality> Quality for Traced<Q> {
+    const SMALLEST_WEIGHT: Unit = Q::SMALLEST_WEIGHT;
+    const STRIDE: u32 = 1;
+    const TOLERANCE: Unit = Unit::ZERO;
+    const IS_SMALL: bool = Q::IS_SMALL;
+}
+
+/// A frame that is drawn in a quality.
 struct Draw<'a> {
     frame: Frame<'a, &'a FileScene>,
-    setting: &'a Setting,
+    size: Size,
     shadows: bool,
     traces_all: bool,
-    display: &'a mut SimulatorDisplay<Rgb888>,
 }
 
 impl Visitor for Draw<'_> {
-    type Output = ();
+    type Output = Vec<[u8; 3]>;
 
-    fn visit<Q: Quality, T: Quality>(self) {
+    fn visit<Q: Quality>(self) -> Self::Output {
         match self.traces_all {
-            true => drawn(
-                self.frame.quality::<T>(),
-                self.setting,
-                self.shadows,
-                self.display,
-            ),
-            false => drawn(
-                self.frame.quality::<Q>(),
-                self.setting,
-                self.shadows,
-                self.display,
-            ),
+            true => self.pixels::<Traced<Q>>(),
+            false => self.pixels::<Q>(),
         }
     }
 }
 
-fn drawn<Q: Quality>(
-    frame: Frame<'_, &FileScene, Q>,
-    setting: &Setting,
-    shadows: bool,
-    display: &mut SimulatorDisplay<Rgb888>,
-) {
-    let frame = frame.reflections(setting.reflections);
-    let mut target = Enlarged::new(display, setting.scale.into());
-    let Ok(_) = match shadows {
-        true => frame.shading::<BlinnPhong>().draw(&mut target),
-        false => frame.shading::<Unshadowed>().draw(&mut target),
-    };
+impl Draw<'_> {
+    fn pixels<Q: Quality>(self) -> Vec<[u8; 3]> {
+        let frame = self.frame.quality::<Q>();
+        let picture = match self.shadows {
+            true => painted(&frame.shading::<BlinnPhong>().sized(self.size)),
+            false => painted(&frame.shading::<Unshadowed>().sized(self.size)),
+        };
+        picture.pixels
+    }
 }

@@ -1,7 +1,8 @@
 //! What is known of one setting: what it costs, what it loses, and why.
 
+use xtask::sweep::Setting;
+
 use crate::error::Errors;
-use crate::settings::Setting;
 
 /// A setting with all that is known of it.
 #[derive(Clone, Debug)]
@@ -27,7 +28,7 @@ pub struct Cost {
     /// Instructions of the preparation, where they were counted.
     pub prepare: Option<u64>,
     /// Of the picture, as the core drew it.
-    pub hash: String,
+    pub hash: u64,
 }
 
 impl Point {
@@ -35,42 +36,35 @@ impl Point {
     pub fn psnr(&self) -> f64 {
         self.errors.psnr
     }
-
-    /// In words, with where it ran if that is not the report's core.
-    pub fn words(&self) -> String {
-        self.setting.words()
-    }
 }
 
 /// Marks the points that no other one is cheaper than and has less error.
 pub fn mark_front(points: &mut [Point]) {
-    let on_front: Vec<bool> = points
-        .iter()
-        .map(|point| {
-            !points.iter().any(|other| {
-                let is_cheaper = other.cost.middle < point.cost.middle;
-                let is_better = other.psnr() > point.psnr();
-                is_cheaper && other.psnr() >= point.psnr()
-                    || is_better && other.cost.middle <= point.cost.middle
-            })
-        })
-        .collect();
-    for (point, is_on_front) in points.iter_mut().zip(on_front) {
-        point.is_on_front = is_on_front;
+    for index in 0..points.len() {
+        let (cost, psnr) = (points[index].cost.middle, points[index].psnr());
+        let is_beaten = points.iter().any(|other| {
+            let (other_cost, other_psnr) = (other.cost.middle, other.psnr());
+            other_cost < cost && other_psnr >= psnr || other_psnr > psnr && other_cost <= cost
+        });
+        points[index].is_on_front = !is_beaten;
     }
 }
 
+/// A shown point of a front is this many decibels better than the last.
+pub const GAIN: f64 = 0.25;
+
 /// The points of a front, the cheapest first; each is at least `gain` decibels better than the last.
+/// The best is always among them.
 pub fn front(points: &[Point], gain: f64) -> Vec<&Point> {
     let mut front: Vec<&Point> = points.iter().filter(|it| it.is_on_front).collect();
     front.sort_by(|a, b| a.cost.middle.total_cmp(&b.cost.middle));
     let best = front.last().map_or(0.0, |it| it.psnr());
     let mut kept: Vec<&Point> = Vec::new();
     for point in front {
-        let is_new = kept
-            .last()
-            .is_none_or(|last| point.psnr() >= last.psnr() + gain);
-        if is_new || point.psnr() == best && kept.last().is_none_or(|last| last.psnr() < best) {
+        let psnr = point.psnr();
+        let is_new =
+            |last: &&Point| psnr > last.psnr() && (psnr >= last.psnr() + gain || psnr == best);
+        if kept.last().is_none_or(is_new) {
             kept.push(point);
         }
     }

@@ -1,24 +1,22 @@
 //! The report as a whole: every scene measured, then everything written.
 
-use std::collections::VecDeque;
 use std::path::Path;
-use std::sync::Mutex;
-use std::thread;
 use std::time::Duration;
 
+use anyhow::{Error, Result, bail};
+use command_line::Source;
 use indicatif::{ProgressBar, ProgressStyle};
+use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
-use reflet::host::reference::Picture;
+use xtask::measure::scene::Scene;
+use xtask::sweep::{Level, Setting, Sweep};
+use xtask::toolchain;
 
 use crate::arguments::{Arguments, Core};
 use crate::error::Truth;
-use crate::meter::{self, Task};
 use crate::paint::{Painter, hash};
 use crate::point::{Cost, Point, mark_front};
-use crate::settings::{self, Level, Setting};
-use crate::{cache, host, write};
-use command_line::Failure;
-use command_line::Source;
+use crate::{host, meter, settings, write};
 
 /// A scene with all that was measured of it.
 pub struct Measured {
@@ -39,135 +37,128 @@ struct Plan<'a> {
     path: &'a Path,
     painter: Painter,
     last: u8,
-    fixed: Vec<Setting>,
-    float: Vec<Setting>,
-    soft: Vec<Setting>,
+    jobs: [Job; 3],
 }
 
+/// Settings of one contestant on one core.
+struct Job {
+    settings: Vec<Setting>,
+    core: Core,
+}
+
+/// What the jobs of a scene cost.
+type Costs = [Vec<Cost>; 3];
+
 /// Measures and writes all that the command line asks for.
-pub fn report(arguments: &Arguments) -> Result<(), Failure> {
-    let plans = plans(arguments)?;
+pub fn report(arguments: &Arguments) -> Result<()> {
+    let painters = painters(arguments)?;
     write::make(&arguments.out)?;
-    let total: usize = plans.iter().map(|plan| plan.total(arguments.core)).sum();
-    let bar = bar(total as u64);
-    let costs = match arguments.core {
-        Core::Host => plans.iter().map(|plan| plan.time(&bar)).collect(),
-        core => count(&plans, core, arguments, &bar),
+    let plans = arguments.scenes.par_iter().zip(painters);
+    let plans: Vec<Plan> = plans
+        .map(|(path, painter)| Plan::new(path, painter, arguments))
+        .collect();
+    let settings = plans.iter().flat_map(|plan| &plan.jobs);
+    let settings: usize = settings.map(|job| job.settings.len()).sum();
+    let costs = if arguments.core == Core::Host {
+        let bar = bar(host::ROUNDS * settings);
+        plans.iter().map(|plan| plan.time(&bar)).collect()
+    } else {
+        count(&plans, arguments, &bar(settings))
     };
-    bar.finish_and_clear();
-    let measured: Result<Vec<Measured>, Failure> = plans
+    let measured: Result<Vec<Measured>> = plans
         .into_par_iter()
         .zip(costs?)
-        .map(|(plan, costs)| plan.measured(costs, arguments.core))
+        .map(|(plan, costs)| plan.measured(costs))
         .collect();
     write::all(arguments, &measured?)
 }
 
-fn bar(total: u64) -> ProgressBar {
+fn bar(total: usize) -> ProgressBar {
     let style = ProgressStyle::with_template("{wide_bar} {pos}/{len} {eta:>4} {msg}");
-    let bar = ProgressBar::new(total).with_style(style.expect("the template is well formed"));
+    let bar = ProgressBar::new(total as u64).with_style(style.expect("the template is sound"));
     bar.enable_steady_tick(Duration::from_millis(200));
     bar
 }
 
-fn plans(arguments: &Arguments) -> Result<Vec<Plan<'_>>, Failure> {
+fn painters(arguments: &Arguments) -> Result<Vec<Painter>> {
     let chosen = arguments.chosen.as_deref();
     if chosen.is_some() && arguments.scenes.len() != 1 {
-        return Err("--scene chooses from one file".into());
+        bail!("--scene chooses from one file");
     }
-    let opened = arguments.scenes.iter().map(|path| {
-        let painter = Painter::new(Source::open(path, chosen)?, arguments.size)?;
-        Ok(Plan::new(path, painter, arguments))
-    });
-    let plans = opened.collect::<Result<Vec<_>, Failure>>()?;
-    for (index, plan) in plans.iter().enumerate() {
-        let name = plan.painter.name();
-        if plans[..index]
-            .iter()
-            .any(|other| other.painter.name() == name)
-        {
-            return Err(format!("two scenes are called {name}").into());
+    let mut painters: Vec<Painter> = Vec::new();
+    for path in &arguments.scenes {
+        let source = Source::open(path, chosen).map_err(Error::from_boxed)?;
+        let name = source.name();
+        if painters.iter().any(|other| other.name == name) {
+            bail!("two scenes are called {name}");
         }
+        painters.push(Painter::new(source, arguments.size)?);
     }
-    Ok(plans)
+    Ok(painters)
 }
 
 impl<'a> Plan<'a> {
     fn new(path: &'a Path, painter: Painter, arguments: &Arguments) -> Self {
+        let core = arguments.core;
         let last = last_that_matters(&painter, arguments.reflections);
         let numbers = settings::numbers(last);
         // In software it takes minutes for a frame, so once is enough.
-        let soft = match arguments.core {
-            Core::M3 | Core::Rv32 => vec![Setting::float(last.min(4), 1)],
+        let soft = match core.name() {
+            "m3" | "rv32" => vec![Setting::float(last.min(4), 1)],
             _ => Vec::new(),
         };
+        let job = |settings, core| Job { settings, core };
         Self {
             path,
             painter,
             last,
-            fixed: settings::fixed(&numbers),
-            float: settings::float(&numbers),
-            soft,
-        }
-    }
-
-    fn total(&self, core: Core) -> usize {
-        let settings = self.fixed.len() + self.float.len();
-        match core {
-            Core::Host => host::rounds(settings),
-            _ => settings + self.soft.len(),
+            jobs: [
+                job(settings::fixed(&numbers), core),
+                job(settings::float(&numbers), core.of_float()),
+                job(soft, core),
+            ],
         }
     }
 
     /// On this machine.
-    fn time(&self, bar: &ProgressBar) -> Result<Costs, Failure> {
-        bar.set_message(self.painter.name().to_owned());
-        let all = [self.fixed.as_slice(), &self.float].concat();
+    fn time(&self, bar: &ProgressBar) -> Result<Costs> {
+        bar.set_message(self.painter.name.clone());
+        let [fixed, float, _] = self.jobs.each_ref().map(|job| job.settings.as_slice());
+        let all = [fixed, float].concat();
         let mut costs = host::time(&self.painter, &all, &|| bar.inc(1))?;
-        let float = costs.split_off(self.fixed.len());
+        let float = costs.split_off(fixed.len());
         Ok([costs, float, Vec::new()])
     }
 
-    fn measured(self, costs: Costs, core: Core) -> Result<Measured, Failure> {
+    fn measured(self, costs: Costs) -> Result<Measured> {
         let truth = Truth::new(&self.painter);
-        let [fixed, float, soft] = costs;
-        let fpu = match core {
-            Core::Host => Core::Host,
-            _ => Core::M4f,
+        let points = |job: &Job, costs: Vec<Cost>| -> Result<Vec<Point>> {
+            let both = job.settings.par_iter().zip(costs);
+            let points = both.map(|(setting, cost)| self.point(&truth, *setting, cost, job.core));
+            points.collect()
         };
-        let points = |settings: &[Setting], costs: Vec<Cost>, core: Core| {
-            let both = settings.par_iter().zip(costs);
-            let points = both.map(|(setting, cost)| self.point(&truth, *setting, cost, core));
-            points.collect::<Result<Vec<Point>, Failure>>()
-        };
-        let mut points_of_core = points(&self.fixed, fixed, core)?;
-        let mut float = points(&self.float, float, fpu)?;
-        let soft = points(&self.soft, soft, core)?.pop();
-        mark_front(&mut points_of_core);
+        let [fixed, float, soft] = &self.jobs;
+        let [of_fixed, of_float, of_soft] = costs;
+        let mut fixed = points(fixed, of_fixed)?;
+        let mut float = points(float, of_float)?;
+        let soft = points(soft, of_soft)?.pop();
+        mark_front(&mut fixed);
         mark_front(&mut float);
         Ok(Measured {
             truth,
             last: self.last,
-            points: points_of_core,
+            points: fixed,
             float,
             soft,
             painter: self.painter,
         })
     }
 
-    fn point(
-        &self,
-        truth: &Truth,
-        setting: Setting,
-        cost: Cost,
-        core: Core,
-    ) -> Result<Point, Failure> {
+    fn point(&self, truth: &Truth, setting: Setting, cost: Cost, core: Core) -> Result<Point> {
         let picture = self.painter.paint(&setting);
         if hash(&picture) != cost.hash {
-            let (name, core, words) = (self.painter.name(), core.title(), setting.words());
-            return Err(
-                format!("{name}, {words}: {core} draws another picture than this machine").into(),
-            );
+            let (name, core, words) = (&self.painter.name, core.title(), setting.words());
+            bail!("{name}, {words}: {core} draws another picture than this machine");
         }
         Ok(Point {
             errors: truth.errors(&self.painter, &setting, &picture)?,
@@ -182,77 +173,52 @@ impl<'a> Plan<'a> {
 
 /// The last number of reflections, up to `most`, that changes the picture.
 fn last_that_matters(painter: &Painter, most: u8) -> u8 {
-    let painted = |number| painter.paint(&Setting::fixed(Level::Exact, number));
-    let whole: Picture = painted(most);
-    (0..most)
-        .find(|number| painted(*number) == whole)
-        .unwrap_or(most)
+    let painted = |number| painter.paint(&Setting::fixed(Level::EXACT, number));
+    let whole = painted(most);
+    let same = (0..most).find(|number| painted(*number) == whole);
+    same.unwrap_or(most)
 }
 
-/// What fixed point, the float port and the float port in software cost.
-type Costs = [Vec<Cost>; 3];
-
-/// One of the three for one scene.
-struct Job<'a> {
-    scene: usize,
-    kind: usize,
-    task: Task<'a>,
-}
-
-/// Counts what all scenes take, two at a time: builds for one core wait for each other.
-fn count(
-    plans: &[Plan],
-    core: Core,
-    arguments: &Arguments,
-    bar: &ProgressBar,
-) -> Result<Vec<Costs>, Failure> {
-    let jobs = plans.iter().enumerate().flat_map(|(scene, plan)| {
-        let kinds = [
-            (&plan.fixed, core),
-            (&plan.float, Core::M4f),
-            (&plan.soft, core),
-        ];
-        kinds
-            .into_iter()
-            .enumerate()
-            .map(move |(kind, (settings, core))| Job {
-                scene,
-                kind,
-                task: Task {
-                    scene: plan.path,
-                    chosen: arguments.chosen.as_deref(),
-                    name: plan.painter.name(),
-                    core: core.name(),
-                    size: arguments.size,
-                    settings,
-                    counts: arguments.counts.clone().unwrap_or_else(cache::folder),
-                },
-            })
+/// Counts what all scenes take, two jobs at a time: builds for one core wait for each other.
+fn count(plans: &[Plan], arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Costs>> {
+    let jobs = plans.par_iter().flat_map(|plan| {
+        let jobs = plan.jobs.par_iter();
+        jobs.map(move |job| job.count(plan, arguments, bar))
     });
-    let jobs: VecDeque<Job> = jobs.filter(|job| !job.task.settings.is_empty()).collect();
-    let costs = Mutex::new(vec![Costs::default(); plans.len()]);
-    let jobs = Mutex::new(jobs);
-    let work = || -> Result<(), Failure> {
-        while let Some(job) = next(&jobs) {
-            bar.set_message(format!("{} on {}", job.task.name, job.task.core));
-            let found = meter::count(&job.task, &|| bar.inc(1)).inspect_err(|_| {
-                // Nobody goes on with a report that will not be.
-                jobs.lock().map(|mut jobs| jobs.clear()).unwrap_or_default();
-            })?;
-            if let Ok(mut costs) = costs.lock() {
-                costs[job.scene][job.kind] = found;
-            }
-        }
-        Ok(())
-    };
-    thread::scope(|scope| {
-        let workers = [scope.spawn(work), scope.spawn(work)];
-        let results = workers.map(|worker| worker.join().expect("a worker does not panic"));
-        results.into_iter().collect::<Result<(), Failure>>()
-    })?;
-    Ok(costs.into_inner().unwrap_or_default())
+    let pool = ThreadPoolBuilder::new().num_threads(2).build()?;
+    let costs: Vec<Vec<Cost>> = pool.install(|| jobs.collect::<Result<_>>())?;
+    let mut costs = costs.into_iter();
+    let mut next = || costs.next().unwrap_or_default();
+    Ok(plans.iter().map(|_| [next(), next(), next()]).collect())
 }
 
-fn next<'a>(jobs: &Mutex<VecDeque<Job<'a>>>) -> Option<Job<'a>> {
-    jobs.lock().ok()?.pop_front()
+impl Job {
+    fn count(&self, plan: &Plan, arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Cost>> {
+        let (Core::Emulated(core), Some(first)) = (self.core, self.settings.first()) else {
+            return Ok(Vec::new());
+        };
+        let (name, core_name) = (&plan.painter.name, core.name);
+        bar.set_message(format!("{name} on {core_name}"));
+        let contestant = if first.is_float() { "float" } else { "fixed" };
+        let (safe, size) = (write::file_name(name), arguments.size_words());
+        let file = format!("{safe}-{contestant}-{core_name}-{size}.json");
+        let folder = arguments.counts.clone();
+        let folder = folder.unwrap_or_else(|| toolchain::target_directory().join("report"));
+        let sweep = Sweep {
+            core,
+            scene: &Scene::open(plan.path, arguments.chosen.as_deref())?,
+            size: arguments.size.into(),
+            settings: &self.settings,
+            known: 0,
+        };
+        let counts = meter::count(sweep, plan.path, &folder.join(file), &|| bar.inc(1))?;
+        let pixels = f64::from(arguments.size.width * arguments.size.height);
+        let costs = counts.into_iter().map(|count| Cost {
+            middle: count.instructions as f64 / pixels,
+            quartiles: None,
+            prepare: Some(count.prepare),
+            hash: count.hash,
+        });
+        Ok(costs.collect())
+    }
 }

@@ -1,67 +1,31 @@
 //! points.csv: a row for every setting.
 
+use anyhow::Result;
+use xtask::sweep::{Contestant, Level};
+
 use crate::arguments::Arguments;
+use crate::error::Promised;
 use crate::point::Point;
 use crate::scene::Measured;
-use crate::settings::{Contestant, Level};
-use command_line::Failure;
-
-/// The names of the columns.
-const COLUMNS: [&str; 37] = [
-    "scene",
-    "core",
-    "size",
-    "contestant",
-    "quality",
-    "stride",
-    "tolerance",
-    "smallest_weight",
-    "shadows",
-    "scale",
-    "reflections",
-    "instructions_per_pixel",
-    "prepare_instructions",
-    "time_percent",
-    "time_lower_quartile",
-    "time_upper_quartile",
-    "hash",
-    "psnr",
-    "largest",
-    "same",
-    "within1",
-    "on_front",
-    "sure_share",
-    "sure_psnr",
-    "sure_largest",
-    "bound_psnr",
-    "bound_largest",
-    "bound_truncation",
-    "bound_rounding",
-    "decided_otherwise",
-    "beyond_bound",
-    "rms_truncation",
-    "rms_cut_off",
-    "rms_between",
-    "rms_rounding",
-    "rms_decided",
-    "rms_simplified",
-];
 
 /// All rows.
-pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<Vec<u8>, Failure> {
+pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(COLUMNS)?;
-    let size = format!("{}x{}", arguments.size.width, arguments.size.height);
+    let size = arguments.size_words();
+    let mut rows = Vec::new();
     for scene in scenes {
         let points = scene.points.iter().chain(&scene.float).chain(&scene.soft);
-        for point in points {
-            writer.write_record(row(scene.painter.name(), &size, point))?;
-        }
+        rows.extend(points.map(|point| row(&scene.painter.name, &size, point)));
+    }
+    writer.write_record(rows.iter().take(1).flatten().map(|cell| cell.0))?;
+    for row in &rows {
+        writer.write_record(row.iter().map(|cell| &cell.1))?;
     }
     Ok(writer.into_inner()?)
 }
 
-fn row(scene: &str, size: &str, point: &Point) -> Vec<String> {
+/// Names and cells of the columns.
+fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {
     let setting = &point.setting;
     let (contestant, level, shadows) = match setting.contestant {
         Contestant::Float => ("float", None, true),
@@ -70,51 +34,76 @@ fn row(scene: &str, size: &str, point: &Point) -> Vec<String> {
     let numbers = level.map(Level::numbers);
     let optional = |value: Option<String>| value.unwrap_or_default();
     let (errors, cost) = (&point.errors, &point.cost);
-    let promised = errors.promised;
-    let of_promise =
-        |show: fn(&crate::error::Promised) -> String| optional(promised.as_ref().map(show));
-    let (counted, timed) = match cost.quartiles {
-        None => (Some(cost.middle), None),
-        Some(quartiles) => (None, Some((cost.middle, quartiles))),
+    let of_promise = |show: fn(&Promised) -> String| optional(errors.promised.as_ref().map(show));
+    let counted = cost.quartiles.is_none().then_some(cost.middle);
+    let timed = |show: fn((f64, f64, f64)) -> f64| {
+        let times = cost
+            .quartiles
+            .map(|(lower, upper)| (lower, cost.middle, upper));
+        optional(times.map(|it| digits(show(it), 3)))
     };
     let parts = &errors.parts;
     vec![
-        scene.to_owned(),
-        point.core.to_owned(),
-        size.to_owned(),
-        contestant.to_owned(),
-        level.map_or("", Level::name).to_owned(),
-        optional(numbers.map(|it| it.stride.to_string())),
-        optional(numbers.map(|it| it.tolerance.to_num::<f64>().to_string())),
-        optional(numbers.map(|it| it.smallest_weight.to_num::<f64>().to_string())),
-        shadows.to_string(),
-        setting.scale.to_string(),
-        setting.reflections.to_string(),
-        optional(counted.map(|it| format!("{it:.1}"))),
-        optional(cost.prepare.map(|it| it.to_string())),
-        optional(timed.map(|it| format!("{:.3}", it.0))),
-        optional(timed.map(|it| format!("{:.3}", it.1.0))),
-        optional(timed.map(|it| format!("{:.3}", it.1.1))),
-        cost.hash.clone(),
-        format!("{:.3}", errors.psnr),
-        errors.largest.to_string(),
-        format!("{:.5}", errors.same),
-        format!("{:.5}", errors.within1),
-        point.is_on_front.to_string(),
-        of_promise(|it| format!("{:.5}", it.sure)),
-        of_promise(|it| format!("{:.3}", it.psnr)),
-        of_promise(|it| it.largest.to_string()),
-        of_promise(|it| format!("{:.3}", it.bound_psnr)),
-        of_promise(|it| format!("{:.3}", it.bound)),
-        of_promise(|it| format!("{:.3}", it.truncation)),
-        of_promise(|it| format!("{:.3}", it.rounding)),
-        of_promise(|it| it.decided.to_string()),
-        of_promise(|it| it.broken.to_string()),
-        format!("{:.4}", parts.truncation),
-        format!("{:.4}", parts.cut_off),
-        format!("{:.4}", parts.between),
-        format!("{:.4}", parts.rounding),
-        format!("{:.4}", parts.decided),
-        format!("{:.4}", parts.simplified),
+        ("scene", scene.to_owned()),
+        ("core", point.core.to_owned()),
+        ("size", size.to_owned()),
+        ("contestant", contestant.to_owned()),
+        ("quality", level.map_or("", Level::name).to_owned()),
+        ("stride", optional(numbers.map(|it| it.stride.to_string()))),
+        (
+            "tolerance",
+            optional(numbers.map(|it| it.tolerance.to_num::<f64>().to_string())),
+        ),
+        (
+            "smallest_weight",
+            optional(numbers.map(|it| it.smallest_weight.to_num::<f64>().to_string())),
+        ),
+        ("shadows", shadows.to_string()),
+        ("scale", setting.scale.to_string()),
+        ("reflections", setting.reflections.to_string()),
+        (
+            "instructions_per_pixel",
+            optional(counted.map(|it| digits(it, 1))),
+        ),
+        (
+            "prepare_instructions",
+            optional(cost.prepare.map(|it| it.to_string())),
+        ),
+        ("time_percent", timed(|it| it.1)),
+        ("time_lower_quartile", timed(|it| it.0)),
+        ("time_upper_quartile", timed(|it| it.2)),
+        ("hash", format!("{:016x}", cost.hash)),
+        ("psnr", digits(errors.psnr, 3)),
+        ("largest", errors.largest.to_string()),
+        ("same", digits(errors.same, 5)),
+        ("within1", digits(errors.within1, 5)),
+        ("on_front", point.is_on_front.to_string()),
+        ("sure_share", of_promise(|it| digits(it.sure, 5))),
+        ("sure_psnr", of_promise(|it| digits(it.psnr, 3))),
+        ("sure_largest", of_promise(|it| it.largest.to_string())),
+        ("bound_psnr", of_promise(|it| digits(it.bound_psnr, 3))),
+        ("bound_largest", of_promise(|it| digits(it.bound, 3))),
+        (
+            "bound_truncation",
+            of_promise(|it| digits(it.truncation, 3)),
+        ),
+        ("bound_rounding", of_promise(|it| digits(it.rounding, 3))),
+        ("decided_otherwise", of_promise(|it| it.decided.to_string())),
+        ("beyond_bound", of_promise(|it| it.broken.to_string())),
+        ("rms_truncation", digits(parts.truncation, 4)),
+        ("rms_cut_off", digits(parts.cut_off, 4)),
+        ("rms_between", digits(parts.between, 4)),
+        ("rms_rounding", digits(parts.rounding, 4)),
+        ("rms_decided", digits(parts.decided, 4)),
+        ("rms_simplified", digits(parts.simplified, 4)),
     ]
+}
+
+/// With so many digits behind the point, but no zeros at the end.
+fn digits(value: f64, behind: usize) -> String {
+    let text = format!("{value:.behind$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
 }

@@ -46,14 +46,12 @@ fn number(row: &Row, column: &str) -> f64 {
         .unwrap_or_else(|_| panic!("{column} of {row:?} is a number"))
 }
 
-/// When each of a folder's files was written.
+/// A folder's files, and when each was written.
 fn written(folder: &Path) -> BTreeMap<OsString, SystemTime> {
     let entries = fs::read_dir(folder).expect("the folder can be read");
     let entries = entries.map(|entry| entry.expect("an entry"));
-    let time = |entry: &DirEntry| entry.metadata().and_then(|it| it.modified());
-    entries
-        .map(|entry| (entry.file_name(), time(&entry).expect("a time")))
-        .collect()
+    let time = |entry: &DirEntry| entry.metadata().and_then(|it| it.modified()).unwrap();
+    entries.map(|it| (it.file_name(), time(&it))).collect()
 }
 
 /// What holds in every table, scene by scene.
@@ -125,18 +123,42 @@ fn kept_report_is_sound() {
     let rows = rows(Path::new(REPORT));
     assert!(rows.iter().all(|row| row["size"] == "128x128"));
     assert_is_sound(&rows, &NAMES, "instructions_per_pixel");
-    let page = fs::read_to_string(Path::new(REPORT).join("index.md")).unwrap();
-    for name in NAMES {
-        for plot in ["psnr", "largest"] {
-            let file = format!("{name}-{plot}.svg");
-            assert!(page.contains(&format!("({file})")), "{file}");
-            let svg = fs::read_to_string(Path::new(REPORT).join(file)).unwrap();
-            assert!(svg.starts_with("<svg"));
+    let size: u64 = fs::read_dir(REPORT)
+        .expect("the folder can be read")
+        .map(|entry| entry.unwrap().metadata().unwrap().len())
+        .sum();
+    assert!(size < 1_000_000, "{size}");
+    assert_page_is_whole(Path::new(REPORT), &NAMES);
+}
+
+/// The page has the plots and pictures of every scene, and names no file that is not there.
+fn assert_page_is_whole(folder: &Path, scenes: &[&str]) {
+    let page = fs::read_to_string(folder.join("index.md")).unwrap();
+    let links = page.split("](").skip(1);
+    let links = links.map(|rest| rest.split(')').next().unwrap());
+    let files: Vec<&str> = links.filter(|link| !link.starts_with('#')).collect();
+    for file in &files {
+        let bytes = fs::read(folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
+        let start: &[u8] = match file.ends_with(".svg") {
+            true => b"<svg",
+            false => b"\x89PNG",
+        };
+        assert!(bytes.starts_with(start), "{file}");
+    }
+    for name in scenes {
+        for end in [
+            "psnr.svg",
+            "largest.svg",
+            "first.png",
+            "first-difference.png",
+        ] {
+            let file = format!("{name}-{end}");
+            assert!(files.contains(&file.as_str()), "{file}");
         }
     }
-    let html = fs::read_to_string(Path::new(REPORT).join("index.html")).unwrap();
-    assert!(!html.contains("src=\"http") && !html.contains("href=\"http"));
-    assert!(html.contains("src=\"data:image/png;base64,"));
+    // Pictures and the verdict come first, everything else after them.
+    let place = |words: &str| page.find(words).unwrap_or_else(|| panic!("{words}"));
+    assert!(place(".png)") < place("**") && place("**") < place("<details>"));
 }
 
 #[test]
@@ -159,6 +181,18 @@ fn scene_is_counted_once_and_its_table_has_the_columns_of_the_kept_one() {
     reported(&folder, arguments);
     assert_eq!(written(&folder.path().join("kept")), kept);
     assert_eq!(fs::read(made.join("points.csv")).unwrap(), table);
+    // What was interrupted goes on: counts that are there are not made again.
+    let file = folder.path().join("kept/corner1-float-m4f-16x16.json");
+    let whole = fs::read_to_string(&file).unwrap();
+    let mut counts: serde_json::Value = serde_json::from_str(&whole).unwrap();
+    counts["counts"].as_array_mut().unwrap().truncate(2);
+    counts["counts"][0]["instructions"] = 256_000.into();
+    fs::write(&file, counts.to_string()).unwrap();
+    reported(&folder, arguments);
+    let again = self::rows(&made);
+    let changed = rows.iter().zip(&again).filter(|(old, new)| old != new);
+    let costs = changed.map(|(_, new)| new["instructions_per_pixel"].as_str());
+    assert_eq!(costs.collect::<Vec<_>>(), ["1000"]);
     let front = fs::read_to_string(made.join("front.rs")).unwrap();
     assert!(
         front.contains("pub const CORNER1: Front = Front::new(&["),
@@ -201,7 +235,7 @@ fn wrong_arguments_are_named_in_one_line() {
         ("--size 0x5", "--size"),
         ("--size 2000x5", "1024"),
         ("--reflections 256", "--reflections"),
-        ("--out /dev/null/made", "--out"),
+        ("corner1 --size 4x4 --out /dev/null/made", "--out"),
         ("--speed", "--speed"),
     ];
     for (arguments, name) in cases {

@@ -1,100 +1,20 @@
-//! The settings that are asked for, and the firmware's source made of them.
+//! The firmware's source for a sweep.
 
-use std::{
-    fmt::Write as _,
-    hash::{DefaultHasher, Hash, Hasher},
-    path::Path,
-};
+use std::{collections::BTreeMap, path::Path};
 
-use serde::Deserialize;
+use super::{Contestant, Level, Setting, Sweep};
+use crate::measure::float_source;
 
-use crate::measure::{cores::Core, float_source, scene::Scene, task::Size};
-
-/// One setting.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Run {
-    contestant: Contestant,
-    reflections: u8,
-    scale: u8,
-    /// Is built in, and not drawn.
-    #[serde(default)]
-    pub skip: bool,
-}
-
-/// What draws.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Deserialize)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
-enum Contestant {
-    Float,
-    Fixed { quality: Quality, shadows: bool },
-}
-
-/// A quality of the library's, or one by its numbers.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Deserialize)]
-#[serde(untagged)]
-enum Quality {
-    Named(Named),
-    Own(Own),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum Named {
-    Fast,
-    Fine,
-    Exact,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Own {
-    stride: u8,
-    tolerance: u32,
-    smallest_weight: u32,
-}
-
-/// Reads the settings.
-pub fn read(text: &str) -> Result<Vec<Run>, String> {
-    let runs: Vec<Run> = serde_json::from_str(text).map_err(|error| error.to_string())?;
-    for (index, run) in runs.iter().enumerate() {
-        let place = |words: &str| Err(format!("setting {index}: {words}"));
-        if run.scale == 0 {
-            return place("`scale` is not 1 or more");
-        }
-        if let Some(own) = run.own() {
-            if !matches!(own.stride, 1 | 2 | 4) {
-                return place("`stride` is not 1, 2 or 4");
-            }
-            if own.tolerance > 1 << 30 || own.smallest_weight > 1 << 30 {
-                return place("`tolerance` or `smallest_weight` is more than 2^30");
-            }
-        }
-    }
-    Ok(runs)
-}
-
-/// Comes back with every report.
-pub fn ticket(core: &Core, runs: &[Run]) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    (core.name, runs).hash(&mut hasher);
-    hasher.finish()
-}
-
-/// The source that the firmware includes; `file` is where the source of a file's scene lies.
-pub fn source(scene: &Scene, file: &Path, size: Size, ticket: u64, runs: &[Run]) -> String {
-    let Size { width, height } = size;
+/// The source that the firmware includes. `file` is where the source of a file's scene lies.
+pub fn source(sweep: &Sweep, file: &Path, ticket: u64) -> String {
+    let (width, height) = sweep.size;
     let mut source = format!(
-        "// Written by `cargo xtask sweep`.\n\n\
-         pub const ORDER: firmware::Order =\n    \
+        "pub const ORDER: firmware::Order =\n    \
          firmware::Order {{ size: ({width}, {height}), ticket: {ticket:#x} }};\n\n\
          pub struct Seen;\n\n"
     );
-    if runs
-        .iter()
-        .any(|run| matches!(run.contestant, Contestant::Fixed { .. }))
-    {
-        let (module, scene, camera) = scene.names(file);
+    if sweep.settings.iter().any(|it| !it.is_float()) {
+        let (module, scene, camera) = sweep.scene.names(file);
         source += &format!(
             "{module}type Scene = {scene};\n\n\
              impl firmware::View for Seen {{\n    \
@@ -102,8 +22,8 @@ pub fn source(scene: &Scene, file: &Path, size: Size, ticket: u64, runs: &[Run])
              }}\n\n"
         );
     }
-    if runs.iter().any(|run| run.contestant == Contestant::Float) {
-        let (scene, camera) = scene.reference();
+    if sweep.settings.iter().any(Setting::is_float) {
+        let (scene, camera) = sweep.scene.reference();
         let (scene, camera) = (float_source::scene(&scene), float_source::camera(&camera));
         source += &format!(
             "impl firmware::FloatView for Seen {{\n\
@@ -114,84 +34,60 @@ pub fn source(scene: &Scene, file: &Path, size: Size, ticket: u64, runs: &[Run])
              }}\n\n"
         );
     }
-    let mut qualities: Vec<Own> = runs.iter().filter_map(Run::own).collect();
-    qualities.sort_by_key(Own::name);
-    qualities.dedup();
-    source.extend(qualities.iter().map(Own::source));
+    let levels = sweep.settings.iter().filter_map(own_level);
+    let qualities: BTreeMap<String, String> = levels.map(quality).collect();
+    source.extend(qualities.into_values());
     source += "pub const RUNS: &[firmware::Run] = &[\n";
-    for run in runs {
-        let Run {
-            reflections,
-            scale,
-            skip,
-            ..
-        } = run;
-        let contestant = run.type_name();
-        writeln!(
-            source,
-            "    firmware::Run {{ reflections: {reflections}, scale: {scale}, skip: {skip}, \
-             draw: firmware::swept::<{contestant}> }},"
-        )
-        .expect("a string takes all");
+    for (index, setting) in sweep.settings.iter().enumerate() {
+        let (contestant, is_known) = (type_name(setting), index < sweep.known);
+        source += &format!(
+            "    firmware::Run {{ reflections: {}, scale: {}, skip: {is_known}, \
+             draw: firmware::swept::<{contestant}> }},\n",
+            setting.reflections, setting.scale
+        );
     }
     source + "];\n"
 }
 
-impl Run {
-    fn own(&self) -> Option<Own> {
-        match &self.contestant {
-            Contestant::Fixed {
-                quality: Quality::Own(own),
-                ..
-            } => Some(*own),
-            _ => None,
-        }
-    }
-
-    fn type_name(&self) -> String {
-        let Contestant::Fixed { quality, shadows } = &self.contestant else {
-            return "firmware::Float<Seen>".to_owned();
-        };
-        let quality = match quality {
-            Quality::Named(Named::Fast) => "reflet::Fast".to_owned(),
-            Quality::Named(Named::Fine) => "reflet::Fine".to_owned(),
-            Quality::Named(Named::Exact) => "reflet::Exact".to_owned(),
-            Quality::Own(own) => own.name(),
-        };
-        let shading = match shadows {
-            true => "reflet::BlinnPhong",
-            false => "reflet::Unshadowed<reflet::BlinnPhong>",
-        };
-        format!("firmware::Varied<Scene, Seen, {quality}, {shading}>")
+/// The level of a setting, if it is none of the library's.
+fn own_level(setting: &Setting) -> Option<Level> {
+    match setting.contestant {
+        Contestant::Fixed { level, .. } => Some(level).filter(|it| !matches!(it, Level::Named(_))),
+        Contestant::Float => None,
     }
 }
 
-impl Own {
-    fn name(&self) -> String {
-        let Self {
-            stride,
-            tolerance,
-            smallest_weight,
-        } = self;
-        format!("Own{stride}T{tolerance}W{smallest_weight}")
-    }
+/// The type of the contestant in the firmware.
+fn type_name(setting: &Setting) -> String {
+    let Contestant::Fixed { level, shadows } = setting.contestant else {
+        return "firmware::Float<Seen>".to_owned();
+    };
+    let quality = match level {
+        Level::Named(quality) => format!("reflet::{}", quality.type_name()),
+        own => quality(own).0,
+    };
+    let shading = match shadows {
+        true => "reflet::BlinnPhong",
+        false => "reflet::Unshadowed<reflet::BlinnPhong>",
+    };
+    format!("firmware::Varied<Scene, Seen, {quality}, {shading}>")
+}
 
-    fn source(&self) -> String {
-        let Self {
-            stride,
-            tolerance,
-            smallest_weight,
-        } = self;
-        format!(
-            "pub struct {};\n\n\
-             impl reflet::Quality for {0} {{\n    \
-                 const SMALLEST_WEIGHT: reflet::Unit = reflet::Unit::from_bits({smallest_weight});\n    \
-                 const STRIDE: u32 = {stride};\n    \
-                 const TOLERANCE: reflet::Unit = reflet::Unit::from_bits({tolerance});\n\
-             }}\n\n",
-            self.name()
-        )
-    }
+/// The name and the source of a level that the library does not have.
+fn quality(level: Level) -> (String, String) {
+    let numbers = level.numbers();
+    let (stride, tolerance) = (numbers.stride, numbers.tolerance.to_bits());
+    let weight = numbers.smallest_weight.to_bits();
+    let name = format!("Own{stride}T{tolerance}W{weight}");
+    let source = format!(
+        "pub struct {name};\n\n\
+         impl reflet::Quality for {name} {{\n    \
+             const SMALLEST_WEIGHT: reflet::Unit = reflet::Unit::from_bits({weight});\n    \
+             const STRIDE: u32 = {stride};\n    \
+             const TOLERANCE: reflet::Unit = reflet::Unit::from_bits({tolerance});\n\
+         }}\n\n"
+    );
+    (name, source)
 }
 
 #[cfg(test)]
@@ -199,39 +95,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn settings_are_read_and_named() {
-        let text = r#"[
-            {"contestant": "float", "reflections": 3, "scale": 1},
-            {"contestant": {"fixed": {"quality": "fine", "shadows": true}}, "reflections": 0, "scale": 2},
-            {"contestant": {"fixed": {"quality": {"stride": 1, "tolerance": 0, "smallest_weight": 1},
-             "shadows": false}}, "reflections": 9, "scale": 1}
-        ]"#;
-        let names: Vec<_> = read(text).unwrap().iter().map(Run::type_name).collect();
+    fn contestant_is_named_by_its_type() {
+        let names = [
+            Setting::float(3, 1),
+            Setting::fixed(Level::FINE, 0),
+            Setting::fixed(Level::Cut16, 9).unshadowed(),
+        ]
+        .map(|it| type_name(&it));
         let expected = [
             "firmware::Float<Seen>",
             "firmware::Varied<Scene, Seen, reflet::Fine, reflet::BlinnPhong>",
-            "firmware::Varied<Scene, Seen, Own1T0W1, reflet::Unshadowed<reflet::BlinnPhong>>",
+            "firmware::Varied<Scene, Seen, Own4T4194304W67108864, \
+             reflet::Unshadowed<reflet::BlinnPhong>>",
         ];
         assert_eq!(names, expected);
-    }
-
-    #[test]
-    fn settings_that_no_firmware_has_are_refused() {
-        let run = |contestant: &str, scale: u8| {
-            read(&format!(
-                r#"[{{"contestant": {contestant}, "reflections": 1, "scale": {scale}}}]"#
-            ))
-        };
-        let own = r#"{"fixed": {"shadows": true, "quality": {"stride": 3, "tolerance": 0, "smallest_weight": 1}}}"#;
-        assert!(run(r#""float""#, 1).is_ok());
-        assert_eq!(
-            run(r#""float""#, 0).unwrap_err(),
-            "setting 0: `scale` is not 1 or more"
-        );
-        assert_eq!(
-            run(own, 1).unwrap_err(),
-            "setting 0: `stride` is not 1, 2 or 4"
-        );
-        assert!(run(r#""double""#, 1).is_err());
     }
 }

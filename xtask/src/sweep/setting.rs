@@ -1,0 +1,170 @@
+//! One setting, as a value: what draws, how exactly, with how many reflections and how large pixels.
+
+use command_line::Quality as Named;
+use reflet::{Exact, Fast, Fine, Quality, Small, Unit};
+
+/// One setting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Setting {
+    pub contestant: Contestant,
+    /// At most this many reflections.
+    pub reflections: u8,
+    /// A drawn pixel covers so many by so many of the picture; at least 1.
+    pub scale: u8,
+}
+
+/// What draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Contestant {
+    /// The float port.
+    Float,
+    /// This library.
+    Fixed { level: Level, shadows: bool },
+}
+
+/// A quality, as a value: one of the library's, or [`Fast`] with one number changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Level {
+    /// One of the library's.
+    Named(Named),
+    /// A smallest weight of 2⁻²
+    Cut4,
+    /// 2⁻⁴
+    Cut16,
+    /// 2⁻⁶
+    Cut64,
+    /// Four times the tolerance between traced pixels
+    Rough4,
+    /// 16 times
+    Rough16,
+}
+
+/// [`Fast`] with another smallest weight, in steps of 2⁻³⁰, and so many times its tolerance.
+struct Own<const WEIGHT: i32, const TOLERANCES: i32>;
+
+impl<const WEIGHT: i32, const TOLERANCES: i32> Quality for Own<WEIGHT, TOLERANCES> {
+    const SMALLEST_WEIGHT: Unit = Unit::from_bits(WEIGHT);
+    const STRIDE: u32 = Fast::STRIDE;
+    const TOLERANCE: Unit = Unit::from_bits(TOLERANCES * Fast::TOLERANCE.to_bits());
+}
+
+const FAST_WEIGHT: i32 = Fast::SMALLEST_WEIGHT.to_bits();
+
+/// What is done with the type of a level.
+pub trait Visitor {
+    /// What it returns.
+    type Output;
+
+    /// Does it with the quality `Q`.
+    fn visit<Q: Quality>(self) -> Self::Output;
+}
+
+/// A quality's numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Numbers {
+    pub smallest_weight: Unit,
+    pub stride: u32,
+    pub tolerance: Unit,
+}
+
+struct AsNumbers;
+
+impl Visitor for AsNumbers {
+    type Output = Numbers;
+
+    fn visit<Q: Quality>(self) -> Numbers {
+        Numbers {
+            smallest_weight: Q::SMALLEST_WEIGHT,
+            stride: Q::STRIDE,
+            tolerance: Q::TOLERANCE,
+        }
+    }
+}
+
+impl Level {
+    pub const FAST: Self = Self::Named(Named::Fast);
+    pub const FINE: Self = Self::Named(Named::Fine);
+    pub const EXACT: Self = Self::Named(Named::Exact);
+
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Named(quality) => quality.name(),
+            Self::Cut4 => "fast, cut at 1/4",
+            Self::Cut16 => "fast, cut at 1/16",
+            Self::Cut64 => "fast, cut at 1/64",
+            Self::Rough4 => "fast, 4 x tolerance",
+            Self::Rough16 => "fast, 16 x tolerance",
+        }
+    }
+
+    /// Calls the visitor with the level's type.
+    pub fn visit<V: Visitor>(self, visitor: V) -> V::Output {
+        match self {
+            Self::Named(Named::Fast) => visitor.visit::<Fast>(),
+            Self::Named(Named::Fine) => visitor.visit::<Fine>(),
+            Self::Named(Named::Small) => visitor.visit::<Small>(),
+            Self::Named(Named::Exact) => visitor.visit::<Exact>(),
+            Self::Cut4 => visitor.visit::<Own<{ 1 << 28 }, 1>>(),
+            Self::Cut16 => visitor.visit::<Own<{ 1 << 26 }, 1>>(),
+            Self::Cut64 => visitor.visit::<Own<{ 1 << 24 }, 1>>(),
+            Self::Rough4 => visitor.visit::<Own<FAST_WEIGHT, 4>>(),
+            Self::Rough16 => visitor.visit::<Own<FAST_WEIGHT, 16>>(),
+        }
+    }
+
+    /// Its numbers.
+    pub fn numbers(self) -> Numbers {
+        self.visit(AsNumbers)
+    }
+}
+
+impl Setting {
+    /// In fixed point with shadows, at full resolution.
+    pub fn fixed(level: Level, reflections: u8) -> Self {
+        let shadows = true;
+        Self {
+            contestant: Contestant::Fixed { level, shadows },
+            reflections,
+            scale: 1,
+        }
+    }
+
+    /// With the float port.
+    pub fn float(reflections: u8, scale: u8) -> Self {
+        Self {
+            contestant: Contestant::Float,
+            reflections,
+            scale,
+        }
+    }
+
+    /// The same without shadows. The float port always draws them.
+    pub fn unshadowed(mut self) -> Self {
+        if let Contestant::Fixed { shadows, .. } = &mut self.contestant {
+            *shadows = false;
+        }
+        self
+    }
+
+    /// Whether the float port draws.
+    pub fn is_float(&self) -> bool {
+        self.contestant == Contestant::Float
+    }
+
+    /// In words.
+    pub fn words(&self) -> String {
+        let (name, shadows) = match self.contestant {
+            Contestant::Float => ("float", true),
+            Contestant::Fixed { level, shadows } => (level.name(), shadows),
+        };
+        let mut words = format!("N = {}, {name}", self.reflections);
+        if !shadows {
+            words += ", no shadows";
+        }
+        if self.scale > 1 {
+            words += &format!(", {0} x {0} pixels", self.scale);
+        }
+        words
+    }
+}
