@@ -171,6 +171,12 @@ impl Sum {
         Self([of(r, red), of(g, green), of(b, blue)])
     }
 
+    /// Red, green and blue in steps of 2⁻²⁴.
+    #[cfg(test)]
+    pub(crate) fn to_bits(self) -> [i32; 3] {
+        self.0
+    }
+
     /// Clamped to 0 to 1 and rounded to 8 bits: round(255 c).
     #[inline(always)]
     pub fn to_rgb8(self) -> [u8; 3] {

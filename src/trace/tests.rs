@@ -1,3 +1,6 @@
+mod accumulation;
+mod series;
+
 use std::vec::Vec;
 
 use super::*;

@@ -2,11 +2,13 @@
 
 use std::vec;
 
+use crate::host::reference::bound::{Paths, Precision};
 use crate::host::reference::shape::Ray;
 use crate::host::reference::trace::*;
 use crate::host::reference::vector::Vector;
 use crate::host::reference::world::World;
-use crate::host::reference::{Light, Material, Plane, Scene, Shading, Sphere};
+use crate::host::reference::{Camera, Light, Material, Plane, Scene, Shading, Sphere, pixel};
+use crate::number::sweep::Sweep;
 
 const SHADINGS: [Shading; 2] = [Shading::BlinnPhong, Shading::Phong];
 
@@ -138,6 +140,55 @@ fn two_parallel_mirrors_alternate() {
             seen(&scene, down(1.0), reflections as u32, Shading::Phong),
             expected
         );
+    }
+}
+
+/// A ray straight up and down meets two mirrors in turn. `trace` goes back from its end by the
+/// recursion, `bound` goes along it with a running weight.
+#[test]
+fn recursion_and_running_weight_agree_between_two_mirrors() {
+    let camera = Camera {
+        position: [0.0, 0.0, 1.0],
+        target: [0.0; 3],
+        up: [0.0, 1.0, 0.0],
+        fov: 50.0,
+    };
+    let precision = Precision {
+        step: 1e-9,
+        middle: [0.0; 3],
+    };
+    let mut sweep = Sweep::new(5);
+    for _ in 0..50 {
+        let mut share = || f64::from(sweep.within(0, i32::MAX)) / f64::from(i32::MAX);
+        let mut mirror = || glowing([share(), share(), 16.0 * share()], share().sqrt().sqrt());
+        let scene = Scene {
+            planes: vec![plane(0.0, 0), plane(2.0, 1)],
+            materials: vec![mirror(), mirror()],
+            ..Scene::default()
+        };
+        let all = 300;
+        let shading = Shading::Phong;
+        let paths = Paths::follow(&scene, &camera, (1, 1), all, shading, &precision);
+        let recursive = |reflections| {
+            let color = pixel(&scene, &camera, (1, 1), (0, 0), reflections, shading);
+            Vector(color)
+        };
+        for reflections in [0, 1, 2, 5, 40, 299] {
+            let stage = paths.path(0, 0).ended(reflections, 0.0);
+            let sum = Vector(stage.color);
+            assert!((sum - recursive(reflections as u32)).length() < 1e-9);
+            // The rest is what is seen along the next ray: up after the floor, down after the ceiling.
+            let next = match reflections % 2 {
+                0 => Ray {
+                    direction: Vector([0.0, 0.0, 1.0]),
+                    ..down(1.0)
+                },
+                _ => down(1.0),
+            };
+            let rest = seen(&scene, next, (all - reflections - 1) as u32, shading);
+            let whole = sum + rest * stage.weight;
+            assert!((whole - recursive(all as u32)).length() < 1e-9);
+        }
     }
 }
 
