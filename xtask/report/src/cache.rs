@@ -147,9 +147,12 @@ pub fn folder() -> PathBuf {
 }
 
 /// What makes a firmware: if none of it changes nothing has to be counted again.
-const SOURCES: [&str; 18] = [
+const SOURCES: [&str; 21] = [
     "Cargo.toml",
     "src",
+    "src/host/reference/model",
+    "src/host/reference/prepared.rs",
+    "src/host/reference/shading.rs",
     "xtask/firmware/Cargo.toml",
     "xtask/firmware/Cargo.lock",
     "xtask/firmware/build.rs",
