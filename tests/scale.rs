@@ -3,7 +3,7 @@
 
 use embedded_graphics::prelude::Size;
 use reflet::host::painted;
-use reflet::host::reference::Picture;
+use reflet::host::reference::{Picture, Vector};
 use reflet::{Camera, Fine, Material, RuntimeScene};
 
 /// Where a scene is put and how large it is made, and whether its camera is far away.
@@ -26,7 +26,9 @@ impl Setting {
     }
 
     fn placed(self, at: [f64; 3]) -> [f64; 3] {
-        [0, 1, 2].map(|axis| self.length(at[axis] + self.offset[axis]))
+        (Vector(at) + Vector(self.offset))
+            .0
+            .map(|it| self.length(it))
     }
 
     /// Mirrors, shadows, and a light and a floor that go on for ever; every number is a fraction

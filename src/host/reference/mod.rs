@@ -44,34 +44,22 @@
 pub mod bound;
 mod camera;
 mod convert;
+mod model;
 mod picture;
+mod prepared;
+mod real;
 mod scene;
-mod shade;
-mod shape;
+mod shading;
 mod trace;
-mod vector;
-mod view;
-mod world;
 
 pub use self::camera::Camera;
+pub use self::model::Vector;
 pub use self::picture::{Picture, pixel, render};
 pub use self::scene::{Cylinder, Light, Material, Plane, Scene, Sphere};
+pub use self::shading::Shading;
 
 /// What is computed in. `xtask/float_picture` takes the same files in single precision.
 type Real = f64;
 
-/// How a hit becomes a colour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shading {
-    /// The highlight by the angle between the normal and the half-way vector.
-    BlinnPhong,
-    /// The highlight by the angle between the mirrored light and the viewer.
-    Phong,
-    /// No light: the normal n of what is met first, as the colour (n + 1) / 2, and blue where
-    /// nothing is met.
-    Normals,
-}
-
-/// Apart from what they try, which `xtask/float_picture` takes, too.
 #[cfg(test)]
 mod tests;

@@ -4,11 +4,9 @@ use std::vec::Vec;
 
 use rayon::prelude::*;
 
-use super::trace;
-use super::vector::{Vector, quantised};
-use super::view::View;
-use super::world::World;
-use super::{Camera, Scene, Shading};
+use super::model::{Vector, View, quantised};
+use super::prepared::{self, Prepared};
+use super::{Camera, Scene, Shading, trace};
 
 /// A picture of 8 bits a channel.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,8 +46,9 @@ pub fn pixel(
     reflections: u32,
     shading: Shading,
 ) -> [f64; 3] {
-    let ray = View::new(camera, width, height).ray(x, y);
-    let Vector(color) = trace::color(&World::new(scene), ray, reflections, shading);
+    let ray = View::new(&prepared::camera(camera), (width, height)).ray(x, y);
+    let prepared = Prepared::new(scene);
+    let Vector(color) = trace::color(&prepared.scene(), ray, reflections, shading);
     color
 }
 
@@ -79,12 +78,13 @@ pub fn render(
     reflections: u32,
     shading: Shading,
 ) -> Picture {
-    let world = World::new(scene);
-    let view = View::new(camera, width, height);
+    let prepared = Prepared::new(scene);
+    let scene = prepared.scene();
+    let view = View::new(&prepared::camera(camera), (width, height));
     let row = |y| {
-        let (world, view) = (&world, &view);
+        let (scene, view) = (&scene, &view);
         (0..width)
-            .map(move |x| quantised(trace::color(world, view.ray(x, y), reflections, shading)))
+            .map(move |x| quantised(trace::color(scene, view.ray(x, y), reflections, shading)))
     };
     let pixels = (0..height).into_par_iter().flat_map_iter(row).collect();
     Picture {

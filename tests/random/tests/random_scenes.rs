@@ -9,7 +9,7 @@ use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
-use reflet::host::reference::{self, render};
+use reflet::host::reference::{self, Vector, render};
 use reflet::{
     Camera, CameraError, Fast, Fine, Frame, Material, MaterialId, Normals, Phong, Quality,
     RuntimeScene, SceneError, World,
@@ -141,7 +141,7 @@ fn recipe() -> impl Strategy<Value = Recipe> {
 impl Recipe {
     /// From the cube to the scene.
     fn placed(&self, at: Triple) -> Triple {
-        [0, 1, 2].map(|axis| (at[axis] + self.offset[axis]) * self.scale)
+        ((Vector(at) + Vector(self.offset)) * self.scale).0
     }
 
     fn scene(&self) -> Result<Scenery, SceneError> {
@@ -188,7 +188,7 @@ impl Recipe {
             }
             Eye::InSphere(_, fov) => ([0.5; 3], fov),
             Eye::Away(towards, far, fov) => {
-                let length = towards.into_iter().map(|it| it * it).sum::<f64>().sqrt();
+                let length = Vector(towards).length();
                 (towards.map(|it| it / length * far), fov)
             }
         };

@@ -157,7 +157,7 @@ fn shuffle<T>(items: &mut [T]) {
 mod tests {
     use reflet::host::{
         file::SceneFile,
-        reference::{Camera, Scene, Sphere},
+        reference::{Camera, Scene, Sphere, Vector},
     };
 
     use super::*;
@@ -170,8 +170,7 @@ mod tests {
     }
 
     fn distance(one: &Sphere, other: &Sphere) -> f64 {
-        let square = |axis: usize| (one.center[axis] - other.center[axis]).powi(2);
-        (square(0) + square(1) + square(2)).sqrt()
+        (Vector(one.center) - Vector(other.center)).length()
     }
 
     #[test]
@@ -206,15 +205,15 @@ mod tests {
     fn every_bead_is_in_the_picture() {
         for count in COUNTS {
             let (scene, camera) = read(count, Order::Spiral);
-            let ahead = unit(minus(camera.target, camera.position));
-            let right = unit(cross(ahead, camera.up));
-            let up = cross(right, ahead);
+            let ahead = (Vector(camera.target) - Vector(camera.position)).unit();
+            let right = ahead.cross(Vector(camera.up)).unit();
+            let up = right.cross(ahead);
             let (sine, cosine) = (camera.fov.to_radians() / 2.0).sin_cos();
             for bead in &scene.spheres {
-                let way = minus(bead.center, camera.position);
-                for side in [dot(way, right), dot(way, up)] {
+                let way = Vector(bead.center) - Vector(camera.position);
+                for side in [way.dot(right), way.dot(up)] {
                     // How far the middle is from the edge of what is seen.
-                    let inside = dot(way, ahead) * sine - side.abs() * cosine;
+                    let inside = way.dot(ahead) * sine - side.abs() * cosine;
                     assert!(inside > bead.radius, "{count}: {bead:?}");
                 }
             }
@@ -247,25 +246,5 @@ mod tests {
             let mirrors = scene.spheres.iter().filter(is_mirror).count();
             assert_eq!(mirrors, count.div_ceil(2));
         }
-    }
-
-    fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-        [0, 1, 2].map(|axis| a[axis] - b[axis])
-    }
-
-    fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-        a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-    }
-
-    fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-        [0, 1, 2].map(|axis| {
-            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-            a[next] * b[last] - a[last] * b[next]
-        })
-    }
-
-    fn unit(vector: [f64; 3]) -> [f64; 3] {
-        let length = dot(vector, vector).sqrt();
-        vector.map(|coordinate| coordinate / length)
     }
 }

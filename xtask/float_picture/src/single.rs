@@ -4,50 +4,35 @@
 //! distance of a centre from the ray: as good as a picture in `f32` can be without cleverness.
 
 // Only what follows a ray is called.
-#![allow(dead_code)]
+#![allow(dead_code, unused_imports)]
 
-#[path = "../../../src/host/reference/shade.rs"]
-mod shade;
-#[path = "../../../src/host/reference/shape.rs"]
-mod shape;
+#[path = "../../../src/host/reference/model/mod.rs"]
+mod model;
+#[path = "../../../src/host/reference/prepared.rs"]
+mod prepared;
+#[path = "../../../src/host/reference/real.rs"]
+mod real;
 #[path = "../../../src/host/reference/trace.rs"]
 mod trace;
-#[path = "../../../src/host/reference/vector.rs"]
-mod vector;
-#[path = "../../../src/host/reference/view.rs"]
-mod view;
-#[path = "../../../src/host/reference/world.rs"]
-mod world;
 
 use reflet::host::reference::{Camera, Picture, Scene, Shading};
 
-use self::view::View;
-use self::world::World;
+use self::prepared::{Prepared, camera};
 
 /// What is computed in.
 type Real = f32;
 
-mod scene {
-    pub use reflet::host::reference::{Cylinder, Light, Material, Plane, Scene, Sphere};
-}
-
 /// The picture of a scene, every number of which is the nearest `f32`.
 pub fn render(
     scene: &Scene,
-    camera: &Camera,
-    (width, height): (u32, u32),
+    eye: &Camera,
+    size: (u32, u32),
     reflections: u32,
     shading: Shading,
 ) -> Picture {
-    let world = World::new(scene);
-    let view = View::new(camera, width, height);
-    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-    let pixels = places.map(|(x, y)| {
-        vector::quantised(trace::color(&world, view.ray(x, y), reflections, shading))
-    });
-    Picture {
-        width,
-        height,
-        pixels: pixels.collect(),
-    }
+    let (prepared, view) = (Prepared::new(scene), model::View::new(&camera(eye), size));
+    let scene = prepared.scene();
+    super::picture(size, |x, y| {
+        model::quantised(trace::color(&scene, view.ray(x, y), reflections, shading))
+    })
 }

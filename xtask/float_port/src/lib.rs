@@ -3,31 +3,50 @@
 //!
 //! A fair competitor: the textbook's formulas, no allocation, no recursion, the scene a constant
 //! that the optimiser sees through, the core's own instruction for roots where there is one. It
-//! uses no trick of `reflet`'s, and nothing is checked.
+//! uses no trick of `reflet`'s, and nothing is checked. The formulas are in files of the reference,
+//! compiled once more; only the sum along a path is written here.
 #![no_std]
 #![deny(missing_docs)]
 
-mod camera;
-mod float;
-mod scene;
-mod shade;
-mod shape;
-mod trace;
-mod vector;
+#[path = "../../../src/host/reference/model/mod.rs"]
+mod model;
+mod real;
+#[path = "../../../src/host/reference/shading.rs"]
+mod shading;
 
-pub use camera::{Camera, View};
-pub use scene::{Cylinder, Light, Material, Plane, Scene, Sphere};
-pub use shade::Shading;
-pub use shape::Ray;
-pub use vector::Vector;
+pub use model::{
+    Camera, Cylinder, Light, Material, Met, Plane, Ray, Scene, Shape, Sphere, Surface, Vector, View,
+};
+pub use shading::Shading;
 
 /// Red, green and blue of what comes along a ray of a [`View`], after at most `reflections`
 /// reflections.
 #[inline]
 pub fn pixel(scene: &Scene, shading: Shading, ray: &Ray, reflections: u32) -> [u8; 3] {
-    let color = match shading {
-        Shading::Normals => trace::normal(scene, ray),
-        shading => trace::color(scene, shading, *ray, reflections),
-    };
-    [color.x, color.y, color.z].map(|channel| (255.0 * channel.clamp(0.0, 1.0) + 0.5) as u8)
+    model::quantised(match shading {
+        Shading::Normals => scene.normal_color(ray),
+        shading => color(scene, shading, *ray, reflections),
+    })
+}
+
+/// Follows a ray for at most `reflections` reflections and adds up what it meets by its weight.
+#[inline]
+fn color(scene: &Scene, shading: Shading, mut ray: Ray, reflections: u32) -> Vector {
+    let mut color = Vector::ZERO;
+    let mut weight = 1.0;
+    for _ in 0..=reflections {
+        let Some(surface) = scene.nearest(&ray) else {
+            return color + scene.background * weight;
+        };
+        let mirror = surface.material.mirror;
+        if mirror < 1.0 {
+            color += scene.own_color(&surface, shading) * (weight * (1.0 - mirror));
+        }
+        weight *= mirror;
+        if weight == 0.0 {
+            break;
+        }
+        ray = surface.reflected();
+    }
+    color
 }

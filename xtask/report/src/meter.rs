@@ -4,13 +4,12 @@
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 use tempfile::NamedTempFile;
-use xtask::root;
+use xtask::measure;
 use xtask::sweep::{Count, Sweep};
 
 /// The file.
@@ -94,52 +93,16 @@ fn hash(value: impl Hash) -> u64 {
     hasher.finish()
 }
 
-/// What makes a firmware: if none of it changes nothing has to be counted again.
-const SOURCES: [&str; 11] = [
-    "Cargo.toml",
-    "src",
-    "xtask/firmware/Cargo.toml",
-    "xtask/firmware/Cargo.lock",
-    "xtask/firmware/build.rs",
-    "xtask/firmware/memory",
-    "xtask/firmware/src",
-    "xtask/float_picture/src",
-    "xtask/float_port/src",
-    "xtask/frame_hash/src",
-    "xtask/src",
-];
-
-/// A hash of all sources, of a scene's file if it comes from one, and of the compiler's version.
+/// A hash of what a firmware is made of, and of a scene's file if it comes from one.
 fn sources(scene: &Path) -> Result<u64> {
     let mut hasher = DefaultHasher::new();
-    let compiler = Command::new("rustc").arg("-vV").output();
-    let version = compiler.map(|it| it.stdout).unwrap_or_default();
-    version.hash(&mut hasher);
-    for path in SOURCES {
-        add(&root().join(path), &mut hasher)?;
-    }
+    measure::sources()?.hash(&mut hasher);
     if scene.is_file() {
-        add(scene, &mut hasher)?;
+        let text = fs::read(scene);
+        let text = text.with_context(|| format!("{} cannot be read", scene.display()));
+        text?.hash(&mut hasher);
     }
     Ok(hasher.finish())
-}
-
-/// Adds a file, or all files below a folder but those that only a desktop sees.
-fn add(path: &Path, hasher: &mut DefaultHasher) -> Result<()> {
-    let unreadable = || format!("{} cannot be read", path.display());
-    if path.ends_with("host") || path.ends_with("tests.rs") {
-        return Ok(());
-    }
-    if !path.is_dir() {
-        let text = fs::read(path).with_context(unreadable)?;
-        (path.strip_prefix(root()).unwrap_or(path), text).hash(hasher);
-        return Ok(());
-    }
-    let entries = fs::read_dir(path).with_context(unreadable)?;
-    let paths = entries.map(|entry| entry.map(|it| it.path()));
-    let mut paths: Vec<PathBuf> = paths.collect::<Result<_, _>>().with_context(unreadable)?;
-    paths.sort();
-    paths.iter().try_for_each(|path| add(path, hasher))
 }
 
 #[cfg(test)]

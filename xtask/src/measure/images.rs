@@ -56,8 +56,8 @@ fn folder() -> Result<&'static Path> {
     Ok(FOLDER.get_or_init(|| folder))
 }
 
-/// A hash of the sources and of the compiler's version.
-fn sources() -> Result<u64> {
+/// A hash of all that firmware is made of, apart from its job, and of the compiler's version.
+pub fn sources() -> Result<u64> {
     let mut hasher = DefaultHasher::new();
     Program::new("rustc")
         .args(["-vV"])
@@ -73,7 +73,7 @@ fn sources() -> Result<u64> {
 fn add(path: &Path, hasher: &mut impl Hasher) -> Result<()> {
     let unreadable = || format!("cannot read {}", path.display());
     if !path.is_dir() {
-        path.hash(hasher);
+        path.strip_prefix(root()).unwrap_or(path).hash(hasher);
         fs::read(path).with_context(unreadable)?.hash(hasher);
         return Ok(());
     }

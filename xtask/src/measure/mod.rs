@@ -23,6 +23,7 @@ use anyhow::Result;
 pub use self::firmware::{
     Outcome, RUN_LIMIT, Weight, is_counted, run as outcome, weigh, weight, with_program,
 };
+pub use self::images::sources;
 use self::{arguments::Arguments, figures::Figures, task::Task};
 use crate::cycles::{self, Estimate};
 

@@ -5,10 +5,7 @@
 //! pixel half way may be traced, and then the two at the quarters may be moved by three quarters of
 //! what the curve misses it by, or taken for the middle of a line, or be traced themselves.
 
-use super::Stage;
-
-/// A colour, or what colours differ by.
-type Triple = [f64; 3];
+use super::{Stage, Vector};
 
 /// The most that the pixel `x` may be off by.
 pub(super) fn error(row: &[&Stage], x: usize, stride: usize, tolerance: f64) -> f64 {
@@ -24,8 +21,9 @@ pub(super) fn error(row: &[&Stage], x: usize, stride: usize, tolerance: f64) -> 
         tolerance,
     };
     let alike = |column: usize| row[column].trail == row[start].trail;
-    let (here, middle, end) = (row[x].color, start + 2, start + stride);
-    let miss = |color: Triple| largest(less(color, here));
+    let color = |column: usize| Vector(row[column].color);
+    let (here, middle, end) = (color(x), start + 2, start + stride);
+    let miss = |color: Vector| largest(color - here);
     let mut worst: f64 = 0.0;
     for (bends, is_exact) in stretch.bends().into_iter().flatten() {
         if !alike(end) {
@@ -36,26 +34,26 @@ pub(super) fn error(row: &[&Stage], x: usize, stride: usize, tolerance: f64) -> 
             worst = worst.max(miss(curve(x)));
         }
         if stride == 4 && place != 2 && alike(middle) {
-            let missed = less(row[middle].color, curve(middle));
+            let missed = color(middle) - curve(middle);
             if stretch.allows(missed, 1.0) {
-                worst = worst.max(miss(plus(curve(x), missed, 0.75)));
+                worst = worst.max(miss(curve(x) + missed * 0.75));
             }
         }
     }
     // The middle of a line, between two pixels beside it.
-    let (left, right) = (row[x - 1], row[x + 1]);
+    let (left, right) = (color(x - 1), color(x + 1));
     let is_line = stride == 2 || place != 2;
-    if is_line && left.trail == right.trail {
-        let way = less(right.color, left.color);
+    if is_line && row[x - 1].trail == row[x + 1].trail {
+        let way = right - left;
         if stretch.allows(way, 3.0) {
-            worst = worst.max(miss(plus(left.color, way, 0.5)));
+            worst = worst.max(miss(left + way * 0.5));
         }
         if let (3, 4, Some(beyond)) = (place, stride, row.get(end + stride)) {
             // `Bend::of_uneven`, of which the pixel is moved by an eighth.
-            let far = less(beyond.color, right.color);
-            let bend = [0, 1, 2].map(|axis| 0.3125 * (far[axis] - 2.0 * way[axis]));
-            if right.trail == beyond.trail && stretch.allows(bend, 4.0) {
-                worst = worst.max(miss(plus(plus(left.color, way, 0.5), bend, -0.125)));
+            let far = Vector(beyond.color) - right;
+            let bend = (far - way * 2.0) * 0.3125;
+            if row[x + 1].trail == beyond.trail && stretch.allows(bend, 4.0) {
+                worst = worst.max(miss(left + way * 0.5 + bend * -0.125));
             }
         }
     }
@@ -80,59 +78,45 @@ impl Stretch<'_> {
     }
 
     /// Whether so much may pass for no more than so many tolerances.
-    fn allows(&self, difference: Triple, tolerances: f64) -> bool {
+    fn allows(&self, difference: Vector, tolerances: f64) -> bool {
         largest(difference) <= tolerances * self.tolerance + self.slack()
     }
 
     /// How much the colours bend at a column, if there are any before and behind.
-    fn bend(&self, column: usize) -> Option<Triple> {
-        let before = self.row.get(column.checked_sub(self.stride)?)?;
-        let (middle, after) = (self.row[column], self.row.get(column + self.stride)?);
-        Some(less(
-            less(after.color, middle.color),
-            less(middle.color, before.color),
-        ))
+    fn bend(&self, column: usize) -> Option<Vector> {
+        let color = |column: usize| Some(Vector(self.row.get(column)?.color));
+        let before = color(column.checked_sub(self.stride)?)?;
+        let (middle, after) = (color(column)?, color(column + self.stride)?);
+        Some((after - middle) - (middle - before))
     }
 
     /// By which bends the curve may be laid, and whether it may then pass without a look half way.
     ///
     /// Fixed point knows a bend where the paths around it went alike. That is not quite known here: it
     /// tells paths apart by more than what they met, and does not by lights too faint for its formats.
-    fn bends(&self) -> [Option<([Triple; 2], bool)>; 4] {
+    fn bends(&self) -> [Option<([Vector; 2], bool)>; 4] {
         let [first, last] = [self.start, self.start + self.stride].map(|it| self.bend(it));
-        let one = |bend: Triple| ([bend; 2], self.allows(bend, 2.0));
-        let both = |(first, last)| ([first, last], self.allows(less(last, first), 1.0));
+        let one = |bend: Vector| ([bend; 2], self.allows(bend, 2.0));
+        let both = |(first, last)| ([first, last], self.allows(last - first, 1.0));
         [
             first.zip(last).map(both),
             first.map(one),
             last.map(one),
-            Some(([[0.0; 3]; 2], false)),
+            Some(([Vector::ZERO; 2], false)),
         ]
     }
 
     /// The cubic through both ends that bends so at each, at a column.
-    fn curve(&self, [first, last]: [Triple; 2], column: usize) -> Triple {
+    fn curve(&self, [first, last]: [Vector; 2], column: usize) -> Vector {
         let way = (column - self.start) as f64 / self.stride as f64;
-        let (start, end) = (
-            self.row[self.start].color,
-            self.row[self.start + self.stride].color,
-        );
+        let ends = [self.start, self.start + self.stride];
+        let [start, end] = ends.map(|column| Vector(self.row[column].color));
         let sag = way * (1.0 - way) / 6.0;
-        [0, 1, 2].map(|axis| {
-            let bend = (2.0 - way) * first[axis] + (1.0 + way) * last[axis];
-            start[axis] + way * (end[axis] - start[axis]) - sag * bend
-        })
+        let bend = first * (2.0 - way) + last * (1.0 + way);
+        start + (end - start) * way - bend * sag
     }
 }
 
-fn less(a: Triple, b: Triple) -> Triple {
-    [0, 1, 2].map(|axis| a[axis] - b[axis])
-}
-
-fn plus(a: Triple, b: Triple, share: f64) -> Triple {
-    [0, 1, 2].map(|axis| a[axis] + share * b[axis])
-}
-
-fn largest(difference: Triple) -> f64 {
+fn largest(Vector(difference): Vector) -> f64 {
     difference.into_iter().map(f64::abs).fold(0.0, f64::max)
 }

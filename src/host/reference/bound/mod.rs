@@ -39,9 +39,8 @@ use std::vec::Vec;
 use rayon::prelude::*;
 
 pub use self::path::{Followed, Precision, Stage};
-use super::vector::{Vector, quantised};
-use super::view::View;
-use super::world::World;
+use super::model::{Vector, View, quantised};
+use super::prepared::{self, Prepared};
 use super::{Camera, Picture, Scene, Shading};
 
 /// A whole picture of paths, followed in double precision.
@@ -111,16 +110,17 @@ impl Paths {
     pub fn follow(
         scene: &Scene,
         camera: &Camera,
-        (width, height): (u32, u32),
+        size @ (width, height): (u32, u32),
         reflections: usize,
         shading: Shading,
         precision: &Precision,
     ) -> Self {
-        let (world, view) = (World::new(scene), View::new(camera, width, height));
+        let prepared = Prepared::new(scene);
+        let view = View::new(&prepared::camera(camera), size);
         let aside = BESIDE.max(LEAST_ANGLE / view.pixel_angle());
         let follow = |x: f64, y: f64| {
             let ray = view.ray_through(x, y);
-            path::follow(&world, ray, reflections, shading, precision)
+            path::follow(&prepared.scene(), ray, reflections, shading, precision)
         };
         let columns = width + MARGIN;
         let pixel = |index: u32| {

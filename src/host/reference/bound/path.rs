@@ -4,11 +4,7 @@
 use std::vec::Vec;
 
 use crate::host::reference::Shading;
-use crate::host::reference::shade::{own_color, strength};
-use crate::host::reference::shape::Ray;
-use crate::host::reference::trace;
-use crate::host::reference::vector::Vector;
-use crate::host::reference::world::{Surface, World};
+use crate::host::reference::model::{Met, Ray, Scene, Surface, Vector};
 
 /// The grid that a scene was laid on, in scene units: [`crate::host::precision`] tells.
 #[derive(Clone, Copy, Debug)]
@@ -69,7 +65,7 @@ fn to_the_minus(bits: i32) -> f64 {
 
 /// Follows a ray for at most `reflections` reflections.
 pub(super) fn follow(
-    world: &World,
+    scene: &Scene,
     mut ray: Ray,
     reflections: usize,
     shading: Shading,
@@ -85,8 +81,8 @@ pub(super) fn follow(
     let (mut color, mut weight, mut rounding) = (Vector::ZERO, 1.0, 0.0);
     let (mut trail, mut is_unsure) = (0_u64, false);
     for reflection in 0..=reflections {
-        let Some(surface) = world.nearest(&ray) else {
-            color += Vector(world.scene.background) * weight;
+        let Some(surface) = scene.nearest(&ray) else {
+            color += scene.background * weight;
             rounding += to_the_minus(24) + weight * to_the_minus(26);
             weight = 0.0;
             trail = mixed(trail, u64::MAX);
@@ -99,12 +95,12 @@ pub(super) fn follow(
             });
             break;
         };
-        let at = Hit::new(&surface, &ray, drift, world.scene.epsilon, step);
+        let at = Hit::new(scene, &surface, &ray, drift, step);
         is_unsure |= at.is_unsure;
-        let (lights, error) = at.light(world, &surface, shading, precision);
+        let (lights, error) = at.light(scene, &surface, shading, precision);
         let alpha = surface.material.mirror;
         let share = weight * (1.0 - alpha);
-        let own = own_color(world, &surface, trace::gleam(shading));
+        let own = scene.own_color(&surface, shading);
         color += own * share;
         let brightest = largest(own);
         rounding += share * error
@@ -113,7 +109,7 @@ pub(super) fn follow(
         weight *= alpha;
         trail = mixed(
             trail,
-            2 * surface.shape as u64 + u64::from(surface.is_inside),
+            2 * number(scene, surface.shape) as u64 + u64::from(surface.is_inside),
         );
         trail = mixed(trail, lights);
         stages.push(Stage {
@@ -147,8 +143,8 @@ struct Hit {
 }
 
 impl Hit {
-    fn new(surface: &Surface, ray: &Ray, drift: Drift, epsilon: f64, step: f64) -> Self {
-        let (distance, curvature) = (surface.distance, surface.curvature);
+    fn new(scene: &Scene, surface: &Surface, ray: &Ray, drift: Drift, step: f64) -> Self {
+        let (distance, curvature) = (surface.distance, curvature(scene, surface.shape));
         let cosine = -surface.normal.dot(ray.direction);
         let aside = drift.place + distance * drift.direction + 6.0 * step;
         let slide = aside / cosine + distance * to_the_minus(26);
@@ -157,7 +153,7 @@ impl Hit {
             false => to_the_minus(29),
         };
         Self {
-            place: slide + epsilon * normal + 2.0 * step,
+            place: slide + scene.epsilon * normal + 2.0 * step,
             normal,
             view: drift.direction,
             // The cosine may be another, or the ray pass by.
@@ -168,7 +164,7 @@ impl Hit {
     /// Which lights shine on the surface, and how far its colour may be off.
     fn light(
         &self,
-        world: &World,
+        scene: &Scene,
         surface: &Surface,
         shading: Shading,
         precision: &Precision,
@@ -177,32 +173,30 @@ impl Hit {
         let mut lights = 0;
         let mut received = Vector::grey(material.ambient);
         let mut error = Vector::grey(to_the_minus(20));
-        for (index, lamp) in world.scene.lights.iter().enumerate() {
-            let lit = strength(world, surface, lamp, trace::gleam(shading));
+        for (index, lamp) in scene.lights.iter().enumerate() {
+            let lit = scene.strength(surface, lamp, shading);
             if lit <= 0.0 {
                 continue;
             }
             lights |= 1_u64.wrapping_shl(index as u32);
-            let way = Vector(lamp.position) - surface.outside;
+            let way = lamp.position - surface.outside;
             let distance = way.length();
             let light = (self.place + 3.0 * precision.step) / distance + to_the_minus(26);
             let diffuse = self.normal + light + to_the_minus(28);
             let gleam = self.gleam(surface, way * (1.0 / distance), light, shading);
             let strength_error = material.diffuse * diffuse + material.specular * gleam;
-            let shares = Vector(lamp.color);
-            received += shares * lit;
+            received += lamp.color * lit;
             let rounded = strength_error + to_the_minus(22) + lit * to_the_minus(25);
-            error += shares * rounded + Vector::grey(to_the_minus(20));
+            error += lamp.color * rounded + Vector::grey(to_the_minus(20));
         }
-        let color = Vector(material.color);
-        let tinted = color.filtered(error) + received * to_the_minus(25);
+        let tinted = material.color.filtered(error) + received * to_the_minus(25);
         (lights, largest(tinted) + to_the_minus(20))
     }
 
     /// How far the highlight may be off.
     fn gleam(&self, surface: &Surface, light: Vector, error: f64, shading: Shading) -> f64 {
         let shininess = surface.material.shininess;
-        let cosine = trace::gleam(shading)(surface, light).max(0.0);
+        let cosine = surface.gleam(light, shading).max(0.0);
         let (square, spread) = match shading {
             Shading::Phong => {
                 let spread = 2.0 * self.normal + error + self.view + to_the_minus(27);
@@ -224,6 +218,24 @@ impl Hit {
         let here = power(square);
         let own = (shininess + 4.0) * to_the_minus(28);
         (most - here).max(here - least) + own
+    }
+}
+
+/// The place of a shape among all: spheres come first, then planes, then cylinders.
+fn number(scene: &Scene, shape: Met) -> usize {
+    match shape {
+        Met::Sphere(index) => index,
+        Met::Plane(index) => scene.spheres.len() + index,
+        Met::Cylinder(index) => scene.spheres.len() + scene.planes.len() + index,
+    }
+}
+
+/// One over the radius of a shape; 0 of a plane.
+fn curvature(scene: &Scene, shape: Met) -> f64 {
+    match shape {
+        Met::Sphere(index) => 1.0 / scene.spheres[index].radius,
+        Met::Plane(_) => 0.0,
+        Met::Cylinder(index) => 1.0 / scene.cylinders[index].radius,
     }
 }
 

@@ -1,8 +1,8 @@
 //! Tests of the reference.
 
+mod scene;
 mod shade;
 mod shape;
 mod trace;
 mod vector;
 mod view;
-mod world;

@@ -1,10 +1,10 @@
-//! Tests of `reference::shade`.
+//! Tests of `reference::model::shade`.
 
 use std::vec;
 
-use crate::host::reference::shade::*;
-use crate::host::reference::vector::Vector;
-use crate::host::reference::world::{Surface, World};
+use crate::host::reference::Shading::{self, BlinnPhong, Phong};
+use crate::host::reference::model::{Met, Surface, Vector};
+use crate::host::reference::prepared::Prepared;
 use crate::host::reference::{Light, Material, Plane, Scene};
 
 const EPSILON: f64 = 1e-3;
@@ -19,8 +19,8 @@ const MATERIAL: Material = Material {
 };
 
 /// The light of [`MATERIAL`] in z = 0, seen from 30 degrees to the left of its normal.
-fn lit_by(lights: &[[f64; 3]], screens: &[f64], epsilon: f64, gleam: Gleam) -> f64 {
-    lit_on(MATERIAL, lights, screens, epsilon, gleam)
+fn lit_by(lights: &[[f64; 3]], screens: &[f64], epsilon: f64, shading: Shading) -> f64 {
+    lit_on(MATERIAL, lights, screens, epsilon, shading)
 }
 
 fn lit_on(
@@ -28,7 +28,7 @@ fn lit_on(
     lights: &[[f64; 3]],
     screens: &[f64],
     epsilon: f64,
-    gleam: Gleam,
+    shading: Shading,
 ) -> f64 {
     let light = |position| Light {
         position,
@@ -46,18 +46,19 @@ fn lit_on(
         epsilon,
         ..Scene::default()
     };
+    let prepared = Prepared::new(&scene);
+    let scene = prepared.scene();
     let normal = Vector([0.0, 0.0, 1.0]);
     let surface = Surface {
         outside: normal * epsilon,
         normal,
         viewer: Vector([-0.5, 0.0, 0.75_f64.sqrt()]),
-        material: &material,
+        material: &scene.materials[0],
         distance: 1.0,
-        shape: 0,
-        curvature: 0.0,
+        shape: Met::Plane(0),
         is_inside: false,
     };
-    let Vector([red, green, blue]) = own_color(&World::new(&scene), &surface, gleam);
+    let Vector([red, green, blue]) = scene.own_color(&surface, shading);
     // The material and the lights are coloured so that one number tells all.
     assert_eq!(green, 0.25 * 0.125);
     let light = red / 0.5 - 0.125;
@@ -81,8 +82,8 @@ fn assert_near(found: f64, expected: f64) {
 #[test]
 fn both_highlights_peak_where_the_light_is_mirrored() {
     let expected = 0.5 * 30.0_f64.to_radians().cos() + 0.25;
-    for gleam in [blinn_phong, phong] {
-        assert_near(lit_by(&[at_angle(30.0)], &[], 1e-15, gleam), expected);
+    for shading in [BlinnPhong, Phong] {
+        assert_near(lit_by(&[at_angle(30.0)], &[], 1e-15, shading), expected);
     }
 }
 
@@ -92,11 +93,11 @@ fn phong_falls_by_the_angle_and_blinn_phong_by_half_of_it() {
     let highlight = |degrees: f64| 0.25 * degrees.to_radians().cos().powi(3);
     let lights = [at_angle(70.0)];
     assert_near(
-        lit_by(&lights, &[], 1e-15, phong),
+        lit_by(&lights, &[], 1e-15, Phong),
         diffuse + highlight(40.0),
     );
     assert_near(
-        lit_by(&lights, &[], 1e-15, blinn_phong),
+        lit_by(&lights, &[], 1e-15, BlinnPhong),
         diffuse + highlight(20.0),
     );
 }
@@ -105,7 +106,7 @@ fn phong_falls_by_the_angle_and_blinn_phong_by_half_of_it() {
 fn highlight_never_takes_light_away() {
     // From the viewer's own side the mirrored light goes away at 100 degrees.
     let diffuse = 0.5 * 70.0_f64.to_radians().cos();
-    assert_near(lit_by(&[at_angle(-70.0)], &[], 1e-15, phong), diffuse);
+    assert_near(lit_by(&[at_angle(-70.0)], &[], 1e-15, Phong), diffuse);
 }
 
 #[test]
@@ -121,26 +122,26 @@ fn highlight_without_shininess_is_everywhere_the_light_is() {
         (110.0, 0.0),
     ] {
         let lights = [at_angle(degrees)];
-        assert_near(lit_on(flat, &lights, &[], 1e-15, phong), expected);
-        assert_near(lit_on(flat, &lights, &[], 1e-15, blinn_phong), expected);
+        assert_near(lit_on(flat, &lights, &[], 1e-15, Phong), expected);
+        assert_near(lit_on(flat, &lights, &[], 1e-15, BlinnPhong), expected);
     }
 }
 
 #[test]
 fn lights_add_up() {
     let [a, b] = [at_angle(10.0), at_angle(-50.0)];
-    let each = lit_by(&[a], &[], EPSILON, phong) + lit_by(&[b], &[], EPSILON, phong);
-    assert_near(lit_by(&[a, b], &[], EPSILON, phong), each);
+    let each = lit_by(&[a], &[], EPSILON, Phong) + lit_by(&[b], &[], EPSILON, Phong);
+    assert_near(lit_by(&[a, b], &[], EPSILON, Phong), each);
 }
 
 #[test]
 fn light_behind_the_surface_gives_nothing() {
-    assert_eq!(lit_by(&[[3.0, 0.0, -1.0]], &[], EPSILON, phong), 0.0);
+    assert_eq!(lit_by(&[[3.0, 0.0, -1.0]], &[], EPSILON, Phong), 0.0);
 }
 
 #[test]
 fn light_is_in_front_only_when_above_epsilon() {
-    let lit = |height| lit_by(&[[3.0, 0.0, height]], &[], EPSILON, blinn_phong);
+    let lit = |height| lit_by(&[[3.0, 0.0, height]], &[], EPSILON, BlinnPhong);
     assert_eq!(lit(0.0), 0.0);
     assert_eq!(lit(EPSILON * 0.999), 0.0);
     assert_eq!(lit(EPSILON), 0.0);
@@ -150,7 +151,7 @@ fn light_is_in_front_only_when_above_epsilon() {
 #[test]
 fn light_exactly_where_shadow_rays_start_gives_nothing() {
     assert_eq!(
-        lit_by(&[[0.0, 0.0, EPSILON]], &[], EPSILON, blinn_phong),
+        lit_by(&[[0.0, 0.0, EPSILON]], &[], EPSILON, BlinnPhong),
         0.0
     );
 }
@@ -161,7 +162,7 @@ fn light_direction_is_taken_from_above_the_surface() {
     let diffuse = 0.5 * 0.5_f64.sqrt();
     let highlight = 0.25 * 15.0_f64.to_radians().cos().powi(3);
     assert_near(
-        lit_by(&[[1.0, 0.0, 2.0]], &[], 1.0, phong),
+        lit_by(&[[1.0, 0.0, 2.0]], &[], 1.0, Phong),
         diffuse + highlight,
     );
 }
@@ -169,9 +170,9 @@ fn light_direction_is_taken_from_above_the_surface() {
 #[test]
 fn screen_blocks_from_epsilon_above_the_surface_to_epsilon_before_the_light() {
     let light = [0.0, 0.0, 5.0];
-    let free = lit_by(&[light], &[], EPSILON, phong);
+    let free = lit_by(&[light], &[], EPSILON, Phong);
     assert!(free > 0.0);
-    let lit = |screen| lit_by(&[light], &[screen], EPSILON, phong);
+    let lit = |screen| lit_by(&[light], &[screen], EPSILON, Phong);
     for passed in [-1.0, 0.0, EPSILON * 0.999, 5.0 - EPSILON * 0.999, 5.0, 6.0] {
         assert_eq!(lit(passed), free, "{passed}");
     }

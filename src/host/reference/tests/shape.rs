@@ -1,27 +1,25 @@
-//! Tests of `reference::shape`.
+//! Tests of `reference::model::shape`.
 
-use crate::host::reference::shape::*;
-use crate::host::reference::vector::Vector;
-use crate::host::reference::{Cylinder, Plane, Sphere};
+use crate::host::reference::model::{Cylinder, Plane, Ray, Shape, Sphere, Vector};
 use crate::number::sweep::Sweep;
 
 const BALL: Sphere = Sphere {
-    center: [0.0, 0.0, 0.0],
+    center: Vector::ZERO,
     radius: 2.0,
     material: 0,
 };
 
 const FLOOR: Plane = Plane {
-    point: [7.0, -3.0, 1.0],
-    normal: [0.0, 0.0, 5.0],
+    point: Vector([7.0, -3.0, 1.0]),
+    normal: Vector([0.0, 0.0, 1.0]),
     material: 0,
 };
 
 const TUBE: Cylinder = Cylinder {
-    center: [0.0, 0.0, 0.0],
-    axis: [0.0, 0.0, 3.0],
+    center: Vector::ZERO,
+    axis: Vector([0.0, 0.0, 1.0]),
     radius: 2.0,
-    height: 6.0,
+    half_height: 3.0,
     material: 0,
 };
 
@@ -32,8 +30,8 @@ fn ray(origin: [f64; 3], direction: [f64; 3]) -> Ray {
     }
 }
 
-fn meet(shape: impl Into<Shape>, origin: [f64; 3], direction: [f64; 3]) -> Option<f64> {
-    shape.into().meet(&ray(origin, direction))
+fn meet(shape: &impl Shape, origin: [f64; 3], direction: [f64; 3]) -> Option<f64> {
+    shape.meet(&ray(origin, direction), f64::INFINITY)
 }
 
 #[test]
@@ -157,7 +155,7 @@ fn ray_leaving_a_cylinder_misses_it() {
 #[test]
 fn tilted_cylinder_is_met_as_the_upright_one() {
     let tilted = Cylinder {
-        axis: [1.0, 1.0, 1.0],
+        axis: Vector([1.0, 1.0, 1.0]).unit(),
         ..TUBE
     };
     // At right angles to the axis through the centre, from 5 away.
@@ -170,24 +168,10 @@ fn tilted_cylinder_is_met_as_the_upright_one() {
 #[test]
 fn normals_point_outwards() {
     let up = Vector([0.0, 0.0, 1.0]);
-    assert_eq!(Shape::from(&BALL).normal(up * 2.0), up);
-    assert_eq!(Shape::from(&FLOOR).normal(Vector([3.0, 9.0, 1.0])), up);
-    let wall = Shape::from(&TUBE).normal(Vector([0.0, -2.0, 1.7]));
+    assert_eq!(BALL.normal(up * 2.0), up);
+    assert_eq!(FLOOR.normal(Vector([3.0, 9.0, 1.0])), up);
+    let wall = TUBE.normal(Vector([0.0, -2.0, 1.7]));
     assert_eq!(wall, Vector([0.0, -1.0, 0.0]));
-}
-
-/// What is zero on the surface and, to first order, the distance from it.
-fn off(shape: &Shape, at: Vector) -> f64 {
-    match *shape {
-        Shape::Sphere { center, radius } => (at - center).length() - radius,
-        Shape::Plane { point, normal } => normal.dot(at - point),
-        Shape::Cylinder {
-            center,
-            axis,
-            radius,
-            ..
-        } => axis.cross(at - center).length() - radius,
-    }
 }
 
 #[test]
@@ -195,53 +179,60 @@ fn every_hit_of_a_sweep_lies_on_its_surface_and_nothing_lies_before_it() {
     let mut sweep = Sweep::new(7);
     let mut met = 0;
     for _ in 0..2000 {
-        let mut vector = |scale: f64| sweep.place().map(|number| number * scale);
-        let (center, axis, origin, direction) =
-            (vector(2.0), vector(1.0), vector(6.0), vector(1.0));
-        let ray = ray(origin, direction);
+        let mut vector = |scale: f64| Vector(sweep.place()) * scale;
+        let (center, axis) = (vector(2.0), vector(1.0).unit());
+        let ray = ray(vector(6.0).0, vector(1.0).0);
+        let ball = Sphere { center, ..BALL };
+        let floor = Plane {
+            point: center,
+            normal: axis,
+            ..FLOOR
+        };
         let tube = Cylinder {
             center,
             axis,
             ..TUBE
         };
-        let shapes: [Shape; 3] = [
-            (&Sphere { center, ..BALL }).into(),
-            (&Plane {
-                point: center,
-                normal: axis,
-                material: 0,
-            })
-                .into(),
-            (&tube).into(),
-        ];
-        for shape in shapes {
-            let Some(distance) = shape.meet(&ray) else {
+        // What is zero on the surface and, to first order, the distance from it.
+        let off_ball = |at: Vector| (at - center).length() - ball.radius;
+        let off_floor = |at: Vector| axis.dot(at - center);
+        let off_tube = |at: Vector| axis.cross(at - center).length() - tube.radius;
+        let shapes: [&dyn Shape; 3] = [&ball, &floor, &tube];
+        let offs: [&dyn Fn(Vector) -> f64; 3] = [&off_ball, &off_floor, &off_tube];
+        for (kind, (shape, off)) in shapes.into_iter().zip(offs).enumerate() {
+            let Some(distance) = shape.meet(&ray, f64::INFINITY) else {
                 continue;
             };
             met += 1;
             assert!(distance > 0.0);
             let at = ray.at(distance);
-            assert!(
-                off(&shape, at).abs() < 1e-11 * (1.0 + distance),
-                "{shape:?} {ray:?}"
-            );
+            let from_here = off(at).abs();
+            assert!(from_here < 1e-11 * (1.0 + distance), "{kind} {ray:?}");
             assert!((shape.normal(at).length() - 1.0).abs() < 1e-14);
-            if let Shape::Cylinder {
-                center,
-                axis,
-                half_height,
-                ..
-            } = shape
-            {
-                assert!(axis.dot(at - center).abs() <= half_height + 1e-11);
+            if kind == 2 {
+                assert!(axis.dot(at - center).abs() <= tube.half_height + 1e-11);
             } else {
                 // Off the surface on one side all the way: a sphere and a plane have no holes.
-                let sides =
-                    (1..50).map(|step| off(&shape, ray.at(distance * f64::from(step) / 50.0)));
+                let sides = (1..50).map(|step| off(ray.at(distance * f64::from(step) / 50.0)));
                 let above = sides.filter(|side| *side > 0.0).count();
-                assert!(above == 0 || above == 49, "{shape:?} {ray:?}");
+                assert!(above == 0 || above == 49, "{kind} {ray:?}");
             }
         }
     }
     assert!((1000..3000).contains(&met), "{met}");
+}
+
+#[test]
+fn shape_at_the_reach_or_further_is_not_met() {
+    let ray = ray([0.0, -5.0, 0.0], [0.0, 1.0, 0.0]);
+    let wall = Plane {
+        point: Vector([0.0, -2.0, 0.0]),
+        normal: Vector([0.0, 1.0, 0.0]),
+        material: 0,
+    };
+    let shapes: [&dyn Shape; 3] = [&BALL, &wall, &TUBE];
+    for shape in shapes {
+        assert_eq!(shape.meet(&ray, 3.0), None);
+        assert_eq!(shape.meet(&ray, 3.5), Some(3.0));
+    }
 }

@@ -3,10 +3,9 @@
 use std::vec;
 
 use crate::host::reference::bound::{Paths, Precision};
-use crate::host::reference::shape::Ray;
+use crate::host::reference::model::{Ray, Vector};
+use crate::host::reference::prepared::Prepared;
 use crate::host::reference::trace::*;
-use crate::host::reference::vector::Vector;
-use crate::host::reference::world::World;
 use crate::host::reference::{Camera, Light, Material, Plane, Scene, Shading, Sphere, pixel};
 use crate::number::sweep::Sweep;
 
@@ -45,7 +44,7 @@ fn room(mirror: f64) -> Scene {
 }
 
 fn seen(scene: &Scene, ray: Ray, reflections: u32, shading: Shading) -> Vector {
-    color(&World::new(scene), ray, reflections, shading)
+    color(&Prepared::new(scene).scene(), ray, reflections, shading)
 }
 
 /// From the given height straight down.

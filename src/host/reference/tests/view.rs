@@ -1,8 +1,8 @@
-//! Tests of `reference::view`.
+//! Tests of `reference::model::view`.
 
 use crate::host::reference::Camera;
-use crate::host::reference::vector::Vector;
-use crate::host::reference::view::*;
+use crate::host::reference::model::{Vector, View};
+use crate::host::reference::prepared;
 
 fn direction(fov: f64, size: (u32, u32), at: (u32, u32)) -> Vector {
     let camera = Camera {
@@ -11,7 +11,7 @@ fn direction(fov: f64, size: (u32, u32), at: (u32, u32)) -> Vector {
         up: [0.0, 4.0, 9.0],
         fov,
     };
-    let ray = View::new(&camera, size.0, size.1).ray(at.0, at.1);
+    let ray = View::new(&prepared::camera(&camera), size).ray(at.0, at.1);
     assert_eq!(ray.origin, Vector(camera.position));
     ray.direction
 }

@@ -2,6 +2,7 @@
 
 use reflet::host::file::SceneFile;
 use reflet::host::path::follow;
+use reflet::host::reference::Vector;
 use twofloat::TwoFloat;
 
 use super::draft::Draft;
@@ -191,7 +192,8 @@ const TURNED: [[f64; 3]; 3] = [
 
 /// A place by its coordinates along [`TURNED`].
 fn turned(at: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|axis| (0..3).map(|it| at[it] * TURNED[it][axis]).sum())
+    let [x, y, z] = TURNED.map(Vector);
+    (x * at[0] + y * at[1] + z * at[2]).0
 }
 
 /// Three mirrors at right angles.

@@ -1,5 +1,6 @@
 //! A scene file, put together part by part; it never judges a number.
 
+use reflet::host::reference::Vector;
 use serde_json::{Value, json};
 
 /// A scene file as it grows.
@@ -136,7 +137,7 @@ impl Setting {
 
     /// A place of the still life.
     pub fn at(&self, at: [f64; 3]) -> [f64; 3] {
-        [0, 1, 2].map(|axis| (at[axis] + self.offset[axis]) * self.scale)
+        ((Vector(at) + Vector(self.offset)) * self.scale).0
     }
 
     /// Three spheres and a leaning cylinder on water, without lights and camera.

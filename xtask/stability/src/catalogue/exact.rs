@@ -3,6 +3,7 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
+use reflet::host::reference::Vector;
 use twofloat::TwoFloat;
 
 /// What a precision must know.
@@ -158,6 +159,5 @@ pub fn growth(bounces: &[Bounce]) -> Vec<f64> {
 
 /// The distance of two points.
 pub fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let way = [0, 1, 2].map(|axis| a[axis] - b[axis]);
-    dot(way, way).sqrt()
+    (Vector(a) - Vector(b)).length()
 }

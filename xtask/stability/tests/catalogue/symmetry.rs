@@ -3,7 +3,7 @@
 
 use reflet::host::compare::{Difference, compare};
 use reflet::host::file::SceneFile;
-use reflet::host::reference::Picture;
+use reflet::host::reference::{Picture, Vector};
 use reflet::{Exact, Fast, Quality};
 use serde_json::{Value, json};
 
@@ -112,7 +112,7 @@ fn moved_scene_shows_the_same_picture() {
         // A whole number of steps, and then any number.
         for offset in [WHOLE, [1234.567, -0.001, 99.9], [1e6, 2e6, -3e6]] {
             let shift = |at: [f64; 3], is_place: bool| match is_place {
-                true => [0, 1, 2].map(|axis| at[axis] + offset[axis]),
+                true => (Vector(at) + Vector(offset)).0,
                 false => at,
             };
             let found = drawn(&changed(&scene.text(), shift));

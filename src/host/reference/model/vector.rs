@@ -1,60 +1,106 @@
 //! Three numbers that add and scale: points, directions and linear colours; it knows no shape.
 
-use std::ops::{Add, AddAssign, Mul, Neg, Sub};
+use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
-use super::Real;
+use super::{Real, square_root};
 
 /// A point, a direction or a linear colour.
+///
+/// ```
+/// use reflet::host::reference::Vector;
+///
+/// let [eye, target] = [Vector([1.0, 2.0, 3.0]), Vector([1.0, 5.0, 7.0])];
+/// let forward = (target - eye).unit();
+/// assert_eq!((target - eye).length(), 5.0);
+/// assert!((forward - Vector([0.0, 0.6, 0.8])).length() < 1e-15);
+/// assert_eq!(eye + Vector([0.0, 3.0, 4.0]) * 2.0, Vector([1.0, 8.0, 11.0]));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Vector(pub [Real; 3]);
+pub struct Vector(pub [Real; 3]);
 
 impl Vector {
+    /// The origin, or black.
     pub const ZERO: Self = Self([0.0; 3]);
 
-    /// What is described by three doubles.
-    pub fn of(numbers: [f64; 3]) -> Self {
-        Self(numbers.map(|number| number as Real))
-    }
-
     /// The grey with this value in all components.
+    #[inline]
     pub fn grey(value: Real) -> Self {
         Self([value; 3])
     }
 
+    /// The scalar product.
+    ///
+    /// ```
+    /// # use reflet::host::reference::Vector;
+    /// assert_eq!(Vector([1.0, 2.0, 3.0]).dot(Vector([4.0, -5.0, 6.0])), 12.0);
+    /// ```
+    #[inline]
     pub fn dot(self, other: Self) -> Real {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         a * x + b * y + c * z
     }
 
+    /// The vector product, which is right-handed.
+    ///
+    /// ```
+    /// # use reflet::host::reference::Vector;
+    /// let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vector);
+    /// assert_eq!(x.cross(y), z);
+    /// ```
+    #[inline]
     pub fn cross(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([b * z - c * y, c * x - a * z, a * y - b * x])
     }
 
+    /// The Euclidean length; zero or infinite where the sum of the squares is.
+    #[inline]
     pub fn length(self) -> Real {
-        self.dot(self).sqrt()
+        square_root(self.dot(self))
     }
 
     /// The same direction with length one; not a number for the zero vector.
+    #[inline]
     pub fn unit(self) -> Self {
         self * (1.0 / self.length())
     }
 
     /// Component by component, as light is filtered by a colour.
+    #[inline]
     pub fn filtered(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([a * x, b * y, c * z])
     }
 
     /// The part at right angles to the unit vector `axis`.
+    ///
+    /// ```
+    /// # use reflet::host::reference::Vector;
+    /// let up = Vector([0.0, 0.0, 1.0]);
+    /// assert_eq!(Vector([3.0, 5.0, -2.0]).across(up), Vector([3.0, 5.0, 0.0]));
+    /// ```
+    #[inline]
     pub fn across(self, axis: Self) -> Self {
         self - axis * self.dot(axis)
+    }
+
+    /// A direction away from a surface, turned to the other side of its unit normal.
+    ///
+    /// ```
+    /// # use reflet::host::reference::Vector;
+    /// let up = Vector([0.0, 0.0, 1.0]);
+    /// assert_eq!(Vector([3.0, 5.0, 2.0]).mirrored(up), Vector([-3.0, -5.0, 2.0]));
+    /// ```
+    #[inline]
+    pub fn mirrored(self, normal: Self) -> Self {
+        normal * (2.0 * normal.dot(self)) - self
     }
 }
 
 impl Add for Vector {
     type Output = Self;
 
+    #[inline]
     fn add(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([a + x, b + y, c + z])
@@ -62,6 +108,7 @@ impl Add for Vector {
 }
 
 impl AddAssign for Vector {
+    #[inline]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
@@ -70,6 +117,7 @@ impl AddAssign for Vector {
 impl Sub for Vector {
     type Output = Self;
 
+    #[inline]
     fn sub(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([a - x, b - y, c - z])
@@ -79,6 +127,7 @@ impl Sub for Vector {
 impl Mul<Real> for Vector {
     type Output = Self;
 
+    #[inline]
     fn mul(self, factor: Real) -> Self {
         Self(self.0.map(|component| component * factor))
     }
@@ -87,14 +136,15 @@ impl Mul<Real> for Vector {
 impl Neg for Vector {
     type Output = Self;
 
+    #[inline]
     fn neg(self) -> Self {
         Self(self.0.map(|component| -component))
     }
 }
 
 /// A linear colour as bytes: each channel clamped to 0 to 1, and round(255 c).
-pub(super) fn quantised(color: Vector) -> [u8; 3] {
-    color
-        .0
-        .map(|channel| (255.0 * channel.clamp(0.0, 1.0)).round() as u8)
+#[inline]
+pub fn quantised(color: Vector) -> [u8; 3] {
+    // `as` cuts off what is behind the point, and clamps.
+    color.0.map(|channel| (255.0 * channel + 0.5) as u8)
 }

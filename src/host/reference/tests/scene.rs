@@ -1,10 +1,9 @@
-//! Tests of `reference::world`.
+//! Tests of `reference::model::scene`.
 
 use std::vec;
 
-use crate::host::reference::shape::Ray;
-use crate::host::reference::vector::Vector;
-use crate::host::reference::world::*;
+use crate::host::reference::model::{self, Met, Ray, Surface, Vector};
+use crate::host::reference::prepared::Prepared;
 use crate::host::reference::{Cylinder, Material, Plane, Scene, Sphere};
 
 fn material(mirror: f64) -> Material {
@@ -53,8 +52,8 @@ fn along_y(from: f64, way: f64) -> Ray {
 
 #[test]
 fn nearest_surface_ahead_is_met_and_faces_the_ray() {
-    let scene = row();
-    let world = World::new(&scene);
+    let prepared = Prepared::new(&row());
+    let scene = prepared.scene();
     let cases = [
         (0.0, 1.0, 4.0, 0.0),
         (5.0, 1.0, 6.0, 0.0),
@@ -66,37 +65,43 @@ fn nearest_surface_ahead_is_met_and_faces_the_ray() {
         (15.0, -1.0, 14.0, 0.2),
     ];
     for (from, way, expected, mirror) in cases {
-        let surface = world.nearest(&along_y(from, way)).unwrap();
+        let surface = scene.nearest(&along_y(from, way)).unwrap();
         let back = Vector([0.0, -way, 0.0]);
         assert_eq!(surface.material.mirror, mirror);
         assert_eq!((surface.normal, surface.viewer), (back, back));
         assert_eq!(surface.outside, Vector([0.0, expected - way * 0.25, 0.0]));
     }
-    assert!(world.nearest(&along_y(0.0, -1.0)).is_none());
-    assert!(world.nearest(&along_y(15.0, 1.0)).is_none());
+    assert!(scene.nearest(&along_y(0.0, -1.0)).is_none());
+    assert!(scene.nearest(&along_y(15.0, 1.0)).is_none());
 }
 
 #[test]
 fn only_what_is_nearer_than_the_reach_blocks() {
-    let scene = row();
-    let world = World::new(&scene);
+    let prepared = Prepared::new(&row());
+    let scene = prepared.scene();
     let ray = along_y(0.0, 1.0);
-    assert!(!world.is_blocked(&ray, 4.0));
-    assert!(world.is_blocked(&ray, 4.0 + 1e-12));
-    assert!(!world.is_blocked(&along_y(15.0, 1.0), f64::INFINITY));
+    assert!(!scene.is_blocked(&ray, 4.0));
+    assert!(scene.is_blocked(&ray, 4.0 + 1e-12));
+    assert!(!scene.is_blocked(&along_y(15.0, 1.0), f64::INFINITY));
 }
 
 #[test]
 fn reflected_ray_leaves_as_steeply_as_the_ray_came() {
-    let ground = material(1.0);
+    let ground = model::Material {
+        color: Vector::grey(1.0),
+        ambient: 1.0,
+        diffuse: 0.0,
+        specular: 0.0,
+        shininess: 1.0,
+        mirror: 1.0,
+    };
     let surface = Surface {
         outside: Vector([1.0, 2.0, 3.0]),
         normal: Vector([0.0, 0.0, 1.0]),
         viewer: Vector([-0.6, 0.0, 0.8]),
         material: &ground,
         distance: 1.0,
-        shape: 0,
-        curvature: 0.0,
+        shape: Met::Plane(0),
         is_inside: false,
     };
     let Ray { origin, direction } = surface.reflected();
@@ -105,4 +110,12 @@ fn reflected_ray_leaves_as_steeply_as_the_ray_came() {
         (direction - Vector([0.6, 0.0, 0.8])).length() < 1e-15,
         "{direction:?}"
     );
+}
+
+#[test]
+#[should_panic = "no material 3"]
+fn shape_without_its_material_is_refused() {
+    let mut scene = row();
+    scene.cylinders[0].material = 3;
+    Prepared::new(&scene);
 }

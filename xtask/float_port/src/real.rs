@@ -1,4 +1,11 @@
-//! What `core` lacks of `f32`.
+//! The numbers of a board: `f32`, and what `core` lacks of it.
+
+/// What is computed in.
+pub type Real = f32;
+
+/// No: the textbook's discriminant takes fewer instructions than the reference's, and a rival that is
+/// slower than need be would flatter the library.
+pub const IS_CAREFUL: bool = false;
 
 /// The square root: the core's own instruction.
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
@@ -12,10 +19,6 @@ pub fn square_root(value: f32) -> f32 {
     sqrtf(value)
 }
 
-/// The square root.
 #[cfg(not(all(target_arch = "arm", target_abi = "eabihf")))]
-pub fn square_root(value: f32) -> f32 {
-    libm::sqrtf(value)
-}
-
+pub use libm::sqrtf as square_root;
 pub use libm::{powf as power, tanf as tangent};
