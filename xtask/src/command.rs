@@ -65,7 +65,7 @@ impl Program {
     /// Runs the program and returns all that it printed, errors in their place, and how it ended.
     pub fn watch(self) -> (String, Result<(), Failure>) {
         let mut said = String::new();
-        let outcome = self.start().and_then(|mut running| {
+        let outcome = self.start_with_one_pipe().and_then(|mut running| {
             while let Some(line) = running.line()? {
                 said += &line;
                 said.push('\n');
@@ -94,13 +94,31 @@ impl Program {
         let (sender, lines) = mpsc::sync_channel(LINES);
         forward(child.stderr.take(), sender.clone());
         forward(child.stdout.take(), sender);
-        Ok(Running {
+        Ok(self.running(child, lines))
+    }
+
+    /// The same with output and complaints in one pipe, which keeps their order. A program that writes
+    /// parts of lines into both may mix them.
+    fn start_with_one_pipe(mut self) -> Result<Running, Failure> {
+        let pipe = io::pipe().and_then(|(reader, writer)| {
+            self.command.stdout(writer.try_clone()?).stderr(writer);
+            Ok(reader)
+        });
+        let reader = pipe.map_err(|error| self.not_started(error))?;
+        let child = self.spawn()?;
+        let (sender, lines) = mpsc::sync_channel(LINES);
+        forward(Some(reader), sender);
+        Ok(self.running(child, lines))
+    }
+
+    fn running(&self, child: Child, lines: Receiver<String>) -> Running {
+        Running {
             command: self.to_string(),
             child,
             lines,
             limit: self.limit,
             deadline: Instant::now() + self.limit,
-        })
+        }
     }
 
     fn run(mut self) -> Result<Output, Failure> {

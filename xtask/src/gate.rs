@@ -5,6 +5,7 @@
 
 use std::{
     collections::VecDeque,
+    fs,
     sync::Mutex,
     thread,
     time::{Duration, Instant},
@@ -57,7 +58,7 @@ pub fn run(arguments: Arguments) -> Result<()> {
     for step in first() {
         times.push(take(step)?);
     }
-    let mut steps = VecDeque::from(tests(arguments.all));
+    let mut steps = VecDeque::from(tests(arguments.all)?);
     steps.extend(library(&bare_metal, arguments.all));
     // Clippy belongs to the toolchain in use, which may have no core library for a board.
     if let BareMetal::Prebuilt = bare_metal {
@@ -141,30 +142,57 @@ fn first() -> Vec<Step> {
     });
     let mut steps = vec![step("format", cargo("fmt").args(["--all", "--check"]))];
     steps.extend(alone);
-    let build = cargo("test").args(["--workspace", "--no-run"]);
+    let build = cargo("test").args(["--workspace", "--no-run", "--tests", "--examples"]);
     steps.push(step("build of all tests", build));
     steps
 }
 
 /// The tests: those that build firmware apart from the others. `all` adds the ignored ones.
-fn tests(all: bool) -> Vec<Step> {
-    let test = |packages: &[&str]| {
-        let test = cargo("test").args(packages);
+///
+/// Always of the whole workspace, and chosen by name: of fewer packages, what they build on would be
+/// compiled again with fewer features.
+fn tests(all: bool) -> Result<Vec<Step>> {
+    let test = |targets: &[String]| {
+        let test = cargo("test").args(["--workspace"]).args(targets);
+        let test = test.env("EXAMPLES_ARE_BUILT", "1");
         match all {
             true => test.args(["--", "--include-ignored"]),
             false => test,
         }
     };
-    vec![
+    let firmware = test_programs(&["xtask/tests", "xtask/report/tests"])?;
+    let all_others = ["tests", "tests/random/tests", "xtask/stability/tests"];
+    let mut others = test_programs(&all_others)?;
+    others.retain(|name| !firmware.contains(name));
+    others.extend(["--lib", "--bins"].map(str::to_owned));
+    Ok(vec![
+        step("tests on emulated boards", test(&firmware)),
+        step("tests on this machine", test(&others)),
+        // These two compile the reference's files once more.
         step(
-            "tests on emulated boards",
-            test(&["--package", "xtask", "--package", "report"]),
+            "tests in the documentation",
+            cargo("test")
+                .args(["--workspace", "--doc"])
+                .args(["--exclude=float_picture", "--exclude=float_port"]),
         ),
-        step(
-            "tests on this machine",
-            test(&["--workspace", "--exclude", "xtask", "--exclude", "report"]),
-        ),
-    ]
+    ])
+}
+
+/// The arguments that choose the test programs in some folders.
+fn test_programs(folders: &[&str]) -> Result<Vec<String>> {
+    let mut names = Vec::new();
+    for folder in folders {
+        let entries = fs::read_dir(folder).with_context(|| format!("cannot read {folder}"))?;
+        for path in entries.map(|entry| entry.map(|it| it.path())) {
+            let path = path?;
+            let is_program = path.extension().is_some_and(|it| it == "rs");
+            if is_program || path.join("main.rs").is_file() {
+                let name = path.file_stem().unwrap_or_default().to_string_lossy();
+                names.push(format!("--test={name}"));
+            }
+        }
+    }
+    Ok(names)
 }
 
 /// Everything else about the library: lints, documentation, the package, the targets, the fuzzer.
@@ -176,14 +204,17 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let seconds = if all { "600" } else { "10" };
     let warnings = ["--", "-D", "warnings"];
     let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
-    let rays = cargo("test").args(["--package", "reflet", "--lib", "--", "--ignored"]);
+    let rays = cargo("test").args(["--workspace", "--lib", "--", "--ignored"]);
+    // As the tests built it: `cargo xtask` would build it again, with the features of its package alone.
+    let xtask = target_directory().join("debug/xtask");
+    let fuzz = Program::new(xtask).args(["fuzz", "--seconds", seconds]);
     vec![
         step("clippy, everything", rest.args(warnings)),
         step(
             "clippy, the library without features",
             cargo("clippy").args(library).args(warnings),
         ),
-        step("fuzz", cargo("xtask").args(["fuzz", "--seconds", seconds])),
+        step("fuzz", fuzz),
         step(
             "package",
             cargo("package").args(["--package", "reflet", "--allow-dirty"]),

@@ -151,8 +151,9 @@ fn build(task: &Task) -> Result<Programs> {
     let job = task.job(&place.scene());
     let source = job.source;
     let programs = Programs {
-        scene: images::place((&source, task.scene.source(), task.core.target))?,
-        empty: images::place(("empty", task.core.target))?,
+        scene: images::place(("scene", &source, task.scene.source(), task.core.target))?,
+        // It has the job's size and ticket, too.
+        empty: images::place(("empty", &source, task.core.target))?,
         ticket: job.ticket,
     };
     let wanted = [("scene", &*programs.scene), ("empty", &*programs.empty)];
