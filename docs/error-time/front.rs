@@ -110,5 +110,5 @@ pub const CYLINDERS: Front = Front::new(&[
     FrontPoint { prepare: 5045, instructions: 220, reflections: 1, grade: Grade::Fast, scale: 1, psnr: 6296, largest: 6 },
     FrontPoint { prepare: 5045, instructions: 255, reflections: 2, grade: Grade::Fast, scale: 1, psnr: 7596, largest: 6 },
     FrontPoint { prepare: 5045, instructions: 275, reflections: 2, grade: Grade::Fine, scale: 1, psnr: 7948, largest: 1 },
-    FrontPoint { prepare: 5045, instructions: 291, reflections: 3, grade: Grade::Fine, scale: 1, psnr: 9027, largest: 1 },
+    FrontPoint { prepare: 5045, instructions: 292, reflections: 3, grade: Grade::Fine, scale: 1, psnr: 9027, largest: 1 },
 ]);
