@@ -9,8 +9,7 @@ use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Visitor, visit};
 use reflet::{
     BlinnPhong, Bound, Camera, Description, Exact, Fast, Fine, Frame, Material, Mirrors, Needs,
-    Normals, Phong, Picture, Quality, RuntimeScene, Scene, Shading, Shininess, Small, StaticFrame,
-    World,
+    Normals, Phong, Quality, RuntimeScene, Scene, Shading, Shininess, Small, StaticFrame, World,
 };
 
 /// The size of the built-in scenes' pictures.
