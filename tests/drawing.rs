@@ -5,7 +5,6 @@ use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::Dimensions;
 use embedded_graphics::mock_display::{ColorMapping, MockDisplay};
-use embedded_graphics::pixelcolor::raw::ToBytes;
 use embedded_graphics::pixelcolor::{
     BinaryColor, Gray4, Gray8, PixelColor, Rgb565, Rgb888, RgbColor,
 };
@@ -14,7 +13,7 @@ use embedded_graphics::primitives::Rectangle;
 use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Mirror1, Primitives};
 use reflet::{
-    Exact, Material, Number, Picture, Quality, Report, RuntimeScene, Static, StaticFrame,
+    Exact, Fast, Material, Number, Picture, Quality, Report, RuntimeScene, Static, StaticFrame,
 };
 
 /// A display that remembers what it is told, in order, and fails at the call it is told to.
@@ -72,53 +71,46 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
     }
 }
 
+type Mirrors<Q> = Picture<Static<Mirror1>, Q>;
+
+fn recorder(width: u32, height: u32) -> Recorder<Rgb888> {
+    Recorder::new(Point::zero(), Size::new(width, height))
+}
+
 /// A picture of a scene with mirrors and shadows.
-fn picture(width: u32, height: u32) -> Picture<Static<Mirror1>> {
+fn picture(width: u32, height: u32) -> Mirrors<Fast> {
     Mirror1::frame(&Mirror1::CAMERA).sized(Size::new(width, height))
 }
 
 /// The same, with every pixel traced.
-fn exact_picture(width: u32, height: u32) -> Picture<Static<Mirror1>, Exact> {
+fn exact_picture(width: u32, height: u32) -> Mirrors<Exact> {
     let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Exact>();
     frame.sized(Size::new(width, height))
 }
 
+fn row<C: PixelColor + From<Rgb888>>(picture: &Mirrors<impl Quality>, y: u32) -> Vec<C> {
+    let mut pixels = vec![C::from(Rgb888::BLACK); picture.size().width as usize];
+    picture.row(y, 0, &mut pixels);
+    pixels
+}
+
 /// Every pixel of a picture by the row API.
-fn rows<C: PixelColor + From<Rgb888>>(
-    picture: &Picture<Static<Mirror1>, impl Quality>,
-) -> Vec<Vec<C>> {
-    let Size { width, height } = picture.size();
-    let black = C::from(Rgb888::BLACK);
-    let row = |y| {
-        let mut pixels = vec![black; width as usize];
-        picture.row(y, 0, &mut pixels);
-        pixels
-    };
-    (0..height).map(row).collect()
+fn rows<C: PixelColor + From<Rgb888>>(picture: &Mirrors<impl Quality>) -> Vec<Vec<C>> {
+    Vec::from_iter((0..picture.size().height).map(|y| row(picture, y)))
 }
 
 #[test]
-fn every_pixel_is_drawn_once_and_inside_and_in_row_order() {
-    for (width, height) in [(1, 1), (1, 9), (9, 1), (31, 17), (64, 64)] {
-        let mut display = Recorder::<Rgb888>::new(Point::zero(), Size::new(width, height));
+fn every_pixel_is_drawn_once_and_inside_in_one_call_a_row() {
+    for (width, height) in [(1, 1), (1, 9), (9, 1), (13, 7), (31, 17), (64, 64)] {
+        let mut display = recorder(width, height);
         Mirror1::frame(&Mirror1::CAMERA).draw(&mut display).unwrap();
         let drawn = display.pixels().into_iter().map(|(point, _)| point);
-        let expected: Vec<Point> = display.bounds.points().collect();
-        assert_eq!(drawn.collect::<Vec<_>>(), expected, "{width}x{height}");
-    }
-}
-
-#[test]
-fn every_row_is_one_call() {
-    let mut display = Recorder::<Rgb888>::new(Point::zero(), Size::new(13, 7));
-    Mirror1::frame(&Mirror1::CAMERA).draw(&mut display).unwrap();
-    assert_eq!(display.calls.len(), 7);
-    for (y, (area, colors)) in display.calls.iter().enumerate() {
-        assert_eq!(
-            *area,
-            Rectangle::new(Point::new(0, y as i32), Size::new(13, 1))
-        );
-        assert_eq!(colors.len(), 13);
+        assert!(drawn.eq(display.bounds.points()), "{width}x{height}");
+        assert_eq!(display.calls.len(), height as usize);
+        for (y, (area, colors)) in display.calls.iter().enumerate() {
+            let row = Rectangle::new(Point::new(0, y as i32), Size::new(width, 1));
+            assert_eq!((*area, colors.len()), (row, width as usize));
+        }
     }
 }
 
@@ -130,11 +122,9 @@ where
     let mut display = MockDisplay::<C>::new();
     let report = Mirror1::frame(&Mirror1::CAMERA).draw(&mut display).unwrap();
     assert!(report.rays > 64 * 64 / 4);
-    for (y, row) in rows::<Rgb888>(&picture(64, 64)).into_iter().enumerate() {
-        for (x, color) in row.into_iter().enumerate() {
-            let shown = display.get_pixel(Point::new(x as i32, y as i32));
-            assert_eq!(shown, Some(C::from(color)), "{x}, {y}");
-        }
+    let colors = rows::<Rgb888>(&picture(64, 64)).into_iter().flatten();
+    for (at, color) in display.bounding_box().points().zip(colors) {
+        assert_eq!(display.get_pixel(at), Some(C::from(color)), "{at}");
     }
 }
 
@@ -150,22 +140,17 @@ fn displays_of_every_kind_show_the_same_picture_in_their_colours() {
 #[test]
 fn rows_may_be_filled_in_the_displays_colours() {
     let picture = picture(21, 13);
-    let converted = rows::<Rgb888>(&picture).into_iter().map(|row| {
-        let row = row.into_iter();
-        row.map(|color| Rgb565::from(color).to_be_bytes())
-            .collect::<Vec<_>>()
-    });
-    let direct = rows::<Rgb565>(&picture).into_iter().map(|row| {
-        let row = row.into_iter();
-        row.map(|color| color.to_be_bytes()).collect::<Vec<_>>()
-    });
-    assert!(converted.eq(direct));
+    let converted = rows::<Rgb888>(&picture)
+        .into_iter()
+        .flatten()
+        .map(Rgb565::from);
+    assert!(converted.eq(rows::<Rgb565>(&picture).into_iter().flatten()));
 }
 
 #[test]
 fn error_of_the_display_comes_back_at_once() {
     for fails_at in [0, 1, 5, 8] {
-        let mut display = Recorder::<Rgb888>::new(Point::zero(), Size::new(11, 9));
+        let mut display = recorder(11, 9);
         display.fails_at = fails_at;
         let result = Mirror1::frame(&Mirror1::CAMERA).draw(&mut display);
         assert_eq!(result, Err(CableLost(fails_at)));
@@ -233,7 +218,6 @@ fn what_lies_outside_the_display_is_not_worked_out() {
     let picture = picture(20, 15);
     let whole = rows::<Rgb888>(&picture);
     let exact = exact_picture(20, 15);
-    let display_size = Size::new(12, 10);
     for (x, y) in [
         (0, 0),
         (-5, -3),
@@ -244,31 +228,23 @@ fn what_lies_outside_the_display_is_not_worked_out() {
         (-20, 0),
         (3, -15),
     ] {
-        let mut display = Recorder::<Rgb888>::new(Point::zero(), display_size);
-        let report = picture.draw_at(Point::new(x, y), &mut display).unwrap();
-        let visible = display
-            .bounds
-            .intersection(&Rectangle::new(Point::new(x, y), Size::new(20, 15)));
-        let expected: Vec<_> = visible
-            .points()
-            .map(|at| (at, whole[(at.y - y) as usize][(at.x - x) as usize]))
-            .collect();
+        let mut display = recorder(12, 10);
+        let top_left = Point::new(x, y);
+        let report = picture.draw_at(top_left, &mut display).unwrap();
+        let whole_area = Rectangle::new(top_left, picture.size());
+        let visible = display.bounds.intersection(&whole_area);
+        let color = |at: Point| whole[(at.y - y) as usize][(at.x - x) as usize];
+        let expected: Vec<_> = visible.points().map(|at| (at, color(at))).collect();
         assert_eq!(display.pixels(), expected, "at {x}, {y}");
         assert_eq!(display.calls.len(), visible.rows().len(), "at {x}, {y}");
         assert_eq!(report == Report::NONE, expected.is_empty(), "at {x}, {y}");
-        let report = exact.draw_at(Point::new(x, y), &mut display).unwrap();
-        let rays: u64 = expected
-            .iter()
-            .map(|(at, _)| rays_of(&exact, *at - Point::new(x, y)))
-            .sum();
-        assert_eq!(report.rays, rays, "at {x}, {y}");
+        let report = exact.draw_at(top_left, &mut display).unwrap();
+        let rays = visible.points().map(|at| {
+            let Point { x, y } = at - top_left;
+            exact.row(y as u32, x as u32, &mut [Rgb888::BLACK]).rays
+        });
+        assert_eq!(report.rays, rays.sum::<u64>(), "at {x}, {y}");
     }
-}
-
-fn rays_of(picture: &Picture<Static<Mirror1>, Exact>, at: Point) -> u64 {
-    picture
-        .row(at.y as u32, at.x as u32, &mut [Rgb888::BLACK])
-        .rays
 }
 
 #[test]
@@ -287,26 +263,22 @@ fn area_is_a_crop_of_the_whole() {
         let area = Rectangle::new(Point::new(x, y), Size::new(width, height));
         let inside = area.intersection(&Rectangle::new(Point::zero(), picture.size()));
         for top_left in [Point::zero(), Point::new(2, 5)] {
-            let mut display = Recorder::<Rgb888>::new(Point::zero(), Size::new(40, 40));
+            let mut display = recorder(40, 40);
             picture.draw_area(area, top_left, &mut display).unwrap();
-            let crop = inside
-                .points()
-                .map(|at| (at + top_left, whole[at.y as usize][at.x as usize]));
-            assert_eq!(
-                display.pixels(),
-                crop.collect::<Vec<_>>(),
-                "{area:?} at {top_left}"
-            );
+            let color = |at: Point| whole[at.y as usize][at.x as usize];
+            let crop = inside.points().map(|at| (at + top_left, color(at)));
+            let found = display.pixels().into_iter();
+            assert!(found.eq(crop), "{area:?} at {top_left}");
         }
     }
 }
 
 #[test]
 fn rows_make_the_same_picture_as_draw() {
-    let mut display = Recorder::<Rgb888>::new(Point::zero(), Size::new(33, 20));
+    let mut display = recorder(33, 20);
     let drawn = Mirror1::frame(&Mirror1::CAMERA).draw(&mut display).unwrap();
     let colors = display.calls.into_iter().map(|(_, colors)| colors);
-    assert!(colors.eq(rows::<Rgb888>(&picture(33, 20))));
+    assert!(colors.eq(rows(&picture(33, 20))));
     let mut row = [Rgb888::BLACK; 33];
     let reports = (0..20).map(|y| picture(33, 20).row(y, 0, &mut row));
     assert_eq!(reports.fold(Report::NONE, Report::merge), drawn);
@@ -325,7 +297,7 @@ fn rows_may_be_filled_in_any_order_and_in_pieces() {
 
 /// Every row but one comes after one below it; every row in pieces of another length, from the last
 /// one to the first. Returns the pieces' reports together.
-fn assert_pieces_make_rows(picture: &Picture<Static<Mirror1>, impl Quality>) -> Vec<(u32, Report)> {
+fn assert_pieces_make_rows(picture: &Mirrors<impl Quality>) -> Vec<(u32, Report)> {
     let whole = rows::<Rgb888>(picture);
     let row = |step: usize| {
         let y = step * 7 % 11;
@@ -344,27 +316,13 @@ fn assert_pieces_make_rows(picture: &Picture<Static<Mirror1>, impl Quality>) -> 
 #[test]
 fn two_threads_may_share_a_picture() {
     let picture = picture(40, 30);
+    let row = |y| row::<Rgb888>(&picture, y);
     let halves = std::thread::scope(|scope| {
-        let half = |rest: u32| {
-            let picture = &picture;
-            scope.spawn(move || {
-                let row = |y| {
-                    let mut pixels = [Rgb888::BLACK; 40];
-                    picture.row(y, 0, &mut pixels);
-                    pixels.to_vec()
-                };
-                (0..30)
-                    .filter(|y| y % 2 == rest)
-                    .map(row)
-                    .collect::<Vec<_>>()
-            })
-        };
+        let half = |first| scope.spawn(move || Vec::from_iter((first..30).step_by(2).map(row)));
         [half(0), half(1)].map(|half| half.join().unwrap())
     });
-    let whole = rows::<Rgb888>(&picture);
-    let [even, odd] = halves;
-    for (y, row) in whole.into_iter().enumerate() {
-        assert_eq!(row, [&even, &odd][y % 2][y / 2], "row {y}");
+    for (y, row) in rows::<Rgb888>(&picture).into_iter().enumerate() {
+        assert_eq!(row, halves[y % 2][y / 2], "row {y}");
     }
 }
 
@@ -376,13 +334,8 @@ fn empty_slice_is_filled_without_a_ray() {
 #[test]
 fn picture_has_at_least_one_pixel_and_at_most_65535_a_side() {
     let frame = Mirror1::frame(&Mirror1::CAMERA);
-    for (asked, given) in [
-        (0, 1),
-        (1, 1),
-        (65_535, 65_535),
-        (65_536, 65_535),
-        (u32::MAX, 65_535),
-    ] {
+    let given = [1, 1, 65_535, 65_535, 65_535];
+    for (asked, given) in [0, 1, 65_535, 65_536, u32::MAX].into_iter().zip(given) {
         let size = frame.sized(Size::new(asked, 3)).size();
         assert_eq!(size, Size::new(given, 3));
         let size = frame.sized(Size::new(3, asked)).size();
@@ -401,7 +354,7 @@ fn widest_row_is_drawn_to_its_end() {
         wide.row(1, x, &mut last);
         assert_eq!(last[0], row[x as usize], "column {x}");
     }
-    let mut display = Recorder::<Rgb888>::new(Point::zero(), Size::new(65_535, 1));
+    let mut display = recorder(65_535, 1);
     wide.draw_at(Point::new(0, -1), &mut display).unwrap();
     assert_eq!(display.calls[0].1, row);
 }
@@ -409,21 +362,18 @@ fn widest_row_is_drawn_to_its_end() {
 #[test]
 fn highest_column_is_drawn_to_its_end() {
     let mut display = Recorder::<Gray4>::new(Point::zero(), Size::new(1, 65_535));
-    Primitives::frame(&Primitives::CAMERA)
-        .draw(&mut display)
-        .unwrap();
+    let frame = Primitives::frame(&Primitives::CAMERA);
+    frame.draw(&mut display).unwrap();
     assert_eq!(display.calls.len(), 65_535);
 }
 
 #[test]
 fn picture_without_mirrors_takes_one_ray_a_pixel() {
-    let mut display = Recorder::<Rgb888>::new(Point::zero(), Size::new(17, 11));
+    let mut display = recorder(17, 11);
     let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Exact>();
-    let report = frame.draw(&mut display).unwrap();
-    assert!(report.rays > 17 * 11);
+    assert!(frame.draw(&mut display).unwrap().rays > 17 * 11);
     let frame = frame.reflections(0);
-    let report = frame.draw(&mut display).unwrap();
-    assert_eq!(report.rays, 17 * 11);
+    assert_eq!(frame.draw(&mut display).unwrap().rays, 17 * 11);
     let normals = frame.reflections(4).shading::<reflet::Normals>();
     let report = normals.draw(&mut display).unwrap();
     assert_eq!((report.rays, report.cut_off.to_bits()), (17 * 11, 0));
@@ -431,13 +381,9 @@ fn picture_without_mirrors_takes_one_ray_a_pixel() {
 
 #[test]
 fn fast_picture_takes_fewer_rays_than_it_has_pixels() {
-    let mut display = Recorder::<Rgb888>::new(Point::zero(), Size::new(64, 48));
     let frame = Mirror1::frame(&Mirror1::CAMERA).reflections(0);
-    let report = frame.draw(&mut display).unwrap();
-    assert!(
-        (64 * 48 / 4..64 * 48 * 3 / 4).contains(&report.rays),
-        "{report:?}"
-    );
+    let Report { rays, .. } = frame.draw(&mut recorder(64, 48)).unwrap();
+    assert!((64 * 48 / 4..64 * 48 * 3 / 4).contains(&rays), "{rays}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod dithering;
 mod program;
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -24,30 +25,34 @@ fn floor() -> Value {
     })
 }
 
+/// The same file with a change.
+fn changed(change: impl FnOnce(&mut Value)) -> String {
+    let mut scene = floor();
+    change(&mut scene);
+    scene.to_string()
+}
+
 /// A call that succeeds, and what it prints.
 fn printed(folder: &Folder, arguments: &str) -> String {
-    let Outcome {
-        code,
-        stdout,
-        stderr,
-    } = folder.render(arguments);
-    assert_eq!((code, stderr.as_str()), (0, ""), "{arguments}");
-    stdout
+    let outcome = folder.render(arguments);
+    assert_eq!((outcome.code, &*outcome.stderr), (0, ""), "{arguments}");
+    outcome.stdout
 }
 
 /// A call that fails as it should, and the line it says.
 fn refused(folder: &Folder, arguments: &str) -> String {
-    let Outcome {
-        code,
-        stdout,
-        stderr,
-    } = folder.render(arguments);
-    assert_eq!((code, stdout.as_str()), (2, ""), "{arguments}: {stderr}");
+    let outcome = folder.render(arguments);
+    let (code, stdout, stderr) = (outcome.code, outcome.stdout, outcome.stderr);
+    assert_eq!((code, &*stdout), (2, ""), "{arguments}: {stderr}");
     let line = stderr.strip_suffix('\n').expect("the line is ended");
     assert!(!line.contains('\n'), "{arguments}: {stderr}");
-    line.strip_prefix("error: ")
-        .expect("it is an error")
-        .to_owned()
+    let words = line.strip_prefix("error: ");
+    words.expect("it is an error").to_owned()
+}
+
+/// A call and words, which a case separates by an arrow.
+fn call_and_words(case: &str) -> (&str, &str) {
+    case.split_once(" => ").expect("there is an arrow")
 }
 
 fn line_of_json(folder: &Folder, arguments: &str) -> Value {
@@ -56,15 +61,9 @@ fn line_of_json(folder: &Folder, arguments: &str) -> Value {
     serde_json::from_str(&printed).expect("the line is JSON")
 }
 
-fn keys(object: &Value) -> Vec<&str> {
-    let mut keys: Vec<_> = object
-        .as_object()
-        .unwrap()
-        .keys()
-        .map(String::as_str)
-        .collect();
-    keys.sort();
-    keys
+fn keys(object: &Value) -> BTreeSet<&str> {
+    let fields = object.as_object().unwrap();
+    fields.keys().map(String::as_str).collect()
 }
 
 /// Width, height and RGB8 of a PNG file.
@@ -77,10 +76,8 @@ fn png(path: &Path) -> (u32, u32, Vec<u8>) {
 fn bare_command_writes_the_castle_and_says_where() {
     let folder = Folder::new("bare");
     let printed = printed(&folder, "");
-    assert!(
-        printed.starts_with("castle 320x320, 4 reflections, blinn-phong, fast: "),
-        "{printed}"
-    );
+    let start = "castle 320x320, 4 reflections, blinn-phong, fast: ";
+    assert!(printed.starts_with(start), "{printed}");
     assert!(printed.ends_with("\nwritten to castle.png\n"), "{printed}");
     let (width, height, _) = png(&folder.path("castle.png"));
     assert_eq!((width, height), (320, 320));
@@ -100,9 +97,8 @@ fn picture_without_a_path_takes_a_free_name() {
 #[test]
 fn name_of_a_scene_cannot_lead_to_another_folder() {
     let folder = Folder::new("name");
-    let mut scene = floor();
-    scene["name"] = "../a\nb".into();
-    fs::write(folder.path("scene.json"), scene.to_string()).unwrap();
+    let scene = changed(|it| it["name"] = "../a\nb".into());
+    fs::write(folder.path("scene.json"), scene).unwrap();
     printed(&folder, "scene.json --size 1x1");
     assert_eq!(folder.files(), ["___a_b.png", "scene.json"]);
 }
@@ -111,10 +107,8 @@ fn name_of_a_scene_cannot_lead_to_another_folder() {
 fn png_and_raw_are_the_same_picture_of_the_size_asked_for() {
     let folder = Folder::new("formats");
     let printed = printed(&folder, "mirror1 --size 21x13 --out a.png --raw a.rgb");
-    assert!(
-        printed.ends_with("\nwritten to a.png\nwritten to a.rgb\n"),
-        "{printed}"
-    );
+    let end = "\nwritten to a.png\nwritten to a.rgb\n";
+    assert!(printed.ends_with(end), "{printed}");
     let raw = fs::read(folder.path("a.rgb")).unwrap();
     assert_eq!(raw.len(), 21 * 13 * 3);
     assert_eq!(png(&folder.path("a.png")), (21, 13, raw));
@@ -144,27 +138,17 @@ fn nothing_is_written_over() {
 fn json_has_the_promised_keys() {
     let folder = Folder::new("json");
     let call = "castle --size 8x6 --reflections 2 --shading phong --quality fine --json";
-    let plain = line_of_json(&folder, call);
-    let expected = [
-        "quality",
-        "reflections",
-        "scene",
-        "seconds",
-        "shading",
-        "size",
-    ];
-    assert_eq!(keys(&plain), expected);
-    assert_eq!(plain["scene"], "castle");
-    assert_eq!(plain["size"], "8x6");
-    assert_eq!(plain["reflections"], 2);
-    assert_eq!(plain["shading"], "phong");
-    assert_eq!(plain["quality"], "fine");
-    assert!(plain["seconds"].as_f64().unwrap() > 0.0);
+    let mut plain = line_of_json(&folder, call);
+    assert!(plain["seconds"].take().as_f64().unwrap() > 0.0);
+    let expected = json!({
+        "scene": "castle", "size": "8x6", "reflections": 2, "shading": "phong",
+        "quality": "fine", "seconds": null
+    });
+    assert_eq!(plain, expected);
 
     let checked = line_of_json(&folder, &format!("{call} --check"));
-    let more = ["max", "psnr", "same", "within1", "within8"];
-    let mut all = [expected.as_slice(), more.as_slice()].concat();
-    all.sort();
+    let mut all = keys(&plain);
+    all.extend(["max", "psnr", "same", "within1", "within8"]);
     assert_eq!(keys(&checked), all);
     for share in ["same", "within1", "within8"] {
         let value = checked[share].as_f64().unwrap();
@@ -177,10 +161,8 @@ fn json_has_the_promised_keys() {
 fn equal_pictures_have_no_psnr_in_json() {
     let folder = Folder::new("equal");
     let line = line_of_json(&folder, "empty --size 5x5 --check --json");
-    assert_eq!(
-        (&line["psnr"], &line["max"], &line["same"]),
-        (&Value::Null, &json!(0), &json!(1.0))
-    );
+    let found = json!([line["psnr"], line["max"], line["same"]]);
+    assert_eq!(found, json!([null, 0, 1.0]));
     let words = printed(&folder, "empty --size 5x5 --check");
     let expected = "against double precision: same 100.000 %, within 1 100.000 %, \
                     within 8 100.000 %, PSNR inf dB, largest difference 0\n";
@@ -190,12 +172,10 @@ fn equal_pictures_have_no_psnr_in_json() {
 #[test]
 fn reference_is_named_where_it_is_all_that_is_rendered() {
     let folder = Folder::new("reference");
-    let alone = line_of_json(&folder, "columns --size 9x9 --reference --json --raw exact");
+    let call = "columns --size 9x9 --reference --json";
+    let alone = line_of_json(&folder, &format!("{call} --raw exact"));
     assert_eq!(alone["quality"], "reference");
-    let both = line_of_json(
-        &folder,
-        "columns --size 9x9 --reference --check --json --raw both",
-    );
+    let both = line_of_json(&folder, &format!("{call} --check --raw both"));
     assert_eq!(both["quality"], "fast");
     assert!(both["max"].is_u64());
     let exact = fs::read(folder.path("exact")).unwrap();
@@ -206,27 +186,27 @@ fn reference_is_named_where_it_is_all_that_is_rendered() {
 #[test]
 fn scene_file_is_drawn_like_the_same_constants() {
     let folder = Folder::new("file");
-    let mut other = floor();
-    other["name"] = "other".into();
-    other["camera"]["fov"] = 20.into();
+    let other = changed(|it| {
+        it["name"] = "other".into();
+        it["camera"]["fov"] = 20.into();
+    });
     fs::write(folder.path("one.json"), floor().to_string()).unwrap();
-    fs::write(folder.path("two.json"), json!([other, floor()]).to_string()).unwrap();
-    printed(&folder, "floor --size 16x12 --raw constant");
-    printed(&folder, "one.json --size 16x12 --raw one");
-    printed(&folder, "two.json --scene floor --size 16x12 --raw two");
-    printed(&folder, "two.json --scene other --size 16x12 --raw other");
-    let read = |name| fs::read(folder.path(name)).unwrap();
-    assert_eq!(read("constant"), read("one"));
-    assert_eq!(read("constant"), read("two"));
-    assert_ne!(read("constant"), read("other"));
+    fs::write(folder.path("two.json"), format!("[{other}, {}]", floor())).unwrap();
+    let drawn = |name, call| {
+        printed(&folder, &format!("{call} --size 16x12 --raw {name}"));
+        fs::read(folder.path(name)).unwrap()
+    };
+    let constant = drawn("constant", "floor");
+    assert_eq!(constant, drawn("one", "one.json"));
+    assert_eq!(constant, drawn("two", "two.json --scene floor"));
+    assert_ne!(constant, drawn("other", "two.json --scene other"));
 }
 
 #[test]
 fn file_without_a_name_is_called_after_the_file() {
     let folder = Folder::new("nameless");
-    let mut scene = floor();
-    scene.as_object_mut().unwrap().remove("name");
-    fs::write(folder.path("my floor.json"), scene.to_string()).unwrap();
+    let scene = changed(|it| drop(it.as_object_mut().unwrap().remove("name")));
+    fs::write(folder.path("my floor.json"), scene).unwrap();
     let outcome = folder.run(&["my floor.json", "--size", "2x2"]);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     assert_eq!(folder.files(), ["my floor.json", "my floor.png"]);
@@ -258,66 +238,39 @@ fn shadings_and_reflections_reach_the_picture() {
     ];
     let mut pictures = Vec::new();
     for (number, call) in calls.into_iter().enumerate() {
-        printed(
-            &folder,
-            &format!("mirror1 --size 40x40 --raw {number} {call}"),
-        );
-        pictures.push(fs::read(folder.path(&number.to_string())).unwrap());
-    }
-    for (at, picture) in pictures.iter().enumerate() {
-        assert!(!pictures[..at].contains(picture), "{}", calls[at]);
+        let call = format!("mirror1 --size 40x40 --raw {number} {call}");
+        printed(&folder, &call);
+        let picture = fs::read(folder.path(&number.to_string())).unwrap();
+        assert!(!pictures.contains(&picture), "{call}");
+        pictures.push(picture);
     }
 }
 
 #[test]
 fn wrong_arguments_are_named_in_one_line() {
     let folder = Folder::new("arguments");
-    let sizes = "not a width and a height from 1 to 65535, such as 320x240";
-    let wrong_size = |size| format!("invalid value '{size}' for '--size <WxH>': {sizes}");
-    let cases = [
-        ("--size 0x5", wrong_size("0x5")),
-        ("--size 5x0", wrong_size("5x0")),
-        ("--size 65536x1", wrong_size("65536x1")),
-        ("--size 5", wrong_size("5")),
-        ("--size x", wrong_size("x")),
-        ("--size 5x5x5", wrong_size("5x5x5")),
-        ("--size +5x5", wrong_size("+5x5")),
-        ("--reflections 256", "256 is not in 0..=255".to_owned()),
-        ("--reflections -1", "-1 is not in 0..=255".to_owned()),
-        (
-            "--reflections many",
-            "invalid digit found in string".to_owned(),
-        ),
-        (
-            "--shading gouraud",
-            "possible values: blinn-phong, phong, normals".to_owned(),
-        ),
-        (
-            "--quality best",
-            "possible values: fast, fine, small, exact".to_owned(),
-        ),
-        (
-            "--out",
-            "a value is required for '--out <F.png>'".to_owned(),
-        ),
-        ("--json --json", "cannot be used multiple times".to_owned()),
-        ("--bogus", "unexpected argument '--bogus' found".to_owned()),
-        (
-            "castle floor",
-            "unexpected argument 'floor' found".to_owned(),
-        ),
-        (
-            "sandcastle",
-            "there is no built-in scene sandcastle, only castle, ".to_owned(),
-        ),
-        (
-            "castle --scene floor",
-            "--scene chooses from a file, and castle is built in".to_owned(),
-        ),
-    ];
-    for (call, expected) in cases {
+    for size in ["0x5", "5x0", "65536x1", "5", "x", "5x5x5", "+5x5"] {
+        let line = refused(&folder, &format!("--size {size}"));
+        let sizes = "not a width and a height from 1 to 65535, such as 320x240";
+        let expected = format!("invalid value '{size}' for '--size <WxH>': {sizes}");
+        assert!(line.contains(&expected), "{size}: {line}");
+    }
+    for case in [
+        "--reflections 256 => 256 is not in 0..=255",
+        "--reflections -1 => -1 is not in 0..=255",
+        "--reflections many => invalid digit found in string",
+        "--shading gouraud => possible values: blinn-phong, phong, normals",
+        "--quality best => possible values: fast, fine, small, exact",
+        "--out => a value is required for '--out <F.png>'",
+        "--json --json => cannot be used multiple times",
+        "--bogus => unexpected argument '--bogus' found",
+        "castle floor => unexpected argument 'floor' found",
+        "sandcastle => there is no built-in scene sandcastle, only castle, ",
+        "castle --scene floor => --scene chooses from a file, and castle is built in",
+    ] {
+        let (call, expected) = call_and_words(case);
         let line = refused(&folder, call);
-        assert!(line.contains(&expected), "{call}: {line}");
+        assert!(line.contains(expected), "{call}: {line}");
     }
     assert!(folder.files().is_empty());
 }
@@ -325,13 +278,8 @@ fn wrong_arguments_are_named_in_one_line() {
 #[test]
 fn argument_of_two_lines_is_refused_in_one() {
     let folder = Folder::new("lines");
-    for argument in [
-        "two\nlines",
-        "two\nlines.json",
-        "--two\nlines",
-        "--size=1\n2",
-    ] {
-        let Outcome { code, stderr, .. } = folder.run(&[argument]);
+    for argument in ["two lines", "two lines.json", "--two lines", "--size=1 2"] {
+        let Outcome { code, stderr, .. } = folder.run(&[&argument.replace(' ', "\n")]);
         assert_eq!((code, stderr.lines().count()), (2, 1), "{stderr}");
     }
 }
@@ -339,63 +287,39 @@ fn argument_of_two_lines_is_refused_in_one() {
 #[test]
 fn wrong_files_are_named_in_one_line() {
     let folder = Folder::new("files");
-    let mut small = floor();
-    small["spheres"] = json!([{ "center": [0, 0, 0], "radius": 0, "material": "white" }]);
-    let mut unknown = floor();
-    unknown["planes"][0]["material"] = "black".into();
-    let mut closed = floor();
-    closed["camera"]["fov"] = 0.into();
-    let two = json!([floor(), small]);
-    let files = [
-        ("broken.json", "{\n  \"camera\": ]\n}".to_owned()),
-        ("empty.json", "[]".to_owned()),
-        ("small.json", small.to_string()),
-        ("unknown.json", unknown.to_string()),
-        ("closed.json", closed.to_string()),
-        ("two.json", two.to_string()),
-    ];
-    for (name, text) in files {
-        fs::write(folder.path(name), text).unwrap();
-    }
-    fs::write(folder.path("bytes.json"), b"\xff\xfe\x00").unwrap();
+    let write = |name, text: &[u8]| fs::write(folder.path(name), text).unwrap();
+    let sphere = json!({ "center": [0, 0, 0], "radius": 0, "material": "white" });
+    let small = changed(|it| it["spheres"] = json!([sphere]));
+    let unknown = changed(|it| it["planes"][0]["material"] = "black".into());
+    let closed = changed(|it| it["camera"]["fov"] = 0.into());
+    write("broken.json", b"{\n  \"camera\": ]\n}");
+    write("empty.json", b"[]");
+    write("small.json", small.as_bytes());
+    write("unknown.json", unknown.as_bytes());
+    write("closed.json", closed.as_bytes());
+    write("two.json", format!("[{}, {small}]", floor()).as_bytes());
+    write("bytes.json", b"\xff\xfe\x00");
     fs::create_dir(folder.path("folder.json")).unwrap();
-    let cases = [
-        ("missing.json", "missing.json: "),
-        ("folder.json", "folder.json: "),
-        ("bytes.json", "bytes.json: "),
-        (
-            "broken.json",
-            "broken.json: line 2, column 13: expected value",
-        ),
-        ("empty.json", "empty.json: there is no scene in the file"),
-        (
-            "small.json",
-            "small.json: scene floor: spheres[0]: radius must be greater than 0",
-        ),
-        (
-            "unknown.json",
-            "unknown.json: scene floor: planes[0].material: there is no material black",
-        ),
-        (
-            "closed.json",
-            "closed.json: scene floor: camera fov must be between 0.001 and 179.999 degrees",
-        ),
-        (
-            "two.json",
-            "two.json: choose one of the scenes floor, floor (--scene NAME)",
-        ),
-        (
-            "two.json --scene floor",
-            "two.json: scene 1 has the name floor of scene 0",
-        ),
-        (
-            "two.json --scene roof",
-            "two.json: there is no scene roof, only floor, floor",
-        ),
-    ];
-    for (call, expected) in cases {
+    for case in [
+        "missing.json => ",
+        "folder.json => ",
+        "bytes.json => ",
+        "broken.json => line 2, column 13: expected value",
+        "empty.json => there is no scene in the file",
+        "small.json => scene floor: spheres[0]: radius must be greater than 0",
+        "unknown.json => scene floor: planes[0].material: there is no material black",
+        "closed.json => scene floor: camera fov must be between 0.001 and 179.999 degrees",
+        "two.json => choose one of the scenes floor, floor (--scene NAME)",
+        "two.json --scene floor => scene 1 has the name floor of scene 0",
+        "two.json --scene roof => there is no scene roof, only floor, floor",
+    ] {
+        let (call, words) = call_and_words(case);
+        let file = call.split(' ').next().unwrap();
         let line = refused(&folder, call);
-        assert!(line.starts_with(expected), "{call}: {line}");
+        assert!(
+            line.starts_with(&format!("{file}: {words}")),
+            "{call}: {line}"
+        );
     }
     assert_eq!(folder.files().len(), 8, "nothing was written");
 }
@@ -405,11 +329,8 @@ fn wrong_files_are_named_in_one_line() {
 fn picture_beyond_the_memory_is_refused() {
     let folder = Folder::new("memory");
     let outcome = folder.render_in_4_gigabytes("--size 65535x65535 --json");
-    assert_eq!(outcome.code, 2);
-    assert_eq!(
-        outcome.stderr,
-        "error: --size 65535x65535 needs 52 GB of memory\n"
-    );
+    let words = "error: --size 65535x65535 needs 52 GB of memory\n";
+    assert_eq!((outcome.code, &*outcome.stderr), (2, words));
 }
 
 #[test]
@@ -447,10 +368,8 @@ fn device_may_be_written_to() {
 fn disk_that_is_full_is_named() {
     let folder = Folder::new("full");
     let line = refused(&folder, "floor --size 2x2 --raw /dev/full");
-    assert!(
-        line.starts_with("/dev/full cannot be written: No space left"),
-        "{line}"
-    );
+    let expected = "/dev/full cannot be written: No space left";
+    assert!(line.starts_with(expected), "{line}");
 }
 
 #[cfg(not(feature = "window"))]
@@ -458,10 +377,8 @@ fn disk_that_is_full_is_named() {
 fn window_needs_its_feature() {
     let folder = Folder::new("window");
     let line = refused(&folder, "--window");
-    assert!(
-        line.starts_with("--window needs the feature `window`: cargo run "),
-        "{line}"
-    );
+    let expected = "--window needs the feature `window`: cargo run ";
+    assert!(line.starts_with(expected), "{line}");
 }
 
 #[cfg(feature = "window")]

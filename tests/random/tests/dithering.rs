@@ -84,8 +84,7 @@ fn assert_mean<C: Ditherable>(channels: impl Fn(C) -> Vec<(u8, u8)>) {
         // Channels that differ, but for a grey.
         let turned = Rgb888::new(value, 255 - value, value.rotate_left(4));
         for color in [grey(value), turned] {
-            let dots = tile().points().map(|at| channels(dither(color, at)));
-            let dots: Vec<_> = dots.collect();
+            let dots = Vec::from_iter(tile().points().map(|at| channels(dither(color, at))));
             let wanted = match dots[0].len() {
                 3 => vec![color.r(), color.g(), color.b()],
                 _ => vec![Gray8::from(color).luma()],
@@ -102,11 +101,11 @@ fn assert_mean<C: Ditherable>(channels: impl Fn(C) -> Vec<(u8, u8)>) {
 }
 
 fn rgb<C: RgbColor>(dot: C) -> Vec<(u8, u8)> {
-    let largest = [C::MAX_R, C::MAX_G, C::MAX_B];
-    [dot.r(), dot.g(), dot.b()]
-        .into_iter()
-        .zip(largest)
-        .collect()
+    vec![
+        (dot.r(), C::MAX_R),
+        (dot.g(), C::MAX_G),
+        (dot.b(), C::MAX_B),
+    ]
 }
 
 fn luma<C: GrayColor>(dot: C) -> Vec<(u8, u8)> {
@@ -131,11 +130,9 @@ fn mean_of_a_tile_is_within_half_a_64th_of_a_level() {
 
 /// Black, white and whatever else has a level of its own keep it at every place.
 fn assert_levels_stay<C: Ditherable + From<Rgb888> + Into<Rgb888> + std::fmt::Debug>() {
-    let shades = (0..=255).map(grey);
-    let [red, green, blue] = [Rgb888::RED, Rgb888::GREEN, Rgb888::BLUE];
-    let colors = shades.chain([red, green, blue]);
-    let levels = colors.filter(|&color| color == C::from(color).into());
-    let levels: Vec<_> = levels.collect();
+    let colors = (0..=255).map(grey);
+    let colors = colors.chain([Rgb888::RED, Rgb888::GREEN, Rgb888::BLUE]);
+    let levels = Vec::from_iter(colors.filter(|&color| color == C::from(color).into()));
     assert!(levels.contains(&Rgb888::BLACK) && levels.contains(&Rgb888::WHITE));
     for color in levels {
         for at in tile().points() {
@@ -187,6 +184,11 @@ enum Call<C: PixelColor> {
 struct CableLost(usize);
 
 impl<C: PixelColor> Recorder<C> {
+    fn failing(call: usize) -> Self {
+        let (calls, fails_at) = (Vec::new(), Some(call));
+        Self { calls, fails_at }
+    }
+
     fn take(&mut self, call: Call<C>) -> Result<(), CableLost> {
         if self.fails_at == Some(self.calls.len()) {
             return Err(CableLost(self.calls.len()));
@@ -273,12 +275,10 @@ fn area_is_filled_as_one_where_all_its_dots_are_the_same() {
     for value in 0..=255_u8 {
         let mut recorder = Recorder::<BinaryColor>::default();
         let area = tile();
-        let Ok(()) = Dithered::new(&mut recorder).fill_solid(&area, grey(value)) else {
-            panic!("it does not fail");
-        };
+        let mut dithered = Dithered::new(&mut recorder);
+        dithered.fill_solid(&area, grey(value)).unwrap();
         let dots: Vec<BinaryColor> = area.points().map(|at| dither(grey(value), at)).collect();
-        let is_one = dots.iter().all(|&dot| dot == dots[0]);
-        let expected = match is_one {
+        let expected = match dots.iter().all(|&dot| dot == dots[0]) {
             true => Call::Solid(area, dots[0]),
             false => Call::Colors(area, dots),
         };
@@ -290,10 +290,7 @@ fn area_is_filled_as_one_where_all_its_dots_are_the_same() {
 fn error_of_the_display_comes_back() {
     let area = tile();
     for fails_at in 0..4 {
-        let mut recorder = Recorder::<Rgb565> {
-            fails_at: Some(fails_at),
-            ..Default::default()
-        };
+        let mut recorder = Recorder::<Rgb565>::failing(fails_at);
         let mut dithered = Dithered::new(&mut recorder);
         let results = [
             dithered.draw_iter([Pixel(Point::zero(), grey(1))]),
@@ -310,10 +307,7 @@ fn error_of_the_display_comes_back() {
 
 #[test]
 fn no_row_follows_an_error() {
-    let mut recorder = Recorder::<BinaryColor> {
-        fails_at: Some(3),
-        ..Default::default()
-    };
+    let mut recorder = Recorder::<BinaryColor>::failing(3);
     let result = picture().draw_at(Point::zero(), &mut Dithered::new(&mut recorder));
     assert_eq!(result, Err(CableLost(3)));
     assert_eq!(recorder.calls.len(), 3);
@@ -331,9 +325,8 @@ fn scene_of_nothing_is_filled_in_its_colour() {
 #[test]
 fn rows_have_the_dots_of_the_whole() {
     let mut whole = display::<Rgb565>();
-    picture()
-        .draw_at(Point::zero(), &mut Dithered::new(&mut whole))
-        .unwrap();
+    let mut dithered = Dithered::new(&mut whole);
+    picture().draw_at(Point::zero(), &mut dithered).unwrap();
     let mut row = [Rgb888::BLACK; WIDTH as usize];
     for y in (0..HEIGHT as i32).rev() {
         picture().row(y as u32, 0, &mut row);
@@ -354,9 +347,8 @@ fn castle_in_black_and_white_is_as_bright_as_the_castle() {
     frame.draw(&mut Dithered::new(&mut dots)).unwrap();
     let points = || Rectangle::new(Point::zero(), size).points();
     let pixels = f64::from(size.width * size.height);
-    let luma: u32 = points()
-        .map(|at| u32::from(grey.get_pixel(at).luma()))
-        .sum();
+    let luma = points().map(|at| u32::from(grey.get_pixel(at).luma()));
+    let luma: u32 = luma.sum();
     let lit = points().filter(|&at| dots.get_pixel(at).is_on()).count();
     let (wanted, shown) = (f64::from(luma) / 255.0 / pixels, lit as f64 / pixels);
     // A tile of one luma is off by up to half a 64th either way; many tiles, by less than one.
@@ -365,11 +357,9 @@ fn castle_in_black_and_white_is_as_bright_as_the_castle() {
 
 /// Any rectangle on the display, partly on it, or beside it.
 fn area() -> impl Strategy<Value = Rectangle> {
-    let corner = (-20..50_i32, -20..50_i32);
-    let size = (0..40_u32, 0..40_u32);
-    (corner, size).prop_map(|((x, y), (width, height))| {
-        Rectangle::new(Point::new(x, y), Size::new(width, height))
-    })
+    let corner = (-20..50_i32, -20..50_i32).prop_map(|(x, y)| Point::new(x, y));
+    let size = (0..40_u32, 0..40_u32).prop_map(|(width, height)| Size::new(width, height));
+    (corner, size).prop_map(|(corner, size)| Rectangle::new(corner, size))
 }
 
 fn color() -> impl Strategy<Value = Rgb888> {
@@ -387,10 +377,8 @@ proptest! {
         picture().draw_area(part, top_left, &mut Dithered::new(&mut of_part)).unwrap();
         let inside = Rectangle::new(Point::zero(), picture().size()).intersection(&part);
         for at in whole.bounding_box().points() {
-            let expected = match inside.translate(top_left).contains(at) {
-                true => whole.get_pixel(at),
-                false => Gray2::BLACK,
-            };
+            let is_inside = inside.translate(top_left).contains(at);
+            let expected = if is_inside { whole.get_pixel(at) } else { Gray2::BLACK };
             prop_assert_eq!(of_part.get_pixel(at), expected);
         }
     }

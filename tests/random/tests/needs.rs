@@ -6,13 +6,14 @@ use std::cell::Cell;
 use embedded_graphics::prelude::Size;
 use proptest::{prelude::*, test_runner::TestRunner};
 use reflet::host::painted;
-use reflet::host::reference;
 use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Visitor, visit};
 use reflet::{
     BlinnPhong, Bound, Camera, Description, Exact, Fast, Fine, Frame, Material, Mirrors, Needs,
-    Normals, Phong, Picture, Quality, RuntimeScene, Scene, Shading, Shininess, Small, StaticFrame,
-    World,
+    Normals, Phong, Quality, RuntimeScene, Scene, Shading, Shininess, Small, StaticFrame, World,
 };
+
+/// The size of the built-in scenes' pictures.
+const SIZE: Size = Size::new(80, 60);
 
 /// Room for every built-in scene.
 type Largest = RuntimeScene<64, 8, 32, 8, 16>;
@@ -26,9 +27,7 @@ fn refilled(description: &Description<'_>) -> Largest {
         let color = material.described_color();
         Material::from_numbers(color, ambient, diffuse, highlight, mirror).unwrap()
     });
-    let ids: Vec<_> = materials
-        .map(|material| scene.add_material(material).unwrap())
-        .collect();
+    let ids = Vec::from_iter(materials.map(|it| scene.add_material(it).unwrap()));
     for sphere in description.spheres {
         let id = ids[sphere.material.index()];
         scene.add_sphere(sphere.center, sphere.radius, id).unwrap();
@@ -37,11 +36,10 @@ fn refilled(description: &Description<'_>) -> Largest {
         let id = ids[plane.material.index()];
         scene.add_plane(plane.point, plane.normal, id).unwrap();
     }
-    for tube in description.cylinders {
-        let id = ids[tube.material.index()];
-        scene
-            .add_cylinder(tube.center, tube.axis, tube.radius, tube.height, id)
-            .unwrap();
+    for it in description.cylinders {
+        let id = ids[it.material.index()];
+        let added = scene.add_cylinder(it.center, it.axis, it.radius, it.height, id);
+        added.unwrap();
     }
     for light in description.lights {
         scene.add_light(light.position, light.color).unwrap();
@@ -50,16 +48,6 @@ fn refilled(description: &Description<'_>) -> Largest {
     scene.set_epsilon(description.epsilon).unwrap();
     scene.set_camera(description.camera.unwrap());
     scene
-}
-
-fn assert_same<A, B, Q, K>(name: &str, a: &Picture<A, Q, K>, b: &Picture<B, Q, K>)
-where
-    A: World,
-    B: World,
-    Q: Quality,
-    K: Shading,
-{
-    assert!(painted(a) == painted(b), "{name}");
 }
 
 /// Holds a scene in flash, of which only what it needs is linked, against the same filled at run time
@@ -72,28 +60,25 @@ impl Visitor for Twice {
     fn visit<S: BuiltIn>(self) {
         let scene = S::with_description(|description| refilled(&description).build().unwrap());
         assert_eq!(Needs::of::<S>(), scene.needs(), "{}", S::NAME);
-        let (fixed, filled) = (S::frame(&S::CAMERA), scene.frame(&S::CAMERA));
-        alike::<Fast, BlinnPhong, _, _>(S::NAME, fixed, filled);
-        let (fixed, filled) = (S::frame(&S::CAMERA), scene.frame(&S::CAMERA));
-        alike::<Fine, Phong, _, _>(S::NAME, fixed, filled);
-        let (fixed, filled) = (S::frame(&S::CAMERA), scene.frame(&S::CAMERA));
-        alike::<Small, BlinnPhong, _, _>(S::NAME, fixed, filled);
-        let (fixed, whole) = (S::frame(&S::CAMERA), S::frame(&S::CAMERA).whole());
-        alike::<Fast, BlinnPhong, _, _>(S::NAME, fixed, whole);
+        let (fixed, filled) = (|| S::frame(&S::CAMERA), || scene.frame(&S::CAMERA));
+        assert_alike::<Fast, BlinnPhong, _, _>(SIZE, S::NAME, fixed(), filled());
+        assert_alike::<Fine, Phong, _, _>(SIZE, S::NAME, fixed(), filled());
+        assert_alike::<Small, BlinnPhong, _, _>(SIZE, S::NAME, fixed(), filled());
+        assert_alike::<Fast, BlinnPhong, _, _>(SIZE, S::NAME, fixed(), fixed().whole());
     }
 }
 
-fn alike<Q, K, A, B>(name: &str, fixed: Frame<'_, A>, filled: Frame<'_, B>)
+fn assert_alike<Q, K, A, B>(size: Size, name: &str, fixed: Frame<'_, A>, filled: Frame<'_, B>)
 where
     Q: Quality,
     K: Shading,
     A: World + Copy,
     B: World + Copy,
 {
-    let size = Size::new(80, 60);
     let fixed = fixed.quality::<Q>().shading::<K>();
     let filled = filled.quality::<Q>().shading::<K>();
-    assert_same(name, &fixed.sized(size), &filled.sized(size));
+    let (fixed, filled) = (fixed.sized(size), filled.sized(size));
+    assert!(painted(&fixed) == painted(&filled), "{name}");
 }
 
 #[test]
@@ -110,41 +95,22 @@ impl Visitor for Known {
     type Output = ();
 
     fn visit<S: BuiltIn>(self) {
-        let frame = || S::frame(&S::CAMERA);
-        let size = Size::new(64, 48);
-        let known = [
-            painted(&frame().most_reflections::<0>().sized(size)),
-            painted(&frame().most_reflections::<1>().sized(size)),
-            painted(&frame().most_reflections::<3>().sized(size)),
-        ];
-        let small = [
-            painted(
-                &frame()
-                    .quality::<Small>()
-                    .most_reflections::<0>()
-                    .sized(size),
-            ),
-            painted(
-                &frame()
-                    .quality::<Small>()
-                    .most_reflections::<1>()
-                    .sized(size),
-            ),
-            painted(
-                &frame()
-                    .quality::<Small>()
-                    .most_reflections::<3>()
-                    .sized(size),
-            ),
-        ];
-        for (index, reflections) in [0, 1, 3].into_iter().enumerate() {
-            let frame = || frame().reflections(reflections);
-            let found = painted(&frame().sized(size));
-            assert!(known[index] == found, "{}, {reflections}", S::NAME);
-            let found = painted(&frame().quality::<Small>().sized(size));
-            assert!(small[index] == found, "{}, {reflections}, small", S::NAME);
-        }
+        assert_known::<S, 0>();
+        assert_known::<S, 1>();
+        assert_known::<S, 3>();
     }
+}
+
+fn assert_known<S: BuiltIn, const N: u8>() {
+    let (name, size) = (S::NAME, Size::new(64, 48));
+    let frame = || S::frame(&S::CAMERA);
+    let known = painted(&frame().most_reflections::<N>().sized(size));
+    let found = painted(&frame().reflections(N).sized(size));
+    assert!(known == found, "{name}, {N}");
+    let frame = || frame().quality::<Small>();
+    let known = painted(&frame().most_reflections::<N>().sized(size));
+    let found = painted(&frame().reflections(N).sized(size));
+    assert!(known == found, "{name}, {N}, small");
 }
 
 #[test]
@@ -170,52 +136,33 @@ impl Bound for Bare {
 
 #[test]
 fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
-    let scene = |read: &dyn Fn(&mut Largest)| {
-        let mut scene = Largest::new();
-        read(&mut scene);
-        scene.build().unwrap()
-    };
     let castle = Castle::with_description(|it| refilled(&it).build().unwrap());
-    let (free, bound) = (
-        castle.frame(&Castle::CAMERA),
-        castle.frame_within::<Like>(&Castle::CAMERA),
-    );
-    let size = Size::new(80, 60);
-    assert_same(
-        "castle",
-        &free.sized(size),
-        &bound.ok().unwrap().sized(size),
-    );
+    let (free, camera) = (castle.frame(&Castle::CAMERA), &Castle::CAMERA);
+    let bound = castle.frame_within::<Like>(camera).ok().unwrap();
+    assert_alike::<Fast, BlinnPhong, _, _>(SIZE, "castle", free, bound);
 
     let floor = Floor::with_description(|it| refilled(&it).build().unwrap());
+    let free = floor.frame(&Floor::CAMERA);
     let bound = floor.frame_within::<Bare>(&Floor::CAMERA).ok().unwrap();
-    assert_same(
-        "floor",
-        &floor.frame(&Floor::CAMERA).sized(size),
-        &bound.sized(size),
-    );
-    let excess =
-        |scene: &reflet::Scene<64, 8, 32, 8, 16>| scene.frame_within::<Bare>(&Castle::CAMERA).err();
+    assert_alike::<Fast, BlinnPhong, _, _>(SIZE, "floor", free, bound);
+    let excess = |scene: &Scene<64, 8, 32, 8, 16>| scene.frame_within::<Bare>(camera).err();
     assert_eq!(excess(&castle).unwrap().need, "spheres");
     assert_eq!(excess(&floor), None);
-    let two_floors = scene(&|scene| {
-        let glass = scene
-            .add_material(Material::new([0.5; 3]).mirror(0.5))
-            .unwrap();
-        scene.add_plane([0, 0, -1], [0, 0, 1], glass).unwrap();
-        scene.add_plane([0, 0, 1], [0, 0, 1], glass).unwrap();
-    });
-    assert_eq!(excess(&two_floors).unwrap().need, "mirrored");
+    let mut two_floors = Largest::new();
+    let glass = Material::new([0.5; 3]).mirror(0.5);
+    let glass = two_floors.add_material(glass).unwrap();
+    two_floors.add_plane([0, 0, -1], [0, 0, 1], glass).unwrap();
+    two_floors.add_plane([0, 0, 1], [0, 0, 1], glass).unwrap();
+    let excess = excess(&two_floors.build().unwrap());
+    assert_eq!(excess.unwrap().need, "mirrored");
 }
 
 #[test]
 fn castle_and_mirrors_need_what_is_expected_of_them() {
     let castle = Needs::of::<Castle>();
     assert!(castle.spheres && castle.planes && castle.cylinders && castle.shadows);
-    assert_eq!(
-        (castle.shininess, castle.mirrors),
-        (Shininess::Even, Mirrors::Some)
-    );
+    let found = (castle.shininess, castle.mirrors);
+    assert_eq!(found, (Shininess::Even, Mirrors::Some));
     let mirror1 = Needs::of::<Mirror1>();
     assert!(mirror1.mirrored && mirror1.within(&Needs::ALL.without_planes()).is_err());
 }
@@ -306,41 +253,15 @@ impl<const I: usize> Bound for Off<I> {
 
 /// Whether a scene is within a bound; if so, its pictures are held against those with no bound.
 fn is_held<const I: usize>(scene: &Scene<2, 2, 1, 2, 2>) -> bool {
-    let size = Size::new(24, 20);
-    let Ok(frame) = scene.frame_within::<Off<I>>(&FRONT) else {
+    if scene.frame_within::<Off<I>>(&FRONT).is_err() {
         return false;
-    };
-    let same = |name: &str, a: reference::Picture, b: reference::Picture| {
-        assert!(a == b, "{name} of {:?}, bound {:?}", scene.needs(), OFF[I]);
-    };
-    same(
-        "small normals",
-        painted(&frame.quality::<Small>().shading::<Normals>().sized(size)),
-        painted(
-            &scene
-                .frame(&FRONT)
-                .quality::<Small>()
-                .shading::<Normals>()
-                .sized(size),
-        ),
-    );
-    let frame = || scene.frame_within::<Off<I>>(&FRONT).ok().unwrap();
-    same(
-        "fine",
-        painted(&frame().quality::<Fine>().sized(size)),
-        painted(&scene.frame(&FRONT).quality::<Fine>().sized(size)),
-    );
-    same(
-        "small",
-        painted(&frame().quality::<Small>().shading::<Phong>().sized(size)),
-        painted(
-            &scene
-                .frame(&FRONT)
-                .quality::<Small>()
-                .shading::<Phong>()
-                .sized(size),
-        ),
-    );
+    }
+    let bound = || scene.frame_within::<Off<I>>(&FRONT).ok().unwrap();
+    let (free, size) = (|| scene.frame(&FRONT), Size::new(24, 20));
+    let what = |name| format!("{name} of {:?}, bound {:?}", scene.needs(), OFF[I]);
+    assert_alike::<Small, Normals, _, _>(size, &what("small normals"), bound(), free());
+    assert_alike::<Fine, BlinnPhong, _, _>(size, &what("fine"), bound(), free());
+    assert_alike::<Small, Phong, _, _>(size, &what("small"), bound(), free());
     true
 }
 
@@ -412,7 +333,7 @@ fn shadow_falls_on_what_is_far_from_what_throws_it() {
     let chalk = scene.add_material(chalk).unwrap();
     scene.add_sphere([0.0, 0.0, -0.75], 0.5, chalk).unwrap();
     scene
-        .add_plane([0.0, 0.0, -1e6], [0.0, 0.0, 1.0], chalk)
+        .add_plane([0, 0, -1_000_000], [0, 0, 1], chalk)
         .unwrap();
     scene.add_light([0.0, 0.0, 0.0], [1.0, 1.0, 1.0]).unwrap();
     let scene = scene.build().unwrap();

@@ -10,6 +10,7 @@ use super::exact::{Ball, Bounce, apart, bounces, growth};
 use super::{Case, Measured, Picture, Trial, measured, reflected};
 
 const EPSILON: f64 = 1e-3;
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Three spheres of radius 1 that touch each other, around the origin.
 fn three() -> Vec<Ball> {
@@ -42,19 +43,15 @@ fn balls(draft: Draft, balls: &[Ball]) -> Draft {
 /// what a pixel shows is the lamp that its path ends at.
 fn hall(draft: Draft, set: &[Ball]) -> Draft {
     let draft = balls(draft, set).sphere([0.0; 3], 4.2, "mirror");
-    let names = ["a", "b", "c", "d", "e", "f", "g", "h"];
-    names
-        .into_iter()
-        .zip(0..8)
-        .fold(draft, |draft, (name, bits)| {
-            let of = |bit: u32| f64::from(bits >> bit & 1);
-            let color = [0, 1, 2].map(|bit| 0.1 + 0.8 * of(bit));
-            // Four of these corners are behind the spheres of a tetrahedron, and four are before its gaps.
-            let at = [0, 1, 2].map(|bit| 2.15 * (2.0 * of(bit) - 1.0));
-            draft
-                .material(name, color, [1.0, 0.0, 0.0, 1.0, 0.0])
-                .sphere(at, 0.35, name)
-        })
+    (0..8).fold(draft, |draft, bits| {
+        let (of, name) = (|bit| f64::from(bits >> bit & 1), bits.to_string());
+        let color = [0, 1, 2].map(|bit| 0.1 + 0.8 * of(bit));
+        // Four of these corners are behind the spheres of a tetrahedron, and four are before its gaps.
+        let at = [0, 1, 2].map(|bit| 2.15 * (2.0 * of(bit) - 1.0));
+        draft
+            .material(&name, color, [1.0, 0.0, 0.0, 1.0, 0.0])
+            .sphere(at, 0.35, &name)
+    })
 }
 
 fn chaotic(name: &str, draft: Draft) -> Case {
@@ -89,8 +86,8 @@ const MOST: usize = 9;
 const KNOWN: f64 = 1e-2;
 
 /// Follows the rays of a small picture in four precisions: fixed, single, double and quadruple.
-fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Growth {
-    let draft = balls(Draft::through(eye, target, up, 60.0), set).epsilon(EPSILON);
+fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3]) -> Growth {
+    let draft = balls(Draft::through(eye, target, UP, 60.0), set).epsilon(EPSILON);
     let file = SceneFile::parse(&draft.text(), None).expect("the scene is well formed");
     let built = file.build().expect("the scene is accepted");
     let (_, camera) = file.runtime().expect("the camera is accepted");
@@ -115,11 +112,8 @@ fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Growth 
         rays += 1;
         for (precision, found) in others.iter().enumerate() {
             let sum = &mut sums[precision];
-            let errors: Vec<f64> = found
-                .iter()
-                .zip(&truth)
-                .map(|(a, b)| apart(*a, b.origin))
-                .collect();
+            let pairs = found.iter().zip(&truth);
+            let errors = Vec::from_iter(pairs.map(|(a, b)| apart(*a, b.origin)));
             let is_known = errors.iter().all(|error| *error <= KNOWN);
             lost[precision] += usize::from(is_known && found.len() != truth.len());
             for (bounce, error) in errors.iter().enumerate().skip(1) {
@@ -175,14 +169,6 @@ const EYE_OF_THREE: [f64; 3] = [0.03, -1.3, 0.02];
 const EYE_OF_FOUR: [f64; 3] = [0.03, 0.05, 0.02];
 const AIM_OF_FOUR: [f64; 3] = [1.0, 0.7, -1.0];
 
-fn growth_of_three() -> Measured {
-    judged(&grown(&three(), EYE_OF_THREE, [0.0; 3], [0.0, 0.0, 1.0]))
-}
-
-fn growth_of_four() -> Measured {
-    judged(&grown(&four(), EYE_OF_FOUR, AIM_OF_FOUR, [0.0, 0.0, 1.0]))
-}
-
 /// Three directions at right angles, none of them along an axis.
 const TURNED: [[f64; 3]; 3] = [
     [2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0],
@@ -198,7 +184,7 @@ fn turned(at: [f64; 3]) -> [f64; 3] {
 
 /// Three mirrors at right angles.
 fn corner(alpha: f64) -> Draft {
-    let (eye, up) = (turned([1.0, 1.2, 0.9]), turned([0.0, 0.0, 1.0]));
+    let (eye, up) = (turned([1.0, 1.2, 0.9]), turned(UP));
     let draft = Draft::through(eye, [0.0; 3], up, 60.0)
         .material("wall", [0.9, 0.6, 0.5], [0.2, 0.6, 0.3, 10.0, alpha])
         .light(turned([2.0, 2.0, 2.0]));
@@ -230,10 +216,7 @@ fn returned() -> Measured {
         single = single.max(apart(start.map(|it| -f64::from(it)), end.map(f64::from)));
     }
     // Those beside an edge, whose start epsilon lifts over the next mirror, do not meet all three.
-    assert!(
-        rays > 64 * 64 * 9 / 10,
-        "{rays} rays have met three mirrors"
-    );
+    assert!(rays > 64 * 64 * 9 / 10, "{rays} rays met three mirrors");
     Measured {
         reference: "closed form",
         unit: "radians",
@@ -254,53 +237,37 @@ fn inside(draft: Draft) -> Draft {
 
 /// The cases of the chapter.
 pub fn cases() -> Vec<Case> {
-    let up = [0.0, 0.0, 1.0];
-    let three_seen = hall(Draft::through(EYE_OF_THREE, [0.0; 3], up, 60.0), &three());
-    let four_seen = hall(Draft::through(EYE_OF_FOUR, AIM_OF_FOUR, up, 60.0), &four());
-    let sphere = inside(Draft::through([0.2, -0.5, 0.1], [0.0, 1.0, 0.2], up, 80.0));
-    let tube = inside(Draft::through([0.1, -1.5, 0.1], [0.0, 2.0, 0.0], up, 80.0));
+    let three_seen = hall(Draft::through(EYE_OF_THREE, [0.0; 3], UP, 60.0), &three());
+    let four_seen = hall(Draft::through(EYE_OF_FOUR, AIM_OF_FOUR, UP, 60.0), &four());
+    let sphere = inside(Draft::through([0.2, -0.5, 0.1], [0.0, 1.0, 0.2], UP, 80.0));
+    let tube = inside(Draft::through([0.1, -1.5, 0.1], [0.0, 2.0, 0.0], UP, 80.0));
     let growing = "the growth a bounce is what makes pixels chaotic: it must be the theory's, so that \
                    an error starts as a last bit and nothing but geometry makes it large";
     let round = "between round walls an error grows with the number of bounces, not exponentially, so \
                  that every pixel counts";
+    let cube = "three mirrors at right angles send every ray back parallel";
+    let sphere = sphere.sphere([0.0; 3], 1.0, "wall");
+    let tube = tube.cylinder([0.0; 3], [0.0, 1.0, 0.0], (1.0, 6.0), "wall");
     vec![
-        measured(
-            "growth between three touching spheres",
-            growing,
-            growth_of_three,
-        )
+        measured("growth between three touching spheres", growing, || {
+            judged(&grown(&three(), EYE_OF_THREE, [0.0; 3]))
+        })
         .unlike_single_precision(
             "Exponents are compared with a theory that follows the plane of incidence alone, and from \
              errors of a last bit: what they differ by is theory's and the rays' choice, not growth.",
         ),
-        measured(
-            "growth between four touching spheres",
-            growing,
-            growth_of_four,
-        ),
+        measured("growth between four touching spheres", growing, || {
+            judged(&grown(&four(), EYE_OF_FOUR, AIM_OF_FOUR))
+        }),
         chaotic("between three touching spheres, N = 60", three_seen).unlike_single_precision(
             "Which lamp a chaotic path ends at is a draw, and so is the mean colour of all of them: that of \
              single precision happens to be nearer to the reference's, whose own is about as far away \
              with its eye moved.",
         ),
         chaotic("between four touching spheres, N = 60", four_seen),
-        reflected(
-            "inside of a mirrored sphere",
-            round,
-            sphere.sphere([0.0; 3], 1.0, "wall"),
-            8,
-        ),
-        reflected(
-            "inside of a mirror cylinder",
-            round,
-            tube.cylinder([0.0; 3], [0.0, 1.0, 0.0], (1.0, 6.0), "wall"),
-            8,
-        ),
-        measured(
-            "corner cube returns rays",
-            "three mirrors at right angles send every ray back parallel",
-            returned,
-        ),
+        reflected("inside of a mirrored sphere", round, sphere, 8),
+        reflected("inside of a mirror cylinder", round, tube, 8),
+        measured("corner cube returns rays", cube, returned),
         reflected(
             "corner cube",
             "what is seen in a corner cube is the eye, and edges where three mirrors meet",

@@ -12,24 +12,18 @@ use reflet::{Camera, Fine};
 use super::draft::Setting;
 use super::{Case, claim};
 
-fn still_life() -> (
-    Box<FileScene>,
-    Camera,
-    (reference::Scene, reference::Camera),
-) {
+fn still_life() -> (SceneFile, Box<FileScene>, Camera) {
     let text = Setting::HERE.still_life().text();
     let file = SceneFile::parse(&text, None).expect("the scene is well formed");
     let (_, camera) = file.runtime().expect("the camera is accepted");
-    (
-        file.build().expect("the scene is accepted"),
-        camera,
-        file.reference(),
-    )
+    let built = file.build().expect("the scene is accepted");
+    (file, built, camera)
 }
 
 /// The share of pixels of some rows that are within 8 of the reference.
 fn within8(size: (u32, u32), rows: &[u32]) -> f64 {
-    let (built, camera, (scene, eye)) = still_life();
+    let (file, built, camera) = still_life();
+    let (scene, eye) = file.reference();
     let frame = built.frame(&camera).quality::<Fine>();
     let picture = frame.sized(Size::new(size.0, size.1));
     let mut row = vec![Rgb888::BLACK; size.0 as usize];
@@ -56,10 +50,9 @@ fn within8(size: (u32, u32), rows: &[u32]) -> f64 {
 fn shown(size: (u32, u32), rows: &[u32]) -> Result<String, String> {
     let share = within8(size, rows);
     let words = format!("{}x{}: {:.2} % within 8", size.0, size.1, 100.0 * share);
-    if share >= super::BAR {
-        Ok(words)
-    } else {
-        Err(words)
+    match share >= super::BAR {
+        true => Ok(words),
+        false => Err(words),
     }
 }
 
@@ -86,11 +79,15 @@ fn wide() -> Result<String, String> {
 
 /// Parts of a picture are the whole's, wherever they are put.
 fn aside() -> Result<String, String> {
-    let (built, camera, _) = still_life();
+    let (_, built, camera) = still_life();
     let picture = built.frame(&camera).sized(Size::new(40, 30));
-    let whole = drawn(Size::new(40, 30), |display| {
-        picture.draw_at(Point::zero(), display)
-    });
+    let drawn = |at| {
+        let mut display = SimulatorDisplay::<Rgb888>::new(Size::new(40, 30));
+        let drawn = picture.draw_at(at, &mut display);
+        drawn.expect("the simulator takes every pixel");
+        display
+    };
+    let whole = drawn(Point::zero());
     for (x, y) in [
         (-13, -7),
         (25, 11),
@@ -100,16 +97,12 @@ fn aside() -> Result<String, String> {
         (-2000, 5),
     ] {
         let at = Point::new(x, y);
-        let moved = drawn(Size::new(40, 30), |display| picture.draw_at(at, display));
+        let moved = drawn(at);
         for point in Rectangle::new(Point::zero(), Size::new(40, 30)).points() {
             let source = point - at;
             let is_inside = (0..40).contains(&source.x) && (0..30).contains(&source.y);
-            let expected = if is_inside {
-                whole.get_pixel(source)
-            } else {
-                Rgb888::BLACK
-            };
-            if moved.get_pixel(point) != expected {
+            let expected = is_inside.then(|| whole.get_pixel(source));
+            if moved.get_pixel(point) != expected.unwrap_or(Rgb888::BLACK) {
                 return Err(format!("moved by {at}: {point} differs"));
             }
         }
@@ -117,18 +110,9 @@ fn aside() -> Result<String, String> {
     Ok("moved to six places, three of them outside: what is seen is the same".to_owned())
 }
 
-fn drawn<E: std::fmt::Debug>(
-    size: Size,
-    draw: impl FnOnce(&mut SimulatorDisplay<Rgb888>) -> Result<reflet::Report, E>,
-) -> SimulatorDisplay<Rgb888> {
-    let mut display = SimulatorDisplay::new(size);
-    draw(&mut display).expect("the simulator takes every pixel");
-    display
-}
-
 /// Nothing is drawn, and nothing worked out, where there is no area.
 fn nothing() -> Result<String, String> {
-    let (built, camera, _) = still_life();
+    let (_, built, camera) = still_life();
     let frame = built.frame(&camera);
     let picture = frame.sized(Size::new(40, 30));
     let mut rays = 0;
@@ -156,22 +140,14 @@ fn nothing() -> Result<String, String> {
 
 /// The cases of the chapter.
 pub fn cases() -> Vec<Case> {
+    let small =
+        "there may be no pixel beside the first, and angles between rows are as wide as the view";
+    let large = "columns times steps reach the last bit of their format";
+    let part = "a part must be what it is in the whole";
     vec![
-        claim(
-            "1x1, 2x1, 100x1, 1x100, 3x100",
-            "there may be no pixel beside the first, and angles between rows are as wide as the view",
-            narrow,
-        ),
-        claim(
-            "65535 wide, high and both",
-            "columns times steps reach the last bit of their format",
-            wide,
-        ),
-        claim(
-            "partly outside",
-            "a part must be what it is in the whole",
-            aside,
-        ),
+        claim("1x1, 2x1, 100x1, 1x100, 3x100", small, narrow),
+        claim("65535 wide, high and both", large, wide),
+        claim("partly outside", part, aside),
         claim("no area", "nothing to be divided by", nothing),
     ]
 }

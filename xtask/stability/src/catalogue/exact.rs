@@ -9,6 +9,7 @@ use twofloat::TwoFloat;
 /// What a precision must know.
 pub trait Real:
     Copy
+    + Into<f64>
     + PartialOrd
     + Add<Output = Self>
     + Sub<Output = Self>
@@ -19,8 +20,6 @@ pub trait Real:
     fn of(value: f64) -> Self;
     /// The square root.
     fn root(self) -> Self;
-    /// To a double, rounded.
-    fn plain(self) -> f64;
 }
 
 impl Real for f32 {
@@ -30,10 +29,6 @@ impl Real for f32 {
 
     fn root(self) -> Self {
         self.sqrt()
-    }
-
-    fn plain(self) -> f64 {
-        self.into()
     }
 }
 
@@ -45,10 +40,6 @@ impl Real for f64 {
     fn root(self) -> Self {
         self.sqrt()
     }
-
-    fn plain(self) -> f64 {
-        self
-    }
 }
 
 /// Two doubles: 106 bits.
@@ -59,10 +50,6 @@ impl Real for TwoFloat {
 
     fn root(self) -> Self {
         self.sqrt()
-    }
-
-    fn plain(self) -> f64 {
-        self.into()
     }
 }
 
@@ -126,9 +113,9 @@ pub fn bounces<R: Real>(
         direction = along(direction, normal, R::of(-2.0) * climb);
         origin = along(at, normal, R::of(epsilon));
         found.push(Bounce {
-            origin: origin.map(R::plain),
-            flight: distance.plain(),
-            cosine: -climb.plain(),
+            origin: origin.map(Into::into),
+            flight: distance.into(),
+            cosine: -climb.into(),
             radius,
         });
     }

@@ -58,6 +58,18 @@ pub struct Verdict {
 }
 
 impl Verdict {
+    /// Of what is refused before it is compared with anything.
+    const NONE: Self = Self {
+        reference: "none",
+        unit: "",
+        errors: None,
+        within8: None,
+        off: None,
+        is_met: false,
+        no_worse: None,
+        words: String::new(),
+    };
+
     /// Whether the error of fixed point is not larger than that of single precision, whatever is seen.
     pub fn is_strictly_no_worse(&self) -> Option<bool> {
         self.errors.map(|[fixed, single]| fixed <= single)
@@ -80,74 +92,54 @@ pub struct Off {
 /// Tries a case.
 pub fn judge(case: &Case) -> Verdict {
     match &case.trial {
-        Trial::Picture(picture) => match Pictures::of(
-            &picture.draft.text(),
-            picture.reflections,
-            picture.is_chaotic,
-        ) {
-            Ok(pictures) => match picture.is_chaotic {
+        Trial::Picture(it) => {
+            let pictures = Pictures::of(&it.draft.text(), it.reflections, it.is_chaotic);
+            judge_pictures(pictures, |pictures| match it.is_chaotic {
                 true => pictures.judge_statistics(),
-                false => pictures.judge(picture.bar),
-            },
-            Err(words) => refused(words),
-        },
+                false => pictures.judge(it.bar),
+            })
+        }
         Trial::Closed {
             draft,
             reflections,
             color,
-        } => match Pictures::of(&draft.text(), *reflections, false) {
-            Ok(pictures) => pictures.judge_color(*color),
-            Err(words) => refused(words),
-        },
+        } => {
+            let pictures = Pictures::of(&draft.text(), *reflections, false);
+            judge_pictures(pictures, |pictures| pictures.judge_color(*color))
+        }
         Trial::Measured(measure) => judge_measured(measure()),
         Trial::Claim(claim) => {
             let outcome = claim();
             Verdict {
                 reference: "what is promised",
-                unit: "",
-                errors: None,
-                within8: None,
-                off: None,
                 is_met: outcome.is_ok(),
-                no_worse: None,
                 words: outcome.unwrap_or_else(|words| words),
+                ..Verdict::NONE
             }
         }
     }
 }
 
-fn refused(words: String) -> Verdict {
-    Verdict {
-        reference: "none",
-        unit: "",
-        errors: None,
-        within8: None,
-        off: None,
-        is_met: false,
-        no_worse: None,
+fn judge_pictures(
+    pictures: Result<Pictures, String>,
+    judge: impl Fn(Pictures) -> Verdict,
+) -> Verdict {
+    let refused = |words| Verdict {
         words,
-    }
+        ..Verdict::NONE
+    };
+    pictures.map_or_else(refused, judge)
 }
 
-fn judge_measured(measured: Measured) -> Verdict {
-    let Measured {
-        reference,
-        unit,
-        fixed,
-        single,
-        bar,
-        uncertain,
-        note,
-    } = measured;
+fn judge_measured(it: Measured) -> Verdict {
     Verdict {
-        reference,
-        unit,
-        errors: Some([fixed, single]),
-        within8: None,
-        off: None,
-        is_met: fixed <= bar,
-        no_worse: Some([fixed <= single.max(uncertain); 3]),
-        words: format!("at most {bar:.2e}. {note}"),
+        reference: it.reference,
+        unit: it.unit,
+        errors: Some([it.fixed, it.single]),
+        is_met: it.fixed <= it.bar,
+        no_worse: Some([it.fixed <= it.single.max(it.uncertain); 3]),
+        words: format!("at most {:.2e}. {}", it.bar, it.note),
+        ..Verdict::NONE
     }
 }
 
@@ -178,21 +170,19 @@ impl Pictures {
         let (_, camera) = file.runtime().map_err(|error| error.to_string())?;
         let frame = || built.frame(&camera).reflections(reflections);
         let (scene, eye) = file.reference();
-        let side = match reflections > MANY && !is_chaotic {
-            true => SHORT_SIDE,
-            false => SIDE,
-        };
-        let size = (side, side);
-        let n = u32::from(reflections);
+        let has_long_paths = reflections > MANY && !is_chaotic;
+        let side = if has_long_paths { SHORT_SIDE } else { SIDE };
+        let (size, n) = ((side, side), u32::from(reflections));
+        let truth = |eye: &_| render(&scene, eye, side, side, n, Shading::BlinnPhong);
         let nudges = NUDGES.iter().filter(|_| is_chaotic);
         let nudged = nudges.map(|nudge| {
             let mut eye = eye.clone();
             eye.position[0] += nudge;
-            render(&scene, &eye, side, side, n, Shading::BlinnPhong)
+            truth(&eye)
         });
         Ok(Self {
             nudged: nudged.collect(),
-            truth: render(&scene, &eye, side, side, n, Shading::BlinnPhong),
+            truth: truth(&eye),
             exact: painted(frame().quality::<Exact>(), size),
             fine: painted(frame().quality::<Fine>(), size),
             fast: painted(frame(), size),
@@ -216,12 +206,9 @@ impl Pictures {
 
     /// How many pixels of all qualities are not the same in another's.
     pub fn differing(&self, other: &Self) -> usize {
-        let pairs = self.fixed().into_iter().zip(other.fixed());
-        let differ = pairs.map(|(a, b)| {
-            let pixels = a.pixels.iter().zip(&b.pixels);
-            pixels.filter(|(a, b)| a != b).count()
-        });
-        differ.sum()
+        let pixels = |it: &Self| it.fixed().map(|picture| picture.pixels.clone()).concat();
+        let (all, others) = (pixels(self), pixels(other));
+        all.iter().zip(&others).filter(|(a, b)| a != b).count()
     }
 
     fn off(&self) -> Off {
@@ -232,10 +219,8 @@ impl Pictures {
         let is_lost = |it: &usize| is_off(&self.fine, *it) && !is_off(&self.exact, *it);
         let lost: Vec<_> = all.clone().filter(is_lost).collect();
         let off: Vec<_> = all.filter(|it| is_off(&self.exact, *it)).collect();
-        let at_edges = |pixels: &[usize]| {
-            let edges = pixels.iter().filter(|it| is_edge(&self.truth, **it));
-            edges.count()
-        };
+        let is_at_edge = |it: &&usize| is_edge(&self.truth, **it);
+        let at_edges = |pixels: &[usize]| pixels.iter().filter(is_at_edge).count();
         Off {
             pixels: off.len(),
             at_edges: at_edges(&off),
@@ -267,14 +252,13 @@ impl Pictures {
     }
 
     fn judge_color(&self, color: [f64; 3]) -> Verdict {
+        let wanted = color.map(|channel| 255.0 * channel.clamp(0.0, 1.0));
         let furthest = |picture: &reference::Picture| {
-            let off = |pixel: &[u8; 3]| {
-                let off = [0, 1, 2].map(|channel| {
-                    (f64::from(pixel[channel]) - 255.0 * color[channel].clamp(0.0, 1.0)).abs()
-                });
-                off.into_iter().fold(0.0, f64::max)
-            };
-            picture.pixels.iter().map(off).fold(0.0, f64::max)
+            let channels = picture
+                .pixels
+                .iter()
+                .flat_map(|pixel| pixel.iter().zip(wanted));
+            largest(channels.map(|(found, wanted)| (f64::from(*found) - wanted).abs()))
         };
         let [exact, fine, fast, single] = self.all().map(furthest);
         let bar = 0.5 + ONE_LEVEL;
@@ -294,26 +278,18 @@ impl Pictures {
         let within8 = self.against_truth();
         let apart = |picture| {
             let (a, b) = (mean_color(picture), mean_color(&self.truth));
-            [0, 1, 2]
-                .map(|it| (a[it] - b[it]).abs())
-                .into_iter()
-                .fold(0.0, f64::max)
+            largest([0, 1, 2].map(|it| (a[it] - b[it]).abs()))
         };
         let [exact, fine, fast, single] = self.all().map(apart);
-        let histograms = self.fixed().map(|it| histogram_error(it, &self.truth));
-        let histogram = histograms.into_iter().fold(0.0, f64::max);
+        let histogram = largest(self.fixed().map(|it| histogram_error(it, &self.truth)));
         // What pictures by the same chaos differ by.
-        let noise = self.nudged.iter().map(apart).fold(0.0, f64::max);
-        let bins = self
-            .nudged
-            .iter()
-            .map(|it| histogram_error(it, &self.truth));
-        let bins = bins.fold(0.0, f64::max);
+        let nudged = || self.nudged.iter();
+        let noise = largest(nudged().map(apart));
+        let bins = largest(nudged().map(|it| histogram_error(it, &self.truth)));
         let furthest = exact.max(fine).max(fast);
         let are_close = furthest <= TIMES_NOISE * noise && histogram <= TIMES_NOISE * bins;
         // By the reference alone: whose eye is moved by less than a pixel can show sees another picture.
-        let moved = self.nudged.iter().map(|it| within8_of(it, &self.truth));
-        let alike = moved.fold(0.0, f64::max);
+        let alike = largest(nudged().map(|it| within8_of(it, &self.truth)));
         let is_chaotic = alike <= CHAOTIC;
         Verdict {
             reference: "double, statistics",
@@ -332,10 +308,15 @@ impl Pictures {
                  {:.0e}: {noise:.3} and {bins:.4}. What is below that cannot be told apart",
                 100.0 * CHAOTIC,
                 format_args!("{:.1} %", 100.0 * alike),
-                NUDGES.into_iter().fold(0.0, f64::max),
+                largest(NUDGES),
             ),
         }
     }
+}
+
+/// The largest of some numbers; 0 if all are below it.
+fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+    numbers.into_iter().fold(0.0, f64::max)
 }
 
 /// The share of pixels within 8.
@@ -358,11 +339,8 @@ fn is_edge(picture: &reference::Picture, index: usize) -> bool {
 }
 
 fn mean_error(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
-    let pairs = picture
-        .pixels
-        .iter()
-        .flatten()
-        .zip(truth.pixels.iter().flatten());
+    let found = picture.pixels.as_flattened().iter();
+    let pairs = found.zip(truth.pixels.as_flattened());
     let sum: u64 = pairs.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     sum as f64 / (3 * truth.pixels.len()) as f64
 }
@@ -370,12 +348,8 @@ fn mean_error(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
 fn mean_color(picture: &reference::Picture) -> [f64; 3] {
     let count = picture.pixels.len() as f64;
     [0, 1, 2].map(|it| {
-        let sum: f64 = picture
-            .pixels
-            .iter()
-            .map(|pixel| f64::from(pixel[it]))
-            .sum();
-        sum / count
+        let channel = picture.pixels.iter().map(|pixel| f64::from(pixel[it]));
+        channel.sum::<f64>() / count
     })
 }
 

@@ -12,6 +12,12 @@ const MOST: f64 = (1 << 30) as f64;
 /// The smallest length that a number of a description may be: 2⁻⁶⁴.
 const SHORTEST: f64 = 1.0 / (1_u128 << 64) as f64;
 
+type Triple = [f64; 3];
+type Added = Result<(), SceneError>;
+
+const ORIGIN: Triple = [0.0; 3];
+const UP: Triple = [0.0, 0.0, 1.0];
+
 /// A number, and what a constructor is to say of it.
 type Limit<E> = (f64, Option<E>);
 
@@ -35,10 +41,33 @@ fn held<E: PartialEq + std::fmt::Debug + std::fmt::Display>(
     Ok(format!("{what}: {}", words.join("; ")))
 }
 
-fn room() -> (Room, MaterialId) {
+/// Adds something to an empty scene.
+fn alone(add: impl FnOnce(&mut Room, MaterialId) -> Added) -> Result<Room, SceneError> {
     let mut scene = Room::new();
-    let id = scene.add_material(Material::new([0.9; 3]));
-    (scene, id.expect("there is room"))
+    let id = scene.add_material(Material::new([0.9; 3]))?;
+    add(&mut scene, id)?;
+    Ok(scene)
+}
+
+/// The same, and builds the scene.
+fn built(add: impl FnOnce(&mut Room, MaterialId) -> Added) -> Added {
+    alone(add)?.build().map(|_| ())
+}
+
+fn sphere(center: Triple, radius: f64) -> Added {
+    alone(|scene, id| scene.add_sphere(center, radius, id)).map(|_| ())
+}
+
+fn plane(point: Triple, normal: Triple) -> Added {
+    alone(|scene, id| scene.add_plane(point, normal, id)).map(|_| ())
+}
+
+fn cylinder(center: Triple, axis: Triple, radius: f64, height: f64) -> Added {
+    alone(|scene, id| scene.add_cylinder(center, axis, radius, height, id)).map(|_| ())
+}
+
+fn camera(position: Triple, target: Triple, up: Triple, fov: f64) -> Result<(), CameraError> {
+    Camera::new(position, target, up, fov).map(|_| ())
 }
 
 fn coordinates() -> Result<String, String> {
@@ -53,160 +82,105 @@ fn coordinates() -> Result<String, String> {
             (f64::NAN, beyond),
         ]
     };
-    let sphere = held("sphere center", &limits(SceneError::Sphere), |x| {
-        let (mut scene, id) = room();
-        scene.add_sphere([x, 0.0, 0.0], 1.0, id)
-    })?;
-    held("plane center", &limits(SceneError::Plane), |x| {
-        let (mut scene, id) = room();
-        scene.add_plane([0.0, x, 0.0], [0.0, 0.0, 1.0], id)
-    })?;
-    held("cylinder center", &limits(SceneError::Cylinder), |x| {
-        let (mut scene, id) = room();
-        scene.add_cylinder([0.0, 0.0, x], [0.0, 0.0, 1.0], 1.0, 1.0, id)
+    let spheres = limits(SceneError::Sphere);
+    let words = held("sphere center", &spheres, |x| sphere([x, 0.0, 0.0], 1.0))?;
+    let planes = limits(SceneError::Plane);
+    held("plane center", &planes, |y| plane([0.0, y, 0.0], UP))?;
+    let cylinders = limits(SceneError::Cylinder);
+    held("cylinder center", &cylinders, |z| {
+        cylinder([0.0, 0.0, z], UP, 1.0, 1.0)
     })?;
     held("light position", &limits(SceneError::Light), |x| {
-        let (mut scene, _) = room();
-        scene.add_light([x, 0.0, 0.0], [1.0; 3])
+        Room::new().add_light([x, 0.0, 0.0], [1.0; 3])
     })?;
-    held(
-        "camera position",
-        &[(MOST, None), (MOST + 1.0, Some(CameraError::Coordinate))],
-        |x| Camera::new([x, 1.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], 50.0).map(|_| ()),
-    )?;
+    let cameras = [(MOST, None), (MOST + 1.0, Some(CameraError::Coordinate))];
+    held("camera position", &cameras, |x| {
+        camera([x, 1.0, 0.0], ORIGIN, UP, 50.0)
+    })?;
     Ok(format!(
-        "{sphere}; the same of planes, cylinders, lights and cameras"
+        "{words}; the same of planes, cylinders, lights and cameras"
     ))
 }
 
 fn sizes() -> Result<String, String> {
     let least = 2f64.powi(-64);
-    let sphere = |fault| Some(SceneError::Sphere(0, fault));
-    let tube = |fault| Some(SceneError::Cylinder(0, fault));
-    let radius = held(
-        "sphere radius",
-        &[
+    let limits = |error: fn(usize, Fault) -> SceneError, fault| {
+        [
             (least, None),
             (MOST, None),
-            (0.0, sphere(Fault::Radius)),
-            (-1.0, sphere(Fault::Radius)),
-            (MOST + 1.0, sphere(Fault::Coordinate)),
-        ],
-        |radius| {
-            let (mut scene, id) = room();
-            scene.add_sphere([0.0; 3], radius, id)
-        },
-    )?;
-    held(
-        "cylinder radius",
-        &[
-            (least, None),
-            (MOST, None),
-            (0.0, tube(Fault::Radius)),
-            (MOST + 1.0, tube(Fault::Coordinate)),
-        ],
-        |radius| {
-            let (mut scene, id) = room();
-            scene.add_cylinder([0.0; 3], [0.0, 0.0, 1.0], radius, 1.0, id)
-        },
-    )?;
-    held(
-        "cylinder height",
-        &[
-            (least, None),
-            (MOST, None),
-            (0.0, tube(Fault::Height)),
-            (MOST + 1.0, tube(Fault::Coordinate)),
-        ],
-        |height| {
-            let (mut scene, id) = room();
-            scene.add_cylinder([0.0; 3], [0.0, 0.0, 1.0], 1.0, height, id)
-        },
-    )?;
+            (0.0, Some(error(0, fault))),
+            (-1.0, Some(error(0, fault))),
+            (MOST + 1.0, Some(error(0, Fault::Coordinate))),
+        ]
+    };
+    let spheres = limits(SceneError::Sphere, Fault::Radius);
+    let words = held("sphere radius", &spheres, |radius| sphere(ORIGIN, radius))?;
+    let wide = limits(SceneError::Cylinder, Fault::Radius);
+    held("cylinder radius", &wide, |radius| {
+        cylinder(ORIGIN, UP, radius, 1.0)
+    })?;
+    let high = limits(SceneError::Cylinder, Fault::Height);
+    held("cylinder height", &high, |height| {
+        cylinder(ORIGIN, UP, 1.0, height)
+    })?;
     Ok(format!(
-        "{radius}; the same of a cylinder's radius and height"
+        "{words}; the same of a cylinder's radius and height"
     ))
 }
 
 fn ratio() -> Result<String, String> {
     // A planet of 2^20 fills the ball of 2^28 steps: 64 of them are a quarter.
-    let beside_a_planet = || -> Result<(Room, MaterialId), SceneError> {
-        let (mut scene, id) = room();
-        scene.add_sphere([0.0; 3], f64::from(1 << 20), id)?;
-        Ok((scene, id))
-    };
-    let radius = held(
-        "radius beside one of 2^20",
-        &[
-            (0.25, None),
-            (0.248, Some(SceneError::Sphere(1, Fault::Tiny))),
-        ],
-        |radius| {
-            let (mut scene, id) = beside_a_planet()?;
-            scene.add_sphere([1.0, 2.0, 3.0], radius, id)?;
-            scene.build().map(|_| ())
-        },
-    )?;
-    let height = held(
-        "height beside it",
-        &[
-            (0.5, None),
-            (0.496, Some(SceneError::Cylinder(0, Fault::Tiny))),
-        ],
-        |height| {
-            let (mut scene, id) = beside_a_planet()?;
-            scene.add_cylinder([1.0, 2.0, 3.0], [0.0, 0.0, 1.0], 1.0, height, id)?;
-            scene.build().map(|_| ())
-        },
-    )?;
+    let (planet, beside) = (f64::from(1 << 20), [1.0, 2.0, 3.0]);
+    let tiny = Some(SceneError::Sphere(1, Fault::Tiny));
+    let radii = [(0.25, None), (0.248, tiny)];
+    let radius = held("radius beside one of 2^20", &radii, |radius| {
+        built(|scene, id| {
+            scene.add_sphere(ORIGIN, planet, id)?;
+            scene.add_sphere(beside, radius, id)
+        })
+    })?;
+    let tiny = Some(SceneError::Cylinder(0, Fault::Tiny));
+    let heights = [(0.5, None), (0.496, tiny)];
+    let height = held("height beside it", &heights, |height| {
+        built(|scene, id| {
+            scene.add_sphere(ORIGIN, planet, id)?;
+            scene.add_cylinder(beside, UP, 1.0, height, id)
+        })
+    })?;
     Ok(format!("{radius}. {height}"))
 }
 
 fn extent() -> Result<String, String> {
     let least = 2f64.powi(-30);
-    held(
-        "radius of a lonely sphere",
-        &[
-            (least, None),
-            (MOST, None),
-            (0.99 * least, Some(SceneError::Scene(Fault::Extent))),
-        ],
-        |radius| {
-            let (mut scene, id) = room();
-            scene.add_sphere([0.0; 3], radius, id)?;
-            scene.set_epsilon(radius * 1e-3)?;
-            scene.build().map(|_| ())
-        },
-    )
+    let beyond = Some(SceneError::Scene(Fault::Extent));
+    let limits = [(least, None), (MOST, None), (0.99 * least, beyond)];
+    held("radius of a lonely sphere", &limits, |radius| {
+        built(|scene, id| {
+            scene.add_sphere(ORIGIN, radius, id)?;
+            scene.set_epsilon(radius * 1e-3)
+        })
+    })
 }
 
 fn epsilon() -> Result<String, String> {
     let beyond = Some(SceneError::Scene(Fault::Epsilon));
-    held(
-        "epsilon beside a radius of 1",
-        &[
-            (1e-19, None),
-            (0.999, None),
-            (0.0, beyond),
-            (-1.0, beyond),
-            (1.0, beyond),
-            (1e12, beyond),
-        ],
-        |epsilon| {
-            let (mut scene, id) = room();
-            scene.add_sphere([0.0; 3], 1.0, id)?;
-            scene.set_epsilon(epsilon)?;
-            scene.build().map(|_| ())
-        },
-    )
+    let limits = [
+        (1e-19, None),
+        (0.999, None),
+        (0.0, beyond),
+        (-1.0, beyond),
+        (1.0, beyond),
+        (1e12, beyond),
+    ];
+    held("epsilon beside a radius of 1", &limits, |epsilon| {
+        built(|scene, id| {
+            scene.add_sphere(ORIGIN, 1.0, id)?;
+            scene.set_epsilon(epsilon)
+        })
+    })
 }
 
 fn coefficients() -> Result<String, String> {
-    let made = |[color, ambient, diffuse, specular, shininess, mirror]: [f64; 6]| {
-        let highlight = (specular, shininess);
-        Material::from_numbers([color; 3], ambient, diffuse, highlight, mirror).map(|_| ())
-    };
-    let good = [0.5, 0.2, 0.8, 0.1, 4.0, 0.3];
     let fields = [
         ("color", 16.0, Fault::Color),
         ("ambient", 16.0, Fault::Ambient),
@@ -217,17 +191,14 @@ fn coefficients() -> Result<String, String> {
     ];
     let mut words = Vec::new();
     for (place, (name, most, fault)) in fields.into_iter().enumerate() {
-        let beyond = Some(fault);
-        let limits = [
-            (0.0, None),
-            (most, None),
-            (-1e-6, beyond),
-            (1.000_001 * most, beyond),
-        ];
+        let (beyond, above) = (Some(fault), 1.000_001 * most);
+        let limits = [(0.0, None), (most, None), (-1e-6, beyond), (above, beyond)];
         words.push(held(name, &limits, |number| {
-            let mut numbers = good;
+            let mut numbers = [0.5, 0.2, 0.8, 0.1, 4.0, 0.3];
             numbers[place] = number;
-            made(numbers)
+            let [color, ambient, diffuse, specular, shininess, mirror] = numbers;
+            let highlight = (specular, shininess);
+            Material::from_numbers([color; 3], ambient, diffuse, highlight, mirror).map(|_| ())
         })?);
     }
     Ok(words.join(". "))
@@ -235,38 +206,35 @@ fn coefficients() -> Result<String, String> {
 
 fn lights() -> Result<String, String> {
     let limits = |beyond: SceneError| {
+        let beyond = Some(beyond);
         [
             (0.0, None),
             (16.0, None),
-            (-1e-6, Some(beyond)),
-            (16.000_001, Some(beyond)),
+            (-1e-6, beyond),
+            (16.000_001, beyond),
         ]
     };
-    let light = SceneError::Light(0, Fault::Color);
-    let colors = held("light color", &limits(light), |color| {
-        room().0.add_light([1.0; 3], [color; 3])
+    let light = limits(SceneError::Light(0, Fault::Color));
+    let colors = held("light color", &light, |color| {
+        Room::new().add_light([1.0; 3], [color; 3])
     })?;
-    let background = SceneError::Scene(Fault::Background);
-    let behind = held("background", &limits(background), |color| {
-        room().0.set_background([color; 3])
+    let background = limits(SceneError::Scene(Fault::Background));
+    let behind = held("background", &background, |color| {
+        Room::new().set_background([color; 3])
     })?;
     Ok(format!("{colors}. {behind}"))
 }
 
 fn brightness() -> Result<String, String> {
-    held(
-        "ambient beside diffuse 14 under a light of 1",
-        &[(15.9, None), (16.0, None)],
-        |ambient| lit(ambient, 14.0),
-    )?;
-    held(
-        "diffuse beside ambient 16 under a light of 1",
-        &[
-            (14.0, None),
-            (14.1, Some(SceneError::Material(0, Fault::Brightness))),
-        ],
-        |diffuse| lit(16.0, diffuse),
-    )
+    let ambient = "ambient beside diffuse 14 under a light of 1";
+    held(ambient, &[(15.9, None), (16.0, None)], |ambient| {
+        lit(ambient, 14.0)
+    })?;
+    let beyond = Some(SceneError::Material(0, Fault::Brightness));
+    let diffuse = "diffuse beside ambient 16 under a light of 1";
+    held(diffuse, &[(14.0, None), (14.1, beyond)], |diffuse| {
+        lit(16.0, diffuse)
+    })
 }
 
 fn lit(ambient: f64, diffuse: f64) -> Result<(), SceneError> {
@@ -280,88 +248,78 @@ fn lit(ambient: f64, diffuse: f64) -> Result<(), SceneError> {
 
 fn field_of_view() -> Result<String, String> {
     let beyond = Some(CameraError::FieldOfView);
-    held(
-        "fov",
-        &[
-            (0.001, None),
-            (179.999, None),
-            (0.000_999, beyond),
-            (179.9991, beyond),
-            (180.0, beyond),
-        ],
-        |fov| Camera::new([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0], fov).map(|_| ()),
-    )
+    let limits = [
+        (0.001, None),
+        (179.999, None),
+        (0.000_999, beyond),
+        (179.9991, beyond),
+        (180.0, beyond),
+    ];
+    held("fov", &limits, |fov| {
+        camera([0.0, -5.0, 0.0], ORIGIN, UP, fov)
+    })
 }
 
 fn directions() -> Result<String, String> {
     let refused = |fault: SceneError| [(SHORTEST, None), (-MOST, None), (0.0, Some(fault))];
-    let normal = SceneError::Plane(0, Fault::Normal);
-    let normal = held("length of a normal", &refused(normal), |z| {
-        let (mut scene, id) = room();
-        scene.add_plane([0.0; 3], [0.0, 0.0, z], id)
+    let normal = refused(SceneError::Plane(0, Fault::Normal));
+    let normal = held("length of a normal", &normal, |z| {
+        plane(ORIGIN, [0.0, 0.0, z])
     })?;
-    let axis = SceneError::Cylinder(0, Fault::Axis);
-    let axis = held("of an axis", &refused(axis), |x| {
-        let (mut scene, id) = room();
-        scene.add_cylinder([0.0; 3], [x, 0.0, 0.0], 1.0, 1.0, id)
+    let axis = refused(SceneError::Cylinder(0, Fault::Axis));
+    let axis = held("of an axis", &axis, |x| {
+        cylinder(ORIGIN, [x, 0.0, 0.0], 1.0, 1.0)
     })?;
-    let view = [
-        (SHORTEST, None),
-        (-MOST, None),
-        (0.0, Some(CameraError::View)),
-    ];
+    let beyond = Some(CameraError::View);
+    let view = [(SHORTEST, None), (-MOST, None), (0.0, beyond)];
     let view = held("from a camera to its target", &view, |y| {
-        Camera::new([0.0; 3], [0.0, y, 0.0], [0.0, 0.0, 1.0], 50.0).map(|_| ())
+        camera(ORIGIN, [0.0, y, 0.0], UP, 50.0)
     })?;
     Ok([normal, axis, view].join(". "))
 }
 
 fn room_for() -> Result<String, String> {
-    let fill =
-        |what, most: f64, fault, add: fn(&mut Room, MaterialId) -> Result<(), SceneError>| {
-            held(what, &[(most, None), (most + 1.0, Some(fault))], |count| {
-                let (mut scene, id) = room();
-                (0..count as u32).try_for_each(|_| add(&mut scene, id))
-            })
-        };
+    let fill = |what, most: f64, fault, add: fn(&mut Room, MaterialId) -> Added| {
+        held(what, &[(most, None), (most + 1.0, Some(fault))], |count| {
+            let fill = |room: &mut Room, id| (0..count as u32).try_for_each(|_| add(room, id));
+            alone(fill).map(|_| ())
+        })
+    };
     let spheres = SceneError::Sphere(2, Fault::TooManySpheres);
     let planes = SceneError::Plane(1, Fault::TooManyPlanes);
     let cylinders = SceneError::Cylinder(1, Fault::TooManyCylinders);
     let lights = SceneError::Light(1, Fault::TooManyLights);
     let words = [
         fill("spheres", 2.0, spheres, |room, id| {
-            room.add_sphere([0.0; 3], 1.0, id)
+            room.add_sphere(ORIGIN, 1.0, id)
         })?,
         fill("planes", 1.0, planes, |room, id| {
-            room.add_plane([0.0; 3], [0.0, 0.0, 1.0], id)
+            room.add_plane(ORIGIN, UP, id)
         })?,
         fill("cylinders", 1.0, cylinders, |room, id| {
-            room.add_cylinder([0.0; 3], [0.0, 0.0, 1.0], 1.0, 1.0, id)
+            room.add_cylinder(ORIGIN, UP, 1.0, 1.0, id)
         })?,
         fill("lights", 1.0, lights, |room, _| {
-            room.add_light([0.0; 3], [1.0; 3])
+            room.add_light(ORIGIN, [1.0; 3])
         })?,
     ];
-    let mut other = Room::new();
-    let unknown = other.add_sphere([0.0; 3], 1.0, room().1).err();
-    let expected = Some(SceneError::Sphere(0, Fault::UnknownMaterial));
-    if unknown != expected {
+    let expected = SceneError::Sphere(0, Fault::UnknownMaterial);
+    let unknown = alone(|_, id| Room::new().add_sphere(ORIGIN, 1.0, id)).err();
+    if unknown != Some(expected) {
         return Err(format!("a material of another scene: {unknown:?}"));
     }
+    let words = words.join(". ");
     Ok(format!(
-        "{}. A material that is not there: \"{}\"",
-        words.join(". "),
-        SceneError::Sphere(0, Fault::UnknownMaterial)
+        "{words}. A material that is not there: \"{expected}\""
     ))
 }
 
 fn up() -> Result<String, String> {
     let beyond = Some(CameraError::Up);
-    held(
-        "sine between view and up",
-        &[(1.0, None), (1e-6, None), (1e-9, beyond), (0.0, beyond)],
-        |sine| Camera::new([0.0; 3], [0.0, 0.0, 1.0], [0.0, sine, 1.0], 50.0).map(|_| ()),
-    )
+    let limits = [(1.0, None), (1e-6, None), (1e-9, beyond), (0.0, beyond)];
+    held("sine between view and up", &limits, |sine| {
+        camera(ORIGIN, UP, [0.0, sine, 1.0], 50.0)
+    })
 }
 
 /// The cases of the chapter.

@@ -3,17 +3,13 @@
 use float_picture::single;
 use reflet::host::file::SceneFile;
 use reflet::host::reference;
-use reflet::{Exact, MaterialId};
+use reflet::{Exact, Material, RuntimeScene, SceneError};
 
 use super::draft::{Draft, Setting, lit_by, still_life};
 use super::judge::{SIDE, painted};
 use super::{Case, LAST_BIT, Measured, claim, measured, picture};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
-
-fn planet(ratio: f64) -> Draft {
-    planet_of("chalk", ratio)
-}
 
 fn planet_of(material: &str, ratio: f64) -> Draft {
     Draft::seen_from([0.5, -6.0, 2.0], [0.0, 0.0, 0.8])
@@ -34,23 +30,18 @@ fn whole_planet(ratio: f64) -> Draft {
 /// How many channels of the still life differ when it is made 2^-20 to 2^20 times as large.
 fn scaled_by_powers() -> Measured {
     let drawn = |power: i32| {
-        let scale = 2f64.powi(power);
-        let setting = Setting {
-            scale,
-            ..Setting::HERE
-        };
+        let mut setting = Setting::HERE;
+        setting.scale = 2f64.powi(power);
         let file = SceneFile::parse(&setting.still_life().text(), None).expect("well formed");
         let (built, (_, camera)) = (file.build().expect("fine"), file.runtime().expect("fine"));
         let fixed = painted(built.frame(&camera).quality::<Exact>(), (SIDE, SIDE));
         let (scene, eye) = file.reference();
         let shading = reference::Shading::BlinnPhong;
-        (
-            fixed,
-            single::render(&scene, &eye, (SIDE, SIDE), 4, shading),
-        )
+        let single = single::render(&scene, &eye, (SIDE, SIDE), 4, shading);
+        (fixed, single)
     };
     let (fixed, single) = drawn(0);
-    let differ = |a: &reflet::host::reference::Picture, b: &reflet::host::reference::Picture| {
+    let differ = |a: &reference::Picture, b: &reference::Picture| {
         let pairs = a.pixels.iter().zip(&b.pixels);
         pairs.filter(|(a, b)| a != b).count() as f64
     };
@@ -74,14 +65,14 @@ fn scaled_by_powers() -> Measured {
 
 /// A ratio that is out of reach is refused.
 fn beyond_reach() -> Result<String, String> {
-    let mut scene = reflet::RuntimeScene::<2, 0, 0, 0, 1>::new();
-    let chalk = reflet::Material::new([0.9; 3]);
-    let id: MaterialId = scene
-        .add_material(chalk)
-        .map_err(|error| error.to_string())?;
-    let add = scene.add_sphere([0, 0, -(1 << 23)], 1 << 23, id);
-    add.and_then(|()| scene.add_sphere([0, 0, 1], 1, id))
-        .map_err(|error| error.to_string())?;
+    let filled = || {
+        let mut scene = RuntimeScene::<2, 0, 0, 0, 1>::new();
+        let id = scene.add_material(Material::new([0.9; 3]))?;
+        scene.add_sphere([0, 0, -(1 << 23)], 1 << 23, id)?;
+        scene.add_sphere([0, 0, 1], 1, id)?;
+        Ok(scene)
+    };
+    let scene = filled().map_err(|error: SceneError| error.to_string())?;
     match scene.build() {
         Err(error) => Ok(format!("refused: {error}")),
         Ok(_) => Err("a pebble of 2^-23 of its planet was accepted".to_owned()),
@@ -96,7 +87,7 @@ fn ratios() -> Vec<Case> {
             format!("planet and pebble, 10^{power}"),
             "the planet's surface must be known to a part of the pebble, its discriminant to twice \
              the digits",
-            planet(ratio),
+            planet_of("chalk", ratio),
         );
         cases.push(near);
         // One further away is seen in less than 0.001 degrees.
@@ -120,15 +111,12 @@ fn places() -> Vec<Case> {
     let mut cases = Vec::new();
     for power in [1, 3, 5, 6, 7, 8, 9] {
         let far = 10f64.powi(power);
-        let offset = [far, -0.7 * far, 0.3 * far];
+        let mut setting = Setting::HERE;
+        setting.offset = [far, -0.7 * far, 0.3 * far];
         cases.push(picture(
             format!("moved by 10^{power}"),
             "what is left of a coordinate's digits once a large number has been added",
-            Setting {
-                offset,
-                ..Setting::HERE
-            }
-            .still_life(),
+            setting.still_life(),
         ));
         cases.push(picture(
             format!("sun 10^{power} away"),
@@ -163,25 +151,19 @@ fn places() -> Vec<Case> {
 }
 
 fn thin() -> Vec<Case> {
-    let eye = [0.0, -3.0, 0.6];
-    let floor = |draft: Draft| {
-        draft
-            .plane([0.0, 0.0, -0.5], UP, "water")
-            .light([3.0, -5.0, 4.0])
-    };
+    let floor = Draft::seen_from([0.0, -3.0, 0.6], [0.0; 3])
+        .plane([0.0, 0.0, -0.5], UP, "water")
+        .light([3.0, -5.0, 4.0]);
     let spread = |number: u32| {
         let angle = 2.4 * f64::from(number);
         let far = (f64::from(number) / 40.0).sqrt();
-        [
-            far * angle.cos(),
-            far * angle.sin(),
-            0.3 * (1.7 * angle).sin(),
-        ]
+        let (x, y) = (far * angle.cos(), far * angle.sin());
+        [x, y, 0.3 * (1.7 * angle).sin()]
     };
-    let dots = (0..40).fold(floor(Draft::seen_from(eye, [0.0; 3])), |draft, number| {
+    let dots = (0..40).fold(floor.clone(), |draft, number| {
         draft.sphere(spread(number), 1e-3, "gold")
     });
-    let wires = (0..12).fold(floor(Draft::seen_from(eye, [0.0; 3])), |draft, number| {
+    let wires = (0..12).fold(floor, |draft, number| {
         let axis = spread(3 * number + 1);
         draft.cylinder(spread(number), axis, (1e-3, 2.0), "gold")
     });
@@ -192,11 +174,9 @@ fn thin() -> Vec<Case> {
         .sphere([1.0, 3.0, 0.0], 1.0, "chalk")
         .plane([0.0, 0.0, -1e-3], UP, "water")
         .epsilon(1e-6);
-    let long = |center: f64| {
-        Draft::seen_from([center - 2500.0, -2.0, 1.5], [0.0; 3])
-            .light([center - 2497.0, -5.0, 4.0])
-            .cylinder([0.0; 3], [1.0, 0.01, 0.0], (0.5, 1e4), "gold")
-    };
+    let along = Draft::seen_from([-2500.0, -2.0, 1.5], [0.0; 3])
+        .light([-2497.0, -5.0, 4.0])
+        .cylinder([0.0; 3], [1.0, 0.01, 0.0], (0.5, 1e4), "gold");
     let through = Draft::seen_from([-2000.0, 0.1, 0.05], [0.0; 3])
         .light([-1997.0, 0.2, 0.1])
         .cylinder([0.0; 3], [1.0, 0.0, 0.0], (0.5, 1e4), "water");
@@ -219,7 +199,7 @@ fn thin() -> Vec<Case> {
         picture(
             "cylinder 10^4 times longer than wide, along it",
             "its wall is seen almost along its axis up to where it ends",
-            long(0.0),
+            along,
         ),
         picture(
             "cylinder 10^4 times longer than wide, from inside",

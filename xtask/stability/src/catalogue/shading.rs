@@ -51,19 +51,12 @@ pub fn cases() -> Vec<Case> {
         .collect();
     let grazing = "n · l is next to nothing, and its sign decides";
     let dark = "the shadow's edge on a round shape is where the surface turns away from the light";
+    let sum = "the sum passes white, and must stay there";
+    let (far, behind) = (lit_by([100.0, 0.0, 5e-4]), lonely([3.0, 10.0, 1.0]));
     cases.extend([
         picture("grazing light", grazing, lit_by([1000.0, 0.0, 0.5])),
-        picture(
-            "light in the floor's height, far away",
-            grazing,
-            lit_by([100.0, 0.0, 5e-4]),
-        ),
-        picture(
-            "sixteen lights on white",
-            "the sum passes white, and must stay there",
-            bright(),
-        )
-        .unlike_single_precision(LAST_BIT),
+        picture("light in the floor's height, far away", grazing, far),
+        picture("sixteen lights on white", sum, bright()).unlike_single_precision(LAST_BIT),
         picture(
             "black and white",
             "black takes everything and white sends on all: nothing may be left over or be missing",
@@ -74,11 +67,7 @@ pub fn cases() -> Vec<Case> {
                 .plane([0.0; 3], UP, "white"),
         ),
         picture("shadow terminator", dark, lonely([10.0, 0.0, 0.0])),
-        picture(
-            "shadow terminator, light behind",
-            dark,
-            lonely([3.0, 10.0, 1.0]),
-        ),
+        picture("shadow terminator, light behind", dark, behind),
     ]);
     for epsilon in [1e-9, 1e-6, 1e-2, 0.1] {
         let case = picture(

@@ -13,11 +13,13 @@ fn glowing(alpha: f64) -> Draft {
         .before([1.0; 3])
 }
 
-fn boxed(draft: Draft) -> Draft {
+/// A room with pairs of walls of these materials.
+fn boxed(draft: Draft, walls: [[&str; 2]; 3]) -> Draft {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    axes.into_iter().fold(draft, |draft, axis: [f64; 3]| {
-        let draft = draft.plane(axis, axis, "wall");
-        draft.plane(axis.map(|it| -it), axis, "wall")
+    let pairs = axes.into_iter().zip(walls);
+    pairs.fold(draft, |draft, (axis, [near, far])| {
+        let draft = draft.plane(axis, axis, near);
+        draft.plane(axis.map(|it: f64| -it), axis, far)
     })
 }
 
@@ -44,19 +46,9 @@ fn parallel(alpha: f64) -> Draft {
 /// A room whose walls are mirrors and chalk by turns: α is 1 and 0.
 fn alternating() -> Draft {
     let (eye, target) = ([0.1, -0.9, 0.1], [0.2, 0.6, 0.05]);
-    let walls = [
-        ("mirror", "chalk"),
-        ("chalk", "mirror"),
-        ("mirror", "chalk"),
-    ];
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let (odd, even) = (["mirror", "chalk"], ["chalk", "mirror"]);
     let room = Draft::through(eye, target, [0.0, 0.0, 1.0], 70.0).light([0.0, -0.5, 0.4]);
-    axes.into_iter()
-        .zip(walls)
-        .fold(room, |draft, (axis, (near, far)): ([f64; 3], _)| {
-            let draft = draft.plane(axis, axis, near);
-            draft.plane(axis.map(|it| -it), axis, far)
-        })
+    boxed(room, [odd, even, odd])
 }
 
 /// 256 surfaces, 16 lights each: 4096 terms of about a ten-thousandth.
@@ -66,12 +58,8 @@ fn many_terms() -> Draft {
         .sphere([0.0; 3], 1.0, "wall");
     (0..16).fold(room, |draft, number| {
         let angle = f64::from(number);
-        let at = [
-            0.6 * angle.cos(),
-            0.6 * angle.sin(),
-            0.3 * (0.7 * angle).sin(),
-        ];
-        draft.shining(at, [0.9; 3])
+        let (x, y) = (0.6 * angle.cos(), 0.6 * angle.sin());
+        draft.shining([x, y, 0.3 * (0.7 * angle).sin()], [0.9; 3])
     })
 }
 
@@ -93,7 +81,7 @@ pub fn cases() -> Vec<Case> {
         cases.push(closed(
             format!("mirrored box, α = {alpha}, N = 255"),
             "the same between planes: a ray that slips through an edge sees the background",
-            boxed(glowing(alpha)),
+            boxed(glowing(alpha), [["wall"; 2]; 3]),
             alpha,
             255,
         ));

@@ -5,6 +5,7 @@ use super::judge::Pictures;
 use super::{Case, LAST_BIT, claim, picture};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
+const TILTED: [f64; 3] = [0.1, 0.2, 1.0];
 const LAMP: [f64; 3] = [3.0, -5.0, 4.0];
 
 fn ahead() -> Draft {
@@ -27,30 +28,21 @@ fn rays() -> Vec<Case> {
         "rows of pixels beside the horizon meet the floor at any distance, up to for ever";
     let rim = "a rim's rays touch: the root of what is left of two equal squares";
     let axis = "the square of the sine to the axis is a difference of two numbers beside one";
+    let high = still_life([0.0, -4.0, 1.0], [0.0, 0.0, 1.0], 50.0);
+    let low = still_life([0.0, -4.0, 1e-4], [0.0, 0.0, 1e-4], 50.0);
+    let silhouette = still_life([-1.0, -5.0, 0.6], [-0.4, 0.0, 0.6], 1.0);
+    let rims = Draft::through([1.0, -5.0, 0.0], [1.0, 0.0, 0.0], UP, 2.0)
+        .light(LAMP)
+        .sphere([0.0; 3], 1.0, "gold")
+        .sphere([0.0, 0.1, 0.0], 1.0, "water");
+    let along = pipe([0.0, -4.0, 0.0], [0.0; 3]);
+    let parallel = pipe([0.2, -4.0, 0.1], [0.2, 0.0, 0.1]);
+    let wall = pipe([0.5, -4.0, 0.0], [0.5, 0.0, 0.0]);
     vec![
-        picture(
-            "horizon, an eye's height",
-            horizon,
-            still_life([0.0, -4.0, 1.0], [0.0, 0.0, 1.0], 50.0),
-        ),
-        picture(
-            "horizon, 10^-4 above the floor",
-            horizon,
-            still_life([0.0, -4.0, 1e-4], [0.0, 0.0, 1e-4], 50.0),
-        ),
-        picture(
-            "silhouette under a lens of 1°",
-            rim,
-            still_life([-1.0, -5.0, 0.6], [-0.4, 0.0, 0.6], 1.0),
-        ),
-        picture(
-            "two rims in one line",
-            rim,
-            Draft::through([1.0, -5.0, 0.0], [1.0, 0.0, 0.0], UP, 2.0)
-                .light(LAMP)
-                .sphere([0.0; 3], 1.0, "gold")
-                .sphere([0.0, 0.1, 0.0], 1.0, "water"),
-        ),
+        picture("horizon, an eye's height", horizon, high),
+        picture("horizon, 10^-4 above the floor", horizon, low),
+        picture("silhouette under a lens of 1°", rim, silhouette),
+        picture("two rims in one line", rim, rims),
         picture(
             "eye in a plane",
             "a ray from a plane is not stopped by it, and a ray in it never meets it",
@@ -70,21 +62,9 @@ fn rays() -> Vec<Case> {
                 .plane([0.0; 3], [0.0, 1.0, 0.0], "gold")
                 .plane([0.0, 5.0, 0.0], [0.0, 1.0, 0.3], "chalk"),
         ),
-        picture(
-            "along a cylinder's axis",
-            axis,
-            pipe([0.0, -4.0, 0.0], [0.0; 3]),
-        ),
-        picture(
-            "parallel to a cylinder's axis",
-            axis,
-            pipe([0.2, -4.0, 0.1], [0.2, 0.0, 0.1]),
-        ),
-        picture(
-            "along a cylinder's wall",
-            axis,
-            pipe([0.5, -4.0, 0.0], [0.5, 0.0, 0.0]),
-        ),
+        picture("along a cylinder's axis", axis, along),
+        picture("parallel to a cylinder's axis", axis, parallel),
+        picture("along a cylinder's wall", axis, wall),
         picture(
             "view almost along up",
             "right is the cross product of two directions 10^-4 apart",
@@ -96,31 +76,37 @@ fn rays() -> Vec<Case> {
 fn touching() -> Vec<Case> {
     let touch = "where shapes touch, a ray that leaves one stands on the other";
     let twice = "of two equal distances the first shape must win, everywhere";
-    let tilted = [0.1, 0.2, 1.0];
+    let spheres = ahead()
+        .sphere([0.0; 3], 1.0, "chalk")
+        .sphere([0.0; 3], 1.0, "black");
+    let cylinders = above()
+        .cylinder([0.0; 3], [0.2, 0.0, 1.0], (1.0, 2.0), "chalk")
+        .cylinder([0.0; 3], [0.2, 0.0, 1.0], (1.0, 2.0), "gold");
+    let planes = above()
+        .sphere([0.0, 0.0, 0.5], 0.5, "gold")
+        .plane([0.0; 3], UP, "chalk")
+        .plane([5.0, 3.0, 0.0], [0.0, 0.0, -2.0], "black");
+    let slopes = Draft::seen_from([0.0, -5.0, 2.0], [0.0; 3])
+        .light(LAMP)
+        .sphere([0.0, 0.0, 0.5], 0.5, "gold")
+        .plane([0.0; 3], TILTED, "water")
+        .plane([0.0; 3], TILTED, "black");
+    let touching =
+        ahead()
+            .sphere([-1.0, 0.0, 0.0], 1.0, "gold")
+            .sphere([1.0, 0.0, 0.0], 1.0, "water");
+    let on_a_floor = above()
+        .sphere([-1.0, 0.0, 1.0], 1.0, "gold")
+        .sphere([1.0, 0.0, 0.5], 0.5, "water")
+        .plane([0.0; 3], UP, "water");
+    let nested = ahead()
+        .sphere([0.0; 3], 1.0, "gold")
+        .sphere([0.0, -0.5, 0.0], 0.5, "water")
+        .sphere([0.0, 0.4, 0.0], 0.6, "chalk");
     vec![
-        picture(
-            "touching spheres",
-            touch,
-            ahead()
-                .sphere([-1.0, 0.0, 0.0], 1.0, "gold")
-                .sphere([1.0, 0.0, 0.0], 1.0, "water"),
-        ),
-        picture(
-            "spheres on a floor",
-            touch,
-            above()
-                .sphere([-1.0, 0.0, 1.0], 1.0, "gold")
-                .sphere([1.0, 0.0, 0.5], 0.5, "water")
-                .plane([0.0; 3], UP, "water"),
-        ),
-        picture(
-            "nested spheres that touch",
-            touch,
-            ahead()
-                .sphere([0.0; 3], 1.0, "gold")
-                .sphere([0.0, -0.5, 0.0], 0.5, "water")
-                .sphere([0.0, 0.4, 0.0], 0.6, "chalk"),
-        ),
+        picture("touching spheres", touch, touching),
+        picture("spheres on a floor", touch, on_a_floor),
+        picture("nested spheres that touch", touch, nested),
         picture(
             "nested spheres, from inside",
             "every ray starts inside of one shape and outside of the others",
@@ -130,38 +116,10 @@ fn touching() -> Vec<Case> {
                 .sphere([0.0; 3], 0.5, "water")
                 .sphere([0.0; 3], 0.25, "chalk"),
         ),
-        picture(
-            "one sphere twice",
-            twice,
-            ahead()
-                .sphere([0.0; 3], 1.0, "chalk")
-                .sphere([0.0; 3], 1.0, "black"),
-        ),
-        picture(
-            "one cylinder twice",
-            twice,
-            above()
-                .cylinder([0.0; 3], [0.2, 0.0, 1.0], (1.0, 2.0), "chalk")
-                .cylinder([0.0; 3], [0.2, 0.0, 1.0], (1.0, 2.0), "gold"),
-        ),
-        picture(
-            "one plane twice",
-            twice,
-            above()
-                .sphere([0.0, 0.0, 0.5], 0.5, "gold")
-                .plane([0.0; 3], UP, "chalk")
-                .plane([5.0, 3.0, 0.0], [0.0, 0.0, -2.0], "black"),
-        ),
-        picture(
-            "one tilted plane twice",
-            twice,
-            Draft::seen_from([0.0, -5.0, 2.0], [0.0; 3])
-                .light(LAMP)
-                .sphere([0.0, 0.0, 0.5], 0.5, "gold")
-                .plane([0.0; 3], tilted, "water")
-                .plane([0.0; 3], tilted, "black"),
-        )
-        .unlike_single_precision(LAST_BIT),
+        picture("one sphere twice", twice, spheres),
+        picture("one cylinder twice", twice, cylinders),
+        picture("one plane twice", twice, planes),
+        picture("one tilted plane twice", twice, slopes).unlike_single_precision(LAST_BIT),
         picture(
             "planes 10^-4 apart in angle",
             "which is in front changes at a line that a last bit would move by a length",
@@ -175,36 +133,28 @@ fn touching() -> Vec<Case> {
 
 /// Pictures with one shape, and with another in the same place behind it in the list.
 fn twins() -> Vec<(&'static str, Draft, Draft)> {
-    let tilted = [0.1, 0.2, 1.0];
     let ball = ahead().sphere([0.0; 3], 1.0, "chalk");
     let tube = |draft: Draft, name| draft.cylinder([0.0; 3], [0.2, 0.0, 1.0], (1.0, 2.0), name);
     let floor = above().sphere([0.0, 0.0, 0.5], 0.5, "gold");
     let flat = floor.clone().plane([0.0; 3], UP, "chalk");
-    let slope = floor.plane([0.0; 3], tilted, "water");
+    let slope = floor.plane([0.0; 3], TILTED, "water");
     let one = tube(above(), "chalk");
+    let flats = flat.clone().plane([0.0; 3], [0.0, 0.0, -2.0], "black");
+    let slopes = slope.clone().plane([0.0; 3], TILTED, "black");
     vec![
         ("sphere", ball.clone(), ball.sphere([0.0; 3], 1.0, "black")),
         ("cylinder", one.clone(), tube(one, "gold")),
-        (
-            "plane",
-            flat.clone(),
-            flat.plane([0.0; 3], [0.0, 0.0, -2.0], "black"),
-        ),
-        (
-            "tilted plane",
-            slope.clone(),
-            slope.plane([0.0; 3], tilted, "black"),
-        ),
+        ("plane", flat, flats),
+        ("tilted plane", slope, slopes),
     ]
 }
 
 fn stable_winners() -> Result<String, String> {
     let pictures = twins().into_iter().map(|(name, one, two)| {
-        let differ =
-            Pictures::of(&one.text(), 4, false)?.differing(&Pictures::of(&two.text(), 4, false)?);
-        match differ {
+        let pictures = |draft: Draft| Pictures::of(&draft.text(), 4, false);
+        match pictures(one)?.differing(&pictures(two)?) {
             0 => Ok(name),
-            _ => Err(format!("{name}: {differ} pixels show the second")),
+            differ => Err(format!("{name}: {differ} pixels show the second")),
         }
     });
     let names: Vec<_> = pictures.collect::<Result<_, String>>()?;
@@ -217,16 +167,13 @@ fn stable_winners() -> Result<String, String> {
 fn lights() -> Vec<Case> {
     let on = "whether a light on a surface lights it is decided by epsilon alone";
     let within = "the way to the light begins or ends at a wall";
+    let close = lit_by([1.0, -3.0, 1.0 / 1024.0]);
     vec![
         picture("light in a plane", on, lit_by([1.0, -3.0, 0.0])),
         picture("light 10^-4 above a plane", on, lit_by([1.0, -3.0, 1e-4])),
         picture("light epsilon above a plane", on, lit_by([1.0, -3.0, 1e-3]))
             .unlike_single_precision(LAST_BIT),
-        picture(
-            "light 1/1024 above a plane",
-            on,
-            lit_by([1.0, -3.0, 1.0 / 1024.0]),
-        ),
+        picture("light 1/1024 above a plane", on, close),
         picture(
             "light 1/1024 above a lonely plane",
             "nothing but the light and the plane tells how large the scene is",
@@ -249,66 +196,37 @@ fn lights() -> Vec<Case> {
 fn eyes() -> Vec<Case> {
     let within = "every ray begins inside of a wall that may be met once only";
     let here = Setting::HERE;
-    let on = |draft: Draft| here.lit(here.furnish(draft));
+    let seen = |eye, target| here.lit(here.furnish(Draft::through(eye, target, UP, 90.0)));
     let column = |draft: Draft| draft.cylinder([-1.6, -1.0, 0.6], UP, (0.5, 1.2), "red");
     // Outside by less than a pixel can show, so that the reference is defined.
     let aside = 0.6 + 1e-6;
+    let in_a_sphere = still_life([-1.0, 0.0, 0.6], [0.0, 0.0, 0.5], 50.0);
+    let by_a_light = still_life([-1.2, 0.0, 0.6], [0.0, 0.0, 0.5], 100.0).light([-1.0, 0.1, 0.6]);
+    let in_a_cylinder = still_life([0.2, 1.2, 0.7], [0.0, 0.0, 0.5], 100.0);
     vec![
-        picture(
-            "eye in a sphere",
-            within,
-            still_life([-1.0, 0.0, 0.6], [0.0, 0.0, 0.5], 50.0),
-        ),
-        picture(
-            "eye and light in a sphere",
-            within,
-            still_life([-1.2, 0.0, 0.6], [0.0, 0.0, 0.5], 100.0).light([-1.0, 0.1, 0.6]),
-        ),
-        picture(
-            "eye in a cylinder",
-            within,
-            still_life([0.2, 1.2, 0.7], [0.0, 0.0, 0.5], 100.0),
-        ),
+        picture("eye in a sphere", within, in_a_sphere),
+        picture("eye and light in a sphere", within, by_a_light),
+        picture("eye in a cylinder", within, in_a_cylinder),
         picture(
             "eye on a sphere, outwards",
             "the sphere begins at the eye, and must not be seen from inside by rounding",
-            on(Draft::through(
-                [-1.0, -aside, 0.6],
-                [0.5, -2.0, 0.5],
-                UP,
-                90.0,
-            )),
+            seen([-1.0, -aside, 0.6], [0.5, -2.0, 0.5]),
         )
         .unlike_single_precision(LAST_BIT),
         picture(
             "eye on a sphere, inwards",
             "the same from inside: all that is seen is the other side",
-            on(Draft::through(
-                [-1.0, 1e-6 - 0.6, 0.6],
-                [-1.0, 1.0, 0.5],
-                UP,
-                90.0,
-            )),
+            seen([-1.0, 1e-6 - 0.6, 0.6], [-1.0, 1.0, 0.5]),
         ),
         picture(
             "eye on a cylinder, outwards",
             "the cylinder begins at the eye, and must not be seen from inside by rounding",
-            column(on(Draft::through(
-                [-1.1 + 1e-6, -1.0, 0.6],
-                [0.5, 0.0, 0.5],
-                UP,
-                90.0,
-            ))),
+            column(seen([-1.1 + 1e-6, -1.0, 0.6], [0.5, 0.0, 0.5])),
         ),
         picture(
             "eye on a cylinder, inwards",
             "the same from inside: all that is seen is the other side, and what its ends leave open",
-            column(on(Draft::through(
-                [-1.1 - 1e-6, -1.0, 0.6],
-                [-3.0, -1.0, 0.5],
-                UP,
-                90.0,
-            ))),
+            column(seen([-1.1 - 1e-6, -1.0, 0.6], [-3.0, -1.0, 0.5])),
         ),
     ]
 }

@@ -26,25 +26,24 @@ fn drawn_in<Q: Quality>(text: &str) -> Picture {
 /// A scene file with every place and direction changed.
 fn changed(text: &str, change: impl Fn([f64; 3], bool) -> [f64; 3] + Copy) -> String {
     let mut scene: Value = serde_json::from_str(text).unwrap();
-    change_all(&mut scene, change);
+    change_fields(&mut scene, &|name, field| {
+        let is_place = ["position", "target", "center"].contains(&name);
+        if is_place || ["up", "normal", "axis"].contains(&name) {
+            let triple: [f64; 3] = serde_json::from_value(field.take()).unwrap();
+            *field = json!(change(triple, is_place));
+        }
+    });
     scene.to_string()
 }
 
-fn change_all(value: &mut Value, change: impl Fn([f64; 3], bool) -> [f64; 3] + Copy) {
+/// Shows every field of a scene file by its name, those of lists and objects within it, too.
+fn change_fields(value: &mut Value, change: &impl Fn(&str, &mut Value)) {
     match value {
-        Value::Array(items) => items.iter_mut().for_each(|item| change_all(item, change)),
-        Value::Object(fields) => {
-            for (name, field) in fields {
-                let is_place = matches!(name.as_str(), "position" | "target" | "center");
-                let is_way = matches!(name.as_str(), "up" | "normal" | "axis");
-                if is_place || is_way {
-                    let triple: [f64; 3] = serde_json::from_value(field.take()).unwrap();
-                    *field = json!(change(triple, is_place));
-                } else {
-                    change_all(field, change);
-                }
-            }
-        }
+        Value::Array(items) => items.iter_mut().for_each(|it| change_fields(it, change)),
+        Value::Object(fields) => fields.iter_mut().for_each(|(name, field)| {
+            change(name, field);
+            change_fields(field, change);
+        }),
         _ => {}
     }
 }
@@ -149,29 +148,14 @@ fn enlarged(text: &str, factor: f64) -> String {
         false => at,
     });
     let mut scene: Value = serde_json::from_str(&places).unwrap();
-    enlarge_lengths(&mut scene, factor);
+    change_fields(&mut scene, &|name, field| {
+        if ["radius", "height", "epsilon"].contains(&name) {
+            *field = json!(field.as_f64().unwrap() * factor);
+        }
+    });
     // One that is not said is a thousandth of a unit, whatever the scene's lengths are.
     assert!(scene["epsilon"].is_number());
     scene.to_string()
-}
-
-fn enlarge_lengths(value: &mut Value, factor: f64) {
-    match value {
-        Value::Array(items) => items
-            .iter_mut()
-            .for_each(|item| enlarge_lengths(item, factor)),
-        Value::Object(fields) => {
-            for (name, field) in fields {
-                match name.as_str() {
-                    "radius" | "height" | "epsilon" => {
-                        *field = json!(field.as_f64().unwrap() * factor);
-                    }
-                    _ => enlarge_lengths(field, factor),
-                }
-            }
-        }
-        _ => {}
-    }
 }
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
