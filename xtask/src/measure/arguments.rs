@@ -5,15 +5,13 @@ use std::path::PathBuf;
 use anyhow::Result;
 use clap::{Args, value_parser};
 
-use super::{
-    cores::Core,
-    scene::Scene,
-    task::{Quality, Settings, Shading, Size, Task},
-};
+use super::cores::Core;
+use super::scene::Scene;
+use super::task::{Quality, Settings, Shading, Size, Task};
 
 /// Builds a firmware that renders one scene, runs it on an emulated core and counts.
 #[derive(Args, Debug)]
-#[command(after_long_help = AFTER_HELP)]
+#[command(after_long_help = include_str!("help.txt").trim_end())]
 pub struct Arguments {
     #[command(flatten)]
     pub(super) choice: Choice,
@@ -69,28 +67,14 @@ pub struct Choice {
     whole: bool,
 }
 
-const AFTER_HELP: &str = "\
-instr/pixel counts the executed instructions of the whole frame, from the frame call to the last
-pixel, preparation included, over the number of pixels; prepare is the preparation alone. flash and
-RAM are what the firmware has beyond the same firmware with an empty frame: the library's and the
-scene's code, constants and static variables. stack is the most in use at a time. cycles/pixel is an
-estimate by the timings that Arm publishes, for memory without wait states.
-
-A FILE.json is turned into a constant scene on the way, as `cargo xtask scene FILE.json` does.
-
-The JSON keys are core, scene, size, reflections, shading, quality, instructions_per_pixel,
-prepare_instructions, flash, ram, stack, hash (FNV-1a, 64 bits, of the RGB8 bytes) and
-cycles_per_pixel (null where no timings are published).";
-
 impl Choice {
     /// The task that it comes to.
     ///
     /// # Errors
     /// [`Misuse`](crate::misuse::Misuse) where the scene cannot be used.
     pub fn task(&self) -> Result<Task> {
-        let m3 = Core::find("m3").expect("it is in the list");
         Ok(Task {
-            core: self.core.unwrap_or(m3),
+            core: self.core.unwrap_or(Core::M3),
             scene: Scene::open(&self.scene, self.name.as_deref())?,
             settings: Settings {
                 size: self.size,

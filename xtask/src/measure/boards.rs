@@ -1,6 +1,5 @@
 //! Boards that people own, and the displays they put on them: clocks from the data sheets.
 
-/// A board with a display.
 #[derive(Debug)]
 pub struct Board {
     pub name: &'static str,
@@ -13,7 +12,6 @@ pub struct Board {
     pub display: Display,
 }
 
-/// A display and the bus it hangs on.
 #[derive(Debug)]
 pub struct Display {
     pub name: &'static str,
@@ -64,7 +62,6 @@ impl Display {
     }
 }
 
-/// The boards.
 pub const BOARDS: [Board; 8] = [
     Board {
         name: "Raspberry Pi Pico",

@@ -3,7 +3,6 @@
 use float_picture::port::{self, Prepared};
 use reflet::host::reference::{Camera, Scene};
 
-/// The expression of a scene.
 pub fn scene(scene: &Scene) -> String {
     let prepared = Prepared::new(scene);
     let scene = prepared.scene();
@@ -21,7 +20,6 @@ pub fn scene(scene: &Scene) -> String {
     )
 }
 
-/// The expression of a camera.
 pub fn camera(camera: &Camera) -> String {
     format!("{{ use float_port::*; {:?} }}", port::camera(camera))
 }

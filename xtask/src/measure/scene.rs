@@ -11,16 +11,12 @@ use reflet::{
 
 use crate::{misuse::Misuse, scene_source};
 
-/// A scene.
 #[derive(Clone, Debug)]
 pub enum Scene {
     /// One that comes with the library, by its name.
     BuiltIn(&'static str),
-    /// One from a file.
     File {
-        /// The numbers.
         file: Box<SceneFile>,
-        /// The Rust source of the same scene.
         source: scene_source::Source,
     },
 }
@@ -56,7 +52,6 @@ impl Scene {
         Ok(scene_source::parse(text)?.into())
     }
 
-    /// What it is called.
     pub fn name(&self) -> &str {
         match self {
             Self::BuiltIn(name) => name,
@@ -64,7 +59,6 @@ impl Scene {
         }
     }
 
-    /// The numbers it was written with.
     pub fn reference(&self) -> (reference::Scene, reference::Camera) {
         match self {
             Self::BuiltIn(name) => Source::built_in(name).expect(KNOWN).reference(),
@@ -72,7 +66,6 @@ impl Scene {
         }
     }
 
-    /// The Rust source of a scene from a file.
     pub(crate) fn source(&self) -> Option<&str> {
         match self {
             Self::BuiltIn(_) => None,
@@ -97,7 +90,6 @@ impl Scene {
         }
     }
 
-    /// The name of a built-in scene's type.
     pub fn type_name(name: &str) -> &'static str {
         scenes::visit(name, TypeName).expect(KNOWN)
     }

@@ -1,12 +1,11 @@
 //! What is measured: which scene on which core, with which settings; and the job it makes for
 //! the firmware.
 
-use std::{
-    fmt::{self, Write as _},
-    hash::{DefaultHasher, Hash, Hasher},
-    path::Path,
-    str::FromStr,
-};
+use std::fmt;
+use std::fmt::Write as _;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::Path;
+use std::str::FromStr;
 
 use clap::{ValueEnum, builder::PossibleValue};
 pub use command_line::Shading;
@@ -14,7 +13,6 @@ use command_line::{Quality as Fixed, size};
 
 use super::{cores::Core, float_source, scene::Scene};
 
-/// Width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
     pub width: u32,
@@ -22,12 +20,10 @@ pub struct Size {
 }
 
 impl Size {
-    /// This width and height.
     pub const fn new(width: u32, height: u32) -> Self {
         Self { width, height }
     }
 
-    /// How many pixels there are.
     pub fn pixels(self) -> u64 {
         u64::from(self.width) * u64::from(self.height)
     }
@@ -60,7 +56,6 @@ impl Quality {
     pub const SMALL: Self = Self::Fixed(Fixed::Small);
     pub const EXACT: Self = Self::Fixed(Fixed::Exact);
 
-    /// The word on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fixed(quality) => quality.name(),
@@ -85,7 +80,6 @@ impl ValueEnum for Quality {
     }
 }
 
-/// How a scene is drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
     pub size: Size,
@@ -96,7 +90,6 @@ pub struct Settings {
     pub is_whole: bool,
 }
 
-/// One measurement.
 #[derive(Clone, Debug)]
 pub struct Task {
     pub core: &'static Core,
@@ -133,7 +126,7 @@ impl Task {
     pub fn job(&self, scene: &Path) -> Job {
         let Settings { size, .. } = self.settings;
         let contestant = match self.settings.quality {
-            Quality::Fixed(quality) => self.fixed(quality.type_name(), scene),
+            Quality::Fixed(quality) => self.fixed(&quality.type_name(), scene),
             Quality::Float => self.float(),
         };
         let mut hasher = DefaultHasher::new();
