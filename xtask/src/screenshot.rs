@@ -1,11 +1,8 @@
 //! Where the picture of a board's display goes: a file that is not written over.
 
-use std::{
-    env,
-    fs::File,
-    io,
-    path::{Path, PathBuf, absolute},
-};
+use std::fs::File;
+use std::path::{Path, PathBuf, absolute};
+use std::{env, io};
 
 use anyhow::{Context, Result};
 use clap::{Args, builder::PossibleValuesParser};

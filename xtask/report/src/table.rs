@@ -8,7 +8,6 @@ use crate::error::Promised;
 use crate::point::Point;
 use crate::scene::Measured;
 
-/// All rows.
 pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let size = arguments.size_words();
@@ -24,7 +23,6 @@ pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<Vec<u8>> {
     Ok(writer.into_inner()?)
 }
 
-/// Names and cells of the columns.
 fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {
     let setting = &point.setting;
     let (contestant, level, shadows) = match setting.contestant {

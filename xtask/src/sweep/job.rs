@@ -57,7 +57,6 @@ fn own_level(setting: &Setting) -> Option<Level> {
     }
 }
 
-/// The type of the contestant in the firmware.
 fn type_name(setting: &Setting) -> String {
     let Contestant::Fixed { level, shadows } = setting.contestant else {
         return "firmware::Float<Seen>".to_owned();
