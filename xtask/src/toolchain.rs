@@ -142,12 +142,8 @@ pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathB
         .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
     let messages = bare_metal
         .cargo("build", &[target])
-        .args([
-            "--profile",
-            profile,
-            "--locked",
-            "--message-format=json-render-diagnostics",
-        ])
+        .args(["--profile", profile, "--locked"])
+        .args(["--message-format=json-render-diagnostics"])
         .args(arguments)
         .limit(BUILD_LIMIT)
         .read()?;

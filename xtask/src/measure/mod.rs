@@ -1,7 +1,8 @@
 //! `cargo xtask measure`: what a scene takes on a core, in instructions and bytes.
 //!
 //! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds and runs it, and
-//! `images` keeps what was built; [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
+//! `images` keeps what was built; [`figures`] is what comes out, [`record`] keeps it, and [`page`]
+//! makes `docs/boards.md` of it.
 
 pub mod arguments;
 mod boards;

@@ -104,18 +104,17 @@ impl Page<'_> {
         let head = ["board", "core", "display"].into_iter().chain(SCENES);
         let head: Vec<_> = head.chain(["sending"]).map(str::to_owned).collect();
         let rows = BOARDS.iter().map(|board| {
-            let display = &board.display;
             let mut cells = vec![
                 board.name.to_owned(),
-                format!("{}, {} MHz", board.title, board.clock),
-                format!("{}x{} {}", display.width, display.height, display.name),
+                format!("{}, {} MHz", board.title(), board.clock),
+                board.display.title(),
             ];
             cells.extend(SCENES.map(|scene| {
-                let row = self.row(board.core, scene, "fast");
+                let row = self.row(board.core(), scene, "fast");
                 let cycles = row.and_then(|row| row.cycles_per_pixel);
                 cycles.map_or_else(|| "-".to_owned(), |cycles| seconds(board.frame(cycles)))
             }));
-            cells.push(seconds(display.transfer()));
+            cells.push(seconds(board.display.transfer()));
             cells
         });
         markdown(3, &head, &rows.collect::<Vec<_>>())

@@ -74,9 +74,9 @@ impl Scene {
     }
 
     /// How a firmware names it: the module that has to be declared, if there is one, the scene's type
-    /// and its camera; `file` is where the source of a file's scene lies.
+    /// and its `View`; `file` is where the source of a file's scene lies.
     pub(crate) fn names(&self, file: &Path) -> (String, String, String) {
-        match self {
+        let (module, scene, camera) = match self {
             Self::BuiltIn(name) => {
                 let scene = format!("reflet::scenes::{}", Self::type_name(name));
                 let camera = format!("<{scene} as reflet::scenes::BuiltIn>::CAMERA");
@@ -87,7 +87,11 @@ impl Scene {
                 format!("scene::{}", source.type_name),
                 "scene::CAMERA".to_owned(),
             ),
-        }
+        };
+        let view = format!(
+            "impl firmware::View for Seen {{\n    const CAMERA: reflet::Camera = {camera};\n}}\n\n"
+        );
+        (module, scene, view)
     }
 
     pub fn type_name(name: &str) -> &'static str {

@@ -2,7 +2,6 @@
 //! the firmware.
 
 use std::fmt;
-use std::fmt::Write as _;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 use std::str::FromStr;
@@ -133,19 +132,17 @@ impl Task {
         (self.core.name, size.width, size.height, &contestant).hash(&mut hasher);
         let ticket = hasher.finish();
         let Size { width, height } = size;
-        let mut source = String::from("// Written by `cargo xtask measure`.\n\n");
-        write!(
-            source,
-            "pub const ORDER: firmware::Order =\n    \
+        let source = format!(
+            "// Written by `cargo xtask measure`.\n\n\
+             pub const ORDER: firmware::Order =\n    \
              firmware::Order {{ size: ({width}, {height}), ticket: {ticket:#x} }};\n\n{contestant}"
-        )
-        .expect("a string takes all");
+        );
         Job { source, ticket }
     }
 
     fn fixed(&self, quality: &str, scene: &Path) -> String {
         let (reflections, shading) = (self.settings.reflections, self.settings.shading.type_name());
-        let (module, scene, camera) = self.scene.names(scene);
+        let (module, scene, view) = self.scene.names(scene);
         let contestant = match self.settings.is_whole {
             true => "Everything",
             false => "Fixed",
@@ -153,27 +150,18 @@ impl Task {
         format!(
             "{module}\
              pub struct Seen;\n\n\
-             impl firmware::View for Seen {{\n    \
-                 const CAMERA: reflet::Camera = {camera};\n\
-             }}\n\n\
-             pub type Job =\n    \
+             {view}pub type Job =\n    \
                  firmware::{contestant}<{scene}, Seen, reflet::{quality}, reflet::{shading}, {reflections}>;\n"
         )
     }
 
     fn float(&self) -> String {
-        let (scene, camera) = self.scene.reference();
-        let (reflections, shading) = (self.settings.reflections, self.settings.shading.type_name());
-        let (scene, camera) = (float_source::scene(&scene), float_source::camera(&camera));
-        format!(
-            "pub struct Seen;\n\n\
-             impl firmware::FloatView for Seen {{\n\
-                 const SCENE: float_port::Scene<'static> = {scene};\n\
-                 const CAMERA: float_port::Camera = {camera};\n\
-                 const REFLECTIONS: u32 = {reflections};\n\
-                 const SHADING: float_port::Shading = float_port::Shading::{shading};\n\
-             }}\n\n\
-             pub type Job = firmware::Float<Seen>;\n"
-        )
+        let Settings {
+            reflections,
+            shading,
+            ..
+        } = self.settings;
+        let view = float_source::view(&self.scene, reflections, shading);
+        format!("pub struct Seen;\n\n{view}pub type Job = firmware::Float<Seen>;\n")
     }
 }

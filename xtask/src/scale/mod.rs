@@ -1,7 +1,8 @@
 //! `cargo xtask scale`: what a frame takes with more and more spheres.
 //!
-//! The scenes are [`benchmark`]'s, alike but for the number of their spheres; each becomes a constant
-//! scene and is measured as any other ([`crate::measure`]). `page.md` is the frame of `docs/scale.md`.
+//! The scenes are [`benchmark`]'s, alike but for the number of their spheres; each becomes a
+//! constant scene and is measured as any other ([`crate::measure`]). `page.md` is the frame of
+//! `docs/scale.md`.
 
 use std::io::{self, Write};
 
@@ -83,7 +84,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut out = io::stdout();
     let mut members = Vec::new();
     if !arguments.json {
-        writeln!(out, "{}", line(&HEAD))?;
+        writeln!(out, "{}", line(&head()))?;
     }
     for count in COUNTS {
         let member = Member::measure(core, size, count, members.last())?;
@@ -108,15 +109,10 @@ pub fn count(core: &'static Core, size: Size, spheres: usize, order: Order) -> R
     measure::count(&Task::new(core, scene, size, Quality::FAST))
 }
 
-const HEAD: [&str; 7] = [
-    "spheres",
-    "instr/pixel",
-    "times",
-    "shuffled",
-    "prepare",
-    "flash",
-    "seen",
-];
+fn head() -> Vec<String> {
+    let names = "spheres instr/pixel times shuffled prepare flash seen".split(' ');
+    names.map(str::to_owned).collect()
+}
 
 impl Member {
     fn measure(
@@ -139,10 +135,10 @@ impl Member {
         })
     }
 
-    /// The figures in the order of [`HEAD`].
-    fn cells(&self) -> [String; 7] {
+    /// The figures in the order of [`head`].
+    fn cells(&self) -> Vec<String> {
         let times = self.times.map(|times| format!("{times:.2}"));
-        [
+        vec![
             self.spheres.to_string(),
             format!("{:.1}", self.instructions_per_pixel),
             times.unwrap_or_else(|| "-".to_owned()),
@@ -155,10 +151,9 @@ impl Member {
 }
 
 /// A line of the printed table, which is printed while it is measured.
-fn line(cells: &[impl AsRef<str>]) -> String {
-    let width = HEAD.iter().map(|name| name.len()).max().unwrap_or(0);
-    let cells = cells.iter().map(AsRef::as_ref);
-    let cells: Vec<_> = cells.map(|cell| format!("{cell:>width$}")).collect();
+fn line(cells: &[String]) -> String {
+    let width = head().iter().map(String::len).max().unwrap_or(0);
+    let cells: Vec<_> = cells.iter().map(|cell| format!("{cell:>width$}")).collect();
     cells.join("  ")
 }
 
@@ -181,14 +176,14 @@ impl Scale {
     }
 
     fn page(&self, core: &Core) -> String {
-        let rows: Vec<_> = self.members.iter().map(|it| it.cells().to_vec()).collect();
+        let rows: Vec<_> = self.members.iter().map(Member::cells).collect();
         let values = [
             ("last", COUNTS[COUNTS.len() - 1].to_string()),
             ("size", self.size.clone()),
             ("title", core.title.to_owned()),
             ("verdict", self.verdict()),
             ("full", (MANY / FEW).to_string()),
-            ("table", markdown(0, &HEAD.map(str::to_owned), &rows)),
+            ("table", markdown(0, &head(), &rows)),
         ];
         filled(include_str!("page.md"), &values)
     }
