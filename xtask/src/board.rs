@@ -25,9 +25,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut board = Board::boot(&firmware)?;
     let line = board.go_to(&arguments.scene)?;
     println!("{line}");
-    screenshot::save(&board.screen()?, &path)?;
-    println!("written to {}", path.display());
-    Ok(())
+    screenshot::save(&board.screen()?, &path)
 }
 
 /// `cargo xtask show`: for a person, until they close the window or stop it.

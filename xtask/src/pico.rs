@@ -23,9 +23,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let run = Rp2040::default().picture(&presses).run(&firmware)?;
     run.said.iter().for_each(|line| println!("{line}"));
     let picture = run.pictures.first().context("one was waited for")?;
-    screenshot::save(&as_seen(picture), &path)?;
-    println!("written to {}", path.display());
-    Ok(())
+    screenshot::save(&as_seen(picture), &path)
 }
 
 pub fn build() -> Result<PathBuf> {

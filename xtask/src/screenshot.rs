@@ -55,7 +55,9 @@ pub fn save(picture: &RgbImage, path: &Path) -> Result<()> {
         let mut file = io::BufWriter::new(File::create_new(path)?);
         Ok(picture.write_to(&mut file, ImageFormat::Png)?)
     };
-    written().with_context(|| format!("{} cannot be written", path.display()))
+    written().with_context(|| format!("{} cannot be written", path.display()))?;
+    println!("written to {}", path.display());
+    Ok(())
 }
 
 #[cfg(test)]

@@ -39,13 +39,8 @@ pub struct Arguments {
     pub size: Size,
 
     /// Try no more reflections than this, from 0 to 255
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 255,
-        allow_negative_numbers = true
-    )]
-    #[arg(value_parser = value_parser!(u8))]
+    #[arg(long, value_name = "N", default_value_t = 255, value_parser = value_parser!(u8))]
+    #[arg(allow_negative_numbers = true)]
     pub reflections: u8,
 }
 

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use clap::{Args, value_parser};
+use clap::Args;
 
 use super::cores::Core;
 use super::scene::Scene;
-use super::task::{Quality, Settings, Shading, Size, Task};
+use super::task::{Settings, Task};
 
 /// Builds a firmware that renders one scene, runs it on an emulated core and counts.
 #[derive(Args, Debug)]
@@ -21,7 +21,8 @@ pub struct Arguments {
     pub(super) json: bool,
 
     /// Measure everything again, on --core or on all, and write docs/measured and docs/boards.md
-    #[arg(long, conflicts_with_all = ["scene", "name", "size", "reflections", "shading", "quality", "json"])]
+    #[arg(long, conflicts_with_all = ["scene", "name", "size"])]
+    #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json"])]
     pub(super) all: bool,
 }
 
@@ -40,31 +41,8 @@ pub struct Choice {
     #[arg(long, value_name = "SCENE")]
     name: Option<String>,
 
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "64x64")]
-    size: Size,
-
-    /// How often a ray is reflected, from 0 to 255
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 4,
-        allow_negative_numbers = true
-    )]
-    #[arg(value_parser = value_parser!(u8))]
-    reflections: u8,
-
-    /// How light shines on a surface
-    #[arg(long, value_enum, default_value_t = Shading::BlinnPhong)]
-    shading: Shading,
-
-    /// How exactly fixed point computes, or the float port instead
-    #[arg(long, value_enum, default_value_t = Quality::FAST)]
-    quality: Quality,
-
-    /// Link everything that any scene needs, whether this one does or not
-    #[arg(long)]
-    whole: bool,
+    #[command(flatten)]
+    settings: Settings,
 }
 
 impl Choice {
@@ -76,13 +54,7 @@ impl Choice {
         Ok(Task {
             core: self.core.unwrap_or(Core::M3),
             scene: Scene::open(&self.scene, self.name.as_deref())?,
-            settings: Settings {
-                size: self.size,
-                reflections: self.reflections,
-                shading: self.shading,
-                quality: self.quality,
-                is_whole: self.whole,
-            },
+            settings: self.settings,
         })
     }
 }

@@ -6,7 +6,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 use std::str::FromStr;
 
-use clap::{ValueEnum, builder::PossibleValue};
+use clap::{Args, ValueEnum, builder::PossibleValue, value_parser};
 pub use command_line::Shading;
 use command_line::{Quality as Fixed, size};
 
@@ -79,13 +79,27 @@ impl ValueEnum for Quality {
     }
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Args, Clone, Copy, Debug)]
 pub struct Settings {
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "64x64")]
     pub size: Size,
+
+    /// How often a ray is reflected, from 0 to 255
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = value_parser!(u8))]
+    #[arg(allow_negative_numbers = true)]
     pub reflections: u8,
+
+    /// How light shines on a surface
+    #[arg(long, value_enum, default_value_t = Shading::BlinnPhong)]
     pub shading: Shading,
+
+    /// How exactly fixed point computes, or the float port instead
+    #[arg(long, value_enum, default_value_t = Quality::FAST)]
     pub quality: Quality,
-    /// Whether everything is linked that any scene needs.
+
+    /// Link everything that any scene needs, whether this one does or not
+    #[arg(long = "whole")]
     pub is_whole: bool,
 }
 
