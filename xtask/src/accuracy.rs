@@ -13,7 +13,6 @@ const PAGE: &str = "docs/accuracy.md";
 const SIZE: &str = "320x320";
 const REFLECTIONS: &str = "4";
 
-/// Measures everything and writes the page.
 pub fn run() -> Result<()> {
     let mut page = format!(
         "# How near to the truth\n\n\
@@ -42,7 +41,6 @@ pub fn run() -> Result<()> {
     kept::write(PAGE.as_ref(), &page)
 }
 
-/// One row of a table.
 fn measure(scene: &str, shading: &str, quality: &str) -> Result<String> {
     let render = "run --quiet --release --example render --";
     let printed = Program::new("cargo")

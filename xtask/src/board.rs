@@ -1,29 +1,22 @@
 //! The default board, examples/board in QEMU: builds it, boots it, presses its keys and looks at
 //! its display.
 
-use std::{
-    path::{Path, PathBuf},
-    time::Duration,
-};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use anyhow::Result;
 use image::RgbImage;
 use reflet::scenes::NAMES;
 
-use crate::{
-    emulator::qemu::{Failure, Key, Qemu, Running},
-    enter_root,
-    screenshot::{self, Arguments},
-    toolchain,
-};
+use crate::emulator::qemu::{Failure, Key, Qemu, Running};
+use crate::screenshot::Arguments;
+use crate::{enter_root, screenshot, toolchain};
 
-/// What rustc calls the board's core.
 const TARGET: &str = "thumbv7m-none-eabi";
 
 /// A picture takes a fraction of a second, and there are eleven scenes.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// `cargo xtask board`.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let path = arguments.path("board")?;
     println!("board: building");
@@ -32,9 +25,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let mut board = Board::boot(&firmware)?;
     let line = board.go_to(&arguments.scene)?;
     println!("{line}");
-    screenshot::save(&board.screen()?, &path)?;
-    println!("written to {}", path.display());
-    Ok(())
+    screenshot::save(&board.screen()?, &path)
 }
 
 /// `cargo xtask show`: for a person, until they close the window or stop it.
@@ -42,12 +33,10 @@ pub fn show(firmware: &Path) -> Result<()> {
     Ok(machine().show(firmware)?)
 }
 
-/// Builds the firmware and returns where it is.
 pub fn build() -> Result<PathBuf> {
     build_example("board")
 }
 
-/// Builds a firmware for the board and returns where it is.
 pub fn build_example(name: &str) -> Result<PathBuf> {
     enter_root()?;
     let example = ["--package", "reflet", "--example", name];
@@ -58,7 +47,6 @@ fn machine() -> Qemu {
     Qemu::arm("lm3s6965evb").limit(LIMIT)
 }
 
-/// The board, switched on.
 #[derive(Debug)]
 pub struct Board {
     running: Running,
@@ -67,7 +55,6 @@ pub struct Board {
 }
 
 impl Board {
-    /// Boots the board and waits for its first picture.
     pub fn boot(firmware: &Path) -> Result<Self, Failure> {
         let mut running = machine().boot(firmware)?;
         let line = running.line(is_report)?;

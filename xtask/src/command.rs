@@ -3,15 +3,13 @@
 //! Every process the chores start goes through here, so none can hang them. This module never
 //! knows what a program is for.
 
-use std::{
-    ffi::OsStr,
-    fmt,
-    io::{self, BufRead, BufReader, Read},
-    process::{Child, Command, ExitStatus, Output, Stdio},
-    sync::mpsc::{self, Receiver, RecvTimeoutError, SyncSender},
-    thread,
-    time::{Duration, Instant},
-};
+use std::ffi::OsStr;
+use std::io::{BufRead, BufReader, Read};
+use std::process::{Child, Command, ExitStatus, Output, Stdio};
+use std::sync::mpsc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender};
+use std::time::{Duration, Instant};
+use std::{fmt, io, thread};
 
 use rustix::process::{Pid, Signal, kill_process};
 
@@ -33,13 +31,11 @@ impl Program {
         }
     }
 
-    /// Appends arguments.
     pub fn args<A: AsRef<OsStr>>(mut self, arguments: impl IntoIterator<Item = A>) -> Self {
         self.command.args(arguments);
         self
     }
 
-    /// Sets one variable of the program's environment.
     pub fn env(mut self, key: impl AsRef<OsStr>, value: impl AsRef<OsStr>) -> Self {
         self.command.env(key, value);
         self
@@ -163,7 +159,6 @@ impl Program {
 /// How many lines of a program's output may wait to be read.
 const LINES: usize = 1 << 12;
 
-/// The command line, as a person would type it.
 impl fmt::Display for Program {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.command.get_program().to_string_lossy())?;
@@ -234,21 +229,18 @@ impl Drop for Running {
     }
 }
 
-/// What can go wrong with another program.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
     #[error("there is no program `{program}`")]
     Missing { program: String },
     #[error("`{program}` does not start: {error}")]
     Start { program: String, error: io::Error },
-    /// It ended, and not well.
     #[error("`{command}` failed ({status}){}", after(": ", complaints))]
     Status {
         command: String,
         status: ExitStatus,
         complaints: String,
     },
-    /// It did not end in time and was ended.
     #[error("`{command}` was ended after {} s", .limit.as_secs_f64())]
     TimeOut { command: String, limit: Duration },
 }

@@ -63,7 +63,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Whether there is what libFuzzer is compiled by.
 pub fn compiles_cpp() -> bool {
     Program::new("c++").args(["--version"]).succeeds()
 }

@@ -16,7 +16,6 @@ pub fn read<T: DeserializeOwned>(file: &Path, command: &str) -> Result<Vec<T>> {
     values.with_context(|| format!("{name} is not what the command writes"))
 }
 
-/// Writes a file, and says so.
 pub fn write(file: &Path, text: &str) -> Result<()> {
     let name = file.display();
     fs::create_dir_all(file.parent().unwrap_or(file))

@@ -1,12 +1,4 @@
-//! The chores of the repository, one module a concern: [`accuracy`] measures pictures, [`setup`]
-//! knows what a machine needs, [`gate`] what a change must pass, [`toolchain`] how to build for a
-//! bare-metal target, [`emulator`] how to run what was built, [`board`] the default board, [`pico`]
-//! the Raspberry Pi Pico, [`screenshot`] where their pictures go, [`measure`] what a scene takes,
-//! [`profile`] which part of a frame takes it, [`scale`] how that grows with the number of shapes,
-//! [`sweep`] what many settings of a scene take, for the report, [`size`] what is in flash, [`fuzz`]
-//! draws what any bytes describe, [`cycles`] how instructions become cycles, [`scene_source`] makes
-//! Rust of scene files, [`kept`] reads and writes what they keep, [`apt`] knows Debian's packages, [`command`] how to run another program and
-//! [`table`] how a page shows figures.
+//! The chores of the repository, one module a concern; each says what it is for.
 
 pub mod accuracy;
 pub mod apt;
@@ -30,14 +22,11 @@ pub mod sweep;
 pub mod table;
 pub mod toolchain;
 
-use std::{
-    env,
-    path::{Path, PathBuf},
-};
+use std::env;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 
-/// The folder of the repository.
 pub fn root() -> PathBuf {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     package

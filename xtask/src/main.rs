@@ -28,9 +28,9 @@ enum Chore {
         #[arg(value_name = "ELF")]
         firmware: PathBuf,
     },
-    Measure(measure::arguments::Arguments),
-    Profile(profile::arguments::Arguments),
-    Scale(scale::arguments::Arguments),
+    Measure(measure::Arguments),
+    Profile(profile::Arguments),
+    Scale(scale::Arguments),
     Size(size::Arguments),
     Fuzz(fuzz::Arguments),
     /// Prints a scene file as the Rust source of a constant scene.
@@ -69,24 +69,22 @@ fn read() -> Result<Chore> {
 }
 
 fn run(chore: &Chore) -> Result<()> {
-    // These read or write a file by the name it has where the command is given.
-    match chore {
-        Chore::Board(arguments) => return board::run(arguments),
-        Chore::Pico(arguments) => return pico::run(arguments),
-        Chore::Show { firmware } => return board::show(firmware),
-        Chore::Measure(arguments) => return measure::run(arguments),
-        Chore::Profile(arguments) => return profile::run(arguments),
-        Chore::Scale(arguments) => return scale::run(arguments),
-        Chore::Size(arguments) => return size::run(arguments),
-        Chore::Scene { file, name } => return scene_source::run(file, name.as_deref()),
-        _ => {}
+    // The others read or write a file by the name it has where the command is given.
+    if let Chore::Setup | Chore::Accuracy | Chore::Fuzz(_) | Chore::Test(_) = chore {
+        enter_root()?;
     }
-    enter_root()?;
     match chore {
+        Chore::Board(arguments) => board::run(arguments),
+        Chore::Pico(arguments) => pico::run(arguments),
+        Chore::Show { firmware } => board::show(firmware),
+        Chore::Measure(arguments) => measure::run(arguments),
+        Chore::Profile(arguments) => profile::run(arguments),
+        Chore::Scale(arguments) => scale::run(arguments),
+        Chore::Size(arguments) => size::run(arguments),
+        Chore::Scene { file, name } => scene_source::run(file, name.as_deref()),
         Chore::Setup => setup::run(),
         Chore::Accuracy => accuracy::run(),
         Chore::Fuzz(arguments) => fuzz::run(arguments),
         Chore::Test(arguments) => setup::run().and_then(|()| gate::run(*arguments)),
-        _ => Ok(()),
     }
 }

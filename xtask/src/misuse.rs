@@ -10,12 +10,10 @@ use command_line::{in_one_line, one_line};
 pub struct Misuse(String);
 
 impl Misuse {
-    /// A mistake, in words.
     pub fn new(words: impl Display) -> Self {
         Self(words.to_string())
     }
 
-    /// What the command line's parser says.
     pub fn from_clap(error: &clap::Error) -> Self {
         Self(in_one_line(error))
     }

@@ -7,17 +7,12 @@ use anyhow::{Context, Result};
 use image::{Rgb, RgbImage};
 use reflet::scenes::NAMES;
 
-use crate::{
-    emulator::rp2040::{Key, Picture, Rp2040, SIDE},
-    enter_root,
-    screenshot::{self, Arguments},
-    toolchain,
-};
+use crate::emulator::rp2040::{Key, Picture, Rp2040, SIDE};
+use crate::screenshot::Arguments;
+use crate::{enter_root, screenshot, toolchain};
 
-/// What rustc calls the board's cores.
 const TARGET: &str = "thumbv6m-none-eabi";
 
-/// `cargo xtask pico`.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let path = arguments.path("pico")?;
     println!("pico: building");
@@ -28,18 +23,14 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let run = Rp2040::default().picture(&presses).run(&firmware)?;
     run.said.iter().for_each(|line| println!("{line}"));
     let picture = run.pictures.first().context("one was waited for")?;
-    screenshot::save(&as_seen(picture), &path)?;
-    println!("written to {}", path.display());
-    Ok(())
+    screenshot::save(&as_seen(picture), &path)
 }
 
-/// Builds the firmware and returns where it is.
 pub fn build() -> Result<PathBuf> {
     enter_root()?;
     toolchain::build(TARGET, &["--manifest-path", "examples/pico/Cargo.toml"])
 }
 
-/// A picture in the colours of a screen.
 fn as_seen(picture: &Picture) -> RgbImage {
     let scaled = |value: u16, most: u16| ((value * 255 + most / 2) / most) as u8;
     RgbImage::from_fn(SIDE, SIDE, |x, y| {

@@ -1,11 +1,8 @@
 //! Where the picture of a board's display goes: a file that is not written over.
 
-use std::{
-    env,
-    fs::File,
-    io,
-    path::{Path, PathBuf, absolute},
-};
+use std::fs::File;
+use std::path::{Path, PathBuf, absolute};
+use std::{env, io};
 
 use anyhow::{Context, Result};
 use clap::{Args, builder::PossibleValuesParser};
@@ -58,7 +55,9 @@ pub fn save(picture: &RgbImage, path: &Path) -> Result<()> {
         let mut file = io::BufWriter::new(File::create_new(path)?);
         Ok(picture.write_to(&mut file, ImageFormat::Png)?)
     };
-    written().with_context(|| format!("{} cannot be written", path.display()))
+    written().with_context(|| format!("{} cannot be written", path.display()))?;
+    println!("written to {}", path.display());
+    Ok(())
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 
 use std::time::Instant;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail, ensure};
 
 use crate::{apt, command::Program, emulator::rp2040, fuzz, toolchain};
 
@@ -22,18 +22,14 @@ struct Need {
 const NEEDS: &[Need] = &[
     Need {
         name: "rustfmt",
-        is_there: || Program::new("cargo").args(["fmt", "--version"]).succeeds(),
+        is_there: || are_there(&["cargo fmt"]),
         get: || toolchain::add_component("rustfmt"),
         by_hand: "rustup component add rustfmt",
         without: None,
     },
     Need {
         name: "clippy",
-        is_there: || {
-            Program::new("cargo")
-                .args(["clippy", "--version"])
-                .succeeds()
-        },
+        is_there: || are_there(&["cargo clippy"]),
         get: || toolchain::add_component("clippy"),
         by_hand: "rustup component add clippy",
         without: None,
@@ -54,22 +50,14 @@ const NEEDS: &[Need] = &[
     },
     Need {
         name: "QEMU",
-        is_there: || {
-            let has_version = |name| Program::new(name).args(["--version"]).succeeds();
-            ["qemu-system-arm", "qemu-system-riscv32"]
-                .into_iter()
-                .all(has_version)
-        },
+        is_there: || are_there(&["qemu-system-arm", "qemu-system-riscv32"]),
         get: || apt::install(&["qemu-system-arm", "qemu-system-misc"]),
         by_hand: "as root: apt-get install --no-install-recommends qemu-system-arm qemu-system-misc",
         without: None,
     },
     Need {
         name: "node and npm",
-        is_there: || {
-            let has_version = |name| Program::new(name).args(["--version"]).succeeds();
-            ["node", "npm"].into_iter().all(has_version)
-        },
+        is_there: || are_there(&["node", "npm"]),
         get: || apt::install(&["nodejs", "npm"]),
         by_hand: "as root: apt-get install --no-install-recommends nodejs npm",
         without: None,
@@ -90,7 +78,15 @@ const NEEDS: &[Need] = &[
     },
 ];
 
-/// Gets what this machine lacks.
+/// Whether each of these tells its version.
+fn are_there(commands: &[&str]) -> bool {
+    commands.iter().all(|command| {
+        let mut words = command.split(' ').chain(["--version"]);
+        let program = words.next().unwrap_or_default();
+        Program::new(program).args(words).succeeds()
+    })
+}
+
 pub fn run() -> Result<()> {
     meet_all(NEEDS)
 }
@@ -125,14 +121,12 @@ fn meet(need: &Need) -> Result<()> {
     println!("setup: {}: not there, getting", need.name);
     let start = Instant::now();
     (need.get)()?;
-    (need.is_there)()
-        .then_some(())
-        .context("it was installed and still does not work")?;
-    println!(
-        "setup: {}: got in {:.0} s",
-        need.name,
-        start.elapsed().as_secs_f64()
+    ensure!(
+        (need.is_there)(),
+        "it was installed and still does not work"
     );
+    let seconds = start.elapsed().as_secs_f64();
+    println!("setup: {}: got in {seconds:.0} s", need.name);
     Ok(())
 }
 

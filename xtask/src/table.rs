@@ -1,5 +1,14 @@
 //! Tables for the pages that the chores write.
 
+/// A page's template with `{{name}}` replaced by the value of that name, and no space after it.
+pub fn filled(template: &str, values: &[(&str, String)]) -> String {
+    values
+        .iter()
+        .fold(template.to_owned(), |text, (name, value)| {
+            text.replace(&["{{", name, "}}"].concat(), value.trim_end())
+        })
+}
+
 /// A Markdown table: so many columns of text, and then numbers, which stand to the right.
 pub fn markdown(texts: usize, head: &[String], rows: &[Vec<String>]) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));

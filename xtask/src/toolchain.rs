@@ -4,17 +4,15 @@
 //! packages a compiler together with the source of the core library, and cargo builds that on
 //! the way.
 
-use std::{
-    env,
-    ffi::OsString,
-    path::{Path, PathBuf},
-    time::Duration,
-};
+use std::env;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use anyhow::{Context, Result};
 use serde_json::Value;
 
-use crate::{apt, command::Program, root};
+use crate::{apt, command::Program, enter_root, root};
 
 /// The cores reflet is built for: Cortex-M0, M3, M4F and M7, M33, and RV32IMAC.
 pub const TARGETS: [&str; 5] = [
@@ -39,10 +37,8 @@ const RUSTUP_LIMIT: Duration = Duration::from_secs(5 * 60);
 /// A first build compiles dozens of crates; later ones take seconds.
 const BUILD_LIMIT: Duration = Duration::from_secs(10 * 60);
 
-/// The compiler of Debian's package `rustc-web`.
 const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
 
-/// Adds a component to the toolchain in use.
 pub fn add_component(name: &str) -> Result<()> {
     rustup(&["component", "add", name])
 }
@@ -56,12 +52,10 @@ pub fn get_bare_metal() -> Result<()> {
     apt::install(&["rustc-web", "rust-web-src"]).context(refusal)
 }
 
-/// Gets the oldest supported toolchain.
 pub fn get_oldest_rust() -> Result<()> {
     rustup(&["toolchain", "install", OLDEST_RUST, "--profile", "minimal"])
 }
 
-/// Whether the oldest supported toolchain is there.
 pub fn has_oldest_rust() -> bool {
     let toolchain = format!("+{OLDEST_RUST}");
     Program::new("cargo")
@@ -132,6 +126,15 @@ pub fn build(target: &str, arguments: &[&str]) -> Result<PathBuf> {
     build_in("release", target, arguments)
 }
 
+/// Builds one program of a package in the folder `xtask`; `place` is its folder in cargo's.
+pub fn build_alone(target: &str, package: &str, place: &str, more: &[&str]) -> Result<PathBuf> {
+    enter_root()?;
+    let manifest = format!("xtask/{package}/Cargo.toml");
+    let place = target_directory().join(place).display().to_string();
+    let package = ["--manifest-path", &manifest, "--target-dir", &place];
+    build(target, &[&package, more].concat())
+}
+
 /// Builds one program in a profile and returns where it is. `arguments` is what `cargo build` needs
 /// to find it. Run in the folder whose configuration is meant.
 pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathBuf> {
@@ -139,12 +142,8 @@ pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathB
         .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
     let messages = bare_metal
         .cargo("build", &[target])
-        .args([
-            "--profile",
-            profile,
-            "--locked",
-            "--message-format=json-render-diagnostics",
-        ])
+        .args(["--profile", profile, "--locked"])
+        .args(["--message-format=json-render-diagnostics"])
         .args(arguments)
         .limit(BUILD_LIMIT)
         .read()?;
@@ -172,7 +171,6 @@ fn find_linker(library: &Path) -> Option<PathBuf> {
         .find(|linker| linker.is_file())
 }
 
-/// Where cargo puts what it builds.
 pub fn target_directory() -> PathBuf {
     root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }

@@ -6,15 +6,11 @@ use std::{fs, path::PathBuf, time::Duration};
 use embedded_graphics::{geometry::Size, pixelcolor::Gray4};
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
 use image::RgbImage;
-use reflet::{
-    Camera, Report, StaticFrame,
-    scenes::{BuiltIn, Castle, Columns, Mirror1, ShadingLights},
-};
-use xtask::{
-    board::{self, Board},
-    emulator::qemu::{Failure, Key, Qemu},
-    enter_root, root, toolchain,
-};
+use reflet::scenes::{BuiltIn, Castle, Columns, Mirror1, ShadingLights};
+use reflet::{Camera, Report, StaticFrame};
+use xtask::board::Board;
+use xtask::emulator::qemu::{Failure, Key, Qemu};
+use xtask::{board, root, toolchain};
 
 mod common;
 
@@ -113,20 +109,8 @@ fn command_saves_what_the_display_shows_and_replaces_nothing() {
     assert_eq!((second.code, second.err), (2, refusal));
 }
 
-/// A firmware of xtask/faulty.
 fn faulty(name: &str) -> PathBuf {
-    let manifest = root().join("xtask/faulty/Cargo.toml");
-    let target = toolchain::target_directory().join("faulty");
-    let arguments = [
-        "--manifest-path",
-        manifest.to_str().unwrap(),
-        "--target-dir",
-        target.to_str().unwrap(),
-        "--bin",
-        name,
-    ];
-    enter_root().unwrap();
-    toolchain::build("thumbv7m-none-eabi", &arguments).unwrap()
+    toolchain::build_alone("thumbv7m-none-eabi", "faulty", "faulty", &["--bin", name]).unwrap()
 }
 
 fn machine() -> Qemu {

@@ -3,17 +3,13 @@
 
 use std::collections::BTreeMap;
 
-use embedded_graphics::{
-    geometry::{OriginDimensions, Size},
-    pixelcolor::Rgb888,
-};
+use embedded_graphics::geometry::{OriginDimensions, Size};
+use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::SimulatorDisplay;
 use frame_hash::FrameHash;
-use reflet::{
-    Enlarged, Fine, FrontPoint, StaticFrame,
-    scenes::{BuiltIn, Castle},
-};
-use xtask::{enter_root, measure::cores::Core, toolchain};
+use reflet::scenes::{BuiltIn, Castle};
+use reflet::{Enlarged, Fine, FrontPoint, StaticFrame};
+use xtask::{measure::Core, toolchain};
 
 /// What was measured, and the size it was measured at.
 mod measured {
@@ -32,25 +28,11 @@ const SIZE: Size = Size::new(64, 48);
 
 /// The numbers of each line that the firmware says.
 fn said() -> Vec<BTreeMap<String, u64>> {
-    enter_root().unwrap();
-    let core = Core::find("m3").unwrap();
+    let core = Core::M3;
     // Where the other programs of this package are built, too.
-    let place = toolchain::target_directory()
-        .join("firmware")
-        .join(core.target);
-    let program = toolchain::build(
-        core.target,
-        &[
-            "--manifest-path",
-            "xtask/firmware/Cargo.toml",
-            "--target-dir",
-            &place.to_string_lossy(),
-            "--bin",
-            "budget",
-            "--features",
-            "budget",
-        ],
-    );
+    let place = format!("firmware/{}", core.target);
+    let chosen = ["--bin", "budget", "--features", "budget"];
+    let program = toolchain::build_alone(core.target, "firmware", &place, &chosen);
     let said = core.counting_emulator().run(&program.unwrap()).unwrap();
     let lines = said.lines().filter_map(|line| line.strip_prefix("drawn "));
     let number = |word: &str| {

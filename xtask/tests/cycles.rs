@@ -1,17 +1,8 @@
 //! The estimate of cycles against another's count.
 
-use xtask::{
-    emulator::rp2040::Rp2040,
-    measure::{
-        cores::Core,
-        estimate,
-        scene::Scene,
-        task::{Quality, Size, Task},
-        with_program,
-    },
-};
+use xtask::emulator::rp2040::Rp2040;
+use xtask::measure::{Core, Quality, Scene, Size, Task, estimate, with_program};
 
-/// A number that the measurement firmware reports.
 fn reported(said: &[String], name: &str) -> f64 {
     let report = said.iter().find_map(|line| line.strip_prefix("measured "));
     let mut words = report.unwrap().split(' ');

@@ -2,11 +2,10 @@
 //! right.
 
 use float_picture::{Shading, render, single};
-use reflet::{
-    host::{compare::compare, reference},
-    scenes,
-};
-use xtask::measure::scene::Scene as Source;
+use reflet::host::compare::compare;
+use reflet::host::reference;
+use reflet::scenes;
+use xtask::measure::Scene as Source;
 
 #[test]
 fn single_precision_agrees_with_double_precision() {

@@ -1,15 +1,13 @@
 //! What reflet does on a board cannot panic and needs no soft float: xtask/no_panic draws in every
 //! way, and links only if no panic is left.
 
-use std::{
-    fs,
-    path::Path,
-    sync::{Mutex, PoisonError},
-};
+use std::fs;
+use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
 use anyhow::Result;
 use object::{Object, ObjectSymbol};
-use xtask::{board, enter_root, profile::names::Names, toolchain};
+use xtask::{board, profile::names::Names, toolchain};
 
 const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7m-none-eabi"];
 
@@ -18,12 +16,8 @@ fn build(target: &str, features: &str) -> Result<Vec<String>> {
     // All are built in the same place, where the next would replace it.
     static PLACE: Mutex<()> = Mutex::new(());
     let _one_at_a_time = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
-    let place = toolchain::target_directory().join("no_panic");
-    let place = place.to_string_lossy();
-    enter_root()?;
-    let manifest = ["--manifest-path", "xtask/no_panic/Cargo.toml"];
-    let arguments = ["--target-dir", &*place, "--features", features];
-    let program = toolchain::build(target, &[&manifest[..], &arguments[..]].concat())?;
+    let chosen = ["--features", features];
+    let program = toolchain::build_alone(target, "no_panic", "no_panic", &chosen)?;
     if features.is_empty() {
         let names = Names::read(&program)?.all()?;
         let is_there = names.iter().any(|name| name.contains("render::dither::"));

@@ -4,21 +4,13 @@ use std::thread;
 
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
-use reflet::{
-    Exact, Fast, Fine, Quality as Exactness, Small,
-    host::painted,
-    scenes::{self, BuiltIn, Visitor},
-};
-use xtask::measure::{
-    cores::{CORES, Core},
-    count,
-    scene::Scene,
-    task::{Quality, Size as Pixels, Task},
-};
+use reflet::host::painted;
+use reflet::scenes::{BuiltIn, Visitor};
+use reflet::{Exact, Fast, Fine, Quality as Exactness, Small, scenes};
+use xtask::measure::{CORES, Core, Quality, Scene, Size as Pixels, Task, count};
 
 const SIDE: u32 = 64;
 
-/// The hash of a scene's frame, drawn here.
 struct Hash(Quality);
 
 impl Visitor for Hash {

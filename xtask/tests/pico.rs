@@ -4,21 +4,16 @@ use std::{fs, path::PathBuf, sync::OnceLock};
 
 use embedded_graphics::{geometry::Size, pixelcolor::Rgb565};
 use embedded_graphics_simulator::SimulatorDisplay;
-use reflet::{
-    Camera,
-    scenes::{BuiltIn, Castle, ShadingLights},
-};
-use xtask::{
-    emulator::rp2040::{Display, Key, Rp2040, SIDE},
-    pico,
-};
+use reflet::Camera;
+use reflet::scenes::{BuiltIn, Castle, ShadingLights};
+use xtask::emulator::rp2040::{Display, Key, Rp2040, SIDE};
+use xtask::pico;
 
 fn firmware() -> &'static PathBuf {
     static FIRMWARE: OnceLock<PathBuf> = OnceLock::new();
     FIRMWARE.get_or_init(|| pico::build().unwrap())
 }
 
-/// What the simulator shows, as RGB565.
 fn simulated<S: BuiltIn>(camera: &Camera) -> Vec<u16> {
     let mut display = SimulatorDisplay::<Rgb565>::new(Size::new(SIDE, SIDE));
     S::frame(camera).draw(&mut display).unwrap();
@@ -112,7 +107,6 @@ fn program(instructions: &[u16]) -> Vec<u8> {
     words.flat_map(u32::to_le_bytes).chain(image).collect()
 }
 
-/// How a program fails.
 fn failure(instructions: &[u16]) -> String {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("program");

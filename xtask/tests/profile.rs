@@ -3,16 +3,9 @@
 use std::collections::HashMap;
 
 use serde_json::Value;
-use xtask::{
-    measure::{
-        cores::Core,
-        outcome,
-        scene::Scene,
-        task::{Quality, Size, Task},
-    },
-    profile::{STAGES, Stage, profile},
-    root,
-};
+use xtask::measure::{Core, Quality, Scene, Size, Task, outcome};
+use xtask::profile::{STAGES, Stage, profile};
+use xtask::root;
 
 mod common;
 
@@ -24,7 +17,6 @@ fn stage_names() -> impl Iterator<Item = &'static str> {
     STAGE_NAMES.split(' ')
 }
 
-/// What the command prints as JSON.
 fn lines(arguments: &str) -> Vec<Value> {
     let Done { code, out, err } = xtask(&root(), &format!("profile --json {arguments}"));
     assert_eq!((code, err.as_str()), (0, ""));
@@ -32,7 +24,6 @@ fn lines(arguments: &str) -> Vec<Value> {
     out.lines().map(line).collect()
 }
 
-/// Instructions by stage, and of the `total`.
 fn stages(lines: &[Value]) -> HashMap<&str, u64> {
     let figures = lines.iter().filter(|line| line["table"].is_null());
     let figure = |line| (text(line, "stage"), count(line));
@@ -50,7 +41,7 @@ fn count(line: &Value) -> u64 {
 #[test]
 fn total_is_what_measure_counts_but_for_the_calls() {
     const ROWS: u64 = 16;
-    let (core, scene) = (Core::find("m3").unwrap(), Scene::BuiltIn("primitives"));
+    let (core, scene) = (Core::M3, Scene::BuiltIn("primitives"));
     let task = Task::new(core, scene, Size::new(16, ROWS as u32), Quality::FAST);
     let (sums, counted) = (profile(&task).unwrap(), outcome(&task).unwrap());
     // Arguments are loaded and the call itself is made between two looks at the clock.

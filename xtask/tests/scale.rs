@@ -2,17 +2,14 @@
 //! counted, not timed, so the same code always comes to the same figures.
 
 use benchmark::Order;
-use xtask::{
-    measure::{cores::Core, figures::Figures},
-    root,
-    scale::{BAR, FEW, MANY, SIZE, count},
-};
+use xtask::measure::{Core, Figures};
+use xtask::root;
+use xtask::scale::{BAR, FEW, MANY, SIZE, count};
 
 mod common;
 
 fn measured(spheres: usize, order: Order) -> Figures {
-    let core = Core::find("m3").unwrap();
-    count(core, SIZE, spheres, order).unwrap_or_else(|error| panic!("{error:#}"))
+    count(Core::M3, SIZE, spheres, order).unwrap_or_else(|error| panic!("{error:#}"))
 }
 
 #[test]

@@ -4,18 +4,11 @@ use std::{collections::BTreeSet, thread};
 
 use reflet::scenes;
 use serde_json::{Value, json};
-use xtask::{
-    board,
-    measure::{
-        cores::Core,
-        count,
-        scene::Scene,
-        task::{Quality, Shading, Size, Task},
-        weigh, weight, with_program,
-    },
-    profile::names::Names,
-    root, size,
+use xtask::measure::{
+    Core, Quality, Scene, Shading, Size, Task, count, weigh, weight, with_program,
 };
+use xtask::profile::names::Names;
+use xtask::{board, root, size};
 
 mod common;
 
@@ -55,9 +48,8 @@ fn without(mut scene: Value, list: &str) -> Value {
 }
 
 fn task(scene: Scene, quality: Quality, shading: Shading) -> Task {
-    let core = Core::find("m3").unwrap();
     // As the kept figures are measured, so that images serve both.
-    let mut task = Task::new(core, scene, Size::new(64, 64), quality);
+    let mut task = Task::new(Core::M3, scene, Size::new(64, 64), quality);
     task.settings.shading = shading;
     task
 }

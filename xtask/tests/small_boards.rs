@@ -5,11 +5,9 @@ use std::{path::PathBuf, time::Duration};
 
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
-use reflet::{
-    StaticFrame,
-    host::painted,
-    scenes::{BuiltIn, Castle},
-};
+use reflet::StaticFrame;
+use reflet::host::painted;
+use reflet::scenes::{BuiltIn, Castle};
 use xtask::{emulator::qemu::Qemu, measure::weigh, root, toolchain};
 
 const SIDE: u32 = 240;

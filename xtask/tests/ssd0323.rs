@@ -6,18 +6,14 @@ mod ssd0323;
 
 use std::{cell::RefCell, rc::Rc};
 
-use embedded_graphics::{
-    Pixel,
-    draw_target::DrawTarget,
-    geometry::{Point, Size},
-    pixelcolor::Gray4,
-    primitives::Rectangle,
-};
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::Gray4;
+use embedded_graphics::primitives::Rectangle;
 use embedded_hal::{digital, spi};
-use reflet::{
-    StaticFrame,
-    scenes::{BuiltIn, Castle},
-};
+use reflet::StaticFrame;
+use reflet::scenes::{BuiltIn, Castle};
 use ssd0323::{Error, Ssd0323};
 
 /// What was sent, a letter for the level of the data/command pin before every byte; and how many

@@ -7,27 +7,21 @@
 //!
 //! `cargo bench --package benchmark` prints what a frame takes and, at the end, a table of the quotients.
 
-use std::{
-    cell::RefCell,
-    error::Error,
-    hint::black_box,
-    time::{Duration, Instant},
-};
+use std::cell::RefCell;
+use std::error::Error;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
 
 use benchmark::Order;
 use criterion::Criterion;
 use embedded_graphics::prelude::Size;
 use rayon::ThreadPoolBuilder;
-use reflet::{
-    Exact, Frame, StaticFrame, World,
-    host::{
-        compare::compare,
-        file::SceneFile,
-        painted,
-        reference::{self, Picture, Shading},
-    },
-    scenes::{BuiltIn, Castle},
-};
+use reflet::host::compare::compare;
+use reflet::host::file::SceneFile;
+use reflet::host::reference::{Picture, Shading};
+use reflet::host::{painted, reference};
+use reflet::scenes::{BuiltIn, Castle};
+use reflet::{Exact, Frame, StaticFrame, World};
 
 const SIDE: u32 = 128;
 const REFLECTIONS: u8 = 4;
@@ -98,10 +92,8 @@ fn by_reference(scene: &reference::Scene, camera: &reference::Camera) -> Picture
     reference::render(scene, camera, SIDE, SIDE, reflections, shading)
 }
 
-/// Draws a picture.
 type Draw = Box<dyn Fn() -> Picture>;
 
-/// One scene, drawn by both.
 struct Pair {
     name: String,
     library: Draw,

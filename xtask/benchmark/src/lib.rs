@@ -155,10 +155,8 @@ fn shuffle<T>(items: &mut [T]) {
 
 #[cfg(test)]
 mod tests {
-    use reflet::host::{
-        file::SceneFile,
-        reference::{Camera, Scene, Sphere, Vector},
-    };
+    use reflet::host::file::SceneFile;
+    use reflet::host::reference::{Camera, Scene, Sphere, Vector};
 
     use super::*;
 

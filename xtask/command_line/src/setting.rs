@@ -42,12 +42,8 @@ impl Shading {
     }
 
     /// The name of the type in the library, and of the variant elsewhere.
-    pub fn type_name(self) -> &'static str {
-        match self {
-            Self::BlinnPhong => "BlinnPhong",
-            Self::Phong => "Phong",
-            Self::Normals => "Normals",
-        }
+    pub fn type_name(self) -> String {
+        format!("{self:?}")
     }
 }
 
@@ -82,12 +78,7 @@ impl Quality {
     }
 
     /// The name of the type in the library.
-    pub fn type_name(self) -> &'static str {
-        match self {
-            Self::Fast => "Fast",
-            Self::Fine => "Fine",
-            Self::Small => "Small",
-            Self::Exact => "Exact",
-        }
+    pub fn type_name(self) -> String {
+        format!("{self:?}")
     }
 }

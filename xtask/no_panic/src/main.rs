@@ -6,13 +6,11 @@
 use core::{convert::Infallible, hint::black_box, panic::PanicInfo};
 
 use cortex_m_rt::entry;
-use embedded_graphics::{
-    Pixel,
-    draw_target::DrawTarget,
-    geometry::{OriginDimensions, Point, Size},
-    pixelcolor::{Gray4, Rgb565},
-    primitives::Rectangle,
-};
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Point, Size};
+use embedded_graphics::pixelcolor::{Gray4, Rgb565};
+use embedded_graphics::primitives::Rectangle;
 use reflet::{
     BlinnPhong, Bound, Camera, Dithered, Enlarged, Fast, Fine, Frame, Front, FrontPoint, Grade,
     Material, Needs, Normals, Number, Phong, Quality, Report, RuntimeScene, Scene, Shading, Small,

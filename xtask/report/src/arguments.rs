@@ -8,6 +8,7 @@ use command_line::{in_one_line, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
 use xtask::measure::cores;
+use xtask::table::filled;
 
 /// Measures what scenes cost and lose under many settings, and writes a report of it.
 #[derive(Parser)]
@@ -38,26 +39,18 @@ pub struct Arguments {
     pub size: Size,
 
     /// Try no more reflections than this, from 0 to 255
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 255,
-        allow_negative_numbers = true
-    )]
-    #[arg(value_parser = value_parser!(u8))]
+    #[arg(long, value_name = "N", default_value_t = 255, value_parser = value_parser!(u8))]
+    #[arg(allow_negative_numbers = true)]
     pub reflections: u8,
 }
 
-/// Where it runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Core {
-    /// On this machine.
     Host,
     Emulated(&'static cores::Core),
 }
 
 impl Core {
-    /// A core by its word on the command line.
     pub fn parse(word: &str) -> Result<Self, String> {
         let names = || cores::CORES.map(|core| core.name).join(", ");
         match (word, cores::Core::find(word)) {
@@ -149,25 +142,6 @@ fn small_size(text: &str) -> Result<Size, &'static str> {
 }
 
 fn after_help() -> String {
-    format!(
-        "\
-Built-in scenes: {}.
-
-A name with a dot or a slash in it is a file: JSON, one scene or an array of scenes.
-
-The error is that of the 8-bit picture against double precision that follows every reflection. The
-run time is counted: executed instructions of the whole frame on an emulated core, over its pixels.
-On `host` it is measured on one thread, all settings in turn, as a share of the time of the
-double-precision reference, with its quartiles.
-
-The counts are kept in the folder --counts, in a file for each scene, core and size. It is written
-after every setting, so an interrupted run goes on where it was. A later report counts a scene again
-only if its program has changed.
-
-Written are index.md, the plots and pictures of each scene, points.csv with all settings, and front.rs
-with the best settings as Rust source.
-
-The exit code is 0, or 2 after an error, which is one line.",
-        scenes::NAMES.join(", ")
-    )
+    let scenes = [("scenes", scenes::NAMES.join(", "))];
+    filled(include_str!("help.txt").trim_end(), &scenes)
 }

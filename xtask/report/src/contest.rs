@@ -53,7 +53,6 @@ pub fn verdict(contests: &[Contest], core: Core) -> String {
 }
 
 impl<'a> Contest<'a> {
-    /// Compares a scene's front.
     pub fn new(scene: &'a Measured, core: Core) -> Self {
         let is_meant = |point: &&Point| {
             point.is_on_front && (core == Core::Host || RANGE.contains(&point.cost.middle))
@@ -83,12 +82,10 @@ impl<'a> Contest<'a> {
         contest
     }
 
-    /// At how many points fixed point has less error.
     fn less(&self) -> usize {
         self.compared - self.same - self.alone - self.lost.len()
     }
 
-    /// In words.
     pub fn words(&self) -> String {
         let (name, compared, less) = (self.name, self.compared, self.less());
         if compared == 0 {
@@ -112,7 +109,6 @@ impl<'a> Contest<'a> {
     }
 }
 
-/// Where float has less error, and why.
 fn why(point: &Point, float: &Point) -> String {
     let beyond = |point: &Point| ((1.0 - point.errors.within1) * point.pixels as f64).round();
     let show = |point: &Point| format!("{}, {} dB", point.setting.words(), decibels(point.psnr()));

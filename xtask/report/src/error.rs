@@ -24,7 +24,6 @@ pub struct Truth {
     paths: Paths,
 }
 
-/// How far a picture is from the truth.
 #[derive(Clone, Debug)]
 pub struct Errors {
     /// Of all pixels, in decibels; infinite where nothing differs.
@@ -61,12 +60,9 @@ pub struct Promised {
     pub rounding: f64,
 }
 
-/// Where an error comes from.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Parts {
-    /// From reflections that are left out.
     pub truncation: f64,
-    /// From weights that are not followed.
     pub cut_off: f64,
     /// From pixels that are taken from those beside them.
     pub between: f64,
@@ -79,7 +75,6 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// The part that is due the most, in words.
     pub fn largest(&self) -> &'static str {
         let parts = [
             (self.truncation, "reflections left out"),
@@ -106,7 +101,6 @@ impl Truth {
         }
     }
 
-    /// What is wrong with a picture.
     pub fn errors(
         &self,
         painter: &Painter,
@@ -217,7 +211,6 @@ fn decibels(mean_square: f64) -> f64 {
     10.0 * (255.0_f64.powi(2) / mean_square).log10()
 }
 
-/// The largest difference of a channel of a pixel.
 fn difference(a: &Picture, b: &Picture, pixel: usize) -> u8 {
     let pairs = a.pixels[pixel].into_iter().zip(b.pixels[pixel]);
     pairs.map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)

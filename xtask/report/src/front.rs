@@ -5,7 +5,6 @@ use xtask::sweep::{Contestant, Level};
 use crate::point::{GAIN, Point};
 use crate::scene::Measured;
 
-/// The constants of all scenes.
 pub fn source(command: &str, scenes: &[Measured]) -> String {
     let mut source = format!(
         "// Written by `{command}`:\n// what is best for a frame of so many instructions. Include it \
@@ -18,13 +17,9 @@ pub fn source(command: &str, scenes: &[Measured]) -> String {
         }
         let name: String = scene.painter.name.chars().map(constant).collect();
         let is_digit = name.starts_with(|first: char| first.is_ascii_digit());
-        let name = if is_digit {
-            "SCENE_".to_owned()
-        } else {
-            String::new()
-        } + &name;
+        let prefix = if is_digit { "SCENE_" } else { "" };
         let words = scene.painter.name.replace(char::is_control, " ");
-        source += &format!("/// {words}\npub const {name}: Front = Front::new(&[\n");
+        source += &format!("/// {words}\npub const {prefix}{name}: Front = Front::new(&[\n");
         source.extend(points.iter().map(|point| line(point)));
         source += "]);\n";
     }
@@ -66,12 +61,10 @@ fn rounded(point: &Point) -> u32 {
     drawing.div_ceil(point.pixels) as u32
 }
 
-/// Instructions of the preparation.
 fn prepare(point: &Point) -> u32 {
     point.cost.prepare.unwrap_or_default() as u32
 }
 
-/// Hundredths of a decibel, rounded down.
 fn hundredths(point: &Point) -> u16 {
     match point.psnr().is_finite() {
         true => (100.0 * point.psnr()).floor().clamp(0.0, 65_534.0) as u16,

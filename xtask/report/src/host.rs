@@ -12,7 +12,6 @@ use xtask::sweep::Setting;
 use crate::paint::{Painter, hash};
 use crate::point::Cost;
 
-/// How often each setting is measured.
 pub const ROUNDS: usize = 9;
 
 /// What each setting takes, in percents of the time that the reference takes with as many

@@ -12,7 +12,6 @@ use tempfile::NamedTempFile;
 use xtask::measure;
 use xtask::sweep::{Count, Sweep};
 
-/// The file.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 struct Kept {
     /// Hashes of the settings and of all sources of the firmware.
@@ -60,15 +59,13 @@ impl Kept {
             Some(kept) if kept.sources == sources => (kept, None),
             old => {
                 let (program, counts) = (None, Vec::new());
-                (
-                    Self {
-                        settings,
-                        sources,
-                        program,
-                        counts,
-                    },
-                    old,
-                )
+                let kept = Self {
+                    settings,
+                    sources,
+                    program,
+                    counts,
+                };
+                (kept, old)
             }
         }
     }

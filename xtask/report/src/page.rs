@@ -1,5 +1,7 @@
 //! The page of the report, index.md: pictures and the verdict first, then each scene, then the method.
 
+use xtask::table::filled;
+
 use crate::arguments::{Arguments, Core};
 use crate::contest::{self, Contest};
 use crate::error::Promised;
@@ -7,7 +9,6 @@ use crate::point::{GAIN, Point, front};
 use crate::scene::Measured;
 use crate::write::DIFFERENCE_GAIN;
 
-/// All of a report.
 pub struct Page<'a> {
     pub arguments: &'a Arguments,
     pub sections: Vec<Section<'a>>,
@@ -15,10 +16,8 @@ pub struct Page<'a> {
     pub furthest: f64,
 }
 
-/// A scene.
 pub struct Section<'a> {
     pub scene: &'a Measured,
-    /// What its files are called.
     pub file: String,
     pub front: Vec<&'a Point>,
     pub samples: Vec<Sample>,
@@ -31,57 +30,43 @@ pub struct Sample {
     pub files: [String; 2],
 }
 
-/// The heads of a scene's table.
-const HEADS: [&str; 14] = [
-    "",
-    "setting",
-    "cost",
-    "PSNR",
-    "largest",
-    "sure %",
-    "sure",
-    "bound",
-    "truncation",
-    "cut-off",
-    "between",
-    "rounding",
-    "decided",
-    "simplified",
-];
+const HEADS: &str = "|  | setting | cost | PSNR | largest | sure % | sure | bound | truncation | \
+                     cut-off | between | rounding | decided | simplified |";
 
 impl Page<'_> {
-    /// The whole page.
     pub fn markdown(&self) -> String {
-        let (command, core) = (self.arguments.command(), self.arguments.core);
+        let core = self.arguments.core;
         let contests = self.sections.iter().map(|it| Contest::new(it.scene, core));
         let contests: Vec<Contest> = contests.collect();
-        let mut text = format!(
-            "<!-- Written by `{command}`. Do not edit. -->\n\n# Error against run time\n\n"
-        );
-        if let Some(first) = self.sections.first() {
-            text += &first.pictures(core, 1);
-        }
-        text += &format!("\n**{}**\n\n", contest::verdict(&contests, core));
-        if let Some(Section { file, .. }) = self.sections.first() {
-            text += &format!("![PSNR against cost]({file}-psnr.svg)\n\n");
-        }
         let links = self.sections.iter().map(|it| &it.scene.painter.name);
         let links: Vec<_> = links.map(|name| format!("[{name}](#{name})")).collect();
-        text += &format!("Scenes: {}\n\n", links.join(", "));
-        text += &folded("How it is measured", &self.method());
-        text += &folded(
-            "Fixed point against float, scene by scene",
-            &list(contests.iter().map(Contest::words)),
-        );
-        text += &folded("Theory beside measurement", &self.theory());
-        text += &folded("What the columns of the tables mean", &self.columns());
-        text.extend(self.sections.iter().map(|section| section.markdown(core)));
-        text.trim_end().to_owned() + "\n"
+        let points = self.sections.iter().flat_map(|it| &it.scene.points);
+        let promises: Vec<_> = points.filter_map(|it| it.errors.promised).collect();
+        let broken: usize = promises.iter().map(|it| it.broken).sum();
+        let first = &self.sections[0];
+        let values = [
+            ("command", self.arguments.command()),
+            ("pictures", first.pictures(core, 1)),
+            ("verdict", contest::verdict(&contests, core)),
+            ("file", first.file.clone()),
+            ("scenes", links.join(", ")),
+            ("cost", self.cost()),
+            ("contests", list(contests.iter().map(Contest::words))),
+            ("promises", promises.len().to_string()),
+            ("broken", broken.to_string()),
+            ("furthest", format!("{:.2}", self.furthest)),
+            ("unit", core.unit().to_owned()),
+            (
+                "sections",
+                self.sections.iter().map(|it| it.markdown(core)).collect(),
+            ),
+        ];
+        filled(include_str!("page.md"), &values)
     }
 
-    fn method(&self) -> String {
+    fn cost(&self) -> String {
         let size = self.arguments.size_words();
-        let cost = match self.arguments.core {
+        match self.arguments.core {
             Core::Host => "The cost is the time on one thread of this machine, in percent of the time of \
                            the double-precision reference with as many reflections. It is the median of \
                            nine rounds, in which all settings take turns. points.csv has the quartiles."
@@ -93,64 +78,7 @@ impl Page<'_> {
                  a cycle.",
                 core.title
             ),
-        };
-        format!(
-            "The settings vary the number of reflections N, the quality, the smallest weight, shadows and \
-             the size of a pixel. The competitor is the same model in f32 without this crate, \
-             xtask/float_port.\n\n\
-             {cost}\n\n\
-             The error compares the 8-bit picture with a double-precision picture that follows every \
-             reflection. PSNR is the peak signal-to-noise ratio over all channels, in decibels. The \
-             largest error is the largest difference of a channel, of 255.\n\n\
-             Fast, fine and exact are qualities of the library. Exact traces every pixel and cuts nothing \
-             off. \"Cut at\" is fast with a larger smallest weight. \"x tolerance\" is fast with a larger \
-             tolerance. \"No shadows\" is the shading Unshadowed. Larger pixels are drawn on an Enlarged \
-             display.\n\n\
-             A setting is on the front if no other setting has less error for the same cost. Plots and \
-             tables give its points the same numbers. They leave out points that gain less than a quarter \
-             of a decibel. points.csv has every setting. front.rs has the best settings as constants of \
-             the library's type Front."
-        )
-    }
-
-    fn theory(&self) -> String {
-        let points = self.sections.iter().flat_map(|it| &it.scene.points);
-        let promises: Vec<_> = points.filter_map(|it| it.errors.promised).collect();
-        let broken: usize = promises.iter().map(|it| it.broken).sum();
-        format!(
-            "Truncation: the reflections after the last one, or after the weight falls below the cut-off, \
-             add at most Π αₖ · max |c|. This is the weight of the path there, times the brightest colour \
-             of a surface.\n\n\
-             Rounding: a running error analysis bounds it along each path. The scene's grid has steps, \
-             directions and weights are Q2.30, roots keep 27 bits, reciprocals 26, colours are Q6.26, a \
-             product of colours keeps 20 bits behind the point, the sum is Q8.24. Pixels between traced \
-             ones may add what the curves of the quality make of exact colours. The documentation of \
-             reflet::host::reference::bound has the derivation.\n\n\
-             Sure pixels: a pixel is not sure if a ray a 32nd of a pixel beside it, or beside a pixel it is \
-             taken from, meets another shape or is lit by another light. Theory promises nothing of it. If \
-             it is further than 1 from what its reflections come to, it counts as decided otherwise. All \
-             other pixels are sure and keep the bound.\n\n\
-             Of the {} pictures with shadows and at full resolution, sure pixels beyond their bound: \
-             {broken}.\n\n\
-             The formula of a room: in a room of six mirrors that glow with c = 1, every path goes on for \
-             ever. After N reflections it shows c (1 − α^(N+1)). For N = 0 to 255, no level is further from \
-             that than {:.2} of 255.\n\n\
-             ![Levels against reflections](room.svg)",
-            promises.len(),
-            self.furthest
-        )
-    }
-
-    fn columns(&self) -> String {
-        format!(
-            "Cost is in {}, PSNR in dB. \"Sure %\" is the percentage of sure pixels. All others are in 255ths. \
-             \"Largest\" is the largest difference of all pixels, \"sure\" that of sure pixels, \"bound\" what \
-             theory allows these. The other columns say where the error comes from. Each is a root of the \
-             mean square of one part alone: reflections left out (truncation), the weight cut-off, pixels \
-             between traced ones, rounding, pixels decided otherwise (with their number), and no shadows or \
-             larger pixels (simplified).",
-            self.arguments.core.unit()
-        )
+        }
     }
 }
 
@@ -225,14 +153,15 @@ impl Section<'_> {
         let fixed = numbered.map(|(number, it)| row(number.to_string(), it));
         let others = float.into_iter().chain(&self.scene.soft);
         let others = others.map(|it| row(String::new(), it));
-        let heads = line(&HEADS.map(str::to_owned));
-        let sides = format!("|--:|---|{}\n", "--:|".repeat(HEADS.len() - 2));
         let rows: String = fixed.chain(others).map(|row| line(&row)).collect();
-        (heads + &sides + &rows).trim_end().to_owned()
+        let sides = "--:|".repeat(12);
+        format!("{HEADS}\n|--:|---|{sides}\n{rows}")
+            .trim_end()
+            .to_owned()
     }
 }
 
-fn row(number: String, point: &Point) -> [String; HEADS.len()] {
+fn row(number: String, point: &Point) -> [String; 14] {
     let (errors, parts) = (&point.errors, &point.errors.parts);
     let is_float = point.setting.is_float();
     let words = match is_float {
@@ -275,7 +204,6 @@ pub fn cost(point: &Point) -> String {
     }
 }
 
-/// In decibels; infinite where nothing differs.
 pub fn decibels(psnr: f64) -> String {
     match psnr.is_finite() {
         true => format!("{psnr:.1}"),
@@ -292,7 +220,6 @@ fn list(lines: impl IntoIterator<Item = String>) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// A row of a table.
 fn line(cells: &[String]) -> String {
     format!("| {} |\n", cells.join(" | "))
 }

@@ -18,7 +18,6 @@ use xtask::sweep::{Contestant, Level, Setting, Visitor};
 /// Constant scenes are filled at run time here, and their pictures are the same to the bit; so one
 /// type stands for all scenes.
 pub struct Painter {
-    /// What the scene is called.
     pub name: String,
     pub world: Box<FileScene>,
     camera: Camera,
@@ -51,7 +50,6 @@ impl Painter {
         !self.world.needs().places
     }
 
-    /// The picture under a setting.
     pub fn paint(&self, setting: &Setting) -> Picture {
         // As a constant scene does; the one here is filled at run time, and would not.
         self.draw(setting, self.is_plain())
@@ -97,7 +95,6 @@ pub fn hash(picture: &Picture) -> u64 {
     hash.value()
 }
 
-/// `Q` with every pixel traced.
 struct Traced<Q>(PhantomData<Q>);
 
 impl<Q: Quality> Quality for Traced<Q> {
@@ -107,7 +104,6 @@ impl<Q: Quality> Quality for Traced<Q> {
     const IS_SMALL: bool = Q::IS_SMALL;
 }
 
-/// A frame that is drawn in a quality.
 struct Draw<'a> {
     frame: Frame<'a, &'a FileScene>,
     size: Size,

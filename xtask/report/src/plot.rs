@@ -8,7 +8,6 @@ use crate::point::{GAIN, Point, front};
 use crate::scene::Measured;
 use crate::svg::{self, Axis, Chart};
 
-/// What stands on the upright axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Upright {
     Psnr,
@@ -16,7 +15,6 @@ pub enum Upright {
 }
 
 impl Upright {
-    /// Where a point stands.
     fn of(self, point: &Point) -> f64 {
         match self {
             Self::Psnr => point.psnr(),
@@ -60,7 +58,6 @@ impl Upright {
     }
 }
 
-/// A plot of a scene.
 pub fn scene(scene: &Measured, core: Core, upright: Upright) -> String {
     let shown = front(&scene.points, GAIN);
     let float_front = front(&scene.float, 0.0);

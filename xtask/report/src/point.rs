@@ -4,11 +4,9 @@ use xtask::sweep::Setting;
 
 use crate::error::Errors;
 
-/// A setting with all that is known of it.
 #[derive(Clone, Debug)]
 pub struct Point {
     pub setting: Setting,
-    /// The core it was measured on.
     pub core: &'static str,
     pub cost: Cost,
     /// Of the picture.
@@ -18,7 +16,6 @@ pub struct Point {
     pub is_on_front: bool,
 }
 
-/// What a picture takes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
     /// Instructions a pixel, or percents of the reference's time: the median.

@@ -58,7 +58,6 @@ pub fn furthest(seen: &[Seen]) -> f64 {
     far.fold(0.0, f64::max)
 }
 
-/// The plot of all rooms.
 pub fn plot(seen: &[Seen]) -> String {
     let x = Axis::logarithmic("N + 1: what is met on a path", 0.9..300.0);
     let y = Axis::linear("level of 255", 0.0..260.0, 50.0);

@@ -8,7 +8,7 @@ use command_line::Source;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
-use xtask::measure::scene::Scene;
+use xtask::measure::Scene;
 use xtask::sweep::{Level, Setting, Sweep};
 use xtask::toolchain;
 

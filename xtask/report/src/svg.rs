@@ -86,17 +86,14 @@ pub const CROSS: Mark = Mark("m-4-4l8 8m0-8l-8 8", 2);
 pub const SQUARE: Mark = Mark("m-4-4h8v8h-8z", 2);
 pub const DIAMOND: Mark = Mark("m0-6l6 6l-6 6l-6-6z", 2);
 
-/// A chart that is being drawn.
 pub struct Chart {
     x: Axis,
     y: Axis,
     svg: String,
-    /// How many lines the legend has.
     legend: i32,
 }
 
 impl Chart {
-    /// An empty chart.
     pub fn new(title: &str, x: Axis, y: Axis) -> Self {
         let width = WIDTH + LIST;
         let mut chart = Self {
@@ -160,7 +157,6 @@ impl Chart {
         self.path(&paths.collect::<String>(), color, mark.1, "");
     }
 
-    /// Draws a line through points.
     pub fn line<P>(&mut self, color: &str, is_dashed: bool, points: P)
     where
         P: IntoIterator<Item = (f64, f64)>,
@@ -183,7 +179,6 @@ impl Chart {
         self.text((x + right, y + down), anchor, words);
     }
 
-    /// The whole file, with a list of lines below the legend.
     pub fn finish(mut self, lines: &[String]) -> String {
         let top = TOP + self.legend * LINE + 24;
         let step = ((HEIGHT - top) / lines.len().max(1) as i32).min(LINE);

@@ -1,14 +1,14 @@
 //! points.csv: a row for every setting.
 
 use anyhow::Result;
-use xtask::sweep::{Contestant, Level};
+use reflet::Unit;
+use xtask::sweep::{Contestant, Level, Numbers};
 
 use crate::arguments::Arguments;
 use crate::error::Promised;
 use crate::point::Point;
 use crate::scene::Measured;
 
-/// All rows.
 pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let size = arguments.size_words();
@@ -24,23 +24,21 @@ pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<Vec<u8>> {
     Ok(writer.into_inner()?)
 }
 
-/// Names and cells of the columns.
 fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {
     let setting = &point.setting;
     let (contestant, level, shadows) = match setting.contestant {
         Contestant::Float => ("float", None, true),
         Contestant::Fixed { level, shadows } => ("fixed", Some(level), shadows),
     };
-    let numbers = level.map(Level::numbers);
     let optional = |value: Option<String>| value.unwrap_or_default();
+    let of_level = |show: fn(Numbers) -> String| optional(level.map(|it| show(it.numbers())));
     let (errors, cost) = (&point.errors, &point.cost);
     let of_promise = |show: fn(&Promised) -> String| optional(errors.promised.as_ref().map(show));
-    let counted = cost.quartiles.is_none().then_some(cost.middle);
+    let counted = cost.quartiles.is_none().then(|| digits(cost.middle, 1));
+    let prepare = cost.prepare.map(|it| it.to_string());
     let timed = |show: fn((f64, f64, f64)) -> f64| {
-        let times = cost
-            .quartiles
-            .map(|(lower, upper)| (lower, cost.middle, upper));
-        optional(times.map(|it| digits(show(it), 3)))
+        let times = |(lower, upper)| show((lower, cost.middle, upper));
+        optional(cost.quartiles.map(|it| digits(times(it), 3)))
     };
     let parts = &errors.parts;
     vec![
@@ -49,26 +47,14 @@ fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {
         ("size", size.to_owned()),
         ("contestant", contestant.to_owned()),
         ("quality", level.map_or("", Level::name).to_owned()),
-        ("stride", optional(numbers.map(|it| it.stride.to_string()))),
-        (
-            "tolerance",
-            optional(numbers.map(|it| it.tolerance.to_num::<f64>().to_string())),
-        ),
-        (
-            "smallest_weight",
-            optional(numbers.map(|it| it.smallest_weight.to_num::<f64>().to_string())),
-        ),
+        ("stride", of_level(|it| it.stride.to_string())),
+        ("tolerance", of_level(|it| text(it.tolerance))),
+        ("smallest_weight", of_level(|it| text(it.smallest_weight))),
         ("shadows", shadows.to_string()),
         ("scale", setting.scale.to_string()),
         ("reflections", setting.reflections.to_string()),
-        (
-            "instructions_per_pixel",
-            optional(counted.map(|it| digits(it, 1))),
-        ),
-        (
-            "prepare_instructions",
-            optional(cost.prepare.map(|it| it.to_string())),
-        ),
+        ("instructions_per_pixel", optional(counted)),
+        ("prepare_instructions", optional(prepare)),
         ("time_percent", timed(|it| it.1)),
         ("time_lower_quartile", timed(|it| it.0)),
         ("time_upper_quartile", timed(|it| it.2)),
@@ -97,6 +83,10 @@ fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {
         ("rms_decided", digits(parts.decided, 4)),
         ("rms_simplified", digits(parts.simplified, 4)),
     ]
+}
+
+fn text(number: Unit) -> String {
+    number.to_num::<f64>().to_string()
 }
 
 /// With so many digits behind the point, but no zeros at the end.

@@ -17,7 +17,6 @@ use crate::point::{GAIN, front};
 use crate::scene::Measured;
 use crate::{front as source, room, table};
 
-/// Makes the folder of a report.
 pub fn make(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| format!("--out {} cannot be made", folder.display()))
 }
@@ -25,7 +24,6 @@ pub fn make(folder: &Path) -> Result<()> {
 /// How much the differences in the pictures are made larger.
 pub const DIFFERENCE_GAIN: u8 = 16;
 
-/// Writes everything.
 pub fn all(arguments: &Arguments, scenes: &[Measured]) -> Result<()> {
     let folder = Folder(&arguments.out);
     folder.write("points.csv", &table::csv(arguments, scenes)?)?;
@@ -57,7 +55,6 @@ impl Folder<'_> {
     }
 }
 
-/// What the files of a scene are called.
 pub fn file_name(scene: &str) -> String {
     let safe = |letter: char| match letter.is_alphanumeric() || "-_".contains(letter) {
         true => letter,

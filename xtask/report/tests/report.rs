@@ -25,7 +25,6 @@ fn report(folder: &TempDir, arguments: &str) -> Output {
         .expect("the command runs")
 }
 
-/// Runs the command, which has to succeed.
 fn reported(folder: &TempDir, arguments: &str) {
     let output = report(folder, arguments);
     let complaints = String::from_utf8_lossy(&output.stderr);

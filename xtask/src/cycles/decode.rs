@@ -1,18 +1,14 @@
 //! What the instructions of a program are, as far as their timing depends on it.
 
 use anyhow::{Context, Result};
-use capstone::{
-    Capstone, RegId,
-    arch::{
-        BuildsCapstone, BuildsCapstoneExtraMode, DetailsArchInsn,
-        arm::{ArchExtraMode, ArchMode, ArmOperand, ArmOperandType, ArmReg::*},
-    },
-};
+use capstone::arch::arm::ArmReg::*;
+use capstone::arch::arm::{ArchExtraMode, ArchMode, ArmOperand, ArmOperandType};
+use capstone::arch::{BuildsCapstone, BuildsCapstoneExtraMode, DetailsArchInsn};
+use capstone::{Capstone, RegId};
 use object::{Object, ObjectSection, SectionKind};
 
 use super::timing::Step;
 
-/// An instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Instruction {
     /// In bytes.
@@ -31,7 +27,6 @@ impl Instruction {
     }
 }
 
-/// The program counter among the registers.
 const COUNTER: u16 = 1 << 15;
 
 /// Kinds of instructions that take different times on some core.
@@ -77,7 +72,6 @@ pub enum Kind {
     FloatMany(u32),
 }
 
-/// The code of a program.
 pub struct Code {
     start: u32,
     bytes: Vec<u8>,
@@ -100,7 +94,6 @@ impl Code {
         })
     }
 
-    /// The size of the instruction at an address.
     pub fn size(&self, address: u32) -> u32 {
         let offset = address.wrapping_sub(self.start) as usize;
         // Armv7-M Architecture Reference Manual, A5.1.
@@ -147,7 +140,6 @@ impl Code {
     }
 }
 
-/// Decodes the first instruction of some code.
 fn decode(code: &[u8]) -> Result<Instruction> {
     // A new one every time: it remembers the condition of one instruction for the next ones, and
     // what comes next is anywhere.

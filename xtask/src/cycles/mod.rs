@@ -17,17 +17,13 @@ use self::trace::Watch;
 pub use self::{decode::Code, timing::Timing};
 use crate::emulator::qemu::Qemu;
 
-/// What was seen of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Estimate {
-    /// Instructions that were executed.
     pub instructions: u64,
-    /// Cycles they take, by the timings.
     pub cycles: f64,
 }
 
 impl Estimate {
-    /// Cycles an instruction.
     pub fn per_instruction(self) -> f64 {
         self.cycles / self.instructions as f64
     }

@@ -19,7 +19,6 @@ pub struct Step {
     pub jumps: bool,
 }
 
-/// The timings of a core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Timing {
     /// With the multiplier that takes one cycle.
@@ -35,16 +34,14 @@ const REFILL: f64 = 2.0;
 const DIVIDE: f64 = 7.0;
 
 /// A long multiplication of an M3, by its operands: 3 to 5, with an addition 4 to 7.
-const M3_LONG_MULTIPLY: f64 = 4.0;
-const M3_LONG_MULTIPLY_ADD: f64 = 5.5;
+const M3_LONG_MULTIPLY: [f64; 2] = [4.0, 5.5];
 
 impl Timing {
-    /// What a step takes.
     pub fn cycles(self, step: &Step) -> f64 {
         match self {
             Self::M0Plus => f64::from(m0_plus(step)),
-            Self::M3 => m3_or_m4(step, m3_multiply),
-            Self::M4 => m3_or_m4(step, m4_multiply),
+            Self::M3 => m3_or_m4(step, M3_LONG_MULTIPLY),
+            Self::M4 => m3_or_m4(step, [1.0; 2]),
         }
     }
 }
@@ -62,7 +59,8 @@ fn m0_plus(step: &Step) -> u32 {
     }
 }
 
-fn m3_or_m4(step: &Step, multiply: fn(Kind) -> f64) -> f64 {
+/// `long` are the cycles of a long multiplication, without and with an addition.
+fn m3_or_m4(step: &Step, long: [f64; 2]) -> f64 {
     let instruction = &step.instruction;
     let refill = match instruction.kind {
         // Three are part of what it takes.
@@ -72,35 +70,19 @@ fn m3_or_m4(step: &Step, multiply: fn(Kind) -> f64) -> f64 {
     };
     let words = |words: u32| 1.0 + f64::from(words);
     let own = match instruction.kind {
-        Kind::Load => 2.0 - overlap(step),
-        Kind::Store => 1.0,
-        Kind::StoreIndexed => 2.0 - overlap(step),
+        Kind::Load | Kind::StoreIndexed => 2.0 - overlap(step),
         Kind::LoadMany(count) | Kind::StoreMany(count) => words(count),
         Kind::FloatLoad(count) | Kind::FloatStore(count) | Kind::FloatMany(count) => words(count),
         Kind::Divide => DIVIDE,
         Kind::TableJump => 6.0,
-        Kind::FloatMovePair => 2.0,
+        Kind::FloatMovePair | Kind::MultiplyAdd => 2.0,
+        Kind::LongMultiply => long[0],
+        Kind::LongMultiplyAdd => long[1],
         Kind::FloatMultiplyAdd => 3.0,
         Kind::FloatDivideOrRoot => 14.0,
-        kind => multiply(kind),
+        _ => 1.0,
     };
     own + refill + late_address(step)
-}
-
-fn m3_multiply(kind: Kind) -> f64 {
-    match kind {
-        Kind::MultiplyAdd => 2.0,
-        Kind::LongMultiply => M3_LONG_MULTIPLY,
-        Kind::LongMultiplyAdd => M3_LONG_MULTIPLY_ADD,
-        _ => 1.0,
-    }
-}
-
-fn m4_multiply(kind: Kind) -> f64 {
-    match kind {
-        Kind::MultiplyAdd => 2.0,
-        _ => 1.0,
-    }
 }
 
 /// The cycle that a load or a store shares with the load before it, unless it waits for what is

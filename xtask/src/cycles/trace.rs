@@ -13,6 +13,7 @@ pub fn functions(program: &object::File, wanted: impl Fn(&str) -> bool) -> Vec<u
 }
 
 /// Looks at a stream of executed addresses.
+#[derive(Default)]
 pub struct Watch {
     functions: Vec<u32>,
     last: u32,
@@ -25,8 +26,7 @@ impl Watch {
     pub fn over(functions: Vec<u32>) -> Self {
         Self {
             functions,
-            last: 0,
-            back: None,
+            ..Self::default()
         }
     }
 

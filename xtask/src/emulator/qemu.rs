@@ -22,7 +22,6 @@ pub struct Qemu {
 }
 
 impl Qemu {
-    /// An Arm board by the name QEMU has for it.
     pub fn arm(machine: &str) -> Self {
         Self::new("qemu-system-arm").args(["-M", machine])
     }
@@ -39,7 +38,6 @@ impl Qemu {
             .args(["-serial", "null", "-monitor", "none"])
     }
 
-    /// Appends options of QEMU's.
     pub fn args<A: AsRef<OsStr>>(self, arguments: impl IntoIterator<Item = A>) -> Self {
         let program = self.program.args(arguments);
         Self { program, ..self }
@@ -112,7 +110,6 @@ impl Qemu {
     }
 }
 
-/// The monitor's socket in the folder of a run.
 const MONITOR: &str = "monitor";
 
 /// Whether a window can be opened: elsewhere than on X and Wayland there is always a screen.
@@ -162,7 +159,6 @@ impl Running {
         self.judged()
     }
 
-    /// Presses a key and lets it go.
     pub fn press(&mut self, key: Key) -> Result<(), Failure> {
         let key = json!({ "type": "qcode", "data": key });
         for down in [true, false] {
@@ -172,7 +168,6 @@ impl Running {
         Ok(())
     }
 
-    /// What the board's display shows.
     pub fn screen(&mut self) -> Result<RgbImage, Failure> {
         let file = self.folder.path().join("screen.ppm");
         self.ask("screendump", json!({ "filename": file }))?;
@@ -288,10 +283,8 @@ fn tail(said: &[String]) -> String {
     said[said.len().saturating_sub(20)..].join("\n")
 }
 
-/// What can go wrong on an emulated board.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    /// QEMU could not be started, mostly because it is not there.
     #[error("{failure}{}", advice(failure))]
     Start { failure: command::Failure },
     /// The firmware ended, and not well: by a panic, a fault, or its own exit status.
@@ -309,13 +302,10 @@ pub enum Failure {
         whereabouts: Option<String>,
         said: String,
     },
-    /// The firmware ended well without saying what was waited for.
     #[error("the firmware ended before it said what was waited for{}", quote(said))]
     Silence { said: String },
-    /// QEMU's monitor failed.
     #[error(transparent)]
     Monitor(#[from] qmp::Error),
-    /// The picture of the display cannot be read.
     #[error("the picture of the display is unreadable: {0}")]
     Screen(image::ImageError),
 }

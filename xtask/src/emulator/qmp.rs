@@ -2,16 +2,14 @@
 //!
 //! It knows the protocol and no board. Written after the QEMU Machine Protocol Specification.
 
-use std::{
-    io::{self, BufRead, BufReader, Write},
-    os::unix::net::UnixStream,
-    path::Path,
-    time::Duration,
-};
+use std::io;
+use std::io::{BufRead, BufReader, Write};
+use std::os::unix::net::UnixStream;
+use std::path::Path;
+use std::time::Duration;
 
 use serde_json::{Value, json};
 
-/// A conversation with QEMU's monitor.
 #[derive(Debug)]
 pub struct Monitor {
     stream: BufReader<UnixStream>,
@@ -70,16 +68,12 @@ impl Monitor {
     }
 }
 
-/// What can go wrong in a conversation.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The stream broke, or QEMU did not answer in time.
     #[error("QEMU's monitor does not answer: {0}")]
     Stream(#[from] io::Error),
-    /// QEMU did not carry out a command, for the reason it gives.
     #[error("QEMU refuses `{command}`: {reason}")]
     Refused { command: String, reason: String },
-    /// QEMU said something that is no part of the protocol.
     #[error("QEMU's monitor says {0}")]
     Protocol(Value),
 }

@@ -5,21 +5,17 @@
 //! every time, and ends after a number of cycles if not before. A firmware that ends badly is a
 //! [`Failure`] that repeats its words and names the fault.
 
-use std::{
-    fs, io,
-    path::{Path, PathBuf},
-    time::Duration,
-};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use std::{fmt, fs, io};
 
 use serde::Deserialize;
 use serde_json::Value;
 use tempfile::TempDir;
 
 use super::qemu::quote;
-use crate::{
-    command::{self, Program, after},
-    root,
-};
+use crate::command::{Program, after};
+use crate::{command, root};
 
 /// The pixels of a side of the display.
 pub const SIDE: u32 = 240;
@@ -30,12 +26,10 @@ const LIMIT: Duration = Duration::from_secs(20 * 60);
 /// A minute of the chip's time.
 const CYCLES: u64 = 60 * 125_000_000;
 
-/// The folder with the script and the packages it needs.
 pub fn folder() -> PathBuf {
     root().join("xtask/emulator/rp2040")
 }
 
-/// Whether the packages are there, in the versions that are meant.
 pub fn is_installed() -> bool {
     let packages = |file: &str| {
         let lock: Value = serde_json::from_slice(&fs::read(folder().join(file)).ok()?).ok()?;
@@ -47,13 +41,11 @@ pub fn is_installed() -> bool {
     wanted.is_some() && wanted == packages("node_modules/.package-lock.json")
 }
 
-/// Gets the packages from npm's registry.
 pub fn install() -> Result<(), command::Failure> {
     let npm = Program::new("npm").args(["ci", "--no-audit", "--no-fund", "--prefix"]);
     npm.args([folder()]).limit(LIMIT).stream()
 }
 
-/// A key of the board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Key {
     Up,
@@ -64,37 +56,23 @@ pub enum Key {
 }
 
 /// An RP2040 about to be switched on, and what is to be done with it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Rp2040 {
-    cores: u32,
-    cycles: u64,
-    rows: u32,
+    /// The script's; of two with one name, the later counts.
+    options: Vec<String>,
     frames: Vec<String>,
-    counts: &'static str,
-}
-
-impl Default for Rp2040 {
-    fn default() -> Self {
-        Self {
-            cores: 2,
-            cycles: CYCLES,
-            rows: SIDE,
-            frames: Vec::new(),
-            counts: "cycles",
-        }
-    }
 }
 
 impl Rp2040 {
     /// With a second core that does not answer, as most emulators have it.
     pub fn with_one_core(self) -> Self {
-        Self { cores: 1, ..self }
+        self.option("cores", 1)
     }
 
     /// The cycles after which the firmware is ended, and has failed; a minute's worth
     /// unless they are named.
     pub fn limit(self, cycles: u64) -> Self {
-        Self { cycles, ..self }
+        self.option("limit", cycles)
     }
 
     /// Waits for one more picture after these keys have been pressed, one after the other; those of
@@ -112,13 +90,17 @@ impl Rp2040 {
 
     /// Takes a picture as soon as so many rows of it are drawn, counted from the top.
     pub fn rows(self, rows: u32) -> Self {
-        Self { rows, ..self }
+        self.option("rows", rows)
     }
 
     /// Lets the timer of the measurement firmware count instructions as QEMU's does, not cycles.
     pub fn counting_instructions(self) -> Self {
-        let counts = "instructions";
-        Self { counts, ..self }
+        self.option("counts", "instructions")
+    }
+
+    fn option(mut self, name: &str, value: impl fmt::Display) -> Self {
+        self.options.push(format!("--{name}={value}"));
+        self
     }
 
     /// Runs a firmware until its last picture is drawn, or else until it ends itself.
@@ -130,10 +112,8 @@ impl Rp2040 {
         let prefix = pictures.path().join("picture");
         let report = Program::new("node")
             .args([folder().join("run.js"), firmware.to_owned()])
-            .args(["--counts", self.counts])
-            .args([format!("--cores={}", self.cores)])
-            .args([format!("--limit={}", self.cycles)])
-            .args([format!("--rows={}", self.rows)])
+            .args([format!("--limit={CYCLES}")])
+            .args(&self.options)
             // A list that begins with a hyphen is not an option.
             .args([format!("--frames={}", self.frames.join(","))])
             .args(["--pictures".as_ref(), prefix.as_os_str()])
@@ -144,7 +124,6 @@ impl Rp2040 {
     }
 }
 
-/// What the script prints.
 #[derive(Deserialize)]
 struct Report {
     fault: Option<Fault>,
@@ -175,13 +154,11 @@ struct Line {
 /// How far a run had come.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 pub struct Counts {
-    /// Cycles since the reset.
     pub cycles: u64,
     /// Instructions since the reset, of both cores together.
     pub instructions: u64,
 }
 
-/// How the controller of the display has been set.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "camelCase")]
 pub struct Display {
@@ -191,23 +168,17 @@ pub struct Display {
     pub address_mode: u8,
 }
 
-/// A run that went well.
 #[derive(Debug)]
 pub struct Run {
-    /// The pictures that were waited for.
     pub pictures: Vec<Picture>,
     /// What the firmware said, by RTT and then by semihosting.
     pub said: Vec<String>,
-    /// How the display was set at the end.
     pub display: Display,
-    /// At the end.
     pub counts: Counts,
 }
 
-/// What the display showed.
 #[derive(Debug)]
 pub struct Picture {
-    /// When it was complete.
     pub counts: Counts,
     /// Row by row from the top, as RGB565.
     pub pixels: Vec<u16>,
@@ -245,19 +216,16 @@ impl Report {
     }
 }
 
-/// What can go wrong with a run.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
     #[error("the packages of {} are missing: `cargo xtask setup` gets them", folder().display())]
     NotInstalled,
-    /// The emulator does not start or fails.
     #[error(transparent)]
     Emulator(#[from] command::Failure),
     #[error("the emulator's report is unreadable: {0}")]
     Report(serde_json::Error),
     #[error("a picture cannot be handed over: {0}")]
     Picture(#[from] io::Error),
-    /// The firmware failed, or was ended because it reached its limit.
     #[error(
         "the firmware failed: {reason}{}{}",
         after(" in ", function.as_deref().unwrap_or_default()),

@@ -3,17 +3,15 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use clap::{Args, value_parser};
+use clap::Args;
 
-use super::{
-    cores::Core,
-    scene::Scene,
-    task::{Quality, Settings, Shading, Size, Task},
-};
+use super::cores::Core;
+use super::scene::Scene;
+use super::task::{Settings, Task};
 
 /// Builds a firmware that renders one scene, runs it on an emulated core and counts.
 #[derive(Args, Debug)]
-#[command(after_long_help = AFTER_HELP)]
+#[command(after_long_help = include_str!("help.txt").trim_end())]
 pub struct Arguments {
     #[command(flatten)]
     pub(super) choice: Choice,
@@ -23,7 +21,8 @@ pub struct Arguments {
     pub(super) json: bool,
 
     /// Measure everything again, on --core or on all, and write docs/measured and docs/boards.md
-    #[arg(long, conflicts_with_all = ["scene", "name", "size", "reflections", "shading", "quality", "json"])]
+    #[arg(long, conflicts_with_all = ["scene", "name", "size"])]
+    #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json"])]
     pub(super) all: bool,
 }
 
@@ -42,45 +41,9 @@ pub struct Choice {
     #[arg(long, value_name = "SCENE")]
     name: Option<String>,
 
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "64x64")]
-    size: Size,
-
-    /// How often a ray is reflected, from 0 to 255
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 4,
-        allow_negative_numbers = true
-    )]
-    #[arg(value_parser = value_parser!(u8))]
-    reflections: u8,
-
-    /// How light shines on a surface
-    #[arg(long, value_enum, default_value_t = Shading::BlinnPhong)]
-    shading: Shading,
-
-    /// How exactly fixed point computes, or the float port instead
-    #[arg(long, value_enum, default_value_t = Quality::FAST)]
-    quality: Quality,
-
-    /// Link everything that any scene needs, whether this one does or not
-    #[arg(long)]
-    whole: bool,
+    #[command(flatten)]
+    settings: Settings,
 }
-
-const AFTER_HELP: &str = "\
-instr/pixel counts the executed instructions of the whole frame, from the frame call to the last
-pixel, preparation included, over the number of pixels; prepare is the preparation alone. flash and
-RAM are what the firmware has beyond the same firmware with an empty frame: the library's and the
-scene's code, constants and static variables. stack is the most in use at a time. cycles/pixel is an
-estimate by the timings that Arm publishes, for memory without wait states.
-
-A FILE.json is turned into a constant scene on the way, as `cargo xtask scene FILE.json` does.
-
-The JSON keys are core, scene, size, reflections, shading, quality, instructions_per_pixel,
-prepare_instructions, flash, ram, stack, hash (FNV-1a, 64 bits, of the RGB8 bytes) and
-cycles_per_pixel (null where no timings are published).";
 
 impl Choice {
     /// The task that it comes to.
@@ -88,17 +51,10 @@ impl Choice {
     /// # Errors
     /// [`Misuse`](crate::misuse::Misuse) where the scene cannot be used.
     pub fn task(&self) -> Result<Task> {
-        let m3 = Core::find("m3").expect("it is in the list");
         Ok(Task {
-            core: self.core.unwrap_or(m3),
+            core: self.core.unwrap_or(Core::M3),
             scene: Scene::open(&self.scene, self.name.as_deref())?,
-            settings: Settings {
-                size: self.size,
-                reflections: self.reflections,
-                shading: self.shading,
-                quality: self.quality,
-                is_whole: self.whole,
-            },
+            settings: self.settings,
         })
     }
 }

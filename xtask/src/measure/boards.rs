@@ -1,31 +1,89 @@
 //! Boards that people own, and the displays they put on them: clocks from the data sheets.
 
-/// A board with a display.
+use super::Core;
+
 #[derive(Debug)]
 pub struct Board {
     pub name: &'static str,
-    /// The core it has.
-    pub title: &'static str,
-    /// The name of the core whose cycles stand for it.
-    pub core: &'static str,
+    /// The core's name on the command line; the M0+ is measured as an M0.
+    core: &'static str,
     /// How fast the core runs, in MHz.
     pub clock: f64,
     pub display: Display,
 }
 
-/// A display and the bus it hangs on.
 #[derive(Debug)]
 pub struct Display {
-    pub name: &'static str,
-    pub width: u32,
-    pub height: u32,
+    chip: &'static str,
+    width: u32,
+    height: u32,
     /// Clocks of the bus that a pixel takes.
-    pub clocks: f64,
-    /// How fast the bus runs, in MHz: what the chip can make and the display takes.
-    pub bus: f64,
+    clocks: f64,
+    bus: Bus,
 }
 
+/// How fast a bus runs, in MHz: what the chip can make and the display takes.
+#[derive(Clone, Copy, Debug)]
+enum Bus {
+    Spi(f64),
+    I2c(f64),
+}
+
+const fn board(name: &'static str, core: &'static str, clock: f64, display: Display) -> Board {
+    Board {
+        name,
+        core,
+        clock,
+        display,
+    }
+}
+
+const fn rgb565(chip: &'static str, width: u32, height: u32, spi: f64) -> Display {
+    let (clocks, bus) = (16.0, Bus::Spi(spi));
+    Display {
+        chip,
+        width,
+        height,
+        clocks,
+        bus,
+    }
+}
+
+const fn st7789(spi: f64) -> Display {
+    rgb565("ST7789", 240, 240, spi)
+}
+
+/// Black or white; an acknowledgement after every 8 bits.
+const SSD1306: Display = Display {
+    clocks: 9.0 / 8.0,
+    bus: Bus::I2c(0.4),
+    ..rgb565("SSD1306", 128, 64, 0.0)
+};
+const ST7735: Display = rgb565("ST7735", 128, 160, 9.0);
+const ILI9341: Display = rgb565("ILI9341", 240, 320, 5.625);
+
+pub const BOARDS: [Board; 8] = [
+    board("Raspberry Pi Pico", "m0+", 125.0, st7789(62.5)),
+    board("Raspberry Pi Pico 2", "m33", 150.0, st7789(37.5)),
+    board("Blue Pill (STM32F103)", "m3", 72.0, ST7735),
+    board("Black Pill (STM32F411)", "m4f", 100.0, st7789(50.0)),
+    board("STM32F429 Discovery", "m4f", 180.0, ILI9341),
+    board("micro:bit", "m0", 16.0, SSD1306),
+    board("micro:bit v2", "m4f", 64.0, SSD1306),
+    board("nRF52840 DK", "m4f", 64.0, st7789(32.0)),
+];
+
 impl Board {
+    /// The name of the core whose cycles stand for its own.
+    pub fn core(&self) -> &'static str {
+        self.core.trim_end_matches('+')
+    }
+
+    pub fn title(&self) -> String {
+        let title = Core::find(self.core()).map_or("", |core| core.title);
+        title.to_owned() + self.core.trim_start_matches(self.core())
+    }
+
     /// The seconds that a frame takes, an estimate.
     pub fn frame(&self, cycles_per_pixel: f64) -> f64 {
         cycles_per_pixel * self.display.pixels() / (self.clock * 1e6)
@@ -33,93 +91,21 @@ impl Board {
 }
 
 impl Display {
+    pub fn title(&self) -> String {
+        let bus = match self.bus {
+            Bus::Spi(clock) => format!("SPI at {} MHz", (10.0 * clock).round() / 10.0),
+            Bus::I2c(clock) => format!("I2C at {} kHz", 1e3 * clock),
+        };
+        format!("{}x{} {}, {bus}", self.width, self.height, self.chip)
+    }
+
     /// The seconds that it takes to send a frame.
     pub fn transfer(&self) -> f64 {
-        self.pixels() * self.clocks / (self.bus * 1e6)
+        let (Bus::Spi(clock) | Bus::I2c(clock)) = self.bus;
+        self.pixels() * self.clocks / (clock * 1e6)
     }
 
     fn pixels(&self) -> f64 {
         f64::from(self.width) * f64::from(self.height)
     }
-
-    const fn rgb565(name: &'static str, (width, height): (u32, u32), bus: f64) -> Self {
-        Self {
-            name,
-            width,
-            height,
-            clocks: 16.0,
-            bus,
-        }
-    }
-
-    /// Black or white; an acknowledgement after every 8 bits.
-    const fn ssd1306() -> Self {
-        Self {
-            name: "SSD1306, I2C at 400 kHz",
-            width: 128,
-            height: 64,
-            clocks: 9.0 / 8.0,
-            bus: 0.4,
-        }
-    }
 }
-
-/// The boards.
-pub const BOARDS: [Board; 8] = [
-    Board {
-        name: "Raspberry Pi Pico",
-        title: "Cortex-M0+",
-        core: "m0",
-        clock: 125.0,
-        display: Display::rgb565("ST7789, SPI at 62.5 MHz", (240, 240), 62.5),
-    },
-    Board {
-        name: "Raspberry Pi Pico 2",
-        title: "Cortex-M33",
-        core: "m33",
-        clock: 150.0,
-        display: Display::rgb565("ST7789, SPI at 37.5 MHz", (240, 240), 37.5),
-    },
-    Board {
-        name: "Blue Pill (STM32F103)",
-        title: "Cortex-M3",
-        core: "m3",
-        clock: 72.0,
-        display: Display::rgb565("ST7735, SPI at 9 MHz", (128, 160), 9.0),
-    },
-    Board {
-        name: "Black Pill (STM32F411)",
-        title: "Cortex-M4F",
-        core: "m4f",
-        clock: 100.0,
-        display: Display::rgb565("ST7789, SPI at 50 MHz", (240, 240), 50.0),
-    },
-    Board {
-        name: "STM32F429 Discovery",
-        title: "Cortex-M4F",
-        core: "m4f",
-        clock: 180.0,
-        display: Display::rgb565("ILI9341, SPI at 5.6 MHz", (240, 320), 5.625),
-    },
-    Board {
-        name: "micro:bit",
-        title: "Cortex-M0",
-        core: "m0",
-        clock: 16.0,
-        display: Display::ssd1306(),
-    },
-    Board {
-        name: "micro:bit v2",
-        title: "Cortex-M4F",
-        core: "m4f",
-        clock: 64.0,
-        display: Display::ssd1306(),
-    },
-    Board {
-        name: "nRF52840 DK",
-        title: "Cortex-M4F",
-        core: "m4f",
-        clock: 64.0,
-        display: Display::rgb565("ST7789, SPI at 32 MHz", (240, 240), 32.0),
-    },
-];

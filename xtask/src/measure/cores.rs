@@ -4,14 +4,12 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::{cycles::Timing, emulator::qemu::Qemu};
 
-/// A core.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Core {
     /// Its name on the command line.
     pub name: &'static str,
     /// Its name in prose.
     pub title: &'static str,
-    /// What the compiler calls it.
     pub target: &'static str,
     /// By which cycles are estimated, where Arm publishes timings.
     pub timing: Option<Timing>,
@@ -73,18 +71,18 @@ pub const CORES: [Core; 6] = [
 ];
 
 impl Core {
-    /// The core of this name.
+    /// The core that commands take unless another is named.
+    pub const M3: &Self = &CORES[1];
+
     pub fn find(name: &str) -> Option<&'static Self> {
         CORES.iter().find(|core| core.name == name)
     }
 
-    /// Finds the core that a command line names.
     pub fn parser() -> impl TypedValueParser<Value = &'static Self> {
         let find = |name: String| Self::find(&name).expect("it is one of the possible values");
         PossibleValuesParser::new(CORES.map(|core| core.name)).map(find)
     }
 
-    /// A machine with this core.
     pub fn emulator(&self) -> Qemu {
         match self.machine {
             Machine::Arm(machine) => Qemu::arm(machine),

@@ -17,7 +17,6 @@ pub struct Figures {
     pub quality: String,
     /// Executed instructions of the whole frame, preparation included, over its pixels.
     pub instructions_per_pixel: f64,
-    /// Executed instructions of the preparation alone.
     pub prepare_instructions: u64,
     /// Bytes of code and constants that belong to the library and the scene.
     pub flash: u64,
@@ -52,12 +51,10 @@ impl Figures {
         }
     }
 
-    /// Sets the estimate of cycles.
     pub(super) fn set_cycles(&mut self, per_instruction: f64) {
         self.cycles_per_pixel = Some(tenths(per_instruction * self.instructions_per_pixel));
     }
 
-    /// One line of JSON.
     pub fn json(&self) -> Result<String> {
         serde_json::to_string(self).context("figures are plain")
     }
@@ -67,7 +64,6 @@ fn tenths(number: f64) -> f64 {
     (10.0 * number).round() / 10.0
 }
 
-/// A table, one row a measurement.
 pub fn table(rows: &[Figures]) -> String {
     let head = "core scene size refl. shading quality instr/pixel prepare flash RAM stack hash \
                 cycles/pixel";

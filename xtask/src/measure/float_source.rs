@@ -3,8 +3,23 @@
 use float_picture::port::{self, Prepared};
 use reflet::host::reference::{Camera, Scene};
 
-/// The expression of a scene.
-pub fn scene(scene: &Scene) -> String {
+use super::{Scene as Source, Shading};
+
+/// How the firmware sees a scene: its `FloatView`.
+pub fn view(scene: &Source, reflections: u8, shading: Shading) -> String {
+    let (exact, eye) = scene.reference();
+    let (scene, camera, shading) = (self::scene(&exact), camera(&eye), shading.type_name());
+    format!(
+        "impl firmware::FloatView for Seen {{\n\
+             const SCENE: float_port::Scene<'static> = {scene};\n\
+             const CAMERA: float_port::Camera = {camera};\n\
+             const REFLECTIONS: u32 = {reflections};\n\
+             const SHADING: float_port::Shading = float_port::Shading::{shading};\n\
+         }}\n\n"
+    )
+}
+
+fn scene(scene: &Scene) -> String {
     let prepared = Prepared::new(scene);
     let scene = prepared.scene();
     // What `derive(Debug)` writes of plain data is Rust, but for the lists.
@@ -21,7 +36,6 @@ pub fn scene(scene: &Scene) -> String {
     )
 }
 
-/// The expression of a camera.
-pub fn camera(camera: &Camera) -> String {
+fn camera(camera: &Camera) -> String {
     format!("{{ use float_port::*; {:?} }}", port::camera(camera))
 }

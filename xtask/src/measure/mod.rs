@@ -1,8 +1,8 @@
 //! `cargo xtask measure`: what a scene takes on a core, in instructions and bytes.
 //!
-//! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds and runs it, and `images` keeps what was
-//! built;
-//! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
+//! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds and runs it, and
+//! `images` keeps what was built; [`figures`] is what comes out, [`record`] keeps it, and [`page`]
+//! makes `docs/boards.md` of it.
 
 pub mod arguments;
 mod boards;
@@ -20,14 +20,15 @@ use std::io::{self, Write};
 
 use anyhow::Result;
 
+pub use self::cores::{CORES, Core};
 pub use self::firmware::{
     Outcome, RUN_LIMIT, Weight, is_counted, run as outcome, weigh, weight, with_program,
 };
 pub use self::images::sources;
-use self::{arguments::Arguments, figures::Figures, task::Task};
+pub use self::task::{Quality, Settings, Shading, Size, Task};
+pub use self::{arguments::Arguments, figures::Figures, scene::Scene};
 use crate::cycles::{self, Estimate};
 
-/// Does what the command line asks for.
 pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.all {
         return record::renew(arguments.choice.core);
@@ -41,7 +42,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Measures one scene on one core.
 pub fn measure(task: &Task) -> Result<Figures> {
     let mut figures = count(task)?;
     if let Some(estimate) = estimate(&small(task, &figures))? {

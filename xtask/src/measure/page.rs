@@ -2,85 +2,24 @@
 
 use reflet::scenes;
 
-use super::{
-    boards::BOARDS,
-    cores::{CORES, Core},
-    figures::Figures,
-};
-use crate::table::markdown;
+use super::boards::BOARDS;
+use super::cores::{CORES, Core};
+use super::figures::Figures;
+use crate::table::{filled, markdown};
 
-const HEAD: &str = "\
-<!-- Written by `cargo xtask measure --all`. Do not edit: the next run writes over it. -->
-
-# What a frame takes
-
-Measured by `cargo xtask measure --all`, which renders every built-in scene at 64x64 with four
-reflections and Blinn-Phong shading on emulated cores (QEMU), and counts every executed instruction.
-The same command measures one scene, yours too: `cargo xtask measure --help`.
-
-The numbers behind the tables are in `docs/measured`, a file a core.
-";
-
-const INSTRUCTIONS: &str = "\
-Executed instructions of the whole frame, from the frame call to the last pixel and with its
-preparation, over the number of pixels. An instruction is not a cycle. The instructions of the
-Cortex-M0 are counted on an emulated M3, which executes all of them.
-";
-
-const FLOAT: &str = "\
-Against the same model in `f32` as one would write it without this crate (`xtask/float_port`, with
-`libm`): on the Cortex-M3 in software, on the Cortex-M4F in the hardware, with its instruction for
-roots. The quotient is how many times the instructions of `Fast` the float port takes.
-";
-
-const FLASH: &str = "\
-Bytes of code and constants that belong to the library and the scene, quality `Fast`: what the
-firmware has in flash beyond the same firmware with an empty frame. A routine of the compiler's
-that the empty firmware needs as well is not counted.
-";
-
-const RAM: &str = "\
-Most bytes of stack in use at a time, quality `Fast`, from the start of the program on: the stack is
-painted before the frame and looked at after it. Rows are drawn into a buffer outside of the stack,
-which is not counted; a display that takes pixels as they come needs none.
-";
-
-const CYCLES: &str = "\
-Estimates, not measurements: every instruction that a small frame of the same scene executes is
-given the cycles that Arm publishes for it (Technical Reference Manuals of the Cortex-M0+, M3 and
-M4; where they give a range, its middle), for memory without wait states. The column of the M0 is
-for an M0+ with the multiplier that takes one cycle; the M33, for which Arm publishes nothing, is
-given the M4's. On the M0+ the estimate is held to the cycles that an emulated RP2040 counts.
-";
-
-const SECONDS: &str = "\
-Estimates: the cycles above, quality `Fast`, times the pixels of the display, over the clock. A real
-chip waits for its flash, too: how long depends on the chip and its settings. Beside it stands how
-long the bus is busy with the frame's pixels, which may be while the next rows are drawn.
-";
-
-/// The page.
 pub fn write(rows: &[Figures]) -> String {
     let page = Page(rows);
-    [
-        HEAD.to_owned(),
-        format!("## Instructions a pixel\n\n{INSTRUCTIONS}"),
-        format!("### `Fast`\n\n{}", page.instructions("fast")),
-        format!("### `Fine`\n\n{}", page.instructions("fine")),
-        format!("### Fixed point against float\n\n{FLOAT}\n{}", page.float()),
-        format!(
-            "## Flash\n\n{FLASH}\n{}",
-            page.by_core("fast", |row| row.flash.to_string())
-        ),
-        format!(
-            "## RAM\n\n{RAM}\n{}\n{}",
-            page.by_core("fast", |row| row.stack.to_string()),
-            page.statics()
-        ),
-        format!("## Cycles a pixel\n\n{CYCLES}\n{}", page.cycles()),
-        format!("## Seconds a frame\n\n{SECONDS}\n{}", page.seconds()),
-    ]
-    .join("\n")
+    let values = [
+        ("fast", page.instructions("fast")),
+        ("fine", page.instructions("fine")),
+        ("float", page.float()),
+        ("flash", page.by_core("fast", |row| row.flash.to_string())),
+        ("stack", page.by_core("fast", |row| row.stack.to_string())),
+        ("statics", page.statics()),
+        ("cycles", page.cycles()),
+        ("seconds", page.seconds()),
+    ];
+    filled(include_str!("page.md"), &values)
 }
 
 struct Page<'a>(&'a [Figures]);
@@ -165,18 +104,17 @@ impl Page<'_> {
         let head = ["board", "core", "display"].into_iter().chain(SCENES);
         let head: Vec<_> = head.chain(["sending"]).map(str::to_owned).collect();
         let rows = BOARDS.iter().map(|board| {
-            let display = &board.display;
             let mut cells = vec![
                 board.name.to_owned(),
-                format!("{}, {} MHz", board.title, board.clock),
-                format!("{}x{} {}", display.width, display.height, display.name),
+                format!("{}, {} MHz", board.title(), board.clock),
+                board.display.title(),
             ];
             cells.extend(SCENES.map(|scene| {
-                let row = self.row(board.core, scene, "fast");
+                let row = self.row(board.core(), scene, "fast");
                 let cycles = row.and_then(|row| row.cycles_per_pixel);
                 cycles.map_or_else(|| "-".to_owned(), |cycles| seconds(board.frame(cycles)))
             }));
-            cells.push(seconds(display.transfer()));
+            cells.push(seconds(board.display.transfer()));
             cells
         });
         markdown(3, &head, &rows.collect::<Vec<_>>())

@@ -6,13 +6,11 @@ use std::{path::PathBuf, thread};
 use anyhow::Result;
 use reflet::scenes;
 
-use super::{
-    cores::{CORES, Core},
-    figures::Figures,
-    measure, page,
-    scene::Scene,
-    task::{Quality, Size, Task},
-};
+use super::cores::{CORES, Core};
+use super::figures::Figures;
+use super::scene::Scene;
+use super::task::{Quality, Size, Task};
+use super::{measure, page};
 use crate::{kept, root};
 
 /// How everything is measured, but for the quality.
@@ -49,7 +47,6 @@ fn renew_core(core: &'static Core) -> Result<()> {
     kept::write(&file(core), &lines)
 }
 
-/// All that is measured on a core.
 pub fn tasks(core: &'static Core) -> Vec<Task> {
     let qualities: &[Quality] = match core.name {
         "m3" | "m4f" => &[Quality::FAST, Quality::FINE, Quality::Float],
@@ -62,7 +59,6 @@ pub fn tasks(core: &'static Core) -> Vec<Task> {
     tasks.collect()
 }
 
-/// The figures of a core as they are kept.
 pub fn read(core: &Core) -> Result<Vec<Figures>> {
     kept::read(&file(core), &format!("measure --all --core {}", core.name))
 }

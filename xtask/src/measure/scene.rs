@@ -11,16 +11,12 @@ use reflet::{
 
 use crate::{misuse::Misuse, scene_source};
 
-/// A scene.
 #[derive(Clone, Debug)]
 pub enum Scene {
     /// One that comes with the library, by its name.
     BuiltIn(&'static str),
-    /// One from a file.
     File {
-        /// The numbers.
         file: Box<SceneFile>,
-        /// The Rust source of the same scene.
         source: scene_source::Source,
     },
 }
@@ -56,7 +52,6 @@ impl Scene {
         Ok(scene_source::parse(text)?.into())
     }
 
-    /// What it is called.
     pub fn name(&self) -> &str {
         match self {
             Self::BuiltIn(name) => name,
@@ -64,7 +59,6 @@ impl Scene {
         }
     }
 
-    /// The numbers it was written with.
     pub fn reference(&self) -> (reference::Scene, reference::Camera) {
         match self {
             Self::BuiltIn(name) => Source::built_in(name).expect(KNOWN).reference(),
@@ -72,7 +66,6 @@ impl Scene {
         }
     }
 
-    /// The Rust source of a scene from a file.
     pub(crate) fn source(&self) -> Option<&str> {
         match self {
             Self::BuiltIn(_) => None,
@@ -81,9 +74,9 @@ impl Scene {
     }
 
     /// How a firmware names it: the module that has to be declared, if there is one, the scene's type
-    /// and its camera; `file` is where the source of a file's scene lies.
+    /// and its `View`; `file` is where the source of a file's scene lies.
     pub(crate) fn names(&self, file: &Path) -> (String, String, String) {
-        match self {
+        let (module, scene, camera) = match self {
             Self::BuiltIn(name) => {
                 let scene = format!("reflet::scenes::{}", Self::type_name(name));
                 let camera = format!("<{scene} as reflet::scenes::BuiltIn>::CAMERA");
@@ -94,10 +87,13 @@ impl Scene {
                 format!("scene::{}", source.type_name),
                 "scene::CAMERA".to_owned(),
             ),
-        }
+        };
+        let view = format!(
+            "impl firmware::View for Seen {{\n    const CAMERA: reflet::Camera = {camera};\n}}\n\n"
+        );
+        (module, scene, view)
     }
 
-    /// The name of a built-in scene's type.
     pub fn type_name(name: &str) -> &'static str {
         scenes::visit(name, TypeName).expect(KNOWN)
     }

@@ -1,20 +1,17 @@
 //! What is measured: which scene on which core, with which settings; and the job it makes for
 //! the firmware.
 
-use std::{
-    fmt::{self, Write as _},
-    hash::{DefaultHasher, Hash, Hasher},
-    path::Path,
-    str::FromStr,
-};
+use std::fmt;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::Path;
+use std::str::FromStr;
 
-use clap::{ValueEnum, builder::PossibleValue};
+use clap::{Args, ValueEnum, builder::PossibleValue, value_parser};
 pub use command_line::Shading;
 use command_line::{Quality as Fixed, size};
 
 use super::{cores::Core, float_source, scene::Scene};
 
-/// Width and height in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
     pub width: u32,
@@ -22,12 +19,10 @@ pub struct Size {
 }
 
 impl Size {
-    /// This width and height.
     pub const fn new(width: u32, height: u32) -> Self {
         Self { width, height }
     }
 
-    /// How many pixels there are.
     pub fn pixels(self) -> u64 {
         u64::from(self.width) * u64::from(self.height)
     }
@@ -60,7 +55,6 @@ impl Quality {
     pub const SMALL: Self = Self::Fixed(Fixed::Small);
     pub const EXACT: Self = Self::Fixed(Fixed::Exact);
 
-    /// The word on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fixed(quality) => quality.name(),
@@ -85,18 +79,30 @@ impl ValueEnum for Quality {
     }
 }
 
-/// How a scene is drawn.
-#[derive(Clone, Copy, Debug)]
+#[derive(Args, Clone, Copy, Debug)]
 pub struct Settings {
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "64x64")]
     pub size: Size,
+
+    /// How often a ray is reflected, from 0 to 255
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = value_parser!(u8))]
+    #[arg(allow_negative_numbers = true)]
     pub reflections: u8,
+
+    /// How light shines on a surface
+    #[arg(long, value_enum, default_value_t = Shading::BlinnPhong)]
     pub shading: Shading,
+
+    /// How exactly fixed point computes, or the float port instead
+    #[arg(long, value_enum, default_value_t = Quality::FAST)]
     pub quality: Quality,
-    /// Whether everything is linked that any scene needs.
+
+    /// Link everything that any scene needs, whether this one does or not
+    #[arg(long = "whole")]
     pub is_whole: bool,
 }
 
-/// One measurement.
 #[derive(Clone, Debug)]
 pub struct Task {
     pub core: &'static Core,
@@ -133,26 +139,24 @@ impl Task {
     pub fn job(&self, scene: &Path) -> Job {
         let Settings { size, .. } = self.settings;
         let contestant = match self.settings.quality {
-            Quality::Fixed(quality) => self.fixed(quality.type_name(), scene),
+            Quality::Fixed(quality) => self.fixed(&quality.type_name(), scene),
             Quality::Float => self.float(),
         };
         let mut hasher = DefaultHasher::new();
         (self.core.name, size.width, size.height, &contestant).hash(&mut hasher);
         let ticket = hasher.finish();
         let Size { width, height } = size;
-        let mut source = String::from("// Written by `cargo xtask measure`.\n\n");
-        write!(
-            source,
-            "pub const ORDER: firmware::Order =\n    \
+        let source = format!(
+            "// Written by `cargo xtask measure`.\n\n\
+             pub const ORDER: firmware::Order =\n    \
              firmware::Order {{ size: ({width}, {height}), ticket: {ticket:#x} }};\n\n{contestant}"
-        )
-        .expect("a string takes all");
+        );
         Job { source, ticket }
     }
 
     fn fixed(&self, quality: &str, scene: &Path) -> String {
         let (reflections, shading) = (self.settings.reflections, self.settings.shading.type_name());
-        let (module, scene, camera) = self.scene.names(scene);
+        let (module, scene, view) = self.scene.names(scene);
         let contestant = match self.settings.is_whole {
             true => "Everything",
             false => "Fixed",
@@ -160,27 +164,18 @@ impl Task {
         format!(
             "{module}\
              pub struct Seen;\n\n\
-             impl firmware::View for Seen {{\n    \
-                 const CAMERA: reflet::Camera = {camera};\n\
-             }}\n\n\
-             pub type Job =\n    \
+             {view}pub type Job =\n    \
                  firmware::{contestant}<{scene}, Seen, reflet::{quality}, reflet::{shading}, {reflections}>;\n"
         )
     }
 
     fn float(&self) -> String {
-        let (scene, camera) = self.scene.reference();
-        let (reflections, shading) = (self.settings.reflections, self.settings.shading.type_name());
-        let (scene, camera) = (float_source::scene(&scene), float_source::camera(&camera));
-        format!(
-            "pub struct Seen;\n\n\
-             impl firmware::FloatView for Seen {{\n\
-                 const SCENE: float_port::Scene<'static> = {scene};\n\
-                 const CAMERA: float_port::Camera = {camera};\n\
-                 const REFLECTIONS: u32 = {reflections};\n\
-                 const SHADING: float_port::Shading = float_port::Shading::{shading};\n\
-             }}\n\n\
-             pub type Job = firmware::Float<Seen>;\n"
-        )
+        let Settings {
+            reflections,
+            shading,
+            ..
+        } = self.settings;
+        let view = float_source::view(&self.scene, reflections, shading);
+        format!("pub struct Seen;\n\n{view}pub type Job = firmware::Float<Seen>;\n")
     }
 }

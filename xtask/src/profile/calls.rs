@@ -15,11 +15,8 @@ impl Way {
 /// A function's call in a certain way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Call {
-    /// The way to the caller.
     pub way: Way,
-    /// The address of the call.
     pub site: u32,
-    /// The address of what is called.
     pub callee: u32,
 }
 
@@ -44,7 +41,6 @@ impl Calls {
         Some(self.calls.get(way.0.checked_sub(1)?)?.0)
     }
 
-    /// Every call and how often it was made.
     pub fn all(&self) -> impl Iterator<Item = (Call, u64)> {
         self.calls.iter().copied()
     }

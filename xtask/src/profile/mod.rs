@@ -6,7 +6,6 @@
 //! and [`print`] prints. Nothing is sampled and nothing left out, so the stages add up to the
 //! total.
 
-pub mod arguments;
 mod calls;
 pub mod names;
 mod print;
@@ -17,21 +16,34 @@ mod sums;
 use std::io::{self, Write};
 
 use anyhow::{Result, bail};
+use clap::Args;
 
-use self::{arguments::Arguments, names::Names, record::Record};
-pub use self::{
-    stages::{STAGES, Stage},
-    sums::Sums,
-};
-use crate::{
-    measure::{
-        task::{Quality, Task},
-        with_program,
-    },
-    misuse::Misuse,
-};
+pub use self::stages::{STAGES, Stage};
+pub use self::sums::Sums;
+use self::{names::Names, record::Record};
+use crate::measure::{Quality, Task, arguments::Choice, with_program};
+use crate::misuse::Misuse;
 
-/// Does what the command line asks for.
+/// Counts the instructions that a frame takes, by stage and by function.
+#[derive(Args, Debug)]
+#[command(after_long_help = include_str!("help.txt").trim_end())]
+pub struct Arguments {
+    #[command(flatten)]
+    choice: Choice,
+
+    /// Print the hottest functions, too
+    #[arg(long)]
+    functions: bool,
+
+    /// How many rows each table of functions has at most
+    #[arg(long, value_name = "N", default_value_t = 40, requires = "functions")]
+    top: usize,
+
+    /// Print lines of JSON instead of tables
+    #[arg(long)]
+    json: bool,
+}
+
 pub fn run(arguments: &Arguments) -> Result<()> {
     let task = arguments.choice.task()?;
     let sums = profile(&task)?;

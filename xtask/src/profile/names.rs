@@ -9,7 +9,6 @@ use object::{Object, ObjectSection, ObjectSymbol, SectionKind, SymbolKind};
 
 use crate::root;
 
-/// A function at an address.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Frame {
     /// Its path, without the hash.
@@ -18,17 +17,14 @@ pub struct Frame {
     pub line: Option<String>,
 }
 
-/// The names of a program's functions.
 pub struct Names {
     debug: Loader,
     /// First address and size of each function, in order.
     functions: Vec<(u32, u32, String)>,
-    /// Where the code lies.
     pub code: Range<u32>,
 }
 
 impl Names {
-    /// Reads a program.
     pub fn read(program: &Path) -> Result<Self> {
         let unreadable = || format!("cannot read {}", program.display());
         let bytes = fs::read(program).with_context(unreadable)?;

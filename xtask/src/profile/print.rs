@@ -4,10 +4,8 @@ use std::{collections::HashMap, fmt::Write as _};
 
 use serde_json::{Value, json};
 
-use super::{
-    stages::{STAGES, Stage},
-    sums::Sums,
-};
+use super::stages::{STAGES, Stage};
+use super::sums::Sums;
 
 /// The stages; and where there are `rows` to print, the hottest functions.
 pub fn tables(sums: &Sums, pixels: u64, rows: Option<usize>) -> String {
@@ -25,7 +23,6 @@ pub fn tables(sums: &Sums, pixels: u64, rows: Option<usize>) -> String {
     text
 }
 
-/// The same in JSON.
 pub fn json(sums: &Sums, pixels: u64, rows: Option<usize>) -> String {
     let total = sums.total();
     let figures = |count| {
@@ -60,13 +57,13 @@ pub fn json(sums: &Sums, pixels: u64, rows: Option<usize>) -> String {
     lines.map(|line: Value| format!("{line}\n")).collect()
 }
 
-/// Every stage and the total.
-fn stages(sums: &Sums) -> impl Iterator<Item = (&'static str, u64)> {
+fn stages(sums: &Sums) -> impl Iterator<Item = (String, u64)> {
     let stages = STAGES.map(|stage| (stage.name(), sums.stage(stage)));
-    stages.into_iter().chain([("total", sums.total())])
+    stages
+        .into_iter()
+        .chain([("total".to_owned(), sums.total())])
 }
 
-/// A table of functions.
 struct Table {
     key: &'static str,
     title: &'static str,

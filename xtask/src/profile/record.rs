@@ -4,18 +4,13 @@ use std::{collections::HashMap, ops::Range, path::Path};
 
 use anyhow::{Context, Result};
 
-use super::{
-    calls::{Calls, Way},
-    names::{Frame, Names},
-    stages::{Ray, Rule},
-};
-use crate::{
-    cycles::{self, Executed},
-    emulator::qemu::Qemu,
-    measure,
-};
+use super::calls::{Calls, Way};
+use super::names::{Frame, Names};
+use super::stages::{Ray, Rule};
+use crate::cycles::Executed;
+use crate::emulator::qemu::Qemu;
+use crate::{cycles, measure};
 
-/// What is known of an address.
 #[derive(Debug)]
 struct Known {
     frames: Vec<Frame>,
@@ -25,11 +20,9 @@ struct Known {
     function: Option<u32>,
 }
 
-/// What has been executed.
 #[derive(Debug)]
 pub struct Record {
     pub calls: Calls,
-    /// The first address of the program.
     start: u32,
     /// By half words from there, for what has been executed.
     known: Vec<Option<Known>>,
@@ -137,7 +130,6 @@ impl Record {
         Ok(index)
     }
 
-    /// The place among the counts.
     fn place(&mut self, way: Way, ray: Ray) -> usize {
         let (counts, size) = (&mut self.counts, self.known.len());
         *self.places.entry((way, ray)).or_insert_with(|| {

@@ -1,6 +1,5 @@
 //! Which stage of a frame a function belongs to.
 
-/// A stage of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Stage {
     /// Once a frame.
@@ -34,18 +33,8 @@ pub const STAGES: [Stage; 8] = [
 ];
 
 impl Stage {
-    /// Its name in a table.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Preparation => "preparation",
-            Self::Spans => "spans",
-            Self::Primary => "primary",
-            Self::Shading => "shading",
-            Self::Shadow => "shadow",
-            Self::Reflection => "reflection",
-            Self::Output => "output",
-            Self::Other => "other",
-        }
+    pub fn name(self) -> String {
+        format!("{self:?}").to_lowercase()
     }
 }
 
@@ -154,7 +143,6 @@ pub enum Ray {
     New,
     /// The pixel's own.
     First,
-    /// A mirrored one.
     Mirrored,
 }
 

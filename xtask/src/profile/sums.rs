@@ -2,13 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::{
-    names::Names,
-    record::Record,
-    stages::{Rule, STAGES, Stage, path, stage},
-};
+use super::names::Names;
+use super::record::Record;
+use super::stages::{Rule, STAGES, Stage, path, stage};
 
-/// Instructions by stage and by function.
 #[derive(Debug, Default)]
 pub struct Sums {
     stages: HashMap<Stage, u64>,
@@ -22,7 +19,6 @@ pub struct Sums {
     pub(super) linked: HashMap<String, Linked>,
 }
 
-/// A function of the library.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Library {
     pub own: u64,
@@ -30,7 +26,6 @@ pub struct Library {
     pub all: u64,
 }
 
-/// A linked function.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Linked {
     pub own: u64,
@@ -38,12 +33,10 @@ pub struct Linked {
 }
 
 impl Sums {
-    /// Instructions of a stage.
     pub fn stage(&self, stage: Stage) -> u64 {
         self.stages.get(&stage).copied().unwrap_or(0)
     }
 
-    /// Instructions of all stages.
     pub fn total(&self) -> u64 {
         STAGES.iter().map(|&stage| self.stage(stage)).sum()
     }

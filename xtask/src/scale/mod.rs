@@ -1,32 +1,39 @@
 //! `cargo xtask scale`: what a frame takes with more and more spheres.
 //!
-//! The scenes are [`benchmark`]'s, alike but for the number of their spheres; each becomes a constant
-//! scene and is measured as any other ([`crate::measure`]). [`page`] makes `docs/scale.md` of it.
-
-pub mod arguments;
-mod page;
+//! The scenes are [`benchmark`]'s, alike but for the number of their spheres; each becomes a
+//! constant scene and is measured as any other ([`crate::measure`]). `page.md` is the frame of
+//! `docs/scale.md`.
 
 use std::io::{self, Write};
 
 use anyhow::{Context, Result};
 use benchmark::Order;
+use clap::Args;
 use reflet::host::{file::SceneFile, reference};
 use serde::Serialize;
 
-use self::arguments::Arguments;
-use crate::{
-    kept,
-    measure::{
-        self,
-        cores::Core,
-        figures::Figures,
-        scene::Scene,
-        task::{Quality, Size, Task},
-    },
-    root,
-};
+use crate::measure::{Core, Figures, Quality, Scene, Size, Task};
+use crate::table::{filled, markdown};
+use crate::{kept, measure, root};
 
-/// How many spheres the scenes have.
+/// Measures what a frame takes with 1, 2, 4 and so on to 256 spheres; without options it also
+/// writes docs/scale.md.
+#[derive(Args, Debug)]
+#[command(after_long_help = include_str!("help.txt").trim_end())]
+pub struct Arguments {
+    /// The core [default: m3]
+    #[arg(long, value_parser = Core::parser())]
+    core: Option<&'static Core>,
+
+    /// Width and height in pixels [default: 64x64]
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+
+    /// Print a line of JSON instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
 pub const COUNTS: [usize; 9] = [1, 2, 4, 8, 16, 32, 64, 128, 256];
 
 /// The scenes that are held against each other.
@@ -53,7 +60,6 @@ struct Member {
     shuffled_instructions_per_pixel: f64,
     prepare_instructions: u64,
     flash: u64,
-    /// The share of the pixels that show a sphere.
     seen: f64,
 }
 
@@ -70,13 +76,15 @@ struct Scale {
     bar: f64,
 }
 
-/// Does what the command line asks for.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let (core, size) = (arguments.core(), arguments.size());
+    let (core, size) = (
+        arguments.core.unwrap_or(Core::M3),
+        arguments.size.unwrap_or(SIZE),
+    );
     let mut out = io::stdout();
     let mut members = Vec::new();
     if !arguments.json {
-        writeln!(out, "{}", line(&HEAD))?;
+        writeln!(out, "{}", line(&head()))?;
     }
     for count in COUNTS {
         let member = Member::measure(core, size, count, members.last())?;
@@ -90,28 +98,21 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         true => writeln!(out, "{}", serde_json::to_string(&scale)?)?,
         false => writeln!(out, "\n{}", scale.verdict())?,
     }
-    if arguments.are_defaults() {
-        kept::write(&root().join("docs/scale.md"), &page::write(core, &scale))?;
+    if arguments.core.is_none() && arguments.size.is_none() && !arguments.json {
+        kept::write(&root().join("docs/scale.md"), &scale.page(core))?;
     }
     Ok(())
 }
 
-/// Measures the scene with this number of spheres.
 pub fn count(core: &'static Core, size: Size, spheres: usize, order: Order) -> Result<Figures> {
     let scene = Scene::parse(&benchmark::scene(spheres, order))?;
     measure::count(&Task::new(core, scene, size, Quality::FAST))
 }
 
-/// The columns of the table.
-const HEAD: [&str; 7] = [
-    "spheres",
-    "instr/pixel",
-    "times",
-    "shuffled",
-    "prepare",
-    "flash",
-    "seen",
-];
+fn head() -> Vec<String> {
+    let names = "spheres instr/pixel times shuffled prepare flash seen".split(' ');
+    names.map(str::to_owned).collect()
+}
 
 impl Member {
     fn measure(
@@ -134,10 +135,10 @@ impl Member {
         })
     }
 
-    /// The figures in the order of [`HEAD`].
-    fn cells(&self) -> [String; 7] {
+    /// The figures in the order of [`head`].
+    fn cells(&self) -> Vec<String> {
         let times = self.times.map(|times| format!("{times:.2}"));
-        [
+        vec![
             self.spheres.to_string(),
             format!("{:.1}", self.instructions_per_pixel),
             times.unwrap_or_else(|| "-".to_owned()),
@@ -150,10 +151,9 @@ impl Member {
 }
 
 /// A line of the printed table, which is printed while it is measured.
-fn line(cells: &[impl AsRef<str>]) -> String {
-    let width = HEAD.iter().map(|name| name.len()).max().unwrap_or(0);
-    let cells = cells.iter().map(AsRef::as_ref);
-    let cells: Vec<_> = cells.map(|cell| format!("{cell:>width$}")).collect();
+fn line(cells: &[String]) -> String {
+    let width = head().iter().map(String::len).max().unwrap_or(0);
+    let cells: Vec<_> = cells.iter().map(|cell| format!("{cell:>width$}")).collect();
     cells.join("  ")
 }
 
@@ -175,12 +175,21 @@ impl Scale {
         })
     }
 
+    fn page(&self, core: &Core) -> String {
+        let rows: Vec<_> = self.members.iter().map(Member::cells).collect();
+        let values = [
+            ("last", COUNTS[COUNTS.len() - 1].to_string()),
+            ("size", self.size.clone()),
+            ("title", core.title.to_owned()),
+            ("verdict", self.verdict()),
+            ("full", (MANY / FEW).to_string()),
+            ("table", markdown(0, &head(), &rows)),
+        ];
+        filled(include_str!("page.md"), &values)
+    }
+
     fn verdict(&self) -> String {
-        let Self {
-            times,
-            shuffled_times,
-            ..
-        } = self;
+        let (times, shuffled_times) = (self.times, self.shuffled_times);
         format!(
             "{MANY} spheres cost {times:.2} times what {FEW} cost; the bar is less than {BAR}. \
              In random order {shuffled_times:.2} times."
@@ -188,7 +197,6 @@ impl Scale {
     }
 }
 
-/// The share of the pixels that show a sphere.
 fn seen(size: Size, spheres: usize) -> Result<f64> {
     let file = SceneFile::parse(&benchmark::scene(spheres, Order::Spiral), None)?;
     let (mut scene, camera) = file.reference();
@@ -218,8 +226,7 @@ mod tests {
             flash: 6,
             seen: 0.25,
         };
-        let core = Core::find("m3").unwrap();
-        Scale::new(core, SIZE, COUNTS.map(member).to_vec()).unwrap()
+        Scale::new(Core::M3, SIZE, COUNTS.map(member).to_vec()).unwrap()
     }
 
     #[test]
@@ -248,7 +255,7 @@ mod tests {
 
     #[test]
     fn page_has_a_row_for_every_scene() {
-        let page = page::write(Core::find("m3").unwrap(), &scale());
+        let page = scale().page(Core::M3);
         for spheres in COUNTS {
             assert!(
                 page.contains(&format!("\n| {spheres} | {spheres}.0 | ")),

@@ -15,12 +15,9 @@ use serde_json::Value;
 
 use crate::{command::Program, misuse::Misuse};
 
-/// A constant scene in Rust source.
 #[derive(Clone, Debug)]
 pub struct Source {
-    /// What the scene is called.
     pub name: String,
-    /// The name of the scene's type.
     pub type_name: String,
     /// The source, as rustfmt lays it out.
     pub text: String,

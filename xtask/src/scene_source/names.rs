@@ -3,14 +3,7 @@
 use std::collections::HashSet;
 
 /// What the source imports or defines; a scene's type must be called otherwise.
-const TAKEN: [&str; 6] = [
-    "CAMERA",
-    "Camera",
-    "Material",
-    "Scene",
-    "Self",
-    "StaticScene",
-];
+const TAKEN: &str = "CAMERA Camera Material Scene Self StaticScene";
 
 /// The name of a scene's type: `shading_lights` becomes `ShadingLights`.
 pub fn type_name(name: &str) -> String {
@@ -21,7 +14,7 @@ pub fn type_name(name: &str) -> String {
     let name: String = words(name).iter().map(|word| capitalised(word)).collect();
     match name.chars().next() {
         Some(first) if first.is_ascii_digit() => format!("Scene{name}"),
-        Some(_) if !TAKEN.contains(&name.as_str()) => name,
+        Some(_) if TAKEN.split(' ').all(|taken| taken != name) => name,
         Some(_) => format!("{name}Scene"),
         None => "TheScene".to_owned(),
     }

@@ -52,7 +52,6 @@ pub fn source(
     )
 }
 
-/// The places of the materials that shapes are made of.
 fn used_materials(scene: &Scene) -> BTreeSet<usize> {
     let spheres = scene.spheres.iter().map(|sphere| sphere.material);
     let planes = scene.planes.iter().map(|plane| plane.material);

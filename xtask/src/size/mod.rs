@@ -6,36 +6,23 @@
 
 mod page;
 
-use std::{
-    io::{self, Write},
-    path::PathBuf,
-    thread,
-};
+use std::io::Write;
+use std::path::PathBuf;
+use std::{io, thread};
 
 use anyhow::{Context, Result};
 use clap::{Args, builder::PossibleValuesParser};
-use reflet::{
-    Needs,
-    scenes::{self, BuiltIn, Visitor},
-};
+use reflet::scenes::{BuiltIn, Visitor};
+use reflet::{Needs, scenes};
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    board, kept,
-    measure::{
-        cores::Core,
-        outcome,
-        scene::Scene,
-        task::{Quality, Size, Task},
-        weigh, weight,
-    },
-    root, table,
-};
+use crate::measure::{Core, Quality, Scene, Size, Task, outcome, weigh, weight};
+use crate::{board, kept, root, table};
 
 /// Weighs the firmware of every built-in scene and quality; without options it also writes
 /// docs/sizes.md and the budget that the tests hold the scenes to.
 #[derive(Args, Debug)]
-#[command(after_long_help = AFTER_HELP)]
+#[command(after_long_help = include_str!("help.txt").trim_end())]
 pub struct Arguments {
     /// One target only
     #[arg(long, value_parser = PossibleValuesParser::new(TARGETS.map(|(target, _)| target)))]
@@ -49,14 +36,6 @@ pub struct Arguments {
     #[arg(long)]
     json: bool,
 }
-
-const AFTER_HELP: &str = "\
-code and constants are the bytes that the library and the scene have in flash: what the firmware that
-`cargo xtask measure` runs has beyond the same firmware with an empty frame, so that runtime and
-measurement are apart; flash is both. RAM is static variables, stack the most in use at a time.
-
-The JSON keys are target, scene, quality, reflections, code, constants, flash, ram, stack and
-left_out, the things that the firmware has no code for (`render --needs` says why).";
 
 /// What the smallest chips are, and the core that runs them.
 const TARGETS: [(&str, &str); 2] = [("thumbv6m-none-eabi", "m0"), ("thumbv7m-none-eabi", "m3")];
@@ -82,13 +61,10 @@ pub struct Figures {
     pub scene: String,
     pub quality: String,
     pub reflections: u8,
-    /// Bytes of machine code.
     pub code: u64,
-    /// Bytes of constants.
     pub constants: u64,
     /// Both.
     pub flash: u64,
-    /// Bytes of static variables.
     pub ram: u64,
     /// Most bytes of stack in use at a time.
     pub stack: u64,
@@ -96,7 +72,6 @@ pub struct Figures {
     pub left_out: Vec<String>,
 }
 
-/// Does what the command line asks for.
 pub fn run(arguments: &Arguments) -> Result<()> {
     let tasks: Vec<_> = tasks()
         .into_iter()
@@ -125,7 +100,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Everything that is weighed.
 pub fn tasks() -> Vec<Task> {
     let mut tasks = Vec::new();
     for (_, core) in TARGETS {
@@ -161,7 +135,6 @@ fn weighed(tasks: &[Task]) -> Result<Vec<Figures>> {
 }
 
 impl Figures {
-    /// Builds, weighs and runs a task.
     pub fn of(task: &Task) -> Result<Self> {
         let outcome = outcome(task)?;
         let (reflections, quality) = (task.settings.reflections, task.settings.quality);
@@ -185,12 +158,10 @@ impl Figures {
         })
     }
 
-    /// One line of JSON.
     pub fn json(&self) -> Result<String> {
         serde_json::to_string(self).context("figures are plain")
     }
 
-    /// Whether they are those of a task.
     pub fn are_of(&self, task: &Task) -> bool {
         (&*self.target, &*self.scene) == (task.core.target, task.scene.name())
             && self.quality == task.settings.quality.name()
@@ -226,7 +197,6 @@ fn needs(name: &str, reflections: u8) -> Needs {
     needs.both(&Needs::ALL.with_reflections(reflections))
 }
 
-/// The figures as they are kept.
 pub fn kept() -> Result<Vec<Figures>> {
     kept::read(&budget(), "size")
 }

@@ -1,41 +1,23 @@
 //! `docs/sizes.md`, from what was weighed.
 
 use super::{Figures, QUALITIES};
-use crate::{measure::Weight, table::markdown};
-
-const HEAD: &str = "\
-<!-- Written by `cargo xtask size`. Do not edit: the next run writes over it. -->
-
-# What a scene takes of flash
-
-A constant scene is known to the compiler, and what it does not need is not in the firmware. These
-are the bytes of code and constants that the library and the scene have in flash, runtime and display
-apart: what a release firmware (`opt-level = 3`) has beyond the same firmware with an empty frame.
-N is how often a ray is reflected at most, known when the firmware is compiled: 4, and 0 where there
-are mirrors that this leaves out.
-
-`render --needs SCENE` says what a scene of yours needs, and why; `cargo xtask measure --scene
-FILE.json` weighs it. The tests fail when a scene grows by more than 2 % beyond these figures.
-";
+use crate::measure::Weight;
+use crate::table::{filled, markdown};
 
 /// The page. The figures lie in the order of [`tasks`](super::tasks).
 pub(super) fn write(figures: &[Figures], board: Weight) -> String {
-    let targets = || figures.chunk_by(|one, other| one.target == other.target);
-    let mut page = HEAD.to_owned();
-    for figures in targets() {
-        page += &format!("\n## {}\n\n{}", figures[0].target, flash(figures));
-    }
-    page += &format!(
-        "\n## A whole firmware\n\nThe [castle alone](../examples/board/castle.rs) on the default board, \
-         with the drivers of its display and keys, the words of a panic and all: {} bytes of flash, {} \
-         of static RAM.\n",
-        board.flash, board.ram
-    );
-    page += "\n## Stack and what is left out\n\n";
-    for figures in targets() {
-        page += &format!("### {}\n\n{}\n", figures[0].target, rest(figures));
-    }
-    page.trim_end().to_owned() + "\n"
+    let by_target = |level: &str, table: fn(&[Figures]) -> String| -> String {
+        let targets = figures.chunk_by(|one, other| one.target == other.target);
+        let part = |it: &[Figures]| format!("{level} {}\n\n{}\n", it[0].target, table(it));
+        targets.map(part).collect()
+    };
+    let values = [
+        ("flash", by_target("##", flash)),
+        ("board flash", board.flash.to_string()),
+        ("board RAM", board.ram.to_string()),
+        ("rest", by_target("###", rest)),
+    ];
+    filled(include_str!("page.md"), &values)
 }
 
 /// A table with a row for each scene and number of reflections, of the figures of one target.
@@ -60,7 +42,6 @@ fn by_quality<const B: usize, const N: usize>(
     markdown(B - 1, &head, &rows.collect::<Vec<_>>())
 }
 
-/// Code, constants and flash by quality.
 fn flash(figures: &[Figures]) -> String {
     let before = |it: &Figures| [it.scene.clone(), it.reflections.to_string()];
     let names = ["code", "constants", "flash"];
@@ -69,7 +50,6 @@ fn flash(figures: &[Figures]) -> String {
     })
 }
 
-/// What is left out, and the stack by quality.
 fn rest(figures: &[Figures]) -> String {
     let before = |it: &Figures| {
         let left_out = it.left_out.join(", ");

@@ -3,7 +3,7 @@
 use std::{collections::BTreeMap, path::Path};
 
 use super::{Contestant, Level, Setting, Sweep};
-use crate::measure::float_source;
+use crate::measure::{Shading, float_source};
 
 /// The source that the firmware includes. `file` is where the source of a file's scene lies.
 pub fn source(sweep: &Sweep, file: &Path, ticket: u64) -> String {
@@ -14,25 +14,11 @@ pub fn source(sweep: &Sweep, file: &Path, ticket: u64) -> String {
          pub struct Seen;\n\n"
     );
     if sweep.settings.iter().any(|it| !it.is_float()) {
-        let (module, scene, camera) = sweep.scene.names(file);
-        source += &format!(
-            "{module}type Scene = {scene};\n\n\
-             impl firmware::View for Seen {{\n    \
-                 const CAMERA: reflet::Camera = {camera};\n\
-             }}\n\n"
-        );
+        let (module, scene, view) = sweep.scene.names(file);
+        source += &format!("{module}type Scene = {scene};\n\n{view}");
     }
     if sweep.settings.iter().any(Setting::is_float) {
-        let (scene, camera) = sweep.scene.reference();
-        let (scene, camera) = (float_source::scene(&scene), float_source::camera(&camera));
-        source += &format!(
-            "impl firmware::FloatView for Seen {{\n\
-                 const SCENE: float_port::Scene<'static> = {scene};\n\
-                 const CAMERA: float_port::Camera = {camera};\n\
-                 const REFLECTIONS: u32 = 0;\n\
-                 const SHADING: float_port::Shading = float_port::Shading::BlinnPhong;\n\
-             }}\n\n"
-        );
+        source += &float_source::view(sweep.scene, 0, Shading::BlinnPhong);
     }
     let levels = sweep.settings.iter().filter_map(own_level);
     let qualities: BTreeMap<String, String> = levels.map(quality).collect();
@@ -57,7 +43,6 @@ fn own_level(setting: &Setting) -> Option<Level> {
     }
 }
 
-/// The type of the contestant in the firmware.
 fn type_name(setting: &Setting) -> String {
     let Contestant::Fixed { level, shadows } = setting.contestant else {
         return "firmware::Float<Seen>".to_owned();

@@ -6,37 +6,29 @@
 mod job;
 mod setting;
 
-use std::{
-    hash::{DefaultHasher, Hash, Hasher},
-    path::PathBuf,
-    time::Duration,
-};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::PathBuf;
+use std::time::Duration;
 
 use anyhow::{Result, ensure};
 use serde::{Deserialize, Serialize};
 
 pub use self::setting::{Contestant, Level, Numbers, Setting, Visitor};
-use crate::measure::{
-    cores::Core,
-    firmware::{self, Report},
-    scene::Scene,
-};
+use crate::measure::firmware::Report;
+use crate::measure::{Core, Scene, firmware};
 
 /// Soft floating point takes minutes for a frame.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
-/// What is counted.
 pub struct Sweep<'a> {
     pub core: &'static Core,
     pub scene: &'a Scene,
-    /// Width and height in pixels.
     pub size: (u32, u32),
     pub settings: &'a [Setting],
     /// So many of the first settings are part of the program, and not drawn.
     pub known: usize,
 }
 
-/// What one setting takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Count {
     /// Instructions of the whole frame.
@@ -47,7 +39,6 @@ pub struct Count {
     pub hash: u64,
 }
 
-/// The firmware of a sweep.
 pub struct Program<'a> {
     sweep: &'a Sweep<'a>,
     ticket: u64,
@@ -77,7 +68,6 @@ impl Sweep<'_> {
 }
 
 impl Program<'_> {
-    /// A hash of what is in flash.
     pub fn fingerprint(&self) -> Result<u64> {
         firmware::fingerprint(&self.file)
     }

@@ -3,7 +3,6 @@
 use command_line::Quality as Named;
 use reflet::{Exact, Fast, Fine, Quality, Small, Unit};
 
-/// One setting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Setting {
     pub contestant: Contestant,
@@ -13,19 +12,15 @@ pub struct Setting {
     pub scale: u8,
 }
 
-/// What draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Contestant {
-    /// The float port.
     Float,
-    /// This library.
     Fixed { level: Level, shadows: bool },
 }
 
 /// A quality, as a value: one of the library's, or [`Fast`] with one number changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Level {
-    /// One of the library's.
     Named(Named),
     /// A smallest weight of 2⁻²
     Cut4,
@@ -52,14 +47,11 @@ const FAST_WEIGHT: i32 = Fast::SMALLEST_WEIGHT.to_bits();
 
 /// What is done with the type of a level.
 pub trait Visitor {
-    /// What it returns.
     type Output;
 
-    /// Does it with the quality `Q`.
     fn visit<Q: Quality>(self) -> Self::Output;
 }
 
-/// A quality's numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Numbers {
     pub smallest_weight: Unit,
@@ -86,7 +78,6 @@ impl Level {
     pub const FINE: Self = Self::Named(Named::Fine);
     pub const EXACT: Self = Self::Named(Named::Exact);
 
-    /// In words.
     pub fn name(self) -> &'static str {
         match self {
             Self::Named(quality) => quality.name(),
@@ -98,7 +89,6 @@ impl Level {
         }
     }
 
-    /// Calls the visitor with the level's type.
     pub fn visit<V: Visitor>(self, visitor: V) -> V::Output {
         match self {
             Self::Named(Named::Fast) => visitor.visit::<Fast>(),
@@ -113,7 +103,6 @@ impl Level {
         }
     }
 
-    /// Its numbers.
     pub fn numbers(self) -> Numbers {
         self.visit(AsNumbers)
     }
@@ -130,7 +119,6 @@ impl Setting {
         }
     }
 
-    /// With the float port.
     pub fn float(reflections: u8, scale: u8) -> Self {
         Self {
             contestant: Contestant::Float,
@@ -147,12 +135,10 @@ impl Setting {
         self
     }
 
-    /// Whether the float port draws.
     pub fn is_float(&self) -> bool {
         self.contestant == Contestant::Float
     }
 
-    /// In words.
     pub fn words(&self) -> String {
         let (name, shadows) = match self.contestant {
             Contestant::Float => ("float", true),

@@ -2,14 +2,12 @@
 
 use std::{path::Path, process::Command};
 
-/// What a command came to.
 pub struct Done {
     pub code: i32,
     pub out: String,
     pub err: String,
 }
 
-/// Calls the command in a folder.
 pub fn xtask(folder: &Path, arguments: &str) -> Done {
     let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
         .args(arguments.split_whitespace())

@@ -3,13 +3,7 @@
 use std::{collections::BTreeSet, fs, path::Path, process::Command};
 
 use serde_json::Value;
-use xtask::measure::{
-    cores::{CORES, Core},
-    count,
-    figures::Figures,
-    record,
-    task::{Quality, Task},
-};
+use xtask::measure::{CORES, Core, Figures, Quality, Task, count, record};
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -42,7 +36,6 @@ const SCENES: &str = r#"[
     }
 ]"#;
 
-/// Calls the command in a folder that holds `scenes.json`.
 fn in_folder<T>(call: impl FnOnce(&Path) -> T) -> T {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("scenes.json"), SCENES).unwrap();
@@ -180,9 +173,7 @@ dance => unrecognized subcommand 'dance'";
 
 #[test]
 fn kept_figures_of_the_default_quality_are_within_2_percent() {
-    assert_are_kept(Core::find("m3").unwrap(), |task| {
-        task.settings.quality == Quality::FAST
-    });
+    assert_are_kept(Core::M3, |task| task.settings.quality == Quality::FAST);
 }
 
 #[test]
