@@ -10,7 +10,7 @@ use rp2040_hal::multicore::{Multicore, Stack};
 use rp2040_hal::pac::{PPB, PSM};
 use rp2040_hal::sio::SioFifo;
 
-use crate::view::{BLACK_ROW, Row, View};
+use crate::view::{BLACK_ROW, Row, Rows, View};
 
 /// The second core's stack, in words.
 static STACK: Stack<2048> = Stack::new();
@@ -37,17 +37,17 @@ impl Cores {
         1 + usize::from(self.second.is_some())
     }
 
-    /// Works out rows `y` and `y + 1`.
-    pub fn work_out(&mut self, view: &View, y: u32, [even, odd]: &mut [Row; 2]) {
+    /// Traces rows `y` and `y + 1` of a view, whose rows are ready on this core.
+    pub fn trace(&mut self, view: &View, rows: &dyn Rows, y: u32, [even, odd]: &mut [Row; 2]) {
         match &mut self.second {
             Some(second) => {
                 second.ask(*view, y + 1);
-                view.row(y, even);
+                rows.row(y, even);
                 *odd = second.answer();
             }
             None => {
-                view.row(y, even);
-                view.row(y + 1, odd);
+                rows.row(y, even);
+                rows.row(y + 1, odd);
             }
         }
     }
@@ -92,13 +92,39 @@ impl Second {
     }
 }
 
-/// What the second core does, for ever.
+/// What the second core does, for ever. It makes a view ready once, too.
 fn answer_all(mut asked: Consumer<'static, (View, u32)>, mut answered: Producer<'static, Row>) {
+    let mut question = next(&mut asked);
+    loop {
+        let (view, _) = question;
+        question = view.with_rows(|rows| answer_about(rows, question, &mut asked, &mut answered));
+    }
+}
+
+/// Answers questions about one view; returns the first about another.
+fn answer_about(
+    rows: &dyn Rows,
+    (view, mut y): (View, u32),
+    asked: &mut Consumer<'static, (View, u32)>,
+    answered: &mut Producer<'static, Row>,
+) -> (View, u32) {
     let mut row = BLACK_ROW;
     loop {
-        if let Some((view, y)) = asked.dequeue() {
-            view.row(y, &mut row);
-            assert!(answered.enqueue(row).is_ok(), "every row is fetched");
+        rows.row(y, &mut row);
+        assert!(answered.enqueue(row).is_ok(), "every row is fetched");
+        let question = next(asked);
+        if question.0 != view {
+            return question;
+        }
+        y = question.1;
+    }
+}
+
+/// Waits for the next question.
+fn next(asked: &mut Consumer<'static, (View, u32)>) -> (View, u32) {
+    loop {
+        if let Some(question) = asked.dequeue() {
+            return question;
         }
     }
 }

@@ -15,13 +15,12 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::primitives::Rectangle;
-use rp2040_hal::Timer;
 use rtt_target::{rprintln, rtt_init_print};
 
 use crate::board::Board;
 use crate::cores::Cores;
 use crate::keys::{Keys, Request};
-use crate::view::{BLACK_ROW, SIDE, View};
+use crate::view::{BLACK_ROW, Rows, SIDE, View};
 
 /// The second stage of the boot loader: makes the flash readable as memory.
 #[used]
@@ -40,9 +39,15 @@ fn main() -> ! {
     rprintln!("cores: {}", cores.count());
     let mut view = View::FIRST;
     loop {
-        let request = draw(&view, &mut display, &mut keys, &mut cores, timer)
-            .expect("the display takes every row")
-            .unwrap_or_else(|| keys.wait());
+        let start = timer.get_counter();
+        let pressed = view
+            .with_rows(|rows| draw(&view, rows, &mut display, &mut keys, &mut cores))
+            .expect("the display takes every row");
+        if pressed.is_none() {
+            let time = timer.get_counter() - start;
+            rprintln!("{}: {} ms", view.name(), time.to_millis());
+        }
+        let request = pressed.unwrap_or_else(|| keys.wait());
         view = view.after(request);
     }
 }
@@ -50,23 +55,20 @@ fn main() -> ! {
 /// Draws a view, two rows at a time, unless a key is pressed before it is done.
 fn draw<D: DrawTarget<Color = Rgb565>>(
     view: &View,
+    rows: &dyn Rows,
     display: &mut D,
     keys: &mut Keys,
     cores: &mut Cores,
-    timer: Timer,
 ) -> Result<Option<Request>, D::Error> {
-    let start = timer.get_counter();
-    let mut rows = [BLACK_ROW; 2];
+    let mut pair = [BLACK_ROW; 2];
     for y in (0..SIDE).step_by(2) {
-        cores.work_out(view, y, &mut rows);
+        cores.trace(view, rows, y, &mut pair);
         let area = Rectangle::new(Point::new(0, y as i32), Size::new(SIDE, 2));
-        display.fill_contiguous(&area, rows.iter().flatten().copied())?;
+        display.fill_contiguous(&area, pair.iter().flatten().copied())?;
         if let Some(request) = keys.pressed() {
             return Ok(Some(request));
         }
     }
-    let time = timer.get_counter() - start;
-    rprintln!("{}: {} ms", view.name(), time.to_millis());
     Ok(None)
 }
 

@@ -2,8 +2,8 @@
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use reflet::Camera;
 use reflet::scenes::{BuiltIn, Castle, NAMES, Visitor, visit};
+use reflet::{Camera, Picture, Quality, Shading, World};
 
 use crate::keys::Request;
 
@@ -17,7 +17,7 @@ pub type Row = [Rgb565; SIDE as usize];
 pub const BLACK_ROW: Row = [Rgb565::BLACK; SIDE as usize];
 
 /// One of the built-in scenes, seen through a camera.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct View {
     scene: usize,
     camera: Camera,
@@ -50,16 +50,10 @@ impl View {
         }
     }
 
-    /// Works out row `y`.
-    pub fn row(&self, y: u32, row: &mut Row) {
-        visit(
-            self.name(),
-            WorkOut {
-                camera: &self.camera,
-                y,
-                row,
-            },
-        );
+    /// Makes the view ready for its picture and lends the rows to `work`.
+    pub fn with_rows<R>(&self, work: impl FnOnce(&dyn Rows) -> R) -> R {
+        let camera = &self.camera;
+        visit(self.name(), WithRows { camera, work }).expect("the name is one of the list")
     }
 
     fn next_scene(self) -> Self {
@@ -69,20 +63,32 @@ impl View {
     }
 }
 
-struct WorkOut<'a> {
-    camera: &'a Camera,
-    y: u32,
-    row: &'a mut Row,
+/// The rows of a picture that is ready to be drawn.
+pub trait Rows {
+    /// Traces row `y`.
+    fn row(&self, y: u32, row: &mut Row);
 }
 
-impl Visitor for WorkOut<'_> {
-    type Output = ();
+impl<W: World, Q: Quality, K: Shading> Rows for Picture<W, Q, K> {
+    fn row(&self, y: u32, row: &mut Row) {
+        self.row(y, 0, row);
+    }
+}
 
-    /// Of every scene its own, so that the stack holds what one of them needs, not what all do.
+struct WithRows<'a, F> {
+    camera: &'a Camera,
+    work: F,
+}
+
+impl<R, F: FnOnce(&dyn Rows) -> R> Visitor for WithRows<'_, F> {
+    type Output = R;
+
+    /// Each scene has a copy of its own, so that the stack holds what one of them needs, not what all
+    /// do.
     #[inline(never)]
-    fn visit<S: BuiltIn>(self) {
+    fn visit<S: BuiltIn>(self) -> R {
         let picture = S::frame(self.camera).sized(Size::new(SIDE, SIDE));
-        picture.row(self.y, 0, self.row);
+        (self.work)(&picture)
     }
 }
 
