@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Parser, value_parser};
-use command_line::{Failure, Quality, Shading, in_one_line, size};
+use command_line::{Failure, Quality, Shading, parse, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
 
@@ -89,12 +89,7 @@ impl Arguments {
     ///
     /// Prints the help and ends the program where that is what was asked for.
     pub fn read() -> Result<Self, Failure> {
-        Self::try_parse().map_err(|error| {
-            if !error.use_stderr() {
-                error.exit();
-            }
-            in_one_line(&error).into()
-        })
+        parse()
     }
 
     /// How the picture is drawn.

@@ -179,7 +179,7 @@ fn forward(pipe: Option<impl Read + Send + 'static>, lines: SyncSender<String>) 
     });
 }
 
-/// A program that runs; dropping it ends it.
+/// A program that runs; dropping it ends it with all that it started.
 #[derive(Debug)]
 pub struct Running {
     command: String,
@@ -223,8 +223,10 @@ impl Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // It may have ended already.
-        let _ = self.child.kill();
+        // What has ended has no number any more: another program may have it.
+        if let Ok(None) = self.child.try_wait() {
+            end(self.child.id() as i32);
+        }
         let _ = self.child.wait();
     }
 }
@@ -279,6 +281,23 @@ mod tests {
     #[test]
     fn output_is_read_without_the_space_around_it() {
         assert_eq!(shell("echo '  a b '").read().unwrap(), "a b");
+    }
+
+    #[test]
+    fn program_that_is_watched_is_ended_with_its_children() {
+        let slow = shell("sleep 61.75 & wait").limit(Duration::from_millis(200));
+        let (_, outcome) = slow.watch();
+        assert!(
+            outcome
+                .unwrap_err()
+                .to_string()
+                .ends_with("was ended after 0.2 s")
+        );
+        assert!(
+            !Program::new("pgrep")
+                .args(["-fx", "sleep 61.75"])
+                .succeeds()
+        );
     }
 
     #[test]

@@ -1,11 +1,11 @@
 //! What the commands of the repository have in common: how a scene, a size, a quality and a shading
-//! are named, and how a mistake is told in one line. It prints nothing and ends no program.
+//! are named, and how a mistake is told in one line. Only [`parse`] prints, where help is asked for.
 
 mod mistake;
 mod setting;
 mod source;
 
-pub use mistake::{in_one_line, one_line};
+pub use mistake::{in_one_line, one_line, parse};
 pub use setting::{Quality, Shading, size};
 pub use source::{Kind, Source};
 

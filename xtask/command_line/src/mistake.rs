@@ -1,4 +1,20 @@
-//! Lines about what is wrong with a command.
+//! Reading the command line, and lines about what is wrong with it.
+
+use crate::Failure;
+
+/// Reads the command line. Prints the help and ends the program where that is what was asked for.
+///
+/// # Errors
+///
+/// What is wrong with the command line, in one line.
+pub fn parse<A: clap::Parser>() -> Result<A, Failure> {
+    A::try_parse().map_err(|error| {
+        if !error.use_stderr() {
+            error.exit();
+        }
+        in_one_line(&error).into()
+    })
+}
 
 /// The message of the command line's parser, which spans several lines, in one line. Its advice to
 /// read the help is left out.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow};
 use clap::{Parser, value_parser};
-use command_line::{in_one_line, size};
+use command_line::{parse, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
 use xtask::measure::cores;
@@ -98,12 +98,7 @@ impl Arguments {
     ///
     /// Prints the help and ends the program where that is what was asked for.
     pub fn read() -> Result<Self> {
-        let mut arguments = Self::try_parse().map_err(|error| {
-            if !error.use_stderr() {
-                error.exit();
-            }
-            anyhow!(in_one_line(&error))
-        })?;
+        let mut arguments: Self = parse().map_err(|failure| anyhow!(failure))?;
         if arguments.scenes.is_empty() {
             arguments.scenes = scenes::NAMES.map(PathBuf::from).into();
         }

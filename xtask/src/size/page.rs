@@ -21,7 +21,7 @@ pub(super) fn write(figures: &[Figures], board: Weight) -> String {
 }
 
 /// A table with a row for each scene and number of reflections, of the figures of one target.
-/// A row begins with these cells `before` the others, which are for each of the qualities.
+/// A table with a row a group of figures: the cells of `before`, then `cells` for each quality.
 fn by_quality<const B: usize, const N: usize>(
     figures: &[Figures],
     head: [&str; B],

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Parser;
-use command_line::{Failure, in_one_line};
+use command_line::{Failure, parse};
 
 /// Tries every case of the catalogue and writes docs/stability.md.
 ///
@@ -33,11 +33,6 @@ pub struct Arguments {
 impl Arguments {
     /// What the command line says, or the line that says what is wrong with it.
     pub fn read() -> Result<Self, Failure> {
-        Self::try_parse().map_err(|error| {
-            if !error.use_stderr() {
-                error.exit();
-            }
-            in_one_line(&error).into()
-        })
+        parse()
     }
 }
