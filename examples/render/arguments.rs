@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Parser, value_parser};
-use command_line::{Failure, Quality, Shading, parse, size};
+use command_line::{Chosen, Failure, Quality, Shading, is_standard_output, parse, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
 
@@ -12,15 +12,14 @@ use crate::draw::Settings;
 
 /// Renders a scene of mirrors in fixed point, as a microcontroller does.
 #[derive(Parser)]
-#[command(name = "render", max_term_width = 100, after_long_help = after_help())]
+#[command(name = "render", version, max_term_width = 100, after_long_help = after_help())]
 pub struct Arguments {
     /// A built-in scene or a scene file
     #[arg(value_name = "SCENE|FILE.json", default_value = "castle")]
     pub scene: PathBuf,
 
-    /// The scene to take from a file that holds several
-    #[arg(long = "scene", value_name = "NAME")]
-    pub chosen: Option<String>,
+    #[command(flatten)]
+    pub chosen: Chosen,
 
     /// Width and height in pixels, each from 1 to 65535
     #[arg(long, value_name = "WxH", default_value = "320x320", value_parser = size)]
@@ -55,11 +54,12 @@ pub struct Arguments {
     #[arg(value_name = "rgb565|gray4|gray2|binary")]
     pub dither: Option<Levels>,
 
-    /// Write the picture to a new PNG file
-    #[arg(long, value_name = "F.png")]
+    /// Write the picture to a new PNG file, or to standard output if F.png is -
+    #[arg(short, long, value_name = "F.png")]
     pub out: Option<PathBuf>,
 
-    /// Write the picture to a new file of width * height * 3 bytes, RGB8 from the top left
+    /// Write the picture to a new file of width * height * 3 bytes, RGB8 from the top left, or to
+    /// standard output if F.rgb is -
     #[arg(long, value_name = "F.rgb")]
     pub raw: Option<PathBuf>,
 
@@ -92,6 +92,12 @@ impl Arguments {
         parse()
     }
 
+    /// Whether standard output carries a picture, and nothing else may be printed there.
+    pub fn picture_is_printed(&self) -> bool {
+        let mut paths = [&self.out, &self.raw].into_iter().flatten();
+        paths.any(|path| is_standard_output(path))
+    }
+
     /// How the picture is drawn.
     pub fn settings(&self) -> Settings {
         let Self {
@@ -117,7 +123,8 @@ A name with a dot or a slash in it is a file: JSON, one scene or an array of sce
 
 With none of --out, --raw, --check, --json, --needs and --window the picture is written to NAME.png in the
 current folder, or to NAME-2.png and so on where that exists. No file is written over: --out and
---raw refuse one that exists.
+--raw refuse one that exists. Where one of them is -, standard output is the picture and all words
+go to standard error.
 
 --json prints the keys scene, size, reflections, shading, quality (`reference` where fixed point
 is not rendered) and seconds (for the picture alone), and with --check same, within1, within8

@@ -5,7 +5,6 @@
 mod arguments;
 mod dither;
 mod draw;
-mod file;
 mod needs;
 mod output;
 mod picture;
@@ -17,7 +16,7 @@ mod window;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use command_line::{Failure, Source, one_line};
+use command_line::{Failure, Source, one_line, print};
 
 use self::arguments::Arguments;
 use self::output::Outputs;
@@ -40,7 +39,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         let call = "cargo run --release --features window --example render -- --window";
         return Err(format!("--window needs the feature `window`: {call}").into());
     }
-    let source = Source::open(&arguments.scene, arguments.chosen.as_deref())?;
+    let source = Source::open(&arguments.scene, &arguments.chosen)?;
     if arguments.needs {
         let (name, settings) = (source.name(), arguments.settings());
         let say = if arguments.json {
@@ -48,8 +47,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         } else {
             needs::text
         };
-        writeln!(io::stdout(), "{}", say(name, needs::of(&source), settings))?;
-        return Ok(());
+        return print(say(name, needs::of(&source), settings) + "\n");
     }
     let outputs = Outputs::new(arguments, source.name())?;
     if outputs.are_wanted() {

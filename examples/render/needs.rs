@@ -5,8 +5,7 @@ use reflet::{Need, Needs};
 use serde_json::json;
 
 use crate::draw::Settings;
-use command_line::Quality;
-use command_line::{Kind, Source};
+use command_line::{Kind, Quality, Source, json_line, one_line};
 
 /// What a scene needs.
 pub fn of(source: &Source) -> Needs {
@@ -32,7 +31,7 @@ pub fn text(scene: &str, needs: Needs, settings: Settings) -> String {
         let place = if need.is_needed { "in" } else { "left out" };
         format!("\n  {:<12} {place:<9} {why}", need.name)
     });
-    let quality = settings.quality.name();
+    let (scene, quality) = (one_line(scene), settings.quality.name());
     format!("{scene}, quality {quality}:{}", lines.collect::<String>())
 }
 
@@ -42,7 +41,8 @@ pub fn json(scene: &str, needs: Needs, settings: Settings) -> String {
         .into_iter()
         .map(|(need, why)| json!({ "name": need.name, "is_needed": need.is_needed, "why": why }));
     let quality = settings.quality.name();
-    json!({ "scene": scene, "quality": quality, "needs": needs.collect::<Vec<_>>() }).to_string()
+    let needs = needs.collect::<Vec<_>>();
+    json_line(&json!({ "scene": scene, "quality": quality, "needs": needs }).to_string())
 }
 
 /// Each need of a scene drawn so, and why it is one.

@@ -1,16 +1,15 @@
 //! Where the picture and what is known about it go; it never renders.
 
-use std::io::{self, Cursor, ErrorKind, Write};
+use std::io::{self, Cursor, Write};
+use std::path::PathBuf;
 
+use command_line::{Failure, NewFile, are_same_file, is_standard_output, shown};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use image::ImageFormat;
 
 use crate::arguments::Arguments;
-use crate::file::NewFile;
 use crate::picture::Drawing;
-use command_line::Failure;
-
 use crate::report;
 
 /// What is asked for, its paths checked.
@@ -32,13 +31,14 @@ impl<'a> Outputs<'a> {
             window,
             ..
         } = arguments;
-        if out.is_some() && out == raw {
+        let both = out.as_ref().zip(raw.as_ref());
+        if both.is_some_and(|(out, raw)| are_same_file(out, raw)) {
             return Err("--out and --raw name the same file".into());
         }
         let asked = out.is_some() || raw.is_some() || *check || *json || *window;
         let png = match out {
-            None if !asked => Some(NewFile::picture_of(scene)),
-            path => path.as_deref().map(NewFile::at).transpose()?,
+            None if !asked => Some(NewFile::free_png(&picture_of(scene))?),
+            path => path.as_deref().map(NewFile::png_at).transpose()?,
         };
         let raw = raw.as_deref().map(NewFile::at).transpose()?;
         Ok(Self {
@@ -56,22 +56,40 @@ impl<'a> Outputs<'a> {
     }
 
     /// Writes the files, then prints.
-    pub fn write(&self, drawing: &Drawing) -> Result<(), Failure> {
-        if let Some(file) = &self.png {
-            file.write(&png(&drawing.display)?)?;
+    pub fn write(self, drawing: &Drawing) -> Result<(), Failure> {
+        let mut written = Vec::new();
+        if let Some(file) = self.png {
+            written.push(file.write(&png(&drawing.display)?)?);
         }
-        if let Some(file) = &self.raw {
-            file.write(&drawing.display.to_be_bytes())?;
+        if let Some(file) = self.raw {
+            written.push(file.write(&drawing.display.to_be_bytes())?);
         }
-        let (size, settings) = (self.arguments.size, self.arguments.settings());
-        if self.arguments.json {
-            return print(&report::json(self.scene, size, settings, drawing));
+        let (arguments, size, settings) = (
+            self.arguments,
+            self.arguments.size,
+            self.arguments.settings(),
+        );
+        if arguments.json {
+            let line = report::json(self.scene, size, settings, drawing);
+            return print(arguments, &line);
         }
-        let files = [&self.png, &self.raw].into_iter().flatten();
-        let files = files.map(|file| format!("\nwritten to {}", file.path().display()));
+        let written = written.iter().filter(|path| !is_standard_output(path));
+        let written = written.map(|path| format!("\nwritten to {}", shown(path)));
         let text = report::text(self.scene, size, settings, drawing);
-        print(&(text + &files.collect::<String>()))
+        print(arguments, &(text + &written.collect::<String>()))
     }
+}
+
+/// `NAME.png` in the current folder. A name cannot lead to another folder, and an empty one is
+/// `scene`.
+fn picture_of(scene: &str) -> PathBuf {
+    let safe = |letter: char| match letter.is_alphanumeric() || "-_ ".contains(letter) {
+        true => letter,
+        false => '_',
+    };
+    let name: String = scene.trim().chars().map(safe).take(50).collect();
+    let name = if name.is_empty() { "scene" } else { &name };
+    PathBuf::from(format!("{name}.png"))
 }
 
 fn png(display: &SimulatorDisplay<Rgb888>) -> Result<Vec<u8>, Failure> {
@@ -83,12 +101,13 @@ fn png(display: &SimulatorDisplay<Rgb888>) -> Result<Vec<u8>, Failure> {
     Ok(bytes.into_inner())
 }
 
-/// Prints and ends the line; that nobody reads any more is no error.
-pub fn print(text: &str) -> Result<(), Failure> {
-    match writeln!(io::stdout(), "{text}") {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(format!("standard output cannot be written: {error}").into())
-        }
-        _ => Ok(()),
+/// Prints and ends the line, on standard error where standard output carries a picture; that
+/// nobody reads any more is no error.
+pub fn print(arguments: &Arguments, text: &str) -> Result<(), Failure> {
+    if arguments.picture_is_printed() {
+        // As with any message: nothing is left to be done if it cannot be said.
+        let _ = writeln!(io::stderr(), "{text}");
+        return Ok(());
     }
+    command_line::print(format!("{text}\n"))
 }

@@ -1,5 +1,6 @@
 //! What is known about a picture, for people and for programs; it never prints.
 
+use command_line::{json_line, one_line};
 use embedded_graphics::geometry::Size;
 use reflet::host::compare::Difference;
 use serde_json::Value;
@@ -37,7 +38,7 @@ pub fn json(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> S
     let fields = fields
         .into_iter()
         .map(|(key, value)| format!("\"{key}\":{value}"));
-    format!("{{{}}}", fields.collect::<Vec<_>>().join(","))
+    json_line(&format!("{{{}}}", fields.collect::<Vec<_>>().join(",")))
 }
 
 /// A line or two of words.
@@ -51,6 +52,7 @@ pub fn text(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> S
         seconds,
     ) = (settings, drawing.seconds);
     let (words, shading, quality) = (words(size), shading.name(), quality(settings, drawing));
+    let scene = one_line(scene);
     let mut text =
         format!("{scene} {words}, {reflections} reflections, {shading}, {quality}: {seconds:.3} s");
     if let Some(report) = drawing.report {

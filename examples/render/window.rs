@@ -37,7 +37,7 @@ pub fn show(source: Source, arguments: &Arguments) -> Result<(), Failure> {
             news => {
                 drawing = view.draw()?;
                 if news == News::Setting {
-                    output::print(&view.describe(&drawing))?;
+                    output::print(arguments, &view.describe(&drawing))?;
                 }
             }
         }

@@ -1,6 +1,7 @@
 //! The render example as its users call it: what it writes, what it prints, what it refuses.
 
 mod dithering;
+mod output;
 mod program;
 
 use std::collections::BTreeSet;
@@ -340,8 +341,7 @@ fn help_names_every_scene_and_option() {
     for name in scenes::NAMES {
         assert!(help.contains(name), "{name}");
     }
-    let options =
-        "scene size reflections shading quality dither out raw reference check json window";
+    let options = "scene size reflections shading quality dither out raw reference check needs json window version";
     for option in options.split(' ') {
         assert!(help.contains(&format!("--{option}")), "{option}");
     }
@@ -350,7 +350,12 @@ fn help_names_every_scene_and_option() {
 #[test]
 fn reader_that_leaves_early_is_no_error() {
     let folder = Folder::new("pipe");
-    for call in ["floor --size 2x2 --json", "--help"] {
+    for call in [
+        "floor --size 2x2 --json",
+        "floor --needs",
+        "--help",
+        "--version",
+    ] {
         let outcome = folder.render_unread(call);
         assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""), "{call}");
     }

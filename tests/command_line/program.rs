@@ -65,6 +65,16 @@ impl Folder {
         )
     }
 
+    /// Runs the program and returns its exit code, the bytes it prints and its words.
+    pub fn render_bytes(&self, arguments: &str) -> (i32, Vec<u8>, String) {
+        let arguments: Vec<_> = arguments.split_whitespace().collect();
+        let output = self.command("render", &arguments).output();
+        let output = output.expect("the example runs");
+        let words = String::from_utf8(output.stderr).expect("the example says UTF-8");
+        let code = output.status.code().expect("the example ends by itself");
+        (code, output.stdout, words)
+    }
+
     /// Runs the program with less memory than the machine may have.
     #[cfg(target_os = "linux")]
     pub fn render_in_4_gigabytes(&self, arguments: &str) -> Outcome {

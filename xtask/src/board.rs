@@ -18,14 +18,14 @@ const TARGET: &str = "thumbv7m-none-eabi";
 const LIMIT: Duration = Duration::from_secs(60);
 
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let path = arguments.path("board")?;
+    let file = arguments.file("board")?;
     println!("board: building");
     let firmware = build()?;
     println!("board: booting");
     let mut board = Board::boot(&firmware)?;
     let line = board.go_to(&arguments.scene)?;
     println!("{line}");
-    screenshot::save(&board.screen()?, &path)
+    screenshot::save(&board.screen()?, file)
 }
 
 /// `cargo xtask show`: for a person, until they close the window or stop it.

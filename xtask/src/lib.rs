@@ -25,7 +25,12 @@ pub mod toolchain;
 use std::env;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Error, Result};
+
+/// Prints on standard output. That nobody reads it any more is no error.
+fn print(text: impl AsRef<[u8]>) -> Result<()> {
+    command_line::print(text).map_err(Error::from_boxed)
+}
 
 pub fn root() -> PathBuf {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -4,6 +4,7 @@ use std::{path::PathBuf, process::ExitCode};
 
 use anyhow::Result;
 use clap::Parser;
+use command_line::Chosen;
 use xtask::{
     accuracy, board, enter_root, fuzz, gate, measure, misuse::Misuse, pico, profile, scale,
     scene_source, screenshot, setup, size,
@@ -39,9 +40,8 @@ enum Chore {
         #[arg(value_name = "FILE.json")]
         file: PathBuf,
 
-        /// The scene to take from a file that holds several
-        #[arg(long, value_name = "SCENE")]
-        name: Option<String>,
+        #[command(flatten)]
+        chosen: Chosen,
     },
 }
 
@@ -81,7 +81,7 @@ fn run(chore: &Chore) -> Result<()> {
         Chore::Profile(arguments) => profile::run(arguments),
         Chore::Scale(arguments) => scale::run(arguments),
         Chore::Size(arguments) => size::run(arguments),
-        Chore::Scene { file, name } => scene_source::run(file, name.as_deref()),
+        Chore::Scene { file, chosen } => scene_source::run(file, chosen),
         Chore::Setup => setup::run(),
         Chore::Accuracy => accuracy::run(),
         Chore::Fuzz(arguments) => fuzz::run(arguments),

@@ -14,7 +14,7 @@ use crate::{enter_root, screenshot, toolchain};
 const TARGET: &str = "thumbv6m-none-eabi";
 
 pub fn run(arguments: &Arguments) -> Result<()> {
-    let path = arguments.path("pico")?;
+    let file = arguments.file("pico")?;
     println!("pico: building");
     let firmware = build()?;
     println!("pico: emulating, which may take some minutes");
@@ -23,7 +23,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let run = Rp2040::default().picture(&presses).run(&firmware)?;
     run.said.iter().for_each(|line| println!("{line}"));
     let picture = run.pictures.first().context("one was waited for")?;
-    screenshot::save(&as_seen(picture), &path)
+    screenshot::save(&as_seen(picture), file)
 }
 
 pub fn build() -> Result<PathBuf> {

@@ -94,7 +94,7 @@ fn picture_on_the_boards_page_is_what_it_shows() {
 fn command_saves_what_the_display_shows_and_replaces_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("columns.png");
-    let arguments = format!("board --scene columns --screenshot {}", path.display());
+    let arguments = format!("board columns --screenshot {}", path.display());
     let call = || common::xtask(folder.path(), &arguments);
     let first = call();
     assert_eq!(first.code, 0, "{}", first.err);

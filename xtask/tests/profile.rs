@@ -58,7 +58,7 @@ fn total_is_what_measure_counts_but_for_the_calls() {
 #[test]
 fn stages_and_tables_add_up_to_the_total() {
     // A core that lacks instructions calls for what they do from everywhere.
-    let lines = lines("--core m0 --scene castle --size 8x8 --functions --top 100000");
+    let lines = lines("--core m0 castle --size 8x8 --functions --top 100000");
     let stages = stages(&lines);
     let sum: u64 = stage_names().map(|name| stages[name]).sum();
     assert_eq!(
@@ -109,7 +109,7 @@ fn mirrored_rays_are_told_from_the_first() {
     let of = |reflections| {
         let lines = lines(&format!(
             // So narrow that no pixel is left out.
-            "--scene mirror1 --size 4x24 --reflections {reflections}"
+            "mirror1 --size 4x24 --reflections {reflections}"
         ));
         ["primary", "reflection", "shading", "shadow"].map(|name| stages(&lines)[name])
     };
@@ -124,7 +124,7 @@ fn mirrored_rays_are_told_from_the_first() {
 
 #[test]
 fn empty_scene_is_neither_shaded_nor_mirrored() {
-    let lines = lines("--core m4f --scene empty --size 8x4 --quality fine");
+    let lines = lines("--core m4f empty --size 8x4 --quality fine");
     let stages = stages(&lines);
     assert_eq!(
         ["primary", "shading", "shadow", "reflection"].map(|name| stages[name]),
@@ -145,7 +145,7 @@ fn empty_scene_is_neither_shaded_nor_mirrored() {
 
 #[test]
 fn tables_name_what_they_show() {
-    let arguments = "profile --scene floor --size 8x8 --functions --top 3";
+    let arguments = "profile floor --size 8x8 --functions --top 3";
     let Done { code, out, err } = xtask(&root(), arguments);
     assert_eq!((code, err.as_str()), (0, ""));
     let parts: Vec<_> = out.split("\n\n").collect();
@@ -168,9 +168,9 @@ profile --quality float => the float port cannot be profiled
 profile --core m5 => invalid value 'm5' for '--core <CORE>'
 profile --size 0x3 => not a width and a height from 1 to 65535
 profile --reflections 256 => 256 is not in 0..=255
-profile --scene sandcastle => there is no built-in scene sandcastle, only castle,
-profile --scene missing.json => missing.json: No such file or directory
-profile --name ball => --name chooses from a file
+profile sandcastle => there is no built-in scene sandcastle, only castle,
+profile missing.json => missing.json: No such file or directory
+profile --scene ball => --scene chooses from a file
 profile --top 3 => the following required arguments were not provided:; --functions
 profile --functions --top many => invalid value 'many' for '--top <N>'
 profile --all => unexpected argument '--all' found";

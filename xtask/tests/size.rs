@@ -236,7 +236,7 @@ fn whole_firmware_of_the_castle_is_below_48_kib() {
 
 #[test]
 fn command_prints_lines_of_json_with_these_keys() {
-    let arguments = "size --json --scene empty --target thumbv7m-none-eabi";
+    let arguments = "size --json empty --target thumbv7m-none-eabi";
     let done = common::xtask(&root(), arguments);
     assert_eq!(done.code, 0, "{}", done.err);
     let lines = done.out.lines().map(serde_json::from_str);

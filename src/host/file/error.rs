@@ -37,6 +37,8 @@ pub struct FileError {
 pub enum Problem {
     /// The file cannot be read.
     Unreadable(io::Error),
+    /// The file has more than [`MAX_BYTES`](super::MAX_BYTES).
+    TooLarge,
     /// The text is not JSON or not the JSON of a scene.
     Json {
         /// The line of the mistake, counted from 1.
@@ -151,6 +153,7 @@ impl Display for Problem {
         let mut line = OneLine(formatter);
         match self {
             Self::Unreadable(error) => write!(line, "{error}"),
+            Self::TooLarge => write!(line, "a scene file may have 16 MB at most"),
             Self::Json {
                 line: at,
                 column,

@@ -32,14 +32,19 @@ mod resolve;
 
 use std::borrow::ToOwned;
 use std::boxed::Box;
-use std::fs;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::string::String;
+use std::vec::Vec;
 
 pub use self::error::{FileError, Problem};
 use crate::camera;
 use crate::host::reference::{Camera, Scene};
 use crate::scene::{self, RuntimeScene};
+
+/// The most bytes that a scene file may have: 16 MB.
+pub const MAX_BYTES: u64 = 16_000_000;
 
 /// The scene of a file as it is filled: with room for 512 spheres, 32 planes, 128 cylinders, 16
 /// lights and 256 materials, the most that a file may hold.
@@ -81,6 +86,7 @@ fn fill(
 pub struct SceneFile {
     path: Option<PathBuf>,
     name: Option<String>,
+    materials: Vec<String>,
     scene: Scene,
     camera: Camera,
 }
@@ -109,11 +115,13 @@ impl SceneFile {
         let scenes = document::read(text).map_err(|error| FileError::json(&error))?;
         let mut chosen = resolve::choose(scenes, name).map_err(FileError::new)?;
         let name = chosen.name.take();
+        let materials = chosen.materials.iter().map(|it| it.name.clone()).collect();
         let (scene, camera) = resolve::resolve(chosen)
             .map_err(|problem| FileError::new(problem).in_scene(name.as_deref()))?;
         Ok(Self {
             path: None,
             name,
+            materials,
             scene,
             camera,
         })
@@ -123,11 +131,11 @@ impl SceneFile {
     ///
     /// # Errors
     ///
-    /// The file cannot be read, and all of [`SceneFile::parse`].
+    /// The file cannot be read or has more than [`MAX_BYTES`], and all of [`SceneFile::parse`].
     pub fn read(path: impl AsRef<Path>, name: Option<&str>) -> Result<Self, FileError> {
         let path = path.as_ref();
-        let read = fs::read_to_string(path)
-            .map_err(|error| FileError::new(Problem::Unreadable(error)))
+        let read = text_of(path)
+            .map_err(FileError::new)
             .and_then(|text| Self::parse(&text, name))
             .map_err(|error| error.in_file(Some(path)))?;
         Ok(Self {
@@ -139,6 +147,11 @@ impl SceneFile {
     /// The name of the scene, where it has one.
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
+    }
+
+    /// The names of the materials, in the order of the reference's.
+    pub fn materials(&self) -> &[String] {
+        &self.materials
     }
 
     /// The scene and the camera of the double-precision reference.
@@ -176,6 +189,22 @@ impl SceneFile {
             .in_file(self.path.as_deref())
             .in_scene(self.name())
     }
+}
+
+/// All of a file that is not too large. A pipe or a device, whose size nobody knows, is read no
+/// further than that.
+fn text_of(path: &Path) -> Result<String, Problem> {
+    let mut bytes = Vec::new();
+    File::open(path)
+        .and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
+        .map_err(Problem::Unreadable)?;
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(Problem::TooLarge);
+    }
+    String::from_utf8(bytes).map_err(|_| {
+        let words = "the file is not UTF-8 text";
+        Problem::Unreadable(io::Error::new(io::ErrorKind::InvalidData, words))
+    })
 }
 
 #[cfg(test)]

@@ -2,11 +2,53 @@
 
 use std::path::Path;
 
+use clap::Args;
 use reflet::host::file::{FileError, FileScene, Problem, SceneFile};
 use reflet::host::reference;
 use reflet::scenes::{self, BuiltIn, Visitor};
 
 use crate::Failure;
+
+/// The option that takes one scene from a file.
+#[derive(Args, Clone, Debug, Default)]
+pub struct Chosen {
+    /// The scene to take from a file that holds several
+    #[arg(id = "chosen", long = "scene", value_name = "NAME")]
+    pub name: Option<String>,
+}
+
+/// What a command line calls a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Named {
+    BuiltIn(&'static str),
+    /// A scene file; its path is the name.
+    File,
+}
+
+impl Named {
+    /// A name with a dot or a slash in it is a file.
+    ///
+    /// # Errors
+    ///
+    /// There is no such built-in scene, or one is to be taken from a built-in scene.
+    pub fn of(scene: &Path, chosen: &Chosen) -> Result<Self, Failure> {
+        let text = scene.to_string_lossy();
+        let built_in = scenes::NAMES.into_iter().find(|&name| name == text);
+        match (built_in, &chosen.name) {
+            (Some(name), Some(_)) => Err(format!(
+                "--scene chooses from a file, and {name} is built in: \
+                 write FILE.json --scene NAME, or NAME alone"
+            )
+            .into()),
+            (Some(name), None) => Ok(Self::BuiltIn(name)),
+            (None, _) if text.contains(['.', '/', '\\']) => Ok(Self::File),
+            (None, _) => {
+                let names = scenes::NAMES.join(", ");
+                Err(format!("there is no built-in scene {text}, only {names}").into())
+            }
+        }
+    }
+}
 
 /// A scene and the view it was made for.
 pub struct Source {
@@ -22,18 +64,13 @@ pub enum Kind {
 
 impl Source {
     /// The scene that the command line names.
-    pub fn open(scene: &Path, chosen: Option<&str>) -> Result<Self, Failure> {
-        let text = scene.to_string_lossy();
-        let built_in = Self::built_in(&text);
-        match chosen {
-            Some(_) if built_in.is_some() => {
-                Err(format!("--scene chooses from a file, and {text} is built in").into())
-            }
-            _ if built_in.is_none() && text.contains(['.', '/', '\\']) => Self::read(scene, chosen),
-            _ => built_in.ok_or_else(|| {
-                let names = scenes::NAMES.join(", ");
-                format!("there is no built-in scene {text}, only {names}").into()
+    pub fn open(scene: &Path, chosen: &Chosen) -> Result<Self, Failure> {
+        match Named::of(scene, chosen)? {
+            Named::BuiltIn(name) => Ok(Self {
+                name: name.to_owned(),
+                kind: Kind::BuiltIn,
             }),
+            Named::File => Self::read(scene, chosen),
         }
     }
 
@@ -46,8 +83,8 @@ impl Source {
         })
     }
 
-    fn read(path: &Path, chosen: Option<&str>) -> Result<Self, Failure> {
-        let file = SceneFile::read(path, chosen).map_err(with_advice)?;
+    fn read(path: &Path, chosen: &Chosen) -> Result<Self, Failure> {
+        let file = SceneFile::read(path, chosen.name.as_deref()).map_err(with_advice)?;
         let scene = file.build()?;
         let stem = || {
             path.file_stem()
@@ -81,8 +118,8 @@ impl Source {
     }
 }
 
-/// A file does not know the option that chooses from it.
-fn with_advice(error: FileError) -> Failure {
+/// The error with the option that chooses from a file, which the file does not know.
+pub fn with_advice(error: FileError) -> Failure {
     match error.problem() {
         Problem::Undecided { .. } => format!("{error} (--scene NAME)").into(),
         _ => error.into(),

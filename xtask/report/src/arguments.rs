@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow};
 use clap::{Parser, value_parser};
-use command_line::{parse, size};
+use command_line::{Chosen, parse, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
 use xtask::measure::cores;
@@ -18,9 +18,8 @@ pub struct Arguments {
     #[arg(value_name = "SCENE|FILE.json")]
     pub scenes: Vec<PathBuf>,
 
-    /// The scene to take from a file that holds several
-    #[arg(long = "scene", value_name = "NAME")]
-    pub chosen: Option<String>,
+    #[command(flatten)]
+    pub chosen: Chosen,
 
     /// Where it runs: m0, m3, m4f, m33, m7, rv32 or host
     #[arg(long, default_value = "m3", value_parser = Core::parse)]
@@ -112,7 +111,7 @@ impl Arguments {
         if !self.scenes.iter().map(PathBuf::as_path).eq(all) {
             command.extend(self.scenes.iter().map(|it| format!(" {}", it.display())));
         }
-        if let Some(name) = &self.chosen {
+        if let Some(name) = &self.chosen.name {
             command += &format!(" --scene {name}");
         }
         command += &format!(" --core {} --size {}", self.core.name(), self.size_words());

@@ -81,8 +81,8 @@ fn bar(total: usize) -> ProgressBar {
 }
 
 fn painters(arguments: &Arguments) -> Result<Vec<Painter>> {
-    let chosen = arguments.chosen.as_deref();
-    if chosen.is_some() && arguments.scenes.len() != 1 {
+    let chosen = &arguments.chosen;
+    if chosen.name.is_some() && arguments.scenes.len() != 1 {
         bail!("--scene chooses from one file");
     }
     let mut painters: Vec<Painter> = Vec::new();
@@ -206,7 +206,7 @@ impl Job {
         let folder = folder.unwrap_or_else(|| toolchain::target_directory().join("report"));
         let sweep = Sweep {
             core,
-            scene: &Scene::open(plan.path, arguments.chosen.as_deref())?,
+            scene: &Scene::open(plan.path, &arguments.chosen)?,
             size: arguments.size.into(),
             settings: &self.settings,
             known: 0,

@@ -5,6 +5,7 @@ use std::io::Cursor;
 use std::path::Path;
 
 use anyhow::{Context, Result};
+use command_line::shown;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 use reflet::host::compare::difference_picture;
@@ -42,7 +43,7 @@ pub fn all(arguments: &Arguments, scenes: &[Measured]) -> Result<()> {
         furthest: room::furthest(&seen),
     };
     folder.write("index.md", page.markdown().as_bytes())?;
-    println!("{}", arguments.out.join("index.md").display());
+    println!("{}", shown(&arguments.out.join("index.md")));
     Ok(())
 }
 

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
+use command_line::Chosen;
 
 use super::cores::Core;
 use super::scene::Scene;
@@ -21,7 +22,7 @@ pub struct Arguments {
     pub(super) json: bool,
 
     /// Measure everything again, on --core or on all, and write docs/measured and docs/boards.md
-    #[arg(long, conflicts_with_all = ["scene", "name", "size"])]
+    #[arg(long, conflicts_with_all = ["scene", "chosen", "size"])]
     #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json"])]
     pub(super) all: bool,
 }
@@ -33,13 +34,12 @@ pub struct Choice {
     #[arg(long, value_parser = Core::parser())]
     pub(super) core: Option<&'static Core>,
 
-    /// A built-in scene, or a scene file
-    #[arg(long, value_name = "NAME|FILE.json", default_value = "castle")]
+    /// A built-in scene or a scene file
+    #[arg(value_name = "SCENE|FILE.json", default_value = "castle")]
     scene: PathBuf,
 
-    /// The scene to take from a file that holds several
-    #[arg(long, value_name = "SCENE")]
-    name: Option<String>,
+    #[command(flatten)]
+    chosen: Chosen,
 
     #[command(flatten)]
     settings: Settings,
@@ -53,7 +53,7 @@ impl Choice {
     pub fn task(&self) -> Result<Task> {
         Ok(Task {
             core: self.core.unwrap_or(Core::M3),
-            scene: Scene::open(&self.scene, self.name.as_deref())?,
+            scene: Scene::open(&self.scene, &self.chosen)?,
             settings: self.settings,
         })
     }

@@ -1,6 +1,7 @@
 //! What a measurement comes to, for people and for programs.
 
 use anyhow::{Context, Result};
+use command_line::one_line;
 use serde::{Deserialize, Serialize};
 
 use super::{firmware::Outcome, task::Task};
@@ -71,7 +72,7 @@ pub fn table(rows: &[Figures]) -> String {
     cells.extend(rows.iter().map(|row| {
         vec![
             row.core.clone(),
-            row.scene.clone(),
+            one_line(&row.scene),
             row.size.clone(),
             row.reflections.to_string(),
             row.shading.clone(),

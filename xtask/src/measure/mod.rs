@@ -16,9 +16,8 @@ pub mod record;
 pub mod scene;
 pub mod task;
 
-use std::io::{self, Write};
-
 use anyhow::Result;
+use command_line::json_line;
 
 pub use self::cores::{CORES, Core};
 pub use self::firmware::{
@@ -28,6 +27,7 @@ pub use self::images::sources;
 pub use self::task::{Quality, Settings, Shading, Size, Task};
 pub use self::{arguments::Arguments, figures::Figures, scene::Scene};
 use crate::cycles::{self, Estimate};
+use crate::print;
 
 pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.all {
@@ -35,11 +35,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     let figures = measure(&arguments.choice.task()?)?;
     let text = match arguments.json {
-        true => figures.json()?,
+        true => json_line(&figures.json()?),
         false => figures::table(&[figures]),
     };
-    writeln!(io::stdout(), "{text}")?;
-    Ok(())
+    print(text + "\n")
 }
 
 pub fn measure(task: &Task) -> Result<Figures> {

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use anyhow::{Result, bail};
-use command_line::Source;
+use anyhow::Result;
+use command_line::{Chosen, Named, Source};
 use reflet::{
     host::{file::SceneFile, reference},
     scenes::{self, BuiltIn, Visitor},
@@ -22,25 +22,14 @@ pub enum Scene {
 }
 
 impl Scene {
-    /// The built-in scene of this name, or the scene of a file: a name with a dot or a slash in
-    /// it is a file. From a file with several scenes, `chosen` names one.
+    /// The scene that the command line names.
     ///
     /// # Errors
     /// [`Misuse`] where there is no such scene or it cannot be used.
-    pub fn open(scene: &Path, chosen: Option<&str>) -> Result<Self> {
-        let text = scene.to_string_lossy();
-        if text.contains(['.', '/', '\\']) {
-            return Ok(scene_source::read(scene, chosen)?.into());
-        }
-        if chosen.is_some() {
-            bail!(Misuse::new("--name chooses from a file"));
-        }
-        match scenes::NAMES.into_iter().find(|name| *name == text) {
-            Some(name) => Ok(Self::BuiltIn(name)),
-            None => bail!(Misuse::new(format!(
-                "there is no built-in scene {text}, only {}",
-                scenes::NAMES.join(", ")
-            ))),
+    pub fn open(scene: &Path, chosen: &Chosen) -> Result<Self> {
+        match Named::of(scene, chosen).map_err(Misuse::new)? {
+            Named::BuiltIn(name) => Ok(Self::BuiltIn(name)),
+            Named::File => Ok(scene_source::read(scene, chosen)?.into()),
         }
     }
 

@@ -13,8 +13,6 @@ mod record;
 mod stages;
 mod sums;
 
-use std::io::{self, Write};
-
 use anyhow::{Result, bail};
 use clap::Args;
 
@@ -53,8 +51,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         true => print::json(&sums, pixels, rows),
         false => print::tables(&sums, pixels, rows),
     };
-    write!(io::stdout(), "{text}")?;
-    Ok(())
+    crate::print(text)
 }
 
 /// Counts the instructions of one frame.

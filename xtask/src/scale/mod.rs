@@ -4,8 +4,6 @@
 //! constant scene and is measured as any other ([`crate::measure`]). `page.md` is the frame of
 //! `docs/scale.md`.
 
-use std::io::{self, Write};
-
 use anyhow::{Context, Result};
 use benchmark::Order;
 use clap::Args;
@@ -14,7 +12,7 @@ use serde::Serialize;
 
 use crate::measure::{Core, Figures, Quality, Scene, Size, Task};
 use crate::table::{filled, markdown};
-use crate::{kept, measure, root};
+use crate::{kept, measure, print, root};
 
 /// Measures what a frame takes with 1, 2, 4 and so on to 256 spheres; without options it also
 /// writes docs/scale.md.
@@ -81,22 +79,21 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         arguments.core.unwrap_or(Core::M3),
         arguments.size.unwrap_or(SIZE),
     );
-    let mut out = io::stdout();
     let mut members = Vec::new();
     if !arguments.json {
-        writeln!(out, "{}", line(&head()))?;
+        print(line(&head()) + "\n")?;
     }
     for count in COUNTS {
         let member = Member::measure(core, size, count, members.last())?;
         if !arguments.json {
-            writeln!(out, "{}", line(&member.cells()))?;
+            print(line(&member.cells()) + "\n")?;
         }
         members.push(member);
     }
     let scale = Scale::new(core, size, members)?;
     match arguments.json {
-        true => writeln!(out, "{}", serde_json::to_string(&scale)?)?,
-        false => writeln!(out, "\n{}", scale.verdict())?,
+        true => print(serde_json::to_string(&scale)? + "\n")?,
+        false => print(format!("\n{}\n", scale.verdict()))?,
     }
     if arguments.core.is_none() && arguments.size.is_none() && !arguments.json {
         kept::write(&root().join("docs/scale.md"), &scale.page(core))?;

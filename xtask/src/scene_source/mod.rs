@@ -7,13 +7,13 @@
 mod names;
 mod write;
 
-use std::{fs, io::Write as _, path::Path};
+use std::{fs, path::Path};
 
 use anyhow::{Context, Result};
+use command_line::{Chosen, with_advice};
 use reflet::host::file::SceneFile;
-use serde_json::Value;
 
-use crate::{command::Program, misuse::Misuse};
+use crate::{command::Program, misuse::Misuse, print};
 
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -24,21 +24,20 @@ pub struct Source {
 }
 
 /// Prints the source of the file's scene, or of the one called `chosen`.
-pub fn run(path: &Path, chosen: Option<&str>) -> Result<()> {
+pub fn run(path: &Path, chosen: &Chosen) -> Result<()> {
     let (_, source) = read(path, chosen)?;
-    std::io::stdout().write_all(source.text.as_bytes())?;
-    Ok(())
+    print(source.text)
 }
 
 /// Reads the file's scene, or the one called `chosen`, and writes its source.
 ///
 /// # Errors
 /// [`Misuse`] where the file cannot be used.
-pub fn read(path: &Path, chosen: Option<&str>) -> Result<(SceneFile, Source)> {
-    let file = SceneFile::read(path, chosen).map_err(Misuse::new)?;
-    let text = fs::read_to_string(path).map_err(Misuse::new)?;
+pub fn read(path: &Path, chosen: &Chosen) -> Result<(SceneFile, Source)> {
+    let file = SceneFile::read(path, chosen.name.as_deref())
+        .map_err(|error| Misuse::new(with_advice(error)))?;
     let stem = path.file_stem().unwrap_or(path.as_os_str());
-    let source = source(&file, &text, &stem.to_string_lossy())?;
+    let source = source(&file, &stem.to_string_lossy())?;
     Ok((file, source))
 }
 
@@ -48,18 +47,17 @@ pub fn read(path: &Path, chosen: Option<&str>) -> Result<(SceneFile, Source)> {
 /// [`Misuse`] where the text cannot be used.
 pub fn parse(text: &str) -> Result<(SceneFile, Source)> {
     let file = SceneFile::parse(text, None).map_err(Misuse::new)?;
-    let source = source(&file, text, "scene")?;
+    let source = source(&file, "scene")?;
     Ok((file, source))
 }
 
-/// The source of the scene that was read from `text`; `unnamed` is what a scene without a name is
-/// called.
-fn source(file: &SceneFile, text: &str, unnamed: &str) -> Result<Source> {
+/// The source of the file's scene; `unnamed` is what a scene without a name is called.
+fn source(file: &SceneFile, unnamed: &str) -> Result<Source> {
     file.build().map_err(Misuse::new)?;
     let name = file.name().unwrap_or(unnamed).to_owned();
     let (scene, camera) = file.reference();
     let type_name = names::type_name(&name);
-    let materials = names::constants(&material_names(text, file.name())?, &type_name);
+    let materials = names::constants(file.materials(), &type_name);
     let text = write::source(&name, &type_name, &materials, &scene, &camera);
     let text = laid_out(&text)?;
     Ok(Source {
@@ -67,21 +65,6 @@ fn source(file: &SceneFile, text: &str, unnamed: &str) -> Result<Source> {
         type_name,
         text,
     })
-}
-
-/// The names of the materials, which the library does not keep. The text has been read without
-/// an error before.
-fn material_names(text: &str, scene: Option<&str>) -> Result<Vec<String>> {
-    let document: Value = serde_json::from_str(text.trim_start_matches('\u{feff}'))?;
-    let scenes = match document {
-        Value::Array(scenes) => scenes,
-        scene => vec![scene],
-    };
-    let is_meant = |document: &&Value| scene.is_none() || document["name"].as_str() == scene;
-    let meant = scenes.iter().find(is_meant);
-    let materials = meant.and_then(|scene| scene["materials"].as_array());
-    let name = |material: &Value| material["name"].as_str().unwrap_or_default().to_owned();
-    Ok(materials.into_iter().flatten().map(name).collect())
 }
 
 /// The text as rustfmt's defaults have it.

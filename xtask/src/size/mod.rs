@@ -6,9 +6,8 @@
 
 mod page;
 
-use std::io::Write;
 use std::path::PathBuf;
-use std::{io, thread};
+use std::thread;
 
 use anyhow::{Context, Result};
 use clap::{Args, builder::PossibleValuesParser};
@@ -17,7 +16,7 @@ use reflet::{Needs, scenes};
 use serde::{Deserialize, Serialize};
 
 use crate::measure::{Core, Quality, Scene, Size, Task, outcome, weigh, weight};
-use crate::{board, kept, root, table};
+use crate::{board, kept, print, root, table};
 
 /// Weighs the firmware of every built-in scene and quality; without options it also writes
 /// docs/sizes.md and the budget that the tests hold the scenes to.
@@ -29,7 +28,8 @@ pub struct Arguments {
     target: Option<String>,
 
     /// One built-in scene only
-    #[arg(long, value_parser = PossibleValuesParser::new(scenes::NAMES))]
+    #[arg(value_name = "SCENE", value_parser = PossibleValuesParser::new(scenes::NAMES))]
+    #[arg(hide_possible_values = true)]
     scene: Option<String>,
 
     /// Print a line of JSON for each instead of a table
@@ -85,12 +85,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let figures = weighed(&tasks)?;
     if arguments.json {
         for figures in &figures {
-            writeln!(io::stdout(), "{}", figures.json()?)?;
+            print(figures.json()? + "\n")?;
         }
         return Ok(());
     }
     let (head, rows) = page::table(&figures);
-    writeln!(io::stdout(), "{}", table::markdown(4, &head, &rows))?;
+    print(table::markdown(4, &head, &rows) + "\n")?;
     if arguments.target.is_none() && arguments.scene.is_none() {
         let board = weigh(&board::build_example(BOARD)?)?;
         let lines = figures.iter().map(|it| Ok(it.json()? + "\n"));

@@ -75,7 +75,7 @@ fn json_has_these_keys_and_the_defaults() {
 
 #[test]
 fn same_measurement_comes_to_the_same_figures() {
-    let settings = "--scene mirror1 --size 17x9 --reflections 7 --shading phong --quality fine";
+    let settings = "mirror1 --size 17x9 --reflections 7 --shading phong --quality fine";
     let figures = measured(settings);
     assert_eq!(figures, measured(settings));
     assert_eq!(figures["reflections"], 7);
@@ -85,7 +85,7 @@ fn same_measurement_comes_to_the_same_figures() {
 
 #[test]
 fn table_names_what_it_shows() {
-    let done = xtask("measure --scene empty --size 8x8 --shading normals");
+    let done = xtask("measure empty --size 8x8 --shading normals");
     let [head, row] = [0, 1].map(|line| done.out.lines().nth(line).unwrap());
     assert!(head.starts_with("core  scene  size"), "{head}");
     assert!(row.starts_with("m3    empty  8x8"), "{row}");
@@ -93,10 +93,10 @@ fn table_names_what_it_shows() {
 
 #[test]
 fn scene_of_a_file_is_measured() {
-    let figures = measured("--scene scenes.json --name ball --size 16x16");
+    let figures = measured("scenes.json --scene ball --size 16x16");
     assert_eq!(figures["scene"], "ball");
     // A scene with all kinds of shapes takes more than the empty one.
-    let nothing = measured("--scene scenes.json --name nothing --size 16x16");
+    let nothing = measured("scenes.json --scene nothing --size 16x16");
     let instructions = |figures: &Value| figures["instructions_per_pixel"].as_f64().unwrap();
     assert!(instructions(&figures) > 2.0 * instructions(&nothing));
     assert_ne!(figures["hash"], nothing["hash"]);
@@ -104,7 +104,7 @@ fn scene_of_a_file_is_measured() {
 
 #[test]
 fn float_port_is_measured_by_the_same_command() {
-    let figures = measured("--core m4f --scene mirror1 --size 16x16 --quality float");
+    let figures = measured("--core m4f mirror1 --size 16x16 --quality float");
     assert_eq!(figures["quality"], "float");
     let per_pixel = figures["instructions_per_pixel"].as_f64().unwrap();
     // With roots in software it would be far above.
@@ -113,7 +113,7 @@ fn float_port_is_measured_by_the_same_command() {
 
 #[test]
 fn scene_file_becomes_source_that_rustfmt_leaves_alone() {
-    let done = xtask("scene scenes.json --name ball");
+    let done = xtask("scene scenes.json --scene ball");
     assert_eq!((done.code, done.err.as_str()), (0, ""));
     let expected = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/measure/ball.rs");
     assert_eq!(done.out, fs::read_to_string(&expected).unwrap());
@@ -156,17 +156,21 @@ measure --reflections 256 => 256 is not in 0..=255
 measure --reflections -1 => -1 is not in 0..=255
 measure --shading flat => invalid value 'flat' for '--shading <SHADING>'
 measure --quality best => invalid value 'best' for '--quality <QUALITY>'
-measure --scene sandcastle => there is no built-in scene sandcastle, only castle,
-measure --scene castle --name ball => --name chooses from a file
-measure --scene missing.json => missing.json: No such file or directory
-measure --scene broken.json => broken.json: line 2, column 0: EOF
-measure --scene scenes.json => scenes.json: choose one of the scenes ball, nothing
-measure --all --scene castle => cannot be used with
+measure sandcastle => there is no built-in scene sandcastle, only castle,
+measure castle --scene ball => --scene chooses from a file
+measure missing.json => missing.json: No such file or directory
+measure broken.json => broken.json: line 2, column 0: EOF
+measure scenes.json => scenes.json: choose one of the scenes ball, nothing (--scene NAME)
+measure --all castle => cannot be used with
 measure --everything => unexpected argument '--everything' found
 scene => the following required arguments were not provided
 scene missing.json => missing.json: No such file or directory
-scene scenes.json => scenes.json: choose one of the scenes ball, nothing
-scene scenes.json --name x => scenes.json: there is no scene x, only ball, nothing
+scene scenes.json => scenes.json: choose one of the scenes ball, nothing (--scene NAME)
+scene scenes.json --name ball => unexpected argument '--name' found
+board sandcastle => invalid value 'sandcastle' for '[SCENE]'
+pico --screenshot a.jpg => a.jpg: pictures are written as PNG only: name it
+size --scene castle => unexpected argument '--scene' found
+scene scenes.json --scene x => scenes.json: there is no scene x, only ball, nothing
 dance => unrecognized subcommand 'dance'";
     in_folder(|folder| common::assert_mistakes(folder, mistakes));
 }

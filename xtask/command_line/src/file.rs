@@ -1,0 +1,237 @@
+//! Where bytes go: files that never replace another, streams and standard output. It never knows
+//! what the bytes are.
+
+use std::ffi::OsString;
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use crate::{Failure, one_line};
+
+/// The path that stands for standard output.
+const STANDARD_OUTPUT: &str = "-";
+
+/// A place that can be written to, as was found before the work began.
+#[derive(Debug)]
+pub struct NewFile {
+    path: PathBuf,
+    kind: Kind,
+}
+
+#[derive(Debug)]
+enum Kind {
+    StandardOutput,
+    /// A device or a pipe, which is open. What is sent to it replaces nothing.
+    Stream(File),
+    /// A file that does not exist yet.
+    File,
+    /// The same, with a number in its name if another has taken it by then.
+    Numbered,
+}
+
+impl NewFile {
+    /// The file at `path`, or standard output if `path` is `-`.
+    ///
+    /// # Errors
+    ///
+    /// Something is there that would be replaced, or nothing can be written there.
+    pub fn at(path: &Path) -> Result<Self, Failure> {
+        let shown = shown(path);
+        let failed = |error| not_written(path, &error);
+        let kind = if is_standard_output(path) {
+            Kind::StandardOutput
+        } else if is_stream(path) {
+            Kind::Stream(File::options().write(true).open(path).map_err(failed)?)
+        } else if path.symlink_metadata().is_ok() {
+            return Err(format!("{shown} exists and is not written over").into());
+        } else if !folder_of(path).is_dir() {
+            let missing = one_line(&folder_of(path).to_string_lossy());
+            return Err(format!("{shown} cannot be written: there is no folder {missing}").into());
+        } else {
+            try_out(path).map_err(failed)?;
+            Kind::File
+        };
+        let path = path.to_owned();
+        Ok(Self { path, kind })
+    }
+
+    /// The same for a picture, which is written as PNG.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`NewFile::at`], and a name that promises another format.
+    pub fn png_at(path: &Path) -> Result<Self, Failure> {
+        let extension = path.extension().unwrap_or("png".as_ref());
+        match extension.eq_ignore_ascii_case("png") {
+            true => Self::at(path),
+            false => {
+                let (shown, png) = (shown(path), shown(&path.with_extension("png")));
+                Err(format!("{shown}: pictures are written as PNG only: name it {png}").into())
+            }
+        }
+    }
+
+    /// `NAME.png` at `path`, or the first of `NAME-2.png`, `NAME-3.png` that is free when it is
+    /// written.
+    ///
+    /// # Errors
+    ///
+    /// No file can be made there.
+    pub fn free_png(path: &Path) -> Result<Self, Failure> {
+        let failed = |error| not_written(path, &error);
+        let (_, tried) = create_numbered(path).map_err(failed)?;
+        fs::remove_file(tried).map_err(failed)?;
+        let (path, kind) = (path.to_owned(), Kind::Numbered);
+        Ok(Self { path, kind })
+    }
+
+    /// Writes all of it and returns where it is, or leaves nothing behind. That nobody reads
+    /// standard output any more is no error.
+    pub fn write(self, bytes: &[u8]) -> Result<PathBuf, Failure> {
+        let Self { path, kind } = self;
+        let failed = |error| not_written(&path, &error);
+        let (mut file, path) = match kind {
+            Kind::StandardOutput => {
+                print(bytes)?;
+                return Ok(path);
+            }
+            Kind::Stream(mut stream) => {
+                stream.write_all(bytes).map_err(failed)?;
+                return Ok(path);
+            }
+            Kind::File => (File::create_new(&path).map_err(failed)?, path),
+            Kind::Numbered => create_numbered(&path).map_err(failed)?,
+        };
+        if let Err(error) = file.write_all(bytes) {
+            // The first error is the one to report.
+            let _ = fs::remove_file(&path);
+            return Err(not_written(&path, &error));
+        }
+        Ok(path)
+    }
+}
+
+/// The path in words for a person, in one line.
+pub fn shown(path: &Path) -> String {
+    one_line(&path.to_string_lossy())
+}
+
+/// Whether the path stands for standard output.
+pub fn is_standard_output(path: &Path) -> bool {
+    path == Path::new(STANDARD_OUTPUT)
+}
+
+/// Whether two paths lead to the same file, which need not exist yet.
+pub fn are_same_file(one: &Path, other: &Path) -> bool {
+    one == other || location(one).is_some_and(|it| Some(it) == location(other))
+}
+
+/// Prints the bytes on standard output. That nobody reads them any more is no error.
+///
+/// # Errors
+///
+/// Standard output cannot be written.
+pub fn print(bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
+    let mut output = io::stdout().lock();
+    let printed = output
+        .write_all(bytes.as_ref())
+        .and_then(|()| output.flush());
+    match printed {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(format!("standard output cannot be written: {error}").into())
+        }
+        _ => Ok(()),
+    }
+}
+
+fn not_written(path: &Path, error: &io::Error) -> Failure {
+    format!("{} cannot be written: {error}", shown(path)).into()
+}
+
+fn is_stream(path: &Path) -> bool {
+    path.metadata()
+        .is_ok_and(|found| !found.is_file() && !found.is_dir())
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// The path without links and without `..`; only its last part need not exist.
+fn location(path: &Path) -> Option<PathBuf> {
+    let found = path.canonicalize();
+    found.ok().or_else(|| {
+        let folder = folder_of(path).canonicalize().ok()?;
+        Some(folder.join(path.file_name()?))
+    })
+}
+
+/// Makes a file and removes it. Nothing else says for sure that it can be made.
+fn try_out(path: &Path) -> io::Result<()> {
+    File::create_new(path)?;
+    fs::remove_file(path)
+}
+
+/// Makes `NAME.png`, or the first of `NAME-2.png`, `NAME-3.png` that nobody else has made.
+fn create_numbered(path: &Path) -> io::Result<(File, PathBuf)> {
+    let stem = path.file_stem().unwrap_or(path.as_os_str());
+    let mut next = path.to_owned();
+    let mut number = 1;
+    loop {
+        match File::create_new(&next) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => number += 1,
+            made => return made.map(|file| (file, next)),
+        }
+        let mut name = OsString::from(stem);
+        name.push(format!("-{number}.png"));
+        next.set_file_name(name);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_the_same_however_they_lead_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::create_dir(path("a")).unwrap();
+        #[cfg(unix)]
+        std::os::unix::fs::symlink(path("a"), path("link")).unwrap();
+        assert!(are_same_file(&path("x"), &path("./x")));
+        assert!(are_same_file(&path("x"), &path("a/../x")));
+        #[cfg(unix)]
+        assert!(are_same_file(&path("a/x"), &path("link/x")));
+        assert!(!are_same_file(&path("x"), &path("a/x")));
+        assert!(!are_same_file(&path("x"), &path("y")));
+    }
+
+    #[test]
+    fn name_without_a_number_comes_first() {
+        let folder = tempfile::tempdir().unwrap();
+        let castle = folder.path().join("castle.png");
+        for name in ["castle.png", "castle-2.png", "castle-3.png"] {
+            let written = NewFile::free_png(&castle).unwrap().write(b"dots");
+            assert_eq!(written.unwrap(), folder.path().join(name));
+        }
+    }
+
+    #[test]
+    fn nothing_is_left_where_nothing_is_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        drop((NewFile::png_at(&path), NewFile::free_png(&path)));
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn name_of_another_format_is_refused() {
+        let refused = NewFile::png_at(Path::new("a.jpg")).unwrap_err().to_string();
+        let expected = "a.jpg: pictures are written as PNG only: name it a.png";
+        assert_eq!(refused, expected);
+    }
+}
