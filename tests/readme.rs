@@ -2,6 +2,8 @@
 
 use std::fs;
 
+use reflet::host::file;
+
 fn read(path: &str) -> String {
     let path = format!("{}/{path}", env!("CARGO_MANIFEST_DIR"));
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
@@ -29,4 +31,28 @@ fn the_readmes_limits_are_the_librarys() {
     let limits = table(&read("README.md"));
     assert!(limits.len() > 5, "{limits:?}");
     assert_eq!(limits, table(&read("src/lib.rs")));
+}
+
+#[test]
+fn the_readmes_limits_of_scene_files_are_the_librarys() {
+    let readme = read("README.md");
+    let rows = readme
+        .lines()
+        .skip_while(|&line| line != "| part | number |");
+    let rows: Vec<_> = rows.take_while(|line| line.starts_with('|')).collect();
+    let expected = [
+        ("spheres", file::MAX_SPHERES),
+        ("planes", file::MAX_PLANES),
+        ("cylinders", file::MAX_CYLINDERS),
+        ("lights", file::MAX_LIGHTS),
+        ("materials", file::MAX_MATERIALS),
+    ]
+    .map(|(part, most)| format!("| {part} | {most} |"));
+    assert_eq!(
+        rows.get(2..),
+        Some(&expected.each_ref().map(|it| it.as_str())[..])
+    );
+    let megabytes = file::MAX_BYTES / 1_000_000;
+    let size = format!("\nThe file itself has at most {megabytes} MB.\n");
+    assert!(readme.contains(&size), "{size}");
 }

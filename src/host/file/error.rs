@@ -153,7 +153,10 @@ impl Display for Problem {
         let mut line = OneLine(formatter);
         match self {
             Self::Unreadable(error) => write!(line, "{error}"),
-            Self::TooLarge => write!(line, "a scene file may have 16 MB at most"),
+            Self::TooLarge => {
+                let megabytes = super::MAX_BYTES / 1_000_000;
+                write!(line, "a scene file may have {megabytes} MB at most")
+            }
             Self::Json {
                 line: at,
                 column,
@@ -173,7 +176,7 @@ impl Display for Problem {
             Self::UnknownMaterial { place, name } => {
                 write!(line, "{place}.material: there is no material {name}")
             }
-            Self::Scene(error) => write!(line, "{}{}", Place(*error), reason(error.fault())),
+            Self::Scene(error) => write!(line, "{}{}", Place(*error), Reason(error.fault())),
             Self::Camera(error) => write!(line, "{error}"),
         }
     }
@@ -197,14 +200,19 @@ impl Display for Place {
 }
 
 /// Why the core refuses it, where a file has no type to raise the bounds of.
-fn reason(fault: Fault) -> &'static str {
-    match fault {
-        Fault::TooManySpheres => "a file holds 512 spheres at most",
-        Fault::TooManyPlanes => "a file holds 32 planes at most",
-        Fault::TooManyCylinders => "a file holds 128 cylinders at most",
-        Fault::TooManyLights => "a file holds 16 lights at most",
-        Fault::TooManyMaterials => "a file holds 256 materials at most",
-        fault => fault.words(),
+struct Reason(Fault);
+
+impl Display for Reason {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        let (most, list) = match self.0 {
+            Fault::TooManySpheres => (super::MAX_SPHERES, "spheres"),
+            Fault::TooManyPlanes => (super::MAX_PLANES, "planes"),
+            Fault::TooManyCylinders => (super::MAX_CYLINDERS, "cylinders"),
+            Fault::TooManyLights => (super::MAX_LIGHTS, "lights"),
+            Fault::TooManyMaterials => (super::MAX_MATERIALS, "materials"),
+            fault => return formatter.write_str(fault.words()),
+        };
+        write!(formatter, "a file holds {most} {list} at most")
     }
 }
 

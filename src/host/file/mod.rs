@@ -23,7 +23,8 @@
 //! ```
 //!
 //! `name`, `background`, `epsilon` and every list may be left out; a list is empty then, and the
-//! rest as above. An unknown key is an error.
+//! rest as above. An unknown key is an error. `docs/scene.schema.json` in the repository is a JSON
+//! Schema of all this.
 
 mod document;
 mod error;
@@ -46,12 +47,28 @@ use crate::scene::{self, RuntimeScene};
 /// The most bytes that a scene file may have: 16 MB.
 pub const MAX_BYTES: u64 = 16_000_000;
 
-/// The scene of a file as it is filled: with room for 512 spheres, 32 planes, 128 cylinders, 16
-/// lights and 256 materials, the most that a file may hold.
-pub type FileRuntimeScene = RuntimeScene<512, 32, 128, 16, 256>;
+/// The most spheres that a scene of a file may have.
+pub const MAX_SPHERES: usize = 512;
+
+/// The most planes that a scene of a file may have.
+pub const MAX_PLANES: usize = 32;
+
+/// The most cylinders that a scene of a file may have.
+pub const MAX_CYLINDERS: usize = 128;
+
+/// The most lights that a scene of a file may have.
+pub const MAX_LIGHTS: usize = 16;
+
+/// The most materials that a scene of a file may have.
+pub const MAX_MATERIALS: usize = 256;
+
+/// The scene of a file as it is filled: with room for the most that a file may hold.
+pub type FileRuntimeScene =
+    RuntimeScene<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
 
 /// The scene of a file when it is built.
-pub type FileScene = scene::Scene<512, 32, 128, 16, 256>;
+pub type FileScene =
+    scene::Scene<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
 
 /// The reference's scene in the core, seen first with its camera, with as much room as that of a file.
 ///

@@ -1,0 +1,239 @@
+//! Random scene files: well-formed ones, and what mistakes make of them. It never reads one.
+
+use arbitrary::{Result, Unstructured};
+use reflet::host::file as limits;
+use serde_json::{Map, Value, json};
+
+/// The lists of a scene, and how many parts each may have.
+pub const LISTS: [(&str, usize); 5] = [
+    ("spheres", limits::MAX_SPHERES),
+    ("planes", limits::MAX_PLANES),
+    ("cylinders", limits::MAX_CYLINDERS),
+    ("lights", limits::MAX_LIGHTS),
+    ("materials", limits::MAX_MATERIALS),
+];
+
+/// Numbers at the edges of a range, or beside them. None is below 2^-65 but zero: the library
+/// rounds such a number to zero, and the schema does not.
+pub const EDGES: [f64; 26] = [
+    -1e300,
+    -1_073_741_825.0,
+    -1_073_741_824.0,
+    -1.0,
+    -1e-9,
+    0.0,
+    1e-9,
+    0.000_999,
+    0.001,
+    0.5,
+    1.0,
+    1.000_000_1,
+    2.0,
+    15.999,
+    16.0,
+    16.000_001,
+    30.0,
+    179.999,
+    179.999_01,
+    180.0,
+    1_048_576.0,
+    1_048_576.1,
+    1_073_741_823.0,
+    1_073_741_824.0,
+    1_073_741_824.5,
+    1e300,
+];
+
+/// A file: a scene or an array of scenes, with some mistakes.
+pub fn file(bytes: &mut Unstructured) -> Result<Value> {
+    let is_array = bytes.ratio(1, 4)?;
+    let count = if is_array {
+        bytes.int_in_range(0..=3)?
+    } else {
+        1
+    };
+    let mut scenes = Vec::new();
+    for _ in 0..count {
+        let mut scene = scene(bytes)?;
+        for _ in 0..bytes.int_in_range(0..=3)? {
+            spoil(bytes, &mut scene)?;
+        }
+        scenes.push(scene);
+    }
+    match scenes.pop() {
+        Some(scene) if !is_array => Ok(scene),
+        last => Ok(scenes.into_iter().chain(last).collect()),
+    }
+}
+
+/// A well-formed scene; most are accepted. Keys that may be left out are, half of the time.
+pub fn scene(bytes: &mut Unstructured) -> Result<Value> {
+    let names = ["clay", "gold", "sea", "gold\n\u{1f600}"];
+    let names = &names[..bytes.int_in_range(1..=names.len())?];
+    let mut scene = Map::new();
+    let camera = json!({
+        "position": [0, -8, vector(bytes)?[2]],
+        "target": [0.5, 9, 1],
+        "up": [0, 0, 1],
+        "fov": bytes.choose(&[0.001, 40.0, 90.5, 179.999])?,
+    });
+    scene.insert("camera".to_owned(), camera);
+    let materials = names.iter().map(|name| material(bytes, name));
+    scene.insert("materials".to_owned(), materials.collect::<Result<_>>()?);
+    for kind in ["spheres", "planes", "cylinders", "lights"] {
+        if bytes.arbitrary()? {
+            let count = bytes.int_in_range(0..=3)?;
+            let parts = (0..count).map(|_| part(bytes, kind, names));
+            scene.insert(kind.to_owned(), parts.collect::<Result<_>>()?);
+        }
+    }
+    for (key, value) in [
+        ("name", json!(*bytes.choose(&["a", "", "b\n"])?)),
+        ("background", json!(color(bytes)?)),
+        ("epsilon", json!(0.002)),
+        ("name", Value::Null),
+        ("epsilon", Value::Null),
+    ] {
+        if bytes.ratio(1, 4)? {
+            scene.insert(key.to_owned(), value);
+        }
+    }
+    Ok(scene.into())
+}
+
+fn part(bytes: &mut Unstructured, kind: &str, names: &[&str]) -> Result<Value> {
+    let (center, name) = (vector(bytes)?, *bytes.choose(names)?);
+    let way = *bytes.choose(&[[0.0, 0.0, 1.0], [1.0, -2.0, 0.5], [0.0, 1e-9, 0.0]])?;
+    let mut size = || {
+        bytes
+            .int_in_range(1..=40)
+            .map(|tenths| f64::from(tenths) / 10.0)
+    };
+    let (radius, height) = (size()?, size()?);
+    Ok(match kind {
+        "spheres" => json!({ "center": center, "radius": radius, "material": name }),
+        "planes" => json!({ "center": center, "normal": way, "material": name }),
+        "cylinders" => json!({ "center": center, "axis": way, "radius": radius,
+                               "height": height, "material": name }),
+        _ => json!({ "position": center, "color": color(bytes)? }),
+    })
+}
+
+fn material(bytes: &mut Unstructured, name: &str) -> Result<Value> {
+    let mut share = || {
+        bytes
+            .int_in_range(0..=4)
+            .map(|quarters| f64::from(quarters) / 4.0)
+    };
+    let [ambient, diffuse, specular, mirror] = [share()?, share()?, share()?, share()?];
+    Ok(
+        json!({ "name": name, "color": color(bytes)?, "ambient": ambient, "diffuse": diffuse,
+               "specular": specular, "mirror": mirror,
+               "shininess": *bytes.choose(&[0.0, 2.5, 1_048_576.0])? }),
+    )
+}
+
+fn vector(bytes: &mut Unstructured) -> Result<[i32; 3]> {
+    let mut coordinate = || bytes.int_in_range(-8..=8);
+    Ok([coordinate()?, coordinate()?, coordinate()?])
+}
+
+fn color(bytes: &mut Unstructured) -> Result<[f64; 3]> {
+    let mut level = || bytes.choose(&[0.0, 0.25, 1.0, 3.0]).copied();
+    Ok([level()?, level()?, level()?])
+}
+
+/// One mistake, or a change that is none.
+fn spoil(bytes: &mut Unstructured, scene: &mut Value) -> Result<()> {
+    let places = places(scene);
+    let place = bytes.choose(&places)?;
+    let at = scene.pointer_mut(place).expect("the place was found");
+    match bytes.int_in_range(0..=7)? {
+        0 => *at = wrong(bytes)?,
+        1 => drop_from(bytes, at)?,
+        7 if at.is_array() => {
+            let items = at.as_array_mut().expect("it is an array");
+            items.extend(items.last().cloned());
+        }
+        2 => {
+            let key = *bytes.choose(&["colour", "", "name", "radius"])?;
+            if let Some(fields) = at.as_object_mut() {
+                fields.insert(key.to_owned(), json!(1));
+            }
+        }
+        3 => {
+            let (list, most) = *bytes.choose(&LISTS)?;
+            let count = most + bytes.int_in_range(0..=1)?;
+            fill(scene, list, count);
+        }
+        4 if at.is_string() => *at = json!(*bytes.choose(&["clay", "gold", "brass"])?),
+        5 if at.is_array() => *at = json!([0, 0, 0]),
+        _ if at.is_number() => *at = json!(*bytes.choose(&EDGES)?),
+        _ => {}
+    }
+    Ok(())
+}
+
+/// A value that is rarely meant. No array is as long as an object has keys.
+fn wrong(bytes: &mut Unstructured) -> Result<Value> {
+    let values = [
+        json!(null),
+        json!(true),
+        json!("clay"),
+        json!(3),
+        json!([]),
+        json!({}),
+        json!([0]),
+        json!([0, 0, "1"]),
+        json!([1, 2, 3]),
+    ];
+    bytes.choose(&values).cloned()
+}
+
+/// Leaves out a key or an item.
+fn drop_from(bytes: &mut Unstructured, at: &mut Value) -> Result<()> {
+    match at {
+        Value::Object(fields) if !fields.is_empty() => {
+            let keys: Vec<_> = fields.keys().cloned().collect();
+            fields.remove(bytes.choose(&keys)?);
+        }
+        Value::Array(items) => drop(items.pop()),
+        _ => {}
+    }
+    Ok(())
+}
+
+/// Makes a list of the scene as long as `count`, if there is a part to repeat. Names of materials stay
+/// different.
+pub fn fill(scene: &mut Value, list: &str, count: usize) {
+    let Some(parts) = scene.get_mut(list).and_then(Value::as_array_mut) else {
+        return;
+    };
+    let Some(part) = parts.first().cloned() else {
+        return;
+    };
+    for number in parts.len()..count {
+        let mut part = part.clone();
+        if list == "materials" && part.is_object() {
+            part["name"] = json!(number.to_string());
+        }
+        parts.push(part);
+    }
+}
+
+/// Pointers to a value and to all that is in it.
+pub fn places(value: &Value) -> Vec<String> {
+    let inner: Vec<(String, &Value)> = match value {
+        Value::Object(fields) => fields.iter().map(|(key, it)| (key.clone(), it)).collect(),
+        Value::Array(items) => {
+            let numbered = items.iter().enumerate().take(4);
+            numbered.map(|(at, it)| (at.to_string(), it)).collect()
+        }
+        _ => Vec::new(),
+    };
+    let inner = inner.into_iter().flat_map(|(key, value)| {
+        let below = places(value).into_iter();
+        below.map(move |place| format!("/{key}{place}"))
+    });
+    [String::new()].into_iter().chain(inner).collect()
+}

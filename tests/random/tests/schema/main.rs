@@ -1,0 +1,272 @@
+//! The schema of scene files says what their parser says, wherever a schema can.
+
+mod document;
+
+use std::path::{Path, PathBuf};
+use std::{env, fs, iter};
+
+use arbitrary::Unstructured;
+use jsonschema::Validator;
+use reflet::CameraError;
+use reflet::host::file::{FileError, Problem, SceneFile};
+use serde_json::{Map, Value, json};
+
+/// What the parser says of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Verdict {
+    Accepted,
+    /// Parts that do not fit each other: no schema can say so.
+    Meaning,
+    /// A type, a key, a number of parts or the range of a number.
+    Form,
+}
+
+fn repository() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn schema() -> Value {
+    let text = fs::read_to_string(repository().join("docs/scene.schema.json")).unwrap();
+    serde_json::from_str(&text).unwrap()
+}
+
+fn validator() -> Validator {
+    jsonschema::draft202012::new(&schema()).unwrap()
+}
+
+/// A file of several scenes is as good as the worst of them.
+fn verdict(file: &Value) -> Verdict {
+    match (SceneFile::parse(&file.to_string(), None), file) {
+        (Err(error), Value::Array(scenes)) if is_undecided(&error) => {
+            scenes.iter().map(verdict).max().expect("there are several")
+        }
+        (Err(error), _) => kind(&error),
+        (Ok(scene), _) => {
+            if let Err(error) = scene.runtime() {
+                return kind(&error);
+            }
+            // Each part is well formed, so what is wrong lies between them.
+            scene
+                .build()
+                .map_or(Verdict::Meaning, |_| Verdict::Accepted)
+        }
+    }
+}
+
+fn is_undecided(error: &FileError) -> bool {
+    matches!(error.problem(), Problem::Undecided { .. })
+}
+
+fn kind(error: &FileError) -> Verdict {
+    match error.problem() {
+        Problem::UnknownMaterial { .. } | Problem::Repeated { .. } => Verdict::Meaning,
+        Problem::Camera(CameraError::View | CameraError::Up) => Verdict::Meaning,
+        Problem::Json { .. } | Problem::Empty | Problem::Scene(_) | Problem::Camera(_) => {
+            Verdict::Form
+        }
+        problem => panic!("{problem}"),
+    }
+}
+
+/// What the schema refuses the parser refuses, and what the parser refuses for its form the schema
+/// refuses.
+fn disagreement(validator: &Validator, file: &Value) -> Option<String> {
+    let (verdict, is_valid) = (verdict(file), validator.is_valid(file));
+    let agree = match verdict {
+        Verdict::Accepted => is_valid,
+        Verdict::Meaning => true,
+        Verdict::Form => !is_valid,
+    };
+    (!agree).then(|| format!("{verdict:?} by the parser, valid by the schema: {is_valid}: {file}"))
+}
+
+/// One of everything.
+fn still_life() -> Value {
+    json!({
+        "name": "still life",
+        "camera": { "position": [1, -5, 2], "target": [0, 0, 1], "up": [0, 0.5, 1], "fov": 40 },
+        "materials": [ { "name": "clay", "color": [0.5, 0.25, 0.125], "ambient": 0.1,
+                         "diffuse": 0.75, "specular": 0.5, "shininess": 1, "mirror": 0 } ],
+        "lights": [ { "position": [3, -4, 6], "color": [1, 0.5, 0.25] } ],
+        "spheres": [ { "center": [0, 0, 1.5], "radius": 1.25, "material": "clay" } ],
+        "planes": [ { "center": [0, 0, -1], "normal": [0, 0, 2], "material": "clay" } ],
+        "cylinders": [ { "center": [2, 0, 1], "axis": [0, 0, 3], "radius": 0.5, "height": 2.5,
+                         "material": "clay" } ],
+        "background": [0.125, 0.25, 0.375],
+        "epsilon": 0.0078125
+    })
+}
+
+#[test]
+fn schema_is_one_of_its_draft() {
+    let schema = schema();
+    assert_eq!(
+        schema["$schema"],
+        "https://json-schema.org/draft/2020-12/schema"
+    );
+    assert!(jsonschema::draft202012::meta::is_valid(&schema));
+}
+
+#[test]
+fn every_number_is_judged_alike_at_its_edges() {
+    let (validator, whole) = (validator(), still_life());
+    assert_eq!(verdict(&whole), Verdict::Accepted);
+    let places = document::places(&whole);
+    let numbers = places
+        .iter()
+        .filter(|it| whole.pointer(it).unwrap().is_number());
+    let mut tried = 0;
+    for place in numbers {
+        for edge in document::EDGES {
+            let mut file = whole.clone();
+            *file.pointer_mut(place).unwrap() = json!(edge);
+            assert_eq!(disagreement(&validator, &file), None, "{place}");
+            tried += 1;
+        }
+    }
+    assert_eq!(tried, 46 * document::EDGES.len());
+}
+
+#[test]
+fn largest_scene_is_taken_by_both() {
+    const MOST: i32 = 1 << 30;
+    let mut file = still_life();
+    for list in ["lights", "planes", "cylinders"] {
+        file[list] = json!([]);
+    }
+    let sphere = |x| json!({ "center": [x, 0, 0], "radius": MOST, "material": "clay" });
+    file["spheres"] = json!([sphere(-MOST), sphere(MOST)]);
+    file["epsilon"] = json!(MOST);
+    assert_eq!(verdict(&file), Verdict::Accepted);
+    assert!(validator().is_valid(&file));
+}
+
+#[test]
+fn every_key_is_judged_alike_where_it_is_missing_or_unknown() {
+    let (validator, whole) = (validator(), still_life());
+    let is_object = |place: &String| whole.pointer(place).unwrap().is_object();
+    for place in document::places(&whole).into_iter().filter(is_object) {
+        let changed = |change: &dyn Fn(&mut Map<String, Value>)| {
+            let mut file = whole.clone();
+            change(file.pointer_mut(&place).unwrap().as_object_mut().unwrap());
+            assert_eq!(disagreement(&validator, &file), None, "{place}");
+            verdict(&file)
+        };
+        let fields = whole.pointer(&place).unwrap().as_object().unwrap();
+        for key in fields.keys() {
+            changed(&|fields| drop(fields.remove(key)));
+        }
+        let extended = changed(&|fields| drop(fields.insert("unknown".to_owned(), Value::Null)));
+        assert_eq!(extended, Verdict::Form, "{place}");
+    }
+}
+
+#[test]
+fn every_list_is_judged_alike_at_its_most() {
+    let validator = validator();
+    for (list, most) in document::LISTS {
+        for (count, expected) in [(most, true), (most + 1, false)] {
+            let mut file = still_life();
+            document::fill(&mut file, list, count);
+            assert_eq!(validator.is_valid(&file), expected, "{count} {list}");
+            assert_eq!(disagreement(&validator, &file), None, "{count} {list}");
+        }
+    }
+}
+
+#[test]
+fn zero_directions_are_refused_by_both() {
+    let validator = validator();
+    for place in ["/camera/up", "/planes/0/normal", "/cylinders/0/axis"] {
+        let mut file = still_life();
+        *file.pointer_mut(place).unwrap() = json!([0, 0.0, -0.0]);
+        assert!(!validator.is_valid(&file), "{place}");
+        assert_ne!(verdict(&file), Verdict::Accepted, "{place}");
+    }
+}
+
+#[test]
+fn random_files_are_judged_alike() {
+    const CASES: u64 = 4000;
+    let validator = validator();
+    let mut counts = [0; 3];
+    for seed in 0..CASES {
+        let bytes = random_bytes(seed);
+        let file = document::file(&mut Unstructured::new(&bytes)).unwrap();
+        assert_eq!(disagreement(&validator, &file), None, "seed {seed}");
+        counts[verdict(&file) as usize] += 1;
+    }
+    println!("accepted, refused for their meaning, for their form: {counts:?}");
+    assert!(counts.iter().all(|&it| it > CASES / 40), "{counts:?}");
+}
+
+/// As many bytes as a file is made of, by the generator SplitMix64.
+fn random_bytes(seed: u64) -> Vec<u8> {
+    let mut state = seed << 32;
+    let next = || {
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (mixed ^ (mixed >> 31)).to_le_bytes()
+    };
+    iter::repeat_with(next).take(256).flatten().collect()
+}
+
+/// The parser is laxer than the schema in two ways that no file should use.
+#[test]
+fn parser_alone_takes_objects_as_arrays_and_numbers_that_round_to_zero() {
+    let validator = validator();
+    let lax = [
+        ("/lights/0", json!([[3, -4, 6], [1, 1, 1]])),
+        ("/materials/0/mirror", json!(-1e-30)),
+    ];
+    for (place, value) in lax {
+        let mut file = still_life();
+        *file.pointer_mut(place).unwrap() = value;
+        assert_eq!(verdict(&file), Verdict::Accepted, "{place}");
+        assert!(!validator.is_valid(&file), "{place}");
+    }
+}
+
+/// Scenes that are looked for where `REFLET_COURSE` points and beside it, else beside the
+/// repository; the files of the repository; the example of the library's documentation.
+#[test]
+fn every_sample_is_valid() {
+    let validator = validator();
+    let course = env::var_os("REFLET_COURSE")
+        .map_or_else(|| repository().join("../shared/course"), PathBuf::from);
+    let folders = [course.join("../hard"), course, repository().join("docs")];
+    let files = folders.iter().flat_map(|folder| files(folder));
+    let texts = files.map(|file| fs::read_to_string(file).unwrap());
+    let mut samples = 0;
+    for text in texts.chain([documented()]) {
+        let file: Value = serde_json::from_str(&text).unwrap();
+        let errors: Vec<_> = validator
+            .iter_errors(&file)
+            .map(|it| it.to_string())
+            .collect();
+        assert!(errors.is_empty(), "{errors:?}");
+        assert_eq!(verdict(&file), Verdict::Accepted, "{text}");
+        samples += 1;
+    }
+    println!("{samples} samples");
+}
+
+/// The scene files of a folder; none if it is not there.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    let paths = entries.map(|entry| entry.unwrap().path());
+    let is_scene = |path: &PathBuf| {
+        let name = path.to_string_lossy();
+        name.ends_with(".json") && !name.ends_with(".schema.json")
+    };
+    paths.filter(is_scene).collect()
+}
+
+/// The file that the library's documentation shows.
+fn documented() -> String {
+    let source = fs::read_to_string(repository().join("src/host/file/mod.rs")).unwrap();
+    let lines = source.lines().skip_while(|line| !line.ends_with("```json"));
+    let lines = lines.skip(1).take_while(|line| !line.ends_with("```"));
+    lines.map(|line| line.trim_start_matches("//!")).collect()
+}
