@@ -1,6 +1,8 @@
 //! Where the picture and the words of the render example go.
 
 use std::fs;
+#[cfg(unix)]
+use std::process::Command;
 use std::thread;
 
 use super::program::Folder;
@@ -124,6 +126,24 @@ fn control_characters_of_names_are_escaped() {
         let outcome = folder.run(&["it.json", "--size", "1x1", "--out", out]);
         assert!(no_controls(&(outcome.stdout + &outcome.stderr)), "{out:?}");
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn pipes_are_written_one_after_the_other() {
+    let folder = Folder::new("pipes");
+    let read = "mkfifo a b && touch ready && cat a > read && cat b >> read";
+    let mut reader = Command::new("sh");
+    let reader = reader.args(["-c", read]).current_dir(folder.path(""));
+    let mut reader = reader.spawn().unwrap();
+    while !folder.path("ready").exists() {
+        thread::yield_now();
+    }
+    printed(&folder, "floor --size 2x2 --out a --raw b");
+    assert!(reader.wait().unwrap().success());
+    printed(&folder, "floor --size 2x2 --out c --raw d");
+    let files = ["c", "d"].map(|name| fs::read(folder.path(name)).unwrap());
+    assert_eq!(fs::read(folder.path("read")).unwrap(), files.concat());
 }
 
 #[test]

@@ -16,7 +16,7 @@ use crate::misuse::Misuse;
 pub struct Arguments {
     /// The built-in scene to go to
     #[arg(value_name = "SCENE", default_value = NAMES[0])]
-    #[arg(value_parser = PossibleValuesParser::new(NAMES), hide_possible_values = true)]
+    #[arg(value_parser = PossibleValuesParser::new(NAMES))]
     pub scene: String,
 
     /// Where the picture goes [default: BOARD-SCENE.png, with a number if that is taken]

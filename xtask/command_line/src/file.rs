@@ -21,8 +21,8 @@ pub struct NewFile {
 #[derive(Debug)]
 enum Kind {
     StandardOutput,
-    /// A device or a pipe, which is open. What is sent to it replaces nothing.
-    Stream(File),
+    /// A device or a pipe. What is sent to it replaces nothing.
+    Stream,
     /// A file that does not exist yet.
     File,
     /// The same, with a number in its name if another has taken it by then.
@@ -41,11 +41,15 @@ impl NewFile {
         let kind = if is_standard_output(path) {
             Kind::StandardOutput
         } else if is_stream(path) {
-            Kind::Stream(File::options().write(true).open(path).map_err(failed)?)
+            // Opening a pipe waits for whoever reads it, who may not wait for us yet.
+            if !is_pipe(path) {
+                open_stream(path).map_err(failed)?;
+            }
+            Kind::Stream
         } else if path.symlink_metadata().is_ok() {
             return Err(format!("{shown} exists and is not written over").into());
         } else if !folder_of(path).is_dir() {
-            let missing = one_line(&folder_of(path).to_string_lossy());
+            let missing = self::shown(folder_of(path));
             return Err(format!("{shown} cannot be written: there is no folder {missing}").into());
         } else {
             try_out(path).map_err(failed)?;
@@ -95,8 +99,9 @@ impl NewFile {
                 print(bytes)?;
                 return Ok(path);
             }
-            Kind::Stream(mut stream) => {
-                stream.write_all(bytes).map_err(failed)?;
+            Kind::Stream => {
+                let sent = open_stream(&path).and_then(|mut stream| stream.write_all(bytes));
+                sent.map_err(failed)?;
                 return Ok(path);
             }
             Kind::File => (File::create_new(&path).map_err(failed)?, path),
@@ -153,6 +158,22 @@ fn is_stream(path: &Path) -> bool {
         .is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
+#[cfg(unix)]
+fn is_pipe(path: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    path.metadata()
+        .is_ok_and(|found| found.file_type().is_fifo())
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: &Path) -> bool {
+    false
+}
+
+fn open_stream(path: &Path) -> io::Result<File> {
+    File::options().write(true).open(path)
+}
+
 fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
@@ -160,8 +181,11 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// The path without links and without `..`; only its last part need not exist.
+/// The path of a file without links and without `..`; only its last part need not exist.
 fn location(path: &Path) -> Option<PathBuf> {
+    if is_standard_output(path) {
+        return None;
+    }
     let found = path.canonicalize();
     found.ok().or_else(|| {
         let folder = folder_of(path).canonicalize().ok()?;
@@ -208,6 +232,8 @@ mod tests {
         assert!(are_same_file(&path("a/x"), &path("link/x")));
         assert!(!are_same_file(&path("x"), &path("a/x")));
         assert!(!are_same_file(&path("x"), &path("y")));
+        assert!(are_same_file("-".as_ref(), "-".as_ref()));
+        assert!(!are_same_file("./-".as_ref(), "-".as_ref()));
     }
 
     #[test]

@@ -1,5 +1,5 @@
 //! What the commands of the repository have in common: how a scene, a size, a quality and a shading
-//! are named, where their output goes, and how a mistake is told in one line. Only [`print`] prints,
+//! are named, where their output goes, and how a mistake is told in one line. Only [`print()`] prints,
 //! and [`parse`] where help is asked for.
 
 mod file;

@@ -66,10 +66,7 @@ impl Source {
     /// The scene that the command line names.
     pub fn open(scene: &Path, chosen: &Chosen) -> Result<Self, Failure> {
         match Named::of(scene, chosen)? {
-            Named::BuiltIn(name) => Ok(Self {
-                name: name.to_owned(),
-                kind: Kind::BuiltIn,
-            }),
+            Named::BuiltIn(name) => Ok(Self::known(name)),
             Named::File => Self::read(scene, chosen),
         }
     }
@@ -77,10 +74,14 @@ impl Source {
     /// The built-in scene of this name.
     pub fn built_in(name: &str) -> Option<Self> {
         let known = scenes::NAMES.contains(&name);
-        known.then(|| Self {
+        known.then(|| Self::known(name))
+    }
+
+    fn known(name: &str) -> Self {
+        Self {
             name: name.to_owned(),
             kind: Kind::BuiltIn,
-        })
+        }
     }
 
     fn read(path: &Path, chosen: &Chosen) -> Result<Self, Failure> {

@@ -26,7 +26,7 @@ pub struct Arguments {
     pub core: Core,
 
     /// The folder of the report; made if there is none, files of an earlier report are replaced
-    #[arg(long, value_name = "DIR", default_value = "error-time")]
+    #[arg(short, long, value_name = "DIR", default_value = "error-time")]
     pub out: PathBuf,
 
     /// The folder of what was counted before [default: report in cargo's target folder]

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use anyhow::{Error, Result, bail};
-use command_line::Source;
+use command_line::{Source, one_line};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
@@ -122,7 +122,7 @@ impl<'a> Plan<'a> {
 
     /// On this machine.
     fn time(&self, bar: &ProgressBar) -> Result<Costs> {
-        bar.set_message(self.painter.name.clone());
+        bar.set_message(one_line(&self.painter.name));
         let [fixed, float, _] = self.jobs.each_ref().map(|job| job.settings.as_slice());
         let all = [fixed, float].concat();
         let mut costs = host::time(&self.painter, &all, &|| bar.inc(1))?;
@@ -198,7 +198,7 @@ impl Job {
             return Ok(Vec::new());
         };
         let (name, core_name) = (&plan.painter.name, core.name);
-        bar.set_message(format!("{name} on {core_name}"));
+        bar.set_message(one_line(&format!("{name} on {core_name}")));
         let contestant = if first.is_float() { "float" } else { "fixed" };
         let (safe, size) = (write::file_name(name), arguments.size_words());
         let file = format!("{safe}-{contestant}-{core_name}-{size}.json");

@@ -29,7 +29,6 @@ pub struct Arguments {
 
     /// One built-in scene only
     #[arg(value_name = "SCENE", value_parser = PossibleValuesParser::new(scenes::NAMES))]
-    #[arg(hide_possible_values = true)]
     scene: Option<String>,
 
     /// Print a line of JSON for each instead of a table
