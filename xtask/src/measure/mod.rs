@@ -24,6 +24,7 @@ pub use self::cores::{CORES, Core};
 pub use self::firmware::{
     Outcome, RUN_LIMIT, Weight, is_counted, run as outcome, weigh, weight, with_program,
 };
+pub(crate) use self::firmware::fingerprint;
 pub use self::images::sources;
 pub use self::task::{Quality, Settings, Shading, Size, Task};
 pub use self::{arguments::Arguments, figures::Figures, scene::Scene};
