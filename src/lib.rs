@@ -50,7 +50,7 @@
 //!
 //! # The build profile of a firmware
 //!
-//! Cargo's own release profile is not the one for a firmware. Put this into the firmware's
+//! A firmware is smaller and faster with link-time optimisation and one codegen unit. Put this into its
 //! `Cargo.toml`:
 //!
 //! ```toml
@@ -70,7 +70,8 @@
 //! | lto = true, codegen-units = 1, opt-level = "z" | 27952 | 1831 | 12048 | 368 |
 //! | Cargo's default dev (debug) | 203660 | 18757 | 181068 | 4328 |
 //!
-//! Every profile draws the same picture.
+//! Every profile draws the same picture. Where flash is scarce, the quality [`Small`] saves more than an
+//! `opt-level`.
 //!
 //! # The floors
 //!

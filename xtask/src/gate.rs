@@ -208,7 +208,7 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     // As the tests built it: `cargo xtask` would build it again, with the features of its package alone.
     let xtask = || Program::new(target_directory().join("debug/xtask"));
     let fuzz = xtask().args(["fuzz", "--seconds", seconds]);
-    // The other examples are built in the same way.
+    // Without a name it takes all.
     let copied: &[_] = if all { &[] } else { &["pico"] };
     vec![
         step("clippy, everything", rest.args(warnings)),

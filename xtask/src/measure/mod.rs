@@ -13,7 +13,7 @@ pub(crate) mod firmware;
 pub(crate) mod float_source;
 mod images;
 mod page;
-mod profiles;
+pub mod profiles;
 pub mod record;
 pub mod scene;
 pub mod task;

@@ -28,48 +28,72 @@ const FIRST_COLUMN: &str = "profile";
 /// One line. In JSON the keys are the names of the fields.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Row {
-    profile: String,
-    core: String,
-    scene: String,
-    size: String,
-    reflections: u8,
-    quality: String,
-    instructions_per_pixel: f64,
-    flash: u64,
-    stack: u64,
-    hash: String,
+pub struct Row {
+    pub profile: String,
+    pub core: String,
+    pub scene: String,
+    pub size: String,
+    pub reflections: u8,
+    pub quality: String,
+    /// Executed instructions of the whole frame, preparation included, over its pixels.
+    pub instructions_per_pixel: f64,
+    /// Bytes of code and constants that belong to the library and the scene.
+    pub flash: u64,
+    /// Most bytes of stack in use at a time.
+    pub stack: u64,
+    /// FNV-1a, 64 bits, of the frame's RGB8 bytes.
+    pub hash: String,
 }
 
 /// Measures every profile again and writes all that is made of the figures.
 pub fn renew() -> Result<()> {
     let mut rows = Vec::new();
-    for profile in &PROFILES {
-        for scene in SCENES {
-            let mut task = Task::new(Core::M3, Scene::BuiltIn(scene), SIZE, Quality::FAST);
-            task.profile = profile;
-            let row = Row::of(&task)?;
-            println!(
-                "{:<46} {:<8} {:>10.1} instructions a pixel, {:>7} bytes of flash",
-                row.profile, row.scene, row.instructions_per_pixel, row.flash
-            );
-            rows.push(row);
-        }
+    for task in tasks() {
+        let row = Row::of(&task)?;
+        println!(
+            "{:<46} {:<8} {:>10.1} instructions a pixel, {:>7} bytes of flash",
+            row.profile, row.scene, row.instructions_per_pixel, row.flash
+        );
+        rows.push(row);
     }
     ensure!(draw_the_same(&rows), "profiles draw different pictures");
     let lines = rows
         .iter()
         .map(|row| Ok(serde_json::to_string(row)? + "\n"));
     let lines: String = lines.collect::<Result<_>>()?;
-    kept::write(&file("docs/measured/profiles.jsonl"), &lines)?;
+    kept::write(&kept_rows(), &lines)?;
     kept::write(&file("docs/profiles.md"), &page(&rows))?;
     for (name, prefix) in [("README.md", ""), ("src/lib.rs", "//! ")] {
-        let text = fs::read_to_string(file(name)).with_context(|| format!("cannot read {name}"))?;
-        let text = with_table(&text, prefix, &short(&rows))
+        let old = fs::read_to_string(file(name)).with_context(|| format!("cannot read {name}"))?;
+        let new = with_table(&old, prefix, &short(&rows))
             .with_context(|| format!("{name} has no table of profiles"))?;
-        kept::write(&file(name), &text)?;
+        // What says the same is left alone: the library would be compiled again.
+        if new != old {
+            kept::write(&file(name), &new)?;
+        }
     }
     Ok(())
+}
+
+/// What is measured: every scene in the first profile, then in the second, and so on.
+pub fn tasks() -> Vec<Task> {
+    let with = |profile, scene| {
+        let mut task = Task::new(Core::M3, Scene::BuiltIn(scene), SIZE, Quality::FAST);
+        task.profile = profile;
+        task
+    };
+    let tasks = PROFILES.iter();
+    let tasks = tasks.flat_map(|profile| SCENES.map(|scene| with(profile, scene)));
+    tasks.collect()
+}
+
+/// The rows that the repository keeps, in the order of [`tasks`].
+pub fn read() -> Result<Vec<Row>> {
+    kept::read(&kept_rows(), "measure --profiles")
+}
+
+fn kept_rows() -> PathBuf {
+    file("docs/measured/profiles.jsonl")
 }
 
 fn file(name: &str) -> PathBuf {
