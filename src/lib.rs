@@ -48,6 +48,31 @@
 //! room in the type of one filled at run time; [`Needs`] says it in words. Where flash is scarcer than
 //! time, the quality [`Small`] leaves out the tables and the code that make a frame fast.
 //!
+//! # The build profile of a firmware
+//!
+//! A firmware is smaller and faster with link-time optimisation and one codegen unit. Put this into its
+//! `Cargo.toml`:
+//!
+//! ```toml
+//! [profile.release]
+//! codegen-units = 1
+//! lto = true
+//! ```
+//!
+//! Bytes of flash and instructions a pixel of two scenes at 64x64 on an emulated Cortex-M3, written by
+//! `cargo xtask measure --profiles`:
+//!
+//! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
+//! |---|--:|--:|--:|--:|
+//! | lto = true, codegen-units = 1 | 32244 | 1046 | 11984 | 200 |
+//! | Cargo's default release | 42420 | 1088 | 14604 | 208 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 28796 | 1291 | 11972 | 247 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 27952 | 1831 | 12048 | 368 |
+//! | Cargo's default dev (debug) | 203660 | 18757 | 181068 | 4328 |
+//!
+//! Every profile draws the same picture. Where flash is scarce, the quality [`Small`] saves more than an
+//! `opt-level`.
+//!
 //! # The floors
 //!
 //! | floor | modules | what lives there |

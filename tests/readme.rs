@@ -1,8 +1,10 @@
-//! The README says what the project does: its example is the example, its table the library's.
+//! The README says what the project does: its example is the example, its tables are the library's, and
+//! their figures are the measured ones.
 
 use std::fs;
 
 use reflet::host::file;
+use serde_json::Value;
 
 fn read(path: &str) -> String {
     let path = format!("{}/{path}", env!("CARGO_MANIFEST_DIR"));
@@ -19,18 +21,51 @@ fn the_readmes_example_is_the_example() {
     assert_eq!(block, read("examples/harbour.rs"));
 }
 
+/// The table of a text that has these columns; lines of documentation without their beginning.
+fn table(text: &str, columns: &str) -> Vec<String> {
+    let lines = text.lines().map(|line| line.trim_start_matches("//! "));
+    let rows = lines.skip_while(|line| *line != columns);
+    let rows = rows.take_while(|line| line.starts_with('|'));
+    rows.map(str::to_owned).collect()
+}
+
 #[test]
 fn the_readmes_limits_are_the_librarys() {
-    let table = |text: &str| -> Vec<String> {
-        let rows = text
-            .lines()
-            .skip_while(|line| !line.ends_with("| what | range |"));
-        let rows = rows.map(|line| line.trim_start_matches("//! ").to_owned());
-        rows.take_while(|line| line.starts_with('|')).collect()
-    };
-    let limits = table(&read("README.md"));
+    let columns = "| what | range |";
+    let limits = table(&read("README.md"), columns);
     assert!(limits.len() > 5, "{limits:?}");
-    assert_eq!(limits, table(&read("src/lib.rs")));
+    assert_eq!(limits, table(&read("src/lib.rs"), columns));
+}
+
+#[test]
+fn figures_of_the_build_profiles_are_the_measured_ones() {
+    const COLUMNS: &str =
+        "| profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |";
+    let measured = read("docs/measured/profiles.jsonl");
+    let measured: Vec<Value> = measured
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let mut expected = vec![COLUMNS.to_owned(), "|---|--:|--:|--:|--:|".to_owned()];
+    for scenes in measured.chunks(2) {
+        let figures = scenes
+            .iter()
+            .zip(["castle", "corner1"])
+            .map(|(row, scene)| {
+                assert_eq!(
+                    (&row["scene"], &row["profile"]),
+                    (&scene.into(), &scenes[0]["profile"])
+                );
+                let instructions = row["instructions_per_pixel"].as_f64().unwrap();
+                format!(" {} | {instructions:.0} |", row["flash"])
+            });
+        let profile = scenes[0]["profile"].as_str().unwrap();
+        expected.push(format!("| {profile} |{}", figures.collect::<String>()));
+    }
+    assert!(expected.len() > 4, "{expected:?}");
+    for file in ["README.md", "src/lib.rs"] {
+        assert_eq!(table(&read(file), COLUMNS), expected, "{file}");
+    }
 }
 
 #[test]

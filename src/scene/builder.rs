@@ -142,8 +142,22 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         self
     }
 
-    /// How far a ray is lifted off the surface it leaves, in scene units; 0.001 unless it is named.
-    /// Raised to 8 steps of the scene's places, or to 16 where there are cylinders, if it is less.
+    /// How far above a surface the shadow rays and mirrored rays start that leave it, in scene units;
+    /// 0.001 unless it is named.
+    ///
+    /// It must be above 0. The built scene has it in whole steps of its grid, rounded to the nearest, and
+    /// refuses 2²⁸ steps and more: the radius of the ball that holds the shapes. A scene of planes alone
+    /// takes any epsilon up to 2³⁰ scene units, because its ball grows with it.
+    ///
+    /// Less than 2 steps become 2. A ray that leaves the inside of a sphere or cylinder can meet the same
+    /// shape again; for it less than 8 steps become 8, or 16 in a scene with cylinders. So no surface
+    /// shadows itself, however small epsilon is. But lights, planes and the scene's camera that stand
+    /// outside of the shapes' ball and further from its middle than 2²² times epsilon may be kept as
+    /// far places, which take more instructions.
+    ///
+    /// If epsilon is too large, rays start beyond what lies nearer to the surface than epsilon: shadows and
+    /// reflections do not reach the place where two shapes touch. It should be small beside the smallest
+    /// shape and the smallest gap.
     pub const fn epsilon(mut self, epsilon: f64) -> Self {
         self.epsilon = Number::new(epsilon);
         Fault::refuse(prepare::epsilon_fault(self.epsilon));

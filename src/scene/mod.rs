@@ -58,7 +58,7 @@ pub struct Description<'a> {
     pub materials: &'a [Material],
     /// What a ray that meets nothing adds.
     pub background: [Number; 3],
-    /// How far a ray is lifted off the surface it leaves.
+    /// How far above a surface rays start that leave it; see [`SceneBuilder::epsilon`].
     pub epsilon: Number,
     /// The camera the scene is meant to be seen with first.
     pub camera: Option<Camera>,

@@ -194,11 +194,13 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         Ok(())
     }
 
-    /// Sets how far a ray is lifted off the surface it leaves, in scene units. It is raised to 8 steps
-    /// of the scene's places, or to 16 where there are cylinders, if it is less.
+    /// Sets how far above a surface the shadow rays and mirrored rays start that leave it, in scene
+    /// units; 0.001 unless it is set. [`SceneBuilder::epsilon`](super::SceneBuilder::epsilon) says how it
+    /// is rounded and what becomes of one that is too small or too large.
     ///
     /// # Errors
-    /// [`Fault::Epsilon`]; the scene is as it was.
+    /// [`Fault::Epsilon`] if it is not above 0, or is above 2³⁰; the scene is as it was. That it is smaller
+    /// than the scene is checked by [`build`](Self::build).
     pub fn set_epsilon(&mut self, epsilon: impl Into<Number>) -> Result<(), SceneError> {
         let epsilon = epsilon.into();
         if let Some(fault) = prepare::epsilon_fault(epsilon) {

@@ -80,9 +80,9 @@ pub struct Parts<'a> {
     pub(crate) lights: &'a [PreparedLight],
     pub(crate) materials: &'a [PreparedMaterial],
     pub(crate) background: Color,
-    /// How far above a surface rays start that leave it.
+    /// How far above a surface rays start that leave it, at least 2 steps.
     pub(crate) epsilon: Length,
-    /// The same inside of a sphere or cylinder.
+    /// The same inside of a sphere or cylinder: at least 8 steps, or 16 in a scene with cylinders.
     pub(crate) inner_epsilon: Length,
     pub(crate) grid: &'a Grid,
 }

@@ -272,6 +272,24 @@ fn light_in_the_plane_of_a_surface_makes_no_highlight() {
 }
 
 #[test]
+fn shape_nearer_to_a_surface_than_epsilon_casts_no_shadow_on_it() {
+    let lit = |epsilon: f64| {
+        let mut scene = Scenery::new();
+        let white = Material::new([1.0; 3]).ambient(0.0).diffuse(0.5);
+        let white = scene.add_material(white).unwrap();
+        scene.add_plane([0, 0, 0], [0, 0, 1], white).unwrap();
+        // On the way from the origin to the light, and below 0.04.
+        scene.add_sphere([0.02, 0.0, 0.02], 0.01, white).unwrap();
+        scene.add_light([4, 0, 4], [1, 1, 1]).unwrap();
+        scene.set_epsilon(epsilon).unwrap();
+        let scene = scene.build().unwrap();
+        seen::<BlinnPhong>(&scene, [-3.0, 0.0, 3.0], [1.0, 0.0, -1.0])[0] > 0.0
+    };
+    assert!(!lit(0.001));
+    assert!(lit(0.03));
+}
+
+#[test]
 fn sphere_does_not_shadow_itself_however_small_epsilon_is() {
     // Seen from as far as near rays start, where a hit is rounded most, across a scene that is
     // as large as two small spheres at its ends make it.

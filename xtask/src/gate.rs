@@ -206,8 +206,10 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
     let rays = cargo("test").args(["--workspace", "--lib", "--", "--ignored"]);
     // As the tests built it: `cargo xtask` would build it again, with the features of its package alone.
-    let xtask = target_directory().join("debug/xtask");
-    let fuzz = Program::new(xtask).args(["fuzz", "--seconds", seconds]);
+    let xtask = || Program::new(target_directory().join("debug/xtask"));
+    let fuzz = xtask().args(["fuzz", "--seconds", seconds]);
+    // Without a name it takes all.
+    let copied: &[_] = if all { &[] } else { &["pico"] };
     vec![
         step("clippy, everything", rest.args(warnings)),
         step(
@@ -215,6 +217,10 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
             cargo("clippy").args(library).args(warnings),
         ),
         step("fuzz", fuzz),
+        step(
+            "copies of examples are the same firmware",
+            xtask().args(["copies"]).args(copied),
+        ),
         step(
             "package",
             cargo("package").args(["--package", "reflet", "--allow-dirty"]),

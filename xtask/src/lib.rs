@@ -4,6 +4,7 @@ pub mod accuracy;
 pub mod apt;
 pub mod board;
 pub mod command;
+pub mod copies;
 pub mod cycles;
 pub mod emulator;
 pub mod fuzz;

@@ -6,7 +6,7 @@ use anyhow::Result;
 use clap::Parser;
 use command_line::Chosen;
 use xtask::{
-    accuracy, board, enter_root, fuzz, gate, measure, misuse::Misuse, pico, profile, scale,
+    accuracy, board, copies, enter_root, fuzz, gate, measure, misuse::Misuse, pico, profile, scale,
     scene_source, screenshot, setup, size,
 };
 
@@ -23,6 +23,7 @@ enum Chore {
     Board(screenshot::Arguments),
     /// Emulates a Raspberry Pi Pico and saves what its display shows.
     Pico(screenshot::Arguments),
+    Copies(copies::Arguments),
     /// Boots a firmware on the default board, in a window if there is a screen: `cargo run` does.
     Show {
         /// The linked firmware
@@ -76,6 +77,7 @@ fn run(chore: &Chore) -> Result<()> {
     match chore {
         Chore::Board(arguments) => board::run(arguments),
         Chore::Pico(arguments) => pico::run(arguments),
+        Chore::Copies(arguments) => copies::run(arguments),
         Chore::Show { firmware } => board::show(firmware),
         Chore::Measure(arguments) => measure::run(arguments),
         Chore::Profile(arguments) => profile::run(arguments),

@@ -132,21 +132,39 @@ pub fn build_alone(target: &str, package: &str, place: &str, more: &[&str]) -> R
     let manifest = format!("xtask/{package}/Cargo.toml");
     let place = target_directory().join(place).display().to_string();
     let package = ["--manifest-path", &manifest, "--target-dir", &place];
-    build(target, &[&package, more].concat())
+    let cargo = cargo_build("release", target)?.args(package).args(more);
+    // Instead of what the configuration says, which is there for the default board alone.
+    built(cargo.env("CARGO_ENCODED_RUSTFLAGS", CORTEX_M_SCRIPT))
 }
+
+/// The argument by which rustc hands the linker the script of `cortex-m-rt`.
+pub const CORTEX_M_SCRIPT: &str = "-Clink-arg=-Tlink.x";
 
 /// Builds one program in a profile and returns where it is. `arguments` is what `cargo build` needs
 /// to find it. Run in the folder whose configuration is meant.
 pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathBuf> {
+    built(cargo_build(profile, target)?.args(arguments))
+}
+
+/// Builds the package in a folder as somebody does who works there; `place` is cargo's folder.
+pub fn build_there(target: &str, folder: &Path, place: &Path) -> Result<PathBuf> {
+    let cargo = cargo_build("release", target)?.args(["--target-dir".as_ref(), place.as_os_str()]);
+    built(cargo.in_folder(folder))
+}
+
+fn cargo_build(profile: &str, target: &str) -> Result<Program> {
     let bare_metal = BareMetal::find()
         .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
-    let messages = bare_metal
+    Ok(bare_metal
         .cargo("build", &[target])
         .args(["--profile", profile, "--locked"])
         .args(["--message-format=json-render-diagnostics"])
-        .args(arguments)
-        .limit(BUILD_LIMIT)
-        .read()?;
+        .limit(BUILD_LIMIT))
+}
+
+/// Runs cargo and finds the program among its messages.
+fn built(cargo: Program) -> Result<PathBuf> {
+    let messages = cargo.read()?;
     let mut programs = messages.lines().filter_map(|line| {
         let message: Value = serde_json::from_str(line).ok()?;
         message["executable"].as_str().map(PathBuf::from)

@@ -10,7 +10,8 @@ use reflet::scenes::{BuiltIn, Castle, Columns, Mirror1, ShadingLights};
 use reflet::{Camera, Report, StaticFrame};
 use xtask::board::Board;
 use xtask::emulator::qemu::{Failure, Key, Qemu};
-use xtask::{board, root, toolchain};
+use xtask::toolchain::{self, BareMetal};
+use xtask::{board, root, size};
 
 mod common;
 
@@ -160,4 +161,22 @@ fn file_that_is_no_firmware_is_a_failure() {
     let failure = machine().run(&manifest.with_file_name("no-such-firmware"));
     let words = failure.unwrap_err().to_string();
     assert!(words.contains("no-such-firmware"), "{words}");
+}
+
+#[test]
+fn board_without_its_linker_script_is_not_linked() {
+    let target = "thumbv7m-none-eabi";
+    let place = toolchain::target_directory().join("no_script");
+    let cargo = BareMetal::find().unwrap().cargo("build", &[target]);
+    let cargo = cargo
+        .args(["--quiet", "--locked", "--profile", "firmware"])
+        .args(["--package", "reflet", "--example", size::BOARD])
+        .args(["--target-dir".as_ref(), place.as_os_str()])
+        // The script comes from the configuration, which this stands in for.
+        .env("CARGO_ENCODED_RUSTFLAGS", "")
+        .in_folder(root())
+        .limit(Duration::from_secs(600));
+    let words = cargo.read().unwrap_err().to_string();
+    let reason = "undefined symbol: _stack_start";
+    assert!(words.contains(reason), "{words}");
 }

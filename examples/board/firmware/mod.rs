@@ -4,6 +4,7 @@
 mod fault;
 mod keys;
 mod lm3s;
+mod script;
 mod ssd0323;
 
 use core::convert::Infallible;

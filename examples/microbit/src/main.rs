@@ -6,12 +6,13 @@
 #![no_std]
 #![no_main]
 
+mod stack;
+
 use cortex_m_rt::entry;
 use embedded_graphics::{
     geometry::Size,
     pixelcolor::{Rgb888, RgbColor},
 };
-use frame_hash::FrameHash;
 use reflet::{
     StaticFrame,
     scenes::{BuiltIn, Castle},
@@ -23,9 +24,9 @@ const SIDE: u32 = 240;
 
 #[entry]
 fn main() -> ! {
-    stack_peak::paint();
+    stack::paint();
     let (rows, hash) = draw();
-    let stack = stack_peak::peak();
+    let stack = stack::peak();
     println!("castle {SIDE}x{SIDE}: {rows} rows, hash {hash:016x}, stack {stack} bytes");
     exit(0)
 }
@@ -36,16 +37,25 @@ fn draw() -> (u32, u64) {
     const HALF: u32 = SIDE / 2;
     let mut row = [Rgb888::BLACK; HALF as usize];
     let picture = Castle::frame(&Castle::CAMERA).sized(Size::new_equal(SIDE));
-    let mut hash = FrameHash::NONE;
+    let mut hash = HASH_OF_NOTHING;
     let mut rows = 0;
     for y in 0..SIDE {
         for left in [0, HALF] {
             picture.row(y, left, &mut row);
             for pixel in &row {
-                hash.add([pixel.r(), pixel.g(), pixel.b()]);
+                hash = hashed(hash, [pixel.r(), pixel.g(), pixel.b()]);
             }
         }
         rows += 1;
     }
-    (rows, hash.value())
+    (rows, hash)
+}
+
+/// The hash of no bytes, by FNV-1a with 64 bits.
+const HASH_OF_NOTHING: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// The hash of what was hashed before and the bytes of one more pixel.
+fn hashed(hash: u64, pixel: [u8; 3]) -> u64 {
+    let add = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    pixel.into_iter().fold(hash, add)
 }

@@ -256,6 +256,52 @@ fn epsilon_is_at_least_what_a_hit_may_be_off() {
 }
 
 #[test]
+fn epsilon_inside_is_at_least_eight_steps_or_sixteen_with_cylinders() {
+    let with = |scene: &mut Scenery, steps: f64| {
+        scene.set_epsilon(steps * 2f64.powi(-28)).unwrap();
+        let scene = scene.build().unwrap();
+        [scene.epsilon, scene.inner_epsilon].map(Length::to_bits)
+    };
+    let mut scene = marble(|_, _| {});
+    assert_eq!(with(&mut scene, 5.4), [5, 8]);
+    assert_eq!(with(&mut scene, 8.6), [9, 9]);
+    // The cylinder lies in the marble: the grid is the same.
+    let mut scene = marble(|scene, white| {
+        scene
+            .add_cylinder([0; 3], [0, 0, 1], 0.25, 0.5, white)
+            .unwrap();
+    });
+    assert_eq!(with(&mut scene, 5.4), [5, 16]);
+    assert_eq!(with(&mut scene, 17.0), [17, 17]);
+}
+
+#[test]
+fn scene_of_planes_alone_takes_any_epsilon() {
+    for epsilon in [1e-15, 1e-3, 1.0, 2f64.powi(30)] {
+        let mut scene = scenery(|scene, white| {
+            scene.add_plane([0, 0, -1], [0, 0, 1], white).unwrap();
+        });
+        scene.set_epsilon(epsilon).unwrap();
+        let steps = scene.build().unwrap().epsilon.to_bits();
+        assert!((SMALLEST_EPSILON..BALL).contains(&steps), "{steps}");
+        let too_much = scene.set_epsilon(2f64.powi(30) * 1.01);
+        assert_eq!(too_much, Err(SceneError::Scene(Fault::Epsilon)));
+    }
+}
+
+#[test]
+fn light_further_than_four_million_epsilons_is_far() {
+    let is_near = |epsilon: f64| {
+        let mut scene = marble(|scene, _| scene.add_light([0, 0, 20], [1, 1, 1]).unwrap());
+        scene.set_epsilon(epsilon).unwrap();
+        scene.build().unwrap().lights[0].place.is_near()
+    };
+    let epsilon = 20.0 * 2f64.powi(-22);
+    assert!(is_near(1.01 * epsilon));
+    assert!(!is_near(0.99 * epsilon));
+}
+
+#[test]
 fn material_may_shine_up_to_thirty() {
     let with = |color: f64, ambient: f64, diffuse: f64, specular: f64, lights: &[f64]| {
         let mut scene = Scenery::new();

@@ -6,6 +6,7 @@ use anyhow::Result;
 use clap::Args;
 use command_line::Chosen;
 
+use super::build_profile::BuildProfile;
 use super::cores::Core;
 use super::scene::Scene;
 use super::task::{Settings, Task};
@@ -25,6 +26,12 @@ pub struct Arguments {
     #[arg(long, conflicts_with_all = ["scene", "chosen", "size"])]
     #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json"])]
     pub(super) all: bool,
+
+    /// Measure two scenes in several build profiles again, write docs/measured/profiles.jsonl and
+    /// docs/profiles.md, and put the figures into README.md and src/lib.rs
+    #[arg(long, conflicts_with_all = ["all", "core", "scene", "chosen", "size"])]
+    #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json", "is_whole"])]
+    pub(super) profiles: bool,
 }
 
 /// One measurement, as the command line says it.
@@ -55,6 +62,7 @@ impl Choice {
             core: self.core.unwrap_or(Core::M3),
             scene: Scene::open(&self.scene, &self.chosen)?,
             settings: self.settings,
+            profile: BuildProfile::RECOMMENDED,
         })
     }
 }

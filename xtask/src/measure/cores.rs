@@ -2,7 +2,7 @@
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use crate::{cycles::Timing, emulator::qemu::Qemu};
+use crate::{cycles::Timing, emulator::qemu::Qemu, toolchain::CORTEX_M_SCRIPT};
 
 #[derive(Debug, PartialEq, Eq)]
 pub struct Core {
@@ -102,7 +102,7 @@ impl Core {
     /// The linker scripts of the start-up code.
     pub fn link_arguments(&self) -> &'static str {
         match self.machine {
-            Machine::Arm(_) => "-Clink-arg=-Tlink.x",
+            Machine::Arm(_) => CORTEX_M_SCRIPT,
             Machine::Riscv => "-Clink-arg=-Tmemory.x\u{1f}-Clink-arg=-Tlink.x",
         }
     }

@@ -11,7 +11,7 @@ use anyhow::{Context, Result, bail, ensure};
 use object::{Object, ObjectSection, SectionFlags, elf};
 use rustix::fs::FlockOperation;
 
-use super::{cores::Core, images, scene::Scene, task::Task};
+use super::{build_profile::BuildProfile, cores::Core, images, scene::Scene, task::Task};
 use crate::{root, toolchain};
 
 /// A first build compiles a dozen crates; later ones take seconds.
@@ -150,14 +150,15 @@ fn build(task: &Task) -> Result<Programs> {
     let place = Place::of(task.core);
     let job = task.job(&place.scene());
     let source = job.source;
+    let (target, profile) = (task.core.target, task.profile);
     let programs = Programs {
-        scene: images::place(("scene", &source, task.scene.source(), task.core.target))?,
+        scene: images::place(("scene", &source, task.scene.source(), target, profile.name))?,
         // It has the job's size and ticket, too.
-        empty: images::place(("empty", &source, task.core.target))?,
+        empty: images::place(("empty", &source, target, profile.name))?,
         ticket: job.ticket,
     };
     let wanted = [("scene", &*programs.scene), ("empty", &*programs.empty)];
-    make(task.core, &task.scene, &source, &wanted, &[])?;
+    make(task.core, &task.scene, &source, &wanted, profile, &[])?;
     Ok(programs)
 }
 
@@ -171,7 +172,8 @@ pub(crate) fn build_sweep(
     let source = job(&Place::of(core).scene());
     let program = images::place(("sweep", &source, scene.source(), core.target))?;
     let chosen = ["--bin", "sweep", "--features", "sweep"];
-    make(core, scene, &source, &[("sweep", &program)], &chosen)?;
+    let (wanted, profile) = ([("sweep", &*program)], BuildProfile::RECOMMENDED);
+    make(core, scene, &source, &wanted, profile, &chosen)?;
     Ok(program)
 }
 
@@ -182,6 +184,7 @@ fn make(
     scene: &Scene,
     job: &str,
     wanted: &[(&str, &Path)],
+    profile: &BuildProfile,
     chosen: &[&str],
 ) -> Result<()> {
     let are_there = || wanted.iter().all(|(_, kept)| kept.is_file());
@@ -199,23 +202,23 @@ fn make(
     }
     let source = place.jobs.join("job.rs");
     write(&source, job)?;
-    compile(core, &source, &place.target, chosen)?;
-    let built = place.target.join(core.target).join("release");
+    compile(core, &source, &place.target, &[profile.arguments, chosen])?;
+    let built = place.target.join(core.target).join(profile.folder);
     let keep = |(name, kept): &(&str, &Path)| images::keep(&built.join(name), kept);
     wanted.iter().try_for_each(keep)
 }
 
-fn compile(core: &Core, job: &Path, target: &Path, chosen: &[&str]) -> Result<()> {
+fn compile(core: &Core, job: &Path, target: &Path, chosen: &[&[&str]]) -> Result<()> {
     let bare_metal = toolchain::BareMetal::find()
         .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
     let manifest = root().join("xtask/firmware/Cargo.toml");
     bare_metal
         .cargo("build", &[core.target])
-        .args(["--quiet", "--release", "--locked", "--manifest-path"])
+        .args(["--quiet", "--locked", "--manifest-path"])
         .args([&manifest])
         .args(["--target-dir"])
         .args([target])
-        .args(chosen)
+        .args(chosen.concat())
         // Instead of what any configuration says: figures must not depend on it.
         .env("CARGO_ENCODED_RUSTFLAGS", core.link_arguments())
         .env("MEASURE_JOB", job)

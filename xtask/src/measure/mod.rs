@@ -2,16 +2,18 @@
 //!
 //! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds and runs it, and
 //! `images` keeps what was built; [`figures`] is what comes out, [`record`] keeps it, and [`page`]
-//! makes `docs/boards.md` of it.
+//! makes `docs/boards.md` of it. [`profiles`] measures the same code in several build profiles.
 
 pub mod arguments;
 mod boards;
+pub mod build_profile;
 pub mod cores;
 pub mod figures;
 pub(crate) mod firmware;
 pub(crate) mod float_source;
 mod images;
 mod page;
+pub mod profiles;
 pub mod record;
 pub mod scene;
 pub mod task;
@@ -20,6 +22,7 @@ use anyhow::Result;
 use command_line::json_line;
 
 pub use self::cores::{CORES, Core};
+pub(crate) use self::firmware::fingerprint;
 pub use self::firmware::{
     Outcome, RUN_LIMIT, Weight, is_counted, run as outcome, weigh, weight, with_program,
 };
@@ -30,6 +33,9 @@ use crate::cycles::{self, Estimate};
 use crate::print;
 
 pub fn run(arguments: &Arguments) -> Result<()> {
+    if arguments.profiles {
+        return profiles::renew();
+    }
     if arguments.all {
         return record::renew(arguments.choice.core);
     }

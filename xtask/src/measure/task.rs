@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum, builder::PossibleValue, value_parser};
 pub use command_line::Shading;
 use command_line::{Quality as Fixed, size};
 
-use super::{cores::Core, float_source, scene::Scene};
+use super::{build_profile::BuildProfile, cores::Core, float_source, scene::Scene};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
@@ -108,6 +108,7 @@ pub struct Task {
     pub core: &'static Core,
     pub scene: Scene,
     pub settings: Settings,
+    pub profile: &'static BuildProfile,
 }
 
 /// A task as the firmware is built from it.
@@ -132,6 +133,7 @@ impl Task {
             core,
             scene,
             settings,
+            profile: BuildProfile::RECOMMENDED,
         }
     }
 

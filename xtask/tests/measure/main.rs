@@ -3,7 +3,9 @@
 use std::{collections::BTreeSet, fs, path::Path, process::Command};
 
 use serde_json::Value;
-use xtask::measure::{CORES, Core, Figures, Quality, Task, count, record};
+use xtask::measure::{
+    CORES, Core, Figures, Quality, Task, build_profile::BuildProfile, count, profiles, record,
+};
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -162,6 +164,7 @@ measure missing.json => missing.json: No such file or directory
 measure broken.json => broken.json: line 2, column 0: EOF
 measure scenes.json => scenes.json: choose one of the scenes ball, nothing (--scene NAME)
 measure --all castle => cannot be used with
+measure --profiles --core m3 => cannot be used with
 measure --everything => unexpected argument '--everything' found
 scene => the following required arguments were not provided
 scene missing.json => missing.json: No such file or directory
@@ -186,6 +189,35 @@ fn kept_figures_of_all_cores_are_within_2_percent() {
     CORES
         .iter()
         .for_each(|core| assert_are_kept(core, |_| true));
+}
+
+#[test]
+fn kept_figures_of_the_recommended_profile_are_within_2_percent() {
+    assert_profiles_are_kept(|task| task.profile == BuildProfile::RECOMMENDED);
+}
+
+#[test]
+#[ignore = "long: every build profile"]
+fn kept_figures_of_all_profiles_are_within_2_percent() {
+    assert_profiles_are_kept(|_| true);
+}
+
+/// Measures again the profiles that are meant, and compares them with what the repository keeps.
+fn assert_profiles_are_kept(is_meant: impl Fn(&Task) -> bool) {
+    let (tasks, kept) = (profiles::tasks(), profiles::read().unwrap());
+    assert_eq!(kept.len(), tasks.len());
+    for (task, kept) in tasks.iter().zip(&kept).filter(|(task, _)| is_meant(task)) {
+        let names = (task.profile.name, task.scene.name());
+        assert_eq!(names, (&*kept.profile, &*kept.scene));
+        let found = count(task).unwrap();
+        let is_close = |found: f64, kept: f64| (found - kept).abs() <= 0.02 * kept;
+        assert!(
+            found.hash == kept.hash
+                && is_close(found.flash as f64, kept.flash as f64)
+                && is_close(found.instructions_per_pixel, kept.instructions_per_pixel),
+            "`cargo xtask measure --profiles` has to be run again: {found:?}, kept {kept:?}"
+        );
+    }
 }
 
 /// Measures again what `is_meant`, and compares it with what the repository keeps.

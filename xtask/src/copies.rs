@@ -1,0 +1,147 @@
+//! `cargo xtask copies`: an example that is copied out of the repository builds the same firmware.
+//!
+//! A copy has every file of the example's folder. Only the path of reflet in its Cargo.toml is another,
+//! and it is built in its own folder by the command that its README names.
+
+use std::{fs, path::Path};
+
+use anyhow::{Context, Result, ensure};
+use clap::{Args, builder::PossibleValuesParser};
+
+use crate::measure::{Weight, fingerprint, weigh};
+use crate::{enter_root, root, table, toolchain};
+
+/// Copies examples out of the repository, builds the copies, and fails if one is not the firmware that
+/// is built in the repository.
+#[derive(Args, Debug)]
+pub struct Arguments {
+    /// The examples to copy [default: all]
+    #[arg(value_name = "EXAMPLE", value_parser = PossibleValuesParser::new(EXAMPLES.map(|(it, _)| it)))]
+    examples: Vec<String>,
+}
+
+/// The firmware examples that are packages, and the core that each is built for.
+const EXAMPLES: [(&str, &str); 3] = [
+    ("pico", "thumbv6m-none-eabi"),
+    ("microbit", "thumbv6m-none-eabi"),
+    ("riscv", "riscv32imac-unknown-none-elf"),
+];
+
+pub fn run(arguments: &Arguments) -> Result<()> {
+    enter_root()?;
+    let names = &arguments.examples;
+    let is_meant = |(name, _): &(&str, _)| names.is_empty() || names.iter().any(|it| it == name);
+    let mut rows = Vec::new();
+    for (name, target) in EXAMPLES.into_iter().filter(is_meant) {
+        println!("copies: building {name} and its copy");
+        let [there, copied] = both(name, target)?;
+        let mut row = vec![name.to_owned()];
+        row.extend([there, copied].map(|it| it.flash.to_string()));
+        rows.push(row);
+    }
+    let head = ["example", "flash in place", "flash of a copy"].map(str::to_owned);
+    print!("{}", table::markdown(1, &head, &rows));
+    Ok(())
+}
+
+/// Builds an example and a copy of it, and weighs both.
+///
+/// # Errors
+/// They differ in any byte that is loaded, or there is no code in them.
+fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
+    let folder = root().join("examples").join(name);
+    let manifest = folder.join("Cargo.toml").display().to_string();
+    let there = toolchain::build(target, &["--manifest-path", &manifest])?;
+    let place = tempfile::tempdir().context("there is no folder for a copy")?;
+    let is_outside = !place.path().starts_with(root());
+    ensure!(is_outside, "temporary files lie in the repository");
+    let copy = place.path().join(name);
+    copy_example(&folder, &copy)?;
+    // Kept, so that only the example itself is built again the next time.
+    let target_directory = toolchain::target_directory().join("copies");
+    let copied = toolchain::build_there(target, &copy, &target_directory)?;
+    let weights = [weigh(&there)?, weigh(&copied)?];
+    ensure!(
+        weights[0].code > 0,
+        "the firmware of {name} is empty: its linker script is missing"
+    );
+    let [one, other] = weights.map(|it| it.flash);
+    let are_equal = fingerprint(&there)? == fingerprint(&copied)?;
+    ensure!(
+        are_equal,
+        "a copy of {name} is not the same firmware: {one} bytes of flash in place, {other} in the copy"
+    );
+    Ok(weights)
+}
+
+/// Copies an example. Its manifest names reflet by the whole path.
+fn copy_example(from: &Path, to: &Path) -> Result<()> {
+    copy_folder(from, to)?;
+    let manifest = to.join("Cargo.toml");
+    let text = fs::read_to_string(&manifest).context("an example has a manifest")?;
+    let root = root();
+    let root = root
+        .to_str()
+        .context("the path of the repository is no text")?;
+    fs::write(manifest, with_reflet_in(&text, root)).context("cannot write a manifest")
+}
+
+/// A manifest that names `root` as the path of reflet.
+fn with_reflet_in(manifest: &str, root: &str) -> String {
+    manifest.replace("path = \"../..\"", &format!("path = \"{root}\""))
+}
+
+/// Copies all files of a folder but what cargo has built there.
+fn copy_folder(from: &Path, to: &Path) -> Result<()> {
+    let failed = || format!("cannot copy {}", from.display());
+    fs::create_dir_all(to).with_context(failed)?;
+    for entry in from.read_dir().with_context(failed)? {
+        let entry = entry.with_context(failed)?;
+        let (path, copy) = (entry.path(), to.join(entry.file_name()));
+        match path.is_dir() {
+            true if entry.file_name() == "target" => {}
+            true => copy_folder(&path, &copy)?,
+            false => {
+                fs::copy(&path, &copy).with_context(failed)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_path_of_reflet_changes() {
+        let manifest = "[dependencies]\nheapless = \"0.9\"\n\
+            reflet = { path = \"../..\", features = [\"scenes\"] }\n\
+            other = { path = \"../../other\" }\n";
+        let expected = "[dependencies]\nheapless = \"0.9\"\n\
+            reflet = { path = \"/there\", features = [\"scenes\"] }\n\
+            other = { path = \"../../other\" }\n";
+        assert_eq!(with_reflet_in(manifest, "/there"), expected);
+    }
+
+    #[test]
+    fn copy_has_every_file_but_what_was_built() {
+        let place = tempfile::tempdir().unwrap();
+        let (from, to) = (place.path().join("from"), place.path().join("to"));
+        for folder in ["src", ".cargo", "target"] {
+            fs::create_dir_all(from.join(folder)).unwrap();
+            fs::write(from.join(folder).join("file"), folder).unwrap();
+        }
+        fs::write(from.join("Cargo.toml"), "path = \"../..\"").unwrap();
+        copy_example(&from, &to).unwrap();
+        for folder in ["src", ".cargo"] {
+            assert_eq!(
+                fs::read_to_string(to.join(folder).join("file")).unwrap(),
+                folder
+            );
+        }
+        assert!(!to.join("target").exists());
+        let manifest = fs::read_to_string(to.join("Cargo.toml")).unwrap();
+        assert_eq!(manifest, format!("path = \"{}\"", root().display()));
+    }
+}

@@ -1,0 +1,274 @@
+//! `cargo xtask measure --profiles`: what a frame takes in several build profiles.
+//!
+//! The figures are lines in `docs/measured/profiles.jsonl`. `docs/profiles.md` and the tables in
+//! `README.md` and `src/lib.rs` are made of them.
+
+use std::{fs, path::PathBuf};
+
+use anyhow::{Context, Result, ensure};
+use serde::{Deserialize, Serialize};
+
+use super::build_profile::PROFILES;
+use super::{Core, Quality, Scene, Size, Task, count};
+use crate::table::{filled, markdown};
+use crate::{kept, root};
+
+/// A large scene and a small one.
+const SCENES: [&str; 2] = ["castle", "corner1"];
+
+/// As docs/boards.md is measured.
+const SIZE: Size = Size::new(64, 64);
+
+/// The flash of the default board, an LM3S6965, in bytes.
+const BOARD_FLASH: u64 = 256 * 1024;
+
+/// The start of the table that README.md and src/lib.rs have; the names of the scenes follow.
+const FIRST_COLUMN: &str = "profile";
+
+/// One line. In JSON the keys are the names of the fields.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Row {
+    pub profile: String,
+    pub core: String,
+    pub scene: String,
+    pub size: String,
+    pub reflections: u8,
+    pub quality: String,
+    /// Executed instructions of the whole frame, preparation included, over its pixels.
+    pub instructions_per_pixel: f64,
+    /// Bytes of code and constants that belong to the library and the scene.
+    pub flash: u64,
+    /// Most bytes of stack in use at a time.
+    pub stack: u64,
+    /// FNV-1a, 64 bits, of the frame's RGB8 bytes.
+    pub hash: String,
+}
+
+/// Measures every profile again and writes all that is made of the figures.
+pub fn renew() -> Result<()> {
+    let mut rows = Vec::new();
+    for task in tasks() {
+        let row = Row::of(&task)?;
+        println!(
+            "{:<46} {:<8} {:>10.1} instructions a pixel, {:>7} bytes of flash",
+            row.profile, row.scene, row.instructions_per_pixel, row.flash
+        );
+        rows.push(row);
+    }
+    ensure!(draw_the_same(&rows), "profiles draw different pictures");
+    let lines = rows
+        .iter()
+        .map(|row| Ok(serde_json::to_string(row)? + "\n"));
+    let lines: String = lines.collect::<Result<_>>()?;
+    kept::write(&kept_rows(), &lines)?;
+    kept::write(&file("docs/profiles.md"), &page(&rows))?;
+    for (name, prefix) in [("README.md", ""), ("src/lib.rs", "//! ")] {
+        let old = fs::read_to_string(file(name)).with_context(|| format!("cannot read {name}"))?;
+        let new = with_table(&old, prefix, &short(&rows))
+            .with_context(|| format!("{name} has no table of profiles"))?;
+        // What says the same is left alone: the library would be compiled again.
+        if new != old {
+            kept::write(&file(name), &new)?;
+        }
+    }
+    Ok(())
+}
+
+/// What is measured: every scene in the first profile, then in the second, and so on.
+pub fn tasks() -> Vec<Task> {
+    let with = |profile, scene| {
+        let mut task = Task::new(Core::M3, Scene::BuiltIn(scene), SIZE, Quality::FAST);
+        task.profile = profile;
+        task
+    };
+    let tasks = PROFILES.iter();
+    let tasks = tasks.flat_map(|profile| SCENES.map(|scene| with(profile, scene)));
+    tasks.collect()
+}
+
+/// The rows that the repository keeps, in the order of [`tasks`].
+pub fn read() -> Result<Vec<Row>> {
+    kept::read(&kept_rows(), "measure --profiles")
+}
+
+fn kept_rows() -> PathBuf {
+    file("docs/measured/profiles.jsonl")
+}
+
+fn file(name: &str) -> PathBuf {
+    root().join(name)
+}
+
+impl Row {
+    fn of(task: &Task) -> Result<Self> {
+        let figures = count(task)?;
+        Ok(Self {
+            profile: task.profile.name.to_owned(),
+            core: figures.core,
+            scene: figures.scene,
+            size: figures.size,
+            reflections: figures.reflections,
+            quality: figures.quality,
+            instructions_per_pixel: figures.instructions_per_pixel,
+            flash: figures.flash,
+            stack: figures.stack,
+            hash: figures.hash,
+        })
+    }
+}
+
+/// Whether each scene has one picture in all profiles.
+fn draw_the_same(rows: &[Row]) -> bool {
+    let first = &rows[..SCENES.len()];
+    let mut profiles = rows.chunks(SCENES.len());
+    profiles.all(|rows| {
+        rows.iter()
+            .zip(first)
+            .all(|(row, first)| row.hash == first.hash)
+    })
+}
+
+/// The short table: a row a profile, flash and instructions a pixel of each scene.
+fn short(rows: &[Row]) -> String {
+    let cells = |row: &Row| [row.flash.to_string(), whole(row.instructions_per_pixel)];
+    table(rows, ["flash", "instr/pixel"], |row, _| cells(row))
+}
+
+fn page(rows: &[Row]) -> String {
+    let times = |row: &Row, first: &Row| {
+        let times = row.instructions_per_pixel / first.instructions_per_pixel;
+        let instructions = whole(row.instructions_per_pixel);
+        [
+            row.flash.to_string(),
+            instructions,
+            format!("{times:.2}"),
+            row.stack.to_string(),
+        ]
+    };
+    let names = ["flash", "instr/pixel", "times", "stack"];
+    let values = [
+        ("size", SIZE.to_string()),
+        ("table", table(rows, names, times)),
+        ("fit", fit(rows)),
+    ];
+    filled(include_str!("profiles.md"), &values)
+}
+
+/// Which rows the flash of the default board does not hold.
+fn fit(rows: &[Row]) -> String {
+    let is_over = |row: &&Row| row.flash > BOARD_FLASH;
+    let over: Vec<_> = rows.iter().filter(is_over).collect();
+    if over.is_empty() {
+        return format!("All of these fit the {BOARD_FLASH} bytes of flash of the default board.");
+    }
+    let lines = over.iter().map(|row| {
+        format!(
+            "`{}` with the scene {} takes {} bytes of flash and does not fit the {BOARD_FLASH} bytes \
+             of the default board.",
+            row.profile, row.scene, row.flash
+        )
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// A row a profile; `cells` of the row of each scene and of the first profile's row of that scene.
+fn table<const N: usize>(
+    rows: &[Row],
+    names: [&str; N],
+    cells: impl Fn(&Row, &Row) -> [String; N],
+) -> String {
+    let mut head = vec![FIRST_COLUMN.to_owned()];
+    for scene in SCENES {
+        head.extend(names.map(|name| format!("{scene} {name}")));
+    }
+    let lines = rows.chunks(SCENES.len()).map(|scenes| {
+        let mut line = vec![scenes[0].profile.clone()];
+        let pairs = scenes.iter().zip(rows);
+        line.extend(pairs.flat_map(|(row, first)| cells(row, first)));
+        line
+    });
+    markdown(1, &head, &lines.collect::<Vec<_>>())
+}
+
+fn whole(number: f64) -> String {
+    format!("{number:.0}")
+}
+
+/// A text whose table of the same head is replaced; each of its lines begins with `prefix`. `None` if
+/// it has no such table.
+fn with_table(text: &str, prefix: &str, table: &str) -> Option<String> {
+    let head = format!("{prefix}{}", table.lines().next()?);
+    let (before, rest) = text.split_once(&head)?;
+    let is_row = |line: &&str| line.starts_with(&format!("{prefix}|"));
+    let after = rest.split_inclusive('\n').skip(1).skip_while(is_row);
+    let rows = table.lines().map(|line| format!("{prefix}{line}\n"));
+    Some(before.to_owned() + &rows.collect::<String>() + &after.collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows(flash: u64) -> Vec<Row> {
+        let row = |profile: &str, scene: &str, instructions_per_pixel| Row {
+            profile: profile.to_owned(),
+            core: "m3".to_owned(),
+            scene: scene.to_owned(),
+            size: SIZE.to_string(),
+            reflections: 4,
+            quality: "fast".to_owned(),
+            instructions_per_pixel,
+            flash,
+            stack: 8,
+            hash: scene.to_owned(),
+        };
+        let names = ["one", "other"].into_iter().zip([1.0, 2.5]);
+        let rows = names.flat_map(|(name, times)| SCENES.map(|it| row(name, it, 100.0 * times)));
+        rows.collect()
+    }
+
+    #[test]
+    fn table_has_a_row_a_profile() {
+        let expected = "\
+| profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
+|---|--:|--:|--:|--:|
+| one | 7 | 100 | 7 | 100 |
+| other | 7 | 250 | 7 | 250 |
+";
+        assert_eq!(short(&rows(7)), expected);
+    }
+
+    #[test]
+    fn page_compares_with_the_first_profile() {
+        let page = page(&rows(7));
+        let line = "| other | 7 | 250 | 2.50 | 8 | 7 | 250 | 2.50 | 8 |";
+        assert!(page.contains(line), "{page}");
+    }
+
+    #[test]
+    fn what_the_board_does_not_hold_is_named() {
+        assert!(fit(&rows(BOARD_FLASH)).starts_with("All of these fit"));
+        let said = fit(&rows(BOARD_FLASH + 1));
+        let line = "`other` with the scene corner1 takes 262145 bytes";
+        assert!(said.contains(line), "{said}");
+    }
+
+    #[test]
+    fn only_the_rows_of_the_table_are_replaced() {
+        let text = "//! a\n//! | x | y |\n//! |---|\n//! | old |\n//!\n//! | other |\n";
+        let replaced = with_table(text, "//! ", "| x | y |\n|---|\n| 1 |\n| 2 |\n");
+        let expected =
+            "//! a\n//! | x | y |\n//! |---|\n//! | 1 |\n//! | 2 |\n//!\n//! | other |\n";
+        assert_eq!(replaced.as_deref(), Some(expected));
+        assert_eq!(with_table("nothing\n", "", "| x |\n"), None);
+    }
+
+    #[test]
+    fn profile_that_draws_another_picture_is_noticed() {
+        let mut rows = rows(7);
+        assert!(draw_the_same(&rows));
+        rows[3].hash.clear();
+        assert!(!draw_the_same(&rows));
+    }
+}
