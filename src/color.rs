@@ -1,6 +1,6 @@
 //! Floor 1: linear colour, its sum over reflections, and the one place where it is quantised.
 
-use crate::number::{Brightness, Number, Unit, high_positive};
+use crate::number::{Brightness, Number, Unit, add_high_positive, high_positive, wide_positive};
 
 /// A linear colour: red, green and blue in Q6.26, 0 to below 32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,35 +59,51 @@ impl Color {
     }
 }
 
-/// The light that a surface sends on before it takes the surface's colour: Q12.20, below 32.
+/// The light that a surface sends on before it takes the surface's colour, below 32: Q12.20, or
+/// Q6.26 where `PRECISE`.
 #[derive(Clone, Copy, Debug)]
-pub struct Lighting([i32; 3]);
+pub struct Lighting<const PRECISE: bool>([i32; 3]);
 
-impl Lighting {
-    /// How many fraction bits a [`Brightness`] has more.
-    const SHIFT: u32 = 6;
+impl<const PRECISE: bool> Lighting<PRECISE> {
+    /// How many fraction bits it has.
+    const PLACES: u32 = if PRECISE { 26 } else { 20 };
 
-    /// The same brightness in all three components, rounded down.
+    /// The same brightness in all three components, rounded to nearest.
     #[inline(always)]
     pub fn grey(brightness: Brightness) -> Self {
-        Self([brightness.to_bits() >> Self::SHIFT; 3])
+        let bits = brightness.to_bits();
+        Self(
+            [if PRECISE {
+                bits
+            } else {
+                (bits + (1 << 5)) >> 6
+            }; 3],
+        )
     }
 
-    /// Adds a light's colour times how much of it is sent on, neither below zero, rounded down.
+    /// Adds a light's colour times how much of it is sent on, neither below zero: rounded to nearest,
+    /// or down to 2⁻²⁶ where `PRECISE`.
     #[inline(always)]
     pub fn add(&mut self, color: Color, strength: Brightness) {
         let ([r, g, b], [red, green, blue]) = (self.0, color.0);
-        let sent = |light: Brightness| high_positive(light.to_bits(), strength.to_bits());
-        self.0 = [r + sent(red), g + sent(green), b + sent(blue)];
+        let with = |sum: i32, light: Brightness| {
+            let (light, strength) = (light.to_bits(), strength.to_bits());
+            if PRECISE {
+                sum + (wide_positive(light, strength) >> Self::PLACES) as i32
+            } else {
+                add_high_positive(sum, light, strength)
+            }
+        };
+        self.0 = [with(r, red), with(g, green), with(b, blue)];
     }
 
-    /// Component by component, rounded down to 2⁻²⁰; the products must stay below 32.
+    /// Component by component, rounded down to 2⁻²⁶; the products must stay below 32.
     #[inline(always)]
     pub fn filtered(self, color: Color) -> Color {
         let ([r, g, b], [red, green, blue]) = (self.0, color.0);
         let tinted = |light: i32, color: Brightness| {
-            let product = high_positive(light << Self::SHIFT, color.to_bits());
-            Brightness::from_bits(product << Self::SHIFT)
+            let product = wide_positive(light, color.to_bits());
+            Brightness::from_bits((product >> Self::PLACES) as i32)
         };
         Color([tinted(r, red), tinted(g, green), tinted(b, blue)])
     }
@@ -114,7 +130,11 @@ impl Sum {
     pub fn add(&mut self, weight: Unit, color: Color) {
         let ([r, g, b], [red, green, blue]) = (self.0, color.0);
         let share = |color: Brightness| high_positive(weight.to_bits(), color.to_bits());
-        self.0 = [r + share(red), g + share(green), b + share(blue)];
+        // Red last: the compiler moves fewer registers then.
+        let green = g + share(green);
+        let blue = b + share(blue);
+        let red = r + share(red);
+        self.0 = [red, green, blue];
     }
 
     /// The sums a quarter, half and three quarters of the way to another one, after this one itself:

@@ -64,6 +64,9 @@ impl Material {
     }
 
     /// The same material with a highlight of this strength and shininess.
+    ///
+    /// With shininess 0 the highlight is even. In Phong's shading it is where the mirrored light comes
+    /// to the viewer's side: r · v > 0.
     pub const fn specular(mut self, coefficient: f64, shininess: f64) -> Self {
         self.specular = Number::new(coefficient);
         self.shininess = Number::new(shininess);

@@ -23,8 +23,9 @@ pub(crate) const LONGEST_STRIDE: u32 = 4;
 /// }
 /// ```
 pub trait Quality {
-    /// A path whose weight has fallen below this is not followed further. The colour it loses is
-    /// below this weight times the brightest colour of the scene.
+    /// A path ends when its weight times the brightest colour of the scene falls below this share of
+    /// white: what is left out changes no channel by more. In a scene without a colour brighter than
+    /// white the weight itself is compared.
     const SMALLEST_WEIGHT: Unit;
 
     /// How many columns lie from one pixel that is traced to the next at most: 1, 2 or 4.
@@ -52,13 +53,18 @@ pub trait Quality {
     /// every shape is asked, and nothing is prepared of what the pixels of a row or the lights can
     /// see, neither in flash nor in RAM.
     const IS_SMALL: bool = false;
+
+    /// Whether the points that rays meet are rounded to the nearest step of the grid, and the light on
+    /// a surface to 2⁻²⁶ of white. Defaults to `false`: points are rounded down to an even step, and
+    /// each light to the nearest 2⁻²⁰ of white.
+    const IS_PRECISE: bool = false;
 }
 
 /// The default: nothing that is left out is expected to change an 8-bit channel by more than a step.
 ///
-/// A path ends at weights below 1/256; at least every fourth pixel is traced, every second where a
-/// path was mirrored in something round, and the others are exact to a step, or to one and a half where
-/// only the pixels on both sides are known.
+/// A path ends where what follows changes no 8-bit channel by a step. At least every fourth pixel is
+/// traced, every second where a path was mirrored in something round, and the others are exact to a
+/// step, or to one and a half where only the pixels on both sides are known.
 #[derive(Clone, Copy, Debug)]
 pub struct Fast;
 
@@ -71,7 +77,7 @@ impl Quality for Fast {
 /// The smallest in flash: exact as [`Fast`] or more, but without the code and the tables that make it
 /// fast.
 ///
-/// A path ends at weights below 1/256, and every pixel is traced.
+/// A path ends where what follows changes no 8-bit channel by a step, and every pixel is traced.
 #[derive(Clone, Copy, Debug)]
 pub struct Small;
 
@@ -94,7 +100,7 @@ impl Quality for Fine {
 }
 
 /// Leaves out nothing: every pixel is traced, and every path until its weight is exactly zero or the
-/// frame's reflections are used up.
+/// frame's reflections are used up. Points and light are rounded more finely than in the others.
 ///
 /// For scenes in which a single pixel at an edge counts, and to compare other qualities with.
 #[derive(Clone, Copy, Debug)]
@@ -104,4 +110,5 @@ impl Quality for Exact {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
     const STRIDE: u32 = 1;
     const TOLERANCE: Unit = Unit::ZERO;
+    const IS_PRECISE: bool = true;
 }

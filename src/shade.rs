@@ -7,7 +7,7 @@ use crate::color::{Color, Lighting, halved};
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{
-    Brightness, Exponent, Unit, even_power, high_unsigned, lit, power, ratio, root_of_unit,
+    Brightness, Exponent, Length, Unit, even_power, high_unsigned, lit, power, ratio, root_of_unit,
     scaled_by_unit, whole_power,
 };
 use crate::quality::Quality;
@@ -235,7 +235,13 @@ impl Highlight for BlinnPhong {
 impl Highlight for Phong {
     #[inline(always)]
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
-        power_of(mirrored_cosine(cosines), shininess, kind)
+        let cosine = mirrored_cosine(cosines);
+        // Where the mirrored light points away from the viewer there is no highlight, not even one of
+        // shininess 0.
+        if cosine == Unit::ZERO {
+            return cosine;
+        }
+        power_of(cosine, shininess, kind)
     }
 }
 
@@ -277,9 +283,22 @@ fn lit_color<W: World, Q: Quality, H: Highlight>(
     surface: &Surface<'_>,
     trail: &mut Trail,
 ) -> Color {
+    match Q::IS_PRECISE {
+        true => lit_color_by::<W, Q, H, true>(world, view, surface, trail),
+        false => lit_color_by::<W, Q, H, false>(world, view, surface, trail),
+    }
+}
+
+#[inline(always)]
+fn lit_color_by<W: World, Q: Quality, H: Highlight, const PRECISE: bool>(
+    world: &W,
+    view: &View,
+    surface: &Surface<'_>,
+    trail: &mut Trail,
+) -> Color {
     let material = surface.material(world);
     let mut received = Received {
-        light: Lighting::grey(material.ambient),
+        light: Lighting::<PRECISE>::grey(material.ambient),
         lights: 0,
     };
     if Q::IS_SMALL {
@@ -307,13 +326,13 @@ fn lit_color<W: World, Q: Quality, H: Highlight>(
 }
 
 /// The light that comes to a surface and is sent on.
-struct Received {
-    light: Lighting,
+struct Received<const PRECISE: bool> {
+    light: Lighting<PRECISE>,
     /// A bit for each light that is not hidden.
     lights: u32,
 }
 
-impl Received {
+impl<const PRECISE: bool> Received<PRECISE> {
     #[inline(always)]
     fn add(&mut self, index: usize, light: &PreparedLight, strength: Brightness) {
         if strength > Brightness::ZERO {
@@ -336,7 +355,7 @@ impl Received {
         let strength = match view.standing(index) {
             Standing::Hidden if H::SHADOWS => return,
             Standing::Clear if surface.place.is_near() => {
-                clear_strength::<W, H>(world, surface, (lamp, index))
+                clear_strength::<W, H, PRECISE>(world, surface, (lamp, index))
             }
             _ => strength::<W, Q, H>(world, surface, (light, index)),
         };
@@ -347,7 +366,7 @@ impl Received {
 /// What a near surface sends on of a light that stands clear; 0 where the light is behind it or
 /// hidden.
 #[inline(never)]
-fn clear_strength<W: World, H: Highlight>(
+fn clear_strength<W: World, H: Highlight, const PRECISE: bool>(
     world: &W,
     surface: &Surface<'_>,
     (lamp, index): (&W::Lamp, usize),
@@ -361,13 +380,43 @@ fn clear_strength<W: World, H: Highlight>(
     let back = direction.reversed();
     if W::NEEDS.shadows
         && H::SHADOWS
-        && blocked_from(world, (lamp, index), back, distance, |cylinder| {
-            cylinder == surface.shape && !surface.is_inside
-        })
+        && is_hidden::<W, PRECISE>(world, surface, (lamp, index), back, distance)
     {
         return Brightness::ZERO;
     }
     surface.sent_on::<W, H>(world, back, cosine)
+}
+
+/// Whether a sphere or cylinder hides a light that stands clear from a near surface, which lies in a
+/// direction from the light, at a distance.
+///
+/// Where `PRECISE`, a point that epsilon has lifted into a sphere is in its shadow, and a cylinder
+/// does not hide what lies on its wall: where a ray meets the wall is known to a few steps only.
+#[inline(always)]
+fn is_hidden<W: World, const PRECISE: bool>(
+    world: &W,
+    surface: &Surface<'_>,
+    light: (&W::Lamp, usize),
+    direction: Direction,
+    distance: Length,
+) -> bool {
+    let reach = match PRECISE {
+        true => Length::from_bits(distance.to_bits() - (distance.to_bits() >> 24) - 16),
+        false => distance,
+    };
+    blocked_from(
+        world,
+        light,
+        (direction, reach),
+        |cylinder| cylinder == surface.shape && !surface.is_inside,
+        |number, sphere, seen| {
+            seen.is_before(direction, reach)
+                || PRECISE
+                    && seen.may_hold_the_end(sphere.ball().1, distance)
+                    && number != surface.shape
+                    && sphere.holds_lifted(surface.place.point)
+        },
+    )
 }
 
 /// What a surface sends on of a light, wherever both are; rarely asked.

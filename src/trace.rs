@@ -162,7 +162,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             if weight == Unit::ZERO {
                 break;
             }
-            if weight < Q::SMALLEST_WEIGHT
+            if weight < world.parts().smallest_weight(Q::SMALLEST_WEIGHT)
                 // Known when compiled, so that what follows is not linked.
                 || W::NEEDS.reflections == 0
                 || reflections >= self.reflections
@@ -202,7 +202,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             return far::nearest::<W, true>(world, path, left, trail);
         }
         let hit = self.nearest(path, reflections, (mirror, left), trail);
-        located(world, path, left, hit, trail)
+        match Q::IS_PRECISE {
+            true => located::<W, true>(world, path, left, hit, trail),
+            false => located::<W, false>(world, path, left, hit, trail),
+        }
     }
 
     /// What a path that has been reflected so often meets first if it is short.

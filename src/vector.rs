@@ -8,7 +8,8 @@ mod position;
 pub use position::Position;
 
 use crate::number::{
-    Length, Unit, high, high_unsigned, reciprocal_root, scaled_by_unit, shifted, unit_shift, wide,
+    Length, Unit, high, high_unsigned, reciprocal_root, rounded, scaled_by_unit, shifted,
+    unit_shift, wide,
 };
 
 /// A place in the scene, in raw scene steps from its middle.
@@ -49,6 +50,18 @@ impl Point {
     pub const fn along(self, direction: Direction, distance: Length) -> Self {
         let Vector { x, y, z } = direction.scaled(distance.to_bits());
         Self::new(self.x + x, self.y + y, self.z + z)
+    }
+
+    /// The point `distance` along `direction`, each coordinate rounded to the nearest step. The same
+    /// ranges as of [`Point::along`].
+    #[inline(always)]
+    pub const fn precisely_along(self, direction: Direction, distance: Length) -> Self {
+        let distance = distance.to_bits();
+        Self::new(
+            self.x + rounded(wide(distance, direction.x.to_bits()), 30) as i32,
+            self.y + rounded(wide(distance, direction.y.to_bits()), 30) as i32,
+            self.z + rounded(wide(distance, direction.z.to_bits()), 30) as i32,
+        )
     }
 
     /// All coordinates divided by 2^`shift`, rounded down.

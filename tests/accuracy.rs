@@ -177,6 +177,51 @@ const FAR_AWAY: Camera =
 
 const TELEPHOTO_SCENE: Scene<4, 1, 1, 2> = TELEPHOTO.build();
 
+const LAMP: Material = Material::new([1.8; 3]).ambient(16.0).diffuse(0.0);
+const DULL: Material = Material::new([0.2; 3])
+    .ambient(1.0)
+    .diffuse(0.0)
+    .mirror(0.0038);
+
+const ABOVE_THE_FLOOR: Camera =
+    Camera::look_at([0.0, -3.0, 2.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(60.0);
+
+/// A floor that mirrors less than 1/256, under a ball 28.8 times as bright as white.
+const LAMPLIGHT: SceneBuilder<1, 1, 0, 0> = SceneBuilder::new()
+    .sphere([0.0, 3.0, 2.0], 2.5, LAMP)
+    .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], DULL)
+    .camera(ABOVE_THE_FLOOR);
+
+const LAMPLIGHT_SCENE: Scene<1, 1, 0, 0> = LAMPLIGHT.build();
+
+#[test]
+fn reflection_of_something_bright_is_not_cut_off() {
+    let scene = reference::Scene::from(&LAMPLIGHT.description());
+    let camera = reference::Camera::from(&ABOVE_THE_FLOOR);
+    let n = u32::from(REFLECTIONS);
+    let truth = render(
+        &scene,
+        &camera,
+        SIDE,
+        SIDE,
+        n,
+        reference::Shading::BlinnPhong,
+    );
+    let frame = || {
+        LAMPLIGHT_SCENE
+            .frame(&ABOVE_THE_FLOOR)
+            .reflections(REFLECTIONS)
+    };
+    let size = Size::new(SIDE, SIDE);
+    for picture in [
+        painted(&frame().quality::<Fast>().sized(size)),
+        painted(&frame().quality::<Small>().sized(size)),
+    ] {
+        let found = compare(&picture, &truth).unwrap();
+        assert!(found.within1 >= 0.999, "{found:?}");
+    }
+}
+
 #[test]
 fn telephoto_view_does_not_hurt_fixed_point() {
     let bar = Bar {

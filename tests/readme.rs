@@ -91,3 +91,29 @@ fn the_readmes_limits_of_scene_files_are_the_librarys() {
     let size = format!("\nThe file itself has at most {megabytes} MB.\n");
     assert!(readme.contains(&size), "{size}");
 }
+
+/// The number that a line of a text has after its beginning.
+fn number_after<'a>(text: &'a str, beginning: &str) -> &'a str {
+    let rest = text
+        .lines()
+        .find_map(|line| line.strip_prefix(beginning))
+        .unwrap_or_else(|| panic!("no line begins with {beginning:?}"));
+    rest.split(|it: char| !it.is_ascii_digit()).next().unwrap()
+}
+
+#[test]
+fn the_readmes_counts_of_pictures_as_near_as_single_precision_are_the_measured_ones() {
+    let page = read("docs/accuracy.md");
+    let all = number_after(&page, "Pictures of ");
+    let exact = number_after(&page, "- `exact`: ");
+    let fast = number_after(&page, "- `fast`: ");
+    let readme = read("README.md").replace("\n  ", " ");
+    for claim in [
+        format!("Of {all} pictures of the built-in scenes, the quality `Exact` has"),
+        format!(
+            "or on 99.99 %, in {exact}; the default `Fast`, which interpolates most pixels, in {fast}."
+        ),
+    ] {
+        assert!(readme.contains(&claim), "{claim}");
+    }
+}

@@ -12,11 +12,12 @@ pub use self::painted::painted;
 use crate::number::Number;
 use crate::scene::World;
 
-/// The grid that a scene was laid on, as the analysis of rounding wants it.
+/// The grid that a scene was laid on and how dim it is, as the analysis of rounding wants it.
 pub fn precision(world: &impl World) -> reference::bound::Precision {
     let grid = world.parts().grid;
     reference::bound::Precision {
         step: f64::exp2(f64::from(-grid.fraction_bits())),
         middle: grid.middle().0.map(Number::to_f64),
+        dimness: world.parts().dimness.to_num(),
     }
 }

@@ -6,7 +6,7 @@
 //! | Q2.30 | [`Unit`] | directions, weights, cosines |
 //! | Q6.26 | [`Brightness`] | colours and the light on a surface |
 //! | Q32.0 | [`Length`] | positions and distances, in steps of a power of two that the scene chooses |
-//! | Q12.20 | `i32` in [`crate::color`] | the light that a surface sends on |
+//! | Q12.20, Q6.26 | `i32` in [`crate::color`] | the light that a surface sends on |
 //! | Q8.24 | `i32` in [`crate::color`] | the sum over reflections |
 //!
 //! Nothing here knows a scene, a ray or a colour.
@@ -23,7 +23,9 @@ mod zeros;
 pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;
 pub use power::{Exponent, even_power, power, whole_power};
-pub use product::{high, high_positive, high_unsigned, wide, wide_positive, wide_unsigned};
+pub use product::{
+    add_high_positive, high, high_positive, high_unsigned, wide, wide_positive, wide_unsigned,
+};
 pub use root::{Quotient, divide, ratio, reciprocal_root, root_of_unit, square_root, unit_shift};
 pub use zeros::leading_zeros;
 
@@ -73,6 +75,12 @@ pub const fn shifted(value: i64, exponent: i32) -> i64 {
     } else {
         value >> -exponent
     }
+}
+
+/// `value` · 2^-`places`, rounded to nearest, for 1 to 62 places; halves are rounded up.
+#[inline(always)]
+pub const fn rounded(value: i64, places: u32) -> i64 {
+    (value + (1 << (places - 1))) >> places
 }
 
 /// The product of two unit numbers, rounded down to Q2.30.

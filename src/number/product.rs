@@ -35,6 +35,16 @@ pub const fn high_positive(a: i32, b: i32) -> i32 {
     (wide_positive(a, b) >> 32) as i32
 }
 
+/// `sum` + `a · b` · 2⁻³², rounded to nearest; neither factor is below zero.
+///
+/// The half that rounds is below the sum in one register pair, so that a core with a long multiply
+/// and add takes no more than for a sum that is rounded down.
+#[inline(always)]
+pub const fn add_high_positive(sum: i32, a: i32, b: i32) -> i32 {
+    let sum = ((sum as u32 as u64) << 32) | (1 << 31);
+    ((sum + wide_positive(a, b) as u64) >> 32) as i32
+}
+
 /// `a` · `short` · 2⁻¹⁷, rounded down, for a short number below 2¹⁶.
 #[inline(always)]
 pub const fn scaled_unsigned(a: u32, short: u32) -> u32 {

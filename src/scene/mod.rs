@@ -38,7 +38,7 @@ use crate::color::Color;
 use crate::grid::Grid;
 use crate::light::{Light, PreparedLight};
 use crate::material::{Material, PreparedMaterial};
-use crate::number::{Length, Number};
+use crate::number::{Brightness, Length, Number, Unit};
 use crate::shape::cylinder::{Cylinder, PreparedCylinder};
 use crate::shape::plane::{Plane, PreparedPlane};
 use crate::shape::sphere::{PreparedSphere, Sphere};
@@ -84,6 +84,8 @@ pub struct Scene<const S: usize, const P: usize, const C: usize, const L: usize,
     materials: [PreparedMaterial; M],
     counts: Counts,
     background: Color,
+    brightest: Brightness,
+    dimness: Unit,
     epsilon: Length,
     inner_epsilon: Length,
     grid: Grid,

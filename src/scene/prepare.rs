@@ -8,11 +8,11 @@ use crate::fault::Fault;
 use crate::grid::Grid;
 use crate::light::{Light, PreparedLight};
 use crate::material::{PreparedMaterial, is_color};
-use crate::number::{Length, Number};
+use crate::number::{Brightness, Length, Number, Unit};
 use crate::shape::cylinder::{Cylinder, PreparedCylinder};
 use crate::shape::plane::{Plane, PreparedPlane};
 use crate::shape::sphere::{PreparedSphere, Sphere};
-use crate::vector::Position;
+use crate::vector::{Point, Position};
 
 pub(super) const fn sphere_fault(sphere: &Sphere) -> Option<Fault> {
     if !sphere.center.is_in_range() {
@@ -135,6 +135,8 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
                 materials: scene.materials.len(),
             },
             background: Color::from_numbers(scene.background).in_levels(),
+            brightest: Brightness::ZERO,
+            dimness: Unit::ONE,
             epsilon: at_least(epsilon, SMALLEST_EPSILON),
             inner_epsilon: at_least(epsilon, inside),
             grid,
@@ -165,6 +167,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             };
             index += 1;
         }
+        prepared.note_what_touches();
         index = 0;
         while index < scene.lights.len() && index < L {
             prepared.add_light(index, &scene.lights[index]);
@@ -179,7 +182,53 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             prepared.materials[index] = material;
             index += 1;
         }
+        prepared.brightest = brightest(
+            used(&prepared.materials, scene.materials.len()),
+            used(&prepared.lights, scene.lights.len()),
+            prepared.background,
+        );
+        prepared.dimness = dimness(prepared.brightest);
         Ok(prepared)
+    }
+
+    /// Notes which spheres touch or cut another shape.
+    const fn note_what_touches(&mut self) {
+        let mut index = 0;
+        while index < self.counts.spheres && index < S {
+            let touches = self.touches_another(index);
+            self.spheres[index] = self.spheres[index].touching(touches);
+            index += 1;
+        }
+    }
+
+    /// Whether a sphere comes so near to another shape that epsilon may lift points into it. Of a
+    /// cylinder, the ball around it counts.
+    const fn touches_another(&self, index: usize) -> bool {
+        let (center, radius) = self.spheres[index].ball();
+        // Twice as far, and a few steps for rounding.
+        let reach = radius as i64 + 2 * self.inner_epsilon.to_bits() as i64 + 8;
+        let mut other = 0;
+        while other < self.counts.spheres && other < S {
+            if other != index && is_within(center, self.spheres[other].ball(), reach) {
+                return true;
+            }
+            other += 1;
+        }
+        other = 0;
+        while other < self.counts.cylinders && other < C {
+            if is_within(center, self.cylinders[other].ball(), reach) {
+                return true;
+            }
+            other += 1;
+        }
+        other = 0;
+        while other < self.counts.planes && other < P {
+            if (self.planes[other].height(center) >> 30).abs() <= reach {
+                return true;
+            }
+            other += 1;
+        }
+        false
     }
 
     /// Prepares a light; the shapes are prepared.
@@ -274,6 +323,72 @@ const fn is_too_bright(material: &PreparedMaterial, lights: &[Light]) -> bool {
     // sum is below 2^35 a light, color at most 2^30: the product is taken only where it fits.
     let color = material.color.largest().to_bits() as i64;
     sent > BRIGHTEST || sum > BRIGHTEST || (sum * color) >> 26 > BRIGHTEST
+}
+
+/// 1 / `brightest`, at most 1, rounded down to eight leading bits: Arm compares with such a number in
+/// one instruction.
+const fn dimness(brightest: Brightness) -> Unit {
+    if brightest.to_bits() <= 1 << 26 {
+        return Unit::ONE;
+    }
+    // Q0.56 / Q6.26, and brightest is below 32: 2²⁵ to 2³⁰.
+    let inverse = ((1_i64 << 56) / brightest.to_bits() as i64) as i32;
+    let rest = 24 - inverse.leading_zeros();
+    Unit::from_bits(inverse >> rest << rest)
+}
+
+/// Whether a ball comes within `reach` of a point.
+const fn is_within(point: Point, (center, radius): (Point, i32), reach: i64) -> bool {
+    // A distance is below 2³⁰ steps, a reach below 2²⁹ and a radius, too.
+    let most = reach + radius as i64;
+    (point.to(center).square() as i64) < most * most
+}
+
+/// The largest component of any colour that a path can meet: the background's, or a material's at
+/// its brightest. Rounded up.
+const fn brightest(
+    materials: &[PreparedMaterial],
+    lights: &[PreparedLight],
+    background: Color,
+) -> Brightness {
+    let mut most = background.largest().to_bits() as u64;
+    let mut index = 0;
+    while index < materials.len() {
+        let own = brightest_of(&materials[index], lights);
+        if own > most {
+            most = own;
+        }
+        index += 1;
+    }
+    // No material is brighter than 30, and no background than 16.
+    Brightness::from_bits(most as i32)
+}
+
+/// (ambient + Σ over the lights of (diffuse + specular) · light) · colour, its largest component in
+/// steps of 2⁻²⁶, rounded up.
+const fn brightest_of(material: &PreparedMaterial, lights: &[PreparedLight]) -> u64 {
+    let strongest = material.diffuse.to_bits() as u64 + material.specular.to_bits() as u64;
+    // The kernels' cosines and powers may be above 1 by their rounding, by far less than 2⁻¹⁵.
+    let strongest = strongest + strongest.div_ceil(1 << 15);
+    let mut most = 0;
+    let mut axis = 0;
+    while axis < 3 {
+        let mut light = 0;
+        let mut index = 0;
+        while index < lights.len() {
+            light += lights[index].color.components()[axis].to_bits() as u64;
+            index += 1;
+        }
+        let received = (light as u128 * strongest as u128).div_ceil(1 << 26);
+        let all = received + material.ambient.to_bits() as u128;
+        let color = material.color.components()[axis].to_bits() as u128;
+        let own = (all * color).div_ceil(1 << 26) as u64;
+        if own > most {
+            most = own;
+        }
+        axis += 1;
+    }
+    most
 }
 
 #[cfg(test)]

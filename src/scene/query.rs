@@ -9,7 +9,7 @@ use crate::number::Length;
 use crate::ray::{Path, Place, REACH, Ray, Trail, spread};
 use crate::shape::cylinder::{LitCylinder, PreparedCylinder};
 use crate::shape::plane::{Approach, Bearing, PreparedPlane};
-use crate::shape::sphere::PreparedSphere;
+use crate::shape::sphere::{PreparedSphere, SeenSphere};
 use crate::vector::Direction;
 
 /// Names a shape of a scene, or none: spheres come first, then cylinders, then planes.
@@ -234,7 +234,7 @@ impl NearestPlane {
 /// Where a path that has left the shape `left` meets what its ray has hit, and what that is where
 /// the ray did not see it.
 #[inline(always)]
-pub(crate) fn located<W: World>(
+pub(crate) fn located<W: World, const PRECISE: bool>(
     world: &W,
     path: &Path,
     left: ShapeNumber,
@@ -245,7 +245,11 @@ pub(crate) fn located<W: World>(
         return None;
     }
     if hit.shape != ShapeNumber::BEYOND {
-        let at = path.ray.origin.along(path.direction(), hit.distance);
+        let (origin, direction) = (path.ray.origin, path.direction());
+        let at = match PRECISE {
+            true => origin.precisely_along(direction, hit.distance),
+            false => origin.along(direction, hit.distance),
+        };
         // Only a plane can be met so far out that this is not near.
         if let Some(at) = Place::near(at) {
             return Some((at, hit.shape));
@@ -273,7 +277,7 @@ pub(crate) fn first<W: World>(
         ),
         false => Hit::BEYOND,
     };
-    located(world, path, left, hit, &mut trail)
+    located::<W, false>(world, path, left, hit, &mut trail)
 }
 
 /// The planes but the one a ray has just left, and their numbers.
@@ -308,30 +312,32 @@ pub(crate) fn blocked<W: World>(
         || blocked_by_bounded(world, mask, ray, left, reach)
 }
 
-/// Whether a sphere or cylinder lies between a light that stands clear and what is `distance` away
-/// from it in a direction; the outside of a cylinder that is left is not in the way.
+/// Whether a sphere hides, or a cylinder lies between, a light that stands clear and what is
+/// `distance` away from it in a direction; the outside of a cylinder that is left is not in the way.
 #[inline(always)]
 pub(crate) fn blocked_from<W: World>(
     world: &W,
     (lamp, index): (&W::Lamp, usize),
-    direction: Direction,
-    distance: Length,
+    (direction, distance): (Direction, Length),
     is_left: impl Fn(ShapeNumber) -> bool,
+    hides: impl Fn(ShapeNumber, &PreparedSphere, &SeenSphere) -> bool,
 ) -> bool {
     let parts = world.parts();
     let (spheres, cylinders) = (lamp.spheres(), lamp.cylinders());
     // One copy in memory, for all cylinders.
     let along = direction;
-    let hides = |index: usize, cylinder: &PreparedCylinder, lit: &LitCylinder| {
+    let sphere_hides = |index: usize, sphere: &PreparedSphere, seen: &SeenSphere| {
+        hides(ShapeNumber::of_sphere(index), sphere, seen)
+    };
+    let cylinder_hides = |index: usize, cylinder: &PreparedCylinder, lit: &LitCylinder| {
         !is_left(parts.cylinder_number(index))
             && lit.is_before(cylinder, &along, parts.epsilon, distance)
     };
     if !W::NEEDS.sets {
+        let mut spheres = parts.spheres.iter().zip(spheres).enumerate();
         let mut cylinders = parts.cylinders.iter().zip(cylinders).enumerate();
-        return spheres
-            .iter()
-            .any(|seen| seen.is_before(direction, distance))
-            || cylinders.any(|(index, (cylinder, lit))| hides(index, cylinder, lit));
+        return spheres.any(|(index, (sphere, seen))| sphere_hides(index, sphere, seen))
+            || cylinders.any(|(index, (cylinder, lit))| cylinder_hides(index, cylinder, lit));
     }
     let mask = match world.cells().get(index) {
         Some(cells) => cells.mask(direction),
@@ -339,11 +345,11 @@ pub(crate) fn blocked_from<W: World>(
     };
     let runs = parts.runs();
     runs.any_sphere(mask, |index| {
-        let seen = spheres.get(index);
-        seen.is_some_and(|seen| seen.is_before(direction, distance))
+        let sphere = parts.spheres.get(index).zip(spheres.get(index));
+        sphere.is_some_and(|(sphere, seen)| sphere_hides(index, sphere, seen))
     }) || runs.any_cylinder(mask, |index| {
         let cylinder = parts.cylinders.get(index).zip(cylinders.get(index));
-        cylinder.is_some_and(|(cylinder, lit)| hides(index, cylinder, lit))
+        cylinder.is_some_and(|(cylinder, lit)| cylinder_hides(index, cylinder, lit))
     })
 }
 

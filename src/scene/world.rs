@@ -13,7 +13,7 @@ use crate::color::Color;
 use crate::grid::Grid;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
-use crate::number::Length;
+use crate::number::{Brightness, Length, Unit, unit_product};
 use crate::shape::MaterialId;
 use crate::shape::cylinder::{LitCylinder, PreparedCylinder};
 use crate::shape::plane::PreparedPlane;
@@ -80,6 +80,11 @@ pub struct Parts<'a> {
     pub(crate) lights: &'a [PreparedLight],
     pub(crate) materials: &'a [PreparedMaterial],
     pub(crate) background: Color,
+    /// The largest component of any colour that a path can meet, rounded up; all are
+    /// [`Color::in_levels`].
+    pub(crate) brightest: Brightness,
+    /// One over the brightest, and 1 where that is more.
+    pub(crate) dimness: Unit,
     /// How far above a surface rays start that leave it, at least 2 steps.
     pub(crate) epsilon: Length,
     /// The same inside of a sphere or cylinder: at least 8 steps, or 16 in a scene with cylinders.
@@ -97,6 +102,12 @@ impl<'a> Parts<'a> {
             [only] => only,
             several => several.get(material.index()).unwrap_or(NONE),
         }
+    }
+
+    /// The smallest weight with which a path can still change a channel by `change`, 0 to 1.
+    #[inline(always)]
+    pub(crate) const fn smallest_weight(&self, change: Unit) -> Unit {
+        unit_product(change, self.dimness)
     }
 
     /// Whether there is nothing to be met.
@@ -172,6 +183,8 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             lights: used(&self.lights, self.counts.lights),
             materials: used(&self.materials, self.counts.materials),
             background: self.background,
+            brightest: self.brightest,
+            dimness: self.dimness,
             epsilon: self.epsilon,
             inner_epsilon: self.inner_epsilon,
             grid: &self.grid,
@@ -284,6 +297,8 @@ where
         lights: used(&Copied::<T>::LIGHTS, T::SCENE.counts.lights),
         materials: used(&Copied::<T>::MATERIALS, T::SCENE.counts.materials),
         background: T::SCENE.background,
+        brightest: T::SCENE.brightest,
+        dimness: T::SCENE.dimness,
         epsilon: T::SCENE.epsilon,
         inner_epsilon: T::SCENE.inner_epsilon,
         grid: &Copied::<T>::GRID,

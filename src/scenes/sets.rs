@@ -252,9 +252,13 @@ fn asked<W: World>(world: &W, random: &mut Sweep) -> [u32; 2] {
             };
             let left = Some(round % (2 * cylinders + 1)).filter(|&it| it < cylinders);
             let all = blocked_by_any(world, lamp, direction, reach, left);
-            let some = blocked_from(world, (lamp, index), direction, reach, |cylinder| {
-                left.is_some_and(|left| cylinder == world.parts().cylinder_number(left))
-            });
+            let some = blocked_from(
+                world,
+                (lamp, index),
+                (direction, reach),
+                |it| left.is_some_and(|left| it == world.parts().cylinder_number(left)),
+                |_, _, seen| seen.is_before(direction, reach),
+            );
             assert_eq!(some, all, "{direction:?} {reach:?} {left:?}");
             counts[usize::from(all)] += 1;
         }
@@ -321,9 +325,13 @@ fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
                 continue;
             }
             let way = path.direction().reversed();
-            let hidden = blocked_from(world, (lamp, index), way, distance, |cylinder| {
-                cylinder == surface.left(world)
-            });
+            let hidden = blocked_from(
+                world,
+                (lamp, index),
+                (way, distance),
+                |cylinder| cylinder == surface.left(world),
+                |_, _, seen| seen.is_before(way, distance),
+            );
             if general(surface.place) == hidden {
                 counts[usize::from(hidden)] += 1;
                 continue;

@@ -335,6 +335,27 @@ fn highlight_without_shininess_is_everywhere_the_light_is() {
 }
 
 #[test]
+fn phong_highlight_of_shininess_0_ends_where_the_mirrored_light_points_away() {
+    let even = Material::new([1.0; 3])
+        .ambient(0.0)
+        .diffuse(0.0)
+        .specular(0.5, 0.0);
+    // The point (1, 0, 0) is seen at 60 degrees; a light on the viewer's own side, at 20 and at 60.
+    for (degrees, phong) in [(20.0_f64, 0.5), (60.0, 0.0)] {
+        let light = [
+            1.0 + 9.0 * degrees.to_radians().cos(),
+            9.0 * degrees.to_radians().sin(),
+            0.0,
+        ];
+        let scene = scenery(even, |scene| scene.add_light(light, [1, 1, 1]).unwrap());
+        let eye = [1.0 + 0.5, 0.75_f64.sqrt(), 0.0];
+        let towards = [-0.5, -(0.75_f64.sqrt()), 0.0];
+        assert_eq!(seen::<Phong>(&scene, eye, towards), [phong; 3], "{degrees}");
+        assert_eq!(seen::<BlinnPhong>(&scene, eye, towards), [0.5; 3]);
+    }
+}
+
+#[test]
 fn highlight_is_whole_in_the_mirror_direction_and_for_all_kinds() {
     let glossy = Material::new([1.0; 3])
         .ambient(0.0)

@@ -38,6 +38,8 @@ pub struct PreparedSphere {
     square: i64,
     normaliser: Normaliser,
     pub(crate) material: MaterialId,
+    /// Whether it touches or cuts another shape.
+    touches: bool,
 }
 
 /// A sphere as the rays from one point see it.
@@ -52,6 +54,10 @@ pub(crate) struct SeenSphere {
 /// What the square of a radius over a distance is at least, in steps, where a sphere's tangents
 /// tell whether a ray meets it.
 const COARSEST: i32 = 128;
+
+/// How far ahead, in steps, a ray from inside must leave the sphere at least: a start is lifted to two
+/// steps above a surface, and rounded.
+const ON_SURFACE: i32 = 4;
 
 impl SeenSphere {
     /// Fills the room of a sphere that a scene's type allows but the scene does not use.
@@ -114,6 +120,14 @@ impl SeenSphere {
     pub(crate) const fn is_before(&self, direction: Direction, reach: Length) -> bool {
         self.tangent < reach.to_bits() && self.way.dot(direction) >= self.tangent
     }
+
+    /// Whether a distance is shorter than the tangents, but long enough to end inside of the sphere,
+    /// whose radius is given.
+    #[inline(always)]
+    pub(crate) const fn may_hold_the_end(&self, radius: i32, distance: Length) -> bool {
+        let rest = self.tangent - distance.to_bits();
+        0 <= rest && rest < radius
+    }
 }
 
 impl PreparedSphere {
@@ -130,7 +144,21 @@ impl PreparedSphere {
             square: wide(raw, raw),
             normaliser,
             material,
+            touches: false,
         }
+    }
+
+    /// The same sphere, which touches or cuts another shape, or does not.
+    pub(crate) const fn touching(mut self, touches: bool) -> Self {
+        self.touches = touches;
+        self
+    }
+
+    /// Whether a near point lies inside that is lifted by epsilon from another shape, which is not
+    /// inside. No point is if the sphere touches nothing.
+    #[inline(always)]
+    pub(crate) const fn holds_lifted(&self, point: Point) -> bool {
+        self.touches && (point.to(self.center).square() as i64) < self.square
     }
 
     /// Its middle and radius.
@@ -224,7 +252,9 @@ impl PreparedSphere {
         if entry_is_ahead {
             past < 0 || wide(past, past) < half_chord_square
         } else {
-            let exit_is_ahead = distance > 0 || wide(distance, distance) < half_chord_square;
+            // A ray that starts on the surface, but for rounding, does not start inside.
+            let least = distance - ON_SURFACE;
+            let exit_is_ahead = distance > 0 || wide(least, least) < half_chord_square;
             exit_is_ahead && past < 0 && wide(past, past) > half_chord_square
         }
     }

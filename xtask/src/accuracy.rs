@@ -1,69 +1,193 @@
 //! `cargo xtask accuracy`: measures every built-in scene against the double-precision reference
-//! and writes what the command line prints into `docs/accuracy.md`.
+//! and writes `docs/accuracy.md`.
 
 use std::fmt::Write as _;
-use std::time::Duration;
 
 use anyhow::{Context, Result};
-use serde_json::Value;
+use float_picture::Shading;
+use float_picture::accuracy::{NAMES, Row, measure};
+use reflet::host::compare::Difference;
 
-use crate::{command::Program, kept};
+use crate::kept;
 
 const PAGE: &str = "docs/accuracy.md";
-const SIZE: &str = "320x320";
-const REFLECTIONS: &str = "4";
+const SIDE: u32 = 320;
+const REFLECTIONS: u8 = 4;
+
+/// Where [`NAMES`] has single precision.
+const SINGLE: usize = NAMES.len() - 1;
+
+/// What counts as the same as the reference: at most one pixel in ten thousand differs.
+const ALL: f64 = 0.9999;
+
+/// One scene in one shading.
+struct Picture {
+    shading: &'static str,
+    row: Row,
+}
+
+impl Picture {
+    /// Whether a quality has the reference's value on as many pixels as single precision, or on all
+    /// but one in ten thousand.
+    fn is_as_near(&self, quality: usize) -> bool {
+        let same = |of: usize| self.row.differences[of].same;
+        same(quality) >= same(SINGLE).min(ALL)
+    }
+}
 
 pub fn run() -> Result<()> {
-    let mut page = format!(
-        "# How near to the truth\n\n\
-         Written by `cargo xtask accuracy` from what `render --check --json` printed: every \
-         built-in scene at {SIZE} with {REFLECTIONS} reflections, against the double-precision \
-         reference. `same` and `within 1` are the shares of the pixels whose three 8-bit channels \
-         all are; PSNR is over all channels (∞: no channel differs); `largest` is the largest \
-         difference of a channel.\n\n\
-         In `corner1` the rays of a few pixels go exactly through the line where two planes meet: \
-         either plane is right there.\n"
-    );
+    let mut pictures = Vec::new();
+    for (shading, model) in [
+        ("blinn-phong", Shading::BlinnPhong),
+        ("phong", Shading::Phong),
+    ] {
+        for scene in reflet::scenes::NAMES {
+            let row = measure(scene, SIDE, REFLECTIONS, model).context("no built-in scene")?;
+            pictures.push(Picture { shading, row });
+        }
+    }
+    kept::write(PAGE.as_ref(), &page(&pictures)?)
+}
+
+fn page(pictures: &[Picture]) -> Result<String> {
+    let mut page = include_str!("accuracy.md")
+        .replace("SIDE", &SIDE.to_string())
+        .replace("REFLECTIONS", &REFLECTIONS.to_string());
+    writeln!(
+        page,
+        "\n| | same | within 1 | PSNR in dB | largest |\n|---|---|---|---|---|"
+    )?;
+    for (index, name) in NAMES.iter().enumerate() {
+        writeln!(page, "| `{name}` | {} |", worst(pictures, index))?;
+    }
+    writeln!(
+        page,
+        "\n## Beside single precision\n\nPictures of {} with the same value on at least as many \
+         pixels as `f32`, or on 99.99 %:\n",
+        pictures.len()
+    )?;
+    for (index, name) in NAMES.iter().enumerate().take(SINGLE) {
+        let near = pictures.iter().filter(|it| it.is_as_near(index)).count();
+        writeln!(page, "- `{name}`: {near}")?;
+    }
     for shading in ["blinn-phong", "phong"] {
-        for quality in ["fast", "fine", "small", "exact"] {
-            write!(
+        for (index, name) in NAMES.iter().enumerate().take(SINGLE) {
+            writeln!(
                 page,
-                "\n## {shading}, {quality}\n\n\
-                 | scene | same | within 1 | PSNR in dB | largest |\n|---|---|---|---|---|\n"
+                "\n## {shading}, {name}\n\n\
+                 | scene | same | of `f32` | within 1 | of `f32` | PSNR in dB | of `f32` | largest | of `f32` |\n\
+                 |---|---|---|---|---|---|---|---|---|"
             )?;
-            for scene in reflet::scenes::NAMES {
-                let row = measure(scene, shading, quality)?;
-                println!("{shading} {quality} {row}");
-                writeln!(page, "{row}")?;
+            for Picture { row, .. } in pictures.iter().filter(|it| it.shading == shading) {
+                let (own, single) = (&row.differences[index], &row.differences[SINGLE]);
+                writeln!(page, "| {} | {} |", row.scene, side_by_side(own, single))?;
             }
         }
     }
-    kept::write(PAGE.as_ref(), &page)
+    Ok(page)
 }
 
-fn measure(scene: &str, shading: &str, quality: &str) -> Result<String> {
-    let render = "run --quiet --release --example render --";
-    let printed = Program::new("cargo")
-        .args(render.split(' '))
-        .args([scene, "--size", SIZE, "--reflections", REFLECTIONS])
-        .args(["--shading", shading, "--quality", quality])
-        .args(["--check", "--json"])
-        .limit(Duration::from_secs(600))
-        .read()?;
-    let figures: Value = serde_json::from_str(&printed)
-        .with_context(|| format!("render printed something else than JSON: {printed}"))?;
-    let share = |key: &str| -> Result<f64> {
-        figures[key]
-            .as_f64()
-            .with_context(|| format!("render --json printed no `{key}`"))
-    };
-    let psnr = figures["psnr"]
-        .as_f64()
-        .map_or_else(|| "∞".to_owned(), |psnr| format!("{psnr:.1}"));
-    Ok(format!(
-        "| {scene} | {:.3} % | {:.3} % | {psnr} | {} |",
-        100.0 * share("same")?,
-        100.0 * share("within1")?,
-        share("max")?
-    ))
+fn side_by_side(own: &Difference, single: &Difference) -> String {
+    let pairs = FIGURES.map(|figure| format!("{} | {}", figure.text(own), figure.text(single)));
+    pairs.join(" | ")
+}
+
+/// The worst of every figure, and in which picture.
+fn worst(pictures: &[Picture], index: usize) -> String {
+    let worst = FIGURES.map(|figure| {
+        let badness = |it: &&Picture| figure.badness(&it.row.differences[index]);
+        let worst = pictures
+            .iter()
+            .max_by(|one, other| badness(one).total_cmp(&badness(other)));
+        worst.map_or_else(String::new, |it| {
+            let text = figure.text(&it.row.differences[index]);
+            format!("{text} ({}, {})", it.row.scene, it.shading)
+        })
+    });
+    worst.join(" | ")
+}
+
+#[derive(Clone, Copy)]
+enum Figure {
+    Same,
+    Within1,
+    Psnr,
+    Largest,
+}
+
+const FIGURES: [Figure; 4] = [Figure::Same, Figure::Within1, Figure::Psnr, Figure::Largest];
+
+impl Figure {
+    /// Larger is worse.
+    fn badness(self, of: &Difference) -> f64 {
+        match self {
+            Self::Same => -of.same,
+            Self::Within1 => -of.within1,
+            Self::Psnr => -of.psnr,
+            Self::Largest => of.max.into(),
+        }
+    }
+
+    fn text(self, of: &Difference) -> String {
+        match self {
+            Self::Same => format!("{:.3} %", 100.0 * of.same),
+            Self::Within1 => format!("{:.3} %", 100.0 * of.within1),
+            Self::Psnr if of.psnr.is_infinite() => "∞".to_owned(),
+            Self::Psnr => format!("{:.1}", of.psnr),
+            Self::Largest => of.max.to_string(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn difference(same: f64, max: u8) -> Difference {
+        Difference {
+            same,
+            within1: same,
+            within8: same,
+            psnr: 100.0 * same,
+            max,
+        }
+    }
+
+    fn pictures() -> [Picture; 2] {
+        [("ball", 0.5, 9), ("cube", 0.75, 200)].map(|(scene, same, max)| Picture {
+            shading: "phong",
+            row: Row {
+                scene,
+                differences: [
+                    difference(same, max),
+                    difference(1.0, 0),
+                    difference(0.999, 1),
+                    difference(0.99995, 1),
+                    difference(0.99999, 1),
+                ],
+            },
+        })
+    }
+
+    #[test]
+    fn worst_case_of_each_figure_stands_before_all_others() {
+        let page = page(&pictures()).unwrap();
+        let worst = "| `fast` | 50.000 % (ball, phong) | 50.000 % (ball, phong) | 50.0 (ball, phong) \
+                     | 200 (cube, phong) |";
+        let place = |text: &str| {
+            page.find(text)
+                .unwrap_or_else(|| panic!("no {text}: {page}"))
+        };
+        assert!(place(worst) < place("## phong, fast"));
+        assert!(place("| cube | 75.000 % | 99.999 % |") > place("## phong, fast"));
+    }
+
+    #[test]
+    fn picture_with_one_pixel_in_ten_thousand_off_is_as_near_as_any() {
+        let [picture, _] = pictures();
+        assert_eq!(
+            [0, 1, 2, 3].map(|quality| picture.is_as_near(quality)),
+            [false, true, false, true]
+        );
+    }
 }

@@ -352,3 +352,52 @@ fn plane_goes_through_its_point() {
         assert!((0..=1).contains(&height), "{height}: {point:?} {normal:?}");
     }
 }
+
+#[test]
+fn brightest_is_what_a_material_sends_on_of_all_lights() {
+    let mut scene = Scenery::new();
+    let dark = Material::new([0.5, 0.25, 0.0]).ambient(0.5).diffuse(0.0);
+    let bright = Material::new([0.5, 1.0, 0.25])
+        .ambient(0.25)
+        .diffuse(1.0)
+        .specular(0.5, 9.0);
+    for material in [dark, bright] {
+        scene.add_material(material).unwrap();
+    }
+    for color in [[1, 2, 1], [4, 1, 4]] {
+        scene.add_light([0, 0, 9], color).unwrap();
+    }
+    let prepared = scene.build().unwrap();
+    let brightest = prepared.brightest.to_num::<f64>() * 256.0 / 255.0;
+    // Green: (0.25 + 1.5 * 3) * 1; red: (0.25 + 1.5 * 5) * 0.5.
+    assert!((4.75..4.751).contains(&brightest), "{brightest}");
+}
+
+#[test]
+fn background_may_be_the_brightest() {
+    let mut scene = marble(|_, _| {});
+    scene.set_background([1, 7, 2]).unwrap();
+    let brightest = scene.build().unwrap().brightest.to_num::<f64>();
+    assert!(
+        (brightest - 7.0 * 255.0 / 256.0).abs() < 1e-6,
+        "{brightest}"
+    );
+}
+
+#[test]
+fn weights_of_bright_scenes_are_followed_until_no_level_changes() {
+    let mut sweep = Sweep::new(33);
+    for _ in 0..1000 {
+        let brightest = Brightness::from_bits(sweep.octaves(20, 30));
+        let (dimness, most) = (
+            dimness(brightest).to_num::<f64>(),
+            brightest.to_num::<f64>(),
+        );
+        let exact = 1.0 / most.max(1.0);
+        // Rounded down to eight bits.
+        assert!(
+            dimness <= exact && dimness > exact * (1.0 - 1.0 / 128.0),
+            "{most}: {dimness}"
+        );
+    }
+}

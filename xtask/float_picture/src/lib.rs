@@ -4,6 +4,7 @@
 // Scenes are made ready for two models: that of the port and that with the reference's own settings.
 #![allow(clippy::duplicate_mod)]
 
+pub mod accuracy;
 pub mod port;
 pub mod single;
 

@@ -51,6 +51,7 @@ pub struct Paths {
     /// Each row goes on for some columns to the right of the picture.
     paths: Vec<Followed>,
     brightest: f64,
+    dimness: f64,
 }
 
 /// When a path of fixed point ends, and which pixels it traces.
@@ -58,7 +59,8 @@ pub struct Paths {
 pub struct Ending {
     /// After so many reflections.
     pub reflections: usize,
-    /// Or when the weight falls below this.
+    /// Or when the weight falls below this, as a share of white in a scene brighter than white:
+    /// the `SMALLEST_WEIGHT` of the quality.
     pub smallest_weight: f64,
     /// One of so many pixels of a row is traced: 1, 2 or 4.
     pub stride: u32,
@@ -137,6 +139,7 @@ impl Paths {
             height,
             paths: (0..columns * height).into_par_iter().map(pixel).collect(),
             brightest: brightest(scene),
+            dimness: precision.dimness,
         }
     }
 
@@ -159,7 +162,7 @@ impl Paths {
     pub fn picture(&self, ending: &Ending) -> Picture {
         let Self { width, height, .. } = *self;
         let paths = self.rows().flat_map(|row| &row[..width as usize]);
-        let color = |path| quantised(Vector(ended(path, ending).color));
+        let color = |path| quantised(Vector(self.ended(path, ending).color));
         Picture {
             width,
             height,
@@ -170,11 +173,15 @@ impl Paths {
     /// What every pixel may be off by in a picture of fixed point whose paths end so, row by row.
     pub fn bounds(&self, ending: &Ending) -> Vec<Bound> {
         let row = |row: &[Followed]| {
-            let stages: Vec<&Stage> = row.iter().map(|path| ended(path, ending)).collect();
+            let stages: Vec<&Stage> = row.iter().map(|path| self.ended(path, ending)).collect();
             let bound = |x: u32| self.bound(&stages, x as usize, ending);
             (0..self.width).map(bound).collect::<Vec<_>>()
         };
         self.rows().flat_map(row).collect()
+    }
+
+    fn ended<'a>(&self, path: &'a Followed, ending: &Ending) -> &'a Stage {
+        path.ended(ending.reflections, ending.smallest_weight * self.dimness)
     }
 
     fn bound(&self, row: &[&Stage], x: usize, ending: &Ending) -> Bound {
@@ -197,10 +204,6 @@ impl Paths {
             is_unsure,
         }
     }
-}
-
-fn ended<'a>(path: &'a Followed, ending: &Ending) -> &'a Stage {
-    path.ended(ending.reflections, ending.smallest_weight)
 }
 
 impl Followed {

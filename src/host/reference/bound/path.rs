@@ -13,6 +13,8 @@ pub struct Precision {
     pub step: f64,
     /// Its middle.
     pub middle: [f64; 3],
+    /// The smallest weights of a quality are multiplied by this: 1 / the brightest colour, at most 1.
+    pub dimness: f64,
 }
 
 /// A path of the reference, as far as it was followed, reflection by reflection.

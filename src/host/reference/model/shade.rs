@@ -44,9 +44,13 @@ impl Scene<'_> {
             return diffuse;
         }
         let cosine = surface.gleam(ray.direction, shading);
-        // `max` would be a call on boards.
-        let lit = if cosine > 0.0 { cosine } else { 0.0 };
-        diffuse + material.specular * power(lit, material.shininess)
+        // Where the mirrored light points away from the viewer there is no highlight, not even one of
+        // shininess 0.
+        if cosine > 0.0 {
+            diffuse + material.specular * power(cosine, material.shininess)
+        } else {
+            diffuse
+        }
     }
 }
 

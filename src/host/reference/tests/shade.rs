@@ -110,20 +110,20 @@ fn highlight_never_takes_light_away() {
 }
 
 #[test]
-fn highlight_without_shininess_is_everywhere_the_light_is() {
+fn highlight_without_shininess_is_where_the_mirrored_light_comes_to_the_viewer() {
     let flat = Material {
         shininess: 0.0,
         ..MATERIAL
     };
     let diffuse = 0.5 * 70.0_f64.to_radians().cos();
-    for (degrees, expected) in [
-        (70.0, diffuse + 0.25),
-        (-70.0, diffuse + 0.25),
-        (110.0, 0.0),
-    ] {
+    let all = diffuse + 0.25;
+    // From the viewer's own side the mirrored light goes away at 100 degrees.
+    for (degrees, phong, blinn_phong) in
+        [(70.0, all, all), (-70.0, diffuse, all), (110.0, 0.0, 0.0)]
+    {
         let lights = [at_angle(degrees)];
-        assert_near(lit_on(flat, &lights, &[], 1e-15, Phong), expected);
-        assert_near(lit_on(flat, &lights, &[], 1e-15, BlinnPhong), expected);
+        assert_near(lit_on(flat, &lights, &[], 1e-15, Phong), phong);
+        assert_near(lit_on(flat, &lights, &[], 1e-15, BlinnPhong), blinn_phong);
     }
 }
 

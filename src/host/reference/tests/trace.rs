@@ -155,6 +155,7 @@ fn recursion_and_running_weight_agree_between_two_mirrors() {
     let precision = Precision {
         step: 1e-9,
         middle: [0.0; 3],
+        dimness: 1.0,
     };
     let mut sweep = Sweep::new(5);
     for _ in 0..50 {

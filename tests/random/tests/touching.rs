@@ -1,0 +1,193 @@
+//! Crowds of spheres and cylinders that touch or cut each other: `Exact` tells shadows by tangents,
+//! and must not lose what `Small`, which asks every shape, gets right.
+
+use embedded_graphics::prelude::Size;
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use reflet::host::painted;
+use reflet::host::reference::{self, Picture, Shading};
+use reflet::{Camera, Exact, Material, Quality, RuntimeScene, Small};
+
+type Triple = [f64; 3];
+type Scenery = RuntimeScene<12, 1, 12, 2, 2>;
+
+const WIDTH: u32 = 64;
+const HEIGHT: u32 = 48;
+const REFLECTIONS: u8 = 2;
+
+/// A shape beside or in the one before it.
+#[derive(Clone, Debug)]
+struct Neighbour {
+    /// Towards its centre.
+    way: Triple,
+    radius: f64,
+    /// How far away its centre is: at 1 spheres touch, below they cut each other, at 0 they coincide.
+    apart: f64,
+    /// Of a cylinder: its axis and height.
+    wall: Option<(Triple, f64)>,
+}
+
+#[derive(Clone, Debug)]
+struct Crowd {
+    neighbours: Vec<Neighbour>,
+    has_floor: bool,
+    mirror: f64,
+    epsilon: f64,
+    lights: [Triple; 2],
+    eye: Triple,
+}
+
+fn triple() -> impl Strategy<Value = Triple> {
+    prop::array::uniform3(-1.0..1.0).prop_filter("a direction", |it| {
+        it.iter().map(|it| it * it).sum::<f64>() > 0.01
+    })
+}
+
+fn neighbour() -> impl Strategy<Value = Neighbour> {
+    let apart = prop_oneof![2 => Just(1.0), 2 => 0.3..1.0, 1 => 0.99..1.01, 1 => Just(0.0)];
+    let radius = prop_oneof![1 => Just(0.25), 2 => 0.1..0.5];
+    let wall = prop::option::of((triple(), 0.3..1.5));
+    (triple(), radius, apart, wall).prop_map(|(way, radius, apart, wall)| Neighbour {
+        way,
+        radius,
+        apart,
+        wall,
+    })
+}
+
+fn crowd() -> impl Strategy<Value = Crowd> {
+    let epsilon = prop_oneof![Just(2e-2), Just(1e-3), Just(1e-4), Just(1e-9)];
+    let all = prop::collection::vec(neighbour(), 2..12);
+    let lights = [triple(), triple()];
+    (all, any::<bool>(), 0.0..0.8, epsilon, lights, triple()).prop_map(
+        |(neighbours, has_floor, mirror, epsilon, lights, eye)| Crowd {
+            neighbours,
+            has_floor,
+            mirror,
+            epsilon,
+            lights,
+            eye,
+        },
+    )
+}
+
+/// Of this length.
+fn scaled([x, y, z]: Triple, length: f64) -> Triple {
+    let factor = length / (x * x + y * y + z * z).sqrt();
+    [x * factor, y * factor, z * factor]
+}
+
+fn sum([ax, ay, az]: Triple, [bx, by, bz]: Triple) -> Triple {
+    [ax + bx, ay + by, az + bz]
+}
+
+impl Crowd {
+    fn scene(&self) -> Scenery {
+        let mut scene = Scenery::new();
+        let ball = Material::from_numbers([0.9, 0.6, 0.3], 0.1, 0.7, (0.3, 8), self.mirror);
+        let floor = Material::from_numbers([0.6, 0.7, 0.8], 0.1, 0.8, (0, 1), self.mirror / 2.0);
+        let ball = scene.add_material(ball.unwrap()).unwrap();
+        let floor = scene.add_material(floor.unwrap()).unwrap();
+        let (mut center, mut last) = ([0.0; 3], 0.0);
+        for it in &self.neighbours {
+            center = sum(center, scaled(it.way, it.apart * (last + it.radius)));
+            last = it.radius;
+            match it.wall {
+                None => scene.add_sphere(center, it.radius, ball).unwrap(),
+                Some((axis, height)) => scene
+                    .add_cylinder(center, axis, it.radius, height, ball)
+                    .unwrap(),
+            }
+        }
+        if self.has_floor {
+            scene.add_plane([0.0, 0.0, -0.5], [0, 0, 1], floor).unwrap();
+        }
+        for light in self.lights {
+            let above = [light[0], light[1], light[2].abs() + 0.2];
+            scene.add_light(scaled(above, 9.0), [0.7; 3]).unwrap();
+        }
+        scene.set_background([0.2, 0.3, 0.5]).unwrap();
+        scene.set_epsilon(self.epsilon).unwrap();
+        scene
+    }
+
+    fn camera(&self) -> Camera {
+        let [x, y, z] = self.eye;
+        let eye = scaled([x, y, z.abs() + 0.1], 5.0);
+        let camera = Camera::new(eye, [0.0; 3], [0, 0, 1], 50.0);
+        camera.unwrap_or_else(|_| Camera::new(eye, [0.0; 3], [0, 1, 0], 50.0).unwrap())
+    }
+}
+
+fn rendered<Q: Quality>(scene: &Scenery, camera: &Camera) -> Picture {
+    let built = scene.build().unwrap();
+    let frame = built.frame(camera).reflections(REFLECTIONS).quality::<Q>();
+    painted(&frame.sized(Size::new(WIDTH, HEIGHT)))
+}
+
+fn apart(one: [u8; 3], other: [u8; 3]) -> u8 {
+    let channels = one.into_iter().zip(other);
+    channels
+        .map(|(one, other)| one.abs_diff(other))
+        .max()
+        .unwrap()
+}
+
+/// The colours of the rays around a pixel's own, a 32nd of a pixel to either side.
+fn beside(
+    scene: &reference::Scene,
+    camera: &reference::Camera,
+    (x, y): (u32, u32),
+) -> [[u8; 3]; 4] {
+    // In a picture 16 times as large the four pixels in the middle of this one.
+    let size = (16 * WIDTH, 16 * HEIGHT);
+    [(7, 7), (7, 8), (8, 7), (8, 8)].map(|(right, down)| {
+        let at = (16 * x + right, 16 * y + down);
+        let n = u32::from(REFLECTIONS);
+        let color = reference::pixel(scene, camera, size, at, n, Shading::BlinnPhong);
+        color.map(|it| (255.0 * it).round().clamp(0.0, 255.0) as u8)
+    })
+}
+
+/// The pixels that `Exact` loses: off by more than 8 where `Small` is within 1, and where rays beside
+/// do not decide otherwise.
+fn lost(crowd: &Crowd) -> Vec<(u32, u32)> {
+    let (scene, camera) = (crowd.scene(), crowd.camera());
+    let exact = rendered::<Exact>(&scene, &camera);
+    let small = rendered::<Small>(&scene, &camera);
+    let scene = reference::Scene::from(&scene.description());
+    let camera = reference::Camera::from(&camera);
+    let n = u32::from(REFLECTIONS);
+    let truth = reference::render(&scene, &camera, WIDTH, HEIGHT, n, Shading::BlinnPhong);
+    let places = (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y)));
+    let is_lost = |&(index, at): &(usize, (u32, u32))| {
+        let own = truth.pixels[index];
+        apart(exact.pixels[index], own) > 8
+            && apart(small.pixels[index], own) <= 1
+            && beside(&scene, &camera, at)
+                .into_iter()
+                .all(|color| apart(color, own) <= 8)
+    };
+    let lost = places.enumerate().filter(is_lost);
+    lost.map(|(_, at)| at).collect()
+}
+
+/// How many crowds of so many lose a pixel, and the first of them.
+fn losers(count: u32, seed: u8) -> (usize, Option<(Crowd, Vec<(u32, u32)>)>) {
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]);
+    let mut runner = TestRunner::new_with_rng(Config::default(), rng);
+    let crowds = (0..count).map(|_| crowd().new_tree(&mut runner).unwrap().current());
+    let mut losers = crowds.filter_map(|crowd| {
+        let lost = lost(&crowd);
+        (!lost.is_empty()).then_some((crowd, lost))
+    });
+    let first = losers.next();
+    (usize::from(first.is_some()) + losers.count(), first)
+}
+
+#[test]
+fn exact_loses_nothing_where_shapes_touch() {
+    let (count, first) = losers(200, 1);
+    assert_eq!(count, 0, "{first:#?}");
+}
