@@ -5,6 +5,8 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
+use crate::number::signed;
+
 /// A display of which a square of `scale` by `scale` pixels is drawn as one.
 ///
 /// A picture drawn on it takes about 1/`scale`² of the work. Its top left corner is (0, 0); where
@@ -62,7 +64,7 @@ impl<D: DrawTarget> DrawTarget for Enlarged<'_, D> {
             if !own.contains(at) {
                 continue;
             }
-            let at = bounds.top_left + at * self.scale as i32;
+            let at = bounds.top_left + at * signed(self.scale);
             let square = Rectangle::new(at, side).intersection(&bounds);
             self.display.fill_solid(&square, color)?;
         }
