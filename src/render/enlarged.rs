@@ -30,9 +30,9 @@ pub struct Enlarged<'a, D> {
 }
 
 impl<'a, D: DrawTarget> Enlarged<'a, D> {
-    /// A display with pixels of this size; 0 is taken for 1.
+    /// A display with pixels of this size; 0 is taken for 1, and more than 2³⁰ for 2³⁰.
     pub fn new(display: &'a mut D, scale: u32) -> Self {
-        let scale = scale.max(1);
+        let scale = scale.clamp(1, 1 << 30);
         Self { display, scale }
     }
 
