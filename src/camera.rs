@@ -2,7 +2,10 @@
 
 use core::fmt;
 
-use crate::number::{Number, Scaled, cotangent_of_half, shifted, sine_and_cosine_of, steps, wide};
+use crate::number::{
+    Number, Scaled, cotangent_of_half, shifted, signed, signed_wide, sine_and_cosine_of, stepped,
+    unsigned_wide, wide,
+};
 use crate::ray::Fan;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -237,11 +240,11 @@ impl Camera {
         // In half pixels, the picture lies width · cot(fov / 2) in front of the camera.
         let product = u64::from(width) * u64::from(self.cotangent.mantissa);
         let Scaled { exponent, .. } = self.cotangent;
-        let bits = |value: u64| 64 - value.leading_zeros() as i32;
+        let bits = |value: u64| 64 - signed(value.leading_zeros());
         let largest = (bits(product) + exponent).max(bits(u64::from(width.max(height))));
         // The largest part is brought to 2³⁰, so that a ray stays below 2⁶¹ in Q30.
         let scale = 30 - largest;
-        let ahead = shifted(product as i64, (exponent + scale).max(-63));
+        let ahead = shifted(signed_wide(product), (exponent + scale).max(-63));
         Lens {
             ahead: times(self.forward, ahead),
             right: self.right,
@@ -289,8 +292,9 @@ pub(crate) struct Lens {
 }
 
 impl Lens {
-    /// The directions through the middles of the pixels of row `y`.
+    /// The directions through the middles of the pixels of row `y`, which lies in the picture.
     pub(crate) fn row(&self, y: u32) -> RowDirections {
+        debug_assert!(y < self.height && self.height < 1 << 16);
         let vertical = i64::from(self.height) - 1 - 2 * i64::from(y);
         let horizontal = 1 - i64::from(self.width);
         let middle = [0, 1, 2].map(|axis| self.ahead[axis] + self.up[axis] * vertical);
@@ -329,7 +333,7 @@ impl RowDirections {
         // A ray to a pixel is below 2⁶¹ (`Camera::lens`), one to a column beyond the picture, half
         // as wide as that at most, below 2⁶²: the sum does not wrap.
         let aside = self.aside(column);
-        let square = self.square + wide(aside >> 2, aside >> 2) as u64;
+        let square = self.square + unsigned_wide(wide(aside >> 2, aside >> 2));
         self.way(aside).direction_of_square(square)
     }
 
@@ -348,7 +352,7 @@ impl RowDirections {
             y: dy,
             z: dz,
         } = self.right.raw();
-        let at = |middle: i64, right: i32| (middle.wrapping_add(wide(right, aside)) >> 32) as i32;
+        let at = |middle: i64, right: i32| ((middle + wide(right, aside)) >> 32) as i32;
         Vector::new(at(x, dx), at(y, dy), at(z, dz))
     }
 
@@ -362,7 +366,7 @@ impl RowDirections {
 /// What is reached from `start` after so many steps, without the last 32 bits.
 #[inline(always)]
 fn at(start: i64, step: i64, column: u32) -> i32 {
-    (start.wrapping_add(steps(step, column)) >> 32) as i32
+    (stepped(start, step, column) >> 32) as i32
 }
 
 #[cfg(test)]

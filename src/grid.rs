@@ -1,6 +1,6 @@
 //! Floor 2: the grid a scene is laid on: where its middle is and how fine its steps are.
 
-use crate::number::{Length, Number};
+use crate::number::{Length, Number, fitting, narrowed, narrowed_128};
 use crate::ray::Place;
 use crate::vector::{Direction, Point, Position};
 
@@ -26,7 +26,8 @@ impl Grid {
     /// How many bits of a raw step lie behind the binary point of a scene unit.
     #[cfg(any(test, feature = "host"))]
     pub const fn fraction_bits(&self) -> i32 {
-        64 - self.drop as i32
+        use crate::number::signed;
+        64 - signed(self.drop)
     }
 
     /// The middle of the scene.
@@ -63,7 +64,7 @@ impl Grid {
         Length::from_bits(if steps > 1 << 30 {
             1 << 30
         } else {
-            steps as i32
+            narrowed(narrowed_128(steps))
         })
     }
 
@@ -87,11 +88,9 @@ impl Grid {
 #[inline(never)]
 const fn rounded(number: Number, drop: u32) -> i32 {
     let twice = number.to_bits() >> (drop - 1);
-    let low = twice as i32;
-    if low as i128 == twice {
-        (low >> 1) + (low & 1)
-    } else {
-        i32::MAX
+    match fitting(twice) {
+        Some(twice) => (twice >> 1) + (twice & 1),
+        None => i32::MAX,
     }
 }
 

@@ -12,7 +12,7 @@
 
 use crate::camera::RowDirections;
 use crate::color::{Bend, Sum};
-use crate::number::Unit;
+use crate::number::{Unit, to_u32};
 use crate::quality::{LONGEST_STRIDE, Quality};
 use crate::scene::World;
 use crate::shade::sealed::Shading;
@@ -134,7 +134,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
                     (count, later)
                 }
             };
-            self.column += count as u32;
+            self.column += to_u32(count);
             pixels = later;
         }
     }

@@ -132,16 +132,38 @@
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+// Overflow checks do not see an `as` that loses bits or a sign. `number::narrow` has functions that do.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::cast_possible_truncation,
+        clippy::cast_possible_wrap,
+        clippy::cast_sign_loss
+    )
+)]
 
 #[cfg(any(feature = "host", test))]
 #[macro_use]
 extern crate std;
 
 mod camera;
+#[cfg_attr(
+    not(test),
+    expect(
+        clippy::cast_sign_loss,
+        reason = "its casts do not go through `number::narrow` yet"
+    )
+)]
 mod color;
 mod fault;
 mod grid;
 #[cfg(feature = "host")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "the reference computes in floats"
+)]
 pub mod host;
 mod interpolate;
 mod light;
@@ -152,7 +174,22 @@ mod ray;
 mod render;
 mod scene;
 #[cfg(feature = "scenes")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "constants, which the compiler works out"
+)]
 pub mod scenes;
+#[cfg_attr(
+    not(test),
+    expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_possible_wrap,
+        clippy::cast_sign_loss,
+        reason = "its casts do not go through `number::narrow` yet"
+    )
+)]
 mod shade;
 mod shape;
 mod trace;

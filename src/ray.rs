@@ -6,7 +6,10 @@
 //! kernels work on it directly) or *far* (its point is in steps of 2ˢ, and a ray that starts
 //! there is first moved to the ball).
 
-use crate::number::{Length, high, shifted};
+use crate::number::{
+    Length, high, narrowed, offset_modulo_2_32, product_modulo_2_32, shifted, signed,
+    sum_modulo_2_32, unsigned,
+};
 use crate::vector::{Direction, Point, Vector};
 
 /// The radius of the ball that holds every bounded shape, in raw steps.
@@ -59,9 +62,9 @@ impl Place {
         let shift = bits.saturating_sub(30);
         Self::new(
             Point::new(
-                shifted(x, -(shift as i32)) as i32,
-                shifted(y, -(shift as i32)) as i32,
-                shifted(z, -(shift as i32)) as i32,
+                narrowed(shifted(x, -signed(shift))),
+                narrowed(shifted(y, -signed(shift))),
+                narrowed(shifted(z, -signed(shift))),
             ),
             shift,
         )
@@ -133,11 +136,10 @@ const fn shift_of(difference: u32) -> u32 {
 
 #[inline(always)]
 const fn is_near(point: Point) -> bool {
-    const SPAN: u32 = 2 * NEAR as u32;
-    // Right for every number: one beyond ±NEAR, as one without a sign, is above the span.
-    (point.x.wrapping_add(NEAR) as u32) <= SPAN
-        && (point.y.wrapping_add(NEAR) as u32) <= SPAN
-        && (point.z.wrapping_add(NEAR) as u32) <= SPAN
+    const SPAN: u32 = 2 * unsigned(NEAR);
+    offset_modulo_2_32(point.x, NEAR) <= SPAN
+        && offset_modulo_2_32(point.y, NEAR) <= SPAN
+        && offset_modulo_2_32(point.z, NEAR) <= SPAN
 }
 
 /// A ray from a near point: what the shapes are tested against.
@@ -183,11 +185,11 @@ impl Path {
     }
 }
 
-/// Spreads numbers over all bits, as in Fibonacci hashing (Knuth, The Art of Computer Programming,
-/// vol. 3, 6.4).
+/// Spreads numbers over all bits, as in Fibonacci hashing modulo 2³² (Knuth, The Art of Computer
+/// Programming, vol. 3, 6.4).
 #[inline(always)]
 pub(crate) const fn spread(number: u32) -> u32 {
-    number.wrapping_mul(0x9e37_79b1)
+    product_modulo_2_32(number, 0x9e37_79b1)
 }
 
 /// What a path has met on its way, as a number: paths that met the same have the same.
@@ -214,7 +216,7 @@ impl Trail {
         // Times 1025, in one instruction. As 1024³ · 4 and 1024⁴ are nothing in 32 bits, two trails may be
         // taken for one if their notes differ by at least four times 1, -3, 3, -1, or by 1, -4, 6, -4, 1:
         // not by one shape, or one light.
-        self.0 = self.0.wrapping_add(self.0 << 10).wrapping_add(met);
+        self.0 = sum_modulo_2_32(sum_modulo_2_32(self.0, self.0 << 10), met);
     }
 
     /// Of the whole path, which may have been mirrored in something round, and then gone on.

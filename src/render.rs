@@ -1,5 +1,12 @@
 //! Floor 7: rows of pixels into a display. The only floor that names embedded-graphics.
 
+#[cfg_attr(
+    not(test),
+    expect(
+        clippy::cast_possible_truncation,
+        reason = "its casts do not go through `number::narrow` yet"
+    )
+)]
 mod bound;
 mod budget;
 mod dither;
@@ -20,7 +27,7 @@ use embedded_graphics::transform::Transform;
 use crate::camera::{Camera, Lens};
 use crate::color::Sum;
 use crate::interpolate::Colors;
-use crate::number::Unit;
+use crate::number::{Unit, unsigned};
 use crate::quality::{Fast, Quality};
 use crate::ray::Place;
 use crate::scene::extent::Outlooks;
@@ -303,10 +310,10 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         let (left, width) = (area.top_left.x, area.size.width);
         for y in area.rows() {
             let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
-            let mut tracer = self.tracer(y as u32);
+            let mut tracer = self.tracer(unsigned(y));
             tracer.look();
-            let directions = lens.row(y as u32);
-            let mut colors = Colors::new(&mut tracer, directions, left as u32, self.size.width);
+            let directions = lens.row(unsigned(y));
+            let mut colors = Colors::new(&mut tracer, directions, unsigned(left), self.size.width);
             let pixels = (0..width).map(|_| shown(colors.next_color()));
             target.fill_contiguous(&row, pixels)?;
             report.count(&tracer);

@@ -8,8 +8,8 @@ mod position;
 pub use position::Position;
 
 use crate::number::{
-    Length, Unit, high, high_unsigned, reciprocal_root, rounded, scaled_by_unit, shifted,
-    unit_shift, wide,
+    Length, Unit, high, high_unsigned, minus_wide, narrowed, reciprocal_root, rounded, scaled_by_unit,
+    shifted, signed, signed_wide, unit_shift, unsigned, unsigned_wide, wide,
 };
 
 /// A place in the scene, in raw scene steps from its middle.
@@ -58,9 +58,9 @@ impl Point {
     pub const fn precisely_along(self, direction: Direction, distance: Length) -> Self {
         let distance = distance.to_bits();
         Self::new(
-            self.x + rounded(wide(distance, direction.x.to_bits()), 30) as i32,
-            self.y + rounded(wide(distance, direction.y.to_bits()), 30) as i32,
-            self.z + rounded(wide(distance, direction.z.to_bits()), 30) as i32,
+            self.x + narrowed(rounded(wide(distance, direction.x.to_bits()), 30)),
+            self.y + narrowed(rounded(wide(distance, direction.y.to_bits()), 30)),
+            self.z + narrowed(rounded(wide(distance, direction.z.to_bits()), 30)),
         )
     }
 
@@ -111,7 +111,7 @@ impl Vector {
     /// The length along `direction`, rounded down.
     #[inline(always)]
     pub const fn dot(self, direction: Direction) -> i32 {
-        (self.dot_wide(direction) >> 30) as i32
+        narrowed(self.dot_wide(direction) >> 30)
     }
 
     /// A quarter of the length along `direction`, rounded down.
@@ -122,7 +122,9 @@ impl Vector {
 
     /// The squared length, for coordinates within ±2³⁰.
     pub const fn square(self) -> u64 {
-        wide(self.x, self.x) as u64 + wide(self.y, self.y) as u64 + wide(self.z, self.z) as u64
+        unsigned_wide(wide(self.x, self.x))
+            + unsigned_wide(wide(self.y, self.y))
+            + unsigned_wide(wide(self.z, self.z))
     }
 
     /// Whether a line whose nearest point to the end of this way is `distance` along passes it by
@@ -160,7 +162,7 @@ impl Vector {
     pub(crate) const fn direction_length_and_share(self, part: i32) -> (Direction, Length, Unit) {
         let (shift, mantissa) = unit_shift(self.square());
         let root = reciprocal_root(mantissa);
-        let length = (high_unsigned(mantissa, (root as u32) << 1) >> shift) as i32;
+        let length = signed(high_unsigned(mantissa, unsigned(root) << 1) >> shift);
         let part = if part < length { part } else { length };
         (
             Direction::lengthened(self, shift, root),
@@ -181,9 +183,9 @@ impl Vector {
         let (shift, mantissa) = unit_shift(self.square());
         let root = reciprocal_root(mantissa);
         Direction::from_raw(Vector::new(
-            (wide(self.x << shift, root) >> 31) as i32,
-            (wide(self.y << shift, root) >> 31) as i32,
-            (wide(self.z << shift, root) >> 31) as i32,
+            narrowed(wide(self.x << shift, root) >> 31),
+            narrowed(wide(self.y << shift, root) >> 31),
+            narrowed(wide(self.z << shift, root) >> 31),
         ))
         .renormalised()
     }
@@ -213,7 +215,7 @@ impl Direction {
     /// The cosine of the angle to `other`.
     #[inline(always)]
     pub const fn dot(self, other: Self) -> Unit {
-        Unit::from_bits((self.dot_wide(other) >> 30) as i32)
+        Unit::from_bits(narrowed(self.dot_wide(other) >> 30))
     }
 
     /// The cosine of the angle to `other`, rounded down to 2⁻²⁸.
@@ -279,9 +281,9 @@ impl Direction {
         let Vector { x, y, z } = self.raw();
         // Head-on along an axis the part taken away reaches 2³¹; what is left fits again.
         Self::from_raw(Vector::new(
-            x.wrapping_sub(twice(cosine, normal.x)),
-            y.wrapping_sub(twice(cosine, normal.y)),
-            z.wrapping_sub(twice(cosine, normal.z)),
+            minus_wide(x, twice(cosine, normal.x)),
+            minus_wide(y, twice(cosine, normal.y)),
+            minus_wide(z, twice(cosine, normal.z)),
         ))
     }
 
@@ -330,7 +332,7 @@ impl Direction {
     /// bits of a length that was within 2⁻¹¹ of one.
     pub const fn renormalised(self) -> Self {
         // Half of 1 - |d|², in Q30.
-        let lack = (((1_i64 << 60) + (1 << 30) - self.raw().square() as i64) >> 31) as i32;
+        let lack = narrowed(((1_i64 << 60) + (1 << 30) - signed_wide(self.raw().square())) >> 31);
         // 1 / √(1 - 2 h) = 1 + h + 3 h² / 2 + ...
         let excess = lack + high(2 * lack, 3 * lack);
         Self::from_raw(Vector::new(
@@ -356,9 +358,9 @@ impl Direction {
         let shift = bits - 29;
         Some((
             Vector::new(
-                shifted(x, -(shift as i32)) as i32,
-                shifted(y, -(shift as i32)) as i32,
-                shifted(z, -(shift as i32)) as i32,
+                narrowed(shifted(x, -signed(shift))),
+                narrowed(shifted(y, -signed(shift))),
+                narrowed(shifted(z, -signed(shift))),
             ),
             shift,
         ))
@@ -373,9 +375,9 @@ impl Direction {
     pub(crate) const fn crossed_with(self, b: Vector) -> Vector {
         let a = self.raw();
         Vector::new(
-            ((wide(a.y, b.z) - wide(a.z, b.y)) >> 30) as i32,
-            ((wide(a.z, b.x) - wide(a.x, b.z)) >> 30) as i32,
-            ((wide(a.x, b.y) - wide(a.y, b.x)) >> 30) as i32,
+            narrowed((wide(a.y, b.z) - wide(a.z, b.y)) >> 30),
+            narrowed((wide(a.z, b.x) - wide(a.x, b.z)) >> 30),
+            narrowed((wide(a.x, b.y) - wide(a.y, b.x)) >> 30),
         )
     }
 
@@ -388,14 +390,14 @@ impl Direction {
     }
 }
 
-/// 2 `a` `b`, rounded down; 2 wraps to -2.
-const fn twice(a: Unit, b: Unit) -> i32 {
-    (wide(a.to_bits(), b.to_bits()) >> 29) as i32
+/// 2 `a` `b` in Q30, rounded down; 2 does not fit 32 bits.
+const fn twice(a: Unit, b: Unit) -> i64 {
+    wide(a.to_bits(), b.to_bits()) >> 29
 }
 
 /// `coordinate` (1 + `excess`), rounded to nearest.
 const fn grown(coordinate: i32, excess: i32) -> i32 {
-    coordinate + ((wide(coordinate, excess) + (1 << 29)) >> 30) as i32
+    coordinate + narrowed((wide(coordinate, excess) + (1 << 29)) >> 30)
 }
 
 #[cfg(test)]

@@ -1,6 +1,9 @@
 //! Angles: the field of view, as a cotangent, and the turns of a camera. Worked out when a camera
 //! is made or moved, never for a pixel.
 
+use super::narrow::{
+    narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128, signed, to_u32, unsigned_wide,
+};
 use super::{Number, Unit};
 
 /// A positive number `mantissa` · 2^`exponent` with a mantissa of 2³⁰ to 2³¹ - 1.
@@ -21,20 +24,20 @@ const HALF_DEGREE: i128 = 10_061_138_136_218_226;
 /// can be held.
 pub const fn cotangent_of_half(degrees: Number) -> Option<Scaled> {
     // Q64 · Q60 >> 64 = Q60
-    let angle = (((degrees.to_bits() >> 4) * HALF_DEGREE) >> 60) as i64;
+    let angle = narrowed_128(((degrees.to_bits() >> 4) * HALF_DEGREE) >> 60);
     let (sine, cosine) = sine_and_cosine(angle);
     if sine <= 1 << 20 || cosine <= 1 << 20 {
         return None;
     }
-    let quotient = ((cosine as u128) << 64) / sine as u128;
-    let bits = 128 - quotient.leading_zeros() as i32;
+    let quotient = ((unsigned_wide(cosine) as u128) << 64) / unsigned_wide(sine) as u128;
+    let bits = 128 - signed(quotient.leading_zeros());
     let mantissa = if bits > 31 {
         quotient >> (bits - 31)
     } else {
         quotient << (31 - bits)
     };
     Some(Scaled {
-        mantissa: mantissa as u32,
+        mantissa: narrowed_unsigned(narrowed_unsigned_128(mantissa)),
         exponent: bits - 31 - 64,
     })
 }
@@ -42,12 +45,13 @@ pub const fn cotangent_of_half(degrees: Number) -> Option<Scaled> {
 /// Sine and cosine of an angle within ±2³¹ degrees, rounded down to 2⁻³⁰.
 #[inline(never)]
 pub const fn sine_and_cosine_of(degrees: Number) -> (Unit, Unit) {
-    let whole = (degrees.to_bits() >> 64) as i32;
+    let whole = narrowed(narrowed_128(degrees.to_bits() >> 64));
     let quarters = whole.div_euclid(90);
     // What is left of a quarter, in Q56.
-    let rest = (whole.rem_euclid(90) as i64) << 56 | (degrees.to_bits() as u64 >> 8) as i64;
-    let (sine, cosine) = sine_and_cosine(((rest as i128 * 2 * HALF_DEGREE) >> 56) as i64);
-    let (sine, cosine) = ((sine >> 30) as i32, (cosine >> 30) as i32);
+    let rest =
+        (whole.rem_euclid(90) as i64) << 56 | ((degrees.to_bits() >> 8) & ((1 << 56) - 1)) as i64;
+    let (sine, cosine) = sine_and_cosine(narrowed_128((rest as i128 * 2 * HALF_DEGREE) >> 56));
+    let (sine, cosine) = (narrowed(sine >> 30), narrowed(cosine >> 30));
     let (sine, cosine) = match quarters.rem_euclid(4) {
         0 => (sine, cosine),
         1 => (cosine, -sine),
@@ -62,7 +66,7 @@ static RECIPROCALS: [i64; 32] = {
     let mut reciprocals = [0; 32];
     let mut order = 1;
     while order < 32 {
-        reciprocals[order as usize] = (1 << 60) / order;
+        reciprocals[order] = (1 << 60) / signed(to_u32(order)) as i64;
         order += 1;
     }
     reciprocals
@@ -71,7 +75,7 @@ static RECIPROCALS: [i64; 32] = {
 /// The product of two Q60 numbers.
 #[inline(never)]
 const fn q60(a: i64, b: i64) -> i64 {
-    ((a as i128 * b as i128) >> 60) as i64
+    narrowed_128((a as i128 * b as i128) >> 60)
 }
 
 /// Taylor series in Q60 for an angle from 0 to π/2, to the first term below 2⁻⁶⁰: 26 at most.

@@ -2,6 +2,8 @@
 
 use fixed::types::{I16F16, I32F32, I64F64, U16F16};
 
+use super::narrow::{narrowed, narrowed_128};
+
 /// A number in a description: Q64.64, exact for every decimal literal a scene may hold to 2⁻⁶⁴.
 ///
 /// Conversions from `f64` and `f32` take the bits of the float apart with integer shifts,
@@ -81,7 +83,7 @@ impl Number {
     /// The caller has checked that the result fits an `i32`.
     pub(crate) const fn quantised(self, fraction_bits: u32) -> i32 {
         let drop = 64 - fraction_bits;
-        ((self.to_bits() + (1 << (drop - 1))) >> drop) as i32
+        narrowed(narrowed_128((self.to_bits() + (1 << (drop - 1))) >> drop))
     }
 
     /// Whether both are the same number; usable in constants.

@@ -13,7 +13,25 @@
 
 mod angle;
 mod decimal;
+#[cfg_attr(
+    not(test),
+    expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_possible_wrap,
+        clippy::cast_sign_loss,
+        reason = "the one place for such casts"
+    )
+)]
+mod narrow;
 mod power;
+#[cfg_attr(
+    not(test),
+    expect(
+        clippy::cast_possible_wrap,
+        clippy::cast_sign_loss,
+        reason = "the compiler knows a long multiply by these casts"
+    )
+)]
 mod product;
 mod root;
 #[cfg(test)]
@@ -22,6 +40,12 @@ mod zeros;
 
 pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;
+pub use narrow::{
+    bit_modulo_32, difference_modulo_2_16, difference_modulo_2_32, fitting, from_twos_complement,
+    low_word, magnitude, minus_wide, narrowed, narrowed_128, narrowed_unsigned, offset_modulo_2_32,
+    product_modulo_2_32, signed, signed_wide, sum_modulo_2_32, sum_modulo_2_64, to_u8, to_u16,
+    to_u32, twos_complement, unsigned, unsigned_128, unsigned_wide, word_and_sign,
+};
 pub use power::{Exponent, even_power, power, whole_power};
 pub use product::{
     add_high_positive, high, high_positive, high_unsigned, wide, wide_positive, wide_unsigned,
@@ -56,13 +80,18 @@ impl Length {
     }
 }
 
-/// How far `count` steps of so much go; the number of steps is below 2¹⁶, and the result wraps.
+/// `start` + `step` · `count`, which fits though the product need not; `count` is below 2¹⁶.
 #[inline(always)]
-pub const fn steps(step: i64, count: u32) -> i64 {
+pub const fn stepped(start: i64, step: i64, count: u32) -> i64 {
+    debug_assert!(count < 1 << 16);
     // Said to the compiler, it leaves half of the products away where they are put together.
     let count = count & 0xffff;
-    let high = ((step >> 32) as u32).wrapping_mul(count);
-    wide_unsigned(step as u32, count).wrapping_add((high as u64) << 32) as i64
+    let bits = twos_complement(step);
+    let high = product_modulo_2_32((bits >> 32) as u32, count);
+    let way = sum_modulo_2_64(wide_unsigned(low_word(bits), count), (high as u64) << 32);
+    let end = from_twos_complement(sum_modulo_2_64(twos_complement(start), way));
+    debug_assert!(start as i128 + step as i128 * count as i128 == end as i128);
+    end
 }
 
 /// `value` · 2^`exponent`, rounded down, for exponents from -63 on; the result must fit.
@@ -71,6 +100,7 @@ pub const fn steps(step: i64, count: u32) -> i64 {
 #[inline(never)]
 pub const fn shifted(value: i64, exponent: i32) -> i64 {
     if exponent >= 0 {
+        debug_assert!((value << exponent) >> exponent == value);
         value << exponent
     } else {
         value >> -exponent
@@ -91,12 +121,14 @@ pub const fn unit_product(a: Unit, b: Unit) -> Unit {
 /// The share `part` of a share, neither below zero: rounded down to Q2.30.
 #[inline(always)]
 pub const fn share(whole: Unit, part: Unit) -> Unit {
-    Unit::from_bits((wide_positive(whole.to_bits(), part.to_bits()) >> 30) as i32)
+    Unit::from_bits(narrowed(
+        wide_positive(whole.to_bits(), part.to_bits()) >> 30,
+    ))
 }
 
 /// `raw · unit`, rounded down, in the format of `raw`; `|raw · unit|` must stay below 2³¹.
 pub const fn scaled_by_unit(raw: i32, unit: Unit) -> i32 {
-    (wide(raw, unit.to_bits()) >> 30) as i32
+    narrowed(wide(raw, unit.to_bits()) >> 30)
 }
 
 /// A cosine times a coefficient: Q2.30 · Q6.26, rounded down to 2⁻²⁴.

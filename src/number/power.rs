@@ -4,6 +4,10 @@
 //! Computer Programming, vol. 2, 4.6.3), which keeps its relative error near
 //! exponent · 2⁻³⁰; only the fraction, below one, goes through a logarithm.
 
+use super::narrow::{
+    low_word, narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128, signed, unsigned,
+    unsigned_wide,
+};
 use super::{Number, Unit, high_unsigned, unit_product};
 
 /// A real exponent from 0 to [`Exponent::MAX`], split at its point.
@@ -35,8 +39,8 @@ impl Exponent {
     pub const fn new(number: Number) -> Self {
         let bits = number.to_bits();
         Self {
-            whole: (bits >> 64) as u32,
-            fraction: (bits >> 32) as u32,
+            whole: unsigned(narrowed(narrowed_128(bits >> 64))),
+            fraction: low_word(unsigned_wide(narrowed_128(bits >> 32))),
         }
     }
 }
@@ -73,7 +77,7 @@ const fn repeated(base: Unit, exponent: u32) -> Unit {
     if base >= 1 << 30 || exponent == 0 {
         return Unit::ONE;
     }
-    let mut square = (base as u32) << 2;
+    let mut square = unsigned(base) << 2;
     let mut rest = exponent;
     while rest & 1 == 0 {
         square = high_unsigned(square, square);
@@ -88,7 +92,7 @@ const fn repeated(base: Unit, exponent: u32) -> Unit {
         }
         rest >>= 1;
     }
-    Unit::from_bits((result >> 2) as i32)
+    Unit::from_bits(signed(result >> 2))
 }
 
 /// Intervals an octave in the tables of logarithms and powers of two.
@@ -106,7 +110,10 @@ const fn logarithms() -> [(u32, u32); STEPS] {
     let mut index = 0;
     while index < STEPS {
         let reciprocal = (1_u64 << 36) / (2 * index as u64 + 65);
-        table[index] = (reciprocal as u32, negative_logarithm(reciprocal));
+        table[index] = (
+            narrowed_unsigned(reciprocal),
+            negative_logarithm(reciprocal),
+        );
         index += 1;
     }
     table
@@ -127,7 +134,7 @@ const fn negative_logarithm(value: u64) -> u32 {
         }
         bit += 1;
     }
-    ((1_u64 << 30) - ((logarithm as u64 + 1) >> 1)) as u32
+    narrowed_unsigned((1 << 30) - ((logarithm as u64 + 1) >> 1))
 }
 
 const fn powers() -> [u32; STEPS] {
@@ -142,7 +149,7 @@ const fn powers() -> [u32; STEPS] {
     let mut value = 1_u128 << 60;
     let mut index = 0;
     while index < STEPS {
-        table[index] = ((value + (1 << 29)) >> 30) as u32;
+        table[index] = narrowed_unsigned(narrowed_unsigned_128((value + (1 << 29)) >> 30));
         value = (value * step) >> 60;
         index += 1;
     }
@@ -166,7 +173,7 @@ const fn fractional_power(base: Unit, fraction: u32) -> Unit {
     if base.to_bits() <= 0 {
         return Unit::ZERO;
     }
-    let base = base.to_bits() as u32;
+    let base = unsigned(base.to_bits());
     let zeros = base.leading_zeros() - 1;
     let mantissa = (base << zeros) as i64;
     // log₂ base in Q30, at most 0
@@ -174,12 +181,13 @@ const fn fractional_power(base: Unit, fraction: u32) -> Unit {
     // Below 2^35 in size, times Q0.28: below 2^63.
     let product = (logarithm * (fraction >> 4) as i64) >> 28;
     let whole = -(product >> 30);
-    Unit::from_bits((exponential(product & ((1 << 30) - 1)) >> whole) as i32)
+    Unit::from_bits(narrowed(exponential(product & ((1 << 30) - 1)) >> whole))
 }
 
 /// log₂ of a Q30 number from 1 to 2, in Q30.
 const fn logarithm(mantissa: i64) -> i64 {
-    let (reciprocal, base) = LOGARITHMS[(mantissa >> 25) as usize % STEPS];
+    let (reciprocal, base) =
+        LOGARITHMS[narrowed_unsigned(unsigned_wide(mantissa >> 25)) as usize % STEPS];
     // |z| < 2⁻⁶: the fifth term of the series of ln(1 + z) is below 2⁻³².
     let z = q30(mantissa, reciprocal as i64) - (1 << 30);
     let z2 = q30(z, z);
@@ -189,7 +197,7 @@ const fn logarithm(mantissa: i64) -> i64 {
 
 /// 2 to the power of a Q30 number from 0 to 1, in Q30.
 const fn exponential(fraction: i64) -> i64 {
-    let start = POWERS[(fraction >> 25) as usize % STEPS] as i64;
+    let start = POWERS[narrowed_unsigned(unsigned_wide(fraction >> 25)) as usize % STEPS] as i64;
     let z = q30(fraction & ((1 << 25) - 1), LN_2);
     let z2 = q30(z, z);
     let series = z + (z2 >> 1) + q30(q30(z2, z), ONE / 6) + q30(q30(z2, z2), ONE / 24);

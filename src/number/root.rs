@@ -5,6 +5,10 @@
 //! y₀ (1 + e/2 + 3e²/8), and the first term left out, 5e³/16, is below 2⁻²⁸ because the
 //! table has 256 entries a unit; rounding adds about as much.
 
+use super::narrow::{
+    difference_modulo_2_32, low_word, narrowed_unsigned, plus_signed, shifted_left, signed,
+    signed_difference, to_u16, to_u32, unsigned,
+};
 use super::product::{scaled, scaled_unsigned};
 use super::{Unit, high_unsigned, leading_zeros};
 
@@ -16,8 +20,8 @@ const fn table() -> [u16; 1024] {
     let mut entries = [0; 1024];
     let mut index = 0;
     while index < 256 {
-        let middle = 2 * (256 + index as u32) + 1;
-        entries[index] = (((1 << 25) + middle / 2) / middle) as u16;
+        let middle = 2 * (256 + to_u32(index)) + 1;
+        entries[index] = to_u16(((1 << 25) + middle / 2) / middle);
         index += 1;
     }
     while index < 1024 {
@@ -28,7 +32,7 @@ const fn table() -> [u16; 1024] {
         entries[index] = if rounded > 0xffff {
             0xffff
         } else {
-            rounded as u16
+            to_u16(narrowed_unsigned(rounded))
         };
         index += 1;
     }
@@ -42,14 +46,14 @@ pub const fn reciprocal_root(mantissa: u32) -> i32 {
     debug_assert!(mantissa >= 1 << 30);
     let start = TABLE[(mantissa >> 22) as usize] as u32;
     // Q30 · Q32 >> 32: x y₀² in Q30, within 2⁻⁸ of one.
-    let product = high_unsigned(mantissa, start * start) as i32;
+    let product = signed(high_unsigned(mantissa, start * start));
     let error = (1 << 30) - product;
     let coarse = error >> 6;
     // Within ±2²¹·⁵, so that its product with the start, shifted up, is one with a high half.
-    let correction = (error >> 1) + ((3 * (coarse * coarse) as u32) >> 21) as i32;
+    let correction = (error >> 1) + signed((3 * unsigned(coarse * coarse)) >> 21);
     let refined = scaled(correction, start);
     // The terms left out are negative where x is 1 and the start too small, so this stays below 2³¹.
-    (start << 15).wrapping_add(refined as u32) as i32
+    signed(plus_signed(start << 15, refined))
 }
 
 /// How far a vector whose squared length is `square` is shifted left to get a length of
@@ -58,14 +62,15 @@ pub const fn reciprocal_root(mantissa: u32) -> i32 {
 /// `square` is 1 to 2⁶² - 1. Its lowest bit is set so that zero needs no test, which makes an even
 /// square larger by one part in itself: less than 2⁻²⁶ for lengths from 2¹³ on.
 pub const fn unit_shift(square: u64) -> (u32, u32) {
-    let (leading, rest) = ((square >> 32) as u32, square as u32 | 1);
+    debug_assert!(square < 1 << 62);
+    let (leading, rest) = ((square >> 32) as u32, low_word(square) | 1);
     if leading == 0 {
         let zeros = leading_zeros(rest) & !1;
         return (15 + zeros / 2, rest << zeros);
     }
     let zeros = leading_zeros(leading) & !1;
     (
-        (zeros / 2).wrapping_sub(1) & 31,
+        difference_modulo_2_32(zeros / 2, 1) & 31,
         (leading << zeros) | ((rest >> 1) >> (31 - zeros)),
     )
 }
@@ -73,8 +78,8 @@ pub const fn unit_shift(square: u64) -> (u32, u32) {
 /// The square root of `square` (below 2⁶²), rounded down, with a relative error below 2⁻²⁷.
 pub const fn square_root(square: u64) -> i32 {
     let (shift, mantissa) = unit_shift(square);
-    let root = high_unsigned(mantissa, (reciprocal_root(mantissa) as u32) << 1);
-    (root >> shift) as i32 & -((square != 0) as i32)
+    let root = high_unsigned(mantissa, unsigned(reciprocal_root(mantissa)) << 1);
+    signed(root >> shift) & -((square != 0) as i32)
 }
 
 /// A quotient `mantissa` · 2^`exponent` with a mantissa of 2³⁰ - 1 to 2³².
@@ -88,12 +93,12 @@ pub struct Quotient {
 
 /// The square root of a number from 0 to 1, Q2.30, with a relative error below 2⁻²⁷.
 pub const fn root_of_unit(square: Unit) -> Unit {
-    let square = square.to_bits() as u32 | 1;
+    let square = unsigned(square.to_bits()) | 1;
     let zeros = leading_zeros(square) & !1;
     let mantissa = square << zeros;
-    let root = high_unsigned(mantissa, (reciprocal_root(mantissa) as u32) << 1) >> (zeros / 2);
+    let root = high_unsigned(mantissa, unsigned(reciprocal_root(mantissa)) << 1) >> (zeros / 2);
     // √(2³⁰) · 2¹⁵
-    Unit::from_bits(root as i32)
+    Unit::from_bits(signed(root))
 }
 
 /// 2³¹ / x for x = `mantissa` · 2⁻³¹ in 1 to 2, with a relative error below 2⁻²⁶.
@@ -102,12 +107,12 @@ pub const fn root_of_unit(square: Unit) -> Unit {
 const fn reciprocal(mantissa: u32) -> u32 {
     let start = TABLE[(mantissa >> 23) as usize & 0xff] as u32;
     // Within ±2²¹ as one with a sign.
-    let error = (1_u32 << 30).wrapping_sub(scaled_unsigned(mantissa, start)) as i32;
+    let error = signed_difference(1 << 30, scaled_unsigned(mantissa, start));
     let coarse = error >> 7;
     let correction = error + ((coarse * coarse) >> 16);
     let refined = scaled(correction, start);
     // The term left out is negative where x is 1 and the start too small: this stays below 2³¹.
-    (start << 15).wrapping_add(refined as u32)
+    plus_signed(start << 15, refined)
 }
 
 /// 2³⁰ `numerator` / `denominator` for a numerator below the denominator, with a relative error
@@ -116,8 +121,8 @@ const fn reciprocal(mantissa: u32) -> u32 {
 pub const fn ratio(numerator: u32, denominator: u32) -> i32 {
     // The compiler does not know that it is not zero, of which there would be 32.
     let zeros = leading_zeros(denominator);
-    let reciprocal = reciprocal(denominator.wrapping_shl(zeros));
-    high_unsigned(numerator.wrapping_shl(zeros), reciprocal) as i32
+    let reciprocal = reciprocal(shifted_left(denominator, zeros));
+    signed(high_unsigned(shifted_left(numerator, zeros), reciprocal))
 }
 
 /// `numerator / denominator`, with a relative error below 2⁻²⁶; `denominator` is 1 to 2³² - 1,
@@ -130,7 +135,7 @@ pub const fn divide(numerator: u64, denominator: u32) -> Quotient {
     let leading = ((numerator << zeros) >> 32) as u32;
     Quotient {
         mantissa: high_unsigned(leading, reciprocal(denominator << up) << 1),
-        exponent: 1 + up as i32 - zeros as i32,
+        exponent: 1 + signed(up) - signed(zeros),
     }
 }
 

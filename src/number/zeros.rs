@@ -22,6 +22,8 @@ use table as counter;
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
 mod table {
+    use crate::number::{to_u8, to_u32};
+
     /// The leading zeros of the numbers of one byte.
     static ZEROS: [u8; 256] = zeros();
 
@@ -29,7 +31,7 @@ mod table {
         let mut zeros = [8; 256];
         let mut number = 1;
         while number < 256 {
-            zeros[number] = (number as u8).leading_zeros() as u8;
+            zeros[number] = to_u8(to_u8(to_u32(number)).leading_zeros());
             number += 1;
         }
         zeros
@@ -46,7 +48,7 @@ mod table {
         } else {
             above += 8;
         }
-        above + ZEROS[leading as u8 as usize] as u32
+        above + ZEROS[(leading & 0xff) as usize] as u32
     }
 }
 

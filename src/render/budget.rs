@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 
 use super::{Enlarged, Frame, Report};
-use crate::number::Unit;
+use crate::number::{Unit, signed};
 use crate::quality::{Fast, Fine, Quality};
 use crate::scene::World;
 use crate::shade::Shading;
@@ -244,7 +244,7 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
             if time_is_up() {
                 break;
             }
-            let row = Rectangle::new(Point::new(0, y as i32), Size::new(width, 1));
+            let row = Rectangle::new(Point::new(0, signed(y)), Size::new(width, 1));
             let report = picture.draw_area(row, area.top_left, target)?;
             drawn.report = drawn.report.merge(report);
             drawn.rows = y + 1;

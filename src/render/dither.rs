@@ -11,6 +11,8 @@ use embedded_graphics::pixelcolor::{
 use embedded_graphics::prelude::PointsIter;
 use embedded_graphics::primitives::Rectangle;
 
+use crate::number::{to_u8, unsigned};
+
 /// A display of few levels that takes pictures of many: what is drawn on it is dithered on the way
 /// to `D`, by [`dither`].
 ///
@@ -186,7 +188,7 @@ impl Threshold {
         let first = (both & 1) << 5 | (y & 1) << 4;
         let second = (both & 2) << 2 | (y & 2) << 1;
         let third = (both & 4) >> 1 | (y & 4) >> 2;
-        Self::of((first | second | third) as u32)
+        Self::of(unsigned(first | second | third))
     }
 
     /// From 63 - n.
@@ -194,7 +196,7 @@ impl Threshold {
     const fn of(complement: u32) -> Self {
         // Levels are compared in whole 255ths, so rounding down changes no comparison.
         let rest = (2 * complement + 1) * 255 / 128;
-        Self { rest: rest as u8 }
+        Self { rest: to_u8(rest) }
     }
 
     /// The level, 0 to `largest`, for a channel of 8 bits: floor(`largest` · `value` / 255), or the
@@ -205,7 +207,7 @@ impl Threshold {
     pub const fn level(self, value: u8, largest: u8) -> u8 {
         let sum = largest as u32 * value as u32 + self.rest as u32;
         // A 255th, rounded down, of anything below 2¹⁶ - 1.
-        ((sum + 1 + (sum >> 8)) >> 8) as u8
+        to_u8((sum + 1 + (sum >> 8)) >> 8)
     }
 }
 

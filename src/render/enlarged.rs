@@ -5,6 +5,8 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::primitives::Rectangle;
 
+use crate::number::signed;
+
 /// A display of which a square of `scale` by `scale` pixels is drawn as one.
 ///
 /// A picture drawn on it takes about 1/`scale`² of the work. Its top left corner is (0, 0); where
@@ -28,9 +30,9 @@ pub struct Enlarged<'a, D> {
 }
 
 impl<'a, D: DrawTarget> Enlarged<'a, D> {
-    /// A display with pixels of this size; 0 is taken for 1.
+    /// A display with pixels of this size; 0 is taken for 1, and more than 2³⁰ for 2³⁰.
     pub fn new(display: &'a mut D, scale: u32) -> Self {
-        let scale = scale.max(1);
+        let scale = scale.clamp(1, 1 << 30);
         Self { display, scale }
     }
 
@@ -62,7 +64,7 @@ impl<D: DrawTarget> DrawTarget for Enlarged<'_, D> {
             if !own.contains(at) {
                 continue;
             }
-            let at = bounds.top_left + at * self.scale as i32;
+            let at = bounds.top_left + at * signed(self.scale);
             let square = Rectangle::new(at, side).intersection(&bounds);
             self.display.fill_solid(&square, color)?;
         }

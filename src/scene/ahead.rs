@@ -15,7 +15,7 @@ use super::directions::{Table, cell_of};
 use super::mask::Mask;
 use super::needs::FEW;
 use super::{Scene, used};
-use crate::number::{Unit, square_root, wide};
+use crate::number::{Unit, narrowed, square_root, to_u16, unsigned_wide, wide};
 use crate::shape::cylinder::PreparedCylinder;
 use crate::shape::sphere::PreparedSphere;
 use crate::vector::{Direction, Point, Vector};
@@ -48,7 +48,7 @@ impl Few {
                 call(index, shape);
             }
         }
-        Self((set >> count) as u16)
+        Self(to_u16(set >> count))
     }
 }
 
@@ -138,18 +138,18 @@ const fn add(
     (bit, is_noted): (usize, bool),
 ) {
     let way = origin.to(center);
-    let radius = square_root(wide(radius, radius) as u64 + UNSURE) + 16;
+    let radius = square_root(unsigned_wide(wide(radius, radius)) + UNSURE) + 16;
     let both = from as i64 + radius as i64;
     let distance = square_root(way.square()) as i64;
     if distance <= both {
         // In all directions.
         return table.add_ball(Vector::ZERO, 1, Mask::of(bit));
     }
-    table.add_ball(way, both as i32, Mask::of(bit));
+    table.add_ball(way, narrowed(both), Mask::of(bit));
     // What is this far away, √2 times the sum of the radii, lies further behind a ray that goes away
     // from it than its radius, and is passed by so.
     if is_noted && 2 * distance <= 3 * both {
-        table.add_ball(Vector::ZERO.minus(way), both as i32, Mask::of(bit));
+        table.add_ball(Vector::ZERO.minus(way), narrowed(both), Mask::of(bit));
     }
 }
 

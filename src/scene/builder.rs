@@ -5,7 +5,7 @@ use crate::camera::Camera;
 use crate::fault::Fault;
 use crate::light::Light;
 use crate::material::Material;
-use crate::number::Number;
+use crate::number::{Number, to_u16, to_u32};
 use crate::shape::MaterialId;
 use crate::shape::cylinder::Cylinder;
 use crate::shape::plane::Plane;
@@ -198,14 +198,14 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         let mut index = 0;
         while index < self.counts.materials {
             if self.materials[index].same(&material) {
-                return MaterialId(index as u16);
+                return MaterialId(to_u16(to_u32(index)));
             }
             index += 1;
         }
         refuse_when(index == M, Fault::TooManyMaterials);
         self.materials[index] = material;
         self.counts.materials += 1;
-        MaterialId(index as u16)
+        MaterialId(to_u16(to_u32(index)))
     }
 }
 

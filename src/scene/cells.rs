@@ -6,6 +6,7 @@
 
 use super::directions::{Table, cell_of};
 use super::mask::{Mask, Runs};
+use crate::number::{to_u8, to_u32};
 use crate::shape::cylinder::PreparedCylinder;
 use crate::shape::sphere::PreparedSphere;
 use crate::vector::{Direction, Point};
@@ -97,7 +98,7 @@ const fn packed(table: &Table<SIDE, CELLS>) -> Cells {
         }
         // What the set held already stays in it: other cells may have it.
         cells.sets[nearest] = cells.sets[nearest].with(mask);
-        cells.numbers[index] = nearest as u8;
+        cells.numbers[index] = to_u8(to_u32(nearest));
         index += 1;
     }
     cells

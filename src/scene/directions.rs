@@ -8,7 +8,7 @@
 //! covered by a margin.
 
 use super::mask::Mask;
-use crate::number::{Unit, divide, square_root};
+use crate::number::{Unit, divide, narrowed, signed, square_root, to_u32, unsigned, unsigned_wide};
 use crate::shape::cylinder::PreparedCylinder;
 use crate::vector::{Direction, Point, Vector};
 
@@ -40,9 +40,9 @@ const fn cell_number<const SIDE: usize>(coordinate: i32) -> i32 {
 
 #[inline(always)]
 const fn cell<const SIDE: usize>(x: i32, y: i32, z: i32) -> usize {
-    let sides = SIDE as i32;
+    let sides = signed(to_u32(SIDE));
     let middle = (sides / 2) * (sides * sides + sides + 1);
-    ((x * sides + y) * sides + z + middle) as usize
+    unsigned((x * sides + y) * sides + z + middle) as usize
 }
 
 /// The shapes in each cell.
@@ -76,7 +76,8 @@ impl<const SIDE: usize, const CELLS: usize> Table<SIDE, CELLS> {
         } else {
             None
         };
-        let mut bounds = [(-(SIDE as i32) / 2, SIDE as i32 / 2 - 1); 3];
+        let half = signed(to_u32(SIDE / 2));
+        let mut bounds = [(-half, half - 1); 3];
         if let Some(cap) = &cap {
             let coordinates = direction.components();
             let mut axis = 0;
@@ -121,13 +122,13 @@ struct Cap {
 impl Cap {
     /// Of a ball of this radius at this distance.
     const fn new(direction: Direction, radius: i32, distance: i32) -> Self {
-        let quotient = divide((radius as u64) << 30, distance as u32);
+        let quotient = divide((unsigned(radius) as u64) << 30, unsigned(distance));
         let sine = (quotient.mantissa >> -quotient.exponent) as i64 + 64;
         let sine = if sine > 1 << 30 { 1 << 30 } else { sine };
-        let cosine = square_root(((1 << 60) - sine * sine) as u64);
+        let cosine = square_root(unsigned_wide((1 << 60) - sine * sine));
         Self {
             direction,
-            sine: Unit::from_bits(sine as i32),
+            sine: Unit::from_bits(narrowed(sine)),
             cosine: Unit::from_bits(cosine),
         }
     }
@@ -157,7 +158,7 @@ impl Cap {
         } else {
             middle
         };
-        let across = square_root(((1 << 60) - middle as i64 * middle as i64) as u64) as i64;
+        let across = square_root(unsigned_wide((1 << 60) - middle as i64 * middle as i64)) as i64;
         let along = (middle as i64 * self.cosine.to_bits() as i64) >> 30;
         let spread = (across * self.sine.to_bits() as i64) >> 30;
         // Where the cap holds the axis itself, its end is the axis.
@@ -165,13 +166,13 @@ impl Cap {
         let low = if -middle >= cosine - MARGIN {
             -(1 << 30)
         } else {
-            let low = (along - spread) as i32 - MARGIN;
+            let low = narrowed(along - spread) - MARGIN;
             if low < -(1 << 30) { -(1 << 30) } else { low }
         };
         let high = if middle >= cosine - MARGIN {
             1 << 30
         } else {
-            let high = (along + spread) as i32 + MARGIN;
+            let high = narrowed(along + spread) + MARGIN;
             if high > 1 << 30 { 1 << 30 } else { high }
         };
         (low, high)

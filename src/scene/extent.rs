@@ -6,7 +6,10 @@
 //! the camera sees them. Bounds are widened by more than rounding can be wrong.
 
 use super::{World, used};
-use crate::number::{Quotient, Unit, divide, ratio, scaled_by_unit, square_root, wide};
+use crate::number::{
+    Quotient, Unit, difference_modulo_2_16, divide, narrowed_unsigned, ratio, scaled_by_unit,
+    signed, square_root, to_u16, to_u32, unsigned, unsigned_wide, wide,
+};
 use crate::quality::LONGEST_STRIDE;
 use crate::ray::Fan;
 use crate::shape::plane::PreparedPlane;
@@ -52,15 +55,15 @@ impl Extent {
         Self {
             left: u16::MAX,
             right: 0,
-            shape: shape as u16 % THIN_SHAPE,
+            shape: to_u16(to_u32(shape)) % THIN_SHAPE,
             ..Self::ALL
         }
     }
 
     /// Of the shape with a number; the columns of its tips matter only where a ray passes it.
     fn new(shape: usize, columns: Columns, rows: Columns, tips: Option<[i32; 2]>) -> Self {
-        let held = |column: i32| column.clamp(0, 0xffff) as u16;
-        let shape = shape as u16 % THIN_SHAPE;
+        let held = |column: i32| to_u16(unsigned(column.clamp(0, 0xffff)));
+        let shape = to_u16(to_u32(shape)) % THIN_SHAPE;
         let [highest, lowest] = tips.unwrap_or_default();
         let tips = match rows.first + i32::from(BESIDE) < 0 {
             // The highest point lies above the picture, not in the row that stands for it.
@@ -68,7 +71,7 @@ impl Extent {
             false => [highest, lowest],
         };
         // At most one less than beyond all columns.
-        let tip = |column: i32| column.clamp(0, 0xfffe) as u16;
+        let tip = |column: i32| to_u16(unsigned(column.clamp(0, 0xfffe)));
         Self {
             left: held(columns.first),
             right: held(columns.last),
@@ -94,9 +97,9 @@ impl Extent {
     pub(super) fn middle(&self, y: u16) -> u16 {
         let [highest, lowest] = self.tips;
         // A row above the first one, or below the last, wraps to one that is far away.
-        if y.wrapping_sub(self.top) < TIP_ROWS {
+        if difference_modulo_2_16(y, self.top) < TIP_ROWS {
             highest
-        } else if self.bottom.wrapping_sub(y) < TIP_ROWS {
+        } else if difference_modulo_2_16(self.bottom, y) < TIP_ROWS {
             lowest
         } else if self.shape & THIN_SHAPE != 0 {
             highest.midpoint(lowest)
@@ -298,7 +301,7 @@ struct Columns {
 }
 
 /// What is bound to so few columns, or rather some less for the bounds are wide, is thin.
-const THIN: i32 = LONGEST_STRIDE as i32 + 4;
+const THIN: i32 = signed(LONGEST_STRIDE) + 4;
 
 impl Columns {
     const ALL: Self = Self {
@@ -312,8 +315,8 @@ impl Columns {
     fn with_neighbours(self) -> Self {
         match self.is_thin {
             true => Self {
-                first: self.first.saturating_sub(LONGEST_STRIDE as i32),
-                last: self.last.saturating_add(LONGEST_STRIDE as i32),
+                first: self.first.saturating_sub(signed(LONGEST_STRIDE)),
+                last: self.last.saturating_add(signed(LONGEST_STRIDE)),
                 ..self
             },
             false => self,
@@ -363,7 +366,9 @@ impl Fan {
             i64::from(way.dot(self.aside)),
         );
         let radius = i64::from(radius);
-        let tangent = square_root((ahead * ahead + aside * aside - radius * radius) as u64);
+        let tangent = square_root(unsigned_wide(
+            ahead * ahead + aside * aside - radius * radius,
+        ));
         let spread = radius * i64::from(tangent);
         let scale = self.columns_for_each(ahead * ahead - radius * radius);
         let middle = ahead * aside;
@@ -389,13 +394,16 @@ impl Fan {
         }
         let (aside, down) = (i64::from(way.dot(self.aside)), way.dot(rows.aside));
         let square = wide(ahead, ahead) + wide(down, down);
-        let tangent = square_root((square - wide(radius, radius)) as u64);
+        let tangent = square_root(unsigned_wide(square - wide(radius, radius)));
         let (along, across) = (wide(ahead, tangent), wide(down, radius));
         // The square to 30 bits.
         let drop = 34_u32.saturating_sub(square.leading_zeros());
-        let square = (square >> drop) as u32;
+        let square = narrowed_unsigned(unsigned_wide(square >> drop));
         Some([along + across, along - across].map(|touched| {
-            let share = ratio(((touched >> drop) as u32).min(square - 1), square);
+            let share = ratio(
+                narrowed_unsigned(unsigned_wide(touched >> drop)).min(square - 1),
+                square,
+            );
             let ahead = scaled_by_unit(tangent, Unit::from_bits(share)).max(1);
             self.column(aside, self.columns_for_each(ahead.into()))
         }))
@@ -403,18 +411,20 @@ impl Fan {
 
     /// Columns that can be seen, or that are traced beside the picture.
     fn visible(&self, columns: Columns) -> Option<Columns> {
-        let end = (self.width + LONGEST_STRIDE) as i32;
+        let end = signed(self.width + LONGEST_STRIDE);
         (columns.last >= 0 && columns.first < end).then_some(columns)
     }
 
     /// How many half pixels a unit of a numerator over this denominator is.
     fn columns_for_each(&self, denominator: i64) -> Quotient {
         let drop = 33_u32.saturating_sub(denominator.leading_zeros());
-        let Quotient { mantissa, exponent } =
-            divide((self.distance as u64) << 31, (denominator >> drop) as u32);
+        let Quotient { mantissa, exponent } = divide(
+            unsigned_wide(self.distance.into()) << 31,
+            narrowed_unsigned(unsigned_wide(denominator >> drop)),
+        );
         Quotient {
             mantissa,
-            exponent: exponent - 31 - drop as i32 + self.scale,
+            exponent: exponent - 31 - signed(drop) + self.scale,
         }
     }
 
@@ -426,16 +436,19 @@ impl Fan {
         let product = (size >> drop) * u64::from(scale.mantissa);
         // Further to the side than any picture is wide.
         const BESIDE: u64 = 1 << 20;
-        let half_pixels = match scale.exponent + drop as i32 {
+        let half_pixels = signed(narrowed_unsigned(match scale.exponent + signed(drop) {
             0.. => BESIDE,
             shift @ -63..0 => (product >> -shift).min(BESIDE),
             _ => 0,
-        } as i32;
+        }));
         let half_pixels = if numerator < 0 {
             !half_pixels
         } else {
             half_pixels
         };
-        (half_pixels + self.width as i32 - 1) >> 1
+        (half_pixels + signed(self.width) - 1) >> 1
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -8,7 +8,7 @@ use super::World;
 use super::mask::Mask;
 use super::nearest::{NOWHERE, nearest_bounded};
 use super::query::{ShapeNumber, blocked_by_bounded, planes_but};
-use crate::number::{Length, shifted, square_root, wide};
+use crate::number::{Length, narrowed_unsigned, shifted, signed, square_root, unsigned, wide};
 use crate::ray::{BALL, Path, Place, REACH, Ray, Trail};
 use crate::shape::plane::NOT_MET;
 
@@ -45,7 +45,7 @@ pub(crate) fn nearest<W: World, const SMALL: bool>(
         };
         if let Some((ray, skipped)) = start {
             let hit = nearest_bounded::<W, SMALL>(world, &ray, NOWHERE, left, trail);
-            let distance = skipped + hit.distance.to_bits() as u64;
+            let distance = skipped + u64::from(unsigned(hit.distance.to_bits()));
             if hit.shape != ShapeNumber::NONE && distance < plane {
                 let at = ray.origin.along(ray.direction, hit.distance);
                 return Some((Place::new(at, 0), hit.shape));
@@ -106,11 +106,13 @@ pub(super) fn blocked<W: World>(
         return false;
     };
     // The ball may begin behind the light.
-    let total = (reach.to_bits() as u64) << scale.min(FURTHEST_SCALE);
+    let total = u64::from(unsigned(reach.to_bits())) << scale.min(FURTHEST_SCALE);
     let Some(rest) = total.checked_sub(skipped) else {
         return false;
     };
-    let rest = rest.min(REACH.to_bits() as u64) as i32;
+    let rest = signed(narrowed_unsigned(
+        rest.min(unsigned(REACH.to_bits()).into()),
+    ));
     let reach = if light.is_near() {
         // Finer than what is left of a far distance.
         let (_, rest) = ray.origin.to(light.point).direction_and_length();
@@ -138,13 +140,13 @@ fn into_ball(path: &Path) -> Option<(Ray, u64)> {
     let along = start.dot(path.direction());
     let nearest = start.without(path.direction(), along);
     // A few steps more than the ball, for what rounding has moved.
-    let radius = u64::from((BALL as u32 >> scale.min(31)) + 4);
+    let radius = u64::from((unsigned(BALL) >> scale.min(31)) + 4);
     let half_chord_square = (radius * radius).checked_sub(nearest.square())?;
     let entry = -along - square_root(half_chord_square);
     if entry <= 0 {
         return None;
     }
-    let skipped = (entry as u64) << scale;
+    let skipped = u64::from(unsigned(entry)) << scale;
     let at = place_along(path, skipped)?;
     at.is_near().then_some((
         Ray {
@@ -163,9 +165,9 @@ fn place_along(path: &Path, distance: u64) -> Option<Place> {
         return None;
     }
     let excess = 64_u32.saturating_sub(distance.leading_zeros() + 31);
-    let leading = (distance >> excess) as i32;
+    let leading = signed(narrowed_unsigned(distance >> excess));
     let [x, y, z] = path.direction().components();
-    let up = excess as i32 - 30;
+    let up = signed(excess) - 30;
     Some(Place::from_wide([
         sum((point.x, scale), wide(leading, x.to_bits()), up),
         sum((point.y, scale), wide(leading, y.to_bits()), up),

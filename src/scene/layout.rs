@@ -4,7 +4,7 @@
 use super::Description;
 use crate::fault::Fault;
 use crate::grid::Grid;
-use crate::number::Number;
+use crate::number::{Number, unsigned, unsigned_128};
 use crate::shape::cylinder::Cylinder;
 use crate::shape::plane::Plane;
 use crate::vector::Position;
@@ -76,7 +76,7 @@ const fn distance(from: Position, to: Position) -> u128 {
     match to.minus(from).leading() {
         None => 0,
         Some((vector, shift)) => {
-            let length = (vector.direction_and_length().1.to_bits() + 2) as u128;
+            let length = unsigned(vector.direction_and_length().1.to_bits() + 2) as u128;
             if shift >= 0 {
                 length << shift
             } else {
@@ -99,14 +99,14 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> 
     let mut index = 0;
     while index < scene.spheres.len() {
         let sphere = &scene.spheres[index];
-        let far_side = distance(middle, sphere.center) + sphere.radius.to_bits() as u128;
+        let far_side = distance(middle, sphere.center) + unsigned_128(sphere.radius.to_bits());
         radius = larger(radius, far_side);
         index += 1;
     }
     index = 0;
     while index < scene.cylinders.len() {
         let cylinder = &scene.cylinders[index];
-        let far_side = distance(middle, cylinder.center) + cylinder_size(cylinder) as u128;
+        let far_side = distance(middle, cylinder.center) + unsigned_128(cylinder_size(cylinder));
         radius = larger(radius, far_side);
         index += 1;
     }
@@ -146,7 +146,10 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> 
     }
     if !is_bounded {
         // Nothing but the camera's place tells its size: epsilon is small beside it.
-        radius = larger(radius, scene.epsilon.to_bits() as u128 * LEAST_EPSILONS);
+        radius = larger(
+            radius,
+            unsigned_128(scene.epsilon.to_bits()) * LEAST_EPSILONS,
+        );
     }
     if !scene.planes.is_empty() {
         let expanse = if is_bounded {
@@ -166,17 +169,20 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> 
 /// The radius of the largest ball in which the smallest shape and epsilon have the steps that are
 /// wanted.
 const fn room_of(scene: &Description<'_>) -> u128 {
-    let mut room = (scene.epsilon.to_bits() as u128) << (28 - FINE_EPSILON);
+    let mut room = unsigned_128(scene.epsilon.to_bits()) << (28 - FINE_EPSILON);
     let mut index = 0;
     while index < scene.spheres.len() {
-        let radius = scene.spheres[index].radius.to_bits() as u128;
+        let radius = unsigned_128(scene.spheres[index].radius.to_bits());
         room = smaller(room, radius << (28 - FINE));
         index += 1;
     }
     index = 0;
     while index < scene.cylinders.len() {
         let Cylinder { radius, height, .. } = scene.cylinders[index];
-        let size = smaller(radius.to_bits() as u128, height.to_bits() as u128 / 2);
+        let size = smaller(
+            unsigned_128(radius.to_bits()),
+            unsigned_128(height.to_bits()) / 2,
+        );
         room = smaller(room, size << (28 - FINE));
         index += 1;
     }

@@ -4,6 +4,8 @@
 //! set that is made here or in [`super::cells`], [`super::ahead`] and [`super::row`] holds all shapes
 //! that a ray can meet, and may hold more: it changes the work, never the picture.
 
+use crate::number::{low_word, to_u32};
+
 /// A set of runs of shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Mask(u64);
@@ -26,7 +28,7 @@ impl Mask {
 
     /// The first sixteen bits.
     pub(crate) const fn low(self) -> u16 {
-        self.0 as u16
+        (self.0 & 0xffff) as u16
     }
 
     /// How many runs are in only one of two sets.
@@ -69,7 +71,7 @@ impl Runs {
     #[inline(always)]
     pub(crate) fn any_sphere(self, mask: Mask, is_it: impl FnMut(usize) -> bool) -> bool {
         let low = 1_u64
-            .checked_shl(self.sphere_bits as u32)
+            .checked_shl(to_u32(self.sphere_bits))
             .map_or(u64::MAX, |end| end - 1);
         self.any(mask.0 & low, is_it)
     }
@@ -77,14 +79,14 @@ impl Runs {
     /// Whether any cylinder of a set is what is looked for, by its number.
     #[inline(always)]
     pub(crate) fn any_cylinder(self, mask: Mask, is_it: impl FnMut(usize) -> bool) -> bool {
-        let high = mask.0.checked_shr(self.sphere_bits as u32).unwrap_or(0);
+        let high = mask.0.checked_shr(to_u32(self.sphere_bits)).unwrap_or(0);
         self.any(high, is_it)
     }
 
     /// A word at a time; the last run may name shapes that there are not.
     #[inline(always)]
     fn any(self, bits: u64, mut is_it: impl FnMut(usize) -> bool) -> bool {
-        for (word, first) in [(bits as u32, 0), ((bits >> 32) as u32, 32)] {
+        for (word, first) in [(low_word(bits), 0), ((bits >> 32) as u32, 32)] {
             let mut rest = word;
             while rest != 0 {
                 let run = first + rest.trailing_zeros() as usize;

@@ -15,6 +15,13 @@ mod layout;
 pub(crate) mod mask;
 pub(crate) mod nearest;
 mod needs;
+#[cfg_attr(
+    not(test),
+    expect(
+        clippy::cast_possible_truncation,
+        reason = "its casts do not go through `number::narrow` yet"
+    )
+)]
 mod prepare;
 pub(crate) mod query;
 mod row;

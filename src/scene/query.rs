@@ -5,7 +5,7 @@ use super::mask::Mask;
 #[cfg(any(test, feature = "host"))]
 use super::nearest::{NOWHERE, nearest_bounded};
 use super::{Lamps, Parts, World, far};
-use crate::number::Length;
+use crate::number::{Length, to_u32};
 use crate::ray::{Path, Place, REACH, Ray, Trail, spread};
 use crate::shape::cylinder::{LitCylinder, PreparedCylinder};
 use crate::shape::plane::{Approach, Bearing, PreparedPlane};
@@ -42,19 +42,19 @@ impl ShapeNumber {
     }
 
     pub(crate) const fn of_sphere(index: usize) -> Self {
-        Self(index as u32)
+        Self(to_u32(index))
     }
 }
 
 impl Parts<'_> {
     pub(crate) fn cylinder_number(&self, index: usize) -> ShapeNumber {
-        ShapeNumber((self.spheres.len() + index) as u32)
+        ShapeNumber(to_u32(self.spheres.len() + index))
     }
 
     /// The number that the planes begin with.
     #[inline(always)]
     fn first_plane(&self) -> u32 {
-        (self.spheres.len() + self.cylinders.len()) as u32
+        to_u32(self.spheres.len() + self.cylinders.len())
     }
 
     /// Whether a shape is a plane.
@@ -154,7 +154,7 @@ fn nearer_plane<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit)
         shape: bounded.shape,
         is_met: false,
     };
-    let number = |index: usize| ShapeNumber(parts.first_plane() + index as u32);
+    let number = |index: usize| ShapeNumber(parts.first_plane() + to_u32(index));
     // One by one, so that the compiler can work with the planes of a constant scene; not by a closure,
     // which is not always in line. All products first: a sign that is extended in another block makes
     // three instructions of one.

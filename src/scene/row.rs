@@ -9,7 +9,7 @@ use super::World;
 use super::extent::{Covered, Extent};
 use super::nearest::{Nearest, nearest_bounded};
 use super::query::{Hit, ShapeNumber};
-use crate::number::Length;
+use crate::number::{Length, difference_modulo_2_32, to_u16, to_u32};
 use crate::quality::LONGEST_STRIDE;
 use crate::ray::{Ray, Trail};
 use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
@@ -35,7 +35,7 @@ impl<T, S> Open<'_, T, S> {
     #[inline(always)]
     fn has_column(&self, column: u32) -> bool {
         let left = u32::from(self.left);
-        column.wrapping_sub(left) <= u32::from(self.right).wrapping_sub(left)
+        difference_modulo_2_32(column, left) <= difference_modulo_2_32(self.right.into(), left)
     }
 
     /// Whether it is thin here, and the rays of a column pass it on its right.
@@ -112,7 +112,7 @@ impl<'a, T: Copy, S: Copy, const ROOM: usize> Kind<'a, T, S, ROOM> {
                         let open = Open {
                             seen,
                             shape,
-                            index: extent.shape() as u16,
+                            index: to_u16(to_u32(extent.shape())),
                             left: extent.left,
                             right: extent.right,
                             middle: extent.middle(y),

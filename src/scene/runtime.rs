@@ -7,7 +7,7 @@ use crate::camera::Camera;
 use crate::fault::Fault;
 use crate::light::Light;
 use crate::material::Material;
-use crate::number::Number;
+use crate::number::{Number, to_u16, to_u32};
 use crate::shape::MaterialId;
 use crate::shape::cylinder::Cylinder;
 use crate::shape::plane::Plane;
@@ -72,7 +72,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         const { assert!(M <= 1 << 16, "a scene has 65536 materials at most") };
         let index = self.materials.len();
         match self.materials.push(material) {
-            Ok(()) => Ok(MaterialId(index as u16)),
+            Ok(()) => Ok(MaterialId(to_u16(to_u32(index)))),
             Err(_) => Err(SceneError::Material(index, Fault::TooManyMaterials)),
         }
     }

@@ -30,7 +30,7 @@ pub(crate) struct Sight<'a, W: World> {
 }
 
 impl<'a, W: World> Sight<'a, W> {
-    /// Of the row `y`; `USED` unless nobody is going to ask.
+    /// Of the row `y`, below 2¹⁶; `USED` unless nobody is going to ask.
     #[inline(always)]
     pub(crate) fn new<const USED: bool>(
         outlook: Option<&'a W::Outlook>,
@@ -39,7 +39,8 @@ impl<'a, W: World> Sight<'a, W> {
     ) -> Self {
         Self {
             is_choosy: true,
-            y: y as u16,
+            // `to_u16` would change what the compiler puts in line: `Lens::row` asserts the range.
+            y: (y & 0xffff) as u16,
             ..Self::of_everything::<USED>(outlook, from)
         }
     }

@@ -6,6 +6,7 @@
 //! which camera and light both stand hide it from none.
 
 use super::World;
+use crate::number::bit_modulo_32;
 use crate::ray::Place;
 use crate::shape::plane::Side;
 
@@ -84,7 +85,7 @@ impl View {
     #[inline(always)]
     pub(crate) fn standing(&self, light: usize) -> Standing {
         // Of more than 32 lights every bit is set.
-        let bit = 1_u32.wrapping_shl(light as u32);
+        let bit = bit_modulo_32(light);
         if (self.hidden | self.unclear) & bit == 0 {
             Standing::Clear
         } else if self.hidden & bit != 0 {

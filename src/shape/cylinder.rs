@@ -6,8 +6,9 @@
 
 use super::{MaterialId, Normaliser};
 use crate::number::{
-    Length, Number, high, high_positive, high_unsigned, leading_zeros, ratio, reciprocal_root,
-    scaled_by_unit, square_root, unit_shift, wide, wide_positive,
+    Length, Number, high, high_positive, high_unsigned, leading_zeros, narrowed, ratio,
+    reciprocal_root, scaled_by_unit, signed, square_root, unit_shift, unsigned, unsigned_wide,
+    wide, wide_positive,
 };
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
@@ -139,7 +140,7 @@ impl PreparedCylinder {
             center,
             axis,
             radius: radius.to_bits(),
-            lifted_square: (wide(lifted, lifted) >> 30) as i32,
+            lifted_square: narrowed(wide(lifted, lifted) >> 30),
             half_height: half_height.to_bits(),
             reach: rounded_up(square_root(outline.square())),
             normaliser,
@@ -181,7 +182,7 @@ impl PreparedCylinder {
             center
                 .to_vector()
                 .plus(Vector::new(step.x * steps, step.y * steps, step.z * steps));
-        let square = wide(radius, radius) as u64 + step.square();
+        let square = unsigned_wide(wide(radius, radius)) + step.square();
         let reach = square_root(square) + Self::LINKS;
         (Point::new(at.x, at.y, at.z), reach)
     }
@@ -208,7 +209,7 @@ impl PreparedCylinder {
     pub(crate) const fn lit_from(&self, origin: Point) -> LitCylinder {
         let seen = self.seen_from(origin);
         // The axis is within 2⁻²⁶ of length one, and the rise is rounded: it may be that much more.
-        let rise = wide(seen.rise, seen.rise) as u64;
+        let rise = unsigned_wide(wide(seen.rise, seen.rise));
         let most = rise + (rise >> 24) + 4 * seen.rise.unsigned_abs() as u64 + 16;
         let aside = square_root(seen.way.square().saturating_sub(most)) - self.radius;
         let above = seen.rise.saturating_abs() - self.half_height - 16;
@@ -244,7 +245,7 @@ impl PreparedCylinder {
     /// cylinder.
     #[inline(always)]
     pub(crate) fn is_beside(&self, sideways: i32) -> bool {
-        sideways.unsigned_abs() > self.radius as u32
+        sideways.unsigned_abs() > unsigned(self.radius)
     }
 
     /// The same as [`PreparedCylinder::met`], for a line that passes `sideways` from the axis, times
@@ -266,7 +267,7 @@ impl PreparedCylinder {
         // All products of a number with a sign stand in one block: a sign that is extended in another
         // makes three instructions of a product.
         let steepness = climb.to_bits().abs();
-        let flat = (1 << 30) - (wide_positive(steepness, steepness) >> 30) as i32;
+        let flat = (1 << 30) - narrowed(wide_positive(steepness, steepness) >> 30);
         if flat < STEEP {
             return self.met_steeply(seen, direction, start, reach);
         }
@@ -277,7 +278,7 @@ impl PreparedCylinder {
         }
         // The middle of the crossing and half its length, measured across the axis and times the sine.
         let ahead = seen.way.dot(*direction) - scaled_by_unit(seen.rise, climb);
-        let half_chord = root_of_lifted(half_chord_square as u32, self.normaliser.lift);
+        let half_chord = root_of_lifted(unsigned(half_chord_square), self.normaliser.lift);
         // How far up the axis, times the square of the sine.
         let height = wide(ahead, climb.to_bits()) + wide(seen.rise, -flat);
         let climbed = wide(half_chord, climb.to_bits());
@@ -291,7 +292,7 @@ impl PreparedCylinder {
             if ahead <= 0 || ahead >= flat || height.abs() > limit {
                 return None;
             }
-            let distance = Length::from_bits(ratio(ahead as u32, flat as u32));
+            let distance = Length::from_bits(ratio(unsigned(ahead), unsigned(flat)));
             (start < distance && distance < reach).then_some(distance)
         })
     }
@@ -319,7 +320,7 @@ impl PreparedCylinder {
         if half_chord_square < 0 {
             return None;
         }
-        let half_chord = square_root(half_chord_square as u64);
+        let half_chord = square_root(unsigned_wide(half_chord_square));
         let ahead = seen.way.dot(self.axis.crossed(across));
         let climb = direction.dot(self.axis);
         // Distances across the axis grow by 1 / sin(ray, axis) along the ray.
@@ -332,8 +333,9 @@ impl PreparedCylinder {
                 {
                     return None;
                 }
-                let height = scaled_by_unit(distance as i32, climb) - seen.rise;
-                (height.abs() <= self.half_height).then_some(Length::from_bits(distance as i32))
+                let distance = narrowed(distance);
+                let height = scaled_by_unit(distance, climb) - seen.rise;
+                (height.abs() <= self.half_height).then_some(Length::from_bits(distance))
             })
     }
 
@@ -369,10 +371,10 @@ fn root_of_lifted(square: u32, lift: u32) -> i32 {
     let zeros = leading_zeros(square) & !1;
     let mantissa = square << zeros;
     // √mantissa · 2¹⁴
-    let root = high_unsigned(mantissa, reciprocal_root(mantissa) as u32);
+    let root = high_unsigned(mantissa, unsigned(reciprocal_root(mantissa)));
     // From a square of 2²⁸ on 2 zeros are left out; to that of a grazed narrow one there are more than
     // the root has bits.
-    (root >> (zeros / 2 + lift - 2).min(31)) as i32
+    signed(root >> (zeros / 2 + lift - 2).min(31))
 }
 
 #[cfg(test)]

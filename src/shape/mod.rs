@@ -8,8 +8,7 @@ mod fixture;
 pub mod plane;
 pub mod sphere;
 
-use crate::number::Unit;
-use crate::number::{Length, divide, high};
+use crate::number::{Length, Unit, divide, high, narrowed, unsigned};
 use crate::vector::{Direction, Vector};
 
 /// Names a material of one scene.
@@ -38,20 +37,20 @@ const LIFT: u32 = 11;
 
 impl Normaliser {
     const fn new(length: Length) -> Self {
-        let length = length.to_bits() as u32;
+        let length = unsigned(length.to_bits());
         let lift = length.leading_zeros() - 2;
-        let lifted = (length << lift) as i64;
-        let quotient = divide(1 << 60, lifted as u32);
+        let lifted = length << lift;
+        let quotient = divide(1 << 60, lifted);
         let estimate = (quotient.mantissa >> -quotient.exponent) as i64;
         // One Newton step leaves the last bit.
-        let residue = (1_i64 << 60) - lifted * estimate;
+        let residue = (1_i64 << 60) - lifted as i64 * estimate;
         let inverse = estimate + (((residue >> 8) * estimate + (1 << 51)) >> 52);
         Self {
             lift,
             inverse: if inverse > i32::MAX as i64 {
                 i32::MAX
             } else {
-                inverse as i32
+                narrowed(inverse)
             },
         }
     }

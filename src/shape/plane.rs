@@ -1,7 +1,10 @@
 //! Infinite planes.
 
 use super::MaterialId;
-use crate::number::{Length, Quotient, Unit, divide, ratio, shifted, wide_unsigned};
+use crate::number::{
+    Length, Quotient, Unit, divide, magnitude, narrowed, ratio, shifted, signed, unsigned,
+    unsigned_wide, wide_unsigned, word_and_sign,
+};
 use crate::ray::{Path, Place, Ray};
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -78,7 +81,7 @@ impl Upright {
             true => Self::Yes {
                 axis,
                 is_reversed: along < 0,
-                level: level as i32,
+                level: narrowed(level),
             },
             false => Self::No,
         }
@@ -117,7 +120,7 @@ impl Approach {
     #[inline(always)]
     pub(crate) const fn at(distance: Length) -> Self {
         Self {
-            height: distance.to_bits() as u32,
+            height: unsigned(distance.to_bits()),
             descent: 1 << 28,
         }
     }
@@ -160,7 +163,7 @@ impl Bearing {
     /// How the ray comes down on the plane, if it does.
     #[inline(always)]
     pub(crate) fn approach(&self) -> Option<Approach> {
-        let steps = (self.steps ^ self.sign).wrapping_sub(self.sign) as u32;
+        let steps = magnitude(self.steps, self.sign);
         (self.climb ^ self.sign < 0 && steps != 0).then_some(Approach {
             height: steps,
             descent: self.climb.unsigned_abs(),
@@ -225,10 +228,10 @@ impl PreparedPlane {
             level,
         } = self.upright
         else {
-            let height = self.height(*origin);
+            let (steps, sign) = word_and_sign(self.height(*origin) >> 30);
             return Bearing {
-                steps: (height >> 30) as i32,
-                sign: (height >> 63) as i32,
+                steps,
+                sign,
                 climb: direction.raw().quarter_dot(self.normal),
             };
         };
@@ -267,8 +270,9 @@ impl PreparedPlane {
     fn crossing(&self, ray: &Ray, reach: Length) -> Option<(u64, u32)> {
         let height = self.height(ray.origin);
         let climb = ray.direction.dot(self.normal).to_bits();
-        descent(height, climb)
-            .filter(|&(height, descent)| height < u64::from(descent) * reach.to_bits() as u64)
+        descent(height, climb).filter(|&(height, descent)| {
+            height < u64::from(descent) * u64::from(unsigned(reach.to_bits()))
+        })
     }
 
     /// The distance in raw steps at which a path from any place meets the plane, below 2⁶², or
@@ -284,9 +288,9 @@ impl PreparedPlane {
             return NOT_MET;
         };
         let Quotient { mantissa, exponent } = divide(height, descent);
-        let exponent = exponent + scale as i32;
+        let exponent = exponent + signed(scale);
         match exponent < 30 {
-            true => shifted(mantissa.into(), exponent.max(-63)) as u64,
+            true => unsigned_wide(shifted(mantissa.into(), exponent.max(-63))),
             false => NOT_MET,
         }
     }
@@ -303,7 +307,7 @@ impl PreparedPlane {
     fn height_far(&self, place: Place) -> (i64, u32) {
         let scale = place.scale.max(self.far_scale);
         let along = place.point.to_vector().dot_wide(self.normal);
-        let at_scale = |value: i64, from: u32| shifted(value, -((scale - from).min(63) as i32));
+        let at_scale = |value: i64, from: u32| shifted(value, -signed((scale - from).min(63)));
         (
             at_scale(along, place.scale) - at_scale(self.far_offset, self.far_scale),
             scale,
@@ -331,7 +335,7 @@ impl PreparedPlane {
         let Some((height, descent)) = descent(height, climb) else {
             return false;
         };
-        let limit = u128::from(descent) * reach.to_bits() as u128;
+        let limit = u128::from(descent) * u128::from(unsigned(reach.to_bits()));
         u128::from(height) << height_scale.min(60) < limit << scale.min(60)
     }
 }

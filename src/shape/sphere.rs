@@ -6,7 +6,7 @@
 //! count, so a small sphere far away keeps a clean edge.
 
 use super::{MaterialId, Normaliser};
-use crate::number::{Length, Number, square_root, wide};
+use crate::number::{Length, Number, signed_wide, square_root, unsigned_wide, wide};
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -169,13 +169,13 @@ impl PreparedSphere {
     /// As seen from a near point.
     pub(crate) const fn seen_from(&self, origin: Point) -> SeenSphere {
         let way = origin.to(self.center);
-        let square = way.square() as i64 - self.square;
+        let square = signed_wide(way.square()) - self.square;
         SeenSphere {
             way,
             tangent: if square <= 0 {
                 i32::MIN
             } else {
-                square_root(square as u64)
+                square_root(unsigned_wide(square))
             },
         }
     }
@@ -209,12 +209,12 @@ impl PreparedSphere {
             return None;
         }
         let nearest = way.without(direction, distance);
-        let half_chord_square = self.square - nearest.square() as i64;
+        let half_chord_square = self.square - signed_wide(nearest.square());
         if half_chord_square < 0 {
             return None;
         }
         // Of nothing it may be one.
-        let half_chord = square_root(half_chord_square as u64 | 1);
+        let half_chord = square_root(unsigned_wide(half_chord_square) | 1);
         let entry = distance - half_chord;
         let met = if entry > start.to_bits() {
             entry
@@ -243,7 +243,7 @@ impl PreparedSphere {
             return false;
         }
         let nearest = way.without(ray.direction, distance);
-        let half_chord_square = self.square - nearest.square() as i64;
+        let half_chord_square = self.square - signed_wide(nearest.square());
         if half_chord_square < 0 {
             return false;
         }

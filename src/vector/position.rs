@@ -1,7 +1,7 @@
 //! Positions as they are described: three numbers, before they are laid on a grid.
 
 use super::{Direction, Vector};
-use crate::number::{Number, Unit};
+use crate::number::{Number, Unit, narrowed, narrowed_128, signed};
 
 /// Three coordinates of a description: a position, or a normal, axis or view direction that is
 /// not normalised yet.
@@ -76,7 +76,7 @@ impl Position {
         if magnitude == 0 {
             return None;
         }
-        let shift = 128 - magnitude.leading_zeros() as i32 - 29;
+        let shift = 128 - signed(magnitude.leading_zeros()) - 29;
         let [x, y, z] = self.0;
         let vector = Vector::new(
             leading_bits(x, shift),
@@ -104,9 +104,9 @@ const fn max(a: u128, b: u128) -> u128 {
 const fn leading_bits(number: Number, shift: i32) -> i32 {
     let bits = number.to_bits();
     if shift > 0 {
-        ((bits + (1 << (shift - 1))) >> shift) as i32
+        narrowed(narrowed_128((bits + (1 << (shift - 1))) >> shift))
     } else {
-        (bits << -shift) as i32
+        narrowed(narrowed_128(bits << -shift))
     }
 }
 

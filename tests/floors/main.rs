@@ -36,6 +36,15 @@ const BESIDE: [&str; 2] = ["host", "scenes"];
 /// The one room of the stack that draws.
 const DRAWS: &str = "render";
 
+/// The files that may wrap.
+const WRAP: [&[&str]; 5] = [
+    &["number", "narrow"],
+    &["number", "product"],
+    &["number", "sweep"],
+    &["color"],
+    &["shade"],
+];
+
 /// Where the whole crate is put together; it may name everything.
 const ROOF: &str = "lib";
 
@@ -60,6 +69,12 @@ fn only_the_top_floor_names_embedded_graphics() {
 #[test]
 fn first_line_of_a_file_tells_its_floor_truly() {
     let complaints = complaints_about_all(floor_misnamed);
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+#[test]
+fn nothing_wraps_unseen() {
+    let complaints = complaints_about_all(wraps);
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
 }
 
@@ -159,6 +174,23 @@ fn displays_named(module: &[String], source: &str) -> Complaints {
         .collect()
 }
 
+/// Names of what wraps, before the tests of a file.
+fn wraps(module: &[String], source: &str) -> Complaints {
+    let is_test = module.iter().any(|name| name == "tests");
+    if is_test || WRAP.iter().any(|it| *it == module) || BESIDE.contains(&module[0].as_str()) {
+        return Vec::new();
+    }
+    let tokens = tokens(source);
+    let tests = tokens
+        .windows(3)
+        .position(|it| matches!(it, [(_, "mod"), (_, "tests"), (_, "{")]));
+    tokens[..tests.unwrap_or(tokens.len())]
+        .iter()
+        .filter(|(_, token)| token.starts_with("wrapping_") || token.starts_with("overflowing_"))
+        .map(|(line, token)| (*line, format!("`{token}`: name it in `number::narrow`")))
+        .collect()
+}
+
 fn floor_misnamed(module: &[String], source: &str) -> Complaints {
     let told = source
         .strip_prefix("//! Floor ")
@@ -237,6 +269,15 @@ mod the_rules {
         let source = "use embedded_graphics::prelude::*;";
         assert_eq!(displays_named(&["shade".to_owned()], source).len(), 1);
         assert_eq!(displays_named(&["render".to_owned()], source), []);
+    }
+
+    #[test]
+    fn sum_that_wraps_is_found() {
+        let (ray, sum) = (["ray".to_owned()], "fn f() { 1_u32.wrapping_add(2); }");
+        let complaint = (1, "`wrapping_add`: name it in `number::narrow`".to_owned());
+        assert_eq!(wraps(&ray, sum), [complaint]);
+        assert_eq!(wraps(&ray, &format!("mod tests {{ {sum} }}")), []);
+        assert_eq!(wraps(&["host".to_owned()], sum), []);
     }
 
     #[test]

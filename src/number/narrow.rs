@@ -1,0 +1,325 @@
+//! Integers taken to fewer bits or to another sign, and sums modulo a power of two.
+//!
+//! Overflow checks see neither `as` nor `wrapping_add`. Here each has a name and a range, which
+//! `debug_assert!` checks; without debug assertions a function is the bare operation. Lints in `lib.rs`
+//! and `tests/floors` hold the other files to these functions.
+
+/// The same number in 32 bits: -2³¹ to 2³¹ - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn narrowed(value: i64) -> i32 {
+    debug_assert!(value as i32 as i64 == value, "beyond an i32");
+    value as i32
+}
+
+/// The same number in 32 bits: 0 to 2³² - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn narrowed_unsigned(value: u64) -> u32 {
+    debug_assert!(value as u32 as u64 == value, "beyond a u32");
+    value as u32
+}
+
+/// The same number in 64 bits: -2⁶³ to 2⁶³ - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn narrowed_128(value: i128) -> i64 {
+    debug_assert!(value as i64 as i128 == value, "beyond an i64");
+    value as i64
+}
+
+/// The same number in 64 bits: 0 to 2⁶⁴ - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn narrowed_unsigned_128(value: u128) -> u64 {
+    debug_assert!(value as u64 as u128 == value, "beyond a u64");
+    value as u64
+}
+
+/// The same number in 32 bits, or `None` where it does not fit.
+#[inline(always)]
+pub const fn fitting(value: i128) -> Option<i32> {
+    let low = value as i32;
+    if low as i128 == value {
+        Some(low)
+    } else {
+        None
+    }
+}
+
+/// The same number in 8 bits: 0 to 255.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn to_u8(value: u32) -> u8 {
+    debug_assert!(value <= u8::MAX as u32, "beyond a u8");
+    value as u8
+}
+
+/// The same number in 16 bits: 0 to 2¹⁶ - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn to_u16(value: u32) -> u16 {
+    debug_assert!(value <= u16::MAX as u32, "beyond a u16");
+    value as u16
+}
+
+/// A count or an index in 32 bits: 0 to 2³² - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn to_u32(value: usize) -> u32 {
+    debug_assert!(value as u32 as usize == value, "beyond a u32");
+    value as u32
+}
+
+/// The low 32 bits of any number.
+#[inline(always)]
+pub const fn low_word(value: u64) -> u32 {
+    value as u32
+}
+
+/// The same number without a sign: 0 to 2³¹ - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn unsigned(value: i32) -> u32 {
+    debug_assert!(value >= 0, "below zero");
+    value as u32
+}
+
+/// The same number without a sign: 0 to 2⁶³ - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn unsigned_wide(value: i64) -> u64 {
+    debug_assert!(value >= 0, "below zero");
+    value as u64
+}
+
+/// The same number without a sign: 0 to 2¹²⁷ - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn unsigned_128(value: i128) -> u128 {
+    debug_assert!(value >= 0, "below zero");
+    value as u128
+}
+
+/// Any number in two's complement: modulo 2⁶⁴.
+#[inline(always)]
+pub const fn twos_complement(value: i64) -> u64 {
+    value as u64
+}
+
+/// The number with these bits in two's complement.
+#[inline(always)]
+pub const fn from_twos_complement(bits: u64) -> i64 {
+    bits as i64
+}
+
+/// The same number with a sign: 0 to 2³¹ - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn signed(value: u32) -> i32 {
+    debug_assert!(value <= i32::MAX as u32, "beyond an i32");
+    value as i32
+}
+
+/// The same number with a sign: 0 to 2⁶³ - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn signed_wide(value: u64) -> i64 {
+    debug_assert!(value <= i64::MAX as u64, "beyond an i64");
+    value as i64
+}
+
+/// The low 32 bits of a number within ±(2³² - 1), and its sign in every bit of a word: 0 or -1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn word_and_sign(value: i64) -> (i32, i32) {
+    debug_assert!(value.unsigned_abs() < 1 << 32, "beyond 32 bits and a sign");
+    (value as i32, (value >> 63) as i32)
+}
+
+/// The magnitude of a number that [`word_and_sign`] took apart.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn magnitude(word: i32, sign: i32) -> u32 {
+    debug_assert!(sign == 0 || (sign == -1 && word != 0), "no such sign");
+    (word ^ sign).wrapping_sub(sign) as u32
+}
+
+/// `value` + `change`, from 0 to 2³² - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn plus_signed(value: u32, change: i32) -> u32 {
+    debug_assert!(value.checked_add_signed(change).is_some(), "beyond a u32");
+    value.wrapping_add(change as u32)
+}
+
+/// `value` - `taken`, from -2³¹ to 2³¹ - 1.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn signed_difference(value: u32, taken: u32) -> i32 {
+    let difference = value.wrapping_sub(taken) as i32;
+    debug_assert!(
+        value as i64 - taken as i64 == difference as i64,
+        "beyond an i32"
+    );
+    difference
+}
+
+/// `value` - `taken`, from -2³¹ to 2³¹ - 1; what is taken need not fit 32 bits.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn minus_wide(value: i32, taken: i64) -> i32 {
+    let difference = value.wrapping_sub(taken as i32);
+    debug_assert!(value as i64 - taken == difference as i64, "beyond an i32");
+    difference
+}
+
+/// `value` · 2^`count`, below 2³²; `count` is below 32.
+///
+/// Takes no instruction that holds `count` below 32.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn shifted_left(value: u32, count: u32) -> u32 {
+    let shifted = value.wrapping_shl(count);
+    debug_assert!(count < 32 && shifted >> count == value, "beyond a u32");
+    shifted
+}
+
+/// `value` + `limit` modulo 2³²: at most 2 · `limit` if `value` is within ±`limit`, and above it if not.
+///
+/// `limit` is not below zero. One comparison holds a number between two bounds this way.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn offset_modulo_2_32(value: i32, limit: i32) -> u32 {
+    debug_assert!(limit >= 0, "a limit below zero");
+    value.wrapping_add(limit) as u32
+}
+
+/// `a` - `b` modulo 2¹⁶.
+#[inline(always)]
+pub const fn difference_modulo_2_16(a: u16, b: u16) -> u16 {
+    a.wrapping_sub(b)
+}
+
+/// `a` + `b` modulo 2³².
+#[inline(always)]
+pub const fn sum_modulo_2_32(a: u32, b: u32) -> u32 {
+    a.wrapping_add(b)
+}
+
+/// `a` - `b` modulo 2³².
+#[inline(always)]
+pub const fn difference_modulo_2_32(a: u32, b: u32) -> u32 {
+    a.wrapping_sub(b)
+}
+
+/// `a` · `b` modulo 2³².
+#[inline(always)]
+pub const fn product_modulo_2_32(a: u32, b: u32) -> u32 {
+    a.wrapping_mul(b)
+}
+
+/// `a` + `b` modulo 2⁶⁴.
+#[inline(always)]
+pub const fn sum_modulo_2_64(a: u64, b: u64) -> u64 {
+    a.wrapping_add(b)
+}
+
+/// 2^(`index` modulo 32).
+#[inline(always)]
+pub const fn bit_modulo_32(index: usize) -> u32 {
+    1_u32.wrapping_shl(index as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn number_that_fits_stays_the_same() {
+        for value in [i32::MIN, -1, 0, 1, i32::MAX] {
+            assert_eq!(narrowed(value.into()), value);
+            assert_eq!(fitting(value.into()), Some(value));
+            assert_eq!(narrowed_128(value.into()), i64::from(value));
+            let (word, sign) = word_and_sign(value.into());
+            assert_eq!((word, sign), (value, value >> 31));
+            assert_eq!(magnitude(word, sign), value.unsigned_abs());
+        }
+        for value in [0, 1, u32::MAX] {
+            assert_eq!(narrowed_unsigned(value.into()), value);
+            assert_eq!(narrowed_unsigned_128(value.into()), u64::from(value));
+            assert_eq!(to_u32(value as usize), value);
+            let (word, sign) = word_and_sign(-i64::from(value));
+            assert_eq!(magnitude(word, if value == 0 { 0 } else { sign }), value);
+        }
+        for value in [0, 1, i32::MAX] {
+            assert_eq!(signed(unsigned(value)), value);
+            assert_eq!(signed_wide(unsigned_wide(value.into())), i64::from(value));
+            assert_eq!(unsigned_128(value.into()), u128::from(unsigned(value)));
+        }
+        assert_eq!((to_u8(255), to_u16(0xffff)), (u8::MAX, u16::MAX));
+    }
+
+    #[test]
+    fn sum_that_fits_is_the_sum() {
+        assert_eq!(plus_signed(u32::MAX, -1), u32::MAX - 1);
+        assert_eq!(plus_signed(1 << 31, i32::MIN), 0);
+        assert_eq!(signed_difference(0, 1 << 31), i32::MIN);
+        assert_eq!(signed_difference(u32::MAX, 1 << 31), i32::MAX);
+        assert_eq!(minus_wide(1, 1 << 31), i32::MIN + 1);
+        assert_eq!(shifted_left(1, 31), 1 << 31);
+    }
+
+    #[test]
+    fn offset_is_at_most_twice_the_limit_within_it_and_above_it_beyond() {
+        for limit in [0, 5, 3 << 27, i32::MAX] {
+            let is_within = |value| offset_modulo_2_32(value, limit) <= 2 * unsigned(limit);
+            for value in [i32::MIN, i32::MIN + 1, -6, -5, -1, 0, 1, 5, 6, i32::MAX] {
+                assert_eq!(is_within(value), value.unsigned_abs() <= unsigned(limit));
+            }
+            assert!(is_within(limit) && is_within(-limit));
+        }
+    }
+
+    #[test]
+    fn what_is_modulo_wraps() {
+        assert_eq!(low_word(u64::MAX - 1), u32::MAX - 1);
+        assert_eq!(fitting(1 << 31), None);
+        assert_eq!(fitting(i128::MIN), None);
+        assert_eq!(difference_modulo_2_16(1, 2), u16::MAX);
+        assert_eq!(sum_modulo_2_32(u32::MAX, 2), 1);
+        assert_eq!(difference_modulo_2_32(1, 2), u32::MAX);
+        assert_eq!(product_modulo_2_32(1 << 31, 3), 1 << 31);
+        assert_eq!(sum_modulo_2_64(u64::MAX, 2), 1);
+        assert_eq!(from_twos_complement(twos_complement(i64::MIN)), i64::MIN);
+        assert_eq!((bit_modulo_32(0), bit_modulo_32(33)), (1, 2));
+    }
+
+    #[test]
+    #[cfg(debug_assertions)]
+    fn number_out_of_range_is_refused_where_that_is_asserted() {
+        fn is_refused<T>(call: fn() -> T) -> bool {
+            std::panic::catch_unwind(call).is_err()
+        }
+        assert!(is_refused(|| narrowed(1 << 31)));
+        assert!(is_refused(|| narrowed_unsigned(1 << 32)));
+        assert!(is_refused(|| narrowed_128(1 << 63)));
+        assert!(is_refused(|| narrowed_unsigned_128(1 << 64)));
+        assert!(is_refused(|| to_u8(256)));
+        assert!(is_refused(|| to_u16(1 << 16)));
+        assert!(is_refused(|| unsigned(-1)));
+        assert!(is_refused(|| unsigned_wide(-1)));
+        assert!(is_refused(|| unsigned_128(-1)));
+        assert!(is_refused(|| signed(1 << 31)));
+        assert!(is_refused(|| signed_wide(1 << 63)));
+        assert!(is_refused(|| word_and_sign(-(1 << 32))));
+        assert!(is_refused(|| magnitude(0, -1)));
+        assert!(is_refused(|| plus_signed(0, -1)));
+        assert!(is_refused(|| plus_signed(u32::MAX, 1)));
+        assert!(is_refused(|| signed_difference(1 << 31, 0)));
+        assert!(is_refused(|| minus_wide(0, 1 << 32)));
+        assert!(is_refused(|| shifted_left(1, 32)));
+        assert!(is_refused(|| shifted_left(2, 31)));
+        assert!(is_refused(|| offset_modulo_2_32(0, -1)));
+    }
+}

@@ -1,0 +1,33 @@
+use super::*;
+use crate::number::sweep::Sweep;
+use crate::vector::Direction;
+
+/// Looks along x.
+fn fan(aside: Direction) -> Fan {
+    Fan {
+        origin: Point::ORIGIN,
+        ahead: Direction::X,
+        aside,
+        distance: 1 << 29,
+        scale: -20,
+        width: 64,
+    }
+}
+
+/// The root that a tip is found by is rounded down. Where the sphere almost reaches the origin's plane
+/// and is as large as the ball, the difference that is left of it is least.
+#[test]
+fn tips_of_a_sphere_that_is_just_ahead_lie_ahead() {
+    let y = Direction::from_raw(Vector::new(0, 1 << 30, 0));
+    let z = Direction::from_raw(Vector::new(0, 0, 1 << 30));
+    let mut sweep = Sweep::new(31);
+    for _ in 0..100_000 {
+        let radius = sweep.octaves(25, 28);
+        let [ahead, down] = [radius + sweep.within(1, 8), sweep.octaves(26, 30)];
+        let way = Vector::new(ahead, down, sweep.octaves(3, 28));
+        // What is asserted on the way is that they do.
+        let [below, above] = [way, Vector::new(ahead, -down, way.z)]
+            .map(|way| fan(z).tips(&fan(y), way, radius).expect("it is ahead"));
+        assert_eq!(below, [above[1], above[0]], "{way:?}, {radius}");
+    }
+}
