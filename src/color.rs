@@ -1,6 +1,9 @@
 //! Floor 1: linear colour, its sum over reflections, and the one place where it is quantised.
 
-use crate::number::{Brightness, Number, Unit, add_high_positive, high_positive, wide_positive};
+use crate::number::{
+    Brightness, Number, Unit, add_high_positive, high_positive, narrowed, offset_modulo_2_32,
+    to_u8, unsigned, wide_positive,
+};
 
 /// A linear colour: red, green and blue in Q6.26, 0 to below 32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,7 +92,7 @@ impl<const PRECISE: bool> Lighting<PRECISE> {
         let with = |sum: i32, light: Brightness| {
             let (light, strength) = (light.to_bits(), strength.to_bits());
             if PRECISE {
-                sum + (wide_positive(light, strength) >> Self::PLACES) as i32
+                sum + narrowed(wide_positive(light, strength) >> Self::PLACES)
             } else {
                 add_high_positive(sum, light, strength)
             }
@@ -103,7 +106,7 @@ impl<const PRECISE: bool> Lighting<PRECISE> {
         let ([r, g, b], [red, green, blue]) = (self.0, color.0);
         let tinted = |light: i32, color: Brightness| {
             let product = wide_positive(light, color.to_bits());
-            Brightness::from_bits((product >> Self::PLACES) as i32)
+            Brightness::from_bits(narrowed(product >> Self::PLACES))
         };
         Color([tinted(r, red), tinted(g, green), tinted(b, blue)])
     }
@@ -179,10 +182,9 @@ impl Sum {
     /// Whether no channel is further from zero than so much.
     #[inline(always)]
     pub fn is_within(self, most: i32) -> bool {
-        // Right for every sum, for `most` of 0 to 2³⁰: one beyond it, as one without a sign, is above.
         self.0
             .iter()
-            .all(|sum| sum.wrapping_add(most) as u32 <= 2 * most as u32)
+            .all(|&sum| offset_modulo_2_32(sum, most) <= 2 * unsigned(most))
     }
 
     #[inline(always)]
@@ -200,7 +202,7 @@ impl Sum {
     /// Clamped to 0 to 1 and rounded to 8 bits: round(255 c).
     #[inline(always)]
     pub fn to_rgb8(self) -> [u8; 3] {
-        let level = |sum: i32| ((sum + (1 << 15)) >> 16).clamp(0, 255) as u8;
+        let level = |sum: i32| to_u8(unsigned(((sum + (1 << 15)) >> 16).clamp(0, 255)));
         let [red, green, blue] = self.0;
         [level(red), level(green), level(blue)]
     }

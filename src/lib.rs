@@ -147,13 +147,6 @@
 extern crate std;
 
 mod camera;
-#[cfg_attr(
-    not(test),
-    expect(
-        clippy::cast_sign_loss,
-        reason = "its casts do not go through `number::narrow` yet"
-    )
-)]
 mod color;
 mod fault;
 mod grid;
@@ -181,15 +174,6 @@ mod scene;
     reason = "constants, which the compiler works out"
 )]
 pub mod scenes;
-#[cfg_attr(
-    not(test),
-    expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_possible_wrap,
-        clippy::cast_sign_loss,
-        reason = "its casts do not go through `number::narrow` yet"
-    )
-)]
 mod shade;
 mod shape;
 mod trace;

@@ -1,12 +1,5 @@
 //! Floor 7: rows of pixels into a display. The only floor that names embedded-graphics.
 
-#[cfg_attr(
-    not(test),
-    expect(
-        clippy::cast_possible_truncation,
-        reason = "its casts do not go through `number::narrow` yet"
-    )
-)]
 mod bound;
 mod budget;
 mod dither;

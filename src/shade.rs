@@ -7,8 +7,9 @@ use crate::color::{Color, Lighting, halved};
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{
-    Brightness, Exponent, Length, Unit, even_power, high_unsigned, lit, power, ratio, root_of_unit,
-    scaled_by_unit, whole_power,
+    Brightness, Exponent, Length, Unit, absolute, bit_modulo_32, even_power, high_unsigned, lit,
+    narrowed, offset_modulo_2_32, power, ratio, root_of_unit, scaled_by_unit, unsigned,
+    whole_power,
 };
 use crate::quality::Quality;
 use crate::ray::{Path, Place, Trail};
@@ -67,8 +68,8 @@ impl<'a> Surface<'a> {
             place: at.lifted(normal, epsilon),
             normal,
             view,
-            // A cosine is within ±1.0001: nothing wraps, and nothing panics.
-            facing: climb.wrapping_abs(),
+            // Within ±1.0001.
+            facing: Unit::from_bits(absolute(climb.to_bits())),
             shape,
             is_inside,
             material: parts.material(material),
@@ -257,11 +258,11 @@ fn power_of(base: Unit, shininess: Exponent, kind: Shininess) -> Unit {
 /// (h · n)² = ((n·l + n·v) / 2)² / ((1 + l·v) / 2)
 #[inline(always)]
 fn half_way_square(cosines: &Cosines) -> Unit {
-    let sum = (cosines.light.to_bits() as u32) + (cosines.viewer.to_bits() as u32);
+    let sum = unsigned(cosines.light.to_bits()) + unsigned(cosines.viewer.to_bits());
     // Q30: (2 Q30)² / 4
     let numerator = high_unsigned(sum, sum);
     // 1 + l·v is 0 to 2 but for a last place: below zero, as one without a sign, it is a large one.
-    let denominator = (((1_u32 << 30) as i32).wrapping_add(cosines.between.to_bits()) as u32) >> 1;
+    let denominator = offset_modulo_2_32(cosines.between.to_bits(), 1 << 30) >> 1;
     if numerator >= denominator {
         return Unit::ONE;
     }
@@ -272,7 +273,7 @@ fn half_way_square(cosines: &Cosines) -> Unit {
 fn mirrored_cosine(cosines: &Cosines) -> Unit {
     let product = scaled_by_unit(cosines.light.to_bits(), cosines.viewer);
     let cosine = 2 * i64::from(product) - i64::from(cosines.between.to_bits());
-    Unit::from_bits(cosine.clamp(0, 1 << 30) as i32)
+    Unit::from_bits(narrowed(cosine.clamp(0, 1 << 30)))
 }
 
 /// ambient + Σ (diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ) · light, all times the material's colour.
@@ -338,7 +339,7 @@ impl<const PRECISE: bool> Received<PRECISE> {
         if strength > Brightness::ZERO {
             self.light.add(light.color, strength);
             // Which of 32 lights; a trail may take two for one.
-            self.lights |= 1_u32.wrapping_shl(index as u32);
+            self.lights |= bit_modulo_32(index);
         }
     }
 

@@ -8,8 +8,8 @@ mod position;
 pub use position::Position;
 
 use crate::number::{
-    Length, Unit, high, high_unsigned, minus_wide, narrowed, reciprocal_root, rounded, scaled_by_unit,
-    shifted, signed, signed_wide, unit_shift, unsigned, unsigned_wide, wide,
+    Length, Unit, high, high_unsigned, minus_wide, narrowed, reciprocal_root, rounded,
+    scaled_by_unit, shifted, signed, signed_wide, unit_shift, unsigned, unsigned_wide, wide,
 };
 
 /// A place in the scene, in raw scene steps from its middle.

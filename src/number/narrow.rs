@@ -145,6 +145,14 @@ pub const fn magnitude(word: i32, sign: i32) -> u32 {
     (word ^ sign).wrapping_sub(sign) as u32
 }
 
+/// The magnitude of a number that is not -2³¹.
+#[inline(always)]
+#[cfg_attr(debug_assertions, track_caller)]
+pub const fn absolute(value: i32) -> i32 {
+    debug_assert!(value != i32::MIN, "beyond an i32");
+    value.wrapping_abs()
+}
+
 /// `value` + `change`, from 0 to 2³² - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]

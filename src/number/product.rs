@@ -4,6 +4,8 @@
 //! none, and would be given a product of 64 by 64 bits; there, four products of 16 by 16 bits are
 //! put together (Warren, Hacker's Delight, section 8-2), and the result is the same.
 
+use super::narrow::narrowed;
+
 /// The product of two signed numbers.
 #[inline(always)]
 pub const fn wide(a: i32, b: i32) -> i64 {
@@ -41,8 +43,8 @@ pub const fn high_positive(a: i32, b: i32) -> i32 {
 /// and add takes no more than for a sum that is rounded down.
 #[inline(always)]
 pub const fn add_high_positive(sum: i32, a: i32, b: i32) -> i32 {
-    let sum = ((sum as u32 as u64) << 32) | (1 << 31);
-    ((sum + wide_positive(a, b) as u64) >> 32) as i32
+    let half = 1_i64 << 31;
+    narrowed((((sum as i64) << 32) + half + wide_positive(a, b)) >> 32)
 }
 
 /// `a` · `short` · 2⁻¹⁷, rounded down, for a short number below 2¹⁶.
@@ -66,6 +68,8 @@ pub const fn high_unsigned(a: u32, b: u32) -> u32 {
 // Of the Arm cores, the ones without a long multiply are those without atomic exchanges.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 mod multiplier {
+    use crate::number::narrow::{signed, signed_wide, unsigned};
+
     #[inline(always)]
     pub(super) const fn wide(a: i32, b: i32) -> i64 {
         a as i64 * b as i64
@@ -78,7 +82,7 @@ mod multiplier {
 
     #[inline(always)]
     pub(super) const fn wide_positive(a: i32, b: i32) -> i64 {
-        wide_unsigned(a as u32, b as u32) as i64
+        signed_wide(wide_unsigned(unsigned(a), unsigned(b)))
     }
 
     #[inline(always)]
@@ -98,7 +102,7 @@ mod multiplier {
 
     #[inline(always)]
     pub(super) const fn scaled(a: i32, short: u32) -> i32 {
-        high(a << 2, (short << 15) as i32)
+        high(a << 2, signed(short << 15))
     }
 }
 
@@ -106,6 +110,14 @@ mod multiplier {
 use halves as multiplier;
 
 #[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[cfg_attr(
+    not(test),
+    expect(
+        clippy::cast_possible_wrap,
+        clippy::cast_sign_loss,
+        reason = "halves are put together modulo 2³²"
+    )
+)]
 mod halves {
     /// The low half, without a sign.
     const fn low_half(a: i32) -> i32 {

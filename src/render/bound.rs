@@ -1,7 +1,7 @@
 //! Floor 7: what a picture can be off by where its paths were ended, from its report.
 
 use super::{Picture, Report};
-use crate::number::Unit;
+use crate::number::{Unit, narrowed_unsigned, narrowed_unsigned_128, signed};
 use crate::scene::World;
 
 impl<W: World, Q, K> Picture<W, Q, K> {
@@ -38,6 +38,6 @@ impl<W: World, Q, K> Picture<W, Q, K> {
         let brightest = (u64::from(brightest) * 256).div_ceil(255);
         let product = u128::from(weight) * u128::from(brightest);
         let bound = product.div_ceil(1 << 26).min(1 << 30);
-        Unit::from_bits(bound as i32)
+        Unit::from_bits(signed(narrowed_unsigned(narrowed_unsigned_128(bound))))
     }
 }

@@ -5,6 +5,7 @@
 //! in scene units, so the binary point is never the user's concern.
 
 pub(crate) mod ahead;
+mod brightness;
 mod builder;
 pub(crate) mod cells;
 mod directions;
@@ -15,13 +16,6 @@ mod layout;
 pub(crate) mod mask;
 pub(crate) mod nearest;
 mod needs;
-#[cfg_attr(
-    not(test),
-    expect(
-        clippy::cast_possible_truncation,
-        reason = "its casts do not go through `number::narrow` yet"
-    )
-)]
 mod prepare;
 pub(crate) mod query;
 mod row;

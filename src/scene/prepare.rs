@@ -1,5 +1,6 @@
 //! Checks a description and lays it on its grid: integers only, by the compiler or at run time.
 
+use super::brightness::{brightest, dimness};
 use super::cells::Cells;
 use super::layout::choose_grid;
 use super::{Counts, Description, Lamp, Scene, SceneError, used};
@@ -8,7 +9,7 @@ use crate::fault::Fault;
 use crate::grid::Grid;
 use crate::light::{Light, PreparedLight};
 use crate::material::{PreparedMaterial, is_color};
-use crate::number::{Brightness, Length, Number, Unit};
+use crate::number::{Brightness, Length, Number, Unit, narrowed_128, signed_wide};
 use crate::shape::cylinder::{Cylinder, PreparedCylinder};
 use crate::shape::plane::{Plane, PreparedPlane};
 use crate::shape::sphere::{PreparedSphere, Sphere};
@@ -304,7 +305,7 @@ const fn prepare_plane(plane: &Plane, grid: &Grid) -> Option<PreparedPlane> {
     let scale = bits.saturating_sub(61);
     Some(PreparedPlane::new(
         normal,
-        (steps >> scale) as i64,
+        narrowed_128(steps >> scale),
         scale,
         plane.material,
     ))
@@ -325,70 +326,11 @@ const fn is_too_bright(material: &PreparedMaterial, lights: &[Light]) -> bool {
     sent > BRIGHTEST || sum > BRIGHTEST || (sum * color) >> 26 > BRIGHTEST
 }
 
-/// 1 / `brightest`, at most 1, rounded down to eight leading bits: Arm compares with such a number in
-/// one instruction.
-const fn dimness(brightest: Brightness) -> Unit {
-    if brightest.to_bits() <= 1 << 26 {
-        return Unit::ONE;
-    }
-    // Q0.56 / Q6.26, and brightest is below 32: 2²⁵ to 2³⁰.
-    let inverse = ((1_i64 << 56) / brightest.to_bits() as i64) as i32;
-    let rest = 24 - inverse.leading_zeros();
-    Unit::from_bits(inverse >> rest << rest)
-}
-
 /// Whether a ball comes within `reach` of a point.
 const fn is_within(point: Point, (center, radius): (Point, i32), reach: i64) -> bool {
     // A distance is below 2³⁰ steps, a reach below 2²⁹ and a radius, too.
     let most = reach + radius as i64;
-    (point.to(center).square() as i64) < most * most
-}
-
-/// The largest component of any colour that a path can meet: the background's, or a material's at
-/// its brightest. Rounded up.
-const fn brightest(
-    materials: &[PreparedMaterial],
-    lights: &[PreparedLight],
-    background: Color,
-) -> Brightness {
-    let mut most = background.largest().to_bits() as u64;
-    let mut index = 0;
-    while index < materials.len() {
-        let own = brightest_of(&materials[index], lights);
-        if own > most {
-            most = own;
-        }
-        index += 1;
-    }
-    // No material is brighter than 30, and no background than 16.
-    Brightness::from_bits(most as i32)
-}
-
-/// (ambient + Σ over the lights of (diffuse + specular) · light) · colour, its largest component in
-/// steps of 2⁻²⁶, rounded up.
-const fn brightest_of(material: &PreparedMaterial, lights: &[PreparedLight]) -> u64 {
-    let strongest = material.diffuse.to_bits() as u64 + material.specular.to_bits() as u64;
-    // The kernels' cosines and powers may be above 1 by their rounding, by far less than 2⁻¹⁵.
-    let strongest = strongest + strongest.div_ceil(1 << 15);
-    let mut most = 0;
-    let mut axis = 0;
-    while axis < 3 {
-        let mut light = 0;
-        let mut index = 0;
-        while index < lights.len() {
-            light += lights[index].color.components()[axis].to_bits() as u64;
-            index += 1;
-        }
-        let received = (light as u128 * strongest as u128).div_ceil(1 << 26);
-        let all = received + material.ambient.to_bits() as u128;
-        let color = material.color.components()[axis].to_bits() as u128;
-        let own = (all * color).div_ceil(1 << 26) as u64;
-        if own > most {
-            most = own;
-        }
-        axis += 1;
-    }
-    most
+    signed_wide(point.to(center).square()) < most * most
 }
 
 #[cfg(test)]

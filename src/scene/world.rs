@@ -80,8 +80,7 @@ pub struct Parts<'a> {
     pub(crate) lights: &'a [PreparedLight],
     pub(crate) materials: &'a [PreparedMaterial],
     pub(crate) background: Color,
-    /// The largest component of any colour that a path can meet, rounded up; all are
-    /// [`Color::in_levels`].
+    /// The largest component of any colour that a path can meet, [`Color::in_levels`]; rounded up.
     pub(crate) brightest: Brightness,
     /// One over the brightest, and 1 where that is more.
     pub(crate) dimness: Unit,
@@ -105,7 +104,6 @@ impl<'a> Parts<'a> {
     }
 
     /// The smallest weight with which a path can still change a channel by `change`, 0 to 1.
-    #[inline(always)]
     pub(crate) const fn smallest_weight(&self, change: Unit) -> Unit {
         unit_product(change, self.dimness)
     }

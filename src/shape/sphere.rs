@@ -158,7 +158,7 @@ impl PreparedSphere {
     /// inside. No point is if the sphere touches nothing.
     #[inline(always)]
     pub(crate) const fn holds_lifted(&self, point: Point) -> bool {
-        self.touches && (point.to(self.center).square() as i64) < self.square
+        self.touches && signed_wide(point.to(self.center).square()) < self.square
     }
 
     /// Its middle and radius.

@@ -37,12 +37,10 @@ const BESIDE: [&str; 2] = ["host", "scenes"];
 const DRAWS: &str = "render";
 
 /// The files that may wrap.
-const WRAP: [&[&str]; 5] = [
+const WRAP: [&[&str]; 3] = [
     &["number", "narrow"],
     &["number", "product"],
     &["number", "sweep"],
-    &["color"],
-    &["shade"],
 ];
 
 /// Where the whole crate is put together; it may name everything.

@@ -1,0 +1,72 @@
+//! How bright a scene can be: the bound on what follows where a path ends.
+
+use crate::color::Color;
+use crate::light::PreparedLight;
+use crate::material::PreparedMaterial;
+use crate::number::{
+    Brightness, Unit, narrowed, narrowed_unsigned, narrowed_unsigned_128, signed, unsigned,
+};
+
+/// The largest component of any colour that a path can meet: the background's, or a material's at
+/// its brightest. Rounded up.
+pub(super) const fn brightest(
+    materials: &[PreparedMaterial],
+    lights: &[PreparedLight],
+    background: Color,
+) -> Brightness {
+    let mut most = bits(background.largest());
+    let mut index = 0;
+    while index < materials.len() {
+        let own = brightest_of(&materials[index], lights);
+        if own > most {
+            most = own;
+        }
+        index += 1;
+    }
+    // No material is brighter than 30, and no background than 16.
+    Brightness::from_bits(signed(narrowed_unsigned(most)))
+}
+
+/// (ambient + Σ over the lights of (diffuse + specular) · light) · colour, its largest component in
+/// steps of 2⁻²⁶, rounded up.
+const fn brightest_of(material: &PreparedMaterial, lights: &[PreparedLight]) -> u64 {
+    let strongest = bits(material.diffuse) + bits(material.specular);
+    // The kernels' cosines and powers may be above 1 by their rounding, by far less than 2⁻¹⁵.
+    let strongest = strongest + strongest.div_ceil(1 << 15);
+    let mut most = 0;
+    let mut axis = 0;
+    while axis < 3 {
+        let mut light = 0;
+        let mut index = 0;
+        while index < lights.len() {
+            light += bits(lights[index].color.components()[axis]);
+            index += 1;
+        }
+        let received = (light as u128 * strongest as u128).div_ceil(1 << 26);
+        let all = received + bits(material.ambient) as u128;
+        let color = bits(material.color.components()[axis]) as u128;
+        let own = narrowed_unsigned_128((all * color).div_ceil(1 << 26));
+        if own > most {
+            most = own;
+        }
+        axis += 1;
+    }
+    most
+}
+
+/// In steps of 2⁻²⁶; no brightness is below zero.
+const fn bits(brightness: Brightness) -> u64 {
+    unsigned(brightness.to_bits()) as u64
+}
+
+/// 1 / `brightest`, at most 1, rounded down to eight leading bits: Arm compares with such a number in
+/// one instruction.
+pub(super) const fn dimness(brightest: Brightness) -> Unit {
+    if brightest.to_bits() <= 1 << 26 {
+        return Unit::ONE;
+    }
+    // Q0.56 / Q6.26, and brightest is below 32: 2²⁵ to 2³⁰.
+    let inverse = narrowed((1_i64 << 56) / brightest.to_bits() as i64);
+    let rest = 24 - inverse.leading_zeros();
+    Unit::from_bits(inverse >> rest << rest)
+}
