@@ -64,11 +64,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 32244 | 1046 | 11984 | 200 |
-//! | Cargo's default release | 42420 | 1088 | 14604 | 208 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 28796 | 1291 | 11972 | 247 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 27952 | 1831 | 12048 | 368 |
-//! | Cargo's default dev (debug) | 203660 | 18757 | 181068 | 4328 |
+//! | lto = true, codegen-units = 1 | 32304 | 1047 | 11960 | 198 |
+//! | Cargo's default release | 42356 | 1093 | 14488 | 206 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 28816 | 1290 | 12032 | 249 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 28000 | 1838 | 12100 | 370 |
+//! | Cargo's default dev (debug) | 222644 | 21996 | 200016 | 5046 |
 //!
 //! Every profile draws the same picture. Where flash is scarce, the quality [`Small`] saves more than an
 //! `opt-level`.

@@ -24,8 +24,8 @@ pub(crate) const LONGEST_STRIDE: u32 = 4;
 /// ```
 pub trait Quality {
     /// A path ends when its weight times the brightest colour of the scene falls below this share of
-    /// white: what is left out changes no channel by more. In a scene without a colour brighter than
-    /// white the weight itself is compared.
+    /// white: what is left out is less. In a scene without a colour brighter than white the weight
+    /// itself is compared.
     const SMALLEST_WEIGHT: Unit;
 
     /// How many columns lie from one pixel that is traced to the next at most: 1, 2 or 4.
@@ -54,15 +54,16 @@ pub trait Quality {
     /// see, neither in flash nor in RAM.
     const IS_SMALL: bool = false;
 
-    /// Whether the points that rays meet are rounded to the nearest step of the grid, and the light on
-    /// a surface to 2⁻²⁶ of white. Defaults to `false`: points are rounded down to an even step, and
-    /// each light to the nearest 2⁻²⁰ of white.
+    /// Whether near points that rays meet are rounded to the nearest step of the grid, each light on a
+    /// surface is kept to 2⁻²⁶ of white, and shadows are told exactly where shapes touch. Defaults to
+    /// `false`: points are rounded down to an even step, and each light to the nearest 2⁻²⁰ of white.
+    /// Nothing changes where [`Quality::IS_SMALL`].
     const IS_PRECISE: bool = false;
 }
 
 /// The default: nothing that is left out is expected to change an 8-bit channel by more than a step.
 ///
-/// A path ends where what follows changes no 8-bit channel by a step. At least every fourth pixel is
+/// A path ends where what follows is less than a step of 8 bits. At least every fourth pixel is
 /// traced, every second where a path was mirrored in something round, and the others are exact to a
 /// step, or to one and a half where only the pixels on both sides are known.
 #[derive(Clone, Copy, Debug)]
@@ -77,7 +78,7 @@ impl Quality for Fast {
 /// The smallest in flash: exact as [`Fast`] or more, but without the code and the tables that make it
 /// fast.
 ///
-/// A path ends where what follows changes no 8-bit channel by a step, and every pixel is traced.
+/// A path ends where what follows is less than a step of 8 bits, and every pixel is traced.
 #[derive(Clone, Copy, Debug)]
 pub struct Small;
 

@@ -391,8 +391,8 @@ fn clear_strength<W: World, H: Highlight, const PRECISE: bool>(
 /// Whether a sphere or cylinder hides a light that stands clear from a near surface, which lies in a
 /// direction from the light, at a distance.
 ///
-/// Where `PRECISE`, a point that epsilon has lifted into a sphere is in its shadow, and a cylinder
-/// does not hide what lies on its wall: where a ray meets the wall is known to a few steps only.
+/// Where `PRECISE`, a point that epsilon has lifted into a sphere is in its shadow, and what lies on a
+/// shape, but for rounding, is not: where a ray meets a shape is known to a few steps only.
 #[inline(always)]
 fn is_hidden<W: World, const PRECISE: bool>(
     world: &W,
@@ -402,7 +402,7 @@ fn is_hidden<W: World, const PRECISE: bool>(
     distance: Length,
 ) -> bool {
     let reach = match PRECISE {
-        true => Length::from_bits(distance.to_bits() - (distance.to_bits() >> 24) - 16),
+        true => distance.surely_less(),
         false => distance,
     };
     blocked_from(
@@ -413,7 +413,7 @@ fn is_hidden<W: World, const PRECISE: bool>(
         |number, sphere, seen| {
             seen.is_before(direction, reach)
                 || PRECISE
-                    && seen.may_hold_the_end(sphere.ball().1, distance)
+                    && seen.may_hold_the_end(sphere.ball().1, reach)
                     && number != surface.shape
                     && sphere.holds_lifted(surface.place.point)
         },

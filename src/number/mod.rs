@@ -71,6 +71,13 @@ impl Length {
     pub const fn to_bits(self) -> i32 {
         self.0
     }
+
+    /// Less than a length was before rounding: directions are within 2⁻²⁶ of length one, and points and
+    /// roots are known to a few steps.
+    #[inline(always)]
+    pub(crate) const fn surely_less(self) -> Self {
+        Self(self.0 - (self.0 >> 24) - 16)
+    }
 }
 
 /// `start` + `step` · `count`, which fits though the product need not; `count` is below 2¹⁶.

@@ -43,7 +43,9 @@ const fn brightest_of(material: &PreparedMaterial, lights: &[PreparedLight]) -> 
             index += 1;
         }
         let received = (light as u128 * strongest as u128).div_ceil(1 << 26);
-        let all = received + bits(material.ambient) as u128;
+        // Each light and the ambient share may be rounded up by half of 2⁻²⁰.
+        let rounding = (lights.len() as u128 + 1) << 5;
+        let all = received + bits(material.ambient) as u128 + rounding;
         let color = bits(material.color.components()[axis]) as u128;
         let own = narrowed_unsigned_128((all * color).div_ceil(1 << 26));
         if own > most {

@@ -328,7 +328,7 @@ const fn is_too_bright(material: &PreparedMaterial, lights: &[Light]) -> bool {
 
 /// Whether a ball comes within `reach` of a point.
 const fn is_within(point: Point, (center, radius): (Point, i32), reach: i64) -> bool {
-    // A distance is below 2³⁰ steps, a reach below 2²⁹ and a radius, too.
+    // Both below 2³⁰, a little more at most: the square fits.
     let most = reach + radius as i64;
     signed_wide(point.to(center).square()) < most * most
 }

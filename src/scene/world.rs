@@ -82,7 +82,7 @@ pub struct Parts<'a> {
     pub(crate) background: Color,
     /// The largest component of any colour that a path can meet, [`Color::in_levels`]; rounded up.
     pub(crate) brightest: Brightness,
-    /// One over the brightest, and 1 where that is more.
+    /// One over the brightest, rounded down to 8 leading bits, and at most 1.
     pub(crate) dimness: Unit,
     /// How far above a surface rays start that leave it, at least 2 steps.
     pub(crate) epsilon: Length,

@@ -55,9 +55,9 @@ pub(crate) struct SeenSphere {
 /// tell whether a ray meets it.
 const COARSEST: i32 = 128;
 
-/// How far ahead, in steps, a ray from inside must leave the sphere at least: a start is lifted to two
-/// steps above a surface, and rounded.
-const ON_SURFACE: i32 = 4;
+/// Up to how deep inside, in steps, a ray starts on the surface, but for rounding: it is lifted by two
+/// steps at least, and each coordinate of a hit is rounded by up to two.
+const ON_SURFACE: i64 = 4;
 
 impl SeenSphere {
     /// Fills the room of a sphere that a scene's type allows but the scene does not use.
@@ -126,7 +126,7 @@ impl SeenSphere {
     #[inline(always)]
     pub(crate) const fn may_hold_the_end(&self, radius: i32, distance: Length) -> bool {
         let rest = self.tangent - distance.to_bits();
-        0 <= rest && rest < radius
+        0 <= rest && rest <= radius
     }
 }
 
@@ -189,7 +189,7 @@ impl PreparedSphere {
             tangent: if tangent < 0 {
                 tangent
             } else {
-                tangent - (tangent >> 24) - 16
+                Length::from_bits(tangent).surely_less().to_bits()
             },
         }
     }
@@ -235,7 +235,8 @@ impl PreparedSphere {
         self.met(way, ray.direction, Length::from_bits(0), reach)
     }
 
-    /// Whether the ray meets the sphere above 0 and below `reach`; no root is taken.
+    /// Whether the ray meets the sphere above 0 and below `reach`; no root is taken. A ray that starts
+    /// on the surface, but for rounding, and goes out does not.
     pub(crate) fn blocks(&self, ray: &Ray, reach: Length) -> bool {
         let way = ray.origin.to(self.center);
         let distance = way.dot(ray.direction);
@@ -252,9 +253,9 @@ impl PreparedSphere {
         if entry_is_ahead {
             past < 0 || wide(past, past) < half_chord_square
         } else {
-            // A ray that starts on the surface, but for rounding, does not start inside.
-            let least = distance - ON_SURFACE;
-            let exit_is_ahead = distance > 0 || wide(least, least) < half_chord_square;
+            // r² less the square of the way to the centre; r² - (r - depth)² is 2 r depth or less.
+            let inside = half_chord_square - wide(distance, distance);
+            let exit_is_ahead = distance > 0 || inside > ON_SURFACE * 2 * self.radius as i64;
             exit_is_ahead && past < 0 && wide(past, past) > half_chord_square
         }
     }

@@ -192,6 +192,14 @@ fn fast_path_stops_at_a_weight_that_cannot_be_seen() {
 }
 
 #[test]
+fn fast_path_in_a_bright_room_is_followed_until_less_than_a_level_is_left() {
+    // The first power of 1/2 below 2⁻⁸ / 4, the brightness being rounded up.
+    for traced in followed::<Fast>(&room(4.0, 0.5), 255) {
+        assert_eq!(traced.rays, 11);
+    }
+}
+
+#[test]
 fn fast_differs_from_fine_by_no_more_than_the_weight_it_reports() {
     for alpha in ALPHAS {
         let room = room(1.0, alpha);

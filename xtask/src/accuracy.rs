@@ -17,22 +17,10 @@ const REFLECTIONS: u8 = 4;
 /// Where [`NAMES`] has single precision.
 const SINGLE: usize = NAMES.len() - 1;
 
-/// What counts as the same as the reference: at most one pixel in ten thousand differs.
-const ALL: f64 = 0.9999;
-
 /// One scene in one shading.
 struct Picture {
     shading: &'static str,
     row: Row,
-}
-
-impl Picture {
-    /// Whether a quality has the reference's value on as many pixels as single precision, or on all
-    /// but one in ten thousand.
-    fn is_as_near(&self, quality: usize) -> bool {
-        let same = |of: usize| self.row.differences[of].same;
-        same(quality) >= same(SINGLE).min(ALL)
-    }
 }
 
 pub fn run() -> Result<()> {
@@ -67,7 +55,10 @@ fn page(pictures: &[Picture]) -> Result<String> {
         pictures.len()
     )?;
     for (index, name) in NAMES.iter().enumerate().take(SINGLE) {
-        let near = pictures.iter().filter(|it| it.is_as_near(index)).count();
+        let near = pictures
+            .iter()
+            .filter(|it| it.row.is_as_near_as_single_precision(index))
+            .count();
         writeln!(page, "- `{name}`: {near}")?;
     }
     for shading in ["blinn-phong", "phong"] {
@@ -186,7 +177,7 @@ mod tests {
     fn picture_with_one_pixel_in_ten_thousand_off_is_as_near_as_any() {
         let [picture, _] = pictures();
         assert_eq!(
-            [0, 1, 2, 3].map(|quality| picture.is_as_near(quality)),
+            [0, 1, 2, 3].map(|quality| picture.row.is_as_near_as_single_precision(quality)),
             [false, true, false, true]
         );
     }

@@ -161,7 +161,12 @@ fn tests(all: bool) -> Result<Vec<Step>> {
         }
     };
     let firmware = test_programs(&["xtask/tests", "xtask/report/tests"])?;
-    let all_others = ["tests", "tests/random/tests", "xtask/stability/tests"];
+    let all_others = [
+        "tests",
+        "tests/random/tests",
+        "xtask/float_picture/tests",
+        "xtask/stability/tests",
+    ];
     let mut others = test_programs(&all_others)?;
     others.retain(|name| !firmware.contains(name));
     others.extend(["--lib", "--bins"].map(str::to_owned));

@@ -385,19 +385,53 @@ fn background_may_be_the_brightest() {
 }
 
 #[test]
-fn weights_of_bright_scenes_are_followed_until_no_level_changes() {
+fn dimness_is_one_over_the_brightest_rounded_down_to_eight_bits() {
     let mut sweep = Sweep::new(33);
-    for _ in 0..1000 {
-        let brightest = Brightness::from_bits(sweep.octaves(20, 30));
+    let edges = [1 << 26, (1 << 26) + 1, 30 << 26, i32::MAX];
+    let swept = (0..1000).map(|_| sweep.octaves(20, 30));
+    for bits in edges.into_iter().chain(swept) {
+        let brightest = Brightness::from_bits(bits);
         let (dimness, most) = (
             dimness(brightest).to_num::<f64>(),
             brightest.to_num::<f64>(),
         );
         let exact = 1.0 / most.max(1.0);
-        // Rounded down to eight bits.
         assert!(
             dimness <= exact && dimness > exact * (1.0 - 1.0 / 128.0),
             "{most}: {dimness}"
         );
+    }
+}
+
+#[test]
+fn sphere_touches_what_epsilon_may_lift_points_from() {
+    let touches = |fill: &dyn Fn(&mut Scenery, crate::shape::MaterialId)| {
+        let scene = marble(|scene, white| fill(scene, white)).build().unwrap();
+        scene.touches_another(0)
+    };
+    // Epsilon is 0.001.
+    for (gap, is_touching) in [(-0.5, true), (0.001, true), (0.01, false), (1.0, false)] {
+        let far = 2.0 + gap;
+        assert_eq!(
+            touches(&|scene, white| scene.add_sphere([far, 0.0, 0.0], 1, white).unwrap()),
+            is_touching,
+            "{gap}"
+        );
+        assert_eq!(
+            touches(&|scene, white| {
+                let below = [0.0, 0.0, -1.0 - gap];
+                scene.add_plane(below, [0, 0, 1], white).unwrap();
+            }),
+            is_touching,
+            "{gap}"
+        );
+    }
+    // The ball around a cylinder counts.
+    for (away, is_touching) in [(2.0, true), (2.4, true), (2.5, false)] {
+        let touches = touches(&|scene, white| {
+            let center = [away, 0.0, 0.0];
+            scene.add_cylinder(center, [0, 0, 1], 1, 2, white).unwrap();
+        });
+        assert_eq!(touches, is_touching, "{away}");
     }
 }

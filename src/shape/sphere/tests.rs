@@ -298,3 +298,21 @@ fn ray_leaving_the_inside_of_a_sphere_crosses_it() {
         );
     }
 }
+
+#[test]
+fn ray_from_the_surface_outwards_is_not_blocked_though_it_starts_some_steps_inside() {
+    let radius = 1 << 20;
+    let sphere = PreparedSphere::new(Point::ORIGIN, Length::from_bits(radius), MaterialId(0));
+    let reach = Length::from_bits(1 << 24);
+    for (inside, is_blocked) in [(-2, false), (1, false), (3, false), (6, true), (100, true)] {
+        let ray = Ray {
+            origin: Point::new(radius - inside, 0, 0),
+            direction: Direction::X,
+        };
+        assert_eq!(
+            sphere.blocks(&ray, reach),
+            is_blocked,
+            "{inside} steps inside"
+        );
+    }
+}

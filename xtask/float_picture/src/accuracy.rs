@@ -21,6 +21,18 @@ pub struct Row {
     pub differences: [Difference; NAMES.len()],
 }
 
+/// What counts as the same as the reference: at most one pixel in ten thousand differs.
+const ALL: f64 = 0.9999;
+
+impl Row {
+    /// Whether a quality has the reference's value on as many pixels as single precision, or on all
+    /// but one in ten thousand. Qualities are in the order of [`NAMES`].
+    pub fn is_as_near_as_single_precision(&self, quality: usize) -> bool {
+        let [.., single] = self.differences.map(|it| it.same);
+        self.differences[quality].same >= single.min(ALL)
+    }
+}
+
 /// Renders a built-in scene `side` by `side` pixels large. `None` without a scene of that name, and
 /// for [`reference::Shading::Normals`].
 pub fn measure(
@@ -31,29 +43,12 @@ pub fn measure(
 ) -> Option<Row> {
     let size = Size::new_equal(side);
     match shading {
-        reference::Shading::BlinnPhong => {
-            let kind = PhantomData::<BlinnPhong>;
-            visit(
-                scene,
-                Measure {
-                    size,
-                    reflections,
-                    shading,
-                    kind,
-                },
-            )
-        }
+        reference::Shading::BlinnPhong => visit(
+            scene,
+            Measure::<BlinnPhong>::new(size, reflections, shading),
+        ),
         reference::Shading::Phong => {
-            let kind = PhantomData::<Phong>;
-            visit(
-                scene,
-                Measure {
-                    size,
-                    reflections,
-                    shading,
-                    kind,
-                },
-            )
+            visit(scene, Measure::<Phong>::new(size, reflections, shading))
         }
         reference::Shading::Normals => None,
     }
@@ -67,6 +62,16 @@ struct Measure<K> {
 }
 
 impl<K: Shading> Measure<K> {
+    fn new(size: Size, reflections: u8, shading: reference::Shading) -> Self {
+        let kind = PhantomData;
+        Self {
+            size,
+            reflections,
+            shading,
+            kind,
+        }
+    }
+
     fn painted<S: BuiltIn, Q: Quality>(&self) -> Picture {
         let frame = S::frame(&S::CAMERA).reflections(self.reflections);
         painted(&frame.quality::<Q>().shading::<K>().sized(self.size))

@@ -22,7 +22,7 @@
 //! | a light at distance r | L = (H + ε M + 5 g) / r + 2⁻²⁶ | a root of 27 bits |
 //! | diffuse light | M + L + 2⁻²⁸, times the coefficient | |
 //! | a highlight | the most that its power changes while its cosine does by its error | the power itself is exact to (shininess + 4) 2⁻²⁸ |
-//! | a colour | 2⁻²² for the strength of each light, 2⁻²⁰ for each product, 2⁻²⁵ of what is multiplied | Q6.26, of which products keep 20 bits behind the point |
+//! | a colour | 2⁻²² for the strength of each light, 2⁻²⁰ for each product, 2⁻²⁵ of what is multiplied | each light and the ambient share to 20 bits, 26 in `Exact` behind the point |
 //! | its share of the sum | 2⁻²⁴, and 2⁻³⁰ for each weight before it | Q8.24, weights Q2.30 rounded down |
 //! | the mirrored ray | P = H + ε M + 2 g, D = D + 2 M + 2⁻²⁶ | a mirror turns a ray by twice what it turns itself |
 //!
