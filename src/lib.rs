@@ -65,10 +65,10 @@
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
 //! | lto = true, codegen-units = 1 | 32304 | 1047 | 11960 | 198 |
-//! | Cargo's default release | 42356 | 1093 | 14488 | 206 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 28816 | 1290 | 12032 | 249 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 28000 | 1838 | 12100 | 370 |
-//! | Cargo's default dev (debug) | 222644 | 21996 | 200016 | 5046 |
+//! | Cargo's default release | 42364 | 1093 | 14488 | 206 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 28840 | 1290 | 12032 | 249 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 28024 | 1838 | 12100 | 370 |
+//! | Cargo's default dev (debug) | 222792 | 21997 | 200160 | 5045 |
 //!
 //! Every profile draws the same picture. Where flash is scarce, the quality [`Small`] saves more than an
 //! `opt-level`.
