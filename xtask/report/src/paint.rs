@@ -102,6 +102,7 @@ impl<Q: Quality> Quality for Traced<Q> {
     const STRIDE: u32 = 1;
     const TOLERANCE: Unit = Unit::ZERO;
     const IS_SMALL: bool = Q::IS_SMALL;
+    const IS_PRECISE: bool = Q::IS_PRECISE;
 }
 
 struct Draw<'a> {
