@@ -75,13 +75,12 @@ impl<const PRECISE: bool> Lighting<PRECISE> {
     #[inline(always)]
     pub fn grey(brightness: Brightness) -> Self {
         let bits = brightness.to_bits();
-        Self(
-            [if PRECISE {
-                bits
-            } else {
-                (bits + (1 << 5)) >> 6
-            }; 3],
-        )
+        let rounded = if PRECISE {
+            bits
+        } else {
+            (bits + (1 << 5)) >> 6
+        };
+        Self([rounded; 3])
     }
 
     /// Adds a light's colour times how much of it is sent on, neither below zero: rounded to nearest,

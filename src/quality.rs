@@ -63,8 +63,8 @@ pub trait Quality {
 
 /// The default: nothing that is left out is expected to change an 8-bit channel by more than a step.
 ///
-/// A path ends where what follows is less than a step of 8 bits. At least every fourth pixel is
-/// traced, every second where a path was mirrored in something round, and the others are exact to a
+/// A path ends when the light it can still add is less than one 8-bit level. At least every fourth pixel
+/// is traced, every second where a path was mirrored in something round, and the others are exact to a
 /// step, or to one and a half where only the pixels on both sides are known.
 #[derive(Clone, Copy, Debug)]
 pub struct Fast;
@@ -78,7 +78,7 @@ impl Quality for Fast {
 /// The smallest in flash: exact as [`Fast`] or more, but without the code and the tables that make it
 /// fast.
 ///
-/// A path ends where what follows is less than a step of 8 bits, and every pixel is traced.
+/// Traces every pixel. A path ends when the light it can still add is less than one 8-bit level.
 #[derive(Clone, Copy, Debug)]
 pub struct Small;
 

@@ -388,11 +388,11 @@ fn clear_strength<W: World, H: Highlight, const PRECISE: bool>(
     surface.sent_on::<W, H>(world, back, cosine)
 }
 
-/// Whether a sphere or cylinder hides a light that stands clear from a near surface, which lies in a
-/// direction from the light, at a distance.
+/// Shadow test for a near surface and a light that no plane hides: whether a sphere or cylinder
+/// occludes the light. `direction` and `distance` lead from the light to the surface.
 ///
-/// Where `PRECISE`, a point that epsilon has lifted into a sphere is in its shadow, and what lies on a
-/// shape, but for rounding, is not: where a ray meets a shape is known to a few steps only.
+/// Where `PRECISE`, a point that epsilon lifts into a sphere is in its shadow. A shape does not occlude
+/// a point on its own surface: hits are known to a few steps, so the shadow ray ends that much earlier.
 #[inline(always)]
 fn is_hidden<W: World, const PRECISE: bool>(
     world: &W,

@@ -92,7 +92,7 @@ impl Arguments {
         parse()
     }
 
-    /// Whether standard output carries a picture, and nothing else may be printed there.
+    /// Whether a picture goes to standard output. All messages go to standard error then.
     pub fn picture_is_printed(&self) -> bool {
         let mut paths = [&self.out, &self.raw].into_iter().flatten();
         paths.any(|path| is_standard_output(path))

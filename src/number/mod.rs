@@ -80,7 +80,7 @@ impl Length {
     }
 }
 
-/// `start` + `step` · `count`, which fits though the product need not; `count` is below 2¹⁶.
+/// `start` + `step` · `count`, for a `count` below 2¹⁶. The sum must fit 64 bits; the product may not.
 #[inline(always)]
 pub const fn stepped(start: i64, step: i64, count: u32) -> i64 {
     debug_assert!(count < 1 << 16);

@@ -1,7 +1,7 @@
 //! Floor 7: what a picture can be off by where its paths were ended, from its report.
 
 use super::{Picture, Report};
-use crate::number::{Unit, narrowed_unsigned, narrowed_unsigned_128, signed};
+use crate::number::{Unit, narrowed_unsigned, signed};
 use crate::scene::World;
 
 impl<W: World, Q, K> Picture<W, Q, K> {
@@ -36,8 +36,8 @@ impl<W: World, Q, K> Picture<W, Q, K> {
         let brightest = self.world.parts().brightest.to_bits().unsigned_abs();
         // What all colours are 255 parts of.
         let brightest = (u64::from(brightest) * 256).div_ceil(255);
-        let product = u128::from(weight) * u128::from(brightest);
-        let bound = product.div_ceil(1 << 26).min(1 << 30);
-        Unit::from_bits(signed(narrowed_unsigned(narrowed_unsigned_128(bound))))
+        // Below 2³⁰ · 2³².
+        let bound = (u64::from(weight) * brightest).div_ceil(1 << 26);
+        Unit::from_bits(signed(narrowed_unsigned(bound.min(1 << 30))))
     }
 }

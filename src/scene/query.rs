@@ -312,8 +312,9 @@ pub(crate) fn blocked<W: World>(
         || blocked_by_bounded(world, mask, ray, left, reach)
 }
 
-/// Whether a sphere hides, or a cylinder lies between, a light that stands clear and what is
-/// `distance` away from it in a direction; the outside of a cylinder that is left is not in the way.
+/// Shadow test from a light that no plane hides: whether a sphere or cylinder occludes the point that
+/// lies `distance` along `direction` from the light. `hides` tests a sphere. A cylinder is skipped where
+/// `is_left`: the point lies on its outside.
 #[inline(always)]
 pub(crate) fn blocked_from<W: World>(
     world: &W,

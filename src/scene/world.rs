@@ -84,7 +84,7 @@ pub struct Parts<'a> {
     pub(crate) brightest: Brightness,
     /// One over the brightest, rounded down to 8 leading bits, and at most 1.
     pub(crate) dimness: Unit,
-    /// How far above a surface rays start that leave it, at least 2 steps.
+    /// Offset along the normal where rays that leave a surface start: at least 2 steps.
     pub(crate) epsilon: Length,
     /// The same inside of a sphere or cylinder: at least 8 steps, or 16 in a scene with cylinders.
     pub(crate) inner_epsilon: Length,

@@ -4,7 +4,7 @@ use core::ptr;
 
 const PAINT: u32 = 0x5afe_57ac;
 
-/// Bytes below the frame that paints which are left alone.
+/// Bytes below the stack frame of [`paint`] that it leaves unpainted.
 const MARGIN: usize = 64;
 
 unsafe extern "C" {

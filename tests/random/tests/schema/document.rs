@@ -203,8 +203,8 @@ fn drop_from(bytes: &mut Unstructured, at: &mut Value) -> Result<()> {
     Ok(())
 }
 
-/// Makes a list of the scene as long as `count`, if there is a part to repeat. Names of materials stay
-/// different.
+/// Repeats the first part of a list until the list has `count` parts. An empty list stays empty, and
+/// every repeated material gets a name of its own.
 pub fn fill(scene: &mut Value, list: &str, count: usize) {
     let Some(parts) = scene.get_mut(list).and_then(Value::as_array_mut) else {
         return;

@@ -36,7 +36,7 @@ fn changed(text: &str, change: impl Fn([f64; 3], bool) -> [f64; 3] + Copy) -> St
     scene.to_string()
 }
 
-/// Shows every field of a scene file by its name, those of lists and objects within it, too.
+/// Calls `change` with the name and the value of every field, at any depth.
 fn change_fields(value: &mut Value, change: &impl Fn(&str, &mut Value)) {
     match value {
         Value::Array(items) => items.iter_mut().for_each(|it| change_fields(it, change)),
