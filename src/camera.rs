@@ -6,7 +6,7 @@ use crate::number::{
     Number, Scaled, cotangent_of_half, shifted, signed, signed_wide, sine_and_cosine_of, stepped,
     unsigned_wide, wide,
 };
-use crate::ray::Fan;
+use crate::ray::ScreenAxis;
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// What is wrong with a camera.
@@ -236,7 +236,7 @@ impl Camera {
     }
 
     /// The camera's rays through the pixels of a picture of `width` by `height` (1 to 65535).
-    pub(crate) fn lens(&self, width: u32, height: u32) -> Lens {
+    pub(crate) fn generator(&self, width: u32, height: u32) -> RayGenerator {
         // In half pixels, the picture lies width · cot(fov / 2) in front of the camera.
         let product = u64::from(width) * u64::from(self.cotangent.mantissa);
         let Scaled { exponent, .. } = self.cotangent;
@@ -245,7 +245,7 @@ impl Camera {
         // The largest part is brought to 2³⁰, so that a ray stays below 2⁶¹ in Q30.
         let scale = 30 - largest;
         let ahead = shifted(signed_wide(product), (exponent + scale).max(-63));
-        Lens {
+        RayGenerator {
             ahead: times(self.forward, ahead),
             right: self.right,
             up: [0, 1, 2].map(|axis| shifted(raw(self.up)[axis], scale)),
@@ -256,16 +256,19 @@ impl Camera {
     }
 
     /// The camera's rays from `origin` through the middles of a picture's columns, and of its rows.
-    pub(crate) fn fans(&self, lens: &Lens, origin: Point) -> [Fan; 2] {
-        let [x, y, z] = lens.ahead.map(|coordinate| (coordinate >> 32) as i32);
+    pub(crate) fn screen_axes(&self, generator: &RayGenerator, origin: Point) -> [ScreenAxis; 2] {
+        let [x, y, z] = generator.ahead.map(|coordinate| (coordinate >> 32) as i32);
         let (ahead, distance) = Vector::new(x, y, z).direction_and_length();
-        let asides = [(self.right, lens.width), (self.up.reversed(), lens.height)];
-        asides.map(|(aside, width)| Fan {
+        let asides = [
+            (self.right, generator.width),
+            (self.up.reversed(), generator.height),
+        ];
+        asides.map(|(aside, width)| ScreenAxis {
             origin,
             ahead,
             aside,
             distance: distance.to_bits(),
-            scale: 2 - lens.scale,
+            scale: 2 - generator.scale,
             width,
         })
     }
@@ -282,7 +285,7 @@ fn times(direction: Direction, factor: i64) -> [i64; 3] {
 /// A camera made ready for one size of picture: vectors in half pixels, scaled by a power of two, but
 /// for the one to the right.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lens {
+pub(crate) struct RayGenerator {
     ahead: [i64; 3],
     right: Direction,
     up: [i64; 3],
@@ -291,7 +294,7 @@ pub(crate) struct Lens {
     height: u32,
 }
 
-impl Lens {
+impl RayGenerator {
     /// The directions through the middles of the pixels of row `y`, which lies in the picture.
     pub(crate) fn row(&self, y: u32) -> RowDirections {
         debug_assert!(y < self.height && self.height < 1 << 16);
@@ -330,7 +333,7 @@ impl RowDirections {
     /// The direction through the pixel of a column, which is below 2¹⁶.
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {
-        // A ray to a pixel is below 2⁶¹ (`Camera::lens`), one to a column beyond the picture, half
+        // A ray to a pixel is below 2⁶¹ (`Camera::generator`), one to a column beyond the picture, half
         // as wide as that at most, below 2⁶²: the sum does not wrap.
         let aside = self.aside(column);
         let square = self.square + unsigned_wide(wide(aside >> 2, aside >> 2));

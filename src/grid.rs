@@ -1,7 +1,7 @@
 //! Floor 2: the grid a scene is laid on: where its middle is and how fine its steps are.
 
 use crate::number::{Length, Number, fitting, narrowed, narrowed_128};
-use crate::ray::Place;
+use crate::ray::ScaledPoint;
 use crate::vector::{Direction, Point, Position};
 
 /// The scene's own coordinates: raw steps of 2^-`fraction_bits` scene units from its middle.
@@ -69,14 +69,14 @@ impl Grid {
     }
 
     /// A position, rounded to the nearest step, or coarser where it is far.
-    pub(crate) const fn place(&self, position: Position) -> Place {
+    pub(crate) const fn place(&self, position: Position) -> ScaledPoint {
         let [x, y, z] = position.minus(self.middle).0;
         let mut drop = self.drop;
         loop {
             let point = Point::new(rounded(x, drop), rounded(y, drop), rounded(z, drop));
-            if let Some(Place { point, .. }) = Place::near(point) {
+            if let Some(ScaledPoint { point, .. }) = ScaledPoint::near(point) {
                 let scale = drop - self.drop;
-                return Place { point, scale };
+                return ScaledPoint { point, scale };
             }
             drop += 1;
         }

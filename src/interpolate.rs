@@ -193,7 +193,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     #[inline(always)]
     fn bend_after(&self, start: &Traced) -> Option<Bend> {
         let [middle, end] = &self.ends;
-        let is_alike = start.trail == middle.trail && middle.trail == end.trail;
+        let is_alike = start.signature == middle.signature && middle.signature == end.signature;
         is_alike.then(|| Bend::of(start.sum, middle.sum, end.sum))
     }
 
@@ -243,11 +243,11 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         }
         self.stretch = start.sum.towards(end.sum, bends);
         // Much is seen in a round mirror in little room.
-        if is_exact && !start.trail.is_bent() {
+        if is_exact && !start.signature.is_bent() {
             return;
         }
         let middle = self.trace(first + 2);
-        if start.trail == end.trail && middle.trail == start.trail {
+        if start.signature == end.signature && middle.signature == start.signature {
             let miss = middle.sum.less(self.stretch[2]);
             if miss.is_within(Self::TOLERANCE) {
                 // What misses a curve half way misses it by about three quarters of that at the
@@ -267,7 +267,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     #[inline(always)]
     fn between(&mut self, start: &Traced, end: &Traced, column: u32) -> Sum {
         let way = end.sum.less(start.sum);
-        if start.trail == end.trail && way.is_within(3 * Self::TOLERANCE) {
+        if start.signature == end.signature && way.is_within(3 * Self::TOLERANCE) {
             return start.sum.half_way(end.sum, [Bend::ZERO; 2]);
         }
         self.trace(column).sum
@@ -277,7 +277,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     #[inline(always)]
     fn last(&mut self, middle: &Traced, end: &Traced, column: u32) -> Sum {
         let beyond = &self.ends[1];
-        if middle.trail == end.trail && end.trail == beyond.trail {
+        if middle.signature == end.signature && end.signature == beyond.signature {
             let bend = Bend::of_uneven(beyond.sum, end.sum, middle.sum);
             if bend.is_within(4 * Self::TOLERANCE) {
                 return middle.sum.half_way(end.sum, [bend; 2]);

@@ -2,7 +2,7 @@
 
 use crate::color::Color;
 use crate::number::Number;
-use crate::ray::Place;
+use crate::ray::ScaledPoint;
 use crate::vector::Position;
 
 /// A point light as it is described: it shines evenly to all sides and does not fall off with
@@ -25,7 +25,7 @@ impl Light {
 /// A light as the kernels read it.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedLight {
-    pub(crate) place: Place,
+    pub(crate) place: ScaledPoint,
     pub(crate) color: Color,
     /// Whether it stands near and outside of all spheres, so that what is hidden from it can be told
     /// by how it sees the shapes.
@@ -35,7 +35,7 @@ pub struct PreparedLight {
 impl PreparedLight {
     /// Fills the room of a light that a scene's type allows but the scene does not use.
     pub(crate) const NONE: Self = Self {
-        place: Place::ORIGIN,
+        place: ScaledPoint::ORIGIN,
         color: Color::BLACK,
         is_plain: false,
     };

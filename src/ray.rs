@@ -2,7 +2,7 @@
 //! surface it leaves.
 //!
 //! Bounded shapes lie in a ball of 2²⁸ raw steps around the middle of the scene. A plane may be
-//! met much further out, so a [`Place`] carries a power of two: it is *near* (power 0, all
+//! met much further out, so a [`ScaledPoint`] carries a power of two: it is *near* (power 0, all
 //! kernels work on it directly) or *far* (its point is in steps of 2ˢ, and a ray that starts
 //! there is first moved to the ball).
 
@@ -30,12 +30,12 @@ pub const REACH: Length = Length::from_bits(1 << 30);
 /// Normal form: every coordinate of `point` is within ±[`NEAR`], and `scale` is 0 or as small as
 /// that allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct ScaledPoint {
     pub(crate) point: Point,
     pub(crate) scale: u32,
 }
 
-impl Place {
+impl ScaledPoint {
     /// The middle of the scene.
     pub const ORIGIN: Self = Self {
         point: Point::ORIGIN,
@@ -151,15 +151,15 @@ pub struct Ray {
 
 /// A ray from any place: `ray` starts at a point in steps of 2^`scale`.
 #[derive(Clone, Copy, Debug)]
-pub struct Path {
+pub struct ScaledRay {
     pub(crate) ray: Ray,
     pub(crate) scale: u32,
 }
 
-impl Path {
+impl ScaledRay {
     /// The path from a place.
     #[inline(always)]
-    pub(crate) const fn new(from: Place, direction: Direction) -> Self {
+    pub(crate) const fn new(from: ScaledPoint, direction: Direction) -> Self {
         Self {
             ray: Ray {
                 origin: from.point,
@@ -171,8 +171,8 @@ impl Path {
 
     /// Where it starts.
     #[inline(always)]
-    pub(crate) const fn from(&self) -> Place {
-        Place {
+    pub(crate) const fn from(&self) -> ScaledPoint {
+        ScaledPoint {
             point: self.ray.origin,
             scale: self.scale,
         }
@@ -194,9 +194,9 @@ pub(crate) const fn spread(number: u32) -> u32 {
 
 /// What a path has met on its way, as a number: paths that met the same have the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Trail(u32);
+pub(crate) struct PathSignature(u32);
 
-impl Trail {
+impl PathSignature {
     /// The highest bit.
     const BENT: u32 = 1 << 31;
 
@@ -213,7 +213,7 @@ impl Trail {
     /// Adds what was met.
     #[inline(always)]
     pub(crate) fn note(&mut self, met: u32) {
-        // Times 1025, in one instruction. As 1024³ · 4 and 1024⁴ are nothing in 32 bits, two trails may be
+        // Times 1025, in one instruction. As 1024³ · 4 and 1024⁴ are nothing in 32 bits, two signatures may be
         // taken for one if their notes differ by at least four times 1, -3, 3, -1, or by 1, -4, 6, -4, 1:
         // not by one shape, or one light.
         self.0 = sum_modulo_2_32(sum_modulo_2_32(self.0, self.0 << 10), met);
@@ -235,7 +235,7 @@ impl Trail {
 /// The rays through the middles of the columns of a picture, as seen along the columns (or through
 /// those of the rows, along the rows): from one near point, in one plane.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Fan {
+pub(crate) struct ScreenAxis {
     pub(crate) origin: Point,
     /// Into the picture.
     pub(crate) ahead: Direction,

@@ -17,15 +17,15 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::transform::Transform;
 
-use crate::camera::{Camera, Lens};
+use crate::camera::{Camera, RayGenerator};
 use crate::color::Sum;
 use crate::interpolate::Colors;
 use crate::number::{Unit, unsigned};
 use crate::quality::{Fast, Quality};
-use crate::ray::Place;
+use crate::ray::ScaledPoint;
+use crate::scene::culling::ScreenCulling;
 use crate::scene::extent::Outlooks;
-use crate::scene::sight::Sight;
-use crate::scene::view::View;
+use crate::scene::view::LightVisibility;
 use crate::scene::{Apart, Bound, Excess, MostReflections, Scene, Static, Whole, Within, World};
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
@@ -157,9 +157,9 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         let (width, height) = (size.width.clamp(1, 65_535), size.height.clamp(1, 65_535));
         let mut picture = Picture {
             world: self.world,
-            view: View::unclear(Place::ORIGIN),
+            view: LightVisibility::unclear(ScaledPoint::ORIGIN),
             outlook: None,
-            lens: None,
+            generator: None,
             size: Size::new(width, height),
             reflections: self.reflections,
             kinds: PhantomData,
@@ -169,17 +169,20 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         }
         let position = self.camera.description().position;
         let from = self.world.parts().grid.place(position);
-        let lens = self.camera.lens(width, height);
+        let generator = self.camera.generator(width, height);
         let is_plain = Tracer::<W, K, Q>::IS_PLAIN;
         picture.view = match is_plain {
-            true => View::unclear(from),
-            false => View::new(&self.world, from),
+            true => LightVisibility::unclear(from),
+            false => LightVisibility::new(&self.world, from),
         };
         if !is_plain && from.is_near() {
             let outlook = picture.outlook.insert(W::Outlook::ALL);
-            outlook.look(&self.world, &self.camera.fans(&lens, from.point));
+            outlook.look(
+                &self.world,
+                &self.camera.screen_axes(&generator, from.point),
+            );
         }
-        picture.lens = Some(lens);
+        picture.generator = Some(generator);
         picture
     }
 
@@ -208,8 +211,8 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
 pub struct Picture<W: World, Q = Fast, K = BlinnPhong> {
     world: W,
     /// None, where there is nothing to be seen.
-    lens: Option<Lens>,
-    view: View,
+    generator: Option<RayGenerator>,
+    view: LightVisibility,
     /// Nothing, where the camera is far away or flash is scarce.
     outlook: Option<W::Outlook>,
     size: Size,
@@ -233,23 +236,23 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         }
         let inside = pixels.len().min((self.size.width - x) as usize);
         let (pixels, _) = pixels.split_at_mut(inside);
-        let Some(lens) = self.lens() else {
+        let Some(generator) = self.generator() else {
             pixels.fill(self.only_color());
             report.rays = inside as u64;
             return report;
         };
-        self.fill(lens, y, x, pixels)
+        self.fill(generator, y, x, pixels)
     }
 
     /// Fills pixels inside of the picture; what follows their rays is on the stack only meanwhile.
     #[inline(never)]
-    fn fill<C>(&self, lens: &Lens, y: u32, x: u32, pixels: &mut [C]) -> Report
+    fn fill<C>(&self, generator: &RayGenerator, y: u32, x: u32, pixels: &mut [C]) -> Report
     where
         C: Copy + From<Rgb888>,
     {
         let mut tracer = self.tracer(y);
         tracer.look();
-        let mut colors = Colors::new(&mut tracer, lens.row(y), x, self.size.width);
+        let mut colors = Colors::new(&mut tracer, generator.row(y), x, self.size.width);
         colors.fill(pixels, shown);
         let mut report = Report::NONE;
         report.count(&tracer);
@@ -295,7 +298,7 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         if area.is_zero_sized() {
             return Ok(report);
         }
-        let Some(lens) = self.lens() else {
+        let Some(generator) = self.generator() else {
             target.fill_solid(&area.translate(top_left), self.only_color())?;
             report.rays = u64::from(area.size.width) * u64::from(area.size.height);
             return Ok(report);
@@ -305,7 +308,7 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
             let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
             let mut tracer = self.tracer(unsigned(y));
             tracer.look();
-            let directions = lens.row(unsigned(y));
+            let directions = generator.row(unsigned(y));
             let mut colors = Colors::new(&mut tracer, directions, unsigned(left), self.size.width);
             let pixels = (0..width).map(|_| shown(colors.next_color()));
             target.fill_contiguous(&row, pixels)?;
@@ -316,10 +319,10 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
 
     /// The rays, unless there is nothing to be met.
     #[inline(always)]
-    fn lens(&self) -> Option<&Lens> {
+    fn generator(&self) -> Option<&RayGenerator> {
         match W::NEEDS.is_nothing() {
             true => None,
-            false => self.lens.as_ref(),
+            false => self.generator.as_ref(),
         }
     }
 
@@ -332,11 +335,11 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
     #[inline(always)]
     fn tracer(&self, y: u32) -> Tracer<'_, W, K, Q> {
         let (outlook, from) = (self.outlook.as_ref(), self.view.from);
-        let sight = match Tracer::<W, K, Q>::IS_PLAIN {
-            true => Sight::new::<false>(outlook, from, y),
-            false => Sight::new::<true>(outlook, from, y),
+        let culling = match Tracer::<W, K, Q>::IS_PLAIN {
+            true => ScreenCulling::new::<false>(outlook, from, y),
+            false => ScreenCulling::new::<true>(outlook, from, y),
         };
-        Tracer::new(&self.world, &self.view, sight, self.reflections)
+        Tracer::new(&self.world, &self.view, culling, self.reflections)
     }
 }
 

@@ -12,18 +12,18 @@ use crate::number::{
     whole_power,
 };
 use crate::quality::Quality;
-use crate::ray::{Path, Place, Trail};
+use crate::ray::{PathSignature, ScaledPoint, ScaledRay};
 use crate::scene::far;
-use crate::scene::query::{Shape, ShapeNumber, blocked, blocked_from, for_first_four};
-use crate::scene::view::{Standing, View};
-use crate::scene::{Lamps, Shininess, World};
+use crate::scene::query::{Shape, ShapeId, blocked, blocked_from, for_first_four};
+use crate::scene::view::{LightVisibility, Visible};
+use crate::scene::{Occluders, Shininess, World};
 use crate::vector::Direction;
 
 /// A point on a surface, seen along a ray, from which rays may leave.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Surface<'a> {
     /// Where rays leave: epsilon above the surface, on the side of the viewer.
-    pub(crate) place: Place,
+    pub(crate) place: ScaledPoint,
     /// The normal on the side of the viewer.
     pub(crate) normal: Direction,
     /// The direction the surface was seen along.
@@ -31,7 +31,7 @@ pub(crate) struct Surface<'a> {
     /// The cosine between the normal and the way back to the viewer, 0 to 1.
     pub(crate) facing: Unit,
     /// The shape it belongs to.
-    pub(crate) shape: ShapeNumber,
+    pub(crate) shape: ShapeId,
     /// Whether it is seen from the inside, or against a plane's normal.
     pub(crate) is_inside: bool,
     material: &'a PreparedMaterial,
@@ -46,8 +46,8 @@ impl<'a> Surface<'a> {
     #[inline(always)]
     pub(crate) fn new<W: World>(
         world: &'a W,
-        at: Place,
-        shape: ShapeNumber,
+        at: ScaledPoint,
+        shape: ShapeId,
         view: Direction,
     ) -> Option<Self> {
         let parts = world.parts();
@@ -88,16 +88,16 @@ impl<'a> Surface<'a> {
     /// The shape, unless it may be met again by a ray that leaves it here: from inside of a sphere or
     /// cylinder.
     #[inline(always)]
-    pub(crate) fn left<W: World>(&self, world: &W) -> ShapeNumber {
+    pub(crate) fn left<W: World>(&self, world: &W) -> ShapeId {
         match self.is_inside && !world.parts().is_plane(self.shape) {
-            true => ShapeNumber::NONE,
+            true => ShapeId::NONE,
             false => self.shape,
         }
     }
 
     /// Turns a path that met the surface into the mirrored one.
     #[inline(never)]
-    pub(crate) fn reflect<W: World>(&self, world: &W, path: &mut Path) {
+    pub(crate) fn reflect<W: World>(&self, world: &W, path: &mut ScaledRay) {
         let cosine = Unit::from_bits(-self.facing.to_bits());
         let direction = self.view.reflected(self.normal, cosine);
         // A curved surface's normal has a length of one but for 2⁻¹⁶, or 2⁻¹⁴ far away; four times as
@@ -106,7 +106,7 @@ impl<'a> Surface<'a> {
             true => direction,
             false => direction.renormalised(),
         };
-        *path = Path::new(self.place, direction);
+        *path = ScaledRay::new(self.place, direction);
     }
 }
 
@@ -116,7 +116,7 @@ pub trait Shading: sealed::Shading {}
 impl<T: sealed::Shading> Shading for T {}
 
 pub(crate) mod sealed {
-    use super::{Color, Quality, Surface, Trail, View, World};
+    use super::{Color, LightVisibility, PathSignature, Quality, Surface, World};
 
     pub trait Shading {
         /// Whether mirrors are followed.
@@ -126,9 +126,9 @@ pub(crate) mod sealed {
         #[allow(private_interfaces)]
         fn color<W: World, Q: Quality>(
             world: &W,
-            view: &View,
+            view: &LightVisibility,
             surface: &Surface<'_>,
-            trail: &mut Trail,
+            signature: &mut PathSignature,
         ) -> Color;
 
         /// What a ray that meets nothing adds.
@@ -173,11 +173,11 @@ impl<H: Highlight> sealed::Shading for H {
     #[inline(always)]
     fn color<W: World, Q: Quality>(
         world: &W,
-        view: &View,
+        view: &LightVisibility,
         surface: &Surface<'_>,
-        trail: &mut Trail,
+        signature: &mut PathSignature,
     ) -> Color {
-        lit_color::<W, Q, Self>(world, view, surface, trail)
+        lit_color::<W, Q, Self>(world, view, surface, signature)
     }
 
     fn missed<W: World>(world: &W) -> Color {
@@ -189,7 +189,12 @@ impl sealed::Shading for Normals {
     const REFLECTS: bool = false;
 
     #[allow(private_interfaces)]
-    fn color<W: World, Q: Quality>(_: &W, _: &View, surface: &Surface<'_>, _: &mut Trail) -> Color {
+    fn color<W: World, Q: Quality>(
+        _: &W,
+        _: &LightVisibility,
+        surface: &Surface<'_>,
+        _: &mut PathSignature,
+    ) -> Color {
         Color::new(surface.normal.components().map(halved)).in_levels()
     }
 
@@ -280,22 +285,22 @@ fn mirrored_cosine(cosines: &Cosines) -> Unit {
 #[inline(always)]
 fn lit_color<W: World, Q: Quality, H: Highlight>(
     world: &W,
-    view: &View,
+    view: &LightVisibility,
     surface: &Surface<'_>,
-    trail: &mut Trail,
+    signature: &mut PathSignature,
 ) -> Color {
     match Q::IS_PRECISE {
-        true => lit_color_by::<W, Q, H, true>(world, view, surface, trail),
-        false => lit_color_by::<W, Q, H, false>(world, view, surface, trail),
+        true => lit_color_by::<W, Q, H, true>(world, view, surface, signature),
+        false => lit_color_by::<W, Q, H, false>(world, view, surface, signature),
     }
 }
 
 #[inline(always)]
 fn lit_color_by<W: World, Q: Quality, H: Highlight, const PRECISE: bool>(
     world: &W,
-    view: &View,
+    view: &LightVisibility,
     surface: &Surface<'_>,
-    trail: &mut Trail,
+    signature: &mut PathSignature,
 ) -> Color {
     let material = surface.material(world);
     let mut received = Received {
@@ -316,7 +321,7 @@ fn lit_color_by<W: World, Q: Quality, H: Highlight, const PRECISE: bool>(
         }
     }
     if !Q::IS_SMALL {
-        trail.note(received.lights);
+        signature.note(received.lights);
     }
     let color = received.light.filtered(material.color);
     match W::NEEDS.colors {
@@ -338,7 +343,7 @@ impl<const PRECISE: bool> Received<PRECISE> {
     fn add(&mut self, index: usize, light: &PreparedLight, strength: Brightness) {
         if strength > Brightness::ZERO {
             self.light.add(light.color, strength);
-            // Which of 32 lights; a trail may take two for one.
+            // Which of 32 lights; a signature may take two for one.
             self.lights |= bit_modulo_32(index);
         }
     }
@@ -348,14 +353,14 @@ impl<const PRECISE: bool> Received<PRECISE> {
     fn ask<W: World, Q: Quality, H: Highlight>(
         &mut self,
         world: &W,
-        view: &View,
+        view: &LightVisibility,
         surface: &Surface<'_>,
-        (lamp, index): (&W::Lamp, usize),
+        (lamp, index): (&W::LightOccluders, usize),
     ) {
         let light = lamp.light();
         let strength = match view.standing(index) {
-            Standing::Hidden if H::SHADOWS => return,
-            Standing::Clear if surface.place.is_near() => {
+            Visible::Hidden if H::SHADOWS => return,
+            Visible::Clear if surface.place.is_near() => {
                 clear_strength::<W, H, PRECISE>(world, surface, (lamp, index))
             }
             _ => strength::<W, Q, H>(world, surface, (light, index)),
@@ -370,7 +375,7 @@ impl<const PRECISE: bool> Received<PRECISE> {
 fn clear_strength<W: World, H: Highlight, const PRECISE: bool>(
     world: &W,
     surface: &Surface<'_>,
-    (lamp, index): (&W::Lamp, usize),
+    (lamp, index): (&W::LightOccluders, usize),
 ) -> Brightness {
     let way = surface.place.point.to(lamp.light().place.point);
     let height = way.dot(surface.normal);
@@ -397,7 +402,7 @@ fn clear_strength<W: World, H: Highlight, const PRECISE: bool>(
 fn is_hidden<W: World, const PRECISE: bool>(
     world: &W,
     surface: &Surface<'_>,
-    light: (&W::Lamp, usize),
+    light: (&W::LightOccluders, usize),
     direction: Direction,
     distance: Length,
 ) -> bool {
@@ -440,7 +445,7 @@ fn general_strength<W: World, Q: Quality, H: Highlight>(
 ) -> Brightness {
     let (way, scale) = surface.place.to(light.place);
     let (direction, distance) = way.direction_and_length();
-    let path = Path::new(surface.place, direction);
+    let path = ScaledRay::new(surface.place, direction);
     if surface.normal.dot(direction) <= Unit::ZERO {
         return Brightness::ZERO;
     }

@@ -8,12 +8,12 @@ use core::marker::PhantomData;
 use crate::color::Sum;
 use crate::number::{Unit, share};
 use crate::quality::{LONGEST_STRIDE, Quality};
-use crate::ray::{Path, Place, Trail};
+use crate::ray::{PathSignature, ScaledPoint, ScaledRay};
 use crate::scene::World;
+use crate::scene::culling::ScreenCulling;
 use crate::scene::nearest::{NOWHERE, ahead, nearest_ahead};
-use crate::scene::query::{Hit, ShapeNumber, located, nearest};
-use crate::scene::sight::Sight;
-use crate::scene::view::View;
+use crate::scene::query::{Hit, ShapeId, located, nearest};
+use crate::scene::view::LightVisibility;
 use crate::scene::{Mirrors, far};
 use crate::shade::{Surface, sealed::Shading};
 use crate::vector::Direction;
@@ -22,29 +22,29 @@ use crate::vector::Direction;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Traced {
     pub(crate) sum: Sum,
-    pub(crate) trail: Trail,
+    pub(crate) signature: PathSignature,
 }
 
 impl Traced {
     /// Of a path that has not met anything.
     pub(crate) const NONE: Self = Self {
         sum: Sum::ZERO,
-        trail: Trail::new(),
+        signature: PathSignature::new(),
     };
 
     /// Of no path: black, and like no other.
     pub(crate) const BEYOND: Self = Self {
         sum: Sum::ZERO,
-        trail: Trail::of_none(),
+        signature: PathSignature::of_none(),
     };
 
     /// Of paths that meet nothing and pass by nothing that is thin.
     pub(crate) fn missed<W: World, K: Shading>(world: &W) -> Self {
         let mut missed = Self::NONE;
         missed.sum.add(Unit::ONE, K::missed(world));
-        missed.trail.note(0);
-        missed.trail.note(u32::MAX);
-        missed.trail = missed.trail.ended(false);
+        missed.signature.note(0);
+        missed.signature.note(u32::MAX);
+        missed.signature = missed.signature.ended(false);
         missed
     }
 }
@@ -52,8 +52,8 @@ impl Traced {
 /// Follows the rays of one row of pixels.
 pub(crate) struct Tracer<'a, W: World, K, Q> {
     world: &'a W,
-    view: &'a View,
-    sight: Sight<'a, W>,
+    view: &'a LightVisibility,
+    culling: ScreenCulling<'a, W>,
     /// How often a ray is reflected at most.
     reflections: u32,
     /// How many rays were followed, those to the lights apart.
@@ -68,11 +68,16 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     pub(crate) const IS_PLAIN: bool = Q::IS_SMALL || !W::NEEDS.places;
 
     #[inline(always)]
-    pub(crate) fn new(world: &'a W, view: &'a View, sight: Sight<'a, W>, reflections: u8) -> Self {
+    pub(crate) fn new(
+        world: &'a W,
+        view: &'a LightVisibility,
+        culling: ScreenCulling<'a, W>,
+        reflections: u8,
+    ) -> Self {
         Self {
             world,
             view,
-            sight,
+            culling,
             reflections: reflections.min(W::NEEDS.reflections).into(),
             rays: 0,
             cut_off: Unit::ZERO,
@@ -83,21 +88,21 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Finds out what the rays of the row can meet; before the first is followed.
     pub(crate) fn look(&mut self) {
         if !Self::IS_PLAIN {
-            self.sight.look();
+            self.culling.look();
         }
     }
 
     /// Turns to some columns, which do not begin before those it was turned to.
     #[inline(always)]
     pub(crate) fn turn_to(&mut self, first: u32, last: u32) {
-        self.sight.turn_to(self.world, first, last);
+        self.culling.turn_to(self.world, first, last);
     }
 
     /// If all paths that begin in the columns it has been turned to are [`Tracer::missed`], the first
     /// column for which that is not known.
     #[inline(always)]
     pub(crate) fn clear_until(&self) -> Option<u32> {
-        self.sight.clear_until(self.world)
+        self.culling.clear_until(self.world)
     }
 
     /// What paths are that meet nothing.
@@ -105,7 +110,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         Traced::missed::<W, K>(self.world)
     }
 
-    /// Whether the trails of the row tell on which side of something thin a path passes: not if the
+    /// Whether the signatures of the row tell on which side of something thin a path passes: not if the
     /// camera is so far away that it is not known what is thin.
     #[inline(always)]
     pub(crate) fn notes_what_is_thin(&self) -> bool {
@@ -130,23 +135,26 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     pub(crate) fn trace(&mut self, column: u32, direction: Direction) -> Traced {
         let (world, view) = (self.world, self.view);
-        self.sight.column = column;
-        let mut path = Path::new(view.from, direction);
-        let Traced { mut sum, mut trail } = Traced::NONE;
+        self.culling.column = column;
+        let mut path = ScaledRay::new(view.from, direction);
+        let Traced {
+            mut sum,
+            mut signature,
+        } = Traced::NONE;
         let mut weight = Unit::ONE;
-        let mut mirror = ShapeNumber::NONE;
-        let mut left = ShapeNumber::NONE;
+        let mut mirror = ShapeId::NONE;
+        let mut left = ShapeId::NONE;
         let mut reflections = 0;
         let mut is_bent = false;
         loop {
-            let met = self.meet(&path, reflections, (mirror, left), &mut trail);
+            let met = self.meet(&path, reflections, (mirror, left), &mut signature);
             let Some(surface) = surface(world, &path, met) else {
                 sum.add(weight, K::missed(world));
-                trail.note(u32::MAX);
+                signature.note(u32::MAX);
                 break;
             };
             if !Q::IS_SMALL {
-                trail.note(surface.shape.side(surface.is_inside));
+                signature.note(surface.shape.side(surface.is_inside));
             }
             let reflected = match K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
                 true => share(weight, surface.material(world).mirror),
@@ -155,7 +163,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             // A view of normals has none but the surface's own colour.
             let is_seen = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
             if is_seen && reflected < weight {
-                let color = K::color::<W, Q>(world, view, &surface, &mut trail);
+                let color = K::color::<W, Q>(world, view, &surface, &mut signature);
                 sum.add(weight - reflected, color);
             }
             weight = reflected;
@@ -181,30 +189,30 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             left = surface.left(world);
         }
         self.rays += reflections + 1;
-        let trail = trail.ended(is_bent);
-        Traced { sum, trail }
+        let signature = signature.ended(is_bent);
+        Traced { sum, signature }
     }
 
     /// What a path that has been reflected so often meets first, and where.
     #[inline(always)]
     fn meet(
         &mut self,
-        path: &Path,
+        path: &ScaledRay,
         reflections: u32,
-        (mirror, left): (ShapeNumber, ShapeNumber),
-        trail: &mut Trail,
-    ) -> Option<(Place, ShapeNumber)> {
+        (mirror, left): (ShapeId, ShapeId),
+        signature: &mut PathSignature,
+    ) -> Option<(ScaledPoint, ShapeId)> {
         let world = self.world;
         if !W::NEEDS.places {
             return far::only_plane(world, path);
         }
         if Q::IS_SMALL {
-            return far::nearest::<W, true>(world, path, left, trail);
+            return far::nearest::<W, true>(world, path, left, signature);
         }
-        let hit = self.nearest(path, reflections, (mirror, left), trail);
+        let hit = self.nearest(path, reflections, (mirror, left), signature);
         match Q::IS_PRECISE {
-            true => located::<W, true>(world, path, left, hit, trail),
-            false => located::<W, false>(world, path, left, hit, trail),
+            true => located::<W, true>(world, path, left, hit, signature),
+            false => located::<W, false>(world, path, left, hit, signature),
         }
     }
 
@@ -212,10 +220,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     fn nearest(
         &mut self,
-        path: &Path,
+        path: &ScaledRay,
         reflections: u32,
-        (mirror, left): (ShapeNumber, ShapeNumber),
-        trail: &mut Trail,
+        (mirror, left): (ShapeId, ShapeId),
+        signature: &mut PathSignature,
     ) -> Hit {
         let (world, ray) = (self.world, &path.ray);
         if !path.from().is_near() {
@@ -225,15 +233,15 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         let bounded = if !parts.has_bounded() {
             Hit::NONE
         } else if reflections == 0 {
-            self.sight.first(world, ray, trail)
+            self.culling.first(world, ray, signature)
         } else {
             match parts.plane(left) {
                 Some(plane) if reflections == 1 => {
-                    self.sight.mirrored(world, (left, plane), ray, trail)
+                    self.culling.mirrored(world, (left, plane), ray, signature)
                 }
                 _ => {
                     let ahead = ahead(world, mirror, ray.direction);
-                    nearest_ahead::<W, false>(world, (ray, ahead), NOWHERE, left, trail)
+                    nearest_ahead::<W, false>(world, (ray, ahead), NOWHERE, left, signature)
                 }
             }
         };
@@ -245,8 +253,8 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
 #[inline(always)]
 fn surface<'a, W: World>(
     world: &'a W,
-    path: &Path,
-    met: Option<(Place, ShapeNumber)>,
+    path: &ScaledRay,
+    met: Option<(ScaledPoint, ShapeId)>,
 ) -> Option<Surface<'a>> {
     let (at, shape) = met?;
     Surface::new(world, at, shape, path.direction())

@@ -45,7 +45,7 @@ fn assert_ray(at: [Triple; 3], degrees: f64, size: (u32, u32), pixel: (u32, u32)
     let [position, target, up] = at;
     let camera = Camera::new(position, target, up, degrees).unwrap();
     let (x, y) = pixel;
-    let found = in_doubles(camera.lens(size.0, size.1).row(y).of(x));
+    let found = in_doubles(camera.generator(size.0, size.1).row(y).of(x));
     let truth = in_double_precision(at, degrees, size, pixel);
     // The axes are right to 2^-29, a reciprocal root to 2^-27.5; and the way to a pixel is rounded
     // to 2^-28 of the way to the corner, which is as long as the tangent of half the wider angle.
@@ -96,7 +96,7 @@ fn corners_of_the_largest_picture_are_the_ones_of_double_precision() {
 #[test]
 fn middle_of_a_picture_looks_straight_at_the_target() {
     let camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
-    let middle = camera.lens(65, 33).row(16).of(32);
+    let middle = camera.generator(65, 33).row(16).of(32);
     let [x, y, z] = in_doubles(middle);
     assert_eq!((x, z), (0.0, 0.0));
     assert!((y - 1.0).abs() <= 2f64.powi(-29), "{y}");

@@ -7,7 +7,7 @@ fn grid(middle: [f64; 3], radius: f64) -> Grid {
     Grid::new(Position::new(middle), Number::new(radius).to_bits() as u128)
 }
 
-fn raw(place: Place) -> [i32; 3] {
+fn raw(place: ScaledPoint) -> [i32; 3] {
     [place.point.x, place.point.y, place.point.z]
 }
 
@@ -36,7 +36,7 @@ fn power_of_two_fills_the_ball_exactly() {
 fn middle_of_the_scene_is_the_origin() {
     let middle = [1234.5, -0.001, 1e9];
     let grid = grid(middle, 8.0);
-    assert_eq!(grid.place(Position::new(middle)), Place::ORIGIN);
+    assert_eq!(grid.place(Position::new(middle)), ScaledPoint::ORIGIN);
     assert_eq!(grid.middle(), Position::new(middle));
 }
 

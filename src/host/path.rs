@@ -4,9 +4,9 @@ use std::vec::Vec;
 
 use crate::camera::Camera;
 use crate::number::Number;
-use crate::ray::{Path, Place};
+use crate::ray::{ScaledPoint, ScaledRay};
 use crate::scene::World;
-use crate::scene::query::{ShapeNumber, first};
+use crate::scene::query::{ShapeId, first};
 use crate::shade::Surface;
 
 /// A ray: where it starts, and its direction, which has length one but for 2⁻²⁶.
@@ -45,9 +45,9 @@ pub fn follow<W: World>(
 ) -> Vec<Ray> {
     let grid = world.parts().grid;
     let from = grid.place(camera.description().position);
-    let direction = camera.lens(width, height).row(y).of(x);
-    let mut path = Path::new(from, direction);
-    let mut left = ShapeNumber::NONE;
+    let direction = camera.generator(width, height).row(y).of(x);
+    let mut path = ScaledRay::new(from, direction);
+    let mut left = ShapeId::NONE;
     let mut rays = vec![plain(world, &path)];
     for _ in 0..reflections {
         let Some((at, shape)) = first(world, &path, left) else {
@@ -63,9 +63,9 @@ pub fn follow<W: World>(
     rays
 }
 
-fn plain<W: World>(world: &W, path: &Path) -> Ray {
+fn plain<W: World>(world: &W, path: &ScaledRay) -> Ray {
     let grid = world.parts().grid;
-    let Place { point, scale } = path.from();
+    let ScaledPoint { point, scale } = path.from();
     let step = 2f64.powi(scale as i32 - grid.fraction_bits());
     let middle = grid.middle().0.map(Number::to_f64);
     let steps = [point.x, point.y, point.z];

@@ -4,13 +4,13 @@ use crate::number::sweep::Sweep;
 const NORMAL: Direction = Direction::X;
 
 /// The coordinates of a place in raw steps.
-fn wide(place: Place) -> [i64; 3] {
+fn wide(place: ScaledPoint) -> [i64; 3] {
     let Point { x, y, z } = place.point;
     [x, y, z].map(|coordinate| i64::from(coordinate) << place.scale)
 }
 
 /// Whether the scale is 0 or no smaller one would do.
-fn is_normal(place: Place) -> bool {
+fn is_normal(place: ScaledPoint) -> bool {
     let Point { x, y, z } = place.point;
     let largest = x.abs().max(y.abs()).max(z.abs());
     // Rounding down may take one step off a coordinate that was too far by less than two.
@@ -25,7 +25,7 @@ fn point_that_is_near_stays_as_it_is() {
         .chain((0..9999).map(|_| sweep.triple(NEAR)))
     {
         let [x, y, z] = edge;
-        let place = Place::new(Point::new(x, y, z), 0);
+        let place = ScaledPoint::new(Point::new(x, y, z), 0);
         assert!(place.is_near());
         assert_eq!(place.point, Point::new(x, y, z));
     }
@@ -39,7 +39,7 @@ fn point_beyond_the_near_region_is_kept_in_coarser_steps() {
         (i32::MAX, (i32::MAX >> 3, 3)),
         (i32::MIN, (i32::MIN >> 3, 3)),
     ] {
-        let place = Place::new(Point::new(x, 0, 1), 0);
+        let place = ScaledPoint::new(Point::new(x, 0, 1), 0);
         assert_eq!((place.point.x, place.scale), found, "{x}");
         assert!(!place.is_near() && is_normal(place));
     }
@@ -51,7 +51,7 @@ fn wide_coordinates_lose_less_than_a_step_of_their_scale() {
     for _ in 0..100_000 {
         let up = sweep.within(0, 32);
         let coordinates = sweep.triple(1 << 30).map(|it| i64::from(it) << up | 1);
-        let place = Place::from_wide(coordinates);
+        let place = ScaledPoint::from_wide(coordinates);
         assert!(is_normal(place), "{coordinates:?}: {place:?}");
         for (found, truth) in wide(place).into_iter().zip(coordinates) {
             let lost = truth - found;
@@ -68,8 +68,8 @@ fn way_between_near_places_is_exact() {
     let mut sweep = Sweep::new(3);
     for _ in 0..10_000 {
         let ([ax, ay, az], [bx, by, bz]) = (sweep.triple(NEAR), sweep.triple(NEAR));
-        let a = Place::new(Point::new(ax, ay, az), 0);
-        let b = Place::new(Point::new(bx, by, bz), 0);
+        let a = ScaledPoint::new(Point::new(ax, ay, az), 0);
+        let b = ScaledPoint::new(Point::new(bx, by, bz), 0);
         assert_eq!(a.to(b), (Vector::new(bx - ax, by - ay, bz - az), 0));
     }
 }
@@ -80,7 +80,7 @@ fn way_between_places_of_any_scale_loses_less_than_two_steps_of_the_larger() {
     for _ in 0..100_000 {
         let [a, b] = [0; 2].map(|_| {
             let up = sweep.within(0, 32);
-            Place::from_wide(sweep.triple(NEAR).map(|it| i64::from(it) << up))
+            ScaledPoint::from_wide(sweep.triple(NEAR).map(|it| i64::from(it) << up))
         });
         let (way, scale) = a.to(b);
         assert_eq!(scale, a.scale.max(b.scale));
@@ -96,7 +96,7 @@ fn way_between_places_of_any_scale_loses_less_than_two_steps_of_the_larger() {
 #[test]
 fn leaving_point_lies_epsilon_along_the_normal() {
     let epsilon = Length::from_bits(1000);
-    let at = |scale| Place::new(Point::new(NEAR / 2 + 7, -5, 3), scale);
+    let at = |scale| ScaledPoint::new(Point::new(NEAR / 2 + 7, -5, 3), scale);
     for (scale, lift) in [(0, 1000), (1, 500), (3, 125), (9, 1), (10, 0), (40, 0)] {
         let (from, lifted) = (at(scale), at(scale).lifted(NORMAL, epsilon));
         let way = from.point.to(lifted.point);
@@ -118,10 +118,10 @@ fn leaving_point_lies_epsilon_along_the_normal() {
 fn trails_of_different_lengths_differ() {
     // Notes of zero are those of the outside of the first shape, and of no light.
     let noted = |zeros: usize| {
-        let mut trail = Trail::new();
-        (0..zeros).for_each(|_| trail.note(0));
-        trail.note(u32::MAX);
-        trail.ended(false)
+        let mut signature = PathSignature::new();
+        (0..zeros).for_each(|_| signature.note(0));
+        signature.note(u32::MAX);
+        signature.ended(false)
     };
     for longer in 0..24 {
         for shorter in 0..longer {

@@ -6,9 +6,9 @@
 //! [directions](super::directions) as a light has, of 4 x 4 x 4 cells with a set of 16 bits each: 128
 //! bytes of flash. A sphere is left out only where it is not met, a cylinder only where the ball around
 //! it is passed by ([`passes_by`](crate::vector::Vector::passes_by)), so that no side of it would be
-//! noted: the picture and the trails are those of a scene without tables.
+//! noted: the picture and the signatures are those of a scene without tables.
 //!
-//! Made by the compiler for constant scenes with such mirrors and 4 to [`Few::SHAPES`] spheres and
+//! Made by the compiler for constant scenes with such mirrors and 4 to [`MirrorSet::SHAPES`] spheres and
 //! cylinders; in all others, rays after such mirrors ask every shape.
 
 use super::directions::{Table, cell_of};
@@ -22,9 +22,9 @@ use crate::vector::{Direction, Point, Vector};
 
 /// A set of the shapes of a scene that has not many: a bit for each, spheres first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Few(u16);
+pub(crate) struct MirrorSet(u16);
 
-impl Few {
+impl MirrorSet {
     /// How many shapes there may be.
     pub(crate) const SHAPES: usize = 16;
 
@@ -60,25 +60,25 @@ const CELLS: usize = SIDE * SIDE * SIDE;
 
 /// What lies ahead of the rays that leave one shape.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Ahead([Few; CELLS]);
+pub(crate) struct Ahead([MirrorSet; CELLS]);
 
 impl Ahead {
     /// Everything in every direction.
-    pub(super) const ALL: Self = Self([Few::ALL; CELLS]);
+    pub(super) const ALL: Self = Self([MirrorSet::ALL; CELLS]);
 
     /// What a ray in a direction can meet.
     #[inline(always)]
-    pub(crate) fn shapes(&self, direction: Direction) -> Few {
+    pub(crate) fn shapes(&self, direction: Direction) -> MirrorSet {
         // Never out of range; said so, it need not be asked.
         let cell = cell_of::<SIDE>(direction) % CELLS;
-        self.0.get(cell).copied().unwrap_or(Few::ALL)
+        self.0.get(cell).copied().unwrap_or(MirrorSet::ALL)
     }
 
     const fn of(table: &Table<SIDE, CELLS>) -> Self {
-        let mut sets = [Few::ALL; CELLS];
+        let mut sets = [MirrorSet::ALL; CELLS];
         let mut index = 0;
         while index < CELLS {
-            sets[index] = Few(table.0[index].low());
+            sets[index] = MirrorSet(table.0[index].low());
             index += 1;
         }
         Self(sets)
@@ -89,23 +89,23 @@ impl Ahead {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RoundMirrors {
     /// Which table each shape has.
-    pub(super) numbers: [u8; Few::SHAPES],
+    pub(super) numbers: [u8; MirrorSet::SHAPES],
     pub(super) tables: &'static [Ahead],
 }
 
 impl RoundMirrors {
     /// Of a scene of which nothing is known.
     pub(super) const NONE: &'static Self = &Self {
-        numbers: [u8::MAX; Few::SHAPES],
+        numbers: [u8::MAX; MirrorSet::SHAPES],
         tables: &[],
     };
 
     /// What a ray can meet that leaves a shape, by where that stands among all shapes.
     #[inline(always)]
-    pub(super) fn ahead(&self, shape: usize, direction: Direction) -> Few {
+    pub(super) fn ahead(&self, shape: usize, direction: Direction) -> MirrorSet {
         let number = self.numbers.get(shape).copied().unwrap_or(u8::MAX);
         let table = self.tables.get(usize::from(number));
-        table.map_or(Few::ALL, |ahead| ahead.shapes(direction))
+        table.map_or(MirrorSet::ALL, |ahead| ahead.shapes(direction))
     }
 }
 
@@ -116,7 +116,7 @@ pub(super) const fn room_for(tables: usize) -> usize {
         5..=6 => 6,
         7..=8 => 8,
         9..=12 => 12,
-        _ => Few::SHAPES,
+        _ => MirrorSet::SHAPES,
     }
 }
 
@@ -159,7 +159,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     /// How many spheres and cylinders mirror; none where their rays have no tables.
     pub(super) const fn count_round_mirrors(&self) -> usize {
         let bounded = self.counts.spheres + self.counts.cylinders;
-        if bounded <= FEW || bounded > Few::SHAPES {
+        if bounded <= FEW || bounded > MirrorSet::SHAPES {
             return 0;
         }
         let (mut index, mut count) = (0, 0);
@@ -171,10 +171,10 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     }
 
     /// Which table each shape has.
-    pub(super) const fn numbers_ahead(&self) -> [u8; Few::SHAPES] {
-        let mut numbers = [u8::MAX; Few::SHAPES];
+    pub(super) const fn numbers_ahead(&self) -> [u8; MirrorSet::SHAPES] {
+        let mut numbers = [u8::MAX; MirrorSet::SHAPES];
         let (mut index, mut used) = (0, 0);
-        while index < Few::SHAPES {
+        while index < MirrorSet::SHAPES {
             if self.is_mirror(index) {
                 numbers[index] = used;
                 used += 1;
@@ -192,7 +192,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             return tables;
         }
         let (mut index, mut used) = (0, 0);
-        while index < Few::SHAPES && used < N {
+        while index < MirrorSet::SHAPES && used < N {
             if self.is_mirror(index) {
                 tables[used] = self.ahead_of(index);
                 used += 1;

@@ -11,7 +11,7 @@ use crate::number::{
     signed, square_root, to_u16, to_u32, unsigned, unsigned_wide, wide,
 };
 use crate::quality::LONGEST_STRIDE;
-use crate::ray::Fan;
+use crate::ray::ScreenAxis;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Point, Vector};
 
@@ -150,7 +150,7 @@ pub trait Outlooks: Copy {
     /// Turns from everything to a scene as the rays through the columns and those through the rows of
     /// a picture see it; mirrored only where a plane mirrors.
     #[allow(private_interfaces)]
-    fn look<W: World>(&mut self, world: &W, fans: &[Fan; 2]);
+    fn look<W: World>(&mut self, world: &W, screen_axes: &[ScreenAxis; 2]);
 
     /// What the shapes themselves cover.
     fn first(&self) -> Covered<'_>;
@@ -167,7 +167,7 @@ impl<const S: usize, const P: usize, const C: usize> Outlooks for Outlook<S, P, 
     };
 
     #[allow(private_interfaces)]
-    fn look<W: World>(&mut self, world: &W, fans: &[Fan; 2]) {
+    fn look<W: World>(&mut self, world: &W, screen_axes: &[ScreenAxis; 2]) {
         const {
             assert!(
                 S <= THIN_SHAPE as usize && C <= THIN_SHAPE as usize,
@@ -175,10 +175,20 @@ impl<const S: usize, const P: usize, const C: usize> Outlooks for Outlook<S, P, 
             );
         }
         let parts = world.parts();
-        look(world, fans, None, (&mut self.spheres, &mut self.cylinders));
+        look(
+            world,
+            screen_axes,
+            None,
+            (&mut self.spheres, &mut self.cylinders),
+        );
         for (plane, mirrored) in parts.planes.iter().zip(&mut self.mirrored) {
             if parts.material(plane.material).mirrors() {
-                look(world, fans, Some(plane), (&mut mirrored.0, &mut mirrored.1));
+                look(
+                    world,
+                    screen_axes,
+                    Some(plane),
+                    (&mut mirrored.0, &mut mirrored.1),
+                );
             }
         }
     }
@@ -200,18 +210,18 @@ impl<const S: usize, const P: usize, const C: usize> Outlooks for Outlook<S, P, 
 #[inline(never)]
 fn look<W: World>(
     world: &W,
-    fans: &[Fan; 2],
+    screen_axes: &[ScreenAxis; 2],
     plane: Option<&PreparedPlane>,
     (spheres, cylinders): (&mut [Extent], &mut [Extent]),
 ) {
     let parts = world.parts();
-    let origin = fans[0].origin;
+    let origin = screen_axes[0].origin;
     // Rays leave epsilon above a plane: as good as shapes that much larger.
     let lift = plane.map_or(0, |_| 2 * parts.epsilon.to_bits());
     for (index, sphere) in parts.spheres.iter().enumerate() {
         let (center, radius) = sphere.ball();
         let extent = match seen(plane, origin, center, Vector::ZERO) {
-            Some((way, _)) => sphere_extent(index, fans, way, (radius, lift)),
+            Some((way, _)) => sphere_extent(index, screen_axes, way, (radius, lift)),
             None => Extent::new(index, Columns::ALL, Columns::ALL, None),
         };
         insert(spheres, index, extent);
@@ -221,8 +231,8 @@ fn look<W: World>(
         let extent = match seen(plane, origin, center, half_axis) {
             Some((way, half)) => {
                 let [columns, rows] = [0, 1].map(|it| {
-                    let fan: &Fan = &fans[it];
-                    fan.capsule_columns(way, half, widened(radius) + lift)
+                    let screen_axis: &ScreenAxis = &screen_axes[it];
+                    screen_axis.capsule_columns(way, half, widened(radius) + lift)
                 });
                 match (columns, rows) {
                     (Some(columns), Some(rows)) => {
@@ -238,10 +248,15 @@ fn look<W: World>(
 }
 
 /// What a sphere covers, `lift` larger than it is.
-fn sphere_extent(index: usize, fans: &[Fan; 2], way: Vector, (radius, lift): (i32, i32)) -> Extent {
+fn sphere_extent(
+    index: usize,
+    screen_axes: &[ScreenAxis; 2],
+    way: Vector,
+    (radius, lift): (i32, i32),
+) -> Extent {
     let [columns, rows] = [0, 1].map(|it| {
-        let fan: &Fan = &fans[it];
-        fan.sphere_columns(way, widened(radius) + lift)
+        let screen_axis: &ScreenAxis = &screen_axes[it];
+        screen_axis.sphere_columns(way, widened(radius) + lift)
     });
     let (Some(mut columns), Some(rows)) = (columns, rows) else {
         return Extent::of_nothing(index);
@@ -249,7 +264,12 @@ fn sphere_extent(index: usize, fans: &[Fan; 2], way: Vector, (radius, lift): (i3
     // If it is half a pixel and more, its bounds do not say where the tips are.
     let height = i64::from(rows.last) - i64::from(rows.first);
     columns.is_thin |= i64::from(lift) * height >= i64::from(radius);
-    Extent::new(index, columns, rows, fans[0].tips(&fans[1], way, radius))
+    Extent::new(
+        index,
+        columns,
+        rows,
+        screen_axes[0].tips(&screen_axes[1], way, radius),
+    )
 }
 
 /// Puts an extent behind the first `count`, which are in rising order of their left columns, and
@@ -337,7 +357,7 @@ fn widened(radius: i32) -> i32 {
     radius + (radius >> 10) + 64
 }
 
-impl Fan {
+impl ScreenAxis {
     /// The columns in which a cylinder with rounded ends can be met.
     fn capsule_columns(&self, way: Vector, half_axis: Vector, radius: i32) -> Option<Columns> {
         let ends = [way.plus(half_axis), way.minus(half_axis)];
@@ -382,12 +402,12 @@ impl Fan {
     }
 
     /// The columns in which the highest and the lowest point of a sphere that is ahead are seen,
-    /// rounded down; `rows` is the fan along the rows.
+    /// rounded down; `rows` is the screen_axis along the rows.
     ///
     /// Those points are where the planes of the rows that touch the sphere touch it, so they are as
     /// far aside as its middle, and t (a t ± b r) / (a² + b²) ahead, where it is a ahead and b down,
     /// and t long are the tangents to the circle that it is seen as along the rows.
-    fn tips(&self, rows: &Fan, way: Vector, radius: i32) -> Option<[i32; 2]> {
+    fn tips(&self, rows: &ScreenAxis, way: Vector, radius: i32) -> Option<[i32; 2]> {
         let ahead = way.dot(self.ahead);
         if ahead <= radius {
             return None;

@@ -7,9 +7,9 @@
 use super::World;
 use super::mask::Mask;
 use super::nearest::{NOWHERE, nearest_bounded};
-use super::query::{ShapeNumber, blocked_by_bounded, planes_but};
+use super::query::{ShapeId, blocked_by_bounded, planes_but};
 use crate::number::{Length, narrowed_unsigned, shifted, signed, square_root, unsigned, wide};
-use crate::ray::{BALL, Path, Place, REACH, Ray, Trail};
+use crate::ray::{BALL, PathSignature, REACH, Ray, ScaledPoint, ScaledRay};
 use crate::shape::plane::NOT_MET;
 
 /// Places further out than this scale see the ball as a point and are not followed.
@@ -17,8 +17,8 @@ const FURTHEST_SCALE: u32 = 32;
 
 /// The nearest plane of any distance below 2⁶² steps, and that distance; [`NOT_MET`] if there is none.
 #[inline(always)]
-fn nearest_plane<W: World>(world: &W, path: &Path, left: ShapeNumber) -> (u64, ShapeNumber) {
-    let mut nearest = (NOT_MET, ShapeNumber::NONE);
+fn nearest_plane<W: World>(world: &W, path: &ScaledRay, left: ShapeId) -> (u64, ShapeId) {
+    let mut nearest = (NOT_MET, ShapeId::NONE);
     for (number, plane) in planes_but(world, left) {
         let distance = plane.intersect_far(path);
         if distance < nearest.0 {
@@ -33,10 +33,10 @@ fn nearest_plane<W: World>(world: &W, path: &Path, left: ShapeNumber) -> (u64, S
 #[inline(never)]
 pub(crate) fn nearest<W: World, const SMALL: bool>(
     world: &W,
-    path: &Path,
-    left: ShapeNumber,
-    trail: &mut Trail,
-) -> Option<(Place, ShapeNumber)> {
+    path: &ScaledRay,
+    left: ShapeId,
+    signature: &mut PathSignature,
+) -> Option<(ScaledPoint, ShapeId)> {
     let (plane, shape) = nearest_plane(world, path, left);
     if world.parts().has_bounded() {
         let start = match path.from().is_near() {
@@ -44,11 +44,11 @@ pub(crate) fn nearest<W: World, const SMALL: bool>(
             false => into_ball(path),
         };
         if let Some((ray, skipped)) = start {
-            let hit = nearest_bounded::<W, SMALL>(world, &ray, NOWHERE, left, trail);
+            let hit = nearest_bounded::<W, SMALL>(world, &ray, NOWHERE, left, signature);
             let distance = skipped + u64::from(unsigned(hit.distance.to_bits()));
-            if hit.shape != ShapeNumber::NONE && distance < plane {
+            if hit.shape != ShapeId::NONE && distance < plane {
                 let at = ray.origin.along(ray.direction, hit.distance);
-                return Some((Place::new(at, 0), hit.shape));
+                return Some((ScaledPoint::new(at, 0), hit.shape));
             }
         }
     }
@@ -64,11 +64,11 @@ pub(crate) fn nearest<W: World, const SMALL: bool>(
 #[inline(always)]
 pub(crate) fn ends_before<W: World>(
     world: &W,
-    path: &Path,
-    left: ShapeNumber,
-    light: Place,
+    path: &ScaledRay,
+    left: ShapeId,
+    light: ScaledPoint,
 ) -> bool {
-    nearest::<W, true>(world, path, left, &mut Trail::new()).is_some_and(|(at, _)| {
+    nearest::<W, true>(world, path, left, &mut PathSignature::new()).is_some_and(|(at, _)| {
         let (rest, scale) = at.to(light);
         rest.dot(path.direction()) > world.parts().epsilon.to_bits() >> scale.min(31)
     })
@@ -77,8 +77,8 @@ pub(crate) fn ends_before<W: World>(
 /// Whether a path meets the only shape of a scene, which is a plane; not where, for that does not
 /// matter.
 #[inline(always)]
-pub(crate) fn only_plane<W: World>(world: &W, path: &Path) -> Option<(Place, ShapeNumber)> {
-    let (number, plane) = planes_but(world, ShapeNumber::NONE).next()?;
+pub(crate) fn only_plane<W: World>(world: &W, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
+    let (number, plane) = planes_but(world, ShapeId::NONE).next()?;
     plane.is_ahead(path).then_some((path.from(), number))
 }
 
@@ -86,9 +86,9 @@ pub(crate) fn only_plane<W: World>(world: &W, path: &Path) -> Option<(Place, Sha
 #[cold]
 pub(super) fn blocked<W: World>(
     world: &W,
-    path: &Path,
-    left: ShapeNumber,
-    light: Place,
+    path: &ScaledRay,
+    left: ShapeId,
+    light: ScaledPoint,
     distance: Length,
     scale: u32,
 ) -> bool {
@@ -131,8 +131,8 @@ pub(super) fn blocked<W: World>(
 
 /// A path from a far place as a ray from where it enters the ball, and the steps skipped; `None`
 /// where it does not enter it.
-fn into_ball(path: &Path) -> Option<(Ray, u64)> {
-    let Place { point, scale } = path.from();
+fn into_ball(path: &ScaledRay) -> Option<(Ray, u64)> {
+    let ScaledPoint { point, scale } = path.from();
     if scale > FURTHEST_SCALE {
         return None;
     }
@@ -159,8 +159,8 @@ fn into_ball(path: &Path) -> Option<(Ray, u64)> {
 
 /// The place `distance` (below 2⁶²) steps along a path.
 #[inline(never)]
-fn place_along(path: &Path, distance: u64) -> Option<Place> {
-    let Place { point, scale } = path.from();
+fn place_along(path: &ScaledRay, distance: u64) -> Option<ScaledPoint> {
+    let ScaledPoint { point, scale } = path.from();
     if scale > FURTHEST_SCALE {
         return None;
     }
@@ -168,7 +168,7 @@ fn place_along(path: &Path, distance: u64) -> Option<Place> {
     let leading = signed(narrowed_unsigned(distance >> excess));
     let [x, y, z] = path.direction().components();
     let up = signed(excess) - 30;
-    Some(Place::from_wide([
+    Some(ScaledPoint::from_wide([
         sum((point.x, scale), wide(leading, x.to_bits()), up),
         sum((point.y, scale), wide(leading, y.to_bits()), up),
         sum((point.z, scale), wide(leading, z.to_bits()), up),

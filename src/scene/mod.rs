@@ -8,6 +8,7 @@ pub(crate) mod ahead;
 mod brightness;
 mod builder;
 pub(crate) mod cells;
+pub(crate) mod culling;
 mod directions;
 mod error;
 pub(crate) mod extent;
@@ -20,7 +21,6 @@ mod prepare;
 pub(crate) mod query;
 mod row;
 mod runtime;
-pub(crate) mod sight;
 pub(crate) mod view;
 mod world;
 
@@ -29,10 +29,10 @@ pub use error::SceneError;
 pub use needs::{Bound, Excess, Mirrors, MostReflections, Need, Needs, Shininess};
 pub use runtime::RuntimeScene;
 pub use world::{Apart, Static, StaticScene, Whole, Within, World};
-pub(crate) use world::{Lamps, Parts};
+pub(crate) use world::{Occluders, Parts};
 
 use cells::Cells;
-use world::Lamp;
+use world::LightOccluders;
 
 use crate::camera::Camera;
 use crate::color::Color;
@@ -81,7 +81,7 @@ pub struct Scene<const S: usize, const P: usize, const C: usize, const L: usize,
     cylinders: [PreparedCylinder; C],
     lights: [PreparedLight; L],
     cells: [Cells; L],
-    lamps: [Lamp<S, C>; L],
+    lamps: [LightOccluders<S, C>; L],
     materials: [PreparedMaterial; M],
     counts: Counts,
     background: Color,

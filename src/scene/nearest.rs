@@ -1,12 +1,12 @@
 //! What a near ray meets first of the spheres and cylinders, wherever it comes from.
 
 use super::World;
-use super::ahead::Few;
-use super::query::{Hit, ShapeNumber};
+use super::ahead::MirrorSet;
+use super::query::{Hit, ShapeId};
 use crate::number::Length;
-use crate::ray::{REACH, Ray, Trail};
-use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
-use crate::shape::sphere::{PreparedSphere, SeenSphere};
+use crate::ray::{PathSignature, REACH, Ray};
+use crate::shape::cylinder::{CylinderFromPoint, PreparedCylinder};
+use crate::shape::sphere::{PreparedSphere, SphereFromPoint};
 use crate::vector::{Direction, Vector};
 
 /// No distance at all.
@@ -14,9 +14,9 @@ pub(crate) const NOWHERE: Length = Length::from_bits(0);
 
 /// What lies ahead of a ray that a shape has mirrored, as far as that is known.
 #[inline(always)]
-pub(crate) fn ahead<W: World>(world: &W, mirror: ShapeNumber, direction: Direction) -> Few {
+pub(crate) fn ahead<W: World>(world: &W, mirror: ShapeId, direction: Direction) -> MirrorSet {
     if !W::AHEAD {
-        return Few::ALL;
+        return MirrorSet::ALL;
     }
     world.round_mirrors().ahead(mirror.index(), direction)
 }
@@ -28,25 +28,25 @@ pub(crate) fn nearest_bounded<W: World, const SMALL: bool>(
     world: &W,
     ray: &Ray,
     start: Length,
-    left: ShapeNumber,
-    trail: &mut Trail,
+    left: ShapeId,
+    signature: &mut PathSignature,
 ) -> Hit {
-    nearest_ahead::<W, SMALL>(world, (ray, Few::ALL), start, left, trail)
+    nearest_ahead::<W, SMALL>(world, (ray, MirrorSet::ALL), start, left, signature)
 }
 
 /// The same of those that lie ahead.
 #[inline(never)]
 pub(crate) fn nearest_ahead<W: World, const SMALL: bool>(
     world: &W,
-    (ray, ahead): (&Ray, Few),
+    (ray, ahead): (&Ray, MirrorSet),
     start: Length,
-    left: ShapeNumber,
-    trail: &mut Trail,
+    left: ShapeId,
+    signature: &mut PathSignature,
 ) -> Hit {
     let mut nearest = Nearest::beyond(start);
     let parts = world.parts();
     let mut ask_sphere = |index, sphere: &PreparedSphere| {
-        let number = ShapeNumber::of_sphere(index);
+        let number = ShapeId::of_sphere(index);
         if number == left {
             return;
         }
@@ -61,7 +61,7 @@ pub(crate) fn nearest_ahead<W: World, const SMALL: bool>(
         false => {
             let spheres = parts.spheres.iter().enumerate();
             spheres.for_each(|(index, sphere)| ask_sphere(index, sphere));
-            Few::ALL
+            MirrorSet::ALL
         }
     };
     let mut ask_cylinder = |index, cylinder: &PreparedCylinder| {
@@ -80,7 +80,7 @@ pub(crate) fn nearest_ahead<W: World, const SMALL: bool>(
     if SMALL {
         return nearest.behind_start();
     }
-    nearest.hit(trail)
+    nearest.hit(signature)
 }
 
 /// The nearest of the shapes that a ray has been held against.
@@ -109,7 +109,7 @@ impl Nearest {
         sphere: &PreparedSphere,
         way: Vector,
         along: Direction,
-        shape: ShapeNumber,
+        shape: ShapeId,
     ) -> bool {
         let distance = sphere.met(way, along, self.start, self.hit.distance);
         if let Some(distance) = distance {
@@ -120,7 +120,7 @@ impl Nearest {
 
     /// Whether a sphere is in front of what has been met.
     #[inline(always)]
-    pub(super) fn may_see(&self, sphere: &SeenSphere) -> bool {
+    pub(super) fn may_see(&self, sphere: &SphereFromPoint) -> bool {
         sphere.is_nearer_than(self.hit.distance)
     }
 
@@ -134,9 +134,9 @@ impl Nearest {
     pub(super) fn meet_cylinder<const SMALL: bool>(
         &mut self,
         cylinder: &PreparedCylinder,
-        (seen, is_thin): (&SeenCylinder, bool),
+        (seen, is_thin): (&CylinderFromPoint, bool),
         along: &Direction,
-        shape: ShapeNumber,
+        shape: ShapeId,
     ) {
         let sideways = seen.sideways(*along);
         if cylinder.is_beside(sideways) {
@@ -157,8 +157,8 @@ impl Nearest {
 
     /// The nearest, and how far behind `start` it is met.
     #[inline(always)]
-    pub(super) fn hit(self, trail: &mut Trail) -> Hit {
-        trail.note(self.passed);
+    pub(super) fn hit(self, signature: &mut PathSignature) -> Hit {
+        signature.note(self.passed);
         self.behind_start()
     }
 
@@ -167,7 +167,7 @@ impl Nearest {
     fn behind_start(self) -> Hit {
         let distance = self.hit.distance.to_bits() - self.start.to_bits();
         Hit {
-            distance: if self.hit.shape == ShapeNumber::NONE {
+            distance: if self.hit.shape == ShapeId::NONE {
                 REACH
             } else {
                 Length::from_bits(distance)

@@ -3,7 +3,7 @@
 use super::brightness::{brightest, dimness};
 use super::cells::Cells;
 use super::layout::choose_grid;
-use super::{Counts, Description, Lamp, Scene, SceneError, used};
+use super::{Counts, Description, LightOccluders, Scene, SceneError, used};
 use crate::color::Color;
 use crate::fault::Fault;
 use crate::grid::Grid;
@@ -126,7 +126,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             cylinders: [PreparedCylinder::NONE; C],
             lights: [PreparedLight::NONE; L],
             cells: [Cells::ALL; L],
-            lamps: [Lamp::NONE; L],
+            lamps: [LightOccluders::NONE; L],
             materials: [PreparedMaterial::NONE; M],
             counts: Counts {
                 spheres: scene.spheres.len(),
@@ -235,7 +235,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     /// Prepares a light; the shapes are prepared.
     const fn add_light(&mut self, index: usize, light: &Light) {
         let place = self.grid.place(light.position);
-        let mut lamp = Lamp::NONE;
+        let mut lamp = LightOccluders::NONE;
         let mut prepared = PreparedLight {
             place,
             color: Color::from_numbers(light.color),

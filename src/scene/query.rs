@@ -4,19 +4,19 @@ use super::cells::Cells;
 use super::mask::Mask;
 #[cfg(any(test, feature = "host"))]
 use super::nearest::{NOWHERE, nearest_bounded};
-use super::{Lamps, Parts, World, far};
+use super::{Occluders, Parts, World, far};
 use crate::number::{Length, to_u32};
-use crate::ray::{Path, Place, REACH, Ray, Trail, spread};
+use crate::ray::{PathSignature, REACH, Ray, ScaledPoint, ScaledRay, spread};
 use crate::shape::cylinder::{LitCylinder, PreparedCylinder};
 use crate::shape::plane::{Approach, Bearing, PreparedPlane};
-use crate::shape::sphere::{PreparedSphere, SeenSphere};
+use crate::shape::sphere::{PreparedSphere, SphereFromPoint};
 use crate::vector::Direction;
 
 /// Names a shape of a scene, or none: spheres come first, then cylinders, then planes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct ShapeNumber(u32);
+pub(crate) struct ShapeId(u32);
 
-impl ShapeNumber {
+impl ShapeId {
     /// No shape.
     pub(crate) const NONE: Self = Self(u32::MAX);
 
@@ -47,8 +47,8 @@ impl ShapeNumber {
 }
 
 impl Parts<'_> {
-    pub(crate) fn cylinder_number(&self, index: usize) -> ShapeNumber {
-        ShapeNumber(to_u32(self.spheres.len() + index))
+    pub(crate) fn cylinder_number(&self, index: usize) -> ShapeId {
+        ShapeId(to_u32(self.spheres.len() + index))
     }
 
     /// The number that the planes begin with.
@@ -59,8 +59,8 @@ impl Parts<'_> {
 
     /// Whether a shape is a plane.
     #[inline(always)]
-    pub(crate) fn is_plane(&self, shape: ShapeNumber) -> bool {
-        shape != ShapeNumber::NONE && shape.0 >= self.first_plane()
+    pub(crate) fn is_plane(&self, shape: ShapeId) -> bool {
+        shape != ShapeId::NONE && shape.0 >= self.first_plane()
     }
 }
 
@@ -75,7 +75,7 @@ pub(crate) enum Shape<'a> {
 impl<'a> Parts<'a> {
     /// The shape with a number.
     #[inline(always)]
-    pub(crate) fn shape(&self, shape: ShapeNumber) -> Option<Shape<'a>> {
+    pub(crate) fn shape(&self, shape: ShapeId) -> Option<Shape<'a>> {
         let number = shape.index();
         if let Some(sphere) = self.spheres.get(number) {
             return Some(Shape::Sphere(sphere));
@@ -90,13 +90,13 @@ impl<'a> Parts<'a> {
 
     /// The plane with a number, if it is one.
     #[inline(always)]
-    pub(crate) fn plane(&self, shape: ShapeNumber) -> Option<&'a PreparedPlane> {
+    pub(crate) fn plane(&self, shape: ShapeId) -> Option<&'a PreparedPlane> {
         self.planes.get(self.plane_index(shape)?)
     }
 
     /// Where a plane stands among the planes.
     #[inline(always)]
-    pub(super) fn plane_index(&self, shape: ShapeNumber) -> Option<usize> {
+    pub(super) fn plane_index(&self, shape: ShapeId) -> Option<usize> {
         shape
             .0
             .checked_sub(self.first_plane())
@@ -104,31 +104,31 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// Where a near ray meets a shape first: [`ShapeNumber::NONE`] where it meets none.
+/// Where a near ray meets a shape first: [`ShapeId::NONE`] where it meets none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Hit {
     pub(crate) distance: Length,
-    pub(crate) shape: ShapeNumber,
+    pub(crate) shape: ShapeId,
 }
 
 impl Hit {
     /// Nothing as far as a near ray looks.
     pub(crate) const NONE: Self = Self {
         distance: REACH,
-        shape: ShapeNumber::NONE,
+        shape: ShapeId::NONE,
     };
 
     /// Not known to a near ray.
     pub(crate) const BEYOND: Self = Self {
         distance: REACH,
-        shape: ShapeNumber::BEYOND,
+        shape: ShapeId::BEYOND,
     };
 }
 
 /// What a near ray that has left the shape `left` meets first, given what it meets first of the
 /// spheres and cylinders.
 #[inline(always)]
-pub(crate) fn nearest<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit) -> Hit {
+pub(crate) fn nearest<W: World>(world: &W, ray: &Ray, left: ShapeId, bounded: Hit) -> Hit {
     let parts = world.parts();
     // A ray that leaves a plane does not meet it again.
     if parts.planes.is_empty() || (parts.planes.len() == 1 && parts.is_plane(left)) {
@@ -142,19 +142,19 @@ pub(crate) fn nearest<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded
 
 /// Out of line: several in line take more registers than there are.
 #[inline(never)]
-fn nearest_plane<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit) -> Hit {
+fn nearest_plane<W: World>(world: &W, ray: &Ray, left: ShapeId, bounded: Hit) -> Hit {
     nearer_plane(world, ray, left, bounded)
 }
 
 #[inline(always)]
-fn nearer_plane<W: World>(world: &W, ray: &Ray, left: ShapeNumber, bounded: Hit) -> Hit {
+fn nearer_plane<W: World>(world: &W, ray: &Ray, left: ShapeId, bounded: Hit) -> Hit {
     let parts = world.parts();
     let mut nearest = NearestPlane {
         approach: Approach::at(bounded.distance),
         shape: bounded.shape,
         is_met: false,
     };
-    let number = |index: usize| ShapeNumber(parts.first_plane() + to_u32(index));
+    let number = |index: usize| ShapeId(parts.first_plane() + to_u32(index));
     // One by one, so that the compiler can work with the planes of a constant scene; not by a closure,
     // which is not always in line. All products first: a sign that is extended in another block makes
     // three instructions of one.
@@ -209,14 +209,14 @@ pub(crate) fn for_first_four<'a, T>(items: &'a [T], mut call: impl FnMut(usize, 
 /// The nearest of the planes that a ray has been held against, or what is nearer.
 struct NearestPlane {
     approach: Approach,
-    shape: ShapeNumber,
+    shape: ShapeId,
     /// Whether it is one of the planes.
     is_met: bool,
 }
 
 impl NearestPlane {
     #[inline(always)]
-    fn meet(&mut self, bearing: &Bearing, number: ShapeNumber, left: ShapeNumber) {
+    fn meet(&mut self, bearing: &Bearing, number: ShapeId, left: ShapeId) {
         if number == left {
             return;
         }
@@ -225,8 +225,8 @@ impl NearestPlane {
         };
         if approach.is_before(&self.approach) {
             (self.approach, self.shape, self.is_met) = (approach, number, true);
-        } else if self.shape == ShapeNumber::NONE {
-            self.shape = ShapeNumber::BEYOND;
+        } else if self.shape == ShapeId::NONE {
+            self.shape = ShapeId::BEYOND;
         }
     }
 }
@@ -236,27 +236,27 @@ impl NearestPlane {
 #[inline(always)]
 pub(crate) fn located<W: World, const PRECISE: bool>(
     world: &W,
-    path: &Path,
-    left: ShapeNumber,
+    path: &ScaledRay,
+    left: ShapeId,
     hit: Hit,
-    trail: &mut Trail,
-) -> Option<(Place, ShapeNumber)> {
-    if hit.shape == ShapeNumber::NONE {
+    signature: &mut PathSignature,
+) -> Option<(ScaledPoint, ShapeId)> {
+    if hit.shape == ShapeId::NONE {
         return None;
     }
-    if hit.shape != ShapeNumber::BEYOND {
+    if hit.shape != ShapeId::BEYOND {
         let (origin, direction) = (path.ray.origin, path.direction());
         let at = match PRECISE {
             true => origin.precisely_along(direction, hit.distance),
             false => origin.along(direction, hit.distance),
         };
         // Only a plane can be met so far out that this is not near.
-        if let Some(at) = Place::near(at) {
+        if let Some(at) = ScaledPoint::near(at) {
             return Some((at, hit.shape));
         }
     }
     // Taken apart, or what is near is kept in memory, too.
-    let (at, shape) = far::nearest::<W, false>(world, path, left, trail)?;
+    let (at, shape) = far::nearest::<W, false>(world, path, left, signature)?;
     Some((at, shape))
 }
 
@@ -264,29 +264,29 @@ pub(crate) fn located<W: World, const PRECISE: bool>(
 #[cfg(any(test, feature = "host"))]
 pub(crate) fn first<W: World>(
     world: &W,
-    path: &Path,
-    left: ShapeNumber,
-) -> Option<(Place, ShapeNumber)> {
-    let mut trail = Trail::new();
+    path: &ScaledRay,
+    left: ShapeId,
+) -> Option<(ScaledPoint, ShapeId)> {
+    let mut signature = PathSignature::new();
     let hit = match path.from().is_near() {
         true => nearest(
             world,
             &path.ray,
             left,
-            nearest_bounded::<W, false>(world, &path.ray, NOWHERE, left, &mut trail),
+            nearest_bounded::<W, false>(world, &path.ray, NOWHERE, left, &mut signature),
         ),
         false => Hit::BEYOND,
     };
-    located::<W, false>(world, path, left, hit, &mut trail)
+    located::<W, false>(world, path, left, hit, &mut signature)
 }
 
 /// The planes but the one a ray has just left, and their numbers.
 pub(super) fn planes_but<W: World>(
     world: &W,
-    left: ShapeNumber,
-) -> impl Iterator<Item = (ShapeNumber, &PreparedPlane)> {
+    left: ShapeId,
+) -> impl Iterator<Item = (ShapeId, &PreparedPlane)> {
     let parts = world.parts();
-    let numbers = (parts.first_plane()..).map(ShapeNumber);
+    let numbers = (parts.first_plane()..).map(ShapeId);
     numbers
         .zip(parts.planes)
         .filter(move |(number, _)| *number != left)
@@ -296,9 +296,9 @@ pub(super) fn planes_but<W: World>(
 /// than epsilon before it, with nothing known about camera and light but its cells, if it has any.
 pub(crate) fn blocked<W: World>(
     world: &W,
-    path: &Path,
-    left: ShapeNumber,
-    (light, cells): (Place, Option<&Cells>),
+    path: &ScaledRay,
+    left: ShapeId,
+    (light, cells): (ScaledPoint, Option<&Cells>),
     distance: Length,
     scale: u32,
 ) -> bool {
@@ -318,17 +318,17 @@ pub(crate) fn blocked<W: World>(
 #[inline(always)]
 pub(crate) fn blocked_from<W: World>(
     world: &W,
-    (lamp, index): (&W::Lamp, usize),
+    (lamp, index): (&W::LightOccluders, usize),
     (direction, distance): (Direction, Length),
-    is_left: impl Fn(ShapeNumber) -> bool,
-    hides: impl Fn(ShapeNumber, &PreparedSphere, &SeenSphere) -> bool,
+    is_left: impl Fn(ShapeId) -> bool,
+    hides: impl Fn(ShapeId, &PreparedSphere, &SphereFromPoint) -> bool,
 ) -> bool {
     let parts = world.parts();
     let (spheres, cylinders) = (lamp.spheres(), lamp.cylinders());
     // One copy in memory, for all cylinders.
     let along = direction;
-    let sphere_hides = |index: usize, sphere: &PreparedSphere, seen: &SeenSphere| {
-        hides(ShapeNumber::of_sphere(index), sphere, seen)
+    let sphere_hides = |index: usize, sphere: &PreparedSphere, seen: &SphereFromPoint| {
+        hides(ShapeId::of_sphere(index), sphere, seen)
     };
     let cylinder_hides = |index: usize, cylinder: &PreparedCylinder, lit: &LitCylinder| {
         !is_left(parts.cylinder_number(index))
@@ -361,14 +361,14 @@ pub(crate) fn blocked_by_bounded<W: World>(
     world: &W,
     mask: Mask,
     ray: &Ray,
-    left: ShapeNumber,
+    left: ShapeId,
     reach: Length,
 ) -> bool {
     let parts = world.parts();
     let runs = parts.runs();
     runs.any_sphere(mask, |index| {
         let sphere = parts.spheres.get(index);
-        let is_left = ShapeNumber::of_sphere(index) == left;
+        let is_left = ShapeId::of_sphere(index) == left;
         !is_left && sphere.is_some_and(|sphere| sphere.blocks(ray, reach))
     }) || runs.any_cylinder(mask, |index| {
         let cylinder = parts.cylinders.get(index);

@@ -8,12 +8,12 @@ use heapless::Vec;
 use super::World;
 use super::extent::{Covered, Extent};
 use super::nearest::{Nearest, nearest_bounded};
-use super::query::{Hit, ShapeNumber};
+use super::query::{Hit, ShapeId};
 use crate::number::{Length, difference_modulo_2_32, to_u16, to_u32};
 use crate::quality::LONGEST_STRIDE;
-use crate::ray::{Ray, Trail};
-use crate::shape::cylinder::{PreparedCylinder, SeenCylinder};
-use crate::shape::sphere::{PreparedSphere, SeenSphere};
+use crate::ray::{PathSignature, Ray};
+use crate::shape::cylinder::{CylinderFromPoint, PreparedCylinder};
+use crate::shape::sphere::{PreparedSphere, SphereFromPoint};
 use crate::vector::{Direction, Point};
 
 /// A shape that can be met in the columns a row has come to, as its rays see it.
@@ -95,7 +95,7 @@ impl<'a, T: Copy, S: Copy, const ROOM: usize> Kind<'a, T, S, ROOM> {
         self.open.retain(|open| {
             let stays = u32::from(open.right) >= first;
             if !stays && open.middle < u16::MAX {
-                *passed ^= ShapeNumber::of_sphere(open.index.into()).passed();
+                *passed ^= ShapeId::of_sphere(open.index.into()).passed();
             }
             stays
         });
@@ -153,8 +153,8 @@ pub(crate) struct Row<'a> {
     origin: Point,
     /// What is open stays the same for columns that begin before this one.
     until: u32,
-    spheres: Kind<'a, SeenSphere, PreparedSphere, SPHERES>,
-    cylinders: Kind<'a, SeenCylinder, PreparedCylinder, CYLINDERS>,
+    spheres: Kind<'a, SphereFromPoint, PreparedSphere, SPHERES>,
+    cylinders: Kind<'a, CylinderFromPoint, PreparedCylinder, CYLINDERS>,
     /// Whether every shape is in every column.
     is_full: bool,
 }
@@ -220,12 +220,12 @@ impl<'a> Row<'a> {
         world: &W,
         column: u32,
         (direction, start): (&Direction, Length),
-        trail: &mut Trail,
+        signature: &mut PathSignature,
     ) -> Hit {
         if self.is_full {
-            return self.nearest_of_all(world, column, (direction, start), trail);
+            return self.nearest_of_all(world, column, (direction, start), signature);
         }
-        self.nearest(world, column, (direction, start), trail)
+        self.nearest(world, column, (direction, start), signature)
     }
 
     /// The nearest of all shapes.
@@ -236,15 +236,15 @@ impl<'a> Row<'a> {
         world: &W,
         column: u32,
         (direction, start): (&Direction, Length),
-        trail: &mut Trail,
+        signature: &mut PathSignature,
     ) -> Hit {
         // It is not known what is thin: no other ray has been alike.
-        trail.note(column);
+        signature.note(column);
         let ray = Ray {
             origin: self.origin,
             direction: *direction,
         };
-        nearest_bounded::<W, false>(world, &ray, start, ShapeNumber::NONE, trail)
+        nearest_bounded::<W, false>(world, &ray, start, ShapeId::NONE, signature)
     }
 
     /// Goes on to some columns, which do not begin before the last ones.
@@ -274,7 +274,7 @@ impl<'a> Row<'a> {
                     let sphere = parts.spheres.get(index)?;
                     Some((sphere.surely_seen_from(origin), sphere))
                 },
-                SeenSphere::is_in_front_of,
+                SphereFromPoint::is_in_front_of,
             ),
             false => Some(u32::MAX),
         };
@@ -310,7 +310,7 @@ impl<'a> Row<'a> {
         world: &W,
         column: u32,
         (direction, start): (&Direction, Length),
-        trail: &mut Trail,
+        signature: &mut PathSignature,
     ) -> Hit {
         let mut nearest = Nearest::beyond(start);
         if W::NEEDS.spheres {
@@ -320,13 +320,13 @@ impl<'a> Row<'a> {
         if W::NEEDS.cylinders {
             self.meet_cylinders(world, column, direction, &mut nearest);
         }
-        nearest.hit(trail)
+        nearest.hit(signature)
     }
 
     #[inline(always)]
     fn meet_spheres(&self, column: u32, direction: Direction, nearest: &mut Nearest) {
         for open in &self.spheres.open {
-            let number = ShapeNumber::of_sphere(open.index.into());
+            let number = ShapeId::of_sphere(open.index.into());
             if open.has_column(column)
                 && open.seen.may_be_met(open.seen.nearest_approach(direction))
                 && nearest.meet_sphere(open.shape, open.seen.way(), direction, number)

@@ -7,12 +7,12 @@
 
 use super::World;
 use crate::number::bit_modulo_32;
-use crate::ray::Place;
+use crate::ray::ScaledPoint;
 use crate::shape::plane::Side;
 
 /// Whether the planes of a scene stand between a light and what a frame shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Standing {
+pub(crate) enum Visible {
     /// No plane hides the light, and what spheres and cylinders hide can be told by how it sees them.
     Clear,
     /// A plane hides it from everything.
@@ -24,18 +24,18 @@ pub(crate) enum Standing {
 
 /// A frame's point of view.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct View {
+pub(crate) struct LightVisibility {
     /// Where the rays come from.
-    pub(crate) from: Place,
-    /// A bit for each light that is [`Standing::Hidden`].
+    pub(crate) from: ScaledPoint,
+    /// A bit for each light that is [`Visible::Hidden`].
     hidden: u32,
-    /// A bit for each light that is [`Standing::Unclear`].
+    /// A bit for each light that is [`Visible::Unclear`].
     unclear: u32,
 }
 
-impl View {
+impl LightVisibility {
     /// The view from a place, with nothing known about the lights.
-    pub(crate) const fn unclear(from: Place) -> Self {
+    pub(crate) const fn unclear(from: ScaledPoint) -> Self {
         Self {
             from,
             hidden: 0,
@@ -44,7 +44,7 @@ impl View {
     }
 
     /// The view from a place.
-    pub(crate) fn new<W: World>(world: &W, from: Place) -> Self {
+    pub(crate) fn new<W: World>(world: &W, from: ScaledPoint) -> Self {
         let parts = world.parts();
         let mut view = Self {
             from,
@@ -83,15 +83,15 @@ impl View {
 
     /// How the light with a number stands.
     #[inline(always)]
-    pub(crate) fn standing(&self, light: usize) -> Standing {
+    pub(crate) fn standing(&self, light: usize) -> Visible {
         // Of more than 32 lights every bit is set.
         let bit = bit_modulo_32(light);
         if (self.hidden | self.unclear) & bit == 0 {
-            Standing::Clear
+            Visible::Clear
         } else if self.hidden & bit != 0 {
-            Standing::Hidden
+            Visible::Hidden
         } else {
-            Standing::Unclear
+            Visible::Unclear
         }
     }
 }

@@ -17,41 +17,41 @@ use crate::number::{Brightness, Length, Unit, unit_product};
 use crate::shape::MaterialId;
 use crate::shape::cylinder::{LitCylinder, PreparedCylinder};
 use crate::shape::plane::PreparedPlane;
-use crate::shape::sphere::{PreparedSphere, SeenSphere};
+use crate::shape::sphere::{PreparedSphere, SphereFromPoint};
 
 /// A light and the shapes of a scene as it sees them.
 #[derive(Clone, Copy, Debug)]
-pub struct Lamp<const S: usize, const C: usize> {
+pub struct LightOccluders<const S: usize, const C: usize> {
     pub(super) light: PreparedLight,
-    pub(super) spheres: [SeenSphere; S],
+    pub(super) spheres: [SphereFromPoint; S],
     pub(super) cylinders: [LitCylinder; C],
 }
 
-impl<const S: usize, const C: usize> Lamp<S, C> {
+impl<const S: usize, const C: usize> LightOccluders<S, C> {
     /// Fills the room of a light that a scene's type allows but the scene does not use.
     pub(super) const NONE: Self = Self {
         light: PreparedLight::NONE,
-        spheres: [SeenSphere::NONE; S],
+        spheres: [SphereFromPoint::NONE; S],
         cylinders: [LitCylinder::NONE; C],
     };
 }
 
-/// A [`Lamp`], whatever its room.
-pub trait Lamps {
+/// A [`LightOccluders`], whatever its room.
+pub trait Occluders {
     /// The light itself.
     #[allow(private_interfaces)]
     fn light(&self) -> &PreparedLight;
 
     /// The scene's spheres as the light sees them; what stands for none is never met.
     #[allow(private_interfaces)]
-    fn spheres(&self) -> &[SeenSphere];
+    fn spheres(&self) -> &[SphereFromPoint];
 
     /// The scene's cylinders as the light sees them, and maybe more.
     #[allow(private_interfaces)]
     fn cylinders(&self) -> &[LitCylinder];
 }
 
-impl<const S: usize, const C: usize> Lamps for Lamp<S, C> {
+impl<const S: usize, const C: usize> Occluders for LightOccluders<S, C> {
     #[allow(private_interfaces)]
     #[inline(always)]
     fn light(&self) -> &PreparedLight {
@@ -60,7 +60,7 @@ impl<const S: usize, const C: usize> Lamps for Lamp<S, C> {
 
     #[allow(private_interfaces)]
     #[inline(always)]
-    fn spheres(&self) -> &[SeenSphere] {
+    fn spheres(&self) -> &[SphereFromPoint] {
         &self.spheres
     }
 
@@ -133,7 +133,7 @@ impl<'a> Parts<'a> {
 /// there is no need to implement it elsewhere.
 pub trait World {
     /// A light, and the shapes as it sees them.
-    type Lamp: Lamps;
+    type LightOccluders: Occluders;
 
     /// Which pixels of a frame the shapes cover.
     type Outlook: Outlooks;
@@ -151,7 +151,7 @@ pub trait World {
     fn parts(&self) -> Parts<'_>;
 
     /// The lights, and the shapes as they see them.
-    fn lamps(&self) -> &[Self::Lamp];
+    fn lamps(&self) -> &[Self::LightOccluders];
 
     /// Which shapes lie in which direction from each light.
     #[allow(private_interfaces)]
@@ -165,7 +165,7 @@ pub trait World {
 impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize> World
     for Scene<S, P, C, L, M>
 {
-    type Lamp = Lamp<S, C>;
+    type LightOccluders = LightOccluders<S, C>;
     type Outlook = Outlook<S, P, C>;
 
     const NEEDS: Needs = Needs::of_room([S, P, C, L, M]);
@@ -190,7 +190,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     }
 
     #[inline(always)]
-    fn lamps(&self) -> &[Self::Lamp] {
+    fn lamps(&self) -> &[Self::LightOccluders] {
         used(&self.lamps, self.counts.lights)
     }
 
@@ -208,7 +208,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
 }
 
 impl<W: World> World for &W {
-    type Lamp = W::Lamp;
+    type LightOccluders = W::LightOccluders;
     type Outlook = W::Outlook;
 
     const NEEDS: Needs = W::NEEDS;
@@ -221,7 +221,7 @@ impl<W: World> World for &W {
     }
 
     #[inline(always)]
-    fn lamps(&self) -> &[Self::Lamp] {
+    fn lamps(&self) -> &[Self::LightOccluders] {
         (**self).lamps()
     }
 
@@ -273,7 +273,7 @@ pub trait Apart: StaticScene {
     /// Its parts.
     const PARTS: Parts<'static>;
     /// Its lights, and its shapes as they see them.
-    const LAMPS: &'static [<Self::Scene as World>::Lamp];
+    const LAMPS: &'static [<Self::Scene as World>::LightOccluders];
     /// Which of them lie in which direction from each light.
     const CELLS: &'static [Cells];
     /// Which of them lie ahead of rays that leave each sphere and each cylinder; nothing where no
@@ -302,7 +302,8 @@ where
         grid: &Copied::<T>::GRID,
     };
 
-    const LAMPS: &'static [Lamp<S, C>] = used(&Copied::<T>::LAMPS, T::SCENE.counts.lights);
+    const LAMPS: &'static [LightOccluders<S, C>] =
+        used(&Copied::<T>::LAMPS, T::SCENE.counts.lights);
 
     const CELLS: &'static [Cells] = used(&Copied::<T>::CELLS, T::SCENE.counts.lights);
 
@@ -334,7 +335,7 @@ where
     const CYLINDERS: [PreparedCylinder; C] = T::SCENE.cylinders;
     const LIGHTS: [PreparedLight; L] = T::SCENE.lights;
     const CELLS: [Cells; L] = T::SCENE.cells;
-    const LAMPS: [Lamp<S, C>; L] = T::SCENE.lamps;
+    const LAMPS: [LightOccluders<S, C>; L] = T::SCENE.lamps;
     // An array's length cannot come from the scene, so there is one of each size.
     const AHEAD_OF_1: [Ahead; 1] = T::SCENE.tables_ahead();
     const AHEAD_OF_2: [Ahead; 2] = T::SCENE.tables_ahead();
@@ -366,7 +367,7 @@ impl<T> Clone for Static<T> {
 impl<T> Copy for Static<T> {}
 
 impl<T: Apart> World for Static<T> {
-    type Lamp = <T::Scene as World>::Lamp;
+    type LightOccluders = <T::Scene as World>::LightOccluders;
     type Outlook = <T::Scene as World>::Outlook;
 
     const NEEDS: Needs = T::NEEDS;
@@ -379,7 +380,7 @@ impl<T: Apart> World for Static<T> {
     }
 
     #[inline(always)]
-    fn lamps(&self) -> &[Self::Lamp] {
+    fn lamps(&self) -> &[Self::LightOccluders] {
         T::LAMPS
     }
 
@@ -421,7 +422,7 @@ impl<W: Clone, B> Clone for Within<W, B> {
 impl<W: Copy, B> Copy for Within<W, B> {}
 
 impl<W: World, B: Bound> World for Within<W, B> {
-    type Lamp = W::Lamp;
+    type LightOccluders = W::LightOccluders;
     type Outlook = W::Outlook;
 
     const NEEDS: Needs = W::NEEDS.both(&B::NEEDS);
@@ -442,7 +443,7 @@ impl<W: World, B: Bound> World for Within<W, B> {
     }
 
     #[inline(always)]
-    fn lamps(&self) -> &[Self::Lamp] {
+    fn lamps(&self) -> &[Self::LightOccluders] {
         if_needed(B::NEEDS.lights, self.world.lamps())
     }
 
@@ -464,7 +465,7 @@ impl<W: World, B: Bound> World for Within<W, B> {
 pub struct Whole<W>(pub(crate) W);
 
 impl<W: World> World for Whole<W> {
-    type Lamp = W::Lamp;
+    type LightOccluders = W::LightOccluders;
     type Outlook = W::Outlook;
 
     const NEEDS: Needs = Needs::ALL;
@@ -477,7 +478,7 @@ impl<W: World> World for Whole<W> {
     }
 
     #[inline(always)]
-    fn lamps(&self) -> &[Self::Lamp] {
+    fn lamps(&self) -> &[Self::LightOccluders] {
         self.0.lamps()
     }
 

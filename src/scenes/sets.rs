@@ -5,12 +5,12 @@ use super::{BuiltIn, NAMES, Visitor, visit};
 use crate::number::sweep::Sweep;
 use crate::number::{Length, Unit};
 use crate::quality::Fine;
-use crate::ray::{Path, Place, REACH};
+use crate::ray::{REACH, ScaledPoint, ScaledRay};
+use crate::scene::culling::ScreenCulling;
 use crate::scene::extent::Outlooks;
-use crate::scene::query::{ShapeNumber, blocked, blocked_from, first};
-use crate::scene::sight::Sight;
-use crate::scene::view::{Standing, View};
-use crate::scene::{Lamps, RuntimeScene, Scene, Static, World};
+use crate::scene::query::{ShapeId, blocked, blocked_from, first};
+use crate::scene::view::{LightVisibility, Visible};
+use crate::scene::{Occluders, RuntimeScene, Scene, Static, World};
 use crate::shade::{BlinnPhong, Surface};
 use crate::shape::MaterialId;
 use crate::shape::plane::{PreparedPlane, Side};
@@ -22,21 +22,24 @@ const SIZE: (u32, u32) = (40, 32);
 
 /// Compares every pixel with the one for which every ray asks every shape.
 fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
-    let lens = camera.lens(SIZE.0, SIZE.1);
+    let generator = camera.generator(SIZE.0, SIZE.1);
     let from = world.parts().grid.place(camera.description().position);
-    let view = View::new(world, from);
+    let view = LightVisibility::new(world, from);
     let everything = W::Outlook::ALL;
     let outlook = from.is_near().then(|| {
         let mut outlook = everything;
-        outlook.look(world, &camera.fans(&lens, from.point));
+        outlook.look(world, &camera.screen_axes(&generator, from.point));
         outlook
     });
     for y in 0..SIZE.1 {
-        let tracer = |sight| Tracer::<W, BlinnPhong, Fine>::new(world, &view, sight, 3);
-        let mut some = tracer(Sight::new::<true>(outlook.as_ref(), from, y));
+        let tracer = |culling| Tracer::<W, BlinnPhong, Fine>::new(world, &view, culling, 3);
+        let mut some = tracer(ScreenCulling::new::<true>(outlook.as_ref(), from, y));
         some.look();
-        let mut all = tracer(Sight::of_everything::<true>(Some(&everything), from));
-        let directions = lens.row(y);
+        let mut all = tracer(ScreenCulling::of_everything::<true>(
+            Some(&everything),
+            from,
+        ));
+        let directions = generator.row(y);
         for x in 0..SIZE.0 {
             let [some, all] = [&mut some, &mut all].map(|it| {
                 it.turn_to(x / 4 * 4, x / 4 * 4 + 4);
@@ -215,7 +218,7 @@ fn is_inside<W: World>(world: &W, camera: &Camera) {
 /// in a direction: the same as [`blocked_from`], with every shape asked.
 fn blocked_by_any<W: World>(
     world: &W,
-    lamp: &W::Lamp,
+    lamp: &W::LightOccluders,
     direction: Direction,
     distance: Length,
     left: Option<usize>,
@@ -298,24 +301,25 @@ fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
     let from = parts
         .grid
         .place(Position::new(random.place().map(|x| 2.5 * x)));
-    let view = View::new(world, from);
+    let view = LightVisibility::new(world, from);
     for _ in 0..10_000 {
         let towards = parts.grid.place(Position::new(random.place()));
         let (direction, _) = from.to(towards).0.direction_and_length();
-        let Some((at, shape)) = first(world, &Path::new(from, direction), ShapeNumber::NONE) else {
+        let Some((at, shape)) = first(world, &ScaledRay::new(from, direction), ShapeId::NONE)
+        else {
             continue;
         };
         let surface = Surface::new(world, at, shape, direction).unwrap();
         for (index, lamp) in world.lamps().iter().enumerate() {
-            if view.standing(index) != Standing::Clear {
+            if view.standing(index) != Visible::Clear {
                 continue;
             }
             let light = lamp.light();
-            let to_light = |from: Place| {
+            let to_light = |from: ScaledPoint| {
                 let (direction, distance) = from.to(light.place).0.direction_and_length();
-                (Path::new(from, direction), distance)
+                (ScaledRay::new(from, direction), distance)
             };
-            let general = |from: Place| {
+            let general = |from: ScaledPoint| {
                 let (path, distance) = to_light(from);
                 let cells = (light.place, world.cells().get(index));
                 blocked(world, &path, surface.left(world), cells, distance, 0)
@@ -341,7 +345,7 @@ fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
             let Point { x, y, z } = surface.place.point;
             let aside = (0..200).any(|_| {
                 let [dx, dy, dz] = random.place().map(|it| (it * 64.0) as i32);
-                general(Place::new(Point::new(x + dx, y + dy, z + dz), 0)) == hidden
+                general(ScaledPoint::new(Point::new(x + dx, y + dy, z + dz), 0)) == hidden
             });
             assert!(aside, "{hidden}: {surface:?} {light:?}");
         }

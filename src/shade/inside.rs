@@ -36,7 +36,7 @@ struct Tube {
 
 impl Tube {
     /// Whether a ray from inside comes to the wall further from an end than rounding may tell.
-    fn keeps(&self, path: &Path) -> bool {
+    fn keeps(&self, path: &ScaledRay) -> bool {
         let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let Vector { x, y, z } = self.center.to(path.ray.origin);
         let start = [x, y, z].map(f64::from);
@@ -98,16 +98,16 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
             half_height: height / 2.0 * 2f64.powi(grid.fraction_bits()),
         };
         let number = match is_sphere {
-            true => ShapeNumber::of_sphere(0),
+            true => ShapeId::of_sphere(0),
             false => scene.parts().cylinder_number(0),
         };
         for _ in 0..8 {
             let from = grid.place(Position::new(aside(&mut sweep, 0.9)));
-            let view = View::new(&scene, from);
+            let view = LightVisibility::new(&scene, from);
             let [x, y, z] = sweep.triple(1 << 28);
             let way = Vector::new(x, y, z).precise_direction();
-            let mut path = Path::new(from, way);
-            let mut left = ShapeNumber::NONE;
+            let mut path = ScaledRay::new(from, way);
+            let mut left = ShapeId::NONE;
             for bounce in 0..16 {
                 let met = first(&scene, &path, left).filter(|(_, shape)| *shape == number);
                 let Some((at, shape)) = met else {
@@ -131,7 +131,7 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
                     &scene,
                     &view,
                     &surface,
-                    &mut Trail::new(),
+                    &mut PathSignature::new(),
                 );
                 let to_light = surface
                     .place

@@ -242,18 +242,18 @@ fn left_outside(kind: Kind, rounds: u32, seed: u64) -> Fate {
         let scene = scene.build().unwrap();
         let parts = scene.parts();
         let own = match kind {
-            Kind::Sphere => ShapeNumber::of_sphere(0),
+            Kind::Sphere => ShapeId::of_sphere(0),
             _ => parts.cylinder_number(0),
         };
         let step = 2f64.powi(-parts.grid.fraction_bits());
         let from = parts.grid.place(Position::new(eye));
-        let view = View::new(&scene, from);
+        let view = LightVisibility::new(&scene, from);
         for _ in 0..10 {
             let aim = shaped.aim(eye, light, &mut sweep);
             let aim = parts.grid.place(Position::new(aim));
             let (direction, _) = from.to(aim).0.direction_and_length();
-            let path = Path::new(from, direction);
-            let Some((at, shape)) = first(&scene, &path, ShapeNumber::NONE) else {
+            let path = ScaledRay::new(from, direction);
+            let Some((at, shape)) = first(&scene, &path, ShapeId::NONE) else {
                 continue;
             };
             let along = direction.components().map(|it| it.to_num::<f64>());
@@ -272,9 +272,9 @@ impl Fate {
     fn note<W: World>(
         &mut self,
         world: &W,
-        view: &View,
+        view: &LightVisibility,
         surface: &Surface<'_>,
-        (mut path, radius): (Path, f64),
+        (mut path, radius): (ScaledRay, f64),
     ) {
         self.seen += 1;
         let facing = surface.facing.to_num::<f64>();
@@ -292,12 +292,12 @@ impl Fate {
         if height > 1e-6 && height * distance.min(radius) > LEVEL {
             self.lit += 1;
             self.grazed_by_light += u64::from(height < 0.1);
-            self.clear += u64::from(view.standing(0) == Standing::Clear);
-            let trail = &mut Trail::new();
+            self.clear += u64::from(view.standing(0) == Visible::Clear);
+            let signature = &mut PathSignature::new();
             let fast =
-                <BlinnPhong as sealed::Shading>::color::<_, Fast>(world, view, surface, trail);
+                <BlinnPhong as sealed::Shading>::color::<_, Fast>(world, view, surface, signature);
             let small =
-                <BlinnPhong as sealed::Shading>::color::<_, Small>(world, view, surface, trail);
+                <BlinnPhong as sealed::Shading>::color::<_, Small>(world, view, surface, signature);
             self.dark += u64::from(fast.largest().min(small.largest()) <= Brightness::ZERO);
         }
         surface.reflect(world, &mut path);
@@ -378,8 +378,8 @@ fn mirrored_direction_has_a_length_of_one() {
             let aside = sweep.triple(1000).map(|it| f64::from(it) / 1000.0 * radius);
             let aim = grid.place(Position::new([0, 1, 2].map(|it| end[it] + aside[it])));
             let (direction, _) = from.to(aim).0.direction_and_length();
-            let path = Path::new(from, direction);
-            let Some((at, shape)) = first(&scene, &path, ShapeNumber::NONE) else {
+            let path = ScaledRay::new(from, direction);
+            let Some((at, shape)) = first(&scene, &path, ShapeId::NONE) else {
                 continue;
             };
             let surface = Surface::new(&scene, at, shape, direction).unwrap();

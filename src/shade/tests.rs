@@ -44,13 +44,13 @@ fn seen<K: sealed::Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) ->
     let parts = scene.parts();
     let from = parts.grid.place(Position::new(from));
     let direction = Position::new(towards).direction().unwrap();
-    let path = Path::new(from, direction);
-    let (at, shape) = first(scene, &path, ShapeNumber::NONE).unwrap();
+    let path = ScaledRay::new(from, direction);
+    let (at, shape) = first(scene, &path, ShapeId::NONE).unwrap();
     let surface = Surface::new(scene, at, shape, direction).unwrap();
-    let view = View::new(scene, from);
+    let view = LightVisibility::new(scene, from);
     let colors = [
-        K::color::<_, Fast>(scene, &view, &surface, &mut Trail::new()),
-        K::color::<_, Small>(scene, &view, &surface, &mut Trail::new()),
+        K::color::<_, Fast>(scene, &view, &surface, &mut PathSignature::new()),
+        K::color::<_, Small>(scene, &view, &surface, &mut PathSignature::new()),
     ];
     let [fast, small] = colors.map(whole);
     for (fast, small) in fast.into_iter().zip(small) {

@@ -55,7 +55,7 @@ pub struct PreparedCylinder {
 
 /// A cylinder as the rays from one point see it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SeenCylinder {
+pub(crate) struct CylinderFromPoint {
     /// From the point to the middle of the cylinder.
     way: Vector,
     /// axis × way: its length along a ray is how far the ray's line passes from the axis's, times
@@ -65,7 +65,7 @@ pub(crate) struct SeenCylinder {
     rise: i32,
 }
 
-impl SeenCylinder {
+impl CylinderFromPoint {
     /// Fills the room of a cylinder that a scene's type allows but the scene does not use.
     pub(crate) const NONE: Self = Self {
         way: Vector::ZERO,
@@ -84,7 +84,7 @@ impl SeenCylinder {
 /// A cylinder as a light sees it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LitCylinder {
-    seen: SeenCylinder,
+    seen: CylinderFromPoint,
     /// Nothing of it is nearer than this.
     nearest: i32,
 }
@@ -92,7 +92,7 @@ pub(crate) struct LitCylinder {
 impl LitCylinder {
     /// Fills the room of a cylinder that a scene's type allows but the scene does not use.
     pub(crate) const NONE: Self = Self {
-        seen: SeenCylinder::NONE,
+        seen: CylinderFromPoint::NONE,
         nearest: i32::MAX,
     };
 
@@ -196,9 +196,9 @@ impl PreparedCylinder {
     }
 
     /// As seen from a near point.
-    pub(crate) const fn seen_from(&self, origin: Point) -> SeenCylinder {
+    pub(crate) const fn seen_from(&self, origin: Point) -> CylinderFromPoint {
         let way = origin.to(self.center);
-        SeenCylinder {
+        CylinderFromPoint {
             way,
             across: self.axis.crossed_with(way),
             rise: way.dot(self.axis),
@@ -229,7 +229,7 @@ impl PreparedCylinder {
     #[inline(always)]
     pub(crate) fn met(
         &self,
-        seen: &SeenCylinder,
+        seen: &CylinderFromPoint,
         direction: &Direction,
         start: Length,
         reach: Length,
@@ -257,7 +257,7 @@ impl PreparedCylinder {
     #[inline(never)]
     pub(crate) fn met_beside(
         &self,
-        seen: &SeenCylinder,
+        seen: &CylinderFromPoint,
         direction: &Direction,
         sideways: i32,
         start: Length,
@@ -305,7 +305,7 @@ impl PreparedCylinder {
     #[inline(never)]
     pub(crate) fn met_steeply(
         &self,
-        seen: &SeenCylinder,
+        seen: &CylinderFromPoint,
         direction: &Direction,
         start: Length,
         reach: Length,

@@ -5,7 +5,7 @@ use crate::number::{
     Length, Quotient, Unit, divide, magnitude, narrowed, ratio, shifted, signed, unsigned,
     unsigned_wide, wide_unsigned, word_and_sign,
 };
-use crate::ray::{Path, Place, Ray};
+use crate::ray::{Ray, ScaledPoint, ScaledRay};
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// A plane as it is described.
@@ -214,7 +214,7 @@ impl PreparedPlane {
         }
         let lift = epsilon.to_bits() * if height < 0 { -1 } else { 1 };
         let Vector { x, y, z } = origin.to_vector().without(self.normal, 2 * height - lift);
-        let place = Place::new(Point::new(x, y, z), 0);
+        let place = ScaledPoint::new(Point::new(x, y, z), 0);
         place.is_near().then_some(place.point)
     }
 
@@ -278,7 +278,7 @@ impl PreparedPlane {
     /// The distance in raw steps at which a path from any place meets the plane, below 2⁶², or
     /// [`NOT_MET`].
     #[inline(never)]
-    pub(crate) fn intersect_far(&self, path: &Path) -> u64 {
+    pub(crate) fn intersect_far(&self, path: &ScaledRay) -> u64 {
         let (height, scale) = self.height_far(path.from());
         let climb = path.direction().dot(self.normal).to_bits();
         // One that is zero when it is rounded down to 2⁻²⁸ is none: near rays do not meet the plane from
@@ -296,7 +296,7 @@ impl PreparedPlane {
     }
 
     /// Whether a path comes down on the plane, however far away.
-    pub(crate) fn is_ahead(&self, path: &Path) -> bool {
+    pub(crate) fn is_ahead(&self, path: &ScaledRay) -> bool {
         let (height, _) = self.height_far(path.from());
         let climb = path.direction().dot(self.normal).to_bits();
         descent(height, climb).is_some()
@@ -304,7 +304,7 @@ impl PreparedPlane {
 
     /// How far a place lies along the normal from the plane, with 30 more fraction bits, and the
     /// scale this is in.
-    fn height_far(&self, place: Place) -> (i64, u32) {
+    fn height_far(&self, place: ScaledPoint) -> (i64, u32) {
         let scale = place.scale.max(self.far_scale);
         let along = place.point.to_vector().dot_wide(self.normal);
         let at_scale = |value: i64, from: u32| shifted(value, -signed((scale - from).min(63)));
@@ -315,7 +315,7 @@ impl PreparedPlane {
     }
 
     /// Where a place lies.
-    pub(crate) fn side(&self, place: Place, epsilon: Length) -> Side {
+    pub(crate) fn side(&self, place: ScaledPoint, epsilon: Length) -> Side {
         let (height, scale) = self.height_far(place);
         // A few steps of the scale, for what rounding has moved.
         const IN: i64 = 4;
@@ -329,7 +329,7 @@ impl PreparedPlane {
     }
 
     /// Whether a path meets the plane before it has gone `reach` · 2^`scale` steps; no division.
-    pub(crate) fn blocks_far(&self, path: &Path, reach: Length, scale: u32) -> bool {
+    pub(crate) fn blocks_far(&self, path: &ScaledRay, reach: Length, scale: u32) -> bool {
         let (height, height_scale) = self.height_far(path.from());
         let climb = path.direction().dot(self.normal).to_bits();
         let Some((height, descent)) = descent(height, climb) else {

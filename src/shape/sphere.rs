@@ -44,7 +44,7 @@ pub struct PreparedSphere {
 
 /// A sphere as the rays from one point see it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SeenSphere {
+pub(crate) struct SphereFromPoint {
     /// From the point to the centre.
     way: Vector,
     /// The length of the tangents from the point; the least number where the point lies inside.
@@ -59,7 +59,7 @@ const COARSEST: i32 = 128;
 /// steps at least, and each coordinate of a hit is rounded by up to two.
 const ON_SURFACE: i64 = 4;
 
-impl SeenSphere {
+impl SphereFromPoint {
     /// Fills the room of a sphere that a scene's type allows but the scene does not use.
     pub(crate) const NONE: Self = Self {
         way: Vector::ZERO,
@@ -167,10 +167,10 @@ impl PreparedSphere {
     }
 
     /// As seen from a near point.
-    pub(crate) const fn seen_from(&self, origin: Point) -> SeenSphere {
+    pub(crate) const fn seen_from(&self, origin: Point) -> SphereFromPoint {
         let way = origin.to(self.center);
         let square = signed_wide(way.square()) - self.square;
-        SeenSphere {
+        SphereFromPoint {
             way,
             tangent: if square <= 0 {
                 i32::MIN
@@ -182,9 +182,9 @@ impl PreparedSphere {
 
     /// As seen from a near point, but that no ray that meets the sphere is told otherwise by
     /// rounding: a direction is within 2⁻²⁷ of length one.
-    pub(crate) const fn surely_seen_from(&self, origin: Point) -> SeenSphere {
-        let SeenSphere { way, tangent } = self.seen_from(origin);
-        SeenSphere {
+    pub(crate) const fn surely_seen_from(&self, origin: Point) -> SphereFromPoint {
+        let SphereFromPoint { way, tangent } = self.seen_from(origin);
+        SphereFromPoint {
             way,
             tangent: if tangent < 0 {
                 tangent

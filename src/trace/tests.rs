@@ -7,7 +7,7 @@ use super::*;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::quality::{Fast, Fine};
-use crate::ray::Place;
+use crate::ray::ScaledPoint;
 use crate::scene::extent::Outlooks;
 use crate::scene::{RuntimeScene, Scene, World};
 use crate::shade::{BlinnPhong, Normals, Phong};
@@ -27,8 +27,8 @@ fn room(brightness: f64, alpha: f64) -> Scene<1, 0, 0, 0, 1> {
 }
 
 /// The path from a place towards a point far off.
-fn path(from: Place, towards: [f64; 3]) -> Path {
-    Path::new(from, Position::new(towards).direction().unwrap())
+fn path(from: ScaledPoint, towards: [f64; 3]) -> ScaledRay {
+    ScaledRay::new(from, Position::new(towards).direction().unwrap())
 }
 
 /// What is known about one path.
@@ -42,13 +42,13 @@ struct Followed {
 /// Follows one path, and asks every shape of the scene.
 fn followed_by<K: Shading, Q: Quality, W: World>(
     world: &W,
-    path: Path,
+    path: ScaledRay,
     reflections: u8,
 ) -> Followed {
-    let view = View::new(world, path.from());
+    let view = LightVisibility::new(world, path.from());
     let outlook = W::Outlook::ALL;
-    let sight = Sight::of_everything::<true>(Some(&outlook), path.from());
-    let mut tracer = Tracer::<_, K, Q>::new(world, &view, sight, reflections);
+    let culling = ScreenCulling::of_everything::<true>(Some(&outlook), path.from());
+    let mut tracer = Tracer::<_, K, Q>::new(world, &view, culling, reflections);
     Followed {
         sum: tracer.trace(0, path.direction()).sum,
         rays: tracer.rays,
@@ -334,7 +334,7 @@ fn mirror_is_met_from_below_only_by_rays_that_climb() {
     assert!(from.is_near());
     for climb in 1..9 {
         let direction = Direction::from_raw(Vector::new(1 << 30, 0, climb));
-        let followed = followed_by::<Phong, Fine, _>(&scene, Path::new(from, direction), 1);
+        let followed = followed_by::<Phong, Fine, _>(&scene, ScaledRay::new(from, direction), 1);
         assert_eq!(followed.rays, if climb < 4 { 1 } else { 2 }, "{climb}");
     }
 }

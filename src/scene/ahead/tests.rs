@@ -159,8 +159,8 @@ fn only_what_mirrors_has_a_table() {
     let [ahead] = scene.tables_ahead();
     // Nothing lies above it but, of what it is not known, itself.
     let up = Direction::from_raw(Vector::new(0, 0, 1 << 30));
-    assert_eq!(ahead.shapes(up), Few(0b10));
-    assert_eq!(ahead.shapes(Direction::X), Few(0b1110));
+    assert_eq!(ahead.shapes(up), MirrorSet(0b10));
+    assert_eq!(ahead.shapes(Direction::X), MirrorSet(0b1110));
 }
 
 const MIRROR: Material = Material::new([0.5; 3]).mirror(0.5);

@@ -3,8 +3,8 @@ use crate::number::sweep::Sweep;
 use crate::vector::Direction;
 
 /// Looks along x.
-fn fan(aside: Direction) -> Fan {
-    Fan {
+fn screen_axis(aside: Direction) -> ScreenAxis {
+    ScreenAxis {
         origin: Point::ORIGIN,
         ahead: Direction::X,
         aside,
@@ -26,8 +26,11 @@ fn tips_of_a_sphere_that_is_just_ahead_lie_ahead() {
         let [ahead, down] = [radius + sweep.within(1, 8), sweep.octaves(26, 30)];
         let way = Vector::new(ahead, down, sweep.octaves(3, 28));
         // What is asserted on the way is that they do.
-        let [below, above] = [way, Vector::new(ahead, -down, way.z)]
-            .map(|way| fan(z).tips(&fan(y), way, radius).expect("it is ahead"));
+        let [below, above] = [way, Vector::new(ahead, -down, way.z)].map(|way| {
+            screen_axis(z)
+                .tips(&screen_axis(y), way, radius)
+                .expect("it is ahead")
+        });
         assert_eq!(below, [above[1], above[0]], "{way:?}, {radius}");
     }
 }

@@ -2,7 +2,7 @@ use super::*;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::NEAR;
-use crate::ray::Trail;
+use crate::ray::PathSignature;
 use crate::scene::cells::Cells;
 use crate::scene::query::{Shape, first};
 use crate::scene::{RuntimeScene, Scene, query};
@@ -34,7 +34,7 @@ fn scene() -> Built {
 }
 
 /// The shapes around a light that stands somewhere, if that is near.
-fn cells(scene: &Built, place: Place) -> Cells {
+fn cells(scene: &Built, place: ScaledPoint) -> Cells {
     let parts = scene.parts();
     match place.is_near() {
         true => Cells::around(place.point, parts.spheres, parts.cylinders),
@@ -43,24 +43,24 @@ fn cells(scene: &Built, place: Place) -> Cells {
 }
 
 /// Says what a path meets first.
-type Way = fn(&Built, &Path, ShapeNumber, &mut Trail) -> Option<(Place, ShapeNumber)>;
+type Way = fn(&Built, &ScaledRay, ShapeId, &mut PathSignature) -> Option<(ScaledPoint, ShapeId)>;
 
 /// By code that is fast, and by code that is small.
 const WAYS: [Way; 2] = [nearest::<Built, false>, nearest::<Built, true>];
 
 /// A path from a place, aimed at a point among the shapes.
-fn aimed(sweep: &mut Sweep, from: Place) -> Path {
+fn aimed(sweep: &mut Sweep, from: ScaledPoint) -> ScaledRay {
     let [x, y, z] = sweep.triple(SHAPES);
-    let target = Place::new(Point::new(x, y, z), 0);
+    let target = ScaledPoint::new(Point::new(x, y, z), 0);
     let (direction, _) = from.to(target).0.direction_and_length();
-    Path::new(from, direction)
+    ScaledRay::new(from, direction)
 }
 
 /// A place some `octaves` beyond the near region.
-fn far_place(sweep: &mut Sweep, octaves: u32) -> Place {
+fn far_place(sweep: &mut Sweep, octaves: u32) -> ScaledPoint {
     let scale = sweep.within(1, octaves as i32);
     loop {
-        let place = Place::from_wide(sweep.triple(NEAR).map(|it| i64::from(it) << scale));
+        let place = ScaledPoint::from_wide(sweep.triple(NEAR).map(|it| i64::from(it) << scale));
         if !place.is_near() {
             return place;
         }
@@ -68,7 +68,7 @@ fn far_place(sweep: &mut Sweep, octaves: u32) -> Place {
 }
 
 /// A place in steps, and where a hit is, in double precision.
-fn wide(place: Place) -> [f64; 3] {
+fn wide(place: ScaledPoint) -> [f64; 3] {
     let Point { x, y, z } = place.point;
     [x, y, z].map(|it| f64::from(it) * 2f64.powi(place.scale as i32))
 }
@@ -78,7 +78,7 @@ fn length(a: [f64; 3]) -> f64 {
 }
 
 /// The name of what has been hit.
-fn kind(scene: &Built, hit: Option<(Place, ShapeNumber)>) -> &'static str {
+fn kind(scene: &Built, hit: Option<(ScaledPoint, ShapeId)>) -> &'static str {
     match hit.map(|(_, shape)| scene.parts().shape(shape).unwrap()) {
         None => "nothing",
         Some(Shape::Sphere(_)) => "sphere",
@@ -94,23 +94,23 @@ fn path_from_outside_the_ball_meets_what_a_near_ray_meets() {
     while checked < 100_000 {
         // The same place in steps of one and, as if it were far, in steps of two.
         let [x, y, z] = sweep.triple(NEAR / 2);
-        let coarse = Place {
+        let coarse = ScaledPoint {
             point: Point::new(x, y, z),
             scale: 1,
         };
-        let from = Place::new(Point::new(2 * x, 2 * y, 2 * z), 0);
+        let from = ScaledPoint::new(Point::new(2 * x, 2 * y, 2 * z), 0);
         if length(wide(from)) < 1.01 * f64::from(BALL) {
             continue;
         }
         checked += 1;
         let path = aimed(&mut sweep, from);
         let (near, far) = (
-            first(&scene, &path, ShapeNumber::NONE),
+            first(&scene, &path, ShapeId::NONE),
             WAYS[checked % 2](
                 &scene,
-                &Path::new(coarse, path.direction()),
-                ShapeNumber::NONE,
-                &mut Trail::new(),
+                &ScaledRay::new(coarse, path.direction()),
+                ShapeId::NONE,
+                &mut PathSignature::new(),
             ),
         );
         kinds[["nothing", "sphere", "plane", "cylinder"]
@@ -146,7 +146,7 @@ fn hit_of_a_far_path_lies_on_path_and_shape() {
     for _ in 0..100_000 {
         let from = far_place(&mut sweep, 20);
         let path = aimed(&mut sweep, from);
-        let hit = WAYS[hits % 2](&scene, &path, ShapeNumber::NONE, &mut Trail::new());
+        let hit = WAYS[hits % 2](&scene, &path, ShapeId::NONE, &mut PathSignature::new());
         if kind(&scene, hit) != "sphere" {
             continue;
         }
@@ -174,20 +174,20 @@ fn path_to_a_near_light_is_blocked_alike_near_and_far() {
         let limit = if round % 2 == 0 { NEAR } else { NEAR / 8 };
         let [from, light] = [0; 2].map(|_| {
             let [x, y, z] = sweep.triple(limit);
-            Place::new(Point::new(x, y, z), 0)
+            ScaledPoint::new(Point::new(x, y, z), 0)
         });
         let (direction, distance) = from.to(light).0.direction_and_length();
-        let path = Path::new(from, direction);
+        let path = ScaledRay::new(from, direction);
         let near = query::blocked(
             &scene,
             &path,
-            ShapeNumber::NONE,
+            ShapeId::NONE,
             (light, Some(&cells(&scene, light))),
             distance,
             0,
         );
         counts[usize::from(near)] += 1;
-        let far = blocked(&scene, &path, ShapeNumber::NONE, light, distance, 0);
+        let far = blocked(&scene, &path, ShapeId::NONE, light, distance, 0);
         assert_eq!(near, far, "{path:?} {light:?}");
     }
     assert!(counts.into_iter().all(|count| count > 10_000), "{counts:?}");
@@ -203,14 +203,14 @@ fn far_light_is_blocked_by_what_a_near_light_in_the_same_direction_is() {
             continue; // It may be nearer than what is taken for past the ball below.
         }
         let [x, y, z] = sweep.triple(SHAPES);
-        let from = Place::new(Point::new(x, y, z), 0);
+        let from = ScaledPoint::new(Point::new(x, y, z), 0);
         let (way, scale) = from.to(light);
         let (direction, distance) = way.direction_and_length();
-        let path = Path::new(from, direction);
+        let path = ScaledRay::new(from, direction);
         let far = query::blocked(
             &scene,
             &path,
-            ShapeNumber::NONE,
+            ShapeId::NONE,
             (light, Some(&cells(&scene, light))),
             distance,
             scale,
@@ -221,7 +221,7 @@ fn far_light_is_blocked_by_what_a_near_light_in_the_same_direction_is() {
         let near = query::blocked(
             &scene,
             &path,
-            ShapeNumber::NONE,
+            ShapeId::NONE,
             (light, Some(&cells(&scene, light))),
             past_the_ball,
             0,
@@ -233,7 +233,7 @@ fn far_light_is_blocked_by_what_a_near_light_in_the_same_direction_is() {
 }
 
 /// Whether a plane lies between a path and its light, in double precision.
-fn far_plane(scene: &Built, path: &Path, light: Place) -> bool {
+fn far_plane(scene: &Built, path: &ScaledRay, light: ScaledPoint) -> bool {
     let unit = 2f64.powi(-scene.grid.fraction_bits());
     let [_, y, z] = wide(path.from());
     let [_, light_y, light_z] = wide(light);
@@ -253,15 +253,15 @@ fn near_light_is_seen_from_far_away_unless_something_hides_it() {
         (Point::new(0, 0, -NEAR), true),
     ] {
         for scale in [1, 3, 10, 20] {
-            let light = Place::new(light, 0);
-            let from = Place::new(Point::new(NEAR, 0, 1 << 20), scale);
+            let light = ScaledPoint::new(light, 0);
+            let from = ScaledPoint::new(Point::new(NEAR, 0, 1 << 20), scale);
             let (way, scale) = from.to(light);
             let (direction, distance) = way.direction_and_length();
-            let path = Path::new(from, direction);
+            let path = ScaledRay::new(from, direction);
             let found = query::blocked(
                 &scene,
                 &path,
-                ShapeNumber::NONE,
+                ShapeId::NONE,
                 (light, Some(&cells(&scene, light))),
                 distance,
                 scale,
@@ -275,10 +275,10 @@ fn near_light_is_seen_from_far_away_unless_something_hides_it() {
 fn wall_far_away_is_met_where_it_stands() {
     let scene = scene();
     for (x, z) in [(0, 1 << 28), (-5, 3 << 26)] {
-        let from = Place::new(Point::new(x, 0, z), 0);
+        let from = ScaledPoint::new(Point::new(x, 0, z), 0);
         let north = Vector::new(0, 1, 0).precise_direction();
-        let path = Path::new(from, north);
-        let (at, _) = first(&scene, &path, ShapeNumber::NONE).unwrap();
+        let path = ScaledRay::new(from, north);
+        let (at, _) = first(&scene, &path, ShapeId::NONE).unwrap();
         let [_, y, _] = wide(at).map(|it| it * 2f64.powi(-scene.grid.fraction_bits()));
         assert!((y / 9e6 - 1.0).abs() < 2f64.powi(-26), "{y}");
     }
@@ -287,11 +287,11 @@ fn wall_far_away_is_met_where_it_stands() {
 #[test]
 fn path_from_the_end_of_the_world_meets_nothing_but_planes() {
     let scene = scene();
-    let from = Place::new(Point::new(0, NEAR, NEAR), FURTHEST_SCALE + 1);
-    let (direction, _) = from.to(Place::ORIGIN).0.direction_and_length();
-    let path = Path::new(from, direction);
+    let from = ScaledPoint::new(Point::new(0, NEAR, NEAR), FURTHEST_SCALE + 1);
+    let (direction, _) = from.to(ScaledPoint::ORIGIN).0.direction_and_length();
+    let path = ScaledRay::new(from, direction);
     for nearest in WAYS {
-        let met = nearest(&scene, &path, ShapeNumber::NONE, &mut Trail::new());
+        let met = nearest(&scene, &path, ShapeId::NONE, &mut PathSignature::new());
         assert_eq!(met, None);
     }
     assert!(into_ball(&path).is_none());

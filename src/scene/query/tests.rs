@@ -29,26 +29,26 @@ fn scenery(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Built {
 }
 
 /// The shapes around a light that stands somewhere near.
-fn cells(scene: &Built, place: Place) -> Cells {
+fn cells(scene: &Built, place: ScaledPoint) -> Cells {
     let parts = scene.parts();
     Cells::around(place.point, parts.spheres, parts.cylinders)
 }
 
 /// A path from a point on the x axis along it.
-fn along_x(scene: &Built, x: f64) -> Path {
+fn along_x(scene: &Built, x: f64) -> ScaledRay {
     let from = scene
         .grid
         .place(Position([Number::new(x), Number::ZERO, Number::ZERO]));
-    Path::new(from, Direction::X)
+    ScaledRay::new(from, Direction::X)
 }
 
 /// The number of the plane that stands in this place among the planes.
-fn plane_number(scene: &Built, index: u32) -> ShapeNumber {
-    ShapeNumber(scene.parts().first_plane() + index)
+fn plane_number(scene: &Built, index: u32) -> ShapeId {
+    ShapeId(scene.parts().first_plane() + index)
 }
 
 /// Where on the x axis a path from `x` is ended, in scene units, and by what.
-fn met_at(scene: &Built, x: f64, left: ShapeNumber) -> Option<(f64, ShapeNumber)> {
+fn met_at(scene: &Built, x: f64, left: ShapeId) -> Option<(f64, ShapeId)> {
     let (at, shape) = first(scene, &along_x(scene, x), left)?;
     let x = f64::from(at.point.x) * 2f64.powi(at.scale as i32) * STEP;
     Some((x, shape))
@@ -97,15 +97,15 @@ fn nearest_shape_is_met_whatever_its_kind() {
     let mut before = -1.25;
     for (surface, number) in surfaces {
         let from = (before + surface) / 2.0;
-        let (found, shape) = met_at(&scene, from, ShapeNumber::NONE).unwrap();
+        let (found, shape) = met_at(&scene, from, ShapeId::NONE).unwrap();
         assert!(
             (found - surface).abs() <= 4.0 * STEP,
             "from {from}: {found}, not {surface}"
         );
-        assert_eq!(shape, ShapeNumber(number), "from {from}");
+        assert_eq!(shape, ShapeId(number), "from {from}");
         before = surface;
     }
-    assert_eq!(met_at(&scene, 1.125, ShapeNumber::NONE), None);
+    assert_eq!(met_at(&scene, 1.125, ShapeId::NONE), None);
 }
 
 #[test]
@@ -113,7 +113,7 @@ fn plane_just_left_is_not_met() {
     let scene = two_planes(0.5);
     let [right, left] = [0, 1].map(|index| plane_number(&scene, index));
     for (just_left, truth, number) in [
-        (ShapeNumber::NONE, -0.5, left),
+        (ShapeId::NONE, -0.5, left),
         (right, -0.5, left),
         (left, 0.5, right),
     ] {
@@ -137,21 +137,21 @@ fn numbers_name_spheres_then_cylinders_then_planes() {
     });
     let parts = scene.parts();
     for number in 0..6 {
-        let (shape, number) = (parts.shape(ShapeNumber(number)).unwrap(), number as usize);
+        let (shape, number) = (parts.shape(ShapeId(number)).unwrap(), number as usize);
         let is_it = match shape {
             Shape::Sphere(sphere) => core::ptr::eq(sphere, &parts.spheres[number]),
             Shape::Cylinder(cylinder) => core::ptr::eq(cylinder, &parts.cylinders[number - 3]),
             Shape::Plane(plane) => core::ptr::eq(plane, &parts.planes[number - 5]),
         };
         assert!(is_it, "{number}: {shape:?}");
-        let number = ShapeNumber(number as u32);
+        let number = ShapeId(number as u32);
         assert_eq!(parts.is_plane(number), number.0 == 5);
         assert_eq!(parts.plane(number).is_some(), number.0 == 5);
     }
-    for none in [ShapeNumber(6), ShapeNumber::NONE, ShapeNumber::BEYOND] {
+    for none in [ShapeId(6), ShapeId::NONE, ShapeId::BEYOND] {
         assert!(parts.shape(none).is_none() && parts.plane(none).is_none());
     }
-    assert!(!parts.is_plane(ShapeNumber::NONE));
+    assert!(!parts.is_plane(ShapeId::NONE));
 }
 
 #[test]
@@ -162,7 +162,7 @@ fn plane_beyond_the_reach_of_near_rays_is_met() {
             scene.add_plane([x, 0.0, 0.0], [1, 0, 0], white).unwrap();
             scene.add_sphere([0, 0, 0], 0.5, white).unwrap();
         });
-        let (found, shape) = met_at(&scene, 1.25, ShapeNumber::NONE).unwrap();
+        let (found, shape) = met_at(&scene, 1.25, ShapeId::NONE).unwrap();
         assert!(
             (found / x - 1.0).abs() <= 2f64.powi(-25),
             "{found}, not {x}"
@@ -182,7 +182,7 @@ fn is_blocked_by_a_plane_at(x: f64) -> bool {
     blocked(
         &scene,
         &path,
-        ShapeNumber::NONE,
+        ShapeId::NONE,
         (light, Some(&cells(&scene, light))),
         Length::from_bits(way.x),
         scale,
@@ -221,7 +221,7 @@ fn light_is_blocked_by_every_kind_of_shape_and_by_none_behind_it() {
         blocked(
             &scene,
             &path,
-            ShapeNumber::NONE,
+            ShapeId::NONE,
             (light, Some(&cells(&scene, light))),
             distance,
             0,
@@ -247,7 +247,7 @@ fn light_closer_than_epsilon_is_not_blocked() {
     let scene = two_planes(0.5);
     for steps in [0, 1, 999, 1000] {
         let path = along_x(&scene, 1.0);
-        let light = Place {
+        let light = ScaledPoint {
             point: path
                 .from()
                 .point
@@ -259,7 +259,7 @@ fn light_closer_than_epsilon_is_not_blocked() {
             !blocked(
                 &scene,
                 &path,
-                ShapeNumber::NONE,
+                ShapeId::NONE,
                 (light, Some(&cells(&scene, light))),
                 distance,
                 0,

@@ -4,12 +4,12 @@ use crate::Camera;
 use crate::color::Sum;
 use crate::number::sweep::Sweep;
 use crate::quality::Exact;
-use crate::ray::Trail;
+use crate::ray::PathSignature;
 use crate::scene::ahead::RoundMirrors;
 use crate::scene::ahead::tests::{Built, crowd};
 use crate::scene::cells::Cells;
-use crate::scene::sight::Sight;
-use crate::scene::view::View;
+use crate::scene::culling::ScreenCulling;
+use crate::scene::view::LightVisibility;
 use crate::scene::{Needs, Parts, World};
 use crate::shade::BlinnPhong;
 use crate::trace::{Traced, Tracer};
@@ -21,7 +21,7 @@ struct Tabled<'a> {
 }
 
 impl World for Tabled<'_> {
-    type Lamp = <Built as World>::Lamp;
+    type LightOccluders = <Built as World>::LightOccluders;
     type Outlook = <Built as World>::Outlook;
 
     const NEEDS: Needs = <Built as World>::NEEDS;
@@ -32,7 +32,7 @@ impl World for Tabled<'_> {
         self.scene.parts()
     }
 
-    fn lamps(&self) -> &[Self::Lamp] {
+    fn lamps(&self) -> &[Self::LightOccluders] {
         self.scene.lamps()
     }
 
@@ -46,19 +46,19 @@ impl World for Tabled<'_> {
 }
 
 /// What the paths through all pixels come to.
-fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, Trail)> {
+fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, PathSignature)> {
     const SIDE: u32 = 32;
-    let lens = camera.lens(SIDE, SIDE);
+    let generator = camera.generator(SIDE, SIDE);
     let from = world.parts().grid.place(camera.description().position);
-    let view = View::new(world, from);
+    let view = LightVisibility::new(world, from);
     let rows = (0..SIDE).flat_map(|y| {
-        let sight = Sight::of_everything::<true>(None, from);
-        let mut tracer = Tracer::<W, BlinnPhong, Exact>::new(world, &view, sight, 5);
-        let directions = lens.row(y);
+        let culling = ScreenCulling::of_everything::<true>(None, from);
+        let mut tracer = Tracer::<W, BlinnPhong, Exact>::new(world, &view, culling, 5);
+        let directions = generator.row(y);
         let mut pixels = std::vec::Vec::new();
         for x in 0..SIDE {
-            let Traced { sum, trail } = tracer.trace(x, directions.of(x));
-            pixels.push((sum, trail));
+            let Traced { sum, signature } = tracer.trace(x, directions.of(x));
+            pixels.push((sum, signature));
         }
         pixels
     });

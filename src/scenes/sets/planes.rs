@@ -5,7 +5,7 @@ use super::*;
 /// A view of a scene of planes that is held against every plane asked.
 struct Held<'a> {
     scene: &'a Scene<0, 4, 0, 4, 1>,
-    view: View,
+    view: LightVisibility,
     /// How often a light stood clear, hidden and unclear.
     standings: [u32; 3],
 }
@@ -13,7 +13,7 @@ struct Held<'a> {
 impl Held<'_> {
     /// Holds what the view says about a place that its rays come to: above the plane `left`, with
     /// the normal there, or in mid-air. False where rounding decides on which side of a plane it is.
-    fn at(&mut self, place: Place, left: ShapeNumber, normal: Option<Direction>) -> bool {
+    fn at(&mut self, place: ScaledPoint, left: ShapeId, normal: Option<Direction>) -> bool {
         let parts = self.scene.parts();
         // Where planes meet, epsilon above one may be behind another, and a hit is known to 2^-26.
         let margin = Length::from_bits(4 * parts.epsilon.to_bits() + (64 << place.scale));
@@ -32,7 +32,13 @@ impl Held<'_> {
     }
 
     /// The same for one light.
-    fn under(&mut self, light: usize, place: Place, left: ShapeNumber, normal: Option<Direction>) {
+    fn under(
+        &mut self,
+        light: usize,
+        place: ScaledPoint,
+        left: ShapeId,
+        normal: Option<Direction>,
+    ) {
         let (scene, parts) = (self.scene, self.scene.parts());
         let from = parts.lights[light].place;
         let (way, scale) = place.to(from);
@@ -47,15 +53,15 @@ impl Held<'_> {
         if parts.planes.iter().any(is_flat) {
             return;
         }
-        let path = Path::new(place, direction);
+        let path = ScaledRay::new(place, direction);
         let is_behind = normal.is_some_and(|normal| normal.dot(direction) <= Unit::ZERO);
         let is_blocked = blocked(scene, &path, left, (from, None), distance, scale);
         let standing = self.view.standing(light);
         self.standings[standing as usize] += 1;
         let is_true = match standing {
-            Standing::Clear => !is_blocked,
-            Standing::Hidden => is_behind || is_blocked,
-            Standing::Unclear => true,
+            Visible::Clear => !is_blocked,
+            Visible::Hidden => is_behind || is_blocked,
+            Visible::Unclear => true,
         };
         assert!(
             is_true,
@@ -66,7 +72,7 @@ impl Held<'_> {
 
     /// Follows a path from the camera over some mirrors, and holds what is on its way.
     fn along(&mut self, random: &mut Sweep, direction: Direction) {
-        let (mut path, mut left) = (Path::new(self.view.from, direction), ShapeNumber::NONE);
+        let (mut path, mut left) = (ScaledRay::new(self.view.from, direction), ShapeId::NONE);
         for _ in 0..4 {
             let Some((at, shape)) = first(self.scene, &path, left) else {
                 return;
@@ -79,8 +85,8 @@ impl Held<'_> {
                 let (_, length) = path.from().point.to(at.point).direction_and_length();
                 let part = f64::from(length.to_bits()) * random.share().abs();
                 let part = Length::from_bits(part as i32);
-                let on_the_way = Place::new(path.ray.origin.along(path.direction(), part), 0);
-                self.at(on_the_way, ShapeNumber::NONE, None);
+                let on_the_way = ScaledPoint::new(path.ray.origin.along(path.direction(), part), 0);
+                self.at(on_the_way, ShapeId::NONE, None);
             }
             let surface = Surface::new(self.scene, at, shape, path.direction()).unwrap();
             if !self.at(surface.place, shape, Some(surface.normal)) {
@@ -117,7 +123,7 @@ fn view_knows_from_which_lights_planes_hide_what_it_shows() {
         let from = scene.parts().grid.place(Position::new(position));
         let mut held = Held {
             scene: &scene,
-            view: View::new(&scene, from),
+            view: LightVisibility::new(&scene, from),
             standings,
         };
         for _ in 0..10 {

@@ -2,7 +2,7 @@ use super::super::LIFT;
 use super::*;
 use crate::number::Unit;
 use crate::number::sweep::Sweep;
-use crate::ray::Place;
+use crate::ray::ScaledPoint;
 use crate::shape::fixture::*;
 
 const RADIUS: i32 = 1 << 24;
@@ -352,7 +352,7 @@ fn ray_leaving_a_cylinder_outward_misses_it() {
             continue; // It has come from inside.
         }
         left_outside += 1;
-        let origin = Place::new(at, 0)
+        let origin = ScaledPoint::new(at, 0)
             .lifted(normal, Length::from_bits(16))
             .point;
         let any = any_direction(&mut sweep);
@@ -398,7 +398,7 @@ fn ray_leaving_the_inside_of_a_cylinder_crosses_it() {
         };
         let at = arriving.origin.along(arriving.direction, distance);
         let normal = cylinder.normal(at).reversed();
-        let origin = Place::new(at, 0)
+        let origin = ScaledPoint::new(at, 0)
             .lifted(normal, Length::from_bits(64))
             .point;
         let any = any_direction(&mut sweep);

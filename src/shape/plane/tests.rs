@@ -1,6 +1,6 @@
 use super::*;
 use crate::number::sweep::Sweep;
-use crate::ray::Place;
+use crate::ray::ScaledPoint;
 use crate::shape::fixture::*;
 use crate::vector::Vector;
 
@@ -154,7 +154,7 @@ fn every_plane_is_met_where_double_precision_meets_it() {
 fn paths_meet_near_planes_where_rays_do() {
     let mut hits = 0;
     for (plane, ray) in pairs(4) {
-        let path = Path::new(Place::new(ray.origin, 0), ray.direction);
+        let path = ScaledRay::new(ScaledPoint::new(ray.origin, 0), ray.direction);
         let Some(near) = steps(plane.intersect(&ray, EVERYWHERE)) else {
             continue;
         };
@@ -174,7 +174,7 @@ fn paths_meet_near_planes_where_rays_do() {
 fn paths_are_blocked_where_rays_are() {
     let mut sweep = Sweep::new(5);
     for (plane, ray) in pairs(6) {
-        let path = Path::new(Place::new(ray.origin, 0), ray.direction);
+        let path = ScaledRay::new(ScaledPoint::new(ray.origin, 0), ray.direction);
         let reach = Length::from_bits(sweep.within(1, 1 << 30));
         let near = plane.blocks(&ray, reach);
         assert_eq!(
@@ -187,7 +187,7 @@ fn paths_are_blocked_where_rays_are() {
 
 #[test]
 fn reach_of_a_path_counts_in_its_scale() {
-    let path = Path::new(Place::ORIGIN, direction([0, 0, -1]));
+    let path = ScaledRay::new(ScaledPoint::ORIGIN, direction([0, 0, -1]));
     let plane = floor_at(-(1 << 28));
     for (reach, scale, blocks) in [
         (1 << 28, 0, false),
@@ -207,7 +207,7 @@ fn plane_too_far_for_rays_is_met_by_paths() {
     let down = ray([0, 0, 1 << 20], [0, 0, -1]);
     assert_eq!(far.intersect(&down, EVERYWHERE), None);
     assert!(!far.blocks(&down, EVERYWHERE));
-    let path = Path::new(Place::new(down.origin, 0), down.direction);
+    let path = ScaledRay::new(ScaledPoint::new(down.origin, 0), down.direction);
     let distance = far.intersect_far(&path) as f64;
     let truth = 2f64.powi(41) + 2f64.powi(20);
     assert!(
@@ -229,15 +229,15 @@ fn plane_too_far_for_rays_is_met_by_paths() {
 #[test]
 fn path_from_far_away_comes_down_on_a_near_plane() {
     for scale in [1, 5, 20, 30] {
-        let from = Place::new(Point::new(1 << 28, 0, 1 << 28), scale);
-        let path = Path::new(from, direction([-3, 0, -4]));
+        let from = ScaledPoint::new(Point::new(1 << 28, 0, 1 << 28), scale);
+        let path = ScaledRay::new(from, direction([-3, 0, -4]));
         let distance = floor_at(0).intersect_far(&path) as f64;
         let truth = 2f64.powi(28 + scale as i32) / 0.8;
         assert!(
             (distance / truth - 1.0).abs() < 2f64.powi(-26),
             "{distance}, not {truth}"
         );
-        let upward = Path::new(from, direction([-3, 0, 4]));
+        let upward = ScaledRay::new(from, direction([-3, 0, 4]));
         assert_eq!(floor_at(0).intersect_far(&upward), NOT_MET);
         assert!(!floor_at(0).blocks_far(&upward, EVERYWHERE, 40));
     }

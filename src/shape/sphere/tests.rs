@@ -1,7 +1,7 @@
 use super::super::LIFT;
 use super::*;
 use crate::number::sweep::Sweep;
-use crate::ray::{Place, Ray};
+use crate::ray::{Ray, ScaledPoint};
 use crate::shape::fixture::*;
 
 const RADIUS: i32 = 1 << 24;
@@ -222,7 +222,7 @@ fn left(sphere: &PreparedSphere, ray: &Ray) -> Option<(Point, Direction)> {
     let climbs = ray.direction.dot(outward).to_bits() > 0;
     let normal = if climbs { outward.reversed() } else { outward };
     Some((
-        Place::new(at, 0)
+        ScaledPoint::new(at, 0)
             .lifted(normal, Length::from_bits(16))
             .point,
         normal,
