@@ -340,12 +340,6 @@ impl RowDirections {
         self.way(aside).direction_of_square(square)
     }
 
-    /// The same, but shorter: below half as long as a direction is. For what depends on signs alone.
-    #[inline(always)]
-    pub(crate) fn short_of(&self, column: u32) -> Direction {
-        Direction::from_raw(self.way(self.aside(column)))
-    }
-
     /// The way to a pixel that lies so far aside, below 2²⁹.
     #[inline(always)]
     fn way(&self, aside: i32) -> Vector {

@@ -10,18 +10,20 @@
 //! Which pixels are traced depends on their columns alone, so a part of a row has the colours that it
 //! has in the whole.
 
+use crate::accel::{LONGEST_STRIDE, Window, World};
 use crate::camera::RowDirections;
 use crate::color::{Bend, Sum};
 use crate::number::{Unit, to_u32};
-use crate::quality::{LONGEST_STRIDE, Quality};
-use crate::scene::World;
-use crate::shade::sealed::Shading;
+use crate::quality::Quality;
+use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Traced, Tracer};
 
 /// The colours of a row from one column on, in the order they are asked for.
 pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     tracer: &'s mut Tracer<'a, W, K, Q>,
     directions: RowDirections,
+    /// The columns that the tracer has advanced to.
+    window: Window,
     /// The column of the next colour.
     column: u32,
     /// The last column that may be traced: some beyond the picture, unless it is so narrow that their
@@ -62,7 +64,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     ) -> Self {
         const { Self::IS_SOUND };
         let stride = tracer.stride();
+        // As when the row begins before it; how much the colours bend is known from the stretch before.
+        let window = (column - column % stride).saturating_sub(3 * stride);
         let mut colors = Self {
+            window: tracer.advance(window, window + 2 * stride),
             tracer,
             directions,
             column,
@@ -144,14 +149,11 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     fn start(&mut self) {
         let stride = self.tracer.stride();
         let first = self.column - self.column % stride;
-        // How much the colours bend is known from the stretch before.
         let before = first.saturating_sub(stride);
-        // Each turned to as it is when the row begins before it.
         let turn_to = |colors: &mut Self, column: u32| {
             let window = column.saturating_sub(2 * stride);
-            colors.tracer.turn_to(window, window + 2 * stride);
+            colors.window = colors.tracer.advance(window, window + 2 * stride);
         };
-        turn_to(self, before);
         if self.tracer.notes_what_is_thin() && !(before == 0 && self.clear(before)) {
             let before = (before < first).then(|| self.trace(before));
             turn_to(self, first);
@@ -169,7 +171,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// on that begins at the first of them.
     #[inline(always)]
     fn clear(&mut self, first: u32) -> bool {
-        let Some(until) = self.tracer.clear_until() else {
+        let Some(until) = self.tracer.clear_until(&self.window) else {
             return false;
         };
         let stride = self.tracer.stride();
@@ -204,7 +206,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             return;
         }
         let stride = self.tracer.stride();
-        self.tracer.turn_to(first, first + 2 * stride);
+        self.window = self.tracer.advance(first, first + 2 * stride);
         if stride == 1 {
             self.stretch[0] = self.trace(first).sum;
             return;
@@ -293,10 +295,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
 
     #[inline(always)]
     fn traced(&mut self, column: u32) -> Traced {
-        let direction = match W::NEEDS.places {
-            true => self.directions.of(column),
-            false => self.directions.short_of(column),
-        };
-        self.tracer.trace(column, direction)
+        let direction = self.directions.of(column);
+        self.tracer.trace((&self.window, column), direction)
     }
 }

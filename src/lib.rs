@@ -146,6 +146,7 @@
 #[macro_use]
 extern crate std;
 
+mod accel;
 mod camera;
 mod color;
 mod fault;
@@ -179,6 +180,7 @@ mod shape;
 mod trace;
 mod vector;
 
+pub use accel::{Apart, Static, StaticScene, Whole, Within, World};
 pub use camera::{Camera, CameraDescription, CameraError};
 pub use fault::Fault;
 pub use light::Light;
@@ -189,9 +191,10 @@ pub use render::{
     Budgeted, Choice, Ditherable, Dithered, Enlarged, Frame, Front, FrontPoint, Grade, Picture,
     Report, StaticFrame, Threshold, dither,
 };
+pub use scene::access::SceneAccess;
 pub use scene::{
-    Apart, Bound, Description, Excess, Mirrors, MostReflections, Need, Needs, RuntimeScene, Scene,
-    SceneBuilder, SceneError, Shininess, Static, StaticScene, Whole, Within, World,
+    Bound, Description, Excess, Mirrors, MostReflections, Need, Needs, RuntimeScene, Scene,
+    SceneBuilder, SceneError, Shininess,
 };
 pub use shade::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 pub use shape::{MaterialId, cylinder::Cylinder, plane::Plane, sphere::Sphere};

@@ -181,8 +181,8 @@ impl PreparedMaterial {
 
     /// Whether it reflects at all.
     #[inline(always)]
-    pub(crate) fn mirrors(&self) -> bool {
-        self.mirror > Unit::ZERO
+    pub(crate) const fn mirrors(&self) -> bool {
+        self.mirror.to_bits() > 0
     }
 
     /// Quantises a description: coefficients to 2⁻²⁶, α to 2⁻³⁰.

@@ -1,9 +1,8 @@
 //! Floor 0: how exact a picture is, as a type, so that the choice costs nothing while it runs.
 
+use crate::accel::CullingQuality;
 use crate::number::Unit;
-
-/// The longest way from one pixel that is always traced to the next.
-pub(crate) const LONGEST_STRIDE: u32 = 4;
+use crate::shade::LightQuality;
 
 /// What a frame may leave out. Choose with [`crate::Frame::quality`].
 ///
@@ -112,4 +111,12 @@ impl Quality for Exact {
     const STRIDE: u32 = 1;
     const TOLERANCE: Unit = Unit::ZERO;
     const IS_PRECISE: bool = true;
+}
+
+impl<Q: Quality> LightQuality for Q {
+    const IS_PRECISE: bool = <Q as Quality>::IS_PRECISE;
+}
+
+impl<Q: Quality> CullingQuality for Q {
+    const CULLING: bool = !Q::IS_SMALL;
 }

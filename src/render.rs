@@ -17,16 +17,17 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::transform::Transform;
 
+use crate::accel::light_visibility::LightVisibility;
+use crate::accel::screen_bounds::Bounds;
+use crate::accel::screen_culling::ScreenCulling;
+use crate::accel::{Apart, Static, Whole, Within, World};
 use crate::camera::{Camera, RayGenerator};
 use crate::color::Sum;
 use crate::interpolate::Colors;
 use crate::number::{Unit, unsigned};
 use crate::quality::{Fast, Quality};
 use crate::ray::ScaledPoint;
-use crate::scene::culling::ScreenCulling;
-use crate::scene::extent::Outlooks;
-use crate::scene::view::LightVisibility;
-use crate::scene::{Apart, Bound, Excess, MostReflections, Scene, Static, Whole, Within, World};
+use crate::scene::{Bound, Excess, MostReflections, Scene};
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
 
@@ -158,7 +159,7 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         let mut picture = Picture {
             world: self.world,
             view: LightVisibility::unclear(ScaledPoint::ORIGIN),
-            outlook: None,
+            bounds: None,
             generator: None,
             size: Size::new(width, height),
             reflections: self.reflections,
@@ -176,8 +177,8 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
             false => LightVisibility::new(&self.world, from),
         };
         if !is_plain && from.is_near() {
-            let outlook = picture.outlook.insert(W::Outlook::ALL);
-            outlook.look(
+            let bounds = picture.bounds.insert(W::ScreenBounds::ALL);
+            bounds.look(
                 &self.world,
                 &self.camera.screen_axes(&generator, from.point),
             );
@@ -214,7 +215,7 @@ pub struct Picture<W: World, Q = Fast, K = BlinnPhong> {
     generator: Option<RayGenerator>,
     view: LightVisibility,
     /// Nothing, where the camera is far away or flash is scarce.
-    outlook: Option<W::Outlook>,
+    bounds: Option<W::ScreenBounds>,
     size: Size,
     reflections: u8,
     kinds: PhantomData<(Q, K)>,
@@ -251,7 +252,6 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         C: Copy + From<Rgb888>,
     {
         let mut tracer = self.tracer(y);
-        tracer.look();
         let mut colors = Colors::new(&mut tracer, generator.row(y), x, self.size.width);
         colors.fill(pixels, shown);
         let mut report = Report::NONE;
@@ -307,7 +307,6 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         for y in area.rows() {
             let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
             let mut tracer = self.tracer(unsigned(y));
-            tracer.look();
             let directions = generator.row(unsigned(y));
             let mut colors = Colors::new(&mut tracer, directions, unsigned(left), self.size.width);
             let pixels = (0..width).map(|_| shown(colors.next_color()));
@@ -334,10 +333,10 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
     /// What follows the rays of row `y`.
     #[inline(always)]
     fn tracer(&self, y: u32) -> Tracer<'_, W, K, Q> {
-        let (outlook, from) = (self.outlook.as_ref(), self.view.from);
+        let (bounds, from) = (self.bounds.as_ref(), self.view.from);
         let culling = match Tracer::<W, K, Q>::IS_PLAIN {
-            true => ScreenCulling::new::<false>(outlook, from, y),
-            false => ScreenCulling::new::<true>(outlook, from, y),
+            true => ScreenCulling::new::<false>(bounds, from, y, true),
+            false => ScreenCulling::new::<true>(bounds, from, y, false),
         };
         Tracer::new(&self.world, &self.view, culling, self.reflections)
     }

@@ -10,10 +10,10 @@ pub mod reference;
 pub use self::painted::painted;
 
 use crate::number::Number;
-use crate::scene::World;
+use crate::scene::access::SceneAccess;
 
 /// The grid that a scene was laid on and how dim it is, as the analysis of rounding wants it.
-pub fn precision(world: &impl World) -> reference::bound::Precision {
+pub fn precision(world: &impl SceneAccess) -> reference::bound::Precision {
     let grid = world.parts().grid;
     reference::bound::Precision {
         step: f64::exp2(f64::from(-grid.fraction_bits())),

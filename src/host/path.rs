@@ -4,10 +4,12 @@ use std::vec::Vec;
 
 use crate::camera::Camera;
 use crate::number::Number;
+use crate::ray::PathSignature;
 use crate::ray::{ScaledPoint, ScaledRay};
-use crate::scene::World;
-use crate::scene::query::{ShapeId, first};
-use crate::shade::Surface;
+use crate::scene::Surface;
+use crate::scene::access::SceneAccess;
+use crate::scene::access::ShapeId;
+use crate::scene::query::nearest_hit;
 
 /// A ray: where it starts, and its direction, which has length one but for 2⁻²⁶.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +38,7 @@ pub struct Ray {
 /// assert_eq!(rays[1].direction, [0.0, 0.0, 1.0]);
 /// assert!((rays[1].origin[2] - 1e-3).abs() < 1e-6);
 /// ```
-pub fn follow<W: World>(
+pub fn follow<W: SceneAccess>(
     world: &W,
     camera: &Camera,
     (width, height): (u32, u32),
@@ -50,20 +52,21 @@ pub fn follow<W: World>(
     let mut left = ShapeId::NONE;
     let mut rays = vec![plain(world, &path)];
     for _ in 0..reflections {
-        let Some((at, shape)) = first(world, &path, left) else {
+        let hit = nearest_hit::<W, false>(world, &path, left, &mut PathSignature::new());
+        let Some((at, shape)) = hit else {
             break;
         };
         let Some(surface) = Surface::new(world, at, shape, path.direction()) else {
             break;
         };
         surface.reflect(world, &mut path);
-        left = surface.left(world);
+        left = surface.skip(world);
         rays.push(plain(world, &path));
     }
     rays
 }
 
-fn plain<W: World>(world: &W, path: &ScaledRay) -> Ray {
+fn plain<W: SceneAccess>(world: &W, path: &ScaledRay) -> Ray {
     let grid = world.parts().grid;
     let ScaledPoint { point, scale } = path.from();
     let step = 2f64.powi(scale as i32 - grid.fraction_bits());

@@ -1,8 +1,8 @@
 //! Floor 7: what a picture can be off by where its paths were ended, from its report.
 
 use super::{Picture, Report};
+use crate::accel::World;
 use crate::number::{Unit, narrowed_unsigned, signed};
-use crate::scene::World;
 
 impl<W: World, Q, K> Picture<W, Q, K> {
     /// How far a pixel of this picture that was traced can be from one whose paths are followed for

@@ -7,9 +7,9 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 
 use super::{Enlarged, Frame, Report};
+use crate::accel::World;
 use crate::number::{Unit, signed};
 use crate::quality::{Fast, Fine, Quality};
-use crate::scene::World;
 use crate::shade::Shading;
 
 /// The quality of a [`FrontPoint`], as a value.

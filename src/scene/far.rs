@@ -4,10 +4,10 @@
 //! Planes are met with a distance of 62 bits. Spheres and cylinders lie in the ball, so a path
 //! from far away is moved along itself to where it enters the ball and asks them from there.
 
-use super::World;
-use super::mask::Mask;
-use super::nearest::{NOWHERE, nearest_bounded};
-use super::query::{ShapeId, blocked_by_bounded, planes_but};
+use super::access::{SceneAccess, ShapeId};
+use super::nearest::{Hit, NOWHERE, any_blocks, nearest_of};
+use super::planes;
+use super::shape_set::ShapeSet;
 use crate::number::{Length, narrowed_unsigned, shifted, signed, square_root, unsigned, wide};
 use crate::ray::{BALL, PathSignature, REACH, Ray, ScaledPoint, ScaledRay};
 use crate::shape::plane::NOT_MET;
@@ -17,9 +17,9 @@ const FURTHEST_SCALE: u32 = 32;
 
 /// The nearest plane of any distance below 2⁶² steps, and that distance; [`NOT_MET`] if there is none.
 #[inline(always)]
-fn nearest_plane<W: World>(world: &W, path: &ScaledRay, left: ShapeId) -> (u64, ShapeId) {
+fn nearest_plane<W: SceneAccess>(world: &W, path: &ScaledRay, skip: ShapeId) -> (u64, ShapeId) {
     let mut nearest = (NOT_MET, ShapeId::NONE);
-    for (number, plane) in planes_but(world, left) {
+    for (number, plane) in planes::others(world, skip) {
         let distance = plane.intersect_far(path);
         if distance < nearest.0 {
             nearest = (distance, number);
@@ -28,23 +28,23 @@ fn nearest_plane<W: World>(world: &W, path: &ScaledRay, left: ShapeId) -> (u64, 
     nearest
 }
 
-/// What a path that has left the shape `left` meets first, wherever it starts, and where.
+/// What a path that has skip the shape `skip` meets first, wherever it starts, and where.
 #[cold]
 #[inline(never)]
-pub(crate) fn nearest<W: World, const SMALL: bool>(
+pub(super) fn nearest<W: SceneAccess>(
     world: &W,
     path: &ScaledRay,
-    left: ShapeId,
+    skip: ShapeId,
     signature: &mut PathSignature,
 ) -> Option<(ScaledPoint, ShapeId)> {
-    let (plane, shape) = nearest_plane(world, path, left);
+    let (plane, shape) = nearest_plane(world, path, skip);
     if world.parts().has_bounded() {
         let start = match path.from().is_near() {
             true => Some((path.ray, 0)),
             false => into_ball(path),
         };
         if let Some((ray, skipped)) = start {
-            let hit = nearest_bounded::<W, SMALL>(world, &ray, NOWHERE, left, signature);
+            let hit = nearest_of(world, ShapeSet::ALL, (&ray, NOWHERE), skip, signature);
             let distance = skipped + u64::from(unsigned(hit.distance.to_bits()));
             if hit.shape != ShapeId::NONE && distance < plane {
                 let at = ray.origin.along(ray.direction, hit.distance);
@@ -58,43 +58,46 @@ pub(crate) fn nearest<W: World, const SMALL: bool>(
     Some((place_along(path, plane)?, shape))
 }
 
-/// Whether a path that has left the shape `left` meets anything more than epsilon before a light.
-///
-/// Told at what it meets, not at its start: a light among the shapes may be far away from there.
+/// Where a path that has skip the shape `skip` meets what its ray has hit, and what that is where
+/// the ray did not see it.
 #[inline(always)]
-pub(crate) fn ends_before<W: World>(
+pub(crate) fn located<W: SceneAccess, const PRECISE: bool>(
     world: &W,
     path: &ScaledRay,
-    left: ShapeId,
-    light: ScaledPoint,
-) -> bool {
-    nearest::<W, true>(world, path, left, &mut PathSignature::new()).is_some_and(|(at, _)| {
-        let (rest, scale) = at.to(light);
-        rest.dot(path.direction()) > world.parts().epsilon.to_bits() >> scale.min(31)
-    })
-}
-
-/// Whether a path meets the only shape of a scene, which is a plane; not where, for that does not
-/// matter.
-#[inline(always)]
-pub(crate) fn only_plane<W: World>(world: &W, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
-    let (number, plane) = planes_but(world, ShapeId::NONE).next()?;
-    plane.is_ahead(path).then_some((path.from(), number))
+    skip: ShapeId,
+    hit: Hit,
+    signature: &mut PathSignature,
+) -> Option<(ScaledPoint, ShapeId)> {
+    if hit.shape == ShapeId::NONE {
+        return None;
+    }
+    if hit.shape != ShapeId::BEYOND {
+        let (origin, direction) = (path.ray.origin, path.direction());
+        let at = match PRECISE {
+            true => origin.precisely_along(direction, hit.distance),
+            false => origin.along(direction, hit.distance),
+        };
+        // Only a plane can be met so far out that this is not near.
+        if let Some(at) = ScaledPoint::near(at) {
+            return Some((at, hit.shape));
+        }
+    }
+    // Taken apart, or what is near is kept in memory, too.
+    let (at, shape) = nearest(world, path, skip, signature)?;
+    Some((at, shape))
 }
 
 /// Whether a path is blocked on its way to a light, one of them far.
 #[cold]
-pub(super) fn blocked<W: World>(
+pub(super) fn occluded<W: SceneAccess>(
     world: &W,
     path: &ScaledRay,
-    left: ShapeId,
-    light: ScaledPoint,
-    distance: Length,
-    scale: u32,
+    skip: ShapeId,
+    (light, distance, scale): (ScaledPoint, Length, u32),
 ) -> bool {
     let epsilon = world.parts().epsilon.to_bits() >> scale.min(31);
     let reach = Length::from_bits((distance.to_bits() - epsilon).max(0));
-    if planes_but(world, left).any(|(_, plane)| plane.blocks_far(path, reach, scale)) {
+    if planes::others(world, skip).any(|(_, plane)| plane.blocks_far(path, reach, scale)) {
         return true;
     }
     let start = if path.from().is_near() {
@@ -114,17 +117,17 @@ pub(super) fn blocked<W: World>(
         rest.min(unsigned(REACH.to_bits()).into()),
     ));
     let reach = if light.is_near() {
-        // Finer than what is left of a far distance.
+        // Finer than what is skip of a far distance.
         let (_, rest) = ray.origin.to(light.point).direction_and_length();
         rest.to_bits() - world.parts().epsilon.to_bits()
     } else {
         rest
     };
-    blocked_by_bounded(
+    any_blocks(
         world,
-        Mask::ALL,
+        ShapeSet::ALL,
         &ray,
-        left,
+        skip,
         Length::from_bits(reach.max(0)),
     )
 }

@@ -4,36 +4,31 @@
 //! A scene is laid on a grid of its own: its shapes fill a ball of 2²⁸ steps, whatever their size
 //! in scene units, so the binary point is never the user's concern.
 
-pub(crate) mod ahead;
+pub(crate) mod access;
 mod brightness;
 mod builder;
-pub(crate) mod cells;
-pub(crate) mod culling;
-mod directions;
 mod error;
-pub(crate) mod extent;
 pub(crate) mod far;
 mod layout;
-pub(crate) mod mask;
 pub(crate) mod nearest;
 mod needs;
+pub(crate) mod planes;
 mod prepare;
 pub(crate) mod query;
-mod row;
 mod runtime;
-pub(crate) mod view;
-mod world;
+pub(crate) mod shape_set;
+pub(crate) mod surface;
 
+pub(crate) use access::Parts;
 pub use builder::SceneBuilder;
 pub use error::SceneError;
+pub(crate) use needs::FEW;
 pub use needs::{Bound, Excess, Mirrors, MostReflections, Need, Needs, Shininess};
 pub use runtime::RuntimeScene;
-pub use world::{Apart, Static, StaticScene, Whole, Within, World};
-pub(crate) use world::{Occluders, Parts};
+pub(crate) use surface::Surface;
 
-use cells::Cells;
-use world::LightOccluders;
-
+use crate::accel::light_occluders::LightOccluders;
+use crate::accel::light_table::LightTable;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::grid::Grid;
@@ -76,31 +71,31 @@ pub(crate) const EPSILON: f64 = 1e-3;
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize = 8>
 {
-    spheres: [PreparedSphere; S],
-    planes: [PreparedPlane; P],
-    cylinders: [PreparedCylinder; C],
-    lights: [PreparedLight; L],
-    cells: [Cells; L],
-    lamps: [LightOccluders<S, C>; L],
-    materials: [PreparedMaterial; M],
-    counts: Counts,
-    background: Color,
-    brightest: Brightness,
-    dimness: Unit,
-    epsilon: Length,
-    inner_epsilon: Length,
-    grid: Grid,
-    camera: Option<Camera>,
+    pub(crate) spheres: [PreparedSphere; S],
+    pub(crate) planes: [PreparedPlane; P],
+    pub(crate) cylinders: [PreparedCylinder; C],
+    pub(crate) lights: [PreparedLight; L],
+    pub(crate) light_tables: [LightTable; L],
+    pub(crate) light_occluders: [LightOccluders<S, C>; L],
+    pub(crate) materials: [PreparedMaterial; M],
+    pub(crate) counts: Counts,
+    pub(crate) background: Color,
+    pub(crate) brightest: Brightness,
+    pub(crate) dimness: Unit,
+    pub(crate) epsilon: Length,
+    pub(crate) inner_epsilon: Length,
+    pub(crate) grid: Grid,
+    pub(crate) camera: Option<Camera>,
 }
 
 /// How much of a scene's room is used.
 #[derive(Clone, Copy, Debug)]
-struct Counts {
-    spheres: usize,
-    planes: usize,
-    cylinders: usize,
-    lights: usize,
-    materials: usize,
+pub(crate) struct Counts {
+    pub(crate) spheres: usize,
+    pub(crate) planes: usize,
+    pub(crate) cylinders: usize,
+    pub(crate) lights: usize,
+    pub(crate) materials: usize,
 }
 
 impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
@@ -115,11 +110,29 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     pub const fn camera(&self) -> Option<&Camera> {
         self.camera.as_ref()
     }
+
+    /// What the plain kernels read.
+    #[inline(always)]
+    pub(crate) const fn plain_parts(&self) -> Parts<'_> {
+        Parts {
+            spheres: used(&self.spheres, self.counts.spheres),
+            planes: used(&self.planes, self.counts.planes),
+            cylinders: used(&self.cylinders, self.counts.cylinders),
+            lights: used(&self.lights, self.counts.lights),
+            materials: used(&self.materials, self.counts.materials),
+            background: self.background,
+            brightest: self.brightest,
+            dimness: self.dimness,
+            epsilon: self.epsilon,
+            inner_epsilon: self.inner_epsilon,
+            grid: &self.grid,
+        }
+    }
 }
 
 /// The first `count` items; all of them, rather than a panic, should there be fewer.
 #[inline(always)]
-const fn used<T>(items: &[T], count: usize) -> &[T] {
+pub(crate) const fn used<T>(items: &[T], count: usize) -> &[T] {
     match items.split_at_checked(count) {
         Some((used, _)) => used,
         None => items,

@@ -1,90 +1,91 @@
-//! What a near ray meets first of the spheres and cylinders, wherever it comes from.
+//! The bounded shapes on a near ray: the nearest of them, or whether there is any. All are asked, or
+//! candidates.
 
-use super::World;
-use super::ahead::MirrorSet;
-use super::query::{Hit, ShapeId};
+use super::access::{SceneAccess, ShapeId};
+use super::shape_set::ShapeSet;
 use crate::number::Length;
 use crate::ray::{PathSignature, REACH, Ray};
-use crate::shape::cylinder::{CylinderFromPoint, PreparedCylinder};
-use crate::shape::sphere::{PreparedSphere, SphereFromPoint};
-use crate::vector::{Direction, Vector};
+use crate::shape::bounded::{Bounded, Range};
+use crate::vector::Direction;
 
-/// No distance at all.
+/// No distance.
 pub(crate) const NOWHERE: Length = Length::from_bits(0);
 
-/// What lies ahead of a ray that a shape has mirrored, as far as that is known.
-#[inline(always)]
-pub(crate) fn ahead<W: World>(world: &W, mirror: ShapeId, direction: Direction) -> MirrorSet {
-    if !W::AHEAD {
-        return MirrorSet::ALL;
-    }
-    world.round_mirrors().ahead(mirror.index(), direction)
+/// Where a near ray meets a shape first: [`ShapeId::NONE`] where it meets none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Hit {
+    pub(crate) distance: Length,
+    pub(crate) shape: ShapeId,
 }
 
-/// The nearest sphere or cylinder of all but the one whose outside the ray has `left`, further than
-/// `start` along the ray; the distance is from there. Notes on which side of cylinders it passes, but
-/// where code is to be `SMALL`.
-pub(crate) fn nearest_bounded<W: World, const SMALL: bool>(
-    world: &W,
-    ray: &Ray,
-    start: Length,
-    left: ShapeId,
-    signature: &mut PathSignature,
-) -> Hit {
-    nearest_ahead::<W, SMALL>(world, (ray, MirrorSet::ALL), start, left, signature)
+impl Hit {
+    /// Nothing as far as a near ray looks.
+    pub(crate) const NONE: Self = Self {
+        distance: REACH,
+        shape: ShapeId::NONE,
+    };
+
+    /// Not known to a near ray.
+    pub(crate) const BEYOND: Self = Self {
+        distance: REACH,
+        shape: ShapeId::BEYOND,
+    };
 }
 
-/// The same of those that lie ahead.
+/// The nearest candidate further than `start` along a ray; the distance is from there. Skips the shape
+/// whose outside the ray leaves. Notes on which side of a shape the ray certainly passes.
 #[inline(never)]
-pub(crate) fn nearest_ahead<W: World, const SMALL: bool>(
+pub(crate) fn nearest_of<W: SceneAccess>(
     world: &W,
-    (ray, ahead): (&Ray, MirrorSet),
-    start: Length,
-    left: ShapeId,
+    candidates: &ShapeSet,
+    (ray, start): (&Ray, Length),
+    skip: ShapeId,
     signature: &mut PathSignature,
 ) -> Hit {
     let mut nearest = Nearest::beyond(start);
     let parts = world.parts();
-    let mut ask_sphere = |index, sphere: &PreparedSphere| {
-        let number = ShapeId::of_sphere(index);
-        if number == left {
-            return;
-        }
-        let (center, radius) = sphere.ball();
-        let way = ray.origin.to(center);
-        if !way.passes_by(way.dot(ray.direction), radius) {
-            nearest.meet_sphere(sphere, way, ray.direction, number);
-        }
-    };
-    let cylinders_ahead = match W::AHEAD && !SMALL {
-        true => ahead.for_each(parts.spheres, &mut ask_sphere),
-        false => {
-            let spheres = parts.spheres.iter().enumerate();
-            spheres.for_each(|(index, sphere)| ask_sphere(index, sphere));
-            MirrorSet::ALL
-        }
-    };
-    let mut ask_cylinder = |index, cylinder: &PreparedCylinder| {
-        let number = parts.cylinder_number(index);
-        if number != left && !cylinder.is_passed_by(ray) {
-            let seen = cylinder.seen_from(ray.origin);
-            nearest.meet_cylinder::<SMALL>(cylinder, (&seen, true), &ray.direction, number);
-        }
-    };
-    if W::AHEAD && !SMALL {
-        cylinders_ahead.for_each(parts.cylinders, ask_cylinder);
-    } else {
-        let cylinders = parts.cylinders.iter().enumerate();
-        cylinders.for_each(|(index, cylinder)| ask_cylinder(index, cylinder));
-    }
-    if SMALL {
-        return nearest.behind_start();
-    }
+    let lengths = parts.lengths();
+    candidates.any(
+        W::CHOOSES_HITS,
+        (0, lengths),
+        parts.spheres,
+        |index, sphere| nearest.ask(sphere, ray, ShapeId::at(index), skip),
+    );
+    candidates.any(
+        W::CHOOSES_HITS,
+        (1, lengths),
+        parts.cylinders,
+        |index, cylinder| nearest.ask(cylinder, ray, ShapeId::at(lengths[0] + index), skip),
+    );
     nearest.hit(signature)
 }
 
+/// Whether a ray hits a candidate before `reach`.
+#[inline(never)]
+pub(super) fn any_blocks<W: SceneAccess>(
+    world: &W,
+    candidates: &ShapeSet,
+    ray: &Ray,
+    skip: ShapeId,
+    reach: Length,
+) -> bool {
+    let parts = world.parts();
+    let lengths = parts.lengths();
+    candidates.any(
+        W::NEEDS.sets,
+        (0, lengths),
+        parts.spheres,
+        |index, sphere| ShapeId::at(index) != skip && sphere.blocks(ray, reach),
+    ) || candidates.any(
+        W::NEEDS.sets,
+        (1, lengths),
+        parts.cylinders,
+        |index, cylinder| ShapeId::at(lengths[0] + index) != skip && cylinder.blocks(ray, reach),
+    )
+}
+
 /// The nearest of the shapes that a ray has been held against.
-pub(super) struct Nearest {
+pub(crate) struct Nearest {
     start: Length,
     hit: Hit,
     /// On which sides of shapes the ray passes.
@@ -94,7 +95,7 @@ pub(super) struct Nearest {
 impl Nearest {
     /// Nothing yet, and nothing that is met before `start`.
     #[inline(always)]
-    pub(super) fn beyond(start: Length) -> Self {
+    pub(crate) fn beyond(start: Length) -> Self {
         Self {
             start,
             hit: Hit::NONE,
@@ -102,69 +103,74 @@ impl Nearest {
         }
     }
 
-    /// Says whether the sphere is the nearest up to now.
+    /// Asks a shape unless it is to be skipped; always goes on to the next.
     #[inline(always)]
-    pub(super) fn meet_sphere(
+    fn ask<K: Bounded>(&mut self, shape: &K, ray: &Ray, id: ShapeId, skip: ShapeId) -> bool {
+        if id != skip {
+            let mut is_passed = false;
+            if let Some(distance) = shape.intersect(ray, self.range(), &mut is_passed) {
+                self.hit = Hit {
+                    distance,
+                    shape: id,
+                };
+            }
+            if is_passed {
+                self.pass(id.passed());
+            }
+        }
+        false
+    }
+
+    /// Asks a shape by how rays from one point meet it; whether it is the nearest up to now. Notes the
+    /// side on which the ray passes a shape that `is_thin`.
+    #[inline(always)]
+    pub(crate) fn ask_from<K: Bounded>(
         &mut self,
-        sphere: &PreparedSphere,
-        way: Vector,
-        along: Direction,
-        shape: ShapeId,
+        shape: &K,
+        from: &K::FromPoint,
+        direction: &Direction,
+        (id, is_thin): (ShapeId, bool),
     ) -> bool {
-        let distance = sphere.met(way, along, self.start, self.hit.distance);
+        let mut is_passed = false;
+        let distance = shape.intersect_from(from, direction, self.range(), &mut is_passed);
+        if is_passed && is_thin {
+            self.pass(id.passed());
+        }
+        self.take(distance, id)
+    }
+
+    #[inline(always)]
+    fn range(&self) -> Range {
+        Range {
+            start: self.start,
+            reach: self.hit.distance,
+        }
+    }
+
+    #[inline(always)]
+    fn take(&mut self, distance: Option<Length>, shape: ShapeId) -> bool {
         if let Some(distance) = distance {
             self.hit = Hit { distance, shape };
         }
         distance.is_some()
     }
 
-    /// Whether a sphere is in front of what has been met.
+    /// Whether part of a shape may be nearer than what has been hit.
     #[inline(always)]
-    pub(super) fn may_see(&self, sphere: &SphereFromPoint) -> bool {
-        sphere.is_nearer_than(self.hit.distance)
+    pub(crate) fn may_see<K: Bounded>(&self, from: &K::FromPoint) -> bool {
+        K::may_be_nearer(from, self.hit.distance)
     }
 
     /// Notes that the ray passes by something.
     #[inline(always)]
-    pub(super) fn pass(&mut self, passed: u32) {
+    pub(crate) fn pass(&mut self, passed: u32) {
         self.passed ^= passed;
-    }
-
-    #[inline(always)]
-    pub(super) fn meet_cylinder<const SMALL: bool>(
-        &mut self,
-        cylinder: &PreparedCylinder,
-        (seen, is_thin): (&CylinderFromPoint, bool),
-        along: &Direction,
-        shape: ShapeId,
-    ) {
-        let sideways = seen.sideways(*along);
-        if cylinder.is_beside(sideways) {
-            if is_thin && sideways < 0 {
-                self.pass(shape.passed());
-            }
-            return;
-        }
-        let (start, reach) = (self.start, self.hit.distance);
-        let distance = match SMALL {
-            true => cylinder.met_steeply(seen, along, start, reach),
-            false => cylinder.met_beside(seen, along, sideways, start, reach),
-        };
-        if let Some(distance) = distance {
-            self.hit = Hit { distance, shape };
-        }
     }
 
     /// The nearest, and how far behind `start` it is met.
     #[inline(always)]
-    pub(super) fn hit(self, signature: &mut PathSignature) -> Hit {
+    pub(crate) fn hit(self, signature: &mut PathSignature) -> Hit {
         signature.note(self.passed);
-        self.behind_start()
-    }
-
-    /// The same without a note.
-    #[inline(always)]
-    fn behind_start(self) -> Hit {
         let distance = self.hit.distance.to_bits() - self.start.to_bits();
         Hit {
             distance: if self.hit.shape == ShapeId::NONE {

@@ -91,7 +91,7 @@ pub enum Mirrors {
 }
 
 /// As many spheres and cylinders as are asked in less time than it takes to choose among them.
-pub(super) const FEW: usize = 3;
+pub(crate) const FEW: usize = 3;
 
 impl Needs {
     /// Everything.
@@ -112,13 +112,8 @@ impl Needs {
         colors: true,
     };
 
-    /// Of a scene known when the program is compiled.
-    pub const fn of<T: super::Apart>() -> Self {
-        T::NEEDS
-    }
-
     /// Of any scene with no more spheres, planes, cylinders, lights and materials than this.
-    pub(super) const fn of_room(
+    pub(crate) const fn of_room(
         [spheres, planes, cylinders, lights, materials]: [usize; 5],
     ) -> Self {
         let bounded = spheres + cylinders;

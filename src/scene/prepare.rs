@@ -1,9 +1,10 @@
 //! Checks a description and lays it on its grid: integers only, by the compiler or at run time.
 
 use super::brightness::{brightest, dimness};
-use super::cells::Cells;
 use super::layout::choose_grid;
-use super::{Counts, Description, LightOccluders, Scene, SceneError, used};
+use super::{Counts, Description, Scene, SceneError, used};
+use crate::accel::light_occluders::LightOccluders;
+use crate::accel::light_table::LightTable;
 use crate::color::Color;
 use crate::fault::Fault;
 use crate::grid::Grid;
@@ -125,8 +126,8 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             planes: [PreparedPlane::NONE; P],
             cylinders: [PreparedCylinder::NONE; C],
             lights: [PreparedLight::NONE; L],
-            cells: [Cells::ALL; L],
-            lamps: [LightOccluders::NONE; L],
+            light_tables: [LightTable::ALL; L],
+            light_occluders: [LightOccluders::NONE; L],
             materials: [PreparedMaterial::NONE; M],
             counts: Counts {
                 spheres: scene.spheres.len(),
@@ -235,32 +236,18 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     /// Prepares a light; the shapes are prepared.
     const fn add_light(&mut self, index: usize, light: &Light) {
         let place = self.grid.place(light.position);
-        let mut lamp = LightOccluders::NONE;
-        let mut prepared = PreparedLight {
+        let light = PreparedLight {
             place,
             color: Color::from_numbers(light.color),
-            is_plain: place.is_near(),
+            is_plain: false,
         };
+        let parts = self.plain_parts();
+        let occluders = LightOccluders::new(light, &parts);
         if place.is_near() {
-            let spheres = used(&self.spheres, self.counts.spheres);
-            let cylinders = used(&self.cylinders, self.counts.cylinders);
-            self.cells[index] = Cells::around(place.point, spheres, cylinders);
-            let mut shape = 0;
-            while shape < spheres.len() && shape < S {
-                lamp.spheres[shape] = spheres[shape].seen_from(place.point);
-                let (_, radius) = spheres[shape].ball();
-                prepared.is_plain &= lamp.spheres[shape].is_told_by_tangents(radius);
-                shape += 1;
-            }
-            shape = 0;
-            while shape < cylinders.len() && shape < C {
-                lamp.cylinders[shape] = cylinders[shape].lit_from(place.point);
-                shape += 1;
-            }
+            self.light_tables[index] = LightTable::around(place.point, &self.plain_parts());
         }
-        lamp.light = prepared;
-        self.lamps[index] = lamp;
-        self.lights[index] = prepared;
+        self.lights[index] = *occluders.light_itself();
+        self.light_occluders[index] = occluders;
     }
 }
 

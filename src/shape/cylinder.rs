@@ -4,6 +4,7 @@
 //! the ray's line passes from the axis is measured by a cross product of axis and origin, which is
 //! worked out once for all rays from one point.
 
+use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{MaterialId, Normaliser};
 use crate::number::{
     Length, Number, high, high_positive, high_unsigned, leading_zeros, narrowed, ratio,
@@ -81,36 +82,6 @@ impl CylinderFromPoint {
     }
 }
 
-/// A cylinder as a light sees it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct LitCylinder {
-    seen: CylinderFromPoint,
-    /// Nothing of it is nearer than this.
-    nearest: i32,
-}
-
-impl LitCylinder {
-    /// Fills the room of a cylinder that a scene's type allows but the scene does not use.
-    pub(crate) const NONE: Self = Self {
-        seen: CylinderFromPoint::NONE,
-        nearest: i32::MAX,
-    };
-
-    /// Whether the cylinder that this is lies on a ray from the light, further away than `start` and
-    /// nearer than `reach`.
-    #[inline(always)]
-    pub(crate) fn is_before(
-        &self,
-        cylinder: &PreparedCylinder,
-        direction: &Direction,
-        start: Length,
-        reach: Length,
-    ) -> bool {
-        self.nearest < reach.to_bits()
-            && cylinder.met(&self.seen, direction, start, reach).is_some()
-    }
-}
-
 /// Rays closer to the axis than this (the square of the sine is below 1/16) are measured with the
 /// direction across the axis normalised.
 const STEEP: i32 = 1 << 26;
@@ -166,6 +137,9 @@ impl PreparedCylinder {
         (self.center, self.reach)
     }
 
+    /// Whether rays note on which side they pass it.
+    pub(crate) const IS_SIDE_NOTED: bool = true;
+
     /// How many links the chain of balls has that covers the wall.
     pub(crate) const LINKS: i32 = 8;
 
@@ -205,23 +179,9 @@ impl PreparedCylinder {
         }
     }
 
-    /// As seen from a light at a near point.
-    pub(crate) const fn lit_from(&self, origin: Point) -> LitCylinder {
-        let seen = self.seen_from(origin);
-        // The axis is within 2⁻²⁶ of length one, and the rise is rounded: it may be that much more.
-        let rise = unsigned_wide(wide(seen.rise, seen.rise));
-        let most = rise + (rise >> 24) + 4 * seen.rise.unsigned_abs() as u64 + 16;
-        let aside = square_root(seen.way.square().saturating_sub(most)) - self.radius;
-        let above = seen.rise.saturating_abs() - self.half_height - 16;
-        let outside = Vector::new(
-            if aside > 0 { aside } else { 0 },
-            if above > 0 { above } else { 0 },
-            0,
-        );
-        let distance = square_root(outside.square());
-        // A root and a height are known to a few steps, a large one to some more.
-        let nearest = distance - (distance >> 20) - 64;
-        LitCylinder { seen, nearest }
+    /// Whether a point that sees the cylinder so can tell what it hides: any can.
+    pub(crate) const fn is_told(&self, _: &CylinderFromPoint) -> bool {
+        true
     }
 
     /// The distance at which a ray meets the wall first, from outside or from inside, above `start`
@@ -338,24 +298,91 @@ impl PreparedCylinder {
                 (height.abs() <= self.half_height).then_some(Length::from_bits(distance))
             })
     }
+}
 
-    /// The distance at which the ray first meets the wall, from outside or from inside, above 0
-    /// and below `reach`.
-    pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
-        let seen = self.seen_from(ray.origin);
-        self.met(&seen, &ray.direction, Length::from_bits(0), reach)
+impl Bounded for PreparedCylinder {
+    type FromPoint = CylinderFromPoint;
+
+    const IS_BALL: bool = false;
+
+    fn outline(&self) -> (Point, Vector, i32) {
+        self.capsule()
     }
 
-    /// Whether the ray meets the wall above 0 and below `reach`.
-    pub(crate) fn blocks(&self, ray: &Ray, reach: Length) -> bool {
-        self.intersect(ray, reach).is_some()
+    fn from_eye(&self, eye: Point) -> CylinderFromPoint {
+        self.seen_from(eye)
     }
 
-    /// The outward normal at a point of the wall.
-    pub(crate) const fn normal(&self, at: Point) -> Direction {
+    #[inline(always)]
+    fn is_in_front_of(_: &CylinderFromPoint, _: &CylinderFromPoint) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn may_be_nearer(_: &CylinderFromPoint, _: Length) -> bool {
+        true
+    }
+
+    fn holds(&self, _: Point) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn intersect(&self, ray: &Ray, range: Range, side: &mut bool) -> Option<Length> {
+        match self.is_passed_by(ray) {
+            true => None,
+            false => {
+                let from = self.seen_from(ray.origin);
+                self.intersect_from(&from, &ray.direction, range, side)
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn intersect_from(
+        &self,
+        from: &CylinderFromPoint,
+        direction: &Direction,
+        range: Range,
+        side: &mut bool,
+    ) -> Option<Length> {
+        let sideways = from.sideways(*direction);
+        if self.is_beside(sideways) {
+            *side = sideways < 0;
+            return None;
+        }
+        self.met_beside(from, direction, sideways, range.start, range.reach)
+    }
+
+    fn blocks(&self, ray: &Ray, reach: Length) -> bool {
+        let from = self.seen_from(ray.origin);
+        self.met(&from, &ray.direction, Length::from_bits(0), reach)
+            .is_some()
+    }
+
+    #[inline(always)]
+    fn occludes<const PRECISE: bool>(
+        &self,
+        from: &CylinderFromPoint,
+        ray: &LightRay,
+        own: Own,
+    ) -> bool {
+        own != Own::Outside
+            && self
+                .met(from, &ray.direction, ray.epsilon, ray.reach)
+                .is_some()
+    }
+
+    #[inline(always)]
+    fn normal(&self, at: Point) -> Direction {
         let outward = self.center.to(at);
         self.normaliser
             .direction(outward.without(self.axis, outward.dot(self.axis)))
+    }
+
+    #[inline(always)]
+    fn material(&self) -> MaterialId {
+        self.material
     }
 }
 

@@ -2,6 +2,7 @@
 //! read it (`Prepared…`), and the kernels: where a ray meets it, whether it blocks a ray, and its
 //! normal. Knows no scene.
 
+pub(crate) mod bounded;
 pub mod cylinder;
 #[cfg(test)]
 mod fixture;

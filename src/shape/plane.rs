@@ -295,13 +295,6 @@ impl PreparedPlane {
         }
     }
 
-    /// Whether a path comes down on the plane, however far away.
-    pub(crate) fn is_ahead(&self, path: &ScaledRay) -> bool {
-        let (height, _) = self.height_far(path.from());
-        let climb = path.direction().dot(self.normal).to_bits();
-        descent(height, climb).is_some()
-    }
-
     /// How far a place lies along the normal from the plane, with 30 more fraction bits, and the
     /// scale this is in.
     fn height_far(&self, place: ScaledPoint) -> (i64, u32) {

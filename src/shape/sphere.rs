@@ -5,6 +5,7 @@
 //! for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7): an error along the ray does not
 //! count, so a small sphere far away keeps a clean edge.
 
+use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{MaterialId, Normaliser};
 use crate::number::{Length, Number, signed_wide, square_root, unsigned_wide, wide};
 use crate::ray::Ray;
@@ -102,16 +103,6 @@ impl SphereFromPoint {
         self.tangent == i32::MIN
     }
 
-    /// Whether the point lies outside of the sphere, whose radius is given, and sees so much of it
-    /// that the length of the tangents tells what it hides.
-    ///
-    /// A way along a ray is known to a few steps. At the distance D, so much of it is D / radius
-    /// times as much across the ray: less than a 32nd of the radius where radius² / D is
-    /// [`COARSEST`] or more.
-    pub(crate) const fn is_told_by_tangents(&self, radius: i32) -> bool {
-        !self.is_around() && wide(radius, radius) >= wide(self.tangent, COARSEST)
-    }
-
     /// Whether the sphere, which the point is outside of, lies on the ray before `reach`, where
     /// something else that is not inside the sphere ends the ray.
     ///
@@ -154,6 +145,16 @@ impl PreparedSphere {
         self
     }
 
+    /// Whether a point that sees the sphere so lies outside of it, and sees so much of it that the length
+    /// of the tangents tells what it hides.
+    ///
+    /// A way along a ray is known to a few steps. At the distance D, so much of it is D / radius
+    /// times as much across the ray: less than a 32nd of the radius where radius² / D is
+    /// [`COARSEST`] or more.
+    pub(crate) const fn is_told(&self, from: &SphereFromPoint) -> bool {
+        !from.is_around() && self.square >= wide(from.tangent, COARSEST)
+    }
+
     /// Whether a near point lies inside that is lifted by epsilon from another shape, which is not
     /// inside. No point is if the sphere touches nothing.
     #[inline(always)]
@@ -164,6 +165,17 @@ impl PreparedSphere {
     /// Its middle and radius.
     pub(crate) const fn ball(&self) -> (Point, i32) {
         (self.center, self.radius)
+    }
+
+    /// Whether rays note on which side they pass it.
+    pub(crate) const IS_SIDE_NOTED: bool = false;
+
+    /// How many balls cover it.
+    pub(crate) const LINKS: i32 = 1;
+
+    /// One of the balls that cover it.
+    pub(crate) const fn link(&self, _: i32) -> (Point, i32) {
+        self.ball()
     }
 
     /// As seen from a near point.
@@ -227,17 +239,67 @@ impl PreparedSphere {
     /// The distance at which the ray meets the sphere from outside, or else from inside, above 0
     /// and below `reach`.
     #[cfg(test)]
-    pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
+    pub(crate) fn intersect_alone(&self, ray: &Ray, reach: Length) -> Option<Length> {
         let way = ray.origin.to(self.center);
         if way.dot(ray.direction) < -self.radius {
             return None;
         }
         self.met(way, ray.direction, Length::from_bits(0), reach)
     }
+}
 
-    /// Whether the ray meets the sphere above 0 and below `reach`; no root is taken. A ray that starts
-    /// on the surface, but for rounding, and goes out does not.
-    pub(crate) fn blocks(&self, ray: &Ray, reach: Length) -> bool {
+impl Bounded for PreparedSphere {
+    type FromPoint = SphereFromPoint;
+
+    const IS_BALL: bool = true;
+
+    fn outline(&self) -> (Point, Vector, i32) {
+        (self.center, Vector::ZERO, self.radius)
+    }
+
+    fn from_eye(&self, eye: Point) -> SphereFromPoint {
+        self.surely_seen_from(eye)
+    }
+
+    #[inline(always)]
+    fn is_in_front_of(one: &SphereFromPoint, other: &SphereFromPoint) -> bool {
+        one.is_in_front_of(other)
+    }
+
+    #[inline(always)]
+    fn may_be_nearer(from: &SphereFromPoint, distance: Length) -> bool {
+        from.is_nearer_than(distance)
+    }
+
+    fn holds(&self, point: Point) -> bool {
+        self.seen_from(point).is_around()
+    }
+
+    #[inline(always)]
+    fn intersect(&self, ray: &Ray, range: Range, _: &mut bool) -> Option<Length> {
+        let way = ray.origin.to(self.center);
+        match way.passes_by(way.dot(ray.direction), self.radius) {
+            true => None,
+            false => self.met(way, ray.direction, range.start, range.reach),
+        }
+    }
+
+    #[inline(always)]
+    fn intersect_from(
+        &self,
+        from: &SphereFromPoint,
+        direction: &Direction,
+        range: Range,
+        _: &mut bool,
+    ) -> Option<Length> {
+        match from.may_be_met(from.nearest_approach(*direction)) {
+            true => self.met(from.way(), *direction, range.start, range.reach),
+            false => None,
+        }
+    }
+
+    /// No root is taken. A ray that starts on the surface, but for rounding, and goes out is not blocked.
+    fn blocks(&self, ray: &Ray, reach: Length) -> bool {
         let way = ray.origin.to(self.center);
         let distance = way.dot(ray.direction);
         if distance < -self.radius || distance - self.radius > reach.to_bits() {
@@ -260,13 +322,28 @@ impl PreparedSphere {
         }
     }
 
-    /// The outward normal at a point of the sphere.
-    pub(crate) const fn normal(&self, at: Point) -> Direction {
-        self.normaliser.direction(self.outward(at))
+    #[inline(always)]
+    fn occludes<const PRECISE: bool>(
+        &self,
+        from: &SphereFromPoint,
+        ray: &LightRay,
+        own: Own,
+    ) -> bool {
+        from.is_before(ray.direction, ray.reach)
+            || PRECISE
+                && from.may_hold_the_end(self.radius, ray.reach)
+                && own == Own::No
+                && self.holds_lifted(ray.end)
     }
 
-    const fn outward(&self, at: Point) -> Vector {
-        self.center.to(at)
+    #[inline(always)]
+    fn normal(&self, at: Point) -> Direction {
+        self.normaliser.direction(self.center.to(at))
+    }
+
+    #[inline(always)]
+    fn material(&self) -> MaterialId {
+        self.material
     }
 }
 

@@ -61,7 +61,10 @@ const RULES: [(&str, Rule); 27] = [
         Rule::AllIs(Stage::Preparation),
     ),
     ("firmware", Rule::Is(Stage::Output)),
-    ("reflet::camera::RayGenerator::screen_axes", Rule::Is(Stage::Spans)),
+    (
+        "reflet::camera::RayGenerator::screen_axes",
+        Rule::Is(Stage::Spans),
+    ),
     ("reflet::camera", Rule::MakesRay),
     ("reflet::scene::row::Row::nearest", Rule::Meets),
     ("reflet::scene::row::Row::meet_", Rule::Meets),
@@ -206,7 +209,10 @@ mod tests {
                 "<core::iter::Map<I, fn(u8) -> <A as B>::C> as Iterator>::next",
                 "core::iter::Map::next",
             ),
-            ("<reflet::camera::Lens>::fan", "reflet::camera::RayGenerator::screen_axes"),
+            (
+                "<reflet::camera::Lens>::fan",
+                "reflet::camera::RayGenerator::screen_axes",
+            ),
             ("__aeabi_lmul", "__aeabi_lmul"),
             ("<broken", "broken"),
             ("<A<B> as C", "A"),

@@ -1,35 +1,25 @@
-//! What is the same for all rays of a frame: where they come from, and what that says about
-//! shadows.
+//! Which lights are visible from all that a frame shows, and which from nothing, as far as planes go.
 //!
 //! No ray crosses a plane. So all surfaces that a frame's rays come to lie on the camera's side of
 //! every plane, and a light on the other side of one is hidden from all of them; planes in front of
 //! which camera and light both stand hide it from none.
 
 use super::World;
+use super::light_occluders::Occluders;
 use crate::number::bit_modulo_32;
 use crate::ray::ScaledPoint;
+use crate::shape::bounded::Bounded;
 use crate::shape::plane::Side;
-
-/// Whether the planes of a scene stand between a light and what a frame shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Visible {
-    /// No plane hides the light, and what spheres and cylinders hide can be told by how it sees them.
-    Clear,
-    /// A plane hides it from everything.
-    Hidden,
-    /// It depends: the light is far away, or the light or the camera stands inside of a sphere or
-    /// within epsilon of a plane.
-    Unclear,
-}
 
 /// A frame's point of view.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightVisibility {
     /// Where the rays come from.
     pub(crate) from: ScaledPoint,
-    /// A bit for each light that is [`Visible::Hidden`].
+    /// A bit for each light that a plane hides from everything.
     hidden: u32,
-    /// A bit for each light that is [`Visible::Unclear`].
+    /// A bit for each light of which it depends on the ray: the light is far away, or the light or the
+    /// camera stands inside of a sphere or within epsilon of a plane.
     unclear: u32,
 }
 
@@ -52,15 +42,15 @@ impl LightVisibility {
             unclear: 0,
         };
         // Rays from inside of a sphere stay there.
-        let mut seen = parts.spheres.iter().map(|it| it.seen_from(from.point));
-        if from.is_near() && seen.any(|it| it.is_around()) {
+        if from.is_near() && parts.spheres.iter().any(|it| it.holds(from.point)) {
             view.unclear = u32::MAX;
         }
-        if parts.lights.len() > u32::BITS as usize {
+        let lights = world.light_occluders();
+        if lights.len() > u32::BITS as usize {
             view.unclear = u32::MAX;
             return view;
         }
-        for (index, light) in parts.lights.iter().enumerate() {
+        for (index, light) in lights.iter().map(Occluders::light).enumerate() {
             if !light.is_plain {
                 view.unclear |= 1 << index;
             }
@@ -81,17 +71,17 @@ impl LightVisibility {
         view
     }
 
-    /// How the light with a number stands.
+    /// Whether no plane hides the light with a number, and what bounded shapes hide can be told by how it
+    /// sees them.
     #[inline(always)]
-    pub(crate) fn standing(&self, light: usize) -> Visible {
+    pub(crate) fn is_clear(&self, light: usize) -> bool {
         // Of more than 32 lights every bit is set.
-        let bit = bit_modulo_32(light);
-        if (self.hidden | self.unclear) & bit == 0 {
-            Visible::Clear
-        } else if self.hidden & bit != 0 {
-            Visible::Hidden
-        } else {
-            Visible::Unclear
-        }
+        (self.hidden | self.unclear) & bit_modulo_32(light) == 0
+    }
+
+    /// Whether a plane hides the light with a number from everything.
+    #[inline(always)]
+    pub(crate) fn is_hidden(&self, light: usize) -> bool {
+        self.hidden & bit_modulo_32(light) != 0
     }
 }

@@ -1,16 +1,14 @@
-//! Sets of shapes by the direction in which they can be met from one point.
+//! Cells of directions, and caps of directions with bounds on the cells that they reach.
 //!
 //! Each coordinate of a direction is cut into equal parts of its range, so that a direction belongs to
 //! one of SIDE x SIDE x SIDE cells without a comparison of coordinates; those that the sphere of
 //! directions does not pass through stay empty. A ball is seen as a cap of angle φ around a direction
 //! c, the coordinates of a cap are bounded by cos(θ ± φ) where θ is the angle from c to the axis, and a
-//! cell is left out as well where all of its points have a smaller cosine to c than cos φ; rounding is
-//! covered by a margin.
+//! cell is left out as well where all of its points have a smaller cosine to c than cos φ. Bounds are
+//! widened by 2⁻¹⁶, more than rounding can be wrong.
 
-use super::mask::Mask;
 use crate::number::{Unit, divide, narrowed, signed, square_root, to_u32, unsigned, unsigned_wide};
-use crate::shape::cylinder::PreparedCylinder;
-use crate::vector::{Direction, Point, Vector};
+use crate::vector::{Direction, Vector};
 
 /// What a bound of a coordinate is widened by: 2⁻¹⁶.
 const MARGIN: i32 = 1 << 14;
@@ -39,81 +37,14 @@ const fn cell_number<const SIDE: usize>(coordinate: i32) -> i32 {
 }
 
 #[inline(always)]
-const fn cell<const SIDE: usize>(x: i32, y: i32, z: i32) -> usize {
+pub(super) const fn cell<const SIDE: usize>(x: i32, y: i32, z: i32) -> usize {
     let sides = signed(to_u32(SIDE));
     let middle = (sides / 2) * (sides * sides + sides + 1);
     unsigned((x * sides + y) * sides + z + middle) as usize
 }
 
-/// The shapes in each cell.
-pub(super) struct Table<const SIDE: usize, const CELLS: usize>(pub(super) [Mask; CELLS]);
-
-impl<const SIDE: usize, const CELLS: usize> Table<SIDE, CELLS> {
-    /// No shape in any.
-    pub(super) const NONE: Self = Self([Mask::NONE; CELLS]);
-
-    /// A cylinder's wall, seen from a point.
-    pub(super) const fn add_cylinder(
-        &mut self,
-        origin: Point,
-        cylinder: &PreparedCylinder,
-        shape: Mask,
-    ) {
-        let mut number = 0;
-        while number < PreparedCylinder::LINKS {
-            let (center, radius) = cylinder.link(number);
-            self.add_ball(origin.to(center), radius, shape);
-            number += 1;
-        }
-    }
-
-    /// A ball, whose middle lies so far from the point.
-    pub(super) const fn add_ball(&mut self, way: Vector, radius: i32, shape: Mask) {
-        let (direction, distance) = way.direction_and_length();
-        let radius = radius + (radius >> 12) + 16;
-        let cap = if distance.to_bits() > radius {
-            Some(Cap::new(direction, radius, distance.to_bits()))
-        } else {
-            None
-        };
-        let half = signed(to_u32(SIDE / 2));
-        let mut bounds = [(-half, half - 1); 3];
-        if let Some(cap) = &cap {
-            let coordinates = direction.components();
-            let mut axis = 0;
-            while axis < 3 {
-                let (low, high) = cap.bounds(coordinates[axis].to_bits());
-                bounds[axis] = (cell_number::<SIDE>(low), cell_number::<SIDE>(high));
-                axis += 1;
-            }
-        }
-        let [x, y, z] = bounds;
-        let mut at = [x.0, y.0, z.0];
-        while at[0] <= x.1 {
-            at[1] = y.0;
-            while at[1] <= y.1 {
-                at[2] = z.0;
-                while at[2] <= z.1 {
-                    let reaches = match &cap {
-                        Some(cap) => cap.reaches::<SIDE>(at),
-                        None => true,
-                    };
-                    let index = cell::<SIDE>(at[0], at[1], at[2]);
-                    // It always is; said so, nothing can panic.
-                    if reaches && index < self.0.len() {
-                        self.0[index] = self.0[index].with(shape);
-                    }
-                    at[2] += 1;
-                }
-                at[1] += 1;
-            }
-            at[0] += 1;
-        }
-    }
-}
-
 /// A cap of directions: everything within an angle φ of one direction.
-struct Cap {
+pub(super) struct Cap {
     direction: Direction,
     sine: Unit,
     cosine: Unit,
@@ -121,7 +52,7 @@ struct Cap {
 
 impl Cap {
     /// Of a ball of this radius at this distance.
-    const fn new(direction: Direction, radius: i32, distance: i32) -> Self {
+    pub(super) const fn new(direction: Direction, radius: i32, distance: i32) -> Self {
         let quotient = divide((unsigned(radius) as u64) << 30, unsigned(distance));
         let sine = (quotient.mantissa >> -quotient.exponent) as i64 + 64;
         let sine = if sine > 1 << 30 { 1 << 30 } else { sine };
@@ -134,7 +65,7 @@ impl Cap {
     }
 
     /// Whether a point of a cell has as large a cosine to the middle as the cap.
-    const fn reaches<const SIDE: usize>(&self, cell: [i32; 3]) -> bool {
+    pub(super) const fn reaches<const SIDE: usize>(&self, cell: [i32; 3]) -> bool {
         let coordinates = self.direction.components();
         let mut largest = 0_i64;
         let mut axis = 0;
@@ -147,6 +78,12 @@ impl Cap {
             axis += 1;
         }
         largest >> 30 >= (self.cosine.to_bits() - MARGIN) as i64
+    }
+
+    /// The first and the last cell along an axis.
+    pub(super) const fn cells<const SIDE: usize>(&self, axis: usize) -> (i32, i32) {
+        let (low, high) = self.bounds(self.direction.components()[axis].to_bits());
+        (cell_number::<SIDE>(low), cell_number::<SIDE>(high))
     }
 
     /// The least and the largest value of a coordinate whose value in the middle is `middle`.

@@ -3,19 +3,25 @@
 //! c = Σᵢ (1 - αᵢ) (Π over k < i of αₖ) cᵢ, in a loop: the weight Π αₖ is carried along, and the
 //! path ends where it is spent, where nothing is met, or after the last reflection.
 
+mod visibility;
+
 use core::marker::PhantomData;
 
+use visibility::{Culled, Plain};
+
+use crate::accel::light_visibility::LightVisibility;
+use crate::accel::screen_culling::ScreenCulling;
+use crate::accel::{CullingQuality, LONGEST_STRIDE, Window, World, nearest_ahead};
 use crate::color::Sum;
 use crate::number::{Unit, share};
-use crate::quality::{LONGEST_STRIDE, Quality};
+use crate::quality::Quality;
 use crate::ray::{PathSignature, ScaledPoint, ScaledRay};
-use crate::scene::World;
-use crate::scene::culling::ScreenCulling;
-use crate::scene::nearest::{NOWHERE, ahead, nearest_ahead};
-use crate::scene::query::{Hit, ShapeId, located, nearest};
-use crate::scene::view::LightVisibility;
-use crate::scene::{Mirrors, far};
-use crate::shade::{Surface, sealed::Shading};
+use crate::scene::access::ShapeId;
+use crate::scene::nearest::Hit;
+use crate::scene::query::nearest_hit;
+use crate::scene::{Mirrors, Surface, far, planes};
+use crate::shade::Lit;
+use crate::shade::highlight::sealed::Shading;
 use crate::vector::Direction;
 
 /// The colour at the end of a path, and what it met.
@@ -52,7 +58,7 @@ impl Traced {
 /// Follows the rays of one row of pixels.
 pub(crate) struct Tracer<'a, W: World, K, Q> {
     world: &'a W,
-    view: &'a LightVisibility,
+    visibility: &'a LightVisibility,
     culling: ScreenCulling<'a, W>,
     /// How often a ray is reflected at most.
     reflections: u32,
@@ -65,18 +71,18 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
 
 impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Whether every pixel is traced, and nothing is known before about what its ray may meet.
-    pub(crate) const IS_PLAIN: bool = Q::IS_SMALL || !W::NEEDS.places;
+    pub(crate) const IS_PLAIN: bool = !Q::CULLING;
 
     #[inline(always)]
     pub(crate) fn new(
         world: &'a W,
-        view: &'a LightVisibility,
+        visibility: &'a LightVisibility,
         culling: ScreenCulling<'a, W>,
         reflections: u8,
     ) -> Self {
         Self {
             world,
-            view,
+            visibility,
             culling,
             reflections: reflections.min(W::NEEDS.reflections).into(),
             rays: 0,
@@ -85,24 +91,20 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         }
     }
 
-    /// Finds out what the rays of the row can meet; before the first is followed.
-    pub(crate) fn look(&mut self) {
-        if !Self::IS_PLAIN {
-            self.culling.look();
+    /// Advances to the columns from `first` to `last`; `first` never decreases.
+    #[inline(always)]
+    pub(crate) fn advance(&mut self, first: u32, last: u32) -> Window {
+        match Q::CULLING {
+            true => self.culling.advance(self.world, first, last),
+            false => Window::default(),
         }
     }
 
-    /// Turns to some columns, which do not begin before those it was turned to.
+    /// If all paths that begin in a window are [`Tracer::missed`], the first column for which that is not
+    /// known.
     #[inline(always)]
-    pub(crate) fn turn_to(&mut self, first: u32, last: u32) {
-        self.culling.turn_to(self.world, first, last);
-    }
-
-    /// If all paths that begin in the columns it has been turned to are [`Tracer::missed`], the first
-    /// column for which that is not known.
-    #[inline(always)]
-    pub(crate) fn clear_until(&self) -> Option<u32> {
-        self.culling.clear_until(self.world)
+    pub(crate) fn clear_until(&self, window: &Window) -> Option<u32> {
+        self.culling.clear_until(self.world, window)
     }
 
     /// What paths are that meet nothing.
@@ -114,7 +116,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// camera is so far away that it is not known what is thin.
     #[inline(always)]
     pub(crate) fn notes_what_is_thin(&self) -> bool {
-        self.view.from.is_near()
+        self.visibility.from.is_near()
     }
 
     /// How many columns lie from one pixel that is always traced to the next.
@@ -133,29 +135,26 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Follows the path that begins in this direction, through the pixel of a column: one of those it
     /// has been turned to.
     #[inline(always)]
-    pub(crate) fn trace(&mut self, column: u32, direction: Direction) -> Traced {
-        let (world, view) = (self.world, self.view);
-        self.culling.column = column;
-        let mut path = ScaledRay::new(view.from, direction);
+    pub(crate) fn trace(&mut self, window: (&Window, u32), direction: Direction) -> Traced {
+        let world = self.world;
+        let mut path = ScaledRay::new(self.visibility.from, direction);
         let Traced {
             mut sum,
             mut signature,
         } = Traced::NONE;
         let mut weight = Unit::ONE;
         let mut mirror = ShapeId::NONE;
-        let mut left = ShapeId::NONE;
+        let mut skip = ShapeId::NONE;
         let mut reflections = 0;
         let mut is_bent = false;
         loop {
-            let met = self.meet(&path, reflections, (mirror, left), &mut signature);
+            let met = self.meet(window, &path, reflections, (mirror, skip), &mut signature);
             let Some(surface) = surface(world, &path, met) else {
                 sum.add(weight, K::missed(world));
                 signature.note(u32::MAX);
                 break;
             };
-            if !Q::IS_SMALL {
-                signature.note(surface.shape.side(surface.is_inside));
-            }
+            signature.note(surface.shape.side(surface.is_inside));
             let reflected = match K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
                 true => share(weight, surface.material(world).mirror),
                 false => Unit::ZERO,
@@ -163,8 +162,9 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             // A view of normals has none but the surface's own colour.
             let is_seen = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
             if is_seen && reflected < weight {
-                let color = K::color::<W, Q>(world, view, &surface, &mut signature);
-                sum.add(weight - reflected, color);
+                let lit = self.shade(&surface);
+                signature.note(lit.lights);
+                sum.add(weight - reflected, lit.color);
             }
             weight = reflected;
             if weight == Unit::ZERO {
@@ -186,33 +186,47 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
             is_bent |= !world.parts().is_plane(surface.shape);
             surface.reflect(world, &mut path);
             mirror = surface.shape;
-            left = surface.left(world);
+            skip = surface.skip(world);
         }
         self.rays += reflections + 1;
         let signature = signature.ended(is_bent);
         Traced { sum, signature }
     }
 
+    /// The colour of a surface without reflections.
+    #[inline(always)]
+    fn shade(&self, surface: &Surface<'_>) -> Lit {
+        let world = self.world;
+        match Q::CULLING {
+            true => K::color::<W, Q, _>(world, surface, &Culled::new(world, self.visibility)),
+            false => K::color::<W, Q, _>(world, surface, &Plain(world)),
+        }
+    }
+
     /// What a path that has been reflected so often meets first, and where.
     #[inline(always)]
     fn meet(
         &mut self,
+        (window, column): (&Window, u32),
         path: &ScaledRay,
         reflections: u32,
-        (mirror, left): (ShapeId, ShapeId),
+        (mirror, skip): (ShapeId, ShapeId),
         signature: &mut PathSignature,
     ) -> Option<(ScaledPoint, ShapeId)> {
         let world = self.world;
-        if !W::NEEDS.places {
-            return far::only_plane(world, path);
+        if !Q::CULLING {
+            return nearest_hit::<W, false>(world, path, skip, signature);
         }
-        if Q::IS_SMALL {
-            return far::nearest::<W, true>(world, path, left, signature);
-        }
-        let hit = self.nearest(path, reflections, (mirror, left), signature);
+        let hit = self.nearest(
+            (window, column),
+            path,
+            reflections,
+            (mirror, skip),
+            signature,
+        );
         match Q::IS_PRECISE {
-            true => located::<W, true>(world, path, left, hit, signature),
-            false => located::<W, false>(world, path, left, hit, signature),
+            true => far::located::<W, true>(world, path, skip, hit, signature),
+            false => far::located::<W, false>(world, path, skip, hit, signature),
         }
     }
 
@@ -220,9 +234,10 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     fn nearest(
         &mut self,
+        (window, column): (&Window, u32),
         path: &ScaledRay,
         reflections: u32,
-        (mirror, left): (ShapeId, ShapeId),
+        (mirror, skip): (ShapeId, ShapeId),
         signature: &mut PathSignature,
     ) -> Hit {
         let (world, ray) = (self.world, &path.ray);
@@ -233,19 +248,17 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         let bounded = if !parts.has_bounded() {
             Hit::NONE
         } else if reflections == 0 {
-            self.culling.first(world, ray, signature)
+            self.culling.direct(world, column, ray, signature)
         } else {
-            match parts.plane(left) {
+            match parts.plane(skip) {
                 Some(plane) if reflections == 1 => {
-                    self.culling.mirrored(world, (left, plane), ray, signature)
+                    self.culling
+                        .mirrored(world, (skip, plane), (window, column), ray, signature)
                 }
-                _ => {
-                    let ahead = ahead(world, mirror, ray.direction);
-                    nearest_ahead::<W, false>(world, (ray, ahead), NOWHERE, left, signature)
-                }
+                _ => nearest_ahead(world, ray, (mirror, skip), signature),
             }
         };
-        nearest(world, ray, left, bounded)
+        planes::nearest(world, ray, skip, bounded)
     }
 }
 

@@ -1,0 +1,173 @@
+//! Which pixels each bounded shape can be seen in: rectangles, worked out once a frame.
+//!
+//! What a mirroring plane shows first are the shapes mirrored in it, as the camera sees them. Bound:
+//! radii are widened by 2⁻¹⁰ and 64 steps, mirrored ones by two epsilon, rectangles by one or two
+//! pixels.
+
+use super::screen_axis::{Columns, widened};
+use super::screen_rect::{ScreenRect, THIN_SHAPE, insert};
+use crate::number::Length;
+use crate::ray::ScreenAxis;
+use crate::scene::access::SceneAccess;
+use crate::shape::bounded::Bounded;
+use crate::shape::plane::PreparedPlane;
+use crate::vector::{Point, Vector};
+
+/// The rectangles of the shapes of a scene, in rising order of their left columns.
+#[derive(Clone, Copy, Debug)]
+pub struct Rects<'a> {
+    pub(super) spheres: &'a [ScreenRect],
+    pub(super) cylinders: &'a [ScreenRect],
+}
+
+/// The rectangles of the shapes of a scene, themselves and mirrored in each plane.
+#[derive(Clone, Copy, Debug)]
+pub struct ScreenBounds<const S: usize, const P: usize, const C: usize> {
+    spheres: [ScreenRect; S],
+    cylinders: [ScreenRect; C],
+    mirrored: [([ScreenRect; S], [ScreenRect; C]); P],
+}
+
+/// [`ScreenBounds`], whatever its room.
+pub trait Bounds: Copy {
+    /// Everything everywhere.
+    const ALL: Self;
+
+    /// Turns from everything to a scene as the rays through the columns and those through the rows of
+    /// a picture see it; mirrored only where a plane mirrors.
+    #[allow(private_interfaces)]
+    fn look<W: SceneAccess>(&mut self, world: &W, axes: &[ScreenAxis; 2]);
+
+    /// Of the shapes themselves.
+    fn direct(&self) -> Rects<'_>;
+
+    /// Of the shapes mirrored in a plane.
+    fn mirrored(&self, plane: usize) -> Option<Rects<'_>>;
+}
+
+impl<const S: usize, const P: usize, const C: usize> Bounds for ScreenBounds<S, P, C> {
+    const ALL: Self = Self {
+        spheres: [ScreenRect::ALL; S],
+        cylinders: [ScreenRect::ALL; C],
+        mirrored: [([ScreenRect::ALL; S], [ScreenRect::ALL; C]); P],
+    };
+
+    #[allow(private_interfaces)]
+    fn look<W: SceneAccess>(&mut self, world: &W, axes: &[ScreenAxis; 2]) {
+        const {
+            assert!(
+                S <= THIN_SHAPE as usize && C <= THIN_SHAPE as usize,
+                "a scene has room for at most 32768 spheres and 32768 cylinders"
+            );
+        }
+        let parts = world.parts();
+        let mut eye = Eye {
+            axes,
+            plane: None,
+            epsilon: parts.epsilon,
+        };
+        eye.look(world, (&mut self.spheres, &mut self.cylinders));
+        for (plane, mirrored) in parts.planes.iter().zip(&mut self.mirrored) {
+            if parts.material(plane.material).mirrors() {
+                eye.plane = Some(plane);
+                eye.look(world, (&mut mirrored.0, &mut mirrored.1));
+            }
+        }
+    }
+
+    fn direct(&self) -> Rects<'_> {
+        Rects {
+            spheres: &self.spheres,
+            cylinders: &self.cylinders,
+        }
+    }
+
+    fn mirrored(&self, plane: usize) -> Option<Rects<'_>> {
+        let (spheres, cylinders) = self.mirrored.get(plane)?;
+        Some(Rects { spheres, cylinders })
+    }
+}
+
+/// The camera, and the plane that it looks into if there is one.
+struct Eye<'a> {
+    axes: &'a [ScreenAxis; 2],
+    plane: Option<&'a PreparedPlane>,
+    epsilon: Length,
+}
+
+impl Eye<'_> {
+    /// Finds the rectangles of all shapes.
+    #[inline(never)]
+    fn look<W: SceneAccess>(
+        &self,
+        world: &W,
+        (spheres, cylinders): (&mut [ScreenRect], &mut [ScreenRect]),
+    ) {
+        let parts = world.parts();
+        self.look_at(parts.spheres, spheres);
+        self.look_at(parts.cylinders, cylinders);
+    }
+
+    /// Finds the rectangles of the shapes of one kind.
+    #[inline(always)]
+    fn look_at<K: Bounded>(&self, shapes: &[K], rects: &mut [ScreenRect]) {
+        for (index, shape) in shapes.iter().enumerate() {
+            let (center, half_axis, radius) = shape.outline();
+            let rect = match self.seen(center, half_axis) {
+                Some((way, _)) if K::IS_BALL => self.ball(index, way, radius),
+                Some((way, half_axis)) => self.capsule(index, (way, half_axis), radius),
+                None => ScreenRect::new(index, Columns::ALL, Columns::ALL, None),
+            };
+            insert(rects, index, rect);
+        }
+    }
+
+    /// Rays leave epsilon above a plane: as good as shapes that much larger.
+    fn lift(&self) -> i32 {
+        self.plane.map_or(0, |_| 2 * self.epsilon.to_bits())
+    }
+
+    fn ball(&self, index: usize, way: Vector, radius: i32) -> ScreenRect {
+        let lift = self.lift();
+        let [columns, rows] =
+            [0, 1].map(|it: usize| self.axes[it].sphere_columns(way, widened(radius) + lift));
+        let (Some(mut columns), Some(rows)) = (columns, rows) else {
+            return ScreenRect::of_nothing(index);
+        };
+        // If it is half a pixel and more, its bounds do not say where the tips are.
+        let height = i64::from(rows.last) - i64::from(rows.first);
+        columns.is_thin |= i64::from(lift) * height >= i64::from(radius);
+        let tips = self.axes[0].tips(&self.axes[1], way, radius);
+        ScreenRect::new(index, columns, rows, tips)
+    }
+
+    fn capsule(&self, index: usize, (way, half): (Vector, Vector), radius: i32) -> ScreenRect {
+        let radius = widened(radius) + self.lift();
+        let [columns, rows] =
+            [0, 1].map(|it: usize| self.axes[it].capsule_columns(way, half, radius));
+        match (columns, rows) {
+            (Some(columns), Some(rows)) => {
+                ScreenRect::new(index, columns.with_neighbours(), rows, None)
+            }
+            _ => ScreenRect::of_nothing(index),
+        }
+    }
+
+    /// The way to a shape's middle and its half axis, mirrored if there is a plane; `None` where that is
+    /// too far away to be told.
+    fn seen(&self, center: Point, half_axis: Vector) -> Option<(Vector, Vector)> {
+        let way = self.axes[0].origin.to(center);
+        let Some(plane) = self.plane else {
+            return Some((way, half_axis));
+        };
+        let height = i32::try_from(plane.height(center) >> 30).ok()?;
+        if height.unsigned_abs() > 1 << 28 {
+            return None;
+        }
+        let along = half_axis.dot(plane.normal);
+        Some((
+            way.without(plane.normal, 2 * height),
+            half_axis.without(plane.normal, 2 * along),
+        ))
+    }
+}

@@ -1,0 +1,103 @@
+//! A scene of which less is linked, or more, than its type says.
+
+use core::marker::PhantomData;
+
+use super::World;
+use super::light_table::LightTable;
+use super::mirror_table::MirrorTables;
+use crate::scene::access::SceneAccess;
+use crate::scene::{Bound, Needs, Parts};
+
+/// A scene of which no more is needed than `B` says; see [`crate::Scene::frame_within`].
+pub struct Within<W, B> {
+    world: W,
+    bound: PhantomData<B>,
+}
+
+impl<W, B> Within<W, B> {
+    /// The caller knows it.
+    pub(crate) const fn new(world: W) -> Self {
+        Self {
+            world,
+            bound: PhantomData,
+        }
+    }
+}
+
+impl<W: Clone, B> Clone for Within<W, B> {
+    fn clone(&self) -> Self {
+        Self::new(self.world.clone())
+    }
+}
+
+impl<W: Copy, B> Copy for Within<W, B> {}
+
+impl<W: SceneAccess, B: Bound> SceneAccess for Within<W, B> {
+    const NEEDS: Needs = W::NEEDS.both(&B::NEEDS);
+    const CHOOSES_HITS: bool = W::CHOOSES_HITS;
+
+    #[inline(always)]
+    fn parts(&self) -> Parts<'_> {
+        let parts = self.world.parts();
+        // What is not needed is not there, and the compiler sees it.
+        Parts {
+            spheres: if_needed(B::NEEDS.spheres, parts.spheres),
+            planes: if_needed(B::NEEDS.planes, parts.planes),
+            cylinders: if_needed(B::NEEDS.cylinders, parts.cylinders),
+            lights: if_needed(B::NEEDS.lights, parts.lights),
+            ..parts
+        }
+    }
+}
+
+#[inline(always)]
+const fn if_needed<T>(is_needed: bool, items: &[T]) -> &[T] {
+    if is_needed { items } else { &[] }
+}
+
+/// A scene with everything linked that any scene needs; see [`crate::Frame::whole`].
+#[derive(Clone, Copy, Debug)]
+pub struct Whole<W>(pub(crate) W);
+
+impl<W: SceneAccess> SceneAccess for Whole<W> {
+    const NEEDS: Needs = Needs::ALL;
+    const CHOOSES_HITS: bool = W::CHOOSES_HITS;
+
+    #[inline(always)]
+    fn parts(&self) -> Parts<'_> {
+        self.0.parts()
+    }
+}
+
+/// Passes on what another scene has.
+macro_rules! passed_on {
+    ($world:tt; $lights:expr) => {
+        type LightOccluders = W::LightOccluders;
+        type ScreenBounds = W::ScreenBounds;
+
+        #[inline(always)]
+        fn light_occluders(&self) -> &[Self::LightOccluders] {
+            if_needed($lights, self.$world.light_occluders())
+        }
+
+        #[inline(always)]
+        fn light_tables(&self) -> &[LightTable] {
+            self.$world.light_tables()
+        }
+
+        #[inline(always)]
+        fn mirror_tables(&self) -> &MirrorTables {
+            self.$world.mirror_tables()
+        }
+    };
+}
+
+#[allow(private_interfaces)]
+impl<W: World, B: Bound> World for Within<W, B> {
+    passed_on! { world; B::NEEDS.lights }
+}
+
+#[allow(private_interfaces)]
+impl<W: World> World for Whole<W> {
+    passed_on! { 0; true }
+}

@@ -1,0 +1,118 @@
+//! The planes of a scene: the nearest that a ray meets, and whether one blocks it. Heights over
+//! descents are compared as fractions; only the nearest is divided.
+
+use super::access::{SceneAccess, ShapeId};
+use super::nearest::Hit;
+use crate::number::to_u32;
+use crate::ray::Ray;
+use crate::shape::plane::{Approach, Bearing, PreparedPlane};
+
+/// What a near ray that has skip the shape `skip` meets first, given what it meets first of the
+/// spheres and cylinders.
+#[inline(always)]
+pub(crate) fn nearest<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId, bounded: Hit) -> Hit {
+    let parts = world.parts();
+    // A ray that leaves a plane does not meet it again.
+    if parts.planes.is_empty() || (parts.planes.len() == 1 && parts.is_plane(skip)) {
+        return bounded;
+    }
+    nearer(world, ray, skip, bounded)
+}
+
+/// Out of line: several planes in line take more registers than there are.
+#[inline(never)]
+fn nearer<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId, bounded: Hit) -> Hit {
+    let parts = world.parts();
+    let mut nearest = NearestPlane {
+        approach: Approach::at(bounded.distance),
+        shape: bounded.shape,
+        is_met: false,
+    };
+    let number = |index: usize| ShapeId(parts.first_plane() + to_u32(index));
+    // One by one, so that the compiler can work with the planes of a constant scene; not by a closure,
+    // which is not always in line. All products first: a sign that is extended in another block makes
+    // three instructions of one.
+    let bearings = [
+        bearing(parts.planes, 0, ray),
+        bearing(parts.planes, 1, ray),
+        bearing(parts.planes, 2, ray),
+        bearing(parts.planes, 3, ray),
+    ];
+    for_first_four(parts.planes, |index, _| {
+        nearest.meet(&bearings[index], number(index), skip);
+    });
+    for (index, plane) in parts.planes.iter().enumerate().skip(4) {
+        nearest.meet(&plane.bearing(ray), number(index), skip);
+    }
+    Hit {
+        distance: if nearest.is_met {
+            nearest.approach.distance()
+        } else {
+            bounded.distance
+        },
+        shape: nearest.shape,
+    }
+}
+
+/// Where a ray begins and where it goes, as one of the planes sees it.
+#[inline(always)]
+fn bearing(planes: &[PreparedPlane], index: usize, ray: &Ray) -> Bearing {
+    match planes.get(index) {
+        Some(plane) => plane.bearing(ray),
+        None => Bearing::NONE,
+    }
+}
+
+/// Calls with each of the first four items by itself, so that each call is compiled for its item.
+#[inline(always)]
+pub(crate) fn for_first_four<'a, T>(items: &'a [T], mut call: impl FnMut(usize, &'a T)) {
+    if let Some(item) = items.first() {
+        call(0, item);
+    }
+    if let Some(item) = items.get(1) {
+        call(1, item);
+    }
+    if let Some(item) = items.get(2) {
+        call(2, item);
+    }
+    if let Some(item) = items.get(3) {
+        call(3, item);
+    }
+}
+
+/// The nearest of the planes that a ray has been held against, or what is nearer.
+struct NearestPlane {
+    approach: Approach,
+    shape: ShapeId,
+    /// Whether it is one of the planes.
+    is_met: bool,
+}
+
+impl NearestPlane {
+    #[inline(always)]
+    fn meet(&mut self, bearing: &Bearing, number: ShapeId, skip: ShapeId) {
+        if number == skip {
+            return;
+        }
+        let Some(approach) = bearing.approach() else {
+            return;
+        };
+        if approach.is_before(&self.approach) {
+            (self.approach, self.shape, self.is_met) = (approach, number, true);
+        } else if self.shape == ShapeId::NONE {
+            self.shape = ShapeId::BEYOND;
+        }
+    }
+}
+
+/// The planes but the one a ray has just skip, and their numbers.
+pub(super) fn others<W: SceneAccess>(
+    world: &W,
+    skip: ShapeId,
+) -> impl Iterator<Item = (ShapeId, &PreparedPlane)> {
+    let parts = world.parts();
+    let numbers = (parts.first_plane()..).map(ShapeId);
+    numbers
+        .zip(parts.planes)
+        .filter(move |(number, _)| *number != skip)
+}

@@ -1,0 +1,186 @@
+//! The ways to shade: how the colour of a surface is found, and the shape of its highlights.
+
+use core::marker::PhantomData;
+
+use super::{LightQuality, Lit, Visibility, lit_color};
+use crate::color::{Color, halved};
+use crate::number::{
+    Brightness, Exponent, Unit, even_power, high_unsigned, narrowed, offset_modulo_2_32, power,
+    ratio, root_of_unit, scaled_by_unit, unsigned, whole_power,
+};
+use crate::scene::access::SceneAccess;
+use crate::scene::{Shininess, Surface};
+
+/// How the colour of a surface is found. Choose with [`crate::Frame::shading`].
+pub trait Shading: sealed::Shading {}
+
+impl<T: sealed::Shading> Shading for T {}
+
+pub(crate) mod sealed {
+    use super::super::{LightQuality, Lit, Visibility};
+    use crate::color::Color;
+    use crate::scene::Surface;
+    use crate::scene::access::SceneAccess;
+
+    pub trait Shading {
+        /// Whether mirrors are followed.
+        const REFLECTS: bool;
+
+        /// The colour of a surface without reflections, and the lights it is lit by.
+        #[allow(private_bounds, private_interfaces)]
+        fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
+            world: &W,
+            surface: &Surface<'_>,
+            visibility: &V,
+        ) -> Lit;
+
+        /// What a ray that meets nothing adds.
+        fn missed<W: SceneAccess>(world: &W) -> Color;
+    }
+}
+
+/// The default: highlights by the half-way vector (Blinn, "Models of Light Reflection for Computer
+/// Synthesized Pictures", SIGGRAPH 1977).
+#[derive(Clone, Copy, Debug)]
+pub struct BlinnPhong;
+
+/// Highlights by the mirrored light direction (Phong, "Illumination for Computer Generated
+/// Pictures", CACM 18(6), 1975).
+#[derive(Clone, Copy, Debug)]
+pub struct Phong;
+
+/// Shows the first surface's normal as (n + 1) / 2, and blue where nothing is met.
+#[derive(Clone, Copy, Debug)]
+pub struct Normals;
+
+/// Shaded by `K`, [`BlinnPhong`] or [`Phong`], but nothing throws a shadow: a light shines on every
+/// surface that faces it, whatever stands between them.
+///
+/// What a scene takes without its shadows, and what it loses, `xtask/report` shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Unshadowed<K = BlinnPhong>(PhantomData<K>);
+
+impl<K: Highlight> Highlight for Unshadowed<K> {
+    const SHADOWS: bool = false;
+
+    #[inline(always)]
+    fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
+        K::highlight(cosines, shininess, kind)
+    }
+}
+
+impl<H: Highlight> sealed::Shading for H {
+    const REFLECTS: bool = true;
+
+    #[allow(private_bounds, private_interfaces)]
+    #[inline(always)]
+    fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
+        world: &W,
+        surface: &Surface<'_>,
+        visibility: &V,
+    ) -> Lit {
+        lit_color::<W, Q, V, Self>(world, surface, visibility)
+    }
+
+    fn missed<W: SceneAccess>(world: &W) -> Color {
+        world.parts().background
+    }
+}
+
+impl sealed::Shading for Normals {
+    const REFLECTS: bool = false;
+
+    #[allow(private_bounds, private_interfaces)]
+    fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
+        _: &W,
+        surface: &Surface<'_>,
+        _: &V,
+    ) -> Lit {
+        Lit {
+            color: Color::new(surface.normal.components().map(halved)).in_levels(),
+            lights: 0,
+        }
+    }
+
+    fn missed<W: SceneAccess>(_: &W) -> Color {
+        Color::new([Brightness::ZERO, Brightness::ZERO, Brightness::ONE]).in_levels()
+    }
+}
+
+/// The angles at a surface that a highlight depends on, as cosines.
+pub(crate) struct Cosines {
+    /// normal · light
+    pub(super) light: Unit,
+    /// normal · viewer
+    pub(super) viewer: Unit,
+    /// light · viewer
+    pub(super) between: Unit,
+}
+
+/// A highlight: the power of a cosine that says how near the viewer is to the mirror direction.
+pub(crate) trait Highlight {
+    /// Whether shapes throw shadows.
+    const SHADOWS: bool = true;
+
+    /// For a shininess of a kind that may occur in the scene.
+    fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit;
+}
+
+/// (h · n)ˢʰⁱⁿⁱⁿᵉˢˢ, where h is the unit vector half way between light and viewer. It is not built:
+/// the square of its length is 2 + 2 l·v, and the square of the cosine a quotient, which is all
+/// that an even shininess needs.
+impl Highlight for BlinnPhong {
+    #[inline(always)]
+    fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
+        let square = half_way_square(cosines);
+        if kind <= Shininess::Even || shininess.is_even() {
+            even_power(square, shininess)
+        } else {
+            power_of(root_of_unit(square), shininess, kind)
+        }
+    }
+}
+
+/// (r · v)ˢʰⁱⁿⁱⁿᵉˢˢ, where r is the light direction mirrored in the normal.
+impl Highlight for Phong {
+    #[inline(always)]
+    fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
+        let cosine = mirrored_cosine(cosines);
+        // Where the mirrored light points away from the viewer there is no highlight, not even one of
+        // shininess 0.
+        if cosine == Unit::ZERO {
+            return cosine;
+        }
+        power_of(cosine, shininess, kind)
+    }
+}
+
+/// A power of a kind that may occur in the scene.
+#[inline(always)]
+fn power_of(base: Unit, shininess: Exponent, kind: Shininess) -> Unit {
+    match kind {
+        Shininess::Real => power(base, shininess),
+        _ => whole_power(base, shininess),
+    }
+}
+
+/// (h · n)² = ((n·l + n·v) / 2)² / ((1 + l·v) / 2)
+#[inline(always)]
+fn half_way_square(cosines: &Cosines) -> Unit {
+    let sum = unsigned(cosines.light.to_bits()) + unsigned(cosines.viewer.to_bits());
+    // Q30: (2 Q30)² / 4
+    let numerator = high_unsigned(sum, sum);
+    // 1 + l·v is 0 to 2 but for a last place: below zero, as one without a sign, it is a large one.
+    let denominator = offset_modulo_2_32(cosines.between.to_bits(), 1 << 30) >> 1;
+    if numerator >= denominator {
+        return Unit::ONE;
+    }
+    Unit::from_bits(ratio(numerator, denominator))
+}
+
+/// r · v = 2 (n·l) (n·v) - l·v
+fn mirrored_cosine(cosines: &Cosines) -> Unit {
+    let product = scaled_by_unit(cosines.light.to_bits(), cosines.viewer);
+    let cosine = 2 * i64::from(product) - i64::from(cosines.between.to_bits());
+    Unit::from_bits(narrowed(cosine.clamp(0, 1 << 30)))
+}

@@ -1,0 +1,126 @@
+//! The answers whether a light is visible: the plain one, and the one with culling.
+
+use crate::accel::World;
+use crate::accel::light_occluders::{self, Occluders};
+use crate::accel::light_visibility::LightVisibility;
+use crate::light::PreparedLight;
+use crate::number::Length;
+use crate::ray::{ScaledPoint, ScaledRay};
+use crate::scene::Surface;
+use crate::scene::access::SceneAccess;
+use crate::scene::query::occluded;
+use crate::scene::shape_set::ShapeSet;
+use crate::shade::Visibility;
+use crate::vector::Direction;
+
+/// Each light is asked for at each hit, and every shape with it.
+pub(super) struct Plain<'a, W>(pub(super) &'a W);
+
+impl<W: SceneAccess> Visibility for Plain<'_, W> {
+    type Light = PreparedLight;
+
+    #[inline(always)]
+    fn lights(&self) -> &[PreparedLight] {
+        self.0.parts().lights
+    }
+
+    #[inline(always)]
+    fn light(light: &PreparedLight) -> &PreparedLight {
+        light
+    }
+
+    #[inline(always)]
+    fn is_hidden(&self, _: usize) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn is_clear(&self, _: usize) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn is_occluded_from<const PRECISE: bool>(
+        &self,
+        _: &Surface<'_>,
+        _: (&PreparedLight, usize),
+        _: (Direction, Length),
+    ) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn is_occluded(
+        &self,
+        surface: &Surface<'_>,
+        ray: &ScaledRay,
+        _: usize,
+        light: (ScaledPoint, Length, u32),
+    ) -> bool {
+        occluded(self.0, ShapeSet::ALL, ray, surface.skip(self.0), light)
+    }
+}
+
+/// What the planes hide is known for the whole frame, and lights know the shapes around them.
+pub(super) struct Culled<'a, W> {
+    world: &'a W,
+    visibility: &'a LightVisibility,
+}
+
+impl<'a, W> Culled<'a, W> {
+    #[inline(always)]
+    pub(super) const fn new(world: &'a W, visibility: &'a LightVisibility) -> Self {
+        Self { world, visibility }
+    }
+}
+
+impl<W: World> Visibility for Culled<'_, W> {
+    type Light = W::LightOccluders;
+
+    #[inline(always)]
+    fn lights(&self) -> &[W::LightOccluders] {
+        self.world.light_occluders()
+    }
+
+    #[inline(always)]
+    fn light(light: &W::LightOccluders) -> &PreparedLight {
+        light.light()
+    }
+
+    #[inline(always)]
+    fn is_hidden(&self, index: usize) -> bool {
+        self.visibility.is_hidden(index)
+    }
+
+    #[inline(always)]
+    fn is_clear(&self, index: usize) -> bool {
+        self.visibility.is_clear(index)
+    }
+
+    #[inline(always)]
+    fn is_occluded_from<const PRECISE: bool>(
+        &self,
+        surface: &Surface<'_>,
+        light: (&W::LightOccluders, usize),
+        ray: (Direction, Length),
+    ) -> bool {
+        light_occluders::occluded::<W, PRECISE>(self.world, surface, light, ray)
+    }
+
+    #[inline(always)]
+    fn is_occluded(
+        &self,
+        surface: &Surface<'_>,
+        ray: &ScaledRay,
+        index: usize,
+        light: (ScaledPoint, Length, u32),
+    ) -> bool {
+        let table = match W::NEEDS.sets {
+            true => self.world.light_tables().get(index),
+            false => None,
+        };
+        let direction = ray.direction().reversed();
+        let set = table.map_or(ShapeSet::ALL, |table| table.at(direction));
+        occluded(self.world, set, ray, surface.skip(self.world), light)
+    }
+}
