@@ -1,4 +1,4 @@
-//! Floor 3: the camera turns a pixel into the direction of a ray. Knows no scene.
+//! Floor 2: the camera turns a pixel into the direction of a ray. Knows no scene.
 
 use core::fmt;
 

@@ -1,4 +1,4 @@
-//! Floor 5: the light at one hit: ambient, diffuse, specular, and the question whether a light is
+//! Floor 4: the light at one hit: ambient, diffuse, specular, and the question whether a light is
 //! hidden. Knows no reflection.
 
 use core::marker::PhantomData;

@@ -231,7 +231,7 @@ fn whole_firmware_of_the_castle_is_below_48_kib() {
     // It does not dither; that these names are found where something does, xtask/no_panic shows.
     let names = Names::read(&program).unwrap().all().unwrap();
     assert!(names.iter().any(|name| name.contains("render::Picture")));
-    assert!(!names.iter().any(|name| name.contains("render::dither::")));
+    assert!(!names.iter().any(|name| name.contains("display::dither::")));
 }
 
 #[test]

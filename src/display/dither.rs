@@ -1,4 +1,4 @@
-//! Floor 7: ordered dithering for displays with few levels. It knows colours and where they are
+//! Floor 8: ordered dithering for displays with few levels. It knows colours and where they are
 //! shown, and no scene.
 
 use embedded_graphics::Pixel;
