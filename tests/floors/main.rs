@@ -1,6 +1,8 @@
 //! The house rules that a compiler does not know: a file names only its own floor and those below,
-//! a display is known on the top floor alone, and no file grows out of sight.
+//! a display is known on the top floor alone, and no file or function grows out of sight.
 
+mod length;
+mod ratchet;
 mod source;
 
 use std::{
@@ -48,12 +50,6 @@ const WRAP: [&[&str]; 3] = [
 /// Where the whole crate is put together; it may name everything.
 const ROOF: &str = "lib";
 
-/// Lines of a file past which it is time to look for the second idea in it.
-const LONG: usize = 400;
-
-/// Lines of a file past which this test fails.
-const TOO_LONG: usize = 500;
-
 #[test]
 fn no_file_names_a_floor_above_its_own() {
     let complaints = complaints_about_all(upward_names);
@@ -78,37 +74,37 @@ fn nothing_wraps_unseen() {
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
 }
 
-#[test]
-fn no_file_is_too_long() {
-    let complaints = complaints_about_all(|_, source| match source.lines().count() {
-        ..=LONG => Vec::new(),
-        lines @ ..=TOO_LONG => {
-            println!("a file of {lines} lines: is it still one idea?");
-            Vec::new()
-        }
-        lines => vec![(lines, format!("more than {TOO_LONG} lines"))],
-    });
-    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
-}
-
 /// What one rule has against one file: line and words.
 type Complaints = Vec<(usize, String)>;
 
 fn complaints_about_all(rule: impl Fn(&[String], &str) -> Complaints) -> Vec<String> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let source = root.join("src");
-    let mut complaints = Vec::new();
-    for file in files_below(&source) {
-        let text = fs::read_to_string(&file).unwrap();
-        let name = file.strip_prefix(root).unwrap().display();
-        let found = rule(&module_of(file.strip_prefix(&source).unwrap()), &text);
-        complaints.extend(
-            found
-                .iter()
-                .map(|(line, words)| format!("{name}:{line}: {words}")),
-        );
-    }
-    complaints
+    let found = files().into_iter().flat_map(|file| {
+        let complaints = rule(&file.module, &file.text).into_iter();
+        complaints.map(move |(line, words)| format!("src/{}:{line}: {words}", file.name))
+    });
+    found.collect()
+}
+
+/// A source file of the library.
+struct File {
+    /// Its path below `src`.
+    name: String,
+    module: Vec<String>,
+    text: String,
+}
+
+fn files() -> Vec<File> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let files = files_below(&source).into_iter().map(|path| {
+        let below = path.strip_prefix(&source).unwrap();
+        let names: Vec<_> = below.iter().map(|it| it.to_string_lossy()).collect();
+        File {
+            name: names.join("/"),
+            module: module_of(below),
+            text: fs::read_to_string(&path).unwrap(),
+        }
+    });
+    files.collect()
 }
 
 fn files_below(folder: &Path) -> Vec<PathBuf> {
