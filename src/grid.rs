@@ -1,4 +1,4 @@
-//! Floor 2: the grid a scene is laid on: where its middle is and how fine its steps are.
+//! Floor 1: the grid a scene is laid on: where its middle is and how fine its steps are.
 
 use crate::number::{Length, Number, fitting, narrowed, narrowed_128};
 use crate::ray::ScaledPoint;

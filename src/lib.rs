@@ -77,13 +77,13 @@
 //!
 //! | floor | modules | what lives there |
 //! |---|---|---|
-//! | 7 | `render` | rows of pixels into a display, dithered if it has few levels |
-//! | 6 | `interpolate`, `trace` | a row's colours, most between traced ones; one ray to one colour: the accumulation |
-//! | 5 | `shade` | the light at one hit |
-//! | 4 | `scene` | the checked scene; what a ray meets, whether it is blocked |
-//! | 3 | `shape`, `camera` | intersections; a pixel's ray |
-//! | 2 | `ray`, `grid`, `material`, `light` | plain data |
-//! | 1 | `vector`, `color` | points, directions, linear colour |
+//! | 8 | `display` | rows into a display, dithered if it has few levels |
+//! | 7 | `render` | a frame made ready; a row's colours, most between traced ones |
+//! | 6 | `trace` | one ray to one colour: the accumulation |
+//! | 4 | `shade` | the light at one hit |
+//! | 3 | `scene` | the checked scene; what a ray meets, whether it is blocked |
+//! | 2 | `shape`, `camera`, `material`, `light` | intersections; a pixel's ray; plain data |
+//! | 1 | `vector`, `ray`, `grid`, `color` | points, directions, rays, the scene's grid, linear colour |
 //! | 0 | `number`, `fault`, `quality` | the formats, shifts, roots; the words for what is wrong; what a frame may leave out |
 //!
 //! A file uses only floors below its own. Beside them stand `scenes` (behind a feature of that
@@ -149,6 +149,7 @@ extern crate std;
 mod accel;
 mod camera;
 mod color;
+mod display;
 mod fault;
 mod grid;
 #[cfg(feature = "host")]
@@ -159,7 +160,6 @@ mod grid;
     reason = "the reference computes in floats"
 )]
 pub mod host;
-mod interpolate;
 mod light;
 mod material;
 mod number;
@@ -182,15 +182,15 @@ mod vector;
 
 pub use accel::{Apart, Static, StaticScene, Whole, Within, World};
 pub use camera::{Camera, CameraDescription, CameraError};
+pub use display::{
+    Budgeted, Choice, Ditherable, Dithered, Enlarged, Front, FrontPoint, Grade, Threshold, dither,
+};
 pub use fault::Fault;
 pub use light::Light;
 pub use material::Material;
 pub use number::{Number, Unit};
 pub use quality::{Exact, Fast, Fine, Quality, Small};
-pub use render::{
-    Budgeted, Choice, Ditherable, Dithered, Enlarged, Frame, Front, FrontPoint, Grade, Picture,
-    Report, StaticFrame, Threshold, dither,
-};
+pub use render::{Frame, Picture, Report, StaticFrame};
 pub use scene::access::SceneAccess;
 pub use scene::{
     Bound, Description, Excess, Mirrors, MostReflections, Need, Needs, RuntimeScene, Scene,

@@ -1,4 +1,4 @@
-//! Floor 2: rays, the places they start from, and the one place that offsets a ray from the
+//! Floor 1: rays, the places they start from, and the one place that offsets a ray from the
 //! surface it leaves.
 //!
 //! Bounded shapes lie in a ball of 2²⁸ raw steps around the middle of the scene. A plane may be

@@ -1,4 +1,4 @@
-//! Floor 4: the bounded scene, checked and prepared once when it is built, and the two questions
+//! Floor 3: the bounded scene, checked and prepared once when it is built, and the two questions
 //! a ray asks it: what it meets first ([`query`]) and whether it is blocked.
 //!
 //! A scene is laid on a grid of its own: its shapes fill a ball of 2²⁸ steps, whatever their size

@@ -1,4 +1,4 @@
-//! Floor 3: one file a shape. Each has the shape as it is described, the shape as the kernels
+//! Floor 2: one file a shape. Each has the shape as it is described, the shape as the kernels
 //! read it (`Prepared…`), and the kernels: where a ray meets it, whether it blocks a ray, and its
 //! normal. Knows no scene.
 

@@ -1,6 +1,8 @@
 //! Reads Rust source just well enough to see which rooms it names: words, paths and trees of
 //! paths. It never knows which names are allowed.
 
+use std::collections::BTreeSet;
+
 /// The rooms a file names by paths that start with `crate`, `self` or `super`, with their lines.
 pub fn paths(module: &[String], source: &str) -> Vec<(usize, String)> {
     let tokens = tokens(source);
@@ -100,10 +102,24 @@ impl Scope {
 
 /// The words and marks of Rust source with their lines, without comments, texts and characters.
 pub fn tokens(source: &str) -> Vec<(usize, &str)> {
+    let mut pieces = pieces(source);
+    pieces.retain(|(_, piece)| !is_comment(piece) && !is_text(piece));
+    pieces
+}
+
+/// The lines that are neither blank nor a comment.
+pub fn lines_of_code(source: &str) -> BTreeSet<usize> {
+    let code = pieces(source).into_iter();
+    code.filter(|(_, piece)| !is_comment(piece))
+        .flat_map(|(line, piece)| line..=line + piece.matches('\n').count())
+        .collect()
+}
+
+/// All that is no white space: words, marks, texts, characters and comments, with their first lines.
+fn pieces(source: &str) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
-    let mut rest = source;
+    let (mut rest, mut line) = (source, 1);
     while let Some(first) = rest.chars().next() {
-        let line = source[..source.len() - rest.len()].matches('\n').count() + 1;
         let skipped = skipped(rest);
         let length = match first {
             _ if skipped > 0 => skipped,
@@ -111,12 +127,23 @@ pub fn tokens(source: &str) -> Vec<(usize, &str)> {
             _ if is_word(first) => rest.find(|c| !is_word(c)).unwrap_or(rest.len()),
             _ => first.len_utf8(),
         };
-        if skipped == 0 && !first.is_whitespace() {
-            found.push((line, &rest[..length]));
+        let (piece, later) = rest.split_at(length);
+        if !first.is_whitespace() {
+            found.push((line, piece.trim_end()));
         }
-        rest = &rest[length..];
+        line += piece.matches('\n').count();
+        rest = later;
     }
     found
+}
+
+fn is_comment(piece: &str) -> bool {
+    piece.starts_with("//") || piece.starts_with("/*")
+}
+
+/// Texts, characters, and the mark of a lifetime.
+fn is_text(piece: &str) -> bool {
+    piece.contains('"') || piece.starts_with('\'')
 }
 
 fn is_word(c: char) -> bool {

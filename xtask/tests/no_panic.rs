@@ -20,7 +20,7 @@ fn build(target: &str, features: &str) -> Result<Vec<String>> {
     let program = toolchain::build_alone(target, "no_panic", "no_panic", &chosen)?;
     if features.is_empty() {
         let names = Names::read(&program)?.all()?;
-        let is_there = names.iter().any(|name| name.contains("render::dither::"));
+        let is_there = names.iter().any(|name| name.contains("display::dither::"));
         assert!(is_there, "what draws in every way dithers, too");
     }
     float_routines(&program)

@@ -90,7 +90,10 @@ fn stages_and_tables_add_up_to_the_total() {
         let calls = rows.map(|row| row["calls_per_pixel"].as_f64().unwrap());
         calls.sum::<f64>()
     };
-    assert_eq!(calls("reflet::interpolate::Colors<W,K,Q>::follow"), 0.25);
+    assert_eq!(
+        calls("reflet::render::interpolate::Colors<W,K,Q>::follow"),
+        0.25
+    );
     // What many call belongs to each of them.
     let stages_of = |name: &str| {
         let is_in = |stage: &&str| {

@@ -101,7 +101,7 @@ fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
         "Colors<W,K,Q>::follow",
         "scene::row::",
         "scene::extent::",
-        "SeenSphere",
+        "SphereFromPoint",
     ] {
         assert!(has(&all.0, part) && !has(&small, part), "{part}");
     }
@@ -230,8 +230,12 @@ fn whole_firmware_of_the_castle_is_below_48_kib() {
     assert!(weight.flash <= 48 * 1024, "{} bytes", weight.flash);
     // It does not dither; that these names are found where something does, xtask/no_panic shows.
     let names = Names::read(&program).unwrap().all().unwrap();
-    assert!(names.iter().any(|name| name.contains("render::Picture")));
-    assert!(!names.iter().any(|name| name.contains("render::dither::")));
+    assert!(
+        names
+            .iter()
+            .any(|name| name.contains("render::picture::Picture"))
+    );
+    assert!(!names.iter().any(|name| name.contains("display::dither::")));
 }
 
 #[test]

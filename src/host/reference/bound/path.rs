@@ -50,6 +50,43 @@ impl Followed {
     }
 }
 
+impl Stage {
+    /// Before anything was met.
+    const START: Self = Self {
+        color: [0.0; 3],
+        weight: 1.0,
+        rounding: 0.0,
+        trail: 0,
+        is_unsure: false,
+    };
+
+    /// The path meets nothing, and ends.
+    fn missed(self, background: Vector) -> Self {
+        Self {
+            color: (Vector(self.color) + background * self.weight).0,
+            weight: 0.0,
+            rounding: self.rounding + (to_the_minus(24) + self.weight * to_the_minus(26)),
+            trail: mixed(self.trail, u64::MAX),
+            ..self
+        }
+    }
+
+    /// The path meets a surface with a colour of its `own`, which may be off by `error`, after so many
+    /// reflections, and is reflected by the share `alpha`.
+    fn lit(self, own: Vector, error: f64, reflection: usize, alpha: f64) -> Self {
+        let share = self.weight * (1.0 - alpha);
+        let rounding = share * error
+            + to_the_minus(24)
+            + largest(own) * (reflection as f64 + 2.0) * to_the_minus(30);
+        Self {
+            color: (Vector(self.color) + own * share).0,
+            weight: self.weight * alpha,
+            rounding: self.rounding + rounding,
+            ..self
+        }
+    }
+}
+
 /// Error so far along a path.
 #[derive(Clone, Copy)]
 struct Drift {
@@ -80,48 +117,24 @@ pub(super) fn follow(
         direction: to_the_minus(26),
     };
     let mut stages = Vec::new();
-    let (mut color, mut weight, mut rounding) = (Vector::ZERO, 1.0, 0.0);
-    let (mut trail, mut is_unsure) = (0_u64, false);
+    let mut stage = Stage::START;
     for reflection in 0..=reflections {
         let Some(surface) = scene.nearest(&ray) else {
-            color += scene.background * weight;
-            rounding += to_the_minus(24) + weight * to_the_minus(26);
-            weight = 0.0;
-            trail = mixed(trail, u64::MAX);
-            stages.push(Stage {
-                color: color.0,
-                weight,
-                rounding,
-                trail,
-                is_unsure,
-            });
+            stages.push(stage.missed(scene.background));
             break;
         };
         let at = Hit::new(scene, &surface, &ray, drift, step);
-        is_unsure |= at.is_unsure;
         let (lights, error) = at.light(scene, &surface, shading, precision);
-        let alpha = surface.material.mirror;
-        let share = weight * (1.0 - alpha);
         let own = scene.own_color(&surface, shading);
-        color += own * share;
-        let brightest = largest(own);
-        rounding += share * error
-            + to_the_minus(24)
-            + brightest * (reflection as f64 + 2.0) * to_the_minus(30);
-        weight *= alpha;
-        trail = mixed(
-            trail,
-            2 * number(scene, surface.shape) as u64 + u64::from(surface.is_inside),
+        stage = stage.lit(own, error, reflection, surface.material.mirror);
+        let shape = number(scene, surface.shape) as u64;
+        stage.trail = mixed(
+            mixed(stage.trail, 2 * shape + u64::from(surface.is_inside)),
+            lights,
         );
-        trail = mixed(trail, lights);
-        stages.push(Stage {
-            color: color.0,
-            weight,
-            rounding,
-            trail,
-            is_unsure,
-        });
-        if weight < NOTHING {
+        stage.is_unsure |= at.is_unsure;
+        stages.push(stage);
+        if stage.weight < NOTHING {
             break;
         }
         ray = surface.reflected();

@@ -1,4 +1,4 @@
-//! Floor 7: a frame for so many instructions, or so much time: which settings fit, by what was
+//! Floor 8: a frame for so many instructions, or so much time: which settings fit, by what was
 //! measured, and an end in time.
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -6,10 +6,11 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 
-use super::{Enlarged, Frame, Report};
+use super::Enlarged;
 use crate::accel::World;
 use crate::number::{Unit, signed};
 use crate::quality::{Fast, Fine, Quality};
+use crate::render::{Frame, Report};
 use crate::shade::Shading;
 
 /// The quality of a [`FrontPoint`], as a value.
@@ -121,7 +122,7 @@ pub struct Budgeted {
     /// Of what was drawn.
     pub report: Report,
     /// How far a pixel that was traced can be off on account of the reflections that were left out,
-    /// as a share of white: [`super::Picture::cut_off_bound`].
+    /// as a share of white: [`crate::Picture::cut_off_bound`].
     pub cut_off_bound: Unit,
     /// How many of the display's rows were still to be drawn when time was up: the lowest ones, which
     /// show what they showed before.

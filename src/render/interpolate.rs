@@ -1,4 +1,4 @@
-//! Floor 6: the colours of a row of pixels, most of them between two that were traced.
+//! Floor 7: the colours of a row of pixels, most of them between two that were traced.
 //!
 //! Every second or fourth pixel of a row is traced. Where the paths of two that follow each other
 //! met the same shapes in the same order, each lit by the same lights, what lies between them is taken
@@ -10,10 +10,12 @@
 //! Which pixels are traced depends on their columns alone, so a part of a row has the colours that it
 //! has in the whole.
 
+mod output;
+
 use crate::accel::{LONGEST_STRIDE, Window, World};
 use crate::camera::RowDirections;
 use crate::color::{Bend, Sum};
-use crate::number::{Unit, to_u32};
+use crate::number::Unit;
 use crate::quality::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Traced, Tracer};
@@ -84,64 +86,6 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             colors.start();
         }
         colors
-    }
-
-    /// The colour of the next column, which lies inside of the picture.
-    #[inline(always)]
-    pub(crate) fn next_color(&mut self) -> Sum {
-        let column = self.column;
-        self.column += 1;
-        if Tracer::<W, K, Q>::IS_PLAIN {
-            return self.traced(column).sum;
-        }
-        let place = column % self.tracer.stride();
-        if place == 0 {
-            self.follow(column);
-        }
-        self.stretch[place as usize]
-    }
-
-    /// Fills pixels, which lie inside of the picture, with the next colours.
-    #[inline(always)]
-    pub(crate) fn fill<C: Copy>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
-        if Tracer::<W, K, Q>::IS_PLAIN {
-            for pixel in pixels {
-                *pixel = shown(self.next_color());
-            }
-            return;
-        }
-        let stride = self.tracer.stride();
-        while !pixels.is_empty() {
-            let place = self.column % stride;
-            if place == 0 {
-                self.follow(self.column);
-            }
-            let clear = self.clear_until.saturating_sub(self.column) as usize;
-            let whole = match clear > 0 || place > 0 {
-                true => 0,
-                false => stride,
-            };
-            let (count, later) = match (whole, pixels) {
-                (4, [a, b, c, d, later @ ..]) => {
-                    [*a, *b, *c, *d] = self.stretch.map(&shown);
-                    (4, later)
-                }
-                (2, [a, b, later @ ..]) => {
-                    let [first, second, ..] = self.stretch;
-                    [*a, *b] = [first, second].map(&shown);
-                    (2, later)
-                }
-                (_, pixels) => {
-                    // What is clear has one colour; else one pixel of a stretch.
-                    let count = pixels.len().min(clear.max(1));
-                    let (now, later) = pixels.split_at_mut(count);
-                    now.fill(shown(self.stretch[place as usize]));
-                    (count, later)
-                }
-            };
-            self.column += to_u32(count);
-            pixels = later;
-        }
     }
 
     /// Makes ready for a row that begins inside of a stretch.
@@ -215,11 +159,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             return;
         }
         if first + stride > self.last || !self.tracer.notes_what_is_thin() {
-            for place in 0..stride {
-                if first + place <= self.last {
-                    self.stretch[place as usize] = self.trace(first + place).sum;
-                }
-            }
+            self.trace_each(first, stride);
             return;
         }
         let [start, end] = self.ends;
@@ -248,6 +188,23 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         if is_exact && !start.signature.is_bent() {
             return;
         }
+        self.add_middle(first, &start, &end);
+    }
+
+    /// Traces a stretch that no pixel is taken from another in, up to the last column.
+    #[inline(always)]
+    fn trace_each(&mut self, first: u32, stride: u32) {
+        for place in 0..stride {
+            if first + place <= self.last {
+                self.stretch[place as usize] = self.trace(first + place).sum;
+            }
+        }
+    }
+
+    /// Traces the pixel in the middle of a stretch of four, and those beside it if the colours that the
+    /// stretch has are not exact.
+    #[inline(always)]
+    fn add_middle(&mut self, first: u32, start: &Traced, end: &Traced) {
         let middle = self.trace(first + 2);
         if start.signature == end.signature && middle.signature == start.signature {
             let miss = middle.sum.less(self.stretch[2]);
@@ -260,9 +217,9 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
                 return;
             }
         }
-        self.stretch[1] = self.between(&start, &middle, first + 1);
+        self.stretch[1] = self.between(start, &middle, first + 1);
         self.stretch[2] = middle.sum;
-        self.stretch[3] = self.last(&middle, &end, first + 3);
+        self.stretch[3] = self.last(&middle, end, first + 3);
     }
 
     /// The colour of the one pixel between two.

@@ -1,4 +1,4 @@
-//! Floor 7: a display seen as one with fewer and larger pixels.
+//! Floor 8: a display seen as one with fewer and larger pixels.
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;

@@ -1,8 +1,8 @@
-//! Floor 7: what a picture can be off by where its paths were ended, from its report.
+//! Floor 8: what a picture can be off by where its paths were ended, from its report.
 
-use super::{Picture, Report};
 use crate::accel::World;
 use crate::number::{Unit, narrowed_unsigned, signed};
+use crate::render::{Picture, Report};
 
 impl<W: World, Q, K> Picture<W, Q, K> {
     /// How far a pixel of this picture that was traced can be from one whose paths are followed for
@@ -33,7 +33,7 @@ impl<W: World, Q, K> Picture<W, Q, K> {
     pub fn cut_off_bound(&self, report: &Report) -> Unit {
         // Q2.30 · Q6.26, rounded up.
         let weight = report.cut_off.to_bits().unsigned_abs();
-        let brightest = self.world.parts().brightest.to_bits().unsigned_abs();
+        let brightest = self.world().parts().brightest.to_bits().unsigned_abs();
         // What all colours are 255 parts of.
         let brightest = (u64::from(brightest) * 256).div_ceil(255);
         // Below 2³⁰ · 2³².

@@ -1,13 +1,12 @@
-//! Floor 7: ordered dithering for displays with few levels. It knows colours and where they are
+//! Floor 8: ordered dithering for displays with few levels. It knows colours and where they are
 //! shown, and no scene.
+
+mod colors;
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, Point};
-use embedded_graphics::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor,
-    Rgb555, Rgb565, Rgb666, Rgb888, RgbColor,
-};
+use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics::prelude::PointsIter;
 use embedded_graphics::primitives::Rectangle;
 
@@ -208,114 +207,5 @@ impl Threshold {
         let sum = largest as u32 * value as u32 + self.rest as u32;
         // A 255th, rounded down, of anything below 2¹⁶ - 1.
         to_u8((sum + 1 + (sum >> 8)) >> 8)
-    }
-}
-
-/// Red, green and blue, each in the levels of `C`.
-#[inline]
-fn levels<C: RgbColor>(color: Rgb888, threshold: Threshold) -> [u8; 3] {
-    [
-        threshold.level(color.r(), C::MAX_R),
-        threshold.level(color.g(), C::MAX_G),
-        threshold.level(color.b(), C::MAX_B),
-    ]
-}
-
-/// The luma that embedded-graphics takes for a colour, of `largest` + 1 levels.
-#[inline]
-fn grey(color: Rgb888, largest: u8, threshold: Threshold) -> u8 {
-    threshold.level(Gray8::from(color).luma(), largest)
-}
-
-impl Ditherable for Rgb555 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
-
-impl Ditherable for Bgr555 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
-
-impl Ditherable for Rgb565 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
-
-impl Ditherable for Bgr565 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
-
-impl Ditherable for Rgb666 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
-
-impl Ditherable for Bgr666 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
-
-/// As it is.
-impl Ditherable for Rgb888 {
-    #[inline]
-    fn dithered(color: Rgb888, _: Threshold) -> Self {
-        color
-    }
-}
-
-/// As it is.
-impl Ditherable for Bgr888 {
-    #[inline]
-    fn dithered(color: Rgb888, _: Threshold) -> Self {
-        color.into()
-    }
-}
-
-impl Ditherable for Gray2 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        Self::new(grey(color, Self::WHITE.luma(), threshold))
-    }
-}
-
-impl Ditherable for Gray4 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        Self::new(grey(color, Self::WHITE.luma(), threshold))
-    }
-}
-
-/// As embedded-graphics converts it: there is a level for every luma.
-impl Ditherable for Gray8 {
-    #[inline]
-    fn dithered(color: Rgb888, _: Threshold) -> Self {
-        color.into()
-    }
-}
-
-impl Ditherable for BinaryColor {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        Self::from(grey(color, 1, threshold) == 1)
     }
 }

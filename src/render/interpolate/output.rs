@@ -1,0 +1,69 @@
+//! Floor 7: hands the colours of a row on, one by one or into a slice. Knows not how they are found.
+
+use super::Colors;
+use crate::accel::World;
+use crate::color::Sum;
+use crate::number::to_u32;
+use crate::quality::Quality;
+use crate::shade::highlight::sealed::Shading;
+use crate::trace::Tracer;
+
+impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
+    /// The colour of the next column, which lies inside of the picture.
+    #[inline(always)]
+    pub(crate) fn next_color(&mut self) -> Sum {
+        let column = self.column;
+        self.column += 1;
+        if Tracer::<W, K, Q>::IS_PLAIN {
+            return self.traced(column).sum;
+        }
+        let place = column % self.tracer.stride();
+        if place == 0 {
+            self.follow(column);
+        }
+        self.stretch[place as usize]
+    }
+
+    /// Fills pixels, which lie inside of the picture, with the next colours.
+    #[inline(always)]
+    pub(crate) fn fill<C: Copy>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
+        if Tracer::<W, K, Q>::IS_PLAIN {
+            for pixel in pixels {
+                *pixel = shown(self.next_color());
+            }
+            return;
+        }
+        let stride = self.tracer.stride();
+        while !pixels.is_empty() {
+            let place = self.column % stride;
+            if place == 0 {
+                self.follow(self.column);
+            }
+            let clear = self.clear_until.saturating_sub(self.column) as usize;
+            let whole = match clear > 0 || place > 0 {
+                true => 0,
+                false => stride,
+            };
+            let (count, later) = match (whole, pixels) {
+                (4, [a, b, c, d, later @ ..]) => {
+                    [*a, *b, *c, *d] = self.stretch.map(&shown);
+                    (4, later)
+                }
+                (2, [a, b, later @ ..]) => {
+                    let [first, second, ..] = self.stretch;
+                    [*a, *b] = [first, second].map(&shown);
+                    (2, later)
+                }
+                (_, pixels) => {
+                    // What is clear has one colour; else one pixel of a stretch.
+                    let count = pixels.len().min(clear.max(1));
+                    let (now, later) = pixels.split_at_mut(count);
+                    now.fill(shown(self.stretch[place as usize]));
+                    (count, later)
+                }
+            };
+            self.column += to_u32(count);
+            pixels = later;
+        }
+    }
+}

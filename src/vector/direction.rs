@@ -1,0 +1,215 @@
+//! Directions of unit length, and what is worked out with them. Knows no ray and no scene.
+
+use super::Vector;
+use crate::number::{
+    Unit, high, minus_wide, narrowed, scaled_by_unit, shifted, signed, signed_wide, wide,
+};
+
+/// A vector of length one, Q2.30 a coordinate: within 2⁻²⁶ of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Direction {
+    pub(crate) x: Unit,
+    pub(crate) y: Unit,
+    pub(crate) z: Unit,
+}
+
+impl Direction {
+    /// The x axis.
+    pub const X: Self = Self {
+        x: Unit::ONE,
+        y: Unit::ZERO,
+        z: Unit::ZERO,
+    };
+
+    /// The coordinates.
+    pub const fn components(self) -> [Unit; 3] {
+        [self.x, self.y, self.z]
+    }
+
+    /// The cosine of the angle to `other`.
+    #[inline(always)]
+    pub const fn dot(self, other: Self) -> Unit {
+        Unit::from_bits(narrowed(self.dot_wide(other) >> 30))
+    }
+
+    /// The cosine of the angle to `other`, rounded down to 2⁻²⁸.
+    #[inline(always)]
+    pub const fn short_dot(self, other: Self) -> Unit {
+        Unit::from_bits(self.raw().quarter_dot(other) << 2)
+    }
+
+    /// The cosine with 60 fraction bits.
+    const fn dot_wide(self, other: Self) -> i64 {
+        self.raw().dot_wide(other)
+    }
+
+    /// The coordinates as raw Q2.30.
+    pub const fn raw(self) -> Vector {
+        Vector::new(self.x.to_bits(), self.y.to_bits(), self.z.to_bits())
+    }
+
+    pub const fn from_raw(raw: Vector) -> Self {
+        Self {
+            x: Unit::from_bits(raw.x),
+            y: Unit::from_bits(raw.y),
+            z: Unit::from_bits(raw.z),
+        }
+    }
+
+    /// The direction of a vector, given the shift that gives it a length L of 2³⁰ to 2³¹ and
+    /// `root` = 2⁶¹ / L; coordinates are rounded down to 2⁻²⁹.
+    #[inline(always)]
+    pub(crate) const fn lengthened(vector: Vector, shift: u32, root: i32) -> Self {
+        Self::from_raw(Vector::new(
+            high(vector.x << shift, root) << 1,
+            high(vector.y << shift, root) << 1,
+            high(vector.z << shift, root) << 1,
+        ))
+    }
+
+    /// The opposite direction where `is_reversed`, without a branch.
+    #[inline(always)]
+    pub const fn reversed_if(self, is_reversed: bool) -> Self {
+        let sign = -(is_reversed as i32);
+        let Vector { x, y, z } = self.raw();
+        Self::from_raw(Vector::new(
+            (x ^ sign) - sign,
+            (y ^ sign) - sign,
+            (z ^ sign) - sign,
+        ))
+    }
+
+    /// The opposite direction.
+    pub const fn reversed(self) -> Self {
+        Self::from_raw(Vector::new(
+            -self.x.to_bits(),
+            -self.y.to_bits(),
+            -self.z.to_bits(),
+        ))
+    }
+
+    /// `self - 2 (self · normal) normal`, given `cosine` = self · normal.
+    ///
+    /// The length is kept to a few last bits.
+    pub const fn reflected(self, normal: Self, cosine: Unit) -> Self {
+        let Vector { x, y, z } = self.raw();
+        // Head-on along an axis the part taken away reaches 2³¹; what is left fits again.
+        Self::from_raw(Vector::new(
+            minus_wide(x, twice(cosine, normal.x)),
+            minus_wide(y, twice(cosine, normal.y)),
+            minus_wide(z, twice(cosine, normal.z)),
+        ))
+    }
+
+    /// `self` cos + `other` sin, for perpendicular directions.
+    pub(crate) fn turned_towards(self, other: Self, (sine, cosine): (Unit, Unit)) -> Self {
+        Self::from_raw(
+            self.raw_times(cosine.to_bits())
+                .plus(other.raw_times(sine.to_bits())),
+        )
+        .renormalised()
+    }
+
+    /// `self` turned about a unit axis (Rodrigues' formula).
+    pub(crate) fn turned_about(self, axis: Self, (sine, cosine): (Unit, Unit)) -> Self {
+        let along = axis.raw_times(self.dot(axis).to_bits());
+        let across = self.raw().minus(along);
+        let turned = along
+            .plus(Self::from_raw(across).raw_times(cosine.to_bits()))
+            .plus(axis.crossed(self).raw_times(sine.to_bits()));
+        Self::from_raw(turned).renormalised()
+    }
+
+    /// The way of `length` steps along it, within ±2³⁰, each coordinate rounded down.
+    #[inline(always)]
+    pub(super) const fn raw_times(self, length: i32) -> Vector {
+        Vector::new(
+            scaled_by_unit(length, self.x),
+            scaled_by_unit(length, self.y),
+            scaled_by_unit(length, self.z),
+        )
+    }
+
+    /// The way of `length` steps along it, below 2³⁰, each coordinate rounded down to an even
+    /// number: half the instructions.
+    #[inline(always)]
+    pub const fn scaled(self, length: i32) -> Vector {
+        let twice = length << 1;
+        Vector::new(
+            high(twice, self.x.to_bits()) << 1,
+            high(twice, self.y.to_bits()) << 1,
+            high(twice, self.z.to_bits()) << 1,
+        )
+    }
+
+    /// The same direction with its length corrected: one step of third order, which leaves the last
+    /// bits of a length that was within 2⁻¹¹ of one.
+    pub const fn renormalised(self) -> Self {
+        // Half of 1 - |d|², in Q30.
+        let lack = narrowed(((1_i64 << 60) + (1 << 30) - signed_wide(self.raw().square())) >> 31);
+        // 1 / √(1 - 2 h) = 1 + h + 3 h² / 2 + ...
+        let excess = lack + high(2 * lack, 3 * lack);
+        Self::from_raw(Vector::new(
+            grown(self.x.to_bits(), excess),
+            grown(self.y.to_bits(), excess),
+            grown(self.z.to_bits(), excess),
+        ))
+    }
+
+    /// The cross product scaled so that its largest coordinate has 29 bits, and the shift that
+    /// did it: |self × other| = |vector| · 2^(shift - 60), and shift is 1 to 32. `None` where the
+    /// two are parallel.
+    pub const fn cross(self, other: Self) -> Option<(Vector, u32)> {
+        let (a, b) = (self.raw(), other.raw());
+        // Exact in Q60.
+        let x = wide(a.y, b.z) - wide(a.z, b.y);
+        let y = wide(a.z, b.x) - wide(a.x, b.z);
+        let z = wide(a.x, b.y) - wide(a.y, b.x);
+        let bits = 64 - (x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs()).leading_zeros();
+        if bits < 30 {
+            return None;
+        }
+        let shift = bits - 29;
+        Some((
+            Vector::new(
+                narrowed(shifted(x, -signed(shift))),
+                narrowed(shifted(y, -signed(shift))),
+                narrowed(shifted(z, -signed(shift))),
+            ),
+            shift,
+        ))
+    }
+
+    /// The cross product of two perpendicular directions.
+    pub const fn crossed(self, other: Self) -> Self {
+        Self::from_raw(self.crossed_with(other.raw()))
+    }
+
+    /// The cross product with a way, each coordinate rounded down.
+    pub(crate) const fn crossed_with(self, b: Vector) -> Vector {
+        let a = self.raw();
+        Vector::new(
+            narrowed((wide(a.y, b.z) - wide(a.z, b.y)) >> 30),
+            narrowed((wide(a.z, b.x) - wide(a.x, b.z)) >> 30),
+            narrowed((wide(a.x, b.y) - wide(a.y, b.x)) >> 30),
+        )
+    }
+
+    /// The direction of the cross product, to the last bit; `None` where the two are parallel.
+    pub const fn perpendicular(self, other: Self) -> Option<Self> {
+        match self.cross(other) {
+            Some((vector, _)) => Some(vector.precise_direction()),
+            None => None,
+        }
+    }
+}
+
+/// 2 `a` `b` in Q30, rounded down; 2 does not fit 32 bits.
+const fn twice(a: Unit, b: Unit) -> i64 {
+    wide(a.to_bits(), b.to_bits()) >> 29
+}
+
+/// `coordinate` (1 + `excess`), rounded to nearest.
+const fn grown(coordinate: i32, excess: i32) -> i32 {
+    coordinate + narrowed((wide(coordinate, excess) + (1 << 29)) >> 30)
+}

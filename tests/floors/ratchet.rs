@@ -1,0 +1,202 @@
+//! How long a file, a function and the whole library may be. What is longer today is listed; the lists
+//! may only shrink.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::{
+    BESIDE, File, files,
+    length::{Lengths, test_modules},
+};
+
+/// Lines of a file without its tests.
+const LONGEST_FILE: usize = 300;
+
+/// Lines of a file with its tests, and of a file of tests.
+const LONGEST_WITH_TESTS: usize = 500;
+
+/// Lines of code of a function.
+const LONGEST_FUNCTION: usize = 50;
+
+/// Lines of code of the library, tests apart.
+const MOST_CODE: usize = 11_100;
+
+/// Files that are longer: the lines that each may have.
+const LONG_FILES: &[(&str, usize)] = &[
+    ("scene/extent.rs", 474),
+    ("scene/needs.rs", 305),
+    ("scene/prepare.rs", 337),
+    ("scene/query.rs", 381),
+    ("scene/row.rs", 364),
+    ("scene/world.rs", 501),
+    ("shade.rs", 501),
+    ("shape/cylinder.rs", 381),
+    ("shape/plane.rs", 350),
+];
+
+/// Functions that are longer: the lines of code that each may have.
+const LONG_FUNCTIONS: &[(&str, usize)] = &[
+    ("scene/layout.rs: choose_grid", 71),
+    ("scene/needs.rs: needs", 56),
+    ("scene/needs/words.rs: list", 100),
+    ("scene/prepare.rs: prepare", 84),
+    ("scene/row.rs: turn_to", 52),
+    ("trace.rs: trace", 57),
+];
+
+#[test]
+fn no_file_is_too_long() {
+    let library = library();
+    let found = library
+        .iter()
+        .map(|(file, lengths)| (file.name.clone(), lengths.lines));
+    let complaints = complaints(found, LONGEST_FILE, LONG_FILES);
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+#[test]
+fn no_file_is_too_long_with_its_tests() {
+    let listed = |name: &str| LONG_FILES.iter().any(|it| it.0 == name);
+    let found = files().into_iter().filter(|file| !listed(&file.name));
+    let found = found.map(|file| (file.name, file.text.lines().count()));
+    let complaints = complaints(found, LONGEST_WITH_TESTS, &[]);
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+#[test]
+fn no_function_is_too_long() {
+    let library = library();
+    let found = library.iter().flat_map(|(file, lengths)| {
+        let functions = lengths.functions.iter();
+        functions.map(|it| (format!("{}: {}", file.name, it.name), it.code))
+    });
+    let complaints = complaints(found, LONGEST_FUNCTION, LONG_FUNCTIONS);
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+#[test]
+fn library_has_no_more_code_than_it_had() {
+    let mut rooms = BTreeMap::<_, usize>::new();
+    for (file, lengths) in library() {
+        *rooms.entry(file.module[0].clone()).or_default() += lengths.code;
+    }
+    let all: usize = rooms.values().sum();
+    let beside: usize = BESIDE.iter().filter_map(|room| rooms.get(*room)).sum();
+    for (room, code) in &rooms {
+        println!("{code:6} {room}");
+    }
+    println!("{:6} the stack\n{all:6} all", all - beside);
+    assert!(all <= MOST_CODE, "{all} lines of code, {MOST_CODE} at most");
+}
+
+/// The files that are not for tests alone, with what is counted of each.
+fn library() -> Vec<(File, Lengths)> {
+    let mut files = files();
+    let tests: BTreeSet<_> = files.iter().flat_map(declared_for_tests).collect();
+    files.retain(|file| (1..=file.module.len()).all(|end| !tests.contains(&file.module[..end])));
+    files
+        .into_iter()
+        .map(|file| {
+            let lengths = Lengths::of(&file.text);
+            (file, lengths)
+        })
+        .collect()
+}
+
+/// The modules in files of their own that a file declares for tests alone.
+fn declared_for_tests(file: &File) -> Vec<Vec<String>> {
+    // The roof's modules are no part of a room `lib`.
+    let parent = match file.name.as_str() {
+        "lib.rs" => &[],
+        _ => file.module.as_slice(),
+    };
+    let names = test_modules(&file.text).into_iter();
+    names.map(|name| [parent, &[name]].concat()).collect()
+}
+
+/// What is wrong with lengths of which each may be `longest`, or what is listed for it.
+fn complaints(
+    found: impl Iterator<Item = (String, usize)>,
+    longest: usize,
+    listed: &[(&str, usize)],
+) -> Vec<String> {
+    let mut needless: BTreeSet<_> = listed.iter().map(|it| it.0).collect();
+    let mut complaints = Vec::new();
+    for (name, lines) in found.filter(|it| it.1 > longest) {
+        needless.remove(name.as_str());
+        let own = listed.iter().find(|it| it.0 == name);
+        let most = own.map_or(longest, |it| it.1);
+        if lines > most {
+            complaints.push(format!("{name}: {lines} lines, {most} at most"));
+        }
+    }
+    let needless = needless.into_iter();
+    complaints.extend(needless.map(|name| format!("{name}: need not be listed any more")));
+    complaints
+}
+
+mod the_rules {
+    use super::*;
+
+    fn against(found: &[(&str, usize)], listed: &[(&str, usize)]) -> Vec<String> {
+        let found = found
+            .iter()
+            .map(|(name, lines)| ((*name).to_owned(), *lines));
+        complaints(found, 5, listed)
+    }
+
+    #[test]
+    fn length_above_the_bar_is_found() {
+        assert_eq!(against(&[("a", 5)], &[]), [""; 0]);
+        assert_eq!(against(&[("a", 6)], &[]), ["a: 6 lines, 5 at most"]);
+    }
+
+    #[test]
+    fn listed_length_may_shrink_and_not_grow() {
+        assert_eq!(against(&[("a", 7)], &[("a", 8)]), [""; 0]);
+        assert_eq!(against(&[("a", 9)], &[("a", 8)]), ["a: 9 lines, 8 at most"]);
+    }
+
+    #[test]
+    fn entry_that_is_not_needed_is_found() {
+        let complaint = "a: need not be listed any more";
+        assert_eq!(against(&[("a", 5)], &[("a", 8)]), [complaint]);
+        assert_eq!(against(&[], &[("a", 8)]), [complaint]);
+    }
+
+    const SOURCE: &str = "//! Words.
+
+fn short() -> [u8; 2] { [1, 2] }
+impl A {
+    /// Words.
+    fn long(of: impl Fn(u8) -> u8) {
+        // Words.
+
+        let text = \"{
+            words\";
+    }
+    fn none(self);
+}
+#[cfg(test)]
+pub(crate) mod apart;
+type F = fn(u8);
+#[cfg(test)]
+mod tests {
+    fn test() {}
+}
+";
+
+    #[test]
+    fn functions_are_counted_without_comments_and_blank_lines() {
+        let functions = Lengths::of(SOURCE).functions.into_iter();
+        let found: Vec<_> = functions.map(|it| (it.line, it.name, it.code)).collect();
+        let expected = [(3, "short".to_owned(), 1), (6, "long".to_owned(), 4)];
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn tests_are_not_counted() {
+        let lengths = Lengths::of(SOURCE);
+        assert_eq!((lengths.lines, lengths.code), (16, 11));
+        assert_eq!(test_modules(SOURCE), ["apart"]);
+    }
+}
