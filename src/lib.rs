@@ -84,7 +84,7 @@
 //! | 3 | `shape`, `camera` | intersections; a pixel's ray |
 //! | 2 | `ray`, `grid`, `material`, `light` | plain data |
 //! | 1 | `vector`, `color` | points, directions, linear colour |
-//! | 0 | `number`, `fault`, `quality` | the formats, shifts, roots; the words for what is wrong; what a frame may leave out |
+//! | 0 | `number`, `fault`, `kinds`, `quality` | the formats, shifts, roots; the words for what is wrong; the list of bounded kinds; what a frame may leave out |
 //!
 //! A file uses only floors below its own. Beside them stand `scenes` (behind a feature of that
 //! name) and `host` (likewise: the double-precision reference, image comparison and scene files;
@@ -146,6 +146,9 @@
 #[macro_use]
 extern crate std;
 
+#[macro_use]
+mod kinds;
+
 mod camera;
 mod color;
 mod fault;
@@ -190,8 +193,9 @@ pub use render::{
     Report, StaticFrame, Threshold, dither,
 };
 pub use scene::{
-    Apart, Bound, Description, Excess, Mirrors, MostReflections, Need, Needs, RuntimeScene, Scene,
-    SceneBuilder, SceneError, Shininess, Static, StaticScene, Whole, Within, World,
+    Apart, Bound, Capacity, Description, Excess, Mirrors, MostReflections, Need, Needs, Room,
+    RuntimeScene, Scene, SceneBuilder, SceneError, Shininess, Static, StaticScene, Whole, Within,
+    World,
 };
 pub use shade::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 pub use shape::{MaterialId, cylinder::Cylinder, plane::Plane, sphere::Sphere};

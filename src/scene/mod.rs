@@ -7,6 +7,7 @@
 pub(crate) mod ahead;
 mod brightness;
 mod builder;
+mod capacity;
 pub(crate) mod cells;
 pub(crate) mod culling;
 mod directions;
@@ -25,6 +26,8 @@ pub(crate) mod view;
 mod world;
 
 pub use builder::SceneBuilder;
+use capacity::Counts;
+pub use capacity::{Capacity, Room};
 pub use error::SceneError;
 pub use needs::{Bound, Excess, Mirrors, MostReflections, Need, Needs, Shininess};
 pub use runtime::RuntimeScene;
@@ -91,16 +94,6 @@ pub struct Scene<const S: usize, const P: usize, const C: usize, const L: usize,
     inner_epsilon: Length,
     grid: Grid,
     camera: Option<Camera>,
-}
-
-/// How much of a scene's room is used.
-#[derive(Clone, Copy, Debug)]
-struct Counts {
-    spheres: usize,
-    planes: usize,
-    cylinders: usize,
-    lights: usize,
-    materials: usize,
 }
 
 impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>

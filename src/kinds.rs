@@ -1,0 +1,43 @@
+//! Floor 0: the list of bounded kinds of shapes. It is tokens only and knows no type.
+//!
+//! Whatever exists once a kind is written from this list by a small macro beside its other parts: the
+//! list hands itself to that macro. Planes are no bounded kind; they are written by hand.
+
+/// Calls a macro with the list of bounded kinds.
+///
+/// In front stand the const parameters of a scene's type, in three spellings: declared with the
+/// defaults, declared, and named. The parameter of a new kind is the last and 0 unless it is given, so
+/// that the types which are written without it stay what they are.
+///
+/// A kind has, in this order:
+/// - the name of its list, as a field and as a type;
+/// - its parameter, and which of the parameters that is, in words;
+/// - its name, which is its module's too; its type as it is described, and as it is prepared;
+/// - in braces: what the builder's method says it does, the name of the run-time scene's method, the fields
+///   of the description without the material, the method of `Needs` that leaves the kind out, and the
+///   `Fault` where there are too many.
+///
+/// The order is the order in which a ray asks the kinds, and so that of their numbers.
+macro_rules! kinds {
+    ($write:ident) => {
+        $write! {
+            {
+                [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize = 8]
+                [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize]
+                [S, P, C, L, M]
+            }
+
+            spheres Spheres [S "first"] sphere Sphere PreparedSphere {
+                /// Adds a sphere with a radius greater than 0.
+                add_sphere(center: Position, radius: Number) without_spheres TooManySpheres
+            }
+
+            cylinders Cylinders [C "third"] cylinder Cylinder PreparedCylinder {
+                /// Adds an open cylinder around its `center`; the axis may have any length but 0, radius and
+                /// height are greater than 0.
+                add_cylinder(center: Position, axis: Position, radius: Number, height: Number)
+                without_cylinders TooManyCylinders
+            }
+        }
+    };
+}
