@@ -77,7 +77,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             radius: Number::new(radius),
             material,
         };
-        Fault::refuse(prepare::sphere_fault(&sphere));
+        Fault::refuse(sphere.fault());
         self.spheres[self.counts.spheres] = sphere;
         self.counts.spheres += 1;
         self
@@ -92,7 +92,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             normal: Position::new(normal),
             material,
         };
-        Fault::refuse(prepare::plane_fault(&plane));
+        Fault::refuse(plane.fault());
         self.planes[self.counts.planes] = plane;
         self.counts.planes += 1;
         self
@@ -116,7 +116,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             height: Number::new(height),
             material: self.id_of(material),
         };
-        Fault::refuse(prepare::cylinder_fault(&cylinder));
+        Fault::refuse(cylinder.fault());
         self.cylinders[self.counts.cylinders] = cylinder;
         self.counts.cylinders += 1;
         self

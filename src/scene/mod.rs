@@ -10,6 +10,7 @@ mod builder;
 mod capacity;
 pub(crate) mod cells;
 pub(crate) mod culling;
+mod description;
 mod directions;
 mod error;
 pub(crate) mod extent;
@@ -28,6 +29,7 @@ mod world;
 pub use builder::SceneBuilder;
 use capacity::Counts;
 pub use capacity::{Capacity, Room};
+pub use description::Description;
 pub use error::SceneError;
 pub use needs::{Bound, Excess, Mirrors, MostReflections, Need, Needs, Shininess};
 pub use runtime::RuntimeScene;
@@ -40,33 +42,11 @@ use world::LightOccluders;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::grid::Grid;
-use crate::light::{Light, PreparedLight};
-use crate::material::{Material, PreparedMaterial};
-use crate::number::{Brightness, Length, Number, Unit};
-use crate::shape::cylinder::{Cylinder, PreparedCylinder};
-use crate::shape::plane::{Plane, PreparedPlane};
-use crate::shape::sphere::{PreparedSphere, Sphere};
-
-/// A scene as it was described: plain numbers, before they are laid on the grid.
-#[derive(Clone, Copy, Debug)]
-pub struct Description<'a> {
-    /// The spheres.
-    pub spheres: &'a [Sphere],
-    /// The planes.
-    pub planes: &'a [Plane],
-    /// The cylinders.
-    pub cylinders: &'a [Cylinder],
-    /// The lights.
-    pub lights: &'a [Light],
-    /// The materials the shapes name.
-    pub materials: &'a [Material],
-    /// What a ray that meets nothing adds.
-    pub background: [Number; 3],
-    /// How far above a surface rays start that leave it; see [`SceneBuilder::epsilon`].
-    pub epsilon: Number,
-    /// The camera the scene is meant to be seen with first.
-    pub camera: Option<Camera>,
-}
+use crate::light::PreparedLight;
+use crate::material::PreparedMaterial;
+use crate::number::{Brightness, Length, Unit};
+use crate::shape::plane::PreparedPlane;
+use crate::shape::{PreparedCylinder, PreparedSphere};
 
 /// How far a ray is lifted off the surface it leaves unless the scene says otherwise.
 pub(crate) const EPSILON: f64 = 1e-3;

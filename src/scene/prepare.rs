@@ -6,43 +6,12 @@ use super::layout::choose_grid;
 use super::{Counts, Description, LightOccluders, Scene, SceneError, used};
 use crate::color::Color;
 use crate::fault::Fault;
-use crate::grid::Grid;
 use crate::light::{Light, PreparedLight};
 use crate::material::{PreparedMaterial, is_color};
-use crate::number::{Brightness, Length, Number, Unit, narrowed_128, signed_wide};
-use crate::shape::cylinder::{Cylinder, PreparedCylinder};
-use crate::shape::plane::{Plane, PreparedPlane};
-use crate::shape::sphere::{PreparedSphere, Sphere};
-use crate::vector::{Point, Position};
-
-pub(super) const fn sphere_fault(sphere: &Sphere) -> Option<Fault> {
-    if !sphere.center.is_in_range() {
-        return Some(Fault::Coordinate);
-    }
-    size_fault(sphere.radius, Fault::Radius)
-}
-
-pub(super) const fn plane_fault(plane: &Plane) -> Option<Fault> {
-    if !(plane.point.is_in_range() && plane.normal.is_in_range()) {
-        Some(Fault::Coordinate)
-    } else if plane.normal.magnitude() == 0 {
-        Some(Fault::Normal)
-    } else {
-        None
-    }
-}
-
-pub(super) const fn cylinder_fault(cylinder: &Cylinder) -> Option<Fault> {
-    if !(cylinder.center.is_in_range() && cylinder.axis.is_in_range()) {
-        Some(Fault::Coordinate)
-    } else if cylinder.axis.magnitude() == 0 {
-        Some(Fault::Axis)
-    } else if let Some(fault) = size_fault(cylinder.radius, Fault::Radius) {
-        Some(fault)
-    } else {
-        size_fault(cylinder.height, Fault::Height)
-    }
-}
+use crate::number::{Brightness, Length, Number, Unit, signed_wide};
+use crate::shape::plane::PreparedPlane;
+use crate::shape::{PreparedCylinder, PreparedSphere, size_fault};
+use crate::vector::Point;
 
 pub(super) const fn light_fault(light: &Light) -> Option<Fault> {
     if !light.position.is_in_range() {
@@ -69,27 +38,8 @@ pub(super) const fn epsilon_fault(epsilon: Number) -> Option<Fault> {
     }
 }
 
-/// A size must be greater than 0 and within the range of a coordinate.
-const fn size_fault(size: Number, fault: Fault) -> Option<Fault> {
-    if size.to_bits() <= 0 {
-        Some(fault)
-    } else if !size.is_within(0, Position::MAX_COORDINATE) {
-        Some(Fault::Coordinate)
-    } else {
-        None
-    }
-}
-
-/// The smallest radius and half height a shape may have, in steps: its hits are known to about two,
-/// and so its normals to a 32nd.
-const SMALLEST: i32 = 64;
-
 /// The smallest epsilon, in steps: what lies in the same place as a surface is not met from it.
 const SMALLEST_EPSILON: i32 = 2;
-
-/// The same inside of a sphere, where the shape itself may be met next: a hit is within this of its
-/// surface. Inside of a cylinder, twice as much.
-const SMALLEST_INSIDE: i32 = 8;
 
 /// The most a material may shine in its scene, in Q6.26: below 32 with room for rounding.
 const BRIGHTEST: i64 = 30 << 26;
@@ -115,11 +65,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         if epsilon.to_bits() >= crate::ray::BALL {
             return Err(SceneError::Scene(Fault::Epsilon));
         }
-        let inside = if scene.cylinders.is_empty() {
-            SMALLEST_INSIDE
-        } else {
-            2 * SMALLEST_INSIDE
-        };
+        let inside = scene.smallest_inside(SMALLEST_EPSILON);
         let mut prepared = Self {
             spheres: [PreparedSphere::NONE; S],
             planes: [PreparedPlane::NONE; P],
@@ -146,26 +92,27 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         // Constants know no iterators. The second bounds always hold; with them, nothing can panic.
         let mut index = 0;
         while index < scene.spheres.len() && index < S {
-            prepared.spheres[index] = match prepare_sphere(&scene.spheres[index], &grid) {
-                Some(sphere) => sphere,
-                None => return Err(SceneError::Sphere(index, Fault::Tiny)),
+            prepared.spheres[index] = match PreparedSphere::prepare(&scene.spheres[index], &grid) {
+                Ok(sphere) => sphere,
+                Err(fault) => return Err(SceneError::Sphere(index, fault)),
             };
             index += 1;
         }
         index = 0;
         while index < scene.planes.len() && index < P {
-            prepared.planes[index] = match prepare_plane(&scene.planes[index], &grid) {
-                Some(plane) => plane,
-                None => return Err(SceneError::Plane(index, Fault::Normal)),
+            prepared.planes[index] = match PreparedPlane::prepare(&scene.planes[index], &grid) {
+                Ok(plane) => plane,
+                Err(fault) => return Err(SceneError::Plane(index, fault)),
             };
             index += 1;
         }
         index = 0;
         while index < scene.cylinders.len() && index < C {
-            prepared.cylinders[index] = match prepare_cylinder(&scene.cylinders[index], &grid) {
-                Some(cylinder) => cylinder,
-                None => return Err(SceneError::Cylinder(index, Fault::Tiny)),
-            };
+            prepared.cylinders[index] =
+                match PreparedCylinder::prepare(&scene.cylinders[index], &grid) {
+                    Ok(cylinder) => cylinder,
+                    Err(fault) => return Err(SceneError::Cylinder(index, fault)),
+                };
             index += 1;
         }
         prepared.note_what_touches();
@@ -262,53 +209,6 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
         self.lamps[index] = lamp;
         self.lights[index] = prepared;
     }
-}
-
-const fn prepare_sphere(sphere: &Sphere, grid: &Grid) -> Option<PreparedSphere> {
-    let radius = grid.length(sphere.radius);
-    if radius.to_bits() < SMALLEST {
-        return None;
-    }
-    Some(PreparedSphere::new(
-        grid.place(sphere.center).point,
-        radius,
-        sphere.material,
-    ))
-}
-
-const fn prepare_cylinder(cylinder: &Cylinder, grid: &Grid) -> Option<PreparedCylinder> {
-    let radius = grid.length(cylinder.radius);
-    let half_height = grid.length(Number::from_bits(cylinder.height.to_bits() / 2));
-    if radius.to_bits() < SMALLEST || half_height.to_bits() < SMALLEST {
-        return None;
-    }
-    let Some(axis) = cylinder.axis.direction() else {
-        return None;
-    };
-    let center = grid.place(cylinder.center).point;
-    Some(PreparedCylinder::new(
-        center,
-        axis,
-        radius,
-        half_height,
-        cylinder.material,
-    ))
-}
-
-const fn prepare_plane(plane: &Plane, grid: &Grid) -> Option<PreparedPlane> {
-    let Some(normal) = plane.normal.direction() else {
-        return None;
-    };
-    // Of the rounded normal, so that the plane goes through its point exactly.
-    let steps = grid.height_of(plane.point, normal);
-    let bits = 128 - steps.unsigned_abs().leading_zeros();
-    let scale = bits.saturating_sub(61);
-    Some(PreparedPlane::new(
-        normal,
-        narrowed_128(steps >> scale),
-        scale,
-        plane.material,
-    ))
 }
 
 /// Whether the light a material sends out may exceed [`BRIGHTEST`] at any step of its sum.

@@ -92,7 +92,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             radius: radius.into(),
             material,
         };
-        let fault = prepare::sphere_fault(&sphere).or(self.unknown(material));
+        let fault = sphere.fault().or(self.unknown(material));
         pushed(
             &mut self.spheres,
             sphere,
@@ -117,7 +117,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             normal: normal.into(),
             material,
         };
-        let fault = prepare::plane_fault(&plane).or(self.unknown(material));
+        let fault = plane.fault().or(self.unknown(material));
         pushed(
             &mut self.planes,
             plane,
@@ -147,7 +147,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
             height: height.into(),
             material,
         };
-        let fault = prepare::cylinder_fault(&cylinder).or(self.unknown(material));
+        let fault = cylinder.fault().or(self.unknown(material));
         let full = Fault::TooManyCylinders;
         pushed(
             &mut self.cylinders,
