@@ -194,8 +194,8 @@ pub use render::{
 };
 pub use scene::{
     Apart, Bound, Capacity, Description, Excess, Mirrors, MostReflections, Need, Needs, Room,
-    RuntimeScene, Scene, SceneBuilder, SceneError, Shininess, Static, StaticScene, Whole, Within,
-    World,
+    RuntimeScene, RuntimeSceneIn, Scene, SceneBuilder, SceneBuilderIn, SceneError, Shininess,
+    Static, StaticScene, Whole, Within, World,
 };
 pub use shade::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 pub use shape::{MaterialId, cylinder::Cylinder, plane::Plane, sphere::Sphere};

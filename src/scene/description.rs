@@ -1,5 +1,7 @@
-//! A scene as it was described, and a walk through its bounded shapes whatever their kinds.
+//! A scene as it is described: where that is kept while it is filled, and what is read of it.
 
+use super::capacity::{Capacity, Room};
+use super::list::List;
 use crate::camera::Camera;
 use crate::light::Light;
 use crate::material::Material;
@@ -7,9 +9,12 @@ use crate::number::Number;
 use crate::shape::Extent;
 use crate::shape::plane::Plane;
 
+/// How far a ray is lifted off the surface it leaves unless the scene says otherwise.
+const EPSILON: f64 = 1e-3;
+
 macro_rules! description {
     (
-        $header:tt
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident { $($more:tt)* })*
     ) => {
         /// A scene as it was described: plain numbers, before they are laid on the grid.
@@ -57,6 +62,47 @@ macro_rules! description {
                     }
                 )*
                 smallest
+            }
+        }
+
+        /// What the builder and the run-time scene have in common: the parts so far, which are checked, and
+        /// the rest of a description.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Described<R: Capacity> {
+            $(pub(super) $list: List<R::$lists<crate::shape::$described>>,)*
+            pub(super) planes: List<R::Planes<Plane>>,
+            pub(super) lights: List<R::Lights<Light>>,
+            pub(super) materials: List<R::Materials<Material>>,
+            pub(super) background: [Number; 3],
+            pub(super) epsilon: Number,
+            pub(super) camera: Option<Camera>,
+        }
+
+        impl<$($header)*> Described<Room<$($arguments)*>> {
+            /// An empty scene with a black background and an epsilon of 0.001.
+            pub(super) const fn new() -> Self {
+                const { assert!(M <= 1 << 16, "a scene has 65536 materials at most") };
+                Self {
+                    $($list: List::new(crate::shape::$described::NONE),)*
+                    planes: List::new(Plane::NONE),
+                    lights: List::new(Light::NONE),
+                    materials: List::new(Material::new([0.0; 3])),
+                    background: [Number::ZERO; 3],
+                    epsilon: Number::new(EPSILON),
+                    camera: None,
+                }
+            }
+
+            pub(super) const fn description(&self) -> Description<'_> {
+                Description {
+                    $($list: self.$list.as_slice(),)*
+                    planes: self.planes.as_slice(),
+                    lights: self.lights.as_slice(),
+                    materials: self.materials.as_slice(),
+                    background: self.background,
+                    epsilon: self.epsilon,
+                    camera: self.camera,
+                }
             }
         }
     };

@@ -16,6 +16,7 @@ mod error;
 pub(crate) mod extent;
 pub(crate) mod far;
 mod layout;
+mod list;
 pub(crate) mod mask;
 pub(crate) mod nearest;
 mod needs;
@@ -26,13 +27,13 @@ mod runtime;
 pub(crate) mod view;
 mod world;
 
-pub use builder::SceneBuilder;
+pub use builder::{SceneBuilder, SceneBuilderIn};
 use capacity::Counts;
 pub use capacity::{Capacity, Room};
 pub use description::Description;
 pub use error::SceneError;
 pub use needs::{Bound, Excess, Mirrors, MostReflections, Need, Needs, Shininess};
-pub use runtime::RuntimeScene;
+pub use runtime::{RuntimeScene, RuntimeSceneIn};
 pub use world::{Apart, Static, StaticScene, Whole, Within, World};
 pub(crate) use world::{Occluders, Parts};
 
@@ -47,9 +48,6 @@ use crate::material::PreparedMaterial;
 use crate::number::{Brightness, Length, Unit};
 use crate::shape::plane::PreparedPlane;
 use crate::shape::{PreparedCylinder, PreparedSphere};
-
-/// How far a ray is lifted off the surface it leaves unless the scene says otherwise.
-pub(crate) const EPSILON: f64 = 1e-3;
 
 /// A scene made ready for the kernels, with room for `S` spheres, `P` planes, `C` cylinders, `L`
 /// lights and `M` materials.
