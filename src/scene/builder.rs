@@ -126,7 +126,7 @@ macro_rules! builder {
                     position: Position::new(position),
                     color: numbers(color),
                 };
-                Fault::refuse(prepare::light_fault(&light));
+                Fault::refuse(light.fault());
                 self.0.lights.push(light);
                 self
             }

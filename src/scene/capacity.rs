@@ -3,16 +3,6 @@
 
 use core::fmt::Debug;
 
-/// How many parts a scene has, or has room for.
-#[derive(Clone, Copy, Debug)]
-pub struct Counts {
-    pub(crate) spheres: usize,
-    pub(crate) planes: usize,
-    pub(crate) cylinders: usize,
-    pub(crate) lights: usize,
-    pub(crate) materials: usize,
-}
-
 mod sealed {
     pub trait Sealed {}
 }
@@ -28,6 +18,22 @@ macro_rules! capacity {
         $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident
             { $($more:tt)* })*
     ) => {
+        /// How many parts a scene has, or has room for.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Counts {
+            $(pub(crate) $list: usize,)*
+            pub(crate) planes: usize,
+            pub(crate) lights: usize,
+            pub(crate) materials: usize,
+        }
+
+        impl Counts {
+            /// How many bounded shapes there are, of all kinds.
+            pub(crate) const fn bounded(&self) -> usize {
+                0 $(+ self.$list)*
+            }
+        }
+
         /// The room of a scene: for `S` spheres, `P` planes, `C` cylinders, `L` lights and `M` materials.
         #[derive(Clone, Copy, Debug)]
         pub struct Room<$($declaration)*>;

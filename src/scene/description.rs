@@ -1,6 +1,6 @@
 //! A scene as it is described: where that is kept while it is filled, and what is read of it.
 
-use super::capacity::{Capacity, Room};
+use super::capacity::{Capacity, Counts, Room};
 use super::list::List;
 use crate::camera::Camera;
 use crate::light::Light;
@@ -49,6 +49,15 @@ macro_rules! description {
                 )*
                 let _ = number;
                 None
+            }
+
+            pub(super) const fn counts(&self) -> Counts {
+                Counts {
+                    $($list: self.$list.len(),)*
+                    planes: self.planes.len(),
+                    lights: self.lights.len(),
+                    materials: self.materials.len(),
+                }
             }
 
             /// The smallest epsilon of rays inside of a shape, in steps: what the strictest kind asks for,

@@ -3,25 +3,16 @@
 use super::brightness::{brightest, dimness};
 use super::cells::Cells;
 use super::layout::choose_grid;
-use super::{Counts, Description, LightOccluders, Scene, SceneError, used};
+use super::{Description, LightOccluders, Scene, SceneError, used};
 use crate::color::Color;
 use crate::fault::Fault;
+use crate::grid::Grid;
 use crate::light::{Light, PreparedLight};
 use crate::material::{PreparedMaterial, is_color};
 use crate::number::{Brightness, Length, Number, Unit, signed_wide};
 use crate::shape::plane::PreparedPlane;
-use crate::shape::{PreparedCylinder, PreparedSphere, size_fault};
+use crate::shape::size_fault;
 use crate::vector::Point;
-
-pub(super) const fn light_fault(light: &Light) -> Option<Fault> {
-    if !light.position.is_in_range() {
-        Some(Fault::Coordinate)
-    } else if !is_color(light.color) {
-        Some(Fault::Color)
-    } else {
-        None
-    }
-}
 
 pub(super) const fn background_fault(color: [Number; 3]) -> Option<Fault> {
     if is_color(color) {
@@ -52,133 +43,164 @@ const fn at_least(length: Length, steps: i32) -> Length {
     }
 }
 
+macro_rules! prepare {
+    (
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
+        $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident { $($more:tt)* })*
+    ) => {
+        impl<$($header)*> Scene<$($arguments)*> {
+            /// Prepares a description whose parts have been checked and fit.
+            pub(super) const fn prepare(scene: &Description<'_>) -> Result<Self, SceneError> {
+                let (grid, epsilon) = match laid(scene) {
+                    Ok(laid) => laid,
+                    Err(fault) => return Err(SceneError::Scene(fault)),
+                };
+                let mut prepared = Self {
+                    $($list: [crate::shape::$prepared::NONE; $room],)*
+                    planes: [PreparedPlane::NONE; P],
+                    lights: [PreparedLight::NONE; L],
+                    cells: [Cells::ALL; L],
+                    lamps: [LightOccluders::NONE; L],
+                    materials: [PreparedMaterial::NONE; M],
+                    counts: scene.counts(),
+                    background: Color::from_numbers(scene.background).in_levels(),
+                    brightest: Brightness::ZERO,
+                    dimness: Unit::ONE,
+                    epsilon: at_least(epsilon, SMALLEST_EPSILON),
+                    inner_epsilon: at_least(epsilon, scene.smallest_inside(SMALLEST_EPSILON)),
+                    grid,
+                    camera: scene.camera,
+                };
+                if let Err(error) = prepared.add_shapes(scene) {
+                    return Err(error);
+                }
+                prepared.note_what_touches();
+                let mut index = 0;
+                while index < scene.lights.len() && index < L {
+                    prepared.add_light(index, &scene.lights[index]);
+                    index += 1;
+                }
+                if let Err(error) = prepare_materials(&mut prepared.materials, scene) {
+                    return Err(error);
+                }
+                prepared.brightest = brightest(
+                    used(&prepared.materials, scene.materials.len()),
+                    used(&prepared.lights, scene.lights.len()),
+                    prepared.background,
+                );
+                prepared.dimness = dimness(prepared.brightest);
+                Ok(prepared)
+            }
+
+            const fn add_shapes(&mut self, scene: &Description<'_>) -> Result<(), SceneError> {
+                // Constants know no iterators. The second bounds always hold; with them, nothing can panic.
+                $(
+                    let mut index = 0;
+                    while index < scene.$list.len() && index < self.$list.len() {
+                        let $kind = &scene.$list[index];
+                        self.$list[index] = match crate::shape::$prepared::prepare($kind, &self.grid) {
+                            Ok($kind) => $kind,
+                            Err(fault) => return Err(SceneError::$described(index, fault)),
+                        };
+                        index += 1;
+                    }
+                )*
+                let mut index = 0;
+                while index < scene.planes.len() && index < P {
+                    self.planes[index] = match PreparedPlane::prepare(&scene.planes[index], &self.grid) {
+                        Ok(plane) => plane,
+                        Err(fault) => return Err(SceneError::Plane(index, fault)),
+                    };
+                    index += 1;
+                }
+                Ok(())
+            }
+
+            /// The ball around a bounded shape with this number; the kinds follow each other.
+            const fn ball(&self, number: usize) -> Option<(Point, i32)> {
+                $(
+                    let shapes = used(&self.$list, self.counts.$list);
+                    if number < shapes.len() {
+                        return Some(shapes[number].ball());
+                    }
+                    let number = number - shapes.len();
+                )*
+                let _ = number;
+                None
+            }
+
+            /// Notes which spheres touch or cut another shape.
+            const fn note_what_touches(&mut self) {
+                let mut index = 0;
+                while index < self.counts.spheres && index < S {
+                    let touches = self.touches_another(index);
+                    self.spheres[index] = self.spheres[index].touching(touches);
+                    index += 1;
+                }
+            }
+
+            /// Whether a bounded shape comes so near to another that epsilon may lift points into it. Of
+            /// each, the ball around it counts.
+            const fn touches_another(&self, number: usize) -> bool {
+                let Some((center, radius)) = self.ball(number) else {
+                    return false;
+                };
+                // Twice as far, and a few steps for rounding.
+                let reach = radius as i64 + 2 * self.inner_epsilon.to_bits() as i64 + 8;
+                let mut other = 0;
+                while let Some(ball) = self.ball(other) {
+                    if other != number && is_within(center, ball, reach) {
+                        return true;
+                    }
+                    other += 1;
+                }
+                other = 0;
+                while other < self.counts.planes && other < P {
+                    if (self.planes[other].height(center) >> 30).abs() <= reach {
+                        return true;
+                    }
+                    other += 1;
+                }
+                false
+            }
+        }
+    };
+}
+kinds!(prepare);
+
+/// The grid of a scene, and its epsilon in steps.
+const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), Fault> {
+    let grid = match choose_grid(scene) {
+        Ok(grid) => grid,
+        Err(fault) => return Err(fault),
+    };
+    let epsilon = grid.length(scene.epsilon);
+    if epsilon.to_bits() >= crate::ray::BALL {
+        return Err(Fault::Epsilon);
+    }
+    Ok((grid, epsilon))
+}
+
+/// Prepares the materials, none of which may be too bright under the lights.
+const fn prepare_materials(
+    prepared: &mut [PreparedMaterial],
+    scene: &Description<'_>,
+) -> Result<(), SceneError> {
+    let mut index = 0;
+    while index < scene.materials.len() && index < prepared.len() {
+        let material = PreparedMaterial::new(&scene.materials[index]);
+        if is_too_bright(&material, scene.lights) {
+            return Err(SceneError::Material(index, Fault::Brightness));
+        }
+        prepared[index] = material;
+        index += 1;
+    }
+    Ok(())
+}
+
 impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
     Scene<S, P, C, L, M>
 {
-    /// Prepares a description whose parts have been checked and fit.
-    pub(super) const fn prepare(scene: &Description<'_>) -> Result<Self, SceneError> {
-        let grid = match choose_grid(scene) {
-            Ok(grid) => grid,
-            Err(fault) => return Err(SceneError::Scene(fault)),
-        };
-        let epsilon = grid.length(scene.epsilon);
-        if epsilon.to_bits() >= crate::ray::BALL {
-            return Err(SceneError::Scene(Fault::Epsilon));
-        }
-        let inside = scene.smallest_inside(SMALLEST_EPSILON);
-        let mut prepared = Self {
-            spheres: [PreparedSphere::NONE; S],
-            planes: [PreparedPlane::NONE; P],
-            cylinders: [PreparedCylinder::NONE; C],
-            lights: [PreparedLight::NONE; L],
-            cells: [Cells::ALL; L],
-            lamps: [LightOccluders::NONE; L],
-            materials: [PreparedMaterial::NONE; M],
-            counts: Counts {
-                spheres: scene.spheres.len(),
-                planes: scene.planes.len(),
-                cylinders: scene.cylinders.len(),
-                lights: scene.lights.len(),
-                materials: scene.materials.len(),
-            },
-            background: Color::from_numbers(scene.background).in_levels(),
-            brightest: Brightness::ZERO,
-            dimness: Unit::ONE,
-            epsilon: at_least(epsilon, SMALLEST_EPSILON),
-            inner_epsilon: at_least(epsilon, inside),
-            grid,
-            camera: scene.camera,
-        };
-        // Constants know no iterators. The second bounds always hold; with them, nothing can panic.
-        let mut index = 0;
-        while index < scene.spheres.len() && index < S {
-            prepared.spheres[index] = match PreparedSphere::prepare(&scene.spheres[index], &grid) {
-                Ok(sphere) => sphere,
-                Err(fault) => return Err(SceneError::Sphere(index, fault)),
-            };
-            index += 1;
-        }
-        index = 0;
-        while index < scene.planes.len() && index < P {
-            prepared.planes[index] = match PreparedPlane::prepare(&scene.planes[index], &grid) {
-                Ok(plane) => plane,
-                Err(fault) => return Err(SceneError::Plane(index, fault)),
-            };
-            index += 1;
-        }
-        index = 0;
-        while index < scene.cylinders.len() && index < C {
-            prepared.cylinders[index] =
-                match PreparedCylinder::prepare(&scene.cylinders[index], &grid) {
-                    Ok(cylinder) => cylinder,
-                    Err(fault) => return Err(SceneError::Cylinder(index, fault)),
-                };
-            index += 1;
-        }
-        prepared.note_what_touches();
-        index = 0;
-        while index < scene.lights.len() && index < L {
-            prepared.add_light(index, &scene.lights[index]);
-            index += 1;
-        }
-        index = 0;
-        while index < scene.materials.len() && index < M {
-            let material = PreparedMaterial::new(&scene.materials[index]);
-            if is_too_bright(&material, scene.lights) {
-                return Err(SceneError::Material(index, Fault::Brightness));
-            }
-            prepared.materials[index] = material;
-            index += 1;
-        }
-        prepared.brightest = brightest(
-            used(&prepared.materials, scene.materials.len()),
-            used(&prepared.lights, scene.lights.len()),
-            prepared.background,
-        );
-        prepared.dimness = dimness(prepared.brightest);
-        Ok(prepared)
-    }
-
-    /// Notes which spheres touch or cut another shape.
-    const fn note_what_touches(&mut self) {
-        let mut index = 0;
-        while index < self.counts.spheres && index < S {
-            let touches = self.touches_another(index);
-            self.spheres[index] = self.spheres[index].touching(touches);
-            index += 1;
-        }
-    }
-
-    /// Whether a sphere comes so near to another shape that epsilon may lift points into it. Of a
-    /// cylinder, the ball around it counts.
-    const fn touches_another(&self, index: usize) -> bool {
-        let (center, radius) = self.spheres[index].ball();
-        // Twice as far, and a few steps for rounding.
-        let reach = radius as i64 + 2 * self.inner_epsilon.to_bits() as i64 + 8;
-        let mut other = 0;
-        while other < self.counts.spheres && other < S {
-            if other != index && is_within(center, self.spheres[other].ball(), reach) {
-                return true;
-            }
-            other += 1;
-        }
-        other = 0;
-        while other < self.counts.cylinders && other < C {
-            if is_within(center, self.cylinders[other].ball(), reach) {
-                return true;
-            }
-            other += 1;
-        }
-        other = 0;
-        while other < self.counts.planes && other < P {
-            if (self.planes[other].height(center) >> 30).abs() <= reach {
-                return true;
-            }
-            other += 1;
-        }
-        false
-    }
-
     /// Prepares a light; the shapes are prepared.
     const fn add_light(&mut self, index: usize, light: &Light) {
         let place = self.grid.place(light.position);

@@ -62,7 +62,7 @@ impl<R: Capacity> RuntimeSceneIn<R> {
             position: position.into(),
             color: color.map(Into::into),
         };
-        let fault = prepare::light_fault(&light);
+        let fault = light.fault();
         let lights = &mut self.0.lights;
         lights.add(light, fault, SceneError::Light, Fault::TooManyLights)
     }

@@ -4,6 +4,7 @@
 use core::marker::PhantomData;
 
 use super::ahead::{Ahead, RoundMirrors, room_for};
+use super::capacity::{Capacity, Room};
 use super::cells::Cells;
 use super::extent::{Outlook, Outlooks};
 use super::mask::Runs;
@@ -168,7 +169,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     type LightOccluders = LightOccluders<S, C>;
     type Outlook = Outlook<S, P, C>;
 
-    const NEEDS: Needs = Needs::of_room([S, P, C, L, M]);
+    const NEEDS: Needs = Needs::of_room(&Room::<S, P, C, L, M>::COUNTS);
     const PLANES: usize = P;
     const AHEAD: bool = false;
 

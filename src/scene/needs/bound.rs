@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{Mirrors, Needs, Shininess};
+use super::{KINDS, Mirrors, Needs, Shininess};
 
 /// The most that scenes filled at run time may need, as a type: what it leaves out is not linked.
 ///
@@ -28,45 +28,46 @@ impl Needs {
     /// # Errors
     /// The first thing that the bound leaves out.
     pub const fn within(&self, bound: &Self) -> Result<(), Excess> {
-        let excess = if self.spheres && !bound.spheres {
-            "spheres"
-        } else if self.planes && !bound.planes {
-            "planes"
-        } else if self.cylinders && !bound.cylinders {
-            "cylinders"
-        } else if self.lights && !bound.lights {
-            "lights"
-        } else if self.shadows && !bound.shadows {
-            "shadows"
-        } else if self.highlights && !bound.highlights {
-            "highlights"
-        } else if self.shininess as u8 > bound.shininess as u8 {
-            "shininess"
-        } else if self.mirrors as u8 != bound.mirrors as u8
-            && !matches!(bound.mirrors, Mirrors::Some)
-        {
-            "mirrors"
-        } else if self.mirrored && !bound.mirrored {
-            "mirrored"
-        } else if self.places && !bound.places {
-            "places"
-        } else if self.materials && !bound.materials {
-            "materials"
-        } else if self.colors && !bound.colors {
-            "colors"
-        } else {
-            return Ok(());
-        };
-        Err(Excess { need: excess })
+        if let Some(need) = self.kind_beyond(bound) {
+            return Err(Excess { need });
+        }
+        let is_other_mirror = self.mirrors as u8 != bound.mirrors as u8;
+        let rest = [
+            ("planes", self.planes && !bound.planes),
+            ("lights", self.lights && !bound.lights),
+            ("shadows", self.shadows && !bound.shadows),
+            ("highlights", self.highlights && !bound.highlights),
+            ("shininess", self.shininess as u8 > bound.shininess as u8),
+            (
+                "mirrors",
+                is_other_mirror && !matches!(bound.mirrors, Mirrors::Some),
+            ),
+            ("mirrored", self.mirrored && !bound.mirrored),
+            ("places", self.places && !bound.places),
+            ("materials", self.materials && !bound.materials),
+            ("colors", self.colors && !bound.colors),
+        ];
+        let mut index = 0;
+        while index < rest.len() {
+            if let (need, true) = rest[index] {
+                return Err(Excess { need });
+            }
+            index += 1;
+        }
+        Ok(())
     }
 
-    /// The same without spheres.
-    #[must_use]
-    pub const fn without_spheres(self) -> Self {
-        Self {
-            spheres: false,
-            ..self
+    /// The first kind of bounded shapes that is beyond `bound`.
+    const fn kind_beyond(&self, bound: &Self) -> Option<&'static str> {
+        let (kinds, allowed) = (self.kinds(), bound.kinds());
+        let mut index = 0;
+        while index < KINDS {
+            if let ((kind, true), (_, false)) = (kinds[index], allowed[index]) {
+                return Some(kind);
+            }
+            index += 1;
         }
+        None
     }
 
     /// The same without planes.
@@ -74,15 +75,6 @@ impl Needs {
     pub const fn without_planes(self) -> Self {
         Self {
             planes: false,
-            ..self
-        }
-    }
-
-    /// The same without cylinders.
-    #[must_use]
-    pub const fn without_cylinders(self) -> Self {
-        Self {
-            cylinders: false,
             ..self
         }
     }
