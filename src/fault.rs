@@ -5,10 +5,7 @@ use core::fmt;
 macro_rules! faults {
     (
         $header:tt
-        $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident {
-            $(#[$doc:meta])*
-            $add:ident($($field:ident: $type:ident),*) $without:ident $too_many:ident
-        })*
+        $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
     ) => {
         /// What is wrong with one part of a scene.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,9 +13,9 @@
 /// - the name of its list, as a field and as a type;
 /// - its parameter, and which of the parameters that is, in words;
 /// - its name, which is its module's too; its type as it is described, and as it is prepared;
-/// - in braces: what the builder's method says it does, the name of the run-time scene's method, the fields
-///   of the description without the material, the method of `Needs` that leaves the kind out, and the
-///   `Fault` where there are too many.
+/// - the `Fault` where there are too many, and the method of `Needs` that leaves the kind out;
+/// - in braces: what the methods that add one say they do, the name of the run-time scene's, and the
+///   fields of the description without the material.
 ///
 /// The order is the order in which a ray asks the kinds, and so that of their numbers.
 macro_rules! kinds {
@@ -27,16 +27,15 @@ macro_rules! kinds {
                 [S, P, C, L, M]
             }
 
-            spheres Spheres [S "first"] sphere Sphere PreparedSphere {
+            spheres Spheres [S "first"] sphere Sphere PreparedSphere TooManySpheres without_spheres {
                 /// Adds a sphere with a radius greater than 0.
-                add_sphere(center: Position, radius: Number) without_spheres TooManySpheres
+                add_sphere(center: Position, radius: Number)
             }
 
-            cylinders Cylinders [C "third"] cylinder Cylinder PreparedCylinder {
+            cylinders Cylinders [C "third"] cylinder Cylinder PreparedCylinder TooManyCylinders without_cylinders {
                 /// Adds an open cylinder around its `center`; the axis may have any length but 0, radius and
                 /// height are greater than 0.
                 add_cylinder(center: Position, axis: Position, radius: Number, height: Number)
-                without_cylinders TooManyCylinders
             }
         }
     };

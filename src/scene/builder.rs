@@ -66,9 +66,8 @@ macro_rules! plain {
 macro_rules! builder {
     (
         { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident {
-            $(#[$doc:meta])*
-            $add:ident($($field:ident: $type:ident),*) $without:ident $too_many:ident
+        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident {
+            $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*)
         })*
     ) => {
         /// The description of a scene with room for `S` spheres, `P` planes, `C` cylinders, `L` lights and

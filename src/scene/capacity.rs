@@ -3,10 +3,6 @@
 
 use core::fmt::Debug;
 
-mod sealed {
-    pub trait Sealed {}
-}
-
 /// An array of any length.
 pub trait Array<T>: AsRef<[T]> + AsMut<[T]> + Copy + Debug {}
 
@@ -15,8 +11,7 @@ impl<T: Copy + Debug, const N: usize> Array<T> for [T; N] {}
 macro_rules! capacity {
     (
         { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident
-            { $($more:tt)* })*
+        $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
     ) => {
         /// How many parts a scene has, or has room for.
         #[derive(Clone, Copy, Debug)]
@@ -43,7 +38,7 @@ macro_rules! capacity {
         /// Implemented by the crate for every [`Room`]; there is no need to implement it elsewhere.
         /// Where the room's numbers are named the compiler knows the arrays, so that constants can index
         /// them: in `impl<const S: usize, ..> Scene<Room<S, ..>>`, `R::Spheres<T>` is `[T; S]`.
-        pub trait Capacity: sealed::Sealed + Copy + Debug + 'static {
+        pub trait Capacity: Copy + Debug + 'static {
             $(
                 #[doc = concat!("With room for the ", stringify!($list), ".")]
                 type $lists<T: Copy + Debug>: Array<T>;
@@ -58,8 +53,6 @@ macro_rules! capacity {
             /// The room in numbers.
             const COUNTS: Counts;
         }
-
-        impl<$($header)*> sealed::Sealed for Room<$($arguments)*> {}
 
         impl<$($header)*> Capacity for Room<$($arguments)*> {
             $(type $lists<T: Copy + Debug> = [T; $room];)*

@@ -15,7 +15,7 @@ const EPSILON: f64 = 1e-3;
 macro_rules! description {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident { $($more:tt)* })*
+        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
     ) => {
         /// A scene as it was described: plain numbers, before they are laid on the grid.
         #[derive(Clone, Copy, Debug)]

@@ -15,10 +15,7 @@ use super::{Scene, used};
 macro_rules! needs {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident {
-            $(#[$doc:meta])*
-            $add:ident($($field:ident: $type:ident),*) $without:ident $too_many:ident
-        })*
+        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
     ) => {
         /// What a scene, or any scene of a type, can need of the library.
         ///
@@ -105,9 +102,23 @@ macro_rules! needs {
                 Self { $($list: self.$list && other.$list,)* ..Self::ALL }
             }
 
-            /// The kinds of bounded shapes, and whether they are needed.
-            const fn kinds(&self) -> [(&'static str, bool); KINDS] {
-                [$((stringify!($list), self.$list)),*]
+            /// How much is needed of what a bound may leave out, the kinds of bounded shapes first.
+            const fn levels(&self) -> [(&'static str, u8); KINDS + 11] {
+                [
+                    $((stringify!($list), self.$list as u8),)*
+                    ("planes", self.planes as u8),
+                    ("lights", self.lights as u8),
+                    ("shadows", self.shadows as u8),
+                    ("highlights", self.highlights as u8),
+                    ("shininess", self.shininess as u8),
+                    // Whether a surface mirrors, and whether one does not mirror all.
+                    ("mirrors", !matches!(self.mirrors, Mirrors::None) as u8),
+                    ("mirrors", !matches!(self.mirrors, Mirrors::All) as u8),
+                    ("mirrored", self.mirrored as u8),
+                    ("places", self.places as u8),
+                    ("materials", self.materials as u8),
+                    ("colors", self.colors as u8),
+                ]
             }
 
             /// Whether there is no shape.

@@ -46,7 +46,7 @@ const fn at_least(length: Length, steps: i32) -> Length {
 macro_rules! prepare {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident { $($more:tt)* })*
+        $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
     ) => {
         impl<$($header)*> Scene<$($arguments)*> {
             /// Prepares a description whose parts have been checked and fit.

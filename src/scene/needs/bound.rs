@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{KINDS, Mirrors, Needs, Shininess};
+use super::{Mirrors, Needs, Shininess};
 
 /// The most that scenes filled at run time may need, as a type: what it leaves out is not linked.
 ///
@@ -28,46 +28,16 @@ impl Needs {
     /// # Errors
     /// The first thing that the bound leaves out.
     pub const fn within(&self, bound: &Self) -> Result<(), Excess> {
-        if let Some(need) = self.kind_beyond(bound) {
-            return Err(Excess { need });
-        }
-        let is_other_mirror = self.mirrors as u8 != bound.mirrors as u8;
-        let rest = [
-            ("planes", self.planes && !bound.planes),
-            ("lights", self.lights && !bound.lights),
-            ("shadows", self.shadows && !bound.shadows),
-            ("highlights", self.highlights && !bound.highlights),
-            ("shininess", self.shininess as u8 > bound.shininess as u8),
-            (
-                "mirrors",
-                is_other_mirror && !matches!(bound.mirrors, Mirrors::Some),
-            ),
-            ("mirrored", self.mirrored && !bound.mirrored),
-            ("places", self.places && !bound.places),
-            ("materials", self.materials && !bound.materials),
-            ("colors", self.colors && !bound.colors),
-        ];
+        let (needed, allowed) = (self.levels(), bound.levels());
         let mut index = 0;
-        while index < rest.len() {
-            if let (need, true) = rest[index] {
+        while index < needed.len() {
+            let (need, level) = needed[index];
+            if level > allowed[index].1 {
                 return Err(Excess { need });
             }
             index += 1;
         }
         Ok(())
-    }
-
-    /// The first kind of bounded shapes that is beyond `bound`.
-    const fn kind_beyond(&self, bound: &Self) -> Option<&'static str> {
-        let (kinds, allowed) = (self.kinds(), bound.kinds());
-        let mut index = 0;
-        while index < KINDS {
-            if let ((kind, true), (_, false)) = (kinds[index], allowed[index]) {
-                return Some(kind);
-            }
-            index += 1;
-        }
-        None
     }
 
     /// The same without planes.

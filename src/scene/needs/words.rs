@@ -68,12 +68,12 @@ const OTHERS: usize = 12;
 impl Needs {
     /// Each need in words.
     pub const fn list(&self) -> [Need; KINDS + OTHERS] {
-        let (kinds, others) = (self.kinds(), self.others());
+        let (levels, others) = (self.levels(), self.others());
         let mut list = [others[0]; KINDS + OTHERS];
         let mut index = 0;
         while index < KINDS {
-            let (name, is_needed) = kinds[index];
-            list[index] = Need::either(name, is_needed, SHAPES);
+            let (name, level) = levels[index];
+            list[index] = Need::either(name, level > 0, SHAPES);
             index += 1;
         }
         while index < list.len() {
