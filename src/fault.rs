@@ -5,7 +5,11 @@ use core::fmt;
 macro_rules! faults {
     (
         $header:tt
-        $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
+        $({
+            $list:ident $kind:ident $described:ident $prepared:ident
+            $lists:ident $room:ident $nth:literal
+            $too_many:ident $without:ident $($more:tt)*
+        })*
     ) => {
         /// What is wrong with one part of a scene.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]

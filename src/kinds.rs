@@ -10,14 +10,14 @@
 /// that the types which are written without it stay what they are.
 ///
 /// A kind has, in this order:
-/// - the name of its list, as a field and as a type;
-/// - its parameter, and which of the parameters that is, in words;
-/// - its name, which is its module's too; its type as it is described, and as it is prepared;
+/// - the name of its list and its own, which is its module's too; its type as it is described, and as it
+///   is prepared;
+/// - the type of its list in a `Capacity`, its parameter, and which of the parameters that is, in words;
 /// - the `Fault` where there are too many, and the method of `Needs` that leaves the kind out;
-/// - in braces: what the methods that add one say they do, the name of the run-time scene's, and the
-///   fields of the description without the material.
+/// - what the methods that add one say they do, the name of the run-time scene's, and the fields of the
+///   description without the material.
 ///
-/// The order is the order in which a ray asks the kinds, and so that of their numbers.
+/// The order of the kinds is the order in which a ray asks them, and so that of their numbers.
 macro_rules! kinds {
     ($write:ident) => {
         $write! {
@@ -26,13 +26,17 @@ macro_rules! kinds {
                 [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize]
                 [S, P, C, L, M]
             }
-
-            spheres Spheres [S "first"] sphere Sphere PreparedSphere TooManySpheres without_spheres {
+            {
+                spheres sphere Sphere PreparedSphere
+                Spheres S "first"
+                TooManySpheres without_spheres
                 /// Adds a sphere with a radius greater than 0.
                 add_sphere(center: Position, radius: Number)
             }
-
-            cylinders Cylinders [C "third"] cylinder Cylinder PreparedCylinder TooManyCylinders without_cylinders {
+            {
+                cylinders cylinder Cylinder PreparedCylinder
+                Cylinders C "third"
+                TooManyCylinders without_cylinders
                 /// Adds an open cylinder around its `center`; the axis may have any length but 0, radius and
                 /// height are greater than 0.
                 add_cylinder(center: Position, axis: Position, radius: Number, height: Number)

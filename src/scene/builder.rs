@@ -66,7 +66,10 @@ macro_rules! plain {
 macro_rules! builder {
     (
         { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident {
+        $({
+            $list:ident $kind:ident $described:ident $prepared:ident
+            $lists:ident $room:ident $nth:literal
+            $too_many:ident $without:ident
             $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*)
         })*
     ) => {

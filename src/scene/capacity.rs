@@ -11,7 +11,10 @@ impl<T: Copy + Debug, const N: usize> Array<T> for [T; N] {}
 macro_rules! capacity {
     (
         { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
+        $({
+            $list:ident $kind:ident $described:ident $prepared:ident
+            $lists:ident $room:ident $nth:literal $($more:tt)*
+        })*
     ) => {
         /// How many parts a scene has, or has room for.
         #[derive(Clone, Copy, Debug)]

@@ -15,7 +15,10 @@ const EPSILON: f64 = 1e-3;
 macro_rules! description {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
+        $({
+            $list:ident $kind:ident $described:ident $prepared:ident
+            $lists:ident $room:ident $nth:literal $($more:tt)*
+        })*
     ) => {
         /// A scene as it was described: plain numbers, before they are laid on the grid.
         #[derive(Clone, Copy, Debug)]
@@ -32,7 +35,8 @@ macro_rules! description {
             pub materials: &'a [Material],
             /// What a ray that meets nothing adds.
             pub background: [Number; 3],
-            /// How far above a surface rays start that leave it; see [`SceneBuilder::epsilon`](crate::SceneBuilder::epsilon).
+            /// How far above a surface rays start that leave it; see
+            /// [`SceneBuilder::epsilon`](crate::SceneBuilder::epsilon).
             pub epsilon: Number,
             /// The camera the scene is meant to be seen with first.
             pub camera: Option<Camera>,

@@ -7,7 +7,7 @@ use crate::fault::Fault;
 macro_rules! error {
     (
         $header:tt
-        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
     ) => {
         /// A part of a scene, and what is wrong with it. Parts are counted from 0.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]

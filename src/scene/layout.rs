@@ -90,10 +90,9 @@ const fn distance(from: Position, to: Position) -> u128 {
 pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
     let middle = middle_of(scene);
     let is_bounded = scene.extent(0).is_some();
-    let shapes = if is_bounded {
-        radius_around(middle, scene)
-    } else {
-        nearest_plane(middle, scene.planes)
+    let shapes = match is_bounded {
+        true => radius_around(middle, scene),
+        false => nearest_plane(middle, scene.planes),
     };
     let room = room_of(scene);
     let furthest = smaller(COMPANIONS * shapes, larger(shapes, room));
@@ -103,16 +102,13 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> 
     }
     if !is_bounded {
         // Nothing but the camera's place tells its size: epsilon is small beside it.
-        radius = larger(
-            radius,
-            unsigned_128(scene.epsilon.to_bits()) * LEAST_EPSILONS,
-        );
+        let epsilon = unsigned_128(scene.epsilon.to_bits());
+        radius = larger(radius, epsilon * LEAST_EPSILONS);
     }
     if !scene.planes.is_empty() {
-        let expanse = if is_bounded {
-            EXPANSE
-        } else {
-            EXPANSE_OF_PLANES
+        let expanse = match is_bounded {
+            true => EXPANSE,
+            false => EXPANSE_OF_PLANES,
         };
         radius = larger(radius, smaller(radius * expanse, room));
     }

@@ -1,7 +1,5 @@
 //! A list of parts with a fixed room, which the compiler can fill as well as a program.
 
-use core::fmt::Debug;
-
 use super::capacity::Array;
 use super::{SceneError, used};
 use crate::fault::Fault;
@@ -13,7 +11,7 @@ use crate::shape::MaterialId;
 #[derive(Clone, Copy, Debug)]
 pub struct List<A> {
     items: A,
-    len: usize,
+    pub(super) len: usize,
 }
 
 impl<T: Copy, const N: usize> List<[T; N]> {
@@ -60,12 +58,8 @@ impl<const N: usize> List<[Material; N]> {
 }
 
 impl<A> List<A> {
-    pub(super) const fn len(&self) -> usize {
-        self.len
-    }
-
     /// Adds a part that has no fault and for which there is room.
-    pub(super) fn add<T: Copy + Debug>(
+    pub(super) fn add<T>(
         &mut self,
         part: T,
         fault: Option<Fault>,

@@ -15,7 +15,11 @@ use super::{Scene, used};
 macro_rules! needs {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
+        $({
+            $list:ident $kind:ident $described:ident $prepared:ident
+            $lists:ident $room:ident $nth:literal
+            $too_many:ident $without:ident $($more:tt)*
+        })*
     ) => {
         /// What a scene, or any scene of a type, can need of the library.
         ///

@@ -46,7 +46,10 @@ const fn at_least(length: Length, steps: i32) -> Length {
 macro_rules! prepare {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident [$room:ident $nth:literal] $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
+        $({
+            $list:ident $kind:ident $described:ident $prepared:ident
+            $lists:ident $room:ident $nth:literal $($more:tt)*
+        })*
     ) => {
         impl<$($header)*> Scene<$($arguments)*> {
             /// Prepares a description whose parts have been checked and fit.

@@ -23,7 +23,7 @@ impl<R: Capacity> RuntimeSceneIn<R> {
     /// [`Fault::TooManyMaterials`].
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, SceneError> {
         let materials = &mut self.0.materials;
-        let index = materials.len();
+        let index = materials.len;
         let too_many = Fault::TooManyMaterials;
         materials.add(material, None, SceneError::Material, too_many)?;
         Ok(list::id(index))
@@ -103,14 +103,17 @@ impl<R: Capacity> RuntimeSceneIn<R> {
     }
 
     fn unknown(&self, material: MaterialId) -> Option<Fault> {
-        (material.index() >= self.0.materials.len()).then_some(Fault::UnknownMaterial)
+        (material.index() >= self.0.materials.len).then_some(Fault::UnknownMaterial)
     }
 }
 
 macro_rules! runtime {
     (
         { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
-        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident {
+        $({
+            $list:ident $kind:ident $described:ident $prepared:ident
+            $lists:ident $room:ident $nth:literal
+            $too_many:ident $without:ident
             $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*)
         })*
     ) => {

@@ -15,7 +15,7 @@ use crate::vector::{Direction, Position, Vector};
 macro_rules! exports {
     (
         $header:tt
-        $($list:ident $lists:ident $room:tt $kind:ident $described:ident $prepared:ident $too_many:ident $without:ident $add:tt)*
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
     ) => {
         $(pub use $kind::{$described, $prepared};)*
     };
