@@ -5,11 +5,8 @@ use core::fmt;
 macro_rules! faults {
     (
         $header:tt
-        $({
-            $list:ident $kind:ident $described:ident $prepared:ident
-            $lists:ident $room:ident $nth:literal
-            $too_many:ident $without:ident $($more:tt)*
-        })*
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident
+            $nth:literal $too_many:ident $without:ident $($more:tt)* })*
     ) => {
         /// What is wrong with one part of a scene.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -12,7 +12,7 @@
 /// A kind has, in this order:
 /// - the name of its list and its own, which is its module's too; its type as it is described, and as it
 ///   is prepared;
-/// - the type of its list in a `Capacity`, its parameter, and which of the parameters that is, in words;
+/// - its parameter, the type of its list in a `Capacity`, and which of the parameters it is, in words;
 /// - the `Fault` where there are too many, and the method of `Needs` that leaves the kind out;
 /// - what the methods that add one say they do, the name of the run-time scene's, and the fields of the
 ///   description without the material.
@@ -28,14 +28,14 @@ macro_rules! kinds {
             }
             {
                 spheres sphere Sphere PreparedSphere
-                Spheres S "first"
+                S Spheres "first"
                 TooManySpheres without_spheres
                 /// Adds a sphere with a radius greater than 0.
                 add_sphere(center: Position, radius: Number)
             }
             {
                 cylinders cylinder Cylinder PreparedCylinder
-                Cylinders C "third"
+                C Cylinders "third"
                 TooManyCylinders without_cylinders
                 /// Adds an open cylinder around its `center`; the axis may have any length but 0, radius and
                 /// height are greater than 0.

@@ -66,12 +66,9 @@ macro_rules! plain {
 macro_rules! builder {
     (
         { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
-        $({
-            $list:ident $kind:ident $described:ident $prepared:ident
-            $lists:ident $room:ident $nth:literal
-            $too_many:ident $without:ident
-            $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*)
-        })*
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident
+            $nth:literal $too_many:ident $without:ident
+            $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*) })*
     ) => {
         /// The description of a scene with room for `S` spheres, `P` planes, `C` cylinders, `L` lights and
         /// `M` different materials, for constants.

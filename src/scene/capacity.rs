@@ -11,10 +11,7 @@ impl<T: Copy + Debug, const N: usize> Array<T> for [T; N] {}
 macro_rules! capacity {
     (
         { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
-        $({
-            $list:ident $kind:ident $described:ident $prepared:ident
-            $lists:ident $room:ident $nth:literal $($more:tt)*
-        })*
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
         /// How many parts a scene has, or has room for.
         #[derive(Clone, Copy, Debug)]

@@ -15,10 +15,7 @@ const EPSILON: f64 = 1e-3;
 macro_rules! description {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
-        $({
-            $list:ident $kind:ident $described:ident $prepared:ident
-            $lists:ident $room:ident $nth:literal $($more:tt)*
-        })*
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
         /// A scene as it was described: plain numbers, before they are laid on the grid.
         #[derive(Clone, Copy, Debug)]

@@ -15,11 +15,8 @@ use super::{Scene, used};
 macro_rules! needs {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
-        $({
-            $list:ident $kind:ident $described:ident $prepared:ident
-            $lists:ident $room:ident $nth:literal
-            $too_many:ident $without:ident $($more:tt)*
-        })*
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident
+            $nth:literal $too_many:ident $without:ident $($more:tt)* })*
     ) => {
         /// What a scene, or any scene of a type, can need of the library.
         ///

@@ -46,10 +46,7 @@ const fn at_least(length: Length, steps: i32) -> Length {
 macro_rules! prepare {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
-        $({
-            $list:ident $kind:ident $described:ident $prepared:ident
-            $lists:ident $room:ident $nth:literal $($more:tt)*
-        })*
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $($more:tt)* })*
     ) => {
         impl<$($header)*> Scene<$($arguments)*> {
             /// Prepares a description whose parts have been checked and fit.
