@@ -80,11 +80,12 @@
 //! | 8 | `display` | rows into a display, dithered if it has few levels |
 //! | 7 | `render` | a frame made ready; a row's colours, most between traced ones |
 //! | 6 | `trace` | one ray to one colour: the accumulation |
+//! | 5 | `accel` | what only makes it faster: which shapes a ray need ask |
 //! | 4 | `shade` | the light at one hit |
 //! | 3 | `scene` | the checked scene; what a ray meets, whether it is blocked |
 //! | 2 | `shape`, `camera`, `material`, `light` | intersections; a pixel's ray; plain data |
 //! | 1 | `vector`, `ray`, `grid`, `color` | points, directions, rays, the scene's grid, linear colour |
-//! | 0 | `number`, `fault`, `quality` | the formats, shifts, roots; the words for what is wrong; what a frame may leave out |
+//! | 0 | `number`, `fault`, `kinds`, `quality` | the formats, shifts, roots; the words for what is wrong; the list of bounded kinds; what a frame may leave out |
 //!
 //! A file uses only floors below its own. Beside them stand `scenes` (behind a feature of that
 //! name) and `host` (likewise: the double-precision reference, image comparison and scene files;
@@ -146,6 +147,9 @@
 #[macro_use]
 extern crate std;
 
+#[macro_use]
+mod kinds;
+
 mod accel;
 mod camera;
 mod color;
@@ -180,7 +184,7 @@ mod shape;
 mod trace;
 mod vector;
 
-pub use accel::{Apart, Static, StaticScene, Whole, Within, World};
+pub use accel::{Apart, Scene, SceneIn, Static, StaticScene, Whole, Within, World};
 pub use camera::{Camera, CameraDescription, CameraError};
 pub use display::{
     Budgeted, Choice, Ditherable, Dithered, Enlarged, Front, FrontPoint, Grade, Threshold, dither,
@@ -193,8 +197,8 @@ pub use quality::{Exact, Fast, Fine, Quality, Small};
 pub use render::{Frame, Picture, Report, StaticFrame};
 pub use scene::access::SceneAccess;
 pub use scene::{
-    Bound, Description, Excess, Mirrors, MostReflections, Need, Needs, RuntimeScene, Scene,
-    SceneBuilder, SceneError, Shininess,
+    Bound, Capacity, Description, Excess, Mirrors, MostReflections, Need, Needs, Room,
+    RuntimeScene, RuntimeSceneIn, SceneBuilder, SceneBuilderIn, SceneError, Shininess,
 };
 pub use shade::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 pub use shape::{MaterialId, cylinder::Cylinder, plane::Plane, sphere::Sphere};

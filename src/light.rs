@@ -1,6 +1,9 @@
 //! Floor 2: point lights.
 
 use crate::color::Color;
+use crate::fault::Fault;
+use crate::grid::Grid;
+use crate::material::is_color;
 use crate::number::Number;
 use crate::ray::ScaledPoint;
 use crate::vector::Position;
@@ -20,6 +23,17 @@ impl Light {
         position: Position::ORIGIN,
         color: [Number::ZERO; 3],
     };
+
+    /// What is wrong with it.
+    pub(crate) const fn fault(&self) -> Option<Fault> {
+        if !self.position.is_in_range() {
+            Some(Fault::Coordinate)
+        } else if !is_color(self.color) {
+            Some(Fault::Color)
+        } else {
+            None
+        }
+    }
 }
 
 /// A light as the kernels read it.
@@ -39,4 +53,13 @@ impl PreparedLight {
         color: Color::BLACK,
         is_plain: false,
     };
+
+    /// A light laid on a grid; whether it is plain depends on the shapes.
+    pub(crate) const fn new(light: &Light, grid: &Grid) -> Self {
+        Self {
+            place: grid.place(light.position),
+            color: Color::from_numbers(light.color),
+            ..Self::NONE
+        }
+    }
 }

@@ -7,99 +7,122 @@ use crate::ray::{PathSignature, Ray};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, Nearest, nearest_of};
 use crate::scene::shape_set::ShapeSet;
-use crate::scene::used;
-use crate::shape::cylinder::PreparedCylinder;
-use crate::shape::sphere::PreparedSphere;
+use crate::scene::{Capacity, used};
 use crate::vector::{Direction, Point};
 
-/// The shapes that can be met in the columns that a row has come to.
-///
-/// Where there are too many for the room, every ray asks every shape.
-#[derive(Debug)]
-pub(super) struct ActiveLists<'a> {
-    /// Where the rays come from.
-    eye: Point,
-    /// The lists stay the same for columns that begin before this one.
-    until: u32,
-    spheres: ActiveList<'a, PreparedSphere, 16>,
-    cylinders: ActiveList<'a, PreparedCylinder, 8>,
-    /// Whether every shape is asked in every column.
-    is_full: bool,
+macro_rules! active_lists {
+    (
+        $header:tt
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident
+            [$active:literal] $($more:tt)* })*
+    ) => {
+        /// The shapes that can be met in the columns that a row has come to.
+        ///
+        /// Where there are too many for the room, every ray asks every shape.
+        #[derive(Debug)]
+        pub(super) struct ActiveLists<'a> {
+            /// Where the rays come from.
+            eye: Point,
+            /// The lists stay the same for columns that begin before this one.
+            until: u32,
+            $($list: ActiveList<'a, crate::shape::$prepared, $active>,)*
+            /// Whether every shape is asked in every column.
+            is_full: bool,
+        }
+
+        impl<'a> ActiveLists<'a> {
+            /// Every shape in every column, or nothing yet; `USED` unless nobody is going to ask.
+            #[inline(always)]
+            pub(super) fn new<const USED: bool>(eye: Point, is_full: bool) -> Self {
+                Self {
+                    eye,
+                    until: if is_full { u32::MAX } else { 0 },
+                    $($list: ActiveList::new::<USED>(),)*
+                    is_full,
+                }
+            }
+
+            /// Goes back to the row's first column, seen from an eye.
+            pub(super) fn restart(&mut self, eye: Point, is_full: bool) {
+                self.eye = eye;
+                (self.is_full, self.until) = (is_full, if is_full { u32::MAX } else { 0 });
+                $(self.$list.restart();)*
+            }
+
+            /// If no shape reaches the window's first column or those after it, the first that is not
+            /// known of.
+            pub(super) fn clear_until<W: SceneAccess>(&self, window: &Window) -> Option<u32> {
+                let is_clear = !self.is_full
+                    $(&& (!W::NEEDS.$list || self.$list.has_ended_before(window.first)))*;
+                is_clear.then_some(self.until)
+            }
+
+            /// Looks for the shapes of the columns of a window.
+            #[inline(never)]
+            fn look<W: SceneAccess, R: Capacity>(
+                &mut self,
+                world: &'a W,
+                rects: &Rects<R>,
+                y: u16,
+                columns: (u32, u32),
+            ) {
+                let (parts, eye) = (world.parts(), self.eye);
+                let mut until = Some(u32::MAX);
+                $(
+                    if W::NEEDS.$list {
+                        let shapes = parts.$list;
+                        let rects = used(rects.$list.as_ref(), shapes.len());
+                        let own = self.$list.advance((shapes, rects), y, columns, eye);
+                        until = earlier(until, own);
+                    }
+                )*
+                match until {
+                    Some(until) => (self.is_full, self.until) = (false, until),
+                    None => {
+                        // All anew for the next columns: the lists must not depend on where a row began.
+                        self.restart(eye, false);
+                        (self.is_full, self.until) = (true, columns.0 + 1);
+                    }
+                }
+            }
+
+            #[inline(never)]
+            fn nearest_of_active<W: SceneAccess>(
+                &self,
+                world: &W,
+                column: u32,
+                (direction, start): (&Direction, Length),
+                signature: &mut PathSignature,
+            ) -> Hit {
+                let mut nearest = Nearest::beyond(start);
+                let lengths = world.parts().lengths();
+                let (kind, first) = (0, 0);
+                $(
+                    if W::NEEDS.$list {
+                        self.$list.ask((column, direction), first, &mut nearest);
+                    }
+                    let (kind, first) = (kind + 1, first + lengths[kind]);
+                )*
+                let _ = (kind, first);
+                nearest.hit(signature)
+            }
+        }
+    };
 }
+kinds!(active_lists);
 
 impl<'a> ActiveLists<'a> {
-    /// Every shape in every column, or nothing yet; `USED` unless nobody is going to ask.
-    #[inline(always)]
-    pub(super) fn new<const USED: bool>(eye: Point, is_full: bool) -> Self {
-        Self {
-            eye,
-            until: if is_full { u32::MAX } else { 0 },
-            spheres: ActiveList::new::<USED>(),
-            cylinders: ActiveList::new::<USED>(),
-            is_full,
-        }
-    }
-
-    /// Goes back to the row's first column, seen from an eye.
-    pub(super) fn restart(&mut self, eye: Point, is_full: bool) {
-        self.eye = eye;
-        (self.is_full, self.until) = (is_full, if is_full { u32::MAX } else { 0 });
-        self.spheres.restart();
-        self.cylinders.restart();
-    }
-
-    /// If no shape reaches the window's first column or those after it, the first that is not known of.
-    pub(super) fn clear_until<W: SceneAccess>(&self, window: &Window) -> Option<u32> {
-        let is_clear = !self.is_full
-            && (!W::NEEDS.spheres || self.spheres.has_ended_before(window.first))
-            && (!W::NEEDS.cylinders || self.cylinders.has_ended_before(window.first));
-        is_clear.then_some(self.until)
-    }
-
     /// Advances to a window, whose first column is not before the last one's.
     #[inline(always)]
-    pub(super) fn advance<'r, W: SceneAccess>(
+    pub(super) fn advance<W: SceneAccess, R: Capacity>(
         &mut self,
         world: &'a W,
-        rects: impl FnOnce() -> Rects<'r>,
+        rects: &Rects<R>,
         y: u16,
         window: &Window,
     ) {
         if window.first >= self.until {
-            self.look(world, rects(), y, (window.first, window.last));
-        }
-    }
-
-    #[inline(never)]
-    fn look<W: SceneAccess>(
-        &mut self,
-        world: &'a W,
-        rects: Rects<'_>,
-        y: u16,
-        columns: (u32, u32),
-    ) {
-        let (parts, eye) = (world.parts(), self.eye);
-        let mut until = Some(u32::MAX);
-        if W::NEEDS.spheres {
-            let shapes = (parts.spheres, used(rects.spheres, parts.spheres.len()));
-            let spheres = self.spheres.advance(shapes, y, columns, eye);
-            until = earlier(until, spheres);
-        }
-        if W::NEEDS.cylinders {
-            let shapes = (
-                parts.cylinders,
-                used(rects.cylinders, parts.cylinders.len()),
-            );
-            let cylinders = self.cylinders.advance(shapes, y, columns, eye);
-            until = earlier(until, cylinders);
-        }
-        match until {
-            Some(until) => (self.is_full, self.until) = (false, until),
-            None => {
-                // All anew for the next columns: the lists must not depend on where a row began.
-                self.restart(eye, false);
-                (self.is_full, self.until) = (true, columns.0 + 1);
-            }
+            self.look(world, rects, y, (window.first, window.last));
         }
     }
 
@@ -148,26 +171,6 @@ impl<'a> ActiveLists<'a> {
             ShapeId::NONE,
             signature,
         )
-    }
-
-    #[inline(never)]
-    fn nearest_of_active<W: SceneAccess>(
-        &self,
-        world: &W,
-        column: u32,
-        (direction, start): (&Direction, Length),
-        signature: &mut PathSignature,
-    ) -> Hit {
-        let mut nearest = Nearest::beyond(start);
-        let lengths = world.parts().lengths();
-        if W::NEEDS.spheres {
-            self.spheres.ask((column, direction), 0, &mut nearest);
-        }
-        if W::NEEDS.cylinders {
-            self.cylinders
-                .ask((column, direction), lengths[0], &mut nearest);
-        }
-        nearest.hit(signature)
     }
 }
 

@@ -11,89 +11,89 @@ use crate::number::Length;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::ShapeSet;
-use crate::scene::{Parts, Surface};
+use crate::scene::{Capacity, Parts, Room, Surface};
 use crate::shape::bounded::{Bounded, LightRay, Own};
-use crate::shape::cylinder::CylinderFromPoint;
-use crate::shape::sphere::SphereFromPoint;
 use crate::vector::Direction;
 
-/// A light and the shapes of a scene as it sees them.
-#[derive(Clone, Copy, Debug)]
-pub struct LightOccluders<const S: usize, const C: usize> {
-    light: PreparedLight,
-    spheres: [SphereFromPoint; S],
-    cylinders: [CylinderFromPoint; C],
-}
+macro_rules! light_occluders {
+    (
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
+    ) => {
+        /// A light and the shapes of a scene as it sees them.
+        #[derive(Clone, Copy, Debug)]
+        pub struct LightOccluders<R: Capacity> {
+            light: PreparedLight,
+            $($list: R::$lists<<crate::shape::$prepared as Bounded>::FromPoint>,)*
+        }
 
-impl<const S: usize, const C: usize> LightOccluders<S, C> {
-    /// Fills the room of a light that a scene's type allows but the scene does not use.
-    pub(crate) const NONE: Self = Self {
-        light: PreparedLight::NONE,
-        spheres: [SphereFromPoint::NONE; S],
-        cylinders: [CylinderFromPoint::NONE; C],
-    };
+        impl<$($header)*> LightOccluders<Room<$($arguments)*>> {
+            /// Fills the room of a light that a scene's type allows but the scene does not use.
+            pub(super) const NONE: Self = Self {
+                light: PreparedLight::NONE,
+                $($list: [crate::shape::$prepared::NOT_SEEN; $room],)*
+            };
 
-    /// Of a light, which stands somewhere, and the shapes of a scene.
-    pub(crate) const fn new(mut light: PreparedLight, parts: &Parts<'_>) -> Self {
-        let mut occluders = Self::NONE;
-        let ScaledPoint { point, scale } = light.place;
-        light.is_plain = scale == 0;
-        if light.is_plain {
-            let mut index = 0;
-            while index < parts.spheres.len() && index < S {
-                let sphere = &parts.spheres[index];
-                occluders.spheres[index] = sphere.seen_from(point);
-                light.is_plain &= sphere.is_told(&occluders.spheres[index]);
-                index += 1;
-            }
-            index = 0;
-            while index < parts.cylinders.len() && index < C {
-                let cylinder = &parts.cylinders[index];
-                occluders.cylinders[index] = cylinder.seen_from(point);
-                light.is_plain &= cylinder.is_told(&occluders.cylinders[index]);
-                index += 1;
+            /// Of a light and the shapes of a scene.
+            pub(super) const fn new(mut light: PreparedLight, parts: &Parts<'_>) -> Self {
+                let mut occluders = Self::NONE;
+                let ScaledPoint { point, scale } = light.place;
+                light.is_plain = scale == 0;
+                if light.is_plain {
+                    $(
+                        let mut index = 0;
+                        while index < parts.$list.len() && index < $room {
+                            let from = parts.$list[index].seen_from(point);
+                            light.is_plain &= parts.$list[index].is_told(&from);
+                            occluders.$list[index] = from;
+                            index += 1;
+                        }
+                    )*
+                }
+                occluders.light = light;
+                occluders
             }
         }
-        occluders.light = light;
-        occluders
-    }
 
-    /// The light, which now says whether it is plain.
-    pub(crate) const fn light_itself(&self) -> &PreparedLight {
-        &self.light
-    }
+        /// Whether a shape of a set occludes the end of a light's ray on a surface.
+        #[inline(always)]
+        fn any_occludes<W: World, const PRECISE: bool>(
+            world: &W,
+            set: &ShapeSet,
+            surface: &Surface<'_>,
+            light: &LightOccluders<W::Room>,
+            ray: &LightRay,
+        ) -> bool {
+            let parts = world.parts();
+            let lengths = parts.lengths();
+            let own = |index: usize| match surface.shape == ShapeId::at(index) {
+                false => Own::No,
+                true if surface.is_inside => Own::Inside,
+                true => Own::Outside,
+            };
+            let (kind, first) = (0, 0);
+            $(
+                let from = light.$list.as_ref();
+                if set.any(W::NEEDS.sets, (kind, lengths), parts.$list, |index, shape| {
+                    let from = from.get(index);
+                    from.is_some_and(|from| shape.occludes::<PRECISE>(from, ray, own(first + index)))
+                }) {
+                    return true;
+                }
+                let (kind, first) = (kind + 1, first + lengths[kind]);
+            )*
+            let _ = (kind, first);
+            false
+        }
+    };
 }
+kinds!(light_occluders);
 
-/// [`LightOccluders`], whatever its room.
-pub trait Occluders {
+impl<R: Capacity> LightOccluders<R> {
     /// The light itself.
-    #[allow(private_interfaces)]
-    fn light(&self) -> &PreparedLight;
-
-    /// The scene's spheres as the light sees them, and maybe more.
-    #[allow(private_interfaces)]
-    fn spheres(&self) -> &[SphereFromPoint];
-
-    /// The scene's cylinders as the light sees them, and maybe more.
-    #[allow(private_interfaces)]
-    fn cylinders(&self) -> &[CylinderFromPoint];
-}
-
-#[allow(private_interfaces)]
-impl<const S: usize, const C: usize> Occluders for LightOccluders<S, C> {
     #[inline(always)]
-    fn light(&self) -> &PreparedLight {
+    pub(crate) const fn light(&self) -> &PreparedLight {
         &self.light
-    }
-
-    #[inline(always)]
-    fn spheres(&self) -> &[SphereFromPoint] {
-        &self.spheres
-    }
-
-    #[inline(always)]
-    fn cylinders(&self) -> &[CylinderFromPoint] {
-        &self.cylinders
     }
 }
 
@@ -106,7 +106,7 @@ impl<const S: usize, const C: usize> Occluders for LightOccluders<S, C> {
 pub(crate) fn occluded<W: World, const PRECISE: bool>(
     world: &W,
     surface: &Surface<'_>,
-    (light, index): (&W::LightOccluders, usize),
+    (light, index): (&LightOccluders<W::Room>, usize),
     (direction, distance): (Direction, Length),
 ) -> bool {
     let ray = LightRay {
@@ -123,27 +123,5 @@ pub(crate) fn occluded<W: World, const PRECISE: bool>(
         false => None,
     };
     let set = table.map_or(ShapeSet::ALL, |table| table.at(direction));
-    let parts = world.parts();
-    let lengths = parts.lengths();
-    let own = |index: usize| match surface.shape == ShapeId::at(index) {
-        false => Own::No,
-        true if surface.is_inside => Own::Inside,
-        true => Own::Outside,
-    };
-    let (spheres, cylinders) = (light.spheres(), light.cylinders());
-    let is_chosen = W::NEEDS.sets;
-    set.any(is_chosen, (0, lengths), parts.spheres, |index, sphere| {
-        let from = spheres.get(index);
-        from.is_some_and(|from| sphere.occludes::<PRECISE>(from, &ray, own(index)))
-    }) || set.any(
-        is_chosen,
-        (1, lengths),
-        parts.cylinders,
-        |index, cylinder| {
-            let from = cylinders.get(index);
-            from.is_some_and(|from| {
-                cylinder.occludes::<PRECISE>(from, &ray, own(lengths[0] + index))
-            })
-        },
-    )
+    any_occludes::<W, PRECISE>(world, set, surface, light, &ray)
 }

@@ -5,10 +5,9 @@
 //! which camera and light both stand hide it from none.
 
 use super::World;
-use super::light_occluders::Occluders;
+use super::light_occluders::LightOccluders;
 use crate::number::bit_modulo_32;
 use crate::ray::ScaledPoint;
-use crate::shape::bounded::Bounded;
 use crate::shape::plane::Side;
 
 /// A frame's point of view.
@@ -42,7 +41,7 @@ impl LightVisibility {
             unclear: 0,
         };
         // Rays from inside of a sphere stay there.
-        if from.is_near() && parts.spheres.iter().any(|it| it.holds(from.point)) {
+        if from.is_near() && parts.hold(from.point) {
             view.unclear = u32::MAX;
         }
         let lights = world.light_occluders();
@@ -50,7 +49,7 @@ impl LightVisibility {
             view.unclear = u32::MAX;
             return view;
         }
-        for (index, light) in lights.iter().map(Occluders::light).enumerate() {
+        for (index, light) in lights.iter().map(LightOccluders::light).enumerate() {
             if !light.is_plain {
                 view.unclear |= 1 << index;
             }

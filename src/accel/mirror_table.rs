@@ -13,8 +13,6 @@ use crate::number::{narrowed, square_root, unsigned_wide, wide};
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::scene::{FEW, Parts};
-use crate::shape::cylinder::PreparedCylinder;
-use crate::shape::sphere::PreparedSphere;
 use crate::vector::{Direction, Point, Vector};
 
 /// How many bounded shapes a scene with mirror tables has at most.
@@ -51,7 +49,7 @@ impl MirrorTables {
     /// Which table each bounded shape has, and for how many there is to be room.
     pub(super) const fn numbered(parts: &Parts<'_>) -> ([u8; MOST], usize) {
         let mut numbers = [u8::MAX; MOST];
-        let bounded = parts.count_bounded();
+        let bounded = parts.bounded();
         if bounded <= FEW || bounded > MOST {
             return (numbers, 0);
         }
@@ -98,8 +96,8 @@ const fn room_for(tables: usize) -> usize {
 
 /// Whether the bounded shape that stands there among them mirrors.
 const fn is_mirror(parts: &Parts<'_>, index: usize) -> bool {
-    match parts.material_of(index) {
-        Some(material) => {
+    match parts.ball(index) {
+        Some((_, material)) => {
             let index = material.index();
             index < parts.materials.len() && parts.materials[index].mirrors()
         }
@@ -107,55 +105,51 @@ const fn is_mirror(parts: &Parts<'_>, index: usize) -> bool {
     }
 }
 
-/// What lies ahead of rays that leave a bounded shape, by where it stands among them.
-const fn ahead_of(parts: &Parts<'_>, index: usize) -> Cells {
-    let mut cells = Cells::NONE;
-    let mut first = 0;
-    if index - first < parts.spheres.len() {
-        let mut link = 0;
-        while link < PreparedSphere::LINKS {
-            add_all(&mut cells, parts, parts.spheres[index - first].link(link));
-            link += 1;
+macro_rules! mirror_table {
+    (
+        $header:tt
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
+    ) => {
+        /// What lies ahead of rays that leave a bounded shape, by where it stands among them.
+        const fn ahead_of(parts: &Parts<'_>, index: usize) -> Cells {
+            let mut cells = Cells::NONE;
+            $(
+                if index < parts.$list.len() {
+                    let mut link = 0;
+                    while link < crate::shape::$prepared::LINKS {
+                        add_all(&mut cells, parts, parts.$list[index].link(link));
+                        link += 1;
+                    }
+                    return cells;
+                }
+                let index = index - parts.$list.len();
+            )*
+            let _ = index;
+            cells
         }
-        return cells;
-    }
-    first += parts.spheres.len();
-    if index - first < parts.cylinders.len() {
-        let mut link = 0;
-        while link < PreparedCylinder::LINKS {
-            add_all(&mut cells, parts, parts.cylinders[index - first].link(link));
-            link += 1;
-        }
-    }
-    cells
-}
 
-/// Adds all that rays from the surface of this ball, or epsilon beside it, can meet.
-const fn add_all(cells: &mut Cells, parts: &Parts<'_>, (origin, radius): (Point, i32)) {
-    let layout = SetLayout::new(parts.lengths());
-    let (outer, inner) = (parts.epsilon.to_bits(), parts.inner_epsilon.to_bits());
-    let epsilon = if outer > inner { outer } else { inner };
-    let from = (origin, radius + epsilon + SLACK);
-    let mut index = 0;
-    while index < parts.spheres.len() {
-        let shape = ShapeSet::of(layout.bit(0, index));
-        let is_noted = PreparedSphere::IS_SIDE_NOTED;
-        add(cells, from, parts.spheres[index].ball(), (shape, is_noted));
-        index += 1;
-    }
-    index = 0;
-    while index < parts.cylinders.len() {
-        let shape = ShapeSet::of(layout.bit(1, index));
-        let is_noted = PreparedCylinder::IS_SIDE_NOTED;
-        add(
-            cells,
-            from,
-            parts.cylinders[index].ball(),
-            (shape, is_noted),
-        );
-        index += 1;
-    }
+        /// Adds all that rays from the surface of this ball, or epsilon beside it, can meet.
+        const fn add_all(cells: &mut Cells, parts: &Parts<'_>, (origin, radius): (Point, i32)) {
+            let layout = SetLayout::new(parts.lengths());
+            let (outer, inner) = (parts.epsilon.to_bits(), parts.inner_epsilon.to_bits());
+            let epsilon = if outer > inner { outer } else { inner };
+            let from = (origin, radius + epsilon + SLACK);
+            let kind = 0;
+            $(
+                let mut index = 0;
+                while index < parts.$list.len() {
+                    let shape = ShapeSet::of(layout.bit(kind, index));
+                    let is_noted = crate::shape::$prepared::IS_SIDE_NOTED;
+                    add(cells, from, parts.$list[index].ball(), (shape, is_noted));
+                    index += 1;
+                }
+                let kind = kind + 1;
+            )*
+            let _ = kind;
+        }
+    };
 }
+kinds!(mirror_table);
 
 /// How far beyond a shape rays may start, apart from epsilon: a hit is known to a few steps, on a
 /// cylinder that is met along its axis to some hundred.

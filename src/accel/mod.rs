@@ -11,6 +11,7 @@ pub(crate) mod light_occluders;
 pub(crate) mod light_table;
 pub(crate) mod light_visibility;
 pub(crate) mod mirror_table;
+mod scene;
 mod screen_axis;
 pub(crate) mod screen_bounds;
 pub(crate) mod screen_culling;
@@ -19,19 +20,19 @@ mod static_scene;
 mod within;
 
 pub(crate) use active_list::Window;
+pub use scene::{Scene, SceneIn};
 pub use static_scene::{Apart, Static, StaticScene};
 pub use within::{Whole, Within};
 
-use light_occluders::{LightOccluders, Occluders};
+use light_occluders::LightOccluders;
 use light_table::LightTable;
 use mirror_table::MirrorTables;
-use screen_bounds::{Bounds, ScreenBounds};
 
 use crate::ray::{PathSignature, Ray};
+use crate::scene::Capacity;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
 use crate::scene::shape_set::ShapeSet;
-use crate::scene::{Needs, Parts, Scene, used};
 
 /// The longest way from one pixel that is always traced to the next.
 pub(crate) const LONGEST_STRIDE: u32 = 4;
@@ -63,14 +64,12 @@ pub(crate) fn nearest_ahead<W: World>(
 /// Implemented by the crate for [`Scene`], for references to one, for [`Static`] and for [`Within`];
 /// there is no need to implement it elsewhere.
 pub trait World: SceneAccess {
-    /// A light, and the shapes as it sees them.
-    type LightOccluders: Occluders;
-
-    /// Which pixels of a frame the shapes cover.
-    type ScreenBounds: Bounds;
+    /// The room of its lists.
+    type Room: Capacity;
 
     /// The lights, and the shapes as they see them.
-    fn light_occluders(&self) -> &[Self::LightOccluders];
+    #[allow(private_interfaces)]
+    fn light_occluders(&self) -> &[LightOccluders<Self::Room>];
 
     /// Which shapes lie in which direction from each light.
     #[allow(private_interfaces)]
@@ -81,48 +80,12 @@ pub trait World: SceneAccess {
     fn mirror_tables(&self) -> &MirrorTables;
 }
 
-impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize> SceneAccess
-    for Scene<S, P, C, L, M>
-{
-    const NEEDS: Needs = Needs::of_room([S, P, C, L, M]);
-    const CHOOSES_HITS: bool = false;
-
-    #[inline(always)]
-    fn parts(&self) -> Parts<'_> {
-        self.plain_parts()
-    }
-}
-
-#[allow(private_interfaces)]
-impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize> World
-    for Scene<S, P, C, L, M>
-{
-    type LightOccluders = LightOccluders<S, C>;
-    type ScreenBounds = ScreenBounds<S, P, C>;
-
-    #[inline(always)]
-    fn light_occluders(&self) -> &[Self::LightOccluders] {
-        used(&self.light_occluders, self.counts.lights)
-    }
-
-    #[inline(always)]
-    fn light_tables(&self) -> &[LightTable] {
-        used(&self.light_tables, self.counts.lights)
-    }
-
-    #[inline(always)]
-    fn mirror_tables(&self) -> &MirrorTables {
-        MirrorTables::NONE
-    }
-}
-
 #[allow(private_interfaces)]
 impl<W: World> World for &W {
-    type LightOccluders = W::LightOccluders;
-    type ScreenBounds = W::ScreenBounds;
+    type Room = W::Room;
 
     #[inline(always)]
-    fn light_occluders(&self) -> &[Self::LightOccluders] {
+    fn light_occluders(&self) -> &[LightOccluders<W::Room>] {
         (**self).light_occluders()
     }
 

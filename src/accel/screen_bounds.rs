@@ -9,82 +9,89 @@ use super::screen_rect::{ScreenRect, THIN_SHAPE, insert};
 use crate::number::Length;
 use crate::ray::ScreenAxis;
 use crate::scene::access::SceneAccess;
+use crate::scene::{Array, Capacity};
 use crate::shape::bounded::Bounded;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Point, Vector};
 
-/// The rectangles of the shapes of a scene, in rising order of their left columns.
-#[derive(Clone, Copy, Debug)]
-pub struct Rects<'a> {
-    pub(super) spheres: &'a [ScreenRect],
-    pub(super) cylinders: &'a [ScreenRect],
+macro_rules! rects {
+    (
+        $header:tt
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
+    ) => {
+        /// The rectangles of the shapes of a scene, in rising order of their left columns.
+        #[derive(Clone, Copy, Debug)]
+        pub(crate) struct Rects<R: Capacity> {
+            $(pub(super) $list: R::$lists<ScreenRect>,)*
+        }
+
+        impl<R: Capacity> Rects<R> {
+            /// Every shape everywhere.
+            #[inline(always)]
+            fn all() -> Self {
+                Self { $($list: Array::filled(ScreenRect::ALL),)* }
+            }
+
+            /// Finds the rectangles of all shapes.
+            #[inline(never)]
+            fn look<W: SceneAccess>(&mut self, world: &W, eye: &Eye<'_>) {
+                const {
+                    assert!(
+                        $(R::COUNTS.$list <= THIN_SHAPE as usize)&&*,
+                        "a scene has room for at most 32768 shapes of a kind"
+                    );
+                }
+                let parts = world.parts();
+                $(eye.look_at(parts.$list, self.$list.as_mut());)*
+            }
+        }
+    };
 }
+kinds!(rects);
 
 /// The rectangles of the shapes of a scene, themselves and mirrored in each plane.
 #[derive(Clone, Copy, Debug)]
-pub struct ScreenBounds<const S: usize, const P: usize, const C: usize> {
-    spheres: [ScreenRect; S],
-    cylinders: [ScreenRect; C],
-    mirrored: [([ScreenRect; S], [ScreenRect; C]); P],
+pub(crate) struct ScreenBounds<R: Capacity> {
+    direct: Rects<R>,
+    mirrored: R::Planes<Rects<R>>,
 }
 
-/// [`ScreenBounds`], whatever its room.
-pub trait Bounds: Copy {
-    /// Everything everywhere.
-    const ALL: Self;
+impl<R: Capacity> ScreenBounds<R> {
+    /// Every shape everywhere.
+    #[inline(always)]
+    pub(crate) fn all() -> Self {
+        Self {
+            direct: Rects::all(),
+            mirrored: Array::filled(Rects::all()),
+        }
+    }
 
     /// Turns from everything to a scene as the rays through the columns and those through the rows of
     /// a picture see it; mirrored only where a plane mirrors.
-    #[allow(private_interfaces)]
-    fn look<W: SceneAccess>(&mut self, world: &W, axes: &[ScreenAxis; 2]);
-
-    /// Of the shapes themselves.
-    fn direct(&self) -> Rects<'_>;
-
-    /// Of the shapes mirrored in a plane.
-    fn mirrored(&self, plane: usize) -> Option<Rects<'_>>;
-}
-
-impl<const S: usize, const P: usize, const C: usize> Bounds for ScreenBounds<S, P, C> {
-    const ALL: Self = Self {
-        spheres: [ScreenRect::ALL; S],
-        cylinders: [ScreenRect::ALL; C],
-        mirrored: [([ScreenRect::ALL; S], [ScreenRect::ALL; C]); P],
-    };
-
-    #[allow(private_interfaces)]
-    fn look<W: SceneAccess>(&mut self, world: &W, axes: &[ScreenAxis; 2]) {
-        const {
-            assert!(
-                S <= THIN_SHAPE as usize && C <= THIN_SHAPE as usize,
-                "a scene has room for at most 32768 spheres and 32768 cylinders"
-            );
-        }
+    pub(crate) fn look<W: SceneAccess>(&mut self, world: &W, axes: &[ScreenAxis; 2]) {
         let parts = world.parts();
         let mut eye = Eye {
             axes,
             plane: None,
             epsilon: parts.epsilon,
         };
-        eye.look(world, (&mut self.spheres, &mut self.cylinders));
-        for (plane, mirrored) in parts.planes.iter().zip(&mut self.mirrored) {
+        self.direct.look(world, &eye);
+        for (plane, mirrored) in parts.planes.iter().zip(self.mirrored.as_mut()) {
             if parts.material(plane.material).mirrors() {
                 eye.plane = Some(plane);
-                eye.look(world, (&mut mirrored.0, &mut mirrored.1));
+                mirrored.look(world, &eye);
             }
         }
     }
 
-    fn direct(&self) -> Rects<'_> {
-        Rects {
-            spheres: &self.spheres,
-            cylinders: &self.cylinders,
-        }
+    /// Of the shapes themselves.
+    pub(super) fn direct(&self) -> &Rects<R> {
+        &self.direct
     }
 
-    fn mirrored(&self, plane: usize) -> Option<Rects<'_>> {
-        let (spheres, cylinders) = self.mirrored.get(plane)?;
-        Some(Rects { spheres, cylinders })
+    /// Of the shapes mirrored in a plane.
+    pub(super) fn mirrored(&self, plane: usize) -> Option<&Rects<R>> {
+        self.mirrored.as_ref().get(plane)
     }
 }
 
@@ -96,18 +103,6 @@ struct Eye<'a> {
 }
 
 impl Eye<'_> {
-    /// Finds the rectangles of all shapes.
-    #[inline(never)]
-    fn look<W: SceneAccess>(
-        &self,
-        world: &W,
-        (spheres, cylinders): (&mut [ScreenRect], &mut [ScreenRect]),
-    ) {
-        let parts = world.parts();
-        self.look_at(parts.spheres, spheres);
-        self.look_at(parts.cylinders, cylinders);
-    }
-
     /// Finds the rectangles of the shapes of one kind.
     #[inline(always)]
     fn look_at<K: Bounded>(&self, shapes: &[K], rects: &mut [ScreenRect]) {

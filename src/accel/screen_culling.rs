@@ -6,7 +6,7 @@
 use super::World;
 use super::active_list::Window;
 use super::active_lists::ActiveLists;
-use super::screen_bounds::Bounds;
+use super::screen_bounds::ScreenBounds;
 use crate::ray::{PathSignature, Ray, ScaledPoint};
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
@@ -17,7 +17,7 @@ use crate::vector::Point;
 /// What the rays of a row can meet.
 pub(crate) struct ScreenCulling<'a, W: World> {
     /// What the shapes cover, if that is known.
-    bounds: Option<&'a W::ScreenBounds>,
+    bounds: Option<&'a ScreenBounds<W::Room>>,
     /// Where the camera is, if it is near.
     camera: Option<Point>,
     y: u16,
@@ -35,7 +35,7 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     /// `USED` unless nobody is going to ask.
     #[inline(always)]
     pub(crate) fn new<const USED: bool>(
-        bounds: Option<&'a W::ScreenBounds>,
+        bounds: Option<&'a ScreenBounds<W::Room>>,
         from: ScaledPoint,
         y: u32,
         is_full: bool,
@@ -57,8 +57,7 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     pub(crate) fn advance(&mut self, world: &'a W, first: u32, last: u32) -> Window {
         let window = Window { first, last };
         if let (Some(bounds), true) = (self.bounds, world.parts().has_bounded()) {
-            let rects = || bounds.direct();
-            self.direct.advance(world, rects, self.y, &window);
+            self.direct.advance(world, bounds.direct(), self.y, &window);
         }
         window
     }
@@ -114,7 +113,7 @@ impl<'a, W: World> ScreenCulling<'a, W> {
             signature.note(column);
             return nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), id, signature);
         };
-        self.mirrored.advance(world, || rects, self.y, window);
+        self.mirrored.advance(world, rects, self.y, window);
         let ray = (&ray.direction, self.mirrored.distance(ray));
         self.mirrored.nearest(world, column, ray, signature)
     }

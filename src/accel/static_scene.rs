@@ -2,18 +2,16 @@
 
 use core::marker::PhantomData;
 
-use super::World;
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::{MirrorTable, MirrorTables};
+use super::{SceneIn, World};
 use crate::grid::Grid;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::scene::access::SceneAccess;
-use crate::scene::{Needs, Parts, Scene, used};
-use crate::shape::cylinder::PreparedCylinder;
+use crate::scene::{Needs, Parts, Room, used};
 use crate::shape::plane::PreparedPlane;
-use crate::shape::sphere::PreparedSphere;
 
 /// A scene that is a constant of a type: it lives in flash, and the compiler keeps only the code and
 /// the tables that this scene can use.
@@ -50,54 +48,11 @@ pub trait Apart: StaticScene {
     /// Its parts.
     const PARTS: Parts<'static>;
     /// Its lights, and its shapes as they see them.
-    const LIGHT_OCCLUDERS: &'static [<Self::Scene as World>::LightOccluders];
+    const LIGHT_OCCLUDERS: &'static [LightOccluders<<Self::Scene as World>::Room>];
     /// Which of them lie in which direction from each light.
     const LIGHT_TABLES: &'static [LightTable];
     /// Which of them lie ahead of rays that leave each round mirror; none where no ray is going to.
     const MIRROR_TABLES: &'static MirrorTables;
-}
-
-#[allow(private_interfaces)]
-impl<T, const S: usize, const P: usize, const C: usize, const L: usize, const M: usize> Apart for T
-where
-    T: StaticScene<Scene = Scene<S, P, C, L, M>>,
-{
-    const NEEDS: Needs = T::SCENE.needs();
-
-    const PARTS: Parts<'static> = Parts {
-        spheres: used(&Copied::<T>::SPHERES, T::SCENE.counts.spheres),
-        planes: used(&Copied::<T>::PLANES, T::SCENE.counts.planes),
-        cylinders: used(&Copied::<T>::CYLINDERS, T::SCENE.counts.cylinders),
-        lights: used(&Copied::<T>::LIGHTS, T::SCENE.counts.lights),
-        materials: used(&Copied::<T>::MATERIALS, T::SCENE.counts.materials),
-        background: T::SCENE.background,
-        brightest: T::SCENE.brightest,
-        dimness: T::SCENE.dimness,
-        epsilon: T::SCENE.epsilon,
-        inner_epsilon: T::SCENE.inner_epsilon,
-        grid: &Copied::<T>::GRID,
-    };
-
-    const LIGHT_OCCLUDERS: &'static [LightOccluders<S, C>] =
-        used(&Copied::<T>::LIGHT_OCCLUDERS, T::SCENE.counts.lights);
-
-    const LIGHT_TABLES: &'static [LightTable] =
-        used(&Copied::<T>::LIGHT_TABLES, T::SCENE.counts.lights);
-
-    const MIRROR_TABLES: &'static MirrorTables = &MirrorTables {
-        numbers: MirrorTables::numbered(&Self::PARTS).0,
-        tables: match MirrorTables::numbered(&Self::PARTS).1 {
-            0 => &[],
-            1 => &Copied::<T>::MIRROR_TABLES_1,
-            2 => &Copied::<T>::MIRROR_TABLES_2,
-            3 => &Copied::<T>::MIRROR_TABLES_3,
-            4 => &Copied::<T>::MIRROR_TABLES_4,
-            6 => &Copied::<T>::MIRROR_TABLES_6,
-            8 => &Copied::<T>::MIRROR_TABLES_8,
-            12 => &Copied::<T>::MIRROR_TABLES_12,
-            _ => &Copied::<T>::MIRROR_TABLES_16,
-        },
-    };
 }
 
 impl Needs {
@@ -110,27 +65,76 @@ impl Needs {
 /// Copies of the parts of a scene.
 struct Copied<T>(PhantomData<T>);
 
-impl<T, const S: usize, const P: usize, const C: usize, const L: usize, const M: usize> Copied<T>
-where
-    T: StaticScene<Scene = Scene<S, P, C, L, M>>,
-{
-    const SPHERES: [PreparedSphere; S] = T::SCENE.spheres;
-    const PLANES: [PreparedPlane; P] = T::SCENE.planes;
-    const CYLINDERS: [PreparedCylinder; C] = T::SCENE.cylinders;
-    const LIGHTS: [PreparedLight; L] = T::SCENE.lights;
-    const LIGHT_TABLES: [LightTable; L] = T::SCENE.light_tables;
-    const LIGHT_OCCLUDERS: [LightOccluders<S, C>; L] = T::SCENE.light_occluders;
-    // An array's length cannot come from the scene, so there is one of each size.
-    const MIRROR_TABLES_1: [MirrorTable; 1] = MirrorTables::tables(&T::PARTS);
-    const MIRROR_TABLES_2: [MirrorTable; 2] = MirrorTables::tables(&T::PARTS);
-    const MIRROR_TABLES_3: [MirrorTable; 3] = MirrorTables::tables(&T::PARTS);
-    const MIRROR_TABLES_4: [MirrorTable; 4] = MirrorTables::tables(&T::PARTS);
-    const MIRROR_TABLES_6: [MirrorTable; 6] = MirrorTables::tables(&T::PARTS);
-    const MIRROR_TABLES_8: [MirrorTable; 8] = MirrorTables::tables(&T::PARTS);
-    const MIRROR_TABLES_12: [MirrorTable; 12] = MirrorTables::tables(&T::PARTS);
-    const MIRROR_TABLES_16: [MirrorTable; 16] = MirrorTables::tables(&T::PARTS);
-    const MATERIALS: [PreparedMaterial; M] = T::SCENE.materials;
-    const GRID: Grid = T::SCENE.grid;
+macro_rules! apart {
+    (
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
+    ) => {
+        #[allow(private_interfaces)]
+        impl<T, $($header)*> Apart for T
+        where
+            T: StaticScene<Scene = SceneIn<Room<$($arguments)*>>>,
+        {
+            const NEEDS: Needs = T::SCENE.plain.constant_parts().needs();
+
+            const PARTS: Parts<'static> = Parts {
+                $($list: used(&Copied::<T>::$lists, T::SCENE.plain.counts.$list),)*
+                planes: used(&Copied::<T>::PLANES, T::SCENE.plain.counts.planes),
+                lights: used(&Copied::<T>::LIGHTS, T::SCENE.plain.counts.lights),
+                materials: used(&Copied::<T>::MATERIALS, T::SCENE.plain.counts.materials),
+                grid: &Copied::<T>::GRID,
+                ..T::SCENE.plain.values()
+            };
+
+            const LIGHT_OCCLUDERS: &'static [LightOccluders<Room<$($arguments)*>>] =
+                used(&Copied::<T>::LIGHT_OCCLUDERS, T::SCENE.plain.counts.lights);
+
+            const LIGHT_TABLES: &'static [LightTable] =
+                used(&Copied::<T>::LIGHT_TABLES, T::SCENE.plain.counts.lights);
+
+            const MIRROR_TABLES: &'static MirrorTables = &mirror_tables::<T>();
+        }
+
+        #[allow(non_upper_case_globals, reason = "a constant has the name of its list")]
+        impl<T, $($header)*> Copied<T>
+        where
+            T: StaticScene<Scene = SceneIn<Room<$($arguments)*>>>,
+        {
+            $(const $lists: [crate::shape::$prepared; $room] = T::SCENE.plain.$list;)*
+            const PLANES: [PreparedPlane; P] = T::SCENE.plain.planes;
+            const LIGHTS: [PreparedLight; L] = T::SCENE.plain.lights;
+            const MATERIALS: [PreparedMaterial; M] = T::SCENE.plain.materials;
+            const GRID: Grid = T::SCENE.plain.grid;
+            const LIGHT_TABLES: [LightTable; L] = T::SCENE.light_tables;
+            const LIGHT_OCCLUDERS: [LightOccluders<Room<$($arguments)*>>; L] =
+                T::SCENE.light_occluders;
+        }
+    };
+}
+kinds!(apart);
+
+/// A list of mirror tables of each size: an array's length cannot come from the scene.
+struct Tables<T, const N: usize>(PhantomData<T>);
+
+impl<T: Apart, const N: usize> Tables<T, N> {
+    const OF_SCENE: [MirrorTable; N] = MirrorTables::tables(&T::PARTS);
+}
+
+/// The mirror tables of a scene.
+const fn mirror_tables<T: Apart>() -> MirrorTables {
+    let (numbers, room) = MirrorTables::numbered(&T::PARTS);
+    let tables: &[MirrorTable] = match room {
+        0 => &[],
+        1 => &Tables::<T, 1>::OF_SCENE,
+        2 => &Tables::<T, 2>::OF_SCENE,
+        3 => &Tables::<T, 3>::OF_SCENE,
+        4 => &Tables::<T, 4>::OF_SCENE,
+        6 => &Tables::<T, 6>::OF_SCENE,
+        8 => &Tables::<T, 8>::OF_SCENE,
+        12 => &Tables::<T, 12>::OF_SCENE,
+        _ => &Tables::<T, 16>::OF_SCENE,
+    };
+    MirrorTables { numbers, tables }
 }
 
 /// The scene of a [`StaticScene`] as the kernels read it; takes no room.
@@ -162,11 +166,10 @@ impl<T: Apart> SceneAccess for Static<T> {
 
 #[allow(private_interfaces)]
 impl<T: Apart> World for Static<T> {
-    type LightOccluders = <T::Scene as World>::LightOccluders;
-    type ScreenBounds = <T::Scene as World>::ScreenBounds;
+    type Room = <T::Scene as World>::Room;
 
     #[inline(always)]
-    fn light_occluders(&self) -> &[Self::LightOccluders] {
+    fn light_occluders(&self) -> &[LightOccluders<Self::Room>] {
         T::LIGHT_OCCLUDERS
     }
 

@@ -3,9 +3,10 @@
 use core::marker::PhantomData;
 
 use super::World;
+use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::MirrorTables;
-use crate::scene::access::SceneAccess;
+use crate::scene::access::{SceneAccess, if_needed};
 use crate::scene::{Bound, Needs, Parts};
 
 /// A scene of which no more is needed than `B` says; see [`crate::Scene::frame_within`].
@@ -38,21 +39,8 @@ impl<W: SceneAccess, B: Bound> SceneAccess for Within<W, B> {
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
-        let parts = self.world.parts();
-        // What is not needed is not there, and the compiler sees it.
-        Parts {
-            spheres: if_needed(B::NEEDS.spheres, parts.spheres),
-            planes: if_needed(B::NEEDS.planes, parts.planes),
-            cylinders: if_needed(B::NEEDS.cylinders, parts.cylinders),
-            lights: if_needed(B::NEEDS.lights, parts.lights),
-            ..parts
-        }
+        self.world.parts().within(&B::NEEDS)
     }
-}
-
-#[inline(always)]
-const fn if_needed<T>(is_needed: bool, items: &[T]) -> &[T] {
-    if is_needed { items } else { &[] }
 }
 
 /// A scene with everything linked that any scene needs; see [`crate::Frame::whole`].
@@ -72,11 +60,10 @@ impl<W: SceneAccess> SceneAccess for Whole<W> {
 /// Passes on what another scene has.
 macro_rules! passed_on {
     ($world:tt; $lights:expr) => {
-        type LightOccluders = W::LightOccluders;
-        type ScreenBounds = W::ScreenBounds;
+        type Room = W::Room;
 
         #[inline(always)]
-        fn light_occluders(&self) -> &[Self::LightOccluders] {
+        fn light_occluders(&self) -> &[LightOccluders<W::Room>] {
             if_needed($lights, self.$world.light_occluders())
         }
 

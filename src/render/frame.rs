@@ -3,10 +3,10 @@
 use core::marker::PhantomData;
 
 use super::Picture;
-use crate::accel::{Apart, Static, Whole, Within, World};
+use crate::accel::{Apart, SceneIn, Static, Whole, Within, World};
 use crate::camera::Camera;
 use crate::quality::{Fast, Quality};
-use crate::scene::{Bound, Excess, MostReflections, Scene};
+use crate::scene::{Bound, Capacity, Excess, MostReflections};
 use crate::shade::{BlinnPhong, Shading};
 
 /// A view of a scene that is still to be drawn: which camera, how many reflections, how exact.
@@ -103,9 +103,7 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     }
 }
 
-impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
-    Scene<S, P, C, L, M>
-{
+impl<R: Capacity> SceneIn<R> {
     /// A view of this scene through `camera`, with 4 reflections, [`Fast`], [`BlinnPhong`].
     pub const fn frame<'a>(&'a self, camera: &'a Camera) -> Frame<'a, &'a Self> {
         Frame::new(self, camera)
@@ -135,7 +133,7 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     ///
     /// # Errors
     /// What the scene needs beyond the bound.
-    pub const fn frame_within<'a, B: Bound>(
+    pub fn frame_within<'a, B: Bound>(
         &'a self,
         camera: &'a Camera,
     ) -> Result<Frame<'a, Within<&'a Self, B>>, Excess> {

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::{Colors, Report};
 use crate::accel::World;
 use crate::accel::light_visibility::LightVisibility;
-use crate::accel::screen_bounds::Bounds;
+use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
 use crate::camera::{Camera, RayGenerator};
 use crate::color::Sum;
@@ -25,7 +25,7 @@ pub struct Picture<W: World, Q = Fast, K = BlinnPhong> {
     generator: Option<RayGenerator>,
     view: LightVisibility,
     /// Nothing, where the camera is far away or flash is scarce.
-    bounds: Option<W::ScreenBounds>,
+    bounds: Option<ScreenBounds<W::Room>>,
     width: u32,
     height: u32,
     reflections: u8,
@@ -73,7 +73,7 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
             false => LightVisibility::new(world, from),
         };
         if !is_plain && from.is_near() {
-            let bounds = picture.bounds.insert(W::ScreenBounds::ALL);
+            let bounds = picture.bounds.insert(ScreenBounds::all());
             bounds.look(world, &camera.screen_axes(&generator, from.point));
         }
         picture.generator = Some(generator);

@@ -1,6 +1,9 @@
 //! What the kernels read of a scene, wherever it lives, and how they name its shapes.
 
+use super::capacity::{Capacity, Counts, Room};
 use super::needs::Needs;
+use super::prepare::PlainScene;
+use super::used;
 use crate::color::Color;
 use crate::grid::Grid;
 use crate::light::PreparedLight;
@@ -9,32 +12,159 @@ use crate::number::{Brightness, Length, Unit, to_u32, unit_product};
 use crate::ray::spread;
 use crate::shape::MaterialId;
 use crate::shape::bounded::Bounded;
-use crate::shape::cylinder::PreparedCylinder;
 use crate::shape::plane::PreparedPlane;
-use crate::shape::sphere::PreparedSphere;
 use crate::vector::{Direction, Point};
 
-/// How many kinds of bounded shapes there are.
-pub(crate) const KINDS: usize = 2;
+macro_rules! parts {
+    (
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
+    ) => {
+        /// How many kinds of bounded shapes there are.
+        pub(crate) const KINDS: usize = [$(stringify!($list)),*].len();
 
-/// What the kernels read from a scene.
-#[derive(Clone, Copy, Debug)]
-pub struct Parts<'a> {
-    pub(crate) spheres: &'a [PreparedSphere],
-    pub(crate) planes: &'a [PreparedPlane],
-    pub(crate) cylinders: &'a [PreparedCylinder],
-    pub(crate) lights: &'a [PreparedLight],
-    pub(crate) materials: &'a [PreparedMaterial],
-    pub(crate) background: Color,
-    /// The largest component of any colour that a path can meet, [`Color::in_levels`]; rounded up.
-    pub(crate) brightest: Brightness,
-    /// One over the brightest, rounded down to 8 leading bits, and at most 1.
-    pub(crate) dimness: Unit,
-    /// Offset along the normal where rays that leave a surface start: at least 2 steps.
-    pub(crate) epsilon: Length,
-    /// The same inside of a sphere or cylinder: at least 8 steps, or 16 in a scene with cylinders.
-    pub(crate) inner_epsilon: Length,
-    pub(crate) grid: &'a Grid,
+        /// What the kernels read from a scene.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Parts<'a> {
+            $(pub(crate) $list: &'a [crate::shape::$prepared],)*
+            pub(crate) planes: &'a [PreparedPlane],
+            pub(crate) lights: &'a [PreparedLight],
+            pub(crate) materials: &'a [PreparedMaterial],
+            pub(crate) background: Color,
+            /// The largest component of any colour that a path can meet, [`Color::in_levels`]; rounded up.
+            pub(crate) brightest: Brightness,
+            /// One over the brightest, rounded down to 8 leading bits, and at most 1.
+            pub(crate) dimness: Unit,
+            /// Offset along the normal where rays that leave a surface start: at least 2 steps.
+            pub(crate) epsilon: Length,
+            /// The same inside of a bounded shape: at least 8 steps, or 16 in a scene with cylinders.
+            pub(crate) inner_epsilon: Length,
+            pub(crate) grid: &'a Grid,
+        }
+
+        impl<'a> Parts<'a> {
+            /// How many shapes of each bounded kind there are, in the order of the kinds.
+            #[inline(always)]
+            pub(crate) const fn lengths(&self) -> [usize; KINDS] {
+                [$(self.$list.len()),*]
+            }
+
+            pub(crate) const fn counts(&self) -> Counts {
+                Counts {
+                    $($list: self.$list.len(),)*
+                    planes: self.planes.len(),
+                    lights: self.lights.len(),
+                    materials: self.materials.len(),
+                }
+            }
+
+            /// How many bounded shapes there are.
+            #[inline(always)]
+            pub(crate) const fn bounded(&self) -> usize {
+                0 $(+ self.$list.len())*
+            }
+
+            /// Whether there are bounded shapes.
+            #[inline(always)]
+            pub(crate) fn has_bounded(&self) -> bool {
+                $(!self.$list.is_empty())||*
+            }
+
+            /// The ball around the bounded shape with a number, and its material, if there is one.
+            pub(crate) const fn ball(&self, number: usize) -> Option<((Point, i32), MaterialId)> {
+                $(
+                    if number < self.$list.len() {
+                        let shape = &self.$list[number];
+                        return Some((shape.ball(), shape.material));
+                    }
+                    let number = number - self.$list.len();
+                )*
+                let _ = number;
+                None
+            }
+
+            /// The outward normal of a shape at a near point of it, and its material.
+            #[inline(always)]
+            pub(super) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
+                let index = shape.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        return Some((shape.normal(at), shape.material()));
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let plane = self.planes.get(index)?;
+                Some((plane.normal, plane.material))
+            }
+
+            /// Whether a near point lies inside of a shape that rays from there do not leave.
+            pub(crate) fn hold(&self, point: Point) -> bool {
+                $(self.$list.iter().any(|shape| shape.holds(point)))||*
+            }
+
+            /// The same parts without what `needs` leaves out.
+            #[inline(always)]
+            pub(crate) const fn within(self, needs: &Needs) -> Self {
+                Self {
+                    $($list: if_needed(needs.$list, self.$list),)*
+                    planes: if_needed(needs.planes, self.planes),
+                    lights: if_needed(needs.lights, self.lights),
+                    ..self
+                }
+            }
+        }
+
+        impl<$($header)*> PlainScene<Room<$($arguments)*>> {
+            /// Its parts, for constants.
+            pub(crate) const fn constant_parts(&self) -> Parts<'_> {
+                Parts {
+                    $($list: used(&self.$list, self.counts.$list),)*
+                    planes: used(&self.planes, self.counts.planes),
+                    lights: used(&self.lights, self.counts.lights),
+                    materials: used(&self.materials, self.counts.materials),
+                    ..self.values()
+                }
+            }
+        }
+
+        impl<R: Capacity> PlainScene<R> {
+            /// Its parts.
+            #[inline(always)]
+            pub(crate) fn parts(&self) -> Parts<'_> {
+                Parts {
+                    $($list: used(self.$list.as_ref(), self.counts.$list),)*
+                    planes: used(self.planes.as_ref(), self.counts.planes),
+                    lights: used(self.lights.as_ref(), self.counts.lights),
+                    materials: used(self.materials.as_ref(), self.counts.materials),
+                    ..self.values()
+                }
+            }
+
+            /// What is no list.
+            #[inline(always)]
+            pub(crate) const fn values(&self) -> Parts<'_> {
+                Parts {
+                    $($list: &[],)*
+                    planes: &[],
+                    lights: &[],
+                    materials: &[],
+                    background: self.background,
+                    brightest: self.brightest,
+                    dimness: self.dimness,
+                    epsilon: self.epsilon,
+                    inner_epsilon: self.inner_epsilon,
+                    grid: &self.grid,
+                }
+            }
+        }
+    };
+}
+kinds!(parts);
+
+/// Nothing of what is not needed, and the compiler sees it.
+#[inline(always)]
+pub(crate) const fn if_needed<T>(is_needed: bool, items: &[T]) -> &[T] {
+    if is_needed { items } else { &[] }
 }
 
 impl<'a> Parts<'a> {
@@ -58,36 +188,6 @@ impl<'a> Parts<'a> {
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
         !self.has_bounded() && self.planes.is_empty()
-    }
-
-    /// Whether there are spheres or cylinders.
-    #[inline(always)]
-    pub(crate) fn has_bounded(&self) -> bool {
-        !(self.spheres.is_empty() && self.cylinders.is_empty())
-    }
-
-    /// How many bounded shapes there are.
-    pub(crate) const fn count_bounded(&self) -> usize {
-        self.spheres.len() + self.cylinders.len()
-    }
-
-    /// The material of the bounded shape that stands there among them, if there is one.
-    pub(crate) const fn material_of(&self, index: usize) -> Option<MaterialId> {
-        let mut first = 0;
-        if index - first < self.spheres.len() {
-            return Some(self.spheres[index - first].material);
-        }
-        first += self.spheres.len();
-        if index - first < self.cylinders.len() {
-            return Some(self.cylinders[index - first].material);
-        }
-        None
-    }
-
-    /// How many shapes of each bounded kind there are.
-    #[inline(always)]
-    pub(crate) const fn lengths(&self) -> [usize; KINDS] {
-        [self.spheres.len(), self.cylinders.len()]
     }
 }
 
@@ -153,7 +253,7 @@ impl Parts<'_> {
     /// The number that the planes begin with.
     #[inline(always)]
     pub(super) fn first_plane(&self) -> u32 {
-        to_u32(self.spheres.len() + self.cylinders.len())
+        to_u32(self.bounded())
     }
 
     /// Whether a shape is a plane.
@@ -164,22 +264,6 @@ impl Parts<'_> {
 }
 
 impl<'a> Parts<'a> {
-    /// The outward normal of a shape at a near point of it, and its material.
-    #[inline(always)]
-    pub(super) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
-        let index = shape.index();
-        if let Some(sphere) = self.spheres.get(index) {
-            return Some((sphere.normal(at), sphere.material()));
-        }
-        let index = index - self.spheres.len();
-        if let Some(cylinder) = self.cylinders.get(index) {
-            return Some((cylinder.normal(at), cylinder.material()));
-        }
-        let index = index - self.cylinders.len();
-        let plane = self.planes.get(index)?;
-        Some((plane.normal, plane.material))
-    }
-
     /// The plane with a number, if it is one.
     #[inline(always)]
     pub(crate) fn plane(&self, shape: ShapeId) -> Option<&'a PreparedPlane> {

@@ -1,144 +1,25 @@
 //! Scenes written in plain numbers and built by the compiler.
 
-use super::{Counts, Description, EPSILON, Scene, prepare};
+use super::capacity::{Capacity, Room};
+use super::description::{Described, Description};
+use super::prepare;
 use crate::camera::Camera;
 use crate::fault::Fault;
 use crate::light::Light;
 use crate::material::Material;
-use crate::number::{Number, to_u16, to_u32};
-use crate::shape::MaterialId;
-use crate::shape::cylinder::Cylinder;
+use crate::number::Number;
 use crate::shape::plane::Plane;
-use crate::shape::sphere::Sphere;
 use crate::vector::Position;
 
-/// The description of a scene with room for `S` spheres, `P` planes, `C` cylinders, `L` lights and
-/// `M` different materials, for constants.
-///
-/// Every method checks what it is given and panics with words that name the field and the fix;
-/// in a constant that stops the compiler. For scenes that are filled while the program runs there
-/// is [`crate::RuntimeScene`], which returns errors.
-///
-/// ```compile_fail
-/// use reflet::{Material, Scene};
-/// const SCENE: Scene<1, 0, 0, 0> =
-///     Scene::builder().sphere([0.0; 3], -1.0, Material::new([1.0; 3])).build();
-/// ```
+/// A [`SceneBuilder`] with the room of its scene as one type.
 #[derive(Clone, Copy, Debug)]
-pub struct SceneBuilder<
-    const S: usize,
-    const P: usize,
-    const C: usize,
-    const L: usize,
-    const M: usize = 8,
-> {
-    spheres: [Sphere; S],
-    planes: [Plane; P],
-    cylinders: [Cylinder; C],
-    lights: [Light; L],
-    materials: [Material; M],
-    counts: Counts,
-    background: [Number; 3],
-    epsilon: Number,
-    camera: Option<Camera>,
-}
+pub struct SceneBuilderIn<R: Capacity>(Described<R>);
 
-impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
-    SceneBuilder<S, P, C, L, M>
-{
-    /// An empty scene with a black background and an epsilon of 0.001.
-    pub const fn new() -> Self {
-        const { assert!(M <= 1 << 16, "a scene has 65536 materials at most") };
-        Self {
-            spheres: [Sphere::NONE; S],
-            planes: [Plane::NONE; P],
-            cylinders: [Cylinder::NONE; C],
-            lights: [Light::NONE; L],
-            materials: [Material::new([0.0; 3]); M],
-            counts: Counts {
-                spheres: 0,
-                planes: 0,
-                cylinders: 0,
-                lights: 0,
-                materials: 0,
-            },
-            background: [Number::ZERO; 3],
-            epsilon: Number::new(EPSILON),
-            camera: None,
-        }
-    }
-
-    /// Adds a sphere with a radius greater than 0.
-    pub const fn sphere(mut self, center: [f64; 3], radius: f64, material: Material) -> Self {
-        refuse_when(self.counts.spheres == S, Fault::TooManySpheres);
-        let material = self.id_of(material);
-        let sphere = Sphere {
-            center: Position::new(center),
-            radius: Number::new(radius),
-            material,
-        };
-        Fault::refuse(prepare::sphere_fault(&sphere));
-        self.spheres[self.counts.spheres] = sphere;
-        self.counts.spheres += 1;
-        self
-    }
-
-    /// Adds an infinite plane through `point`; the normal may have any length but 0.
-    pub const fn plane(mut self, point: [f64; 3], normal: [f64; 3], material: Material) -> Self {
-        refuse_when(self.counts.planes == P, Fault::TooManyPlanes);
-        let material = self.id_of(material);
-        let plane = Plane {
-            point: Position::new(point),
-            normal: Position::new(normal),
-            material,
-        };
-        Fault::refuse(prepare::plane_fault(&plane));
-        self.planes[self.counts.planes] = plane;
-        self.counts.planes += 1;
-        self
-    }
-
-    /// Adds an open cylinder around its `center`; the axis may have any length but 0, radius and
-    /// height are greater than 0.
-    pub const fn cylinder(
-        mut self,
-        center: [f64; 3],
-        axis: [f64; 3],
-        radius: f64,
-        height: f64,
-        material: Material,
-    ) -> Self {
-        refuse_when(self.counts.cylinders == C, Fault::TooManyCylinders);
-        let cylinder = Cylinder {
-            center: Position::new(center),
-            axis: Position::new(axis),
-            radius: Number::new(radius),
-            height: Number::new(height),
-            material: self.id_of(material),
-        };
-        Fault::refuse(prepare::cylinder_fault(&cylinder));
-        self.cylinders[self.counts.cylinders] = cylinder;
-        self.counts.cylinders += 1;
-        self
-    }
-
-    /// Adds a point light; colour components are 0 to 16.
-    pub const fn light(mut self, position: [f64; 3], color: [f64; 3]) -> Self {
-        refuse_when(self.counts.lights == L, Fault::TooManyLights);
-        let light = Light {
-            position: Position::new(position),
-            color: numbers(color),
-        };
-        Fault::refuse(prepare::light_fault(&light));
-        self.lights[self.counts.lights] = light;
-        self.counts.lights += 1;
-        self
-    }
-
+impl<R: Capacity> SceneBuilderIn<R> {
     /// What a ray that meets nothing adds, 0 to 16 a component; black unless it is named.
     pub const fn background(mut self, color: [f64; 3]) -> Self {
-        self.background = numbers(color);
-        Fault::refuse(prepare::background_fault(self.background));
+        self.0.background = numbers(color);
+        Fault::refuse(prepare::background_fault(self.0.background));
         self
     }
 
@@ -159,72 +40,114 @@ impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: us
     /// reflections do not reach the place where two shapes touch. It should be small beside the smallest
     /// shape and the smallest gap.
     pub const fn epsilon(mut self, epsilon: f64) -> Self {
-        self.epsilon = Number::new(epsilon);
-        Fault::refuse(prepare::epsilon_fault(self.epsilon));
+        self.0.epsilon = Number::new(epsilon);
+        Fault::refuse(prepare::epsilon_fault(self.0.epsilon));
         self
     }
 
     /// The camera the scene is meant to be seen with first. The binary point is chosen so that it
     /// has its place beside the shapes; any other camera can be used as well.
     pub const fn camera(mut self, camera: Camera) -> Self {
-        self.camera = Some(camera);
+        self.0.camera = Some(camera);
         self
     }
+}
 
-    /// The description so far.
-    pub const fn description(&self) -> Description<'_> {
-        Description {
-            spheres: self.spheres.split_at(self.counts.spheres).0,
-            planes: self.planes.split_at(self.counts.planes).0,
-            cylinders: self.cylinders.split_at(self.counts.cylinders).0,
-            lights: self.lights.split_at(self.counts.lights).0,
-            materials: self.materials.split_at(self.counts.materials).0,
-            background: self.background,
-            epsilon: self.epsilon,
-            camera: self.camera,
-        }
-    }
+/// What a constant is written with in place of a description's type.
+macro_rules! plain {
+    (Position) => {
+        [f64; 3]
+    };
+    (Number) => {
+        f64
+    };
+}
 
-    /// Chooses the binary point and prepares the scene for the kernels.
-    pub const fn build(&self) -> Scene<S, P, C, L, M> {
-        match Scene::prepare(&self.description()) {
-            Ok(scene) => scene,
-            Err(error) => panic!("{}", error.fault().words()),
-        }
-    }
+macro_rules! builder {
+    (
+        { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
+            $nth:literal $too_many:ident $without:ident
+            $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*) })*
+    ) => {
+        /// The description of a scene with room for `S` spheres, `P` planes, `C` cylinders, `L` lights and
+        /// `M` different materials, for constants.
+        ///
+        /// Every method checks what it is given and panics with words that name the field and the fix;
+        /// in a constant that stops the compiler. For scenes that are filled while the program runs there
+        /// is [`crate::RuntimeScene`], which returns errors.
+        ///
+        /// ```compile_fail
+        /// use reflet::{Material, Scene};
+        /// const SCENE: Scene<1, 0, 0, 0> =
+        ///     Scene::builder().sphere([0.0; 3], -1.0, Material::new([1.0; 3])).build();
+        /// ```
+        pub type SceneBuilder<$($declaration)*> = SceneBuilderIn<Room<$($arguments)*>>;
 
-    /// The number of a material, which is kept once however often it is used.
-    const fn id_of(&mut self, material: Material) -> MaterialId {
-        let mut index = 0;
-        while index < self.counts.materials {
-            if self.materials[index].same(&material) {
-                return MaterialId(to_u16(to_u32(index)));
+        impl<$($header)*> SceneBuilderIn<Room<$($arguments)*>> {
+            /// An empty scene with a black background and an epsilon of 0.001.
+            pub const fn new() -> Self {
+                Self(Described::new())
             }
-            index += 1;
-        }
-        refuse_when(index == M, Fault::TooManyMaterials);
-        self.materials[index] = material;
-        self.counts.materials += 1;
-        MaterialId(to_u16(to_u32(index)))
-    }
-}
 
-impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize> Default
-    for SceneBuilder<S, P, C, L, M>
-{
-    fn default() -> Self {
-        Self::new()
-    }
+            $(
+                $(#[$doc])*
+                pub const fn $kind(mut self, $($field: plain!($type),)* material: Material) -> Self {
+                    self.0.$list.refuse_more(Fault::$too_many);
+                    let material = self.0.materials.id_of(material);
+                    let $kind = crate::shape::$described {
+                        $($field: $type::new($field),)*
+                        material,
+                    };
+                    Fault::refuse($kind.fault());
+                    self.0.$list.push($kind);
+                    self
+                }
+            )*
+
+            /// Adds an infinite plane through `point`; the normal may have any length but 0.
+            pub const fn plane(mut self, point: [f64; 3], normal: [f64; 3], material: Material) -> Self {
+                self.0.planes.refuse_more(Fault::TooManyPlanes);
+                let plane = Plane {
+                    point: Position::new(point),
+                    normal: Position::new(normal),
+                    material: self.0.materials.id_of(material),
+                };
+                Fault::refuse(plane.fault());
+                self.0.planes.push(plane);
+                self
+            }
+
+            /// Adds a point light; colour components are 0 to 16.
+            pub const fn light(mut self, position: [f64; 3], color: [f64; 3]) -> Self {
+                self.0.lights.refuse_more(Fault::TooManyLights);
+                let light = Light {
+                    position: Position::new(position),
+                    color: numbers(color),
+                };
+                Fault::refuse(light.fault());
+                self.0.lights.push(light);
+                self
+            }
+
+            /// The description so far.
+            pub const fn description(&self) -> Description<'_> {
+                self.0.description()
+            }
+
+        }
+
+        impl<$($header)*> Default for SceneBuilderIn<Room<$($arguments)*>> {
+            fn default() -> Self {
+                Self::new()
+            }
+        }
+    };
 }
+kinds!(builder);
 
 const fn numbers([red, green, blue]: [f64; 3]) -> [Number; 3] {
     [Number::new(red), Number::new(green), Number::new(blue)]
-}
-
-const fn refuse_when(wrong: bool, fault: Fault) {
-    if wrong {
-        Fault::refuse(Some(fault));
-    }
 }
 
 #[cfg(test)]

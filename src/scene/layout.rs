@@ -5,7 +5,6 @@ use super::Description;
 use crate::fault::Fault;
 use crate::grid::Grid;
 use crate::number::{Number, unsigned, unsigned_128};
-use crate::shape::cylinder::Cylinder;
 use crate::shape::plane::Plane;
 use crate::vector::Position;
 
@@ -86,76 +85,30 @@ const fn distance(from: Position, to: Position) -> u128 {
     }
 }
 
-/// Half the size of a cylinder, at least: radius + height / 2.
-const fn cylinder_size(cylinder: &Cylinder) -> i128 {
-    cylinder.radius.to_bits() + cylinder.height.to_bits() / 2
-}
-
 /// Puts the middle of the scene in the middle of its shapes, and chooses the finest step that
 /// holds them and what stands near them.
 pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
     let middle = middle_of(scene);
-    let mut radius = 0;
-    let mut index = 0;
-    while index < scene.spheres.len() {
-        let sphere = &scene.spheres[index];
-        let far_side = distance(middle, sphere.center) + unsigned_128(sphere.radius.to_bits());
-        radius = larger(radius, far_side);
-        index += 1;
-    }
-    index = 0;
-    while index < scene.cylinders.len() {
-        let cylinder = &scene.cylinders[index];
-        let far_side = distance(middle, cylinder.center) + unsigned_128(cylinder_size(cylinder));
-        radius = larger(radius, far_side);
-        index += 1;
-    }
-    let is_bounded = !(scene.spheres.is_empty() && scene.cylinders.is_empty());
-    let shapes = if is_bounded {
-        radius
-    } else {
-        nearest_plane(middle, scene.planes)
+    let is_bounded = scene.extent(0).is_some();
+    let shapes = match is_bounded {
+        true => radius_around(middle, scene),
+        false => nearest_plane(middle, scene.planes),
     };
-    radius = shapes;
     let room = room_of(scene);
     let furthest = smaller(COMPANIONS * shapes, larger(shapes, room));
-    index = 0;
-    while index < scene.lights.len() {
-        radius = accompanied(
-            radius,
-            furthest,
-            distance(middle, scene.lights[index].position),
-        );
-        index += 1;
-    }
-    if let Some(camera) = scene.camera {
-        radius = accompanied(
-            radius,
-            furthest,
-            distance(middle, camera.description().position),
-        );
-    }
-    index = 0;
-    while index < scene.planes.len() {
-        let away = distance_to_plane(middle, &scene.planes[index]);
-        radius = accompanied(radius, furthest, away);
-        index += 1;
-    }
+    let mut radius = with_companions(scene, middle, shapes, furthest);
     if radius == 0 {
         radius = 1 << 64;
     }
     if !is_bounded {
         // Nothing but the camera's place tells its size: epsilon is small beside it.
-        radius = larger(
-            radius,
-            unsigned_128(scene.epsilon.to_bits()) * LEAST_EPSILONS,
-        );
+        let epsilon = unsigned_128(scene.epsilon.to_bits());
+        radius = larger(radius, epsilon * LEAST_EPSILONS);
     }
     if !scene.planes.is_empty() {
-        let expanse = if is_bounded {
-            EXPANSE
-        } else {
-            EXPANSE_OF_PLANES
+        let expanse = match is_bounded {
+            true => EXPANSE,
+            false => EXPANSE_OF_PLANES,
         };
         radius = larger(radius, smaller(radius * expanse, room));
     }
@@ -166,23 +119,51 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> 
     }
 }
 
+/// The radius of a ball around `middle` that holds the bounded shapes.
+const fn radius_around(middle: Position, scene: &Description<'_>) -> u128 {
+    let mut radius = 0;
+    let mut index = 0;
+    while let Some(extent) = scene.extent(index) {
+        let far_side = distance(middle, extent.center) + unsigned_128(extent.radius.to_bits());
+        radius = larger(radius, far_side);
+        index += 1;
+    }
+    radius
+}
+
+/// `radius` enlarged for the lights, the camera and the planes, as far as [`accompanied`] allows.
+const fn with_companions(
+    scene: &Description<'_>,
+    middle: Position,
+    mut radius: u128,
+    furthest: u128,
+) -> u128 {
+    let mut index = 0;
+    while index < scene.lights.len() {
+        let away = distance(middle, scene.lights[index].position);
+        radius = accompanied(radius, furthest, away);
+        index += 1;
+    }
+    if let Some(camera) = scene.camera {
+        let away = distance(middle, camera.description().position);
+        radius = accompanied(radius, furthest, away);
+    }
+    index = 0;
+    while index < scene.planes.len() {
+        let away = distance_to_plane(middle, &scene.planes[index]);
+        radius = accompanied(radius, furthest, away);
+        index += 1;
+    }
+    radius
+}
+
 /// The radius of the largest ball in which the smallest shape and epsilon have the steps that are
 /// wanted.
 const fn room_of(scene: &Description<'_>) -> u128 {
     let mut room = unsigned_128(scene.epsilon.to_bits()) << (28 - FINE_EPSILON);
     let mut index = 0;
-    while index < scene.spheres.len() {
-        let radius = unsigned_128(scene.spheres[index].radius.to_bits());
-        room = smaller(room, radius << (28 - FINE));
-        index += 1;
-    }
-    index = 0;
-    while index < scene.cylinders.len() {
-        let Cylinder { radius, height, .. } = scene.cylinders[index];
-        let size = smaller(
-            unsigned_128(radius.to_bits()),
-            unsigned_128(height.to_bits()) / 2,
-        );
+    while let Some(extent) = scene.extent(index) {
+        let size = unsigned_128(extent.smallest.to_bits());
         room = smaller(room, size << (28 - FINE));
         index += 1;
     }
@@ -208,15 +189,8 @@ const fn nearest_plane(middle: Position, planes: &[Plane]) -> u128 {
 const fn middle_of(scene: &Description<'_>) -> Position {
     let mut bounds = Bounds::EMPTY;
     let mut index = 0;
-    while index < scene.spheres.len() {
-        let sphere = &scene.spheres[index];
-        bounds.add(sphere.center, sphere.radius.to_bits());
-        index += 1;
-    }
-    index = 0;
-    while index < scene.cylinders.len() {
-        let cylinder = &scene.cylinders[index];
-        bounds.add(cylinder.center, cylinder_size(cylinder));
+    while let Some(extent) = scene.extent(index) {
+        bounds.add(extent.center, extent.radius.to_bits());
         index += 1;
     }
     if !bounds.is_empty {

@@ -32,57 +32,61 @@ impl Hit {
     };
 }
 
-/// The nearest candidate further than `start` along a ray; the distance is from there. Skips the shape
-/// whose outside the ray leaves. Notes on which side of a shape the ray certainly passes.
-#[inline(never)]
-pub(crate) fn nearest_of<W: SceneAccess>(
-    world: &W,
-    candidates: &ShapeSet,
-    (ray, start): (&Ray, Length),
-    skip: ShapeId,
-    signature: &mut PathSignature,
-) -> Hit {
-    let mut nearest = Nearest::beyond(start);
-    let parts = world.parts();
-    let lengths = parts.lengths();
-    candidates.any(
-        W::CHOOSES_HITS,
-        (0, lengths),
-        parts.spheres,
-        |index, sphere| nearest.ask(sphere, ray, ShapeId::at(index), skip),
-    );
-    candidates.any(
-        W::CHOOSES_HITS,
-        (1, lengths),
-        parts.cylinders,
-        |index, cylinder| nearest.ask(cylinder, ray, ShapeId::at(lengths[0] + index), skip),
-    );
-    nearest.hit(signature)
-}
+macro_rules! questions {
+    (
+        $header:tt
+        $({ $list:ident $($more:tt)* })*
+    ) => {
+        /// The nearest candidate further than `start` along a ray; the distance is from there. Skips the
+        /// shape whose outside the ray leaves. Notes on which side of a shape the ray certainly passes.
+        #[inline(never)]
+        pub(crate) fn nearest_of<W: SceneAccess>(
+            world: &W,
+            candidates: &ShapeSet,
+            (ray, start): (&Ray, Length),
+            skip: ShapeId,
+            signature: &mut PathSignature,
+        ) -> Hit {
+            let mut nearest = Nearest::beyond(start);
+            let parts = world.parts();
+            let lengths = parts.lengths();
+            let (kind, first) = (0, 0);
+            $(
+                candidates.any(W::CHOOSES_HITS, (kind, lengths), parts.$list, |index, shape| {
+                    nearest.ask(shape, ray, ShapeId::at(first + index), skip)
+                });
+                let (kind, first) = (kind + 1, first + lengths[kind]);
+            )*
+            let _ = (kind, first);
+            nearest.hit(signature)
+        }
 
-/// Whether a ray hits a candidate before `reach`.
-#[inline(never)]
-pub(super) fn any_blocks<W: SceneAccess>(
-    world: &W,
-    candidates: &ShapeSet,
-    ray: &Ray,
-    skip: ShapeId,
-    reach: Length,
-) -> bool {
-    let parts = world.parts();
-    let lengths = parts.lengths();
-    candidates.any(
-        W::NEEDS.sets,
-        (0, lengths),
-        parts.spheres,
-        |index, sphere| ShapeId::at(index) != skip && sphere.blocks(ray, reach),
-    ) || candidates.any(
-        W::NEEDS.sets,
-        (1, lengths),
-        parts.cylinders,
-        |index, cylinder| ShapeId::at(lengths[0] + index) != skip && cylinder.blocks(ray, reach),
-    )
+        /// Whether a ray hits a candidate before `reach`. Skips the shape whose outside the ray leaves.
+        #[inline(never)]
+        pub(super) fn any_blocks<W: SceneAccess>(
+            world: &W,
+            candidates: &ShapeSet,
+            ray: &Ray,
+            skip: ShapeId,
+            reach: Length,
+        ) -> bool {
+            let parts = world.parts();
+            let lengths = parts.lengths();
+            let (kind, first) = (0, 0);
+            $(
+                if candidates.any(W::NEEDS.sets, (kind, lengths), parts.$list, |index, shape| {
+                    ShapeId::at(first + index) != skip && shape.blocks(ray, reach)
+                }) {
+                    return true;
+                }
+                let (kind, first) = (kind + 1, first + lengths[kind]);
+            )*
+            let _ = (kind, first);
+            false
+        }
+    };
 }
+kinds!(questions);
 
 /// The nearest of the shapes that a ray has been held against.
 pub(crate) struct Nearest {

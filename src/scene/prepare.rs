@@ -1,59 +1,20 @@
 //! Checks a description and lays it on its grid: integers only, by the compiler or at run time.
 
+use super::access::Parts;
 use super::brightness::{brightest, dimness};
+use super::capacity::{Capacity, Counts, Room};
 use super::layout::choose_grid;
-use super::{Counts, Description, Scene, SceneError, used};
-use crate::accel::light_occluders::LightOccluders;
-use crate::accel::light_table::LightTable;
+use super::{Description, SceneError, used};
+use crate::camera::Camera;
 use crate::color::Color;
 use crate::fault::Fault;
 use crate::grid::Grid;
 use crate::light::{Light, PreparedLight};
 use crate::material::{PreparedMaterial, is_color};
-use crate::number::{Brightness, Length, Number, Unit, narrowed_128, signed_wide};
-use crate::shape::cylinder::{Cylinder, PreparedCylinder};
-use crate::shape::plane::{Plane, PreparedPlane};
-use crate::shape::sphere::{PreparedSphere, Sphere};
-use crate::vector::{Point, Position};
-
-pub(super) const fn sphere_fault(sphere: &Sphere) -> Option<Fault> {
-    if !sphere.center.is_in_range() {
-        return Some(Fault::Coordinate);
-    }
-    size_fault(sphere.radius, Fault::Radius)
-}
-
-pub(super) const fn plane_fault(plane: &Plane) -> Option<Fault> {
-    if !(plane.point.is_in_range() && plane.normal.is_in_range()) {
-        Some(Fault::Coordinate)
-    } else if plane.normal.magnitude() == 0 {
-        Some(Fault::Normal)
-    } else {
-        None
-    }
-}
-
-pub(super) const fn cylinder_fault(cylinder: &Cylinder) -> Option<Fault> {
-    if !(cylinder.center.is_in_range() && cylinder.axis.is_in_range()) {
-        Some(Fault::Coordinate)
-    } else if cylinder.axis.magnitude() == 0 {
-        Some(Fault::Axis)
-    } else if let Some(fault) = size_fault(cylinder.radius, Fault::Radius) {
-        Some(fault)
-    } else {
-        size_fault(cylinder.height, Fault::Height)
-    }
-}
-
-pub(super) const fn light_fault(light: &Light) -> Option<Fault> {
-    if !light.position.is_in_range() {
-        Some(Fault::Coordinate)
-    } else if !is_color(light.color) {
-        Some(Fault::Color)
-    } else {
-        None
-    }
-}
+use crate::number::{Brightness, Length, Number, Unit, signed_wide};
+use crate::shape::plane::PreparedPlane;
+use crate::shape::size_fault;
+use crate::vector::Point;
 
 pub(super) const fn background_fault(color: [Number; 3]) -> Option<Fault> {
     if is_color(color) {
@@ -70,27 +31,8 @@ pub(super) const fn epsilon_fault(epsilon: Number) -> Option<Fault> {
     }
 }
 
-/// A size must be greater than 0 and within the range of a coordinate.
-const fn size_fault(size: Number, fault: Fault) -> Option<Fault> {
-    if size.to_bits() <= 0 {
-        Some(fault)
-    } else if !size.is_within(0, Position::MAX_COORDINATE) {
-        Some(Fault::Coordinate)
-    } else {
-        None
-    }
-}
-
-/// The smallest radius and half height a shape may have, in steps: its hits are known to about two,
-/// and so its normals to a 32nd.
-const SMALLEST: i32 = 64;
-
 /// The smallest epsilon, in steps: what lies in the same place as a surface is not met from it.
 const SMALLEST_EPSILON: i32 = 2;
-
-/// The same inside of a sphere, where the shape itself may be met next: a hit is within this of its
-/// surface. Inside of a cylinder, twice as much.
-const SMALLEST_INSIDE: i32 = 8;
 
 /// The most a material may shine in its scene, in Q6.26: below 32 with room for rounding.
 const BRIGHTEST: i64 = 30 << 26;
@@ -103,199 +45,166 @@ const fn at_least(length: Length, steps: i32) -> Length {
     }
 }
 
-impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
-    Scene<S, P, C, L, M>
-{
-    /// Prepares a description whose parts have been checked and fit.
-    pub(super) const fn prepare(scene: &Description<'_>) -> Result<Self, SceneError> {
-        let grid = match choose_grid(scene) {
-            Ok(grid) => grid,
-            Err(fault) => return Err(SceneError::Scene(fault)),
-        };
-        let epsilon = grid.length(scene.epsilon);
-        if epsilon.to_bits() >= crate::ray::BALL {
-            return Err(SceneError::Scene(Fault::Epsilon));
+macro_rules! prepare {
+    (
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
+    ) => {
+        /// A scene made ready for the plain kernels.
+        #[derive(Clone, Copy, Debug)]
+        pub struct PlainScene<R: Capacity> {
+            $(pub(crate) $list: R::$lists<crate::shape::$prepared>,)*
+            pub(crate) planes: R::Planes<PreparedPlane>,
+            pub(crate) lights: R::Lights<PreparedLight>,
+            pub(crate) materials: R::Materials<PreparedMaterial>,
+            pub(crate) counts: Counts,
+            pub(crate) background: Color,
+            pub(crate) brightest: Brightness,
+            pub(crate) dimness: Unit,
+            pub(crate) epsilon: Length,
+            pub(crate) inner_epsilon: Length,
+            pub(crate) grid: Grid,
+            pub(crate) camera: Option<Camera>,
         }
-        let inside = if scene.cylinders.is_empty() {
-            SMALLEST_INSIDE
-        } else {
-            2 * SMALLEST_INSIDE
-        };
-        let mut prepared = Self {
-            spheres: [PreparedSphere::NONE; S],
-            planes: [PreparedPlane::NONE; P],
-            cylinders: [PreparedCylinder::NONE; C],
-            lights: [PreparedLight::NONE; L],
-            light_tables: [LightTable::ALL; L],
-            light_occluders: [LightOccluders::NONE; L],
-            materials: [PreparedMaterial::NONE; M],
-            counts: Counts {
-                spheres: scene.spheres.len(),
-                planes: scene.planes.len(),
-                cylinders: scene.cylinders.len(),
-                lights: scene.lights.len(),
-                materials: scene.materials.len(),
-            },
-            background: Color::from_numbers(scene.background).in_levels(),
-            brightest: Brightness::ZERO,
-            dimness: Unit::ONE,
-            epsilon: at_least(epsilon, SMALLEST_EPSILON),
-            inner_epsilon: at_least(epsilon, inside),
-            grid,
-            camera: scene.camera,
-        };
-        // Constants know no iterators. The second bounds always hold; with them, nothing can panic.
-        let mut index = 0;
-        while index < scene.spheres.len() && index < S {
-            prepared.spheres[index] = match prepare_sphere(&scene.spheres[index], &grid) {
-                Some(sphere) => sphere,
-                None => return Err(SceneError::Sphere(index, Fault::Tiny)),
-            };
-            index += 1;
-        }
-        index = 0;
-        while index < scene.planes.len() && index < P {
-            prepared.planes[index] = match prepare_plane(&scene.planes[index], &grid) {
-                Some(plane) => plane,
-                None => return Err(SceneError::Plane(index, Fault::Normal)),
-            };
-            index += 1;
-        }
-        index = 0;
-        while index < scene.cylinders.len() && index < C {
-            prepared.cylinders[index] = match prepare_cylinder(&scene.cylinders[index], &grid) {
-                Some(cylinder) => cylinder,
-                None => return Err(SceneError::Cylinder(index, Fault::Tiny)),
-            };
-            index += 1;
-        }
-        prepared.note_what_touches();
-        index = 0;
-        while index < scene.lights.len() && index < L {
-            prepared.add_light(index, &scene.lights[index]);
-            index += 1;
-        }
-        index = 0;
-        while index < scene.materials.len() && index < M {
-            let material = PreparedMaterial::new(&scene.materials[index]);
-            if is_too_bright(&material, scene.lights) {
-                return Err(SceneError::Material(index, Fault::Brightness));
+
+        impl<$($header)*> PlainScene<Room<$($arguments)*>> {
+            /// Prepares a description whose parts have been checked and fit.
+            pub(crate) const fn prepare(scene: &Description<'_>) -> Result<Self, SceneError> {
+                let (grid, epsilon) = match laid(scene) {
+                    Ok(laid) => laid,
+                    Err(fault) => return Err(SceneError::Scene(fault)),
+                };
+                let mut prepared = Self {
+                    $($list: [crate::shape::$prepared::NONE; $room],)*
+                    planes: [PreparedPlane::NONE; P],
+                    lights: [PreparedLight::NONE; L],
+                    materials: [PreparedMaterial::NONE; M],
+                    counts: scene.counts(),
+                    background: Color::from_numbers(scene.background).in_levels(),
+                    brightest: Brightness::ZERO,
+                    dimness: Unit::ONE,
+                    epsilon: at_least(epsilon, SMALLEST_EPSILON),
+                    inner_epsilon: at_least(epsilon, scene.smallest_inside(SMALLEST_EPSILON)),
+                    grid,
+                    camera: scene.camera,
+                };
+                if let Err(error) = prepared.add_shapes(scene) {
+                    return Err(error);
+                }
+                prepared.note_what_touches();
+                let mut index = 0;
+                while index < scene.lights.len() && index < L {
+                    prepared.lights[index] = PreparedLight::new(&scene.lights[index], &grid);
+                    index += 1;
+                }
+                if let Err(error) = prepare_materials(&mut prepared.materials, scene) {
+                    return Err(error);
+                }
+                prepared.brightest = brightest(
+                    used(&prepared.materials, scene.materials.len()),
+                    used(&prepared.lights, scene.lights.len()),
+                    prepared.background,
+                );
+                prepared.dimness = dimness(prepared.brightest);
+                Ok(prepared)
             }
-            prepared.materials[index] = material;
-            index += 1;
-        }
-        prepared.brightest = brightest(
-            used(&prepared.materials, scene.materials.len()),
-            used(&prepared.lights, scene.lights.len()),
-            prepared.background,
-        );
-        prepared.dimness = dimness(prepared.brightest);
-        Ok(prepared)
-    }
 
-    /// Notes which spheres touch or cut another shape.
-    const fn note_what_touches(&mut self) {
-        let mut index = 0;
-        while index < self.counts.spheres && index < S {
-            let touches = self.touches_another(index);
-            self.spheres[index] = self.spheres[index].touching(touches);
-            index += 1;
-        }
-    }
-
-    /// Whether a sphere comes so near to another shape that epsilon may lift points into it. Of a
-    /// cylinder, the ball around it counts.
-    const fn touches_another(&self, index: usize) -> bool {
-        let (center, radius) = self.spheres[index].ball();
-        // Twice as far, and a few steps for rounding.
-        let reach = radius as i64 + 2 * self.inner_epsilon.to_bits() as i64 + 8;
-        let mut other = 0;
-        while other < self.counts.spheres && other < S {
-            if other != index && is_within(center, self.spheres[other].ball(), reach) {
-                return true;
+            const fn add_shapes(&mut self, scene: &Description<'_>) -> Result<(), SceneError> {
+                // Constants know no iterators. The second bounds always hold; with them, nothing can panic.
+                $(
+                    let mut index = 0;
+                    while index < scene.$list.len() && index < self.$list.len() {
+                        let $kind = &scene.$list[index];
+                        self.$list[index] = match crate::shape::$prepared::prepare($kind, &self.grid) {
+                            Ok($kind) => $kind,
+                            Err(fault) => return Err(SceneError::$described(index, fault)),
+                        };
+                        index += 1;
+                    }
+                )*
+                let mut index = 0;
+                while index < scene.planes.len() && index < P {
+                    self.planes[index] = match PreparedPlane::prepare(&scene.planes[index], &self.grid) {
+                        Ok(plane) => plane,
+                        Err(fault) => return Err(SceneError::Plane(index, fault)),
+                    };
+                    index += 1;
+                }
+                Ok(())
             }
-            other += 1;
-        }
-        other = 0;
-        while other < self.counts.cylinders && other < C {
-            if is_within(center, self.cylinders[other].ball(), reach) {
-                return true;
+
+            /// Tells each bounded shape whether it touches or cuts another.
+            const fn note_what_touches(&mut self) {
+                let mut number = 0;
+                $(
+                    let mut index = 0;
+                    while index < self.counts.$list && index < $room {
+                        let touches = touches_another(&self.constant_parts(), number);
+                        self.$list[index] = self.$list[index].touching(touches);
+                        index += 1;
+                        number += 1;
+                    }
+                )*
+                let _ = number;
             }
-            other += 1;
         }
-        other = 0;
-        while other < self.counts.planes && other < P {
-            if (self.planes[other].height(center) >> 30).abs() <= reach {
-                return true;
-            }
-            other += 1;
-        }
-        false
-    }
-
-    /// Prepares a light; the shapes are prepared.
-    const fn add_light(&mut self, index: usize, light: &Light) {
-        let place = self.grid.place(light.position);
-        let light = PreparedLight {
-            place,
-            color: Color::from_numbers(light.color),
-            is_plain: false,
-        };
-        let parts = self.plain_parts();
-        let occluders = LightOccluders::new(light, &parts);
-        if place.is_near() {
-            self.light_tables[index] = LightTable::around(place.point, &self.plain_parts());
-        }
-        self.lights[index] = *occluders.light_itself();
-        self.light_occluders[index] = occluders;
-    }
-}
-
-const fn prepare_sphere(sphere: &Sphere, grid: &Grid) -> Option<PreparedSphere> {
-    let radius = grid.length(sphere.radius);
-    if radius.to_bits() < SMALLEST {
-        return None;
-    }
-    Some(PreparedSphere::new(
-        grid.place(sphere.center).point,
-        radius,
-        sphere.material,
-    ))
-}
-
-const fn prepare_cylinder(cylinder: &Cylinder, grid: &Grid) -> Option<PreparedCylinder> {
-    let radius = grid.length(cylinder.radius);
-    let half_height = grid.length(Number::from_bits(cylinder.height.to_bits() / 2));
-    if radius.to_bits() < SMALLEST || half_height.to_bits() < SMALLEST {
-        return None;
-    }
-    let Some(axis) = cylinder.axis.direction() else {
-        return None;
     };
-    let center = grid.place(cylinder.center).point;
-    Some(PreparedCylinder::new(
-        center,
-        axis,
-        radius,
-        half_height,
-        cylinder.material,
-    ))
+}
+kinds!(prepare);
+
+/// Whether a bounded shape comes so near to another that epsilon may lift points into it. Of each, the
+/// ball around it counts.
+const fn touches_another(parts: &Parts<'_>, number: usize) -> bool {
+    let Some(((center, radius), _)) = parts.ball(number) else {
+        return false;
+    };
+    // Twice as far, and a few steps for rounding.
+    let reach = radius as i64 + 2 * parts.inner_epsilon.to_bits() as i64 + 8;
+    let mut other = 0;
+    while let Some((ball, _)) = parts.ball(other) {
+        if other != number && is_within(center, ball, reach) {
+            return true;
+        }
+        other += 1;
+    }
+    other = 0;
+    while other < parts.planes.len() {
+        if (parts.planes[other].height(center) >> 30).abs() <= reach {
+            return true;
+        }
+        other += 1;
+    }
+    false
 }
 
-const fn prepare_plane(plane: &Plane, grid: &Grid) -> Option<PreparedPlane> {
-    let Some(normal) = plane.normal.direction() else {
-        return None;
+/// The grid of a scene, and its epsilon in steps.
+const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), Fault> {
+    let grid = match choose_grid(scene) {
+        Ok(grid) => grid,
+        Err(fault) => return Err(fault),
     };
-    // Of the rounded normal, so that the plane goes through its point exactly.
-    let steps = grid.height_of(plane.point, normal);
-    let bits = 128 - steps.unsigned_abs().leading_zeros();
-    let scale = bits.saturating_sub(61);
-    Some(PreparedPlane::new(
-        normal,
-        narrowed_128(steps >> scale),
-        scale,
-        plane.material,
-    ))
+    let epsilon = grid.length(scene.epsilon);
+    if epsilon.to_bits() >= crate::ray::BALL {
+        return Err(Fault::Epsilon);
+    }
+    Ok((grid, epsilon))
+}
+
+/// Prepares the materials, none of which may be too bright under the lights.
+const fn prepare_materials(
+    prepared: &mut [PreparedMaterial],
+    scene: &Description<'_>,
+) -> Result<(), SceneError> {
+    let mut index = 0;
+    while index < scene.materials.len() && index < prepared.len() {
+        let material = PreparedMaterial::new(&scene.materials[index]);
+        if is_too_bright(&material, scene.lights) {
+            return Err(SceneError::Material(index, Fault::Brightness));
+        }
+        prepared[index] = material;
+        index += 1;
+    }
+    Ok(())
 }
 
 /// Whether the light a material sends out may exceed [`BRIGHTEST`] at any step of its sum.

@@ -5,7 +5,9 @@
 //! worked out once for all rays from one point.
 
 use super::bounded::{Bounded, LightRay, Own, Range};
-use super::{MaterialId, Normaliser};
+use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
+use crate::fault::Fault;
+use crate::grid::Grid;
 use crate::number::{
     Length, Number, high, high_positive, high_unsigned, leading_zeros, narrowed, ratio,
     reciprocal_root, scaled_by_unit, signed, square_root, unit_shift, unsigned, unsigned_wide,
@@ -37,6 +39,36 @@ impl Cylinder {
         height: Number::ZERO,
         material: MaterialId(0),
     };
+
+    /// What is wrong with it.
+    pub(crate) const fn fault(&self) -> Option<Fault> {
+        if !(self.center.is_in_range() && self.axis.is_in_range()) {
+            Some(Fault::Coordinate)
+        } else if self.axis.magnitude() == 0 {
+            Some(Fault::Axis)
+        } else if let Some(fault) = size_fault(self.radius, Fault::Radius) {
+            Some(fault)
+        } else {
+            size_fault(self.height, Fault::Height)
+        }
+    }
+
+    /// A ball around it, somewhat too large.
+    pub(crate) const fn extent(&self) -> Extent {
+        let (radius, half_height) = (self.radius.to_bits(), self.half_height().to_bits());
+        Extent {
+            center: self.center,
+            radius: Number::from_bits(radius + half_height),
+            smallest: match radius < half_height {
+                true => self.radius,
+                false => self.half_height(),
+            },
+        }
+    }
+
+    const fn half_height(&self) -> Number {
+        Number::from_bits(self.height.to_bits() / 2)
+    }
 }
 
 /// A cylinder as the kernels read it: inside the ball.
@@ -67,13 +99,6 @@ pub(crate) struct CylinderFromPoint {
 }
 
 impl CylinderFromPoint {
-    /// Fills the room of a cylinder that a scene's type allows but the scene does not use.
-    pub(crate) const NONE: Self = Self {
-        way: Vector::ZERO,
-        across: Vector::ZERO,
-        rise: 0,
-    };
-
     /// How far from the axis the line of a ray passes, times the sine of the angle between them;
     /// below zero on one side of it.
     #[inline(always)]
@@ -95,6 +120,32 @@ impl PreparedCylinder {
         Length::from_bits(4),
         MaterialId(0),
     );
+
+    /// The smallest epsilon of rays inside, in steps, where the shape itself may be met next: a hit is
+    /// within this of its wall.
+    pub(crate) const SMALLEST_INSIDE: i32 = 16;
+
+    /// Lays a cylinder without a fault on the grid.
+    pub(crate) const fn prepare(cylinder: &Cylinder, grid: &Grid) -> Result<Self, Fault> {
+        let radius = grid.length(cylinder.radius);
+        let half_height = grid.length(cylinder.half_height());
+        if radius.to_bits() < SMALLEST || half_height.to_bits() < SMALLEST {
+            return Err(Fault::Tiny);
+        }
+        let Some(axis) = cylinder.axis.direction() else {
+            return Err(Fault::Axis);
+        };
+        let center = grid.place(cylinder.center).point;
+        let material = cylinder.material;
+        Ok(Self::new(center, axis, radius, half_height, material))
+    }
+
+    /// Fills the room of a cylinder that a light does not see.
+    pub(crate) const NOT_SEEN: CylinderFromPoint = CylinderFromPoint {
+        way: Vector::ZERO,
+        across: Vector::ZERO,
+        rise: 0,
+    };
 
     /// A cylinder inside the ball with a radius of at least 4 steps.
     pub(crate) const fn new(
@@ -135,6 +186,11 @@ impl PreparedCylinder {
     #[inline(always)]
     pub(crate) const fn ball(&self) -> (Point, i32) {
         (self.center, self.reach)
+    }
+
+    /// The same cylinder; whether it touches another shape is of no interest.
+    pub(crate) const fn touching(self, _: bool) -> Self {
+        self
     }
 
     /// Whether rays note on which side they pass it.

@@ -9,8 +9,19 @@ mod fixture;
 pub mod plane;
 pub mod sphere;
 
-use crate::number::{Length, Unit, divide, high, narrowed, unsigned};
-use crate::vector::{Direction, Vector};
+use crate::fault::Fault;
+use crate::number::{Length, Number, Unit, divide, high, narrowed, unsigned};
+use crate::vector::{Direction, Position, Vector};
+
+macro_rules! exports {
+    (
+        $header:tt
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
+    ) => {
+        $(pub use $kind::{$described, $prepared};)*
+    };
+}
+kinds!(exports);
 
 /// Names a material of one scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +31,30 @@ impl MaterialId {
     /// Its place in the scene's list of materials.
     pub const fn index(self) -> usize {
         self.0 as usize
+    }
+}
+
+/// A ball that holds a shape as it is described.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Extent {
+    pub(crate) center: Position,
+    pub(crate) radius: Number,
+    /// The smallest of the shape's sizes: a radius, or half a height.
+    pub(crate) smallest: Number,
+}
+
+/// The smallest radius and half height a shape may have, in steps: its hits are known to about two,
+/// and so its normals to a 32nd.
+const SMALLEST: i32 = 64;
+
+/// A size must be greater than 0 and within the range of a coordinate.
+pub(crate) const fn size_fault(size: Number, fault: Fault) -> Option<Fault> {
+    if size.to_bits() <= 0 {
+        Some(fault)
+    } else if !size.is_within(0, Position::MAX_COORDINATE) {
+        Some(Fault::Coordinate)
+    } else {
+        None
     }
 }
 

@@ -1,9 +1,11 @@
 //! Infinite planes.
 
 use super::MaterialId;
+use crate::fault::Fault;
+use crate::grid::Grid;
 use crate::number::{
-    Length, Quotient, Unit, divide, magnitude, narrowed, ratio, shifted, signed, unsigned,
-    unsigned_wide, wide_unsigned, word_and_sign,
+    Length, Quotient, Unit, divide, magnitude, narrowed, narrowed_128, ratio, shifted, signed,
+    unsigned, unsigned_wide, wide_unsigned, word_and_sign,
 };
 use crate::ray::{Ray, ScaledPoint, ScaledRay};
 use crate::vector::{Direction, Point, Position, Vector};
@@ -25,6 +27,17 @@ impl Plane {
         normal: Position::ORIGIN,
         material: MaterialId(0),
     };
+
+    /// What is wrong with it.
+    pub(crate) const fn fault(&self) -> Option<Fault> {
+        if !(self.point.is_in_range() && self.normal.is_in_range()) {
+            Some(Fault::Coordinate)
+        } else if self.normal.magnitude() == 0 {
+            Some(Fault::Normal)
+        } else {
+            None
+        }
+    }
 }
 
 /// A plane as the kernels read it.
@@ -174,6 +187,19 @@ impl Bearing {
 impl PreparedPlane {
     /// Fills the room of a plane that a scene's type allows but the scene does not use.
     pub(crate) const NONE: Self = Self::new(Direction::X, 0, 0, MaterialId(0));
+
+    /// Lays a plane without a fault on the grid.
+    pub(crate) const fn prepare(plane: &Plane, grid: &Grid) -> Result<Self, Fault> {
+        let Some(normal) = plane.normal.direction() else {
+            return Err(Fault::Normal);
+        };
+        // Of the rounded normal, so that the plane goes through its point exactly.
+        let steps = grid.height_of(plane.point, normal);
+        let bits = 128 - steps.unsigned_abs().leading_zeros();
+        let scale = bits.saturating_sub(61);
+        let offset = narrowed_128(steps >> scale);
+        Ok(Self::new(normal, offset, scale, plane.material))
+    }
 
     /// A plane at `far_offset` · 2^`far_scale` along its normal, in steps with 30 more fraction
     /// bits; |`far_offset`| is at most 2⁶¹.

@@ -6,7 +6,9 @@
 //! count, so a small sphere far away keeps a clean edge.
 
 use super::bounded::{Bounded, LightRay, Own, Range};
-use super::{MaterialId, Normaliser};
+use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
+use crate::fault::Fault;
+use crate::grid::Grid;
 use crate::number::{Length, Number, signed_wide, square_root, unsigned_wide, wide};
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
@@ -28,6 +30,23 @@ impl Sphere {
         radius: Number::ZERO,
         material: MaterialId(0),
     };
+
+    /// What is wrong with it.
+    pub(crate) const fn fault(&self) -> Option<Fault> {
+        if !self.center.is_in_range() {
+            return Some(Fault::Coordinate);
+        }
+        size_fault(self.radius, Fault::Radius)
+    }
+
+    /// A ball around it: itself.
+    pub(crate) const fn extent(&self) -> Extent {
+        Extent {
+            center: self.center,
+            radius: self.radius,
+            smallest: self.radius,
+        }
+    }
 }
 
 /// A sphere as the kernels read it: inside the ball.
@@ -61,12 +80,6 @@ const COARSEST: i32 = 128;
 const ON_SURFACE: i64 = 4;
 
 impl SphereFromPoint {
-    /// Fills the room of a sphere that a scene's type allows but the scene does not use.
-    pub(crate) const NONE: Self = Self {
-        way: Vector::ZERO,
-        tangent: i32::MAX,
-    };
-
     /// A quarter of the way along a ray at which it comes nearest to the centre.
     #[inline(always)]
     pub(crate) const fn nearest_approach(&self, direction: Direction) -> i32 {
@@ -124,6 +137,26 @@ impl SphereFromPoint {
 impl PreparedSphere {
     /// Fills the room of a sphere that a scene's type allows but the scene does not use.
     pub(crate) const NONE: Self = Self::new(Point::ORIGIN, Length::from_bits(4), MaterialId(0));
+
+    /// The smallest epsilon of rays inside, in steps, where the shape itself may be met next: a hit is
+    /// within this of its surface.
+    pub(crate) const SMALLEST_INSIDE: i32 = 8;
+
+    /// Lays a sphere without a fault on the grid.
+    pub(crate) const fn prepare(sphere: &Sphere, grid: &Grid) -> Result<Self, Fault> {
+        let radius = grid.length(sphere.radius);
+        if radius.to_bits() < SMALLEST {
+            return Err(Fault::Tiny);
+        }
+        let center = grid.place(sphere.center).point;
+        Ok(Self::new(center, radius, sphere.material))
+    }
+
+    /// Fills the room of a sphere that a light does not see.
+    pub(crate) const NOT_SEEN: SphereFromPoint = SphereFromPoint {
+        way: Vector::ZERO,
+        tangent: i32::MAX,
+    };
 
     /// A sphere inside the ball with a radius of at least 4 steps.
     pub(crate) const fn new(center: Point, radius: Length, material: MaterialId) -> Self {

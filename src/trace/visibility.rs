@@ -1,7 +1,7 @@
 //! The answers whether a light is visible: the plain one, and the one with culling.
 
 use crate::accel::World;
-use crate::accel::light_occluders::{self, Occluders};
+use crate::accel::light_occluders::{self, LightOccluders};
 use crate::accel::light_visibility::LightVisibility;
 use crate::light::PreparedLight;
 use crate::number::Length;
@@ -75,15 +75,15 @@ impl<'a, W> Culled<'a, W> {
 }
 
 impl<W: World> Visibility for Culled<'_, W> {
-    type Light = W::LightOccluders;
+    type Light = LightOccluders<W::Room>;
 
     #[inline(always)]
-    fn lights(&self) -> &[W::LightOccluders] {
+    fn lights(&self) -> &[LightOccluders<W::Room>] {
         self.world.light_occluders()
     }
 
     #[inline(always)]
-    fn light(light: &W::LightOccluders) -> &PreparedLight {
+    fn light(light: &LightOccluders<W::Room>) -> &PreparedLight {
         light.light()
     }
 
@@ -101,7 +101,7 @@ impl<W: World> Visibility for Culled<'_, W> {
     fn is_occluded_from<const PRECISE: bool>(
         &self,
         surface: &Surface<'_>,
-        light: (&W::LightOccluders, usize),
+        light: (&LightOccluders<W::Room>, usize),
         ray: (Direction, Length),
     ) -> bool {
         light_occluders::occluded::<W, PRECISE>(self.world, surface, light, ray)

@@ -42,7 +42,7 @@ use std::vec::Vec;
 pub use self::error::{FileError, Problem};
 use crate::camera;
 use crate::host::reference::{Camera, Scene};
-use crate::scene::{self, RuntimeScene};
+use crate::scene::RuntimeScene;
 
 /// The most bytes that a scene file may have: 16 MB.
 pub const MAX_BYTES: u64 = 16_000_000;
@@ -68,7 +68,7 @@ pub type FileRuntimeScene =
 
 /// The scene of a file when it is built.
 pub type FileScene =
-    scene::Scene<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
+    crate::Scene<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
 
 /// The reference's scene in the core, seen first with its camera, with as much room as that of a file.
 ///

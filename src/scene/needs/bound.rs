@@ -28,45 +28,16 @@ impl Needs {
     /// # Errors
     /// The first thing that the bound leaves out.
     pub const fn within(&self, bound: &Self) -> Result<(), Excess> {
-        let excess = if self.spheres && !bound.spheres {
-            "spheres"
-        } else if self.planes && !bound.planes {
-            "planes"
-        } else if self.cylinders && !bound.cylinders {
-            "cylinders"
-        } else if self.lights && !bound.lights {
-            "lights"
-        } else if self.shadows && !bound.shadows {
-            "shadows"
-        } else if self.highlights && !bound.highlights {
-            "highlights"
-        } else if self.shininess as u8 > bound.shininess as u8 {
-            "shininess"
-        } else if self.mirrors as u8 != bound.mirrors as u8
-            && !matches!(bound.mirrors, Mirrors::Some)
-        {
-            "mirrors"
-        } else if self.mirrored && !bound.mirrored {
-            "mirrored"
-        } else if self.places && !bound.places {
-            "places"
-        } else if self.materials && !bound.materials {
-            "materials"
-        } else if self.colors && !bound.colors {
-            "colors"
-        } else {
-            return Ok(());
-        };
-        Err(Excess { need: excess })
-    }
-
-    /// The same without spheres.
-    #[must_use]
-    pub const fn without_spheres(self) -> Self {
-        Self {
-            spheres: false,
-            ..self
+        let (needed, allowed) = (self.levels(), bound.levels());
+        let mut index = 0;
+        while index < needed.len() {
+            let (need, level) = needed[index];
+            if level > allowed[index].1 {
+                return Err(Excess { need });
+            }
+            index += 1;
         }
+        Ok(())
     }
 
     /// The same without planes.
@@ -74,15 +45,6 @@ impl Needs {
     pub const fn without_planes(self) -> Self {
         Self {
             planes: false,
-            ..self
-        }
-    }
-
-    /// The same without cylinders.
-    #[must_use]
-    pub const fn without_cylinders(self) -> Self {
-        Self {
-            cylinders: false,
             ..self
         }
     }
@@ -139,15 +101,6 @@ impl Needs {
     pub const fn with_reflections(self, reflections: u8) -> Self {
         Self {
             reflections,
-            ..self
-        }
-    }
-
-    /// The same where a shape has one colour, wherever a ray meets it: one plane without a light.
-    #[must_use]
-    pub const fn without_places(self) -> Self {
-        Self {
-            places: false,
             ..self
         }
     }

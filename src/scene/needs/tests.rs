@@ -1,6 +1,6 @@
 use super::*;
 use crate::material::Material;
-use crate::scene::{RuntimeScene, SceneError};
+use crate::scene::{Capacity, Room, RuntimeScene, SceneError};
 
 type Scenery = RuntimeScene<4, 3, 2, 2, 4>;
 
@@ -129,7 +129,7 @@ fn bound_names_the_first_need_beyond_it() {
 
 #[test]
 fn room_bounds_every_scene_in_it() {
-    let roomy = Needs::of_room([4, 3, 2, 2, 4]);
+    let roomy = Needs::of_room(&Room::<4, 3, 2, 2, 4>::COUNTS);
     let scene = needs(|scene| {
         let red = scene.add_material(Material::new([0.9, 0.1, 0.1]).mirror(0.3))?;
         scene.add_plane([0, 0, -2], [0, 0, 1], red)

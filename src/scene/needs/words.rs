@@ -1,6 +1,6 @@
 //! What a scene needs, in words.
 
-use super::{Mirrors, Needs, Shininess};
+use super::{KINDS, Mirrors, Needs, Shininess};
 
 /// One thing that a scene may need, in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,106 +28,100 @@ impl Need {
     }
 }
 
+/// Why a need is in the program, and why not.
+type Reasons = [&'static str; 2];
+
+const SHAPES: Reasons = ["there are some", "there are none"];
+const LIGHTS: Reasons = ["there are some", "nothing is lit: ambient light only"];
+const SHADOWS: Reasons = [
+    "a shape may hide a light",
+    "no light is hidden from what can be seen lit",
+];
+const HIGHLIGHTS: Reasons = [
+    "a specular coefficient is above 0",
+    "no light shines on a specular surface",
+];
+const MIRRORED: Reasons = [
+    "a mirror may show a shape",
+    "no mirror shows more than the background",
+];
+const SETS: Reasons = [
+    "choosing among the shapes that may throw a shadow saves time",
+    "so few shapes may throw a shadow that all are asked",
+];
+const MATERIALS: Reasons = [
+    "there are several",
+    "there is one at most: its numbers are constants",
+];
+const COLORS: Reasons = [
+    "something is not grey",
+    "all is grey: one channel is worked out",
+];
+
+/// How many needs there are but for the kinds of bounded shapes.
+const OTHERS: usize = 11;
+
 impl Needs {
     /// Each need in words.
-    pub const fn list(&self) -> [Need; 14] {
+    pub const fn list(&self) -> [Need; KINDS + OTHERS] {
+        let (levels, others) = (self.levels(), self.others());
+        let mut list = [others[0]; KINDS + OTHERS];
+        let mut index = 0;
+        while index < KINDS {
+            let (name, level) = levels[index];
+            list[index] = Need::either(name, level > 0, SHAPES);
+            index += 1;
+        }
+        while index < list.len() {
+            list[index] = others[index - KINDS];
+            index += 1;
+        }
+        list
+    }
+
+    /// All but the kinds of bounded shapes.
+    const fn others(&self) -> [Need; OTHERS] {
+        let has_shininess = !matches!(self.shininess, Shininess::None);
+        let has_mirrors = !matches!(self.mirrors, Mirrors::None);
         let reflections = match self.reflections {
-            0 if matches!(self.mirrors, Mirrors::None) => "nothing mirrors",
+            0 if !has_mirrors => "nothing mirrors",
             0 => "none is followed",
             1 => "one",
             _ => "as many as the frame allows",
         };
-        let shininess = match self.shininess {
-            Shininess::None => "there is no highlight",
-            Shininess::Even => "even whole numbers: by squaring, without a root or a logarithm",
-            Shininess::Whole => "whole numbers: by squaring, without a logarithm",
-            Shininess::Real => "real numbers: by squaring and a logarithm",
-        };
-        let mirrors = match self.mirrors {
-            Mirrors::None => "no mirror is above 0: a path ends at the first surface",
-            Mirrors::Some => "a mirror is above 0",
-            Mirrors::All => "every mirror is 1: no surface has a colour of its own",
-        };
         [
-            Need::either(
-                "spheres",
-                self.spheres,
-                ["there are some", "there are none"],
-            ),
-            Need::either("planes", self.planes, ["there are some", "there are none"]),
-            Need::either(
-                "cylinders",
-                self.cylinders,
-                ["there are some", "there are none"],
-            ),
-            Need::either(
-                "lights",
-                self.lights,
-                ["there are some", "nothing is lit: ambient light only"],
-            ),
-            Need::either(
-                "shadows",
-                self.shadows,
-                [
-                    "a shape may hide a light",
-                    "no light is hidden from what can be seen lit",
-                ],
-            ),
-            Need::either(
-                "highlights",
-                self.highlights,
-                [
-                    "a specular coefficient is above 0",
-                    "no light shines on a specular surface",
-                ],
-            ),
-            Need::new(
-                "shininess",
-                !matches!(self.shininess, Shininess::None),
-                shininess,
-            ),
-            Need::new("mirrors", !matches!(self.mirrors, Mirrors::None), mirrors),
+            Need::either("planes", self.planes, SHAPES),
+            Need::either("lights", self.lights, LIGHTS),
+            Need::either("shadows", self.shadows, SHADOWS),
+            Need::either("highlights", self.highlights, HIGHLIGHTS),
+            Need::new("shininess", has_shininess, self.shininess.words()),
+            Need::new("mirrors", has_mirrors, self.mirrors.words()),
             Need::new("reflections", self.reflections > 0, reflections),
-            Need::either(
-                "mirrored",
-                self.mirrored,
-                [
-                    "a mirror may show a shape",
-                    "no mirror shows more than the background",
-                ],
-            ),
-            Need::either(
-                "places",
-                self.places,
-                [
-                    "light or mirrors depend on where a ray meets a shape",
-                    "a shape has one colour, wherever a ray meets it",
-                ],
-            ),
-            Need::either(
-                "sets",
-                self.sets,
-                [
-                    "choosing among the shapes that may throw a shadow saves time",
-                    "so few shapes may throw a shadow that all are asked",
-                ],
-            ),
-            Need::either(
-                "materials",
-                self.materials,
-                [
-                    "there are several",
-                    "there is one at most: its numbers are constants",
-                ],
-            ),
-            Need::either(
-                "colors",
-                self.colors,
-                [
-                    "something is not grey",
-                    "all is grey: one channel is worked out",
-                ],
-            ),
+            Need::either("mirrored", self.mirrored, MIRRORED),
+            Need::either("sets", self.sets, SETS),
+            Need::either("materials", self.materials, MATERIALS),
+            Need::either("colors", self.colors, COLORS),
         ]
+    }
+}
+
+impl Shininess {
+    const fn words(self) -> &'static str {
+        match self {
+            Self::None => "there is no highlight",
+            Self::Even => "even whole numbers: by squaring, without a root or a logarithm",
+            Self::Whole => "whole numbers: by squaring, without a logarithm",
+            Self::Real => "real numbers: by squaring and a logarithm",
+        }
+    }
+}
+
+impl Mirrors {
+    const fn words(self) -> &'static str {
+        match self {
+            Self::None => "no mirror is above 0: a path ends at the first surface",
+            Self::Some => "a mirror is above 0",
+            Self::All => "every mirror is 1: no surface has a colour of its own",
+        }
     }
 }

@@ -3,6 +3,7 @@ use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::BALL;
 use crate::scene::RuntimeScene;
+use crate::vector::Position;
 
 type Scenery = RuntimeScene<4, 4, 4, 4, 4>;
 

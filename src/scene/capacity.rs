@@ -1,0 +1,119 @@
+//! The room of a scene as one type: what depends on it is generic over one parameter, and not over a
+//! number a list.
+
+use core::fmt::Debug;
+
+/// An array of any length.
+pub trait Array<T>: AsRef<[T]> + AsMut<[T]> + Copy + Debug {
+    /// The same item everywhere.
+    fn filled(item: T) -> Self;
+}
+
+impl<T: Copy + Debug, const N: usize> Array<T> for [T; N] {
+    #[inline(always)]
+    fn filled(item: T) -> Self {
+        [item; N]
+    }
+}
+
+macro_rules! capacity {
+    (
+        { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
+    ) => {
+        /// How many parts a scene has, or has room for.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Counts {
+            $(pub(crate) $list: usize,)*
+            pub(crate) planes: usize,
+            pub(crate) lights: usize,
+            pub(crate) materials: usize,
+        }
+
+        impl Counts {
+            /// How many bounded shapes there are, of all kinds.
+            pub(crate) const fn bounded(&self) -> usize {
+                0 $(+ self.$list)*
+            }
+        }
+
+        /// The room of a scene: for `S` spheres, `P` planes, `C` cylinders, `L` lights and `M` materials.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Room<$($declaration)*>;
+
+        /// The room of a scene, whatever it is: an array of anything with the length of each of its lists.
+        ///
+        /// Implemented by the crate for every [`Room`]; there is no need to implement it elsewhere.
+        /// Where the room's numbers are named the compiler knows the arrays, so that constants can index
+        /// them: in `impl<const S: usize, ..> Scene<Room<S, ..>>`, `R::Spheres<T>` is `[T; S]`.
+        pub trait Capacity: Copy + Debug + 'static {
+            $(
+                #[doc = concat!("With room for the ", stringify!($list), ".")]
+                type $lists<T: Copy + Debug>: Array<T>;
+            )*
+            /// With room for the planes.
+            type Planes<T: Copy + Debug>: Array<T>;
+            /// With room for the lights.
+            type Lights<T: Copy + Debug>: Array<T>;
+            /// With room for the materials.
+            type Materials<T: Copy + Debug>: Array<T>;
+
+            /// The room in numbers.
+            const COUNTS: Counts;
+        }
+
+        impl<$($header)*> Capacity for Room<$($arguments)*> {
+            $(type $lists<T: Copy + Debug> = [T; $room];)*
+            type Planes<T: Copy + Debug> = [T; P];
+            type Lights<T: Copy + Debug> = [T; L];
+            type Materials<T: Copy + Debug> = [T; M];
+
+            const COUNTS: Counts = Counts {
+                $($list: $room,)*
+                planes: P,
+                lights: L,
+                materials: M,
+            };
+        }
+    };
+}
+kinds!(capacity);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[derive(Clone, Copy, Debug)]
+    struct Numbers<R: Capacity> {
+        spheres: R::Spheres<u8>,
+        planes: R::Planes<u8>,
+    }
+
+    impl<const S: usize, const P: usize, const C: usize, const L: usize, const M: usize>
+        Numbers<Room<S, P, C, L, M>>
+    {
+        const fn new(last: u8) -> Self {
+            let mut numbers = Self {
+                spheres: [0; S],
+                planes: [0; P],
+            };
+            numbers.spheres[S - 1] = last;
+            numbers
+        }
+    }
+
+    impl<R: Capacity> Numbers<R> {
+        fn sum(&self) -> u8 {
+            let spheres = self.spheres.as_ref().iter();
+            spheres.chain(self.planes.as_ref()).sum()
+        }
+    }
+
+    #[test]
+    fn constants_index_arrays_that_depend_on_the_room() {
+        const NUMBERS: Numbers<Room<3, 1, 0, 0>> = Numbers::new(5);
+        assert_eq!(NUMBERS.spheres, [0, 0, 5]);
+        assert_eq!(NUMBERS.sum(), 5);
+        assert_eq!(Room::<3, 1, 0, 0>::COUNTS.materials, 8);
+    }
+}

@@ -1,0 +1,71 @@
+//! What the materials and the lights of a scene come to.
+
+use super::Shininess;
+use crate::color::Color;
+use crate::light::PreparedLight;
+use crate::material::PreparedMaterial;
+use crate::number::{Brightness, Exponent, Unit};
+use crate::shape::MaterialId;
+
+/// What the lights and the materials that shapes are made of come to.
+pub(super) struct Finish {
+    pub(super) shininess: Shininess,
+    /// Whether there is a surface that mirrors something, and one that does not mirror all.
+    pub(super) mirrors: [bool; 2],
+    pub(super) is_grey: bool,
+    /// Whether all lights are grey.
+    pub(super) is_lit_grey: bool,
+}
+
+impl Finish {
+    pub(super) const fn new(background: Color, lights: &[PreparedLight]) -> Self {
+        let mut finish = Self {
+            shininess: Shininess::None,
+            mirrors: [false; 2],
+            is_grey: is_grey(background),
+            is_lit_grey: true,
+        };
+        let mut index = 0;
+        while index < lights.len() {
+            finish.is_lit_grey &= is_grey(lights[index].color);
+            index += 1;
+        }
+        finish
+    }
+
+    /// Adds a shape of a material.
+    pub(super) const fn add(&mut self, materials: &[PreparedMaterial], id: MaterialId) {
+        if id.index() >= materials.len() {
+            return;
+        }
+        let material = &materials[id.index()];
+        self.mirrors[0] |= material.mirror.to_bits() > 0;
+        let is_seen = material.mirror.to_bits() < Unit::ONE.to_bits();
+        self.mirrors[1] |= is_seen;
+        if !is_seen {
+            return;
+        }
+        self.is_grey &= is_grey(material.color);
+        if material.specular.to_bits() > Brightness::ZERO.to_bits() {
+            let shininess = shininess(material.shininess);
+            if shininess as u8 > self.shininess as u8 {
+                self.shininess = shininess;
+            }
+        }
+    }
+}
+
+const fn shininess(exponent: Exponent) -> Shininess {
+    if exponent.is_even() {
+        Shininess::Even
+    } else if exponent.is_whole() {
+        Shininess::Whole
+    } else {
+        Shininess::Real
+    }
+}
+
+const fn is_grey(color: Color) -> bool {
+    let [red, green, blue] = color.components();
+    red.to_bits() == green.to_bits() && green.to_bits() == blue.to_bits()
+}
