@@ -4,9 +4,10 @@
 //! cylinder's wall is a chain of balls.
 
 use super::direction_table::{CellSets, DirectionTable};
+use super::{CullingQuality, World};
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
-use crate::vector::Point;
+use crate::vector::{Direction, Point};
 
 /// The shapes around a light.
 pub(crate) type LightTable = DirectionTable<8, 512, 64>;
@@ -43,3 +44,17 @@ macro_rules! light_table {
     };
 }
 kinds!(light_table);
+
+/// The shapes in a direction from the light with a number; all where it has no table.
+#[inline(always)]
+pub(crate) fn light_set<W: World, Q: CullingQuality>(
+    world: &W,
+    light: usize,
+    direction: Direction,
+) -> &ShapeSet {
+    let table = match W::NEEDS.sets && Q::CULLING.light_tables {
+        true => world.light_tables().get(light),
+        false => None,
+    };
+    table.map_or(ShapeSet::ALL, |table| table.at(direction))
+}

@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::Picture;
 use crate::accel::{Apart, SceneIn, Static, Whole, Within, World};
 use crate::camera::Camera;
-use crate::quality::{Fast, Quality};
+use crate::render::{Fast, Quality};
 use crate::scene::{Bound, Capacity, Excess, MostReflections};
 use crate::shade::{BlinnPhong, Shading};
 

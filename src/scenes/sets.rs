@@ -4,8 +4,8 @@
 use super::{BuiltIn, NAMES, Visitor, visit};
 use crate::number::sweep::Sweep;
 use crate::number::{Length, Unit};
-use crate::quality::Fine;
 use crate::ray::{REACH, ScaledPoint, ScaledRay};
+use crate::render::Fine;
 use crate::scene::culling::ScreenCulling;
 use crate::scene::extent::Outlooks;
 use crate::scene::query::{ShapeId, blocked, blocked_from, first};

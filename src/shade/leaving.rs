@@ -4,7 +4,7 @@
 use super::*;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
-use crate::quality::{Fast, Small};
+use crate::render::{Fast, Small};
 use crate::scene::query::first;
 use crate::scene::{RuntimeScene, World};
 use crate::shape::MaterialId;

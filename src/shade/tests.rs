@@ -1,7 +1,7 @@
 use super::*;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
-use crate::quality::{Fast, Small};
+use crate::render::{Fast, Small};
 use crate::scene::query::first;
 use crate::scene::{RuntimeScene, Scene, World};
 use crate::vector::Position;

@@ -3,8 +3,8 @@
 use crate::Camera;
 use crate::color::Sum;
 use crate::number::sweep::Sweep;
-use crate::quality::Exact;
 use crate::ray::PathSignature;
+use crate::render::Exact;
 use crate::scene::ahead::RoundMirrors;
 use crate::scene::ahead::tests::{Built, crowd};
 use crate::scene::cells::Cells;

@@ -8,7 +8,7 @@ use crate::color::Sum;
 use crate::material::{Material, PreparedMaterial};
 use crate::number::sweep::Sweep;
 use crate::number::{Unit, share};
-use crate::quality::{Exact, Fast, Quality};
+use crate::render::{Exact, Fast, Quality};
 use crate::scene::{RuntimeScene, World};
 use crate::shade::BlinnPhong;
 use crate::vector::Position;
