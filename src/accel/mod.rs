@@ -20,7 +20,7 @@ mod static_scene;
 mod within;
 
 pub(crate) use active_list::Window;
-pub use scene::{Scene, SceneIn};
+pub use scene::{Scene, SceneIn, Tabled};
 pub use static_scene::{Apart, Static, StaticScene};
 pub use within::{Whole, Within};
 
