@@ -4,7 +4,10 @@
 //! the ray's line passes from the axis is measured by a cross product of axis and origin, which is
 //! worked out once for all rays from one point.
 
+mod from_point;
 mod intersect;
+
+pub(crate) use from_point::CylinderFromPoint;
 
 use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
@@ -82,27 +85,6 @@ pub struct PreparedCylinder {
     reach: i32,
     normaliser: Normaliser,
     pub(crate) material: MaterialId,
-}
-
-/// A cylinder as the rays from one point see it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct CylinderFromPoint {
-    /// From the point to the middle of the cylinder.
-    way: Vector,
-    /// axis × way: its length along a ray is how far the ray's line passes from the axis's, times
-    /// the sine of the angle between them.
-    across: Vector,
-    /// way · axis
-    rise: i32,
-}
-
-impl CylinderFromPoint {
-    /// How far from the axis the line of a ray passes, times the sine of the angle between them;
-    /// below zero on one side of it.
-    #[inline(always)]
-    pub(crate) const fn sideways(&self, direction: Direction) -> i32 {
-        self.across.dot(direction)
-    }
 }
 
 impl PreparedCylinder {
