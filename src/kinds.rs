@@ -12,8 +12,7 @@
 /// A kind has, in this order:
 /// - the name of its list and its own, which is its module's too; its type as it is described, and as it
 ///   is prepared;
-/// - its parameter, the type of its list in a `Capacity`, how many of them a row can have active at a
-///   time, and which of the parameters it is, in words;
+/// - its parameter, the type of its list in a `Capacity`, what its active list is called and how many it holds, and which of the parameters it is, in words;
 /// - the `Fault` where there are too many, and the method of `Needs` that leaves the kind out;
 /// - what the methods that add one say they do, the name of the run-time scene's, and the fields of the
 ///   description without the material.
@@ -29,14 +28,14 @@ macro_rules! kinds {
             }
             {
                 spheres sphere Sphere PreparedSphere
-                S Spheres [16] "first"
+                S Spheres [ActiveSpheres 16] "first"
                 TooManySpheres without_spheres
                 /// Adds a sphere with a radius greater than 0.
                 add_sphere(center: Position, radius: Number)
             }
             {
                 cylinders cylinder Cylinder PreparedCylinder
-                C Cylinders [8] "third"
+                C Cylinders [ActiveCylinders 8] "third"
                 TooManyCylinders without_cylinders
                 /// Adds an open cylinder around its `center`; the axis may have any length but 0, radius and
                 /// height are greater than 0.

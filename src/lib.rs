@@ -183,7 +183,9 @@ mod shape;
 mod trace;
 mod vector;
 
-pub use accel::{Apart, Scene, SceneIn, Static, StaticScene, Tabled, Whole, Within, World};
+pub use accel::{
+    ActiveRoom, Apart, Scene, SceneIn, Static, StaticScene, Tabled, Whole, Within, World,
+};
 pub use camera::{Camera, CameraDescription, CameraError};
 pub use display::{
     Budgeted, Choice, Ditherable, Dithered, Enlarged, Front, FrontPoint, Grade, Threshold, dither,

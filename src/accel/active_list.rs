@@ -3,13 +3,16 @@
 //!
 //! Bound: a list holds what the rectangles name. A row that has too many for the room asks every shape.
 
+use core::fmt::Debug;
 use core::hint::black_box;
+use core::marker::PhantomData;
 
 use heapless::Vec;
 
 use super::LONGEST_STRIDE;
 use super::screen_rect::ScreenRect;
 use crate::number::{difference_modulo_2_32, to_u16, to_u32};
+use crate::ray::spread;
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::Nearest;
 use crate::shape::bounded::Bounded;
@@ -24,7 +27,7 @@ pub(crate) struct Window {
 
 /// A shape that can be met in the columns a row has come to, as its rays see it.
 #[derive(Clone, Copy, Debug)]
-struct ActiveShape<'a, K: Bounded> {
+pub struct ActiveShape<'a, K: Bounded> {
     from: K::FromPoint,
     shape: &'a K,
     /// Which of its kind it is.
@@ -57,37 +60,68 @@ impl<K: Bounded> ActiveShape<'_, K> {
     }
 }
 
-/// The active shapes of one kind.
+/// The memory of an active list.
+pub trait Storage<T>: Default + Debug + AsRef<[T]> + AsMut<[T]> {
+    /// Adds an item; `None` where there is no room.
+    fn add(&mut self, item: T) -> Option<()>;
+
+    /// Drops all items but those that stay.
+    fn keep(&mut self, stays: impl FnMut(&T) -> bool);
+
+    /// Drops all items.
+    fn empty(&mut self);
+}
+
+impl<T: Debug, const N: usize> Storage<T> for Vec<T, N> {
+    #[inline(always)]
+    fn add(&mut self, item: T) -> Option<()> {
+        self.push(item).ok()
+    }
+
+    #[inline(always)]
+    fn keep(&mut self, stays: impl FnMut(&T) -> bool) {
+        self.retain(stays);
+    }
+
+    #[inline(always)]
+    fn empty(&mut self) {
+        self.clear();
+    }
+}
+
+/// The active shapes of one kind, in some storage.
 #[derive(Debug)]
-pub(super) struct ActiveList<'a, K: Bounded, const ROOM: usize> {
-    active: Vec<ActiveShape<'a, K>, ROOM>,
+pub(super) struct ActiveList<'a, K: Bounded, V> {
+    active: V,
     /// The first rectangle that has not been looked at.
     next: usize,
     /// What all rays have noted that pass on the right of the thin balls that have been closed.
     passed: u32,
+    kind: PhantomData<&'a K>,
 }
 
-impl<'a, K: Bounded, const ROOM: usize> ActiveList<'a, K, ROOM> {
+impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
     /// No shape yet; `USED` unless nobody is going to ask.
     #[inline(always)]
     pub(super) fn new<const USED: bool>() -> Self {
         Self {
-            active: Vec::new(),
+            active: V::default(),
             // Hidden from the compiler, or it clears the whole list along with this.
             next: if USED { black_box(0) } else { 0 },
             passed: 0,
+            kind: PhantomData,
         }
     }
 
     /// Goes back to the row's first column.
     pub(super) fn restart(&mut self) {
         (self.next, self.passed) = (0, 0);
-        self.active.clear();
+        self.active.empty();
     }
 
     /// Whether no shape reaches a column or those after it.
     pub(super) fn has_ended_before(&self, column: u32) -> bool {
-        let mut active = self.active.iter();
+        let mut active = self.active.as_ref().iter();
         active.all(|it| u32::from(it.right) < column)
     }
 
@@ -102,7 +136,7 @@ impl<'a, K: Bounded, const ROOM: usize> ActiveList<'a, K, ROOM> {
         eye: Point,
     ) -> Option<u32> {
         let passed = &mut self.passed;
-        self.active.retain(|it| {
+        self.active.keep(|it| {
             let stays = u32::from(it.right) >= first;
             if K::IS_BALL && !stays && it.middle < u16::MAX {
                 *passed ^= ShapeId::at(it.index.into()).passed();
@@ -138,8 +172,8 @@ impl<'a, K: Bounded, const ROOM: usize> ActiveList<'a, K, ROOM> {
     /// Puts a shape where it belongs among the others; `None` where there is no room.
     #[inline(always)]
     fn insert(&mut self, shape: ActiveShape<'a, K>) -> Option<()> {
-        self.active.push(shape).ok()?;
-        let mut rest = self.active.as_mut_slice();
+        self.active.add(shape)?;
+        let mut rest = self.active.as_mut();
         while let [.., before, place] = rest {
             if !K::is_in_front_of(&shape.from, &before.from) {
                 break;
@@ -175,7 +209,7 @@ impl<'a, K: Bounded, const ROOM: usize> ActiveList<'a, K, ROOM> {
         nearest: &mut Nearest,
     ) {
         nearest.pass(self.passed);
-        for it in &self.active {
+        for it in self.active.as_ref() {
             let id = ShapeId::at(first + usize::from(it.index));
             if it.has_column(column) && nearest.ask_from(it.shape, &it.from, direction, (id, false))
             {
@@ -198,11 +232,15 @@ impl<'a, K: Bounded, const ROOM: usize> ActiveList<'a, K, ROOM> {
         first: usize,
         nearest: &mut Nearest,
     ) {
-        for it in &self.active {
+        for it in self.active.as_ref() {
             if it.has_column(column) {
                 let id = ShapeId::at(first + usize::from(it.index));
                 let is_thin = it.middle < u16::MAX;
-                nearest.ask_from(it.shape, &it.from, direction, (id, is_thin));
+                let is_hit = nearest.ask_from(it.shape, &it.from, direction, (id, is_thin));
+                if K::IS_FLAT && is_thin && !is_hit {
+                    // On which side of it the ray passes is not known: no other ray has been alike.
+                    nearest.pass(spread(column + 1));
+                }
             }
         }
     }

@@ -1,36 +1,52 @@
 //! The active lists of all kinds, for rays from one eye: the camera or its image in a plane.
 
-use super::active_list::{ActiveList, Window};
+use heapless::Vec;
+
+use super::active_list::{ActiveList, ActiveShape, Storage, Window};
 use super::screen_bounds::Rects;
 use crate::number::Length;
 use crate::ray::{PathSignature, Ray};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, Nearest, nearest_of};
 use crate::scene::shape_set::ShapeSet;
-use crate::scene::{Capacity, used};
+use crate::scene::{Capacity, Room, used};
 use crate::vector::{Direction, Point};
 
 macro_rules! active_lists {
     (
-        $header:tt
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident
-            [$active:literal] $($more:tt)* })*
+            [$active_list:ident $active:tt] $($more:tt)* })*
     ) => {
+        /// How much memory a scene's active lists take.
+        pub trait ActiveRoom: Capacity {
+            $(
+                #[doc = concat!("The active ", stringify!($list), ".")]
+                type $active_list<'a>: Storage<ActiveShape<'a, crate::shape::$prepared>>;
+            )*
+        }
+
+        impl<$($header)*> ActiveRoom for Room<$($arguments)*> {
+            $(
+                type $active_list<'a> = Vec<ActiveShape<'a, crate::shape::$prepared>, $active>;
+            )*
+        }
+
         /// The shapes that can be met in the columns that a row has come to.
         ///
         /// Where there are too many for the room, every ray asks every shape.
         #[derive(Debug)]
-        pub(super) struct ActiveLists<'a> {
+        pub(super) struct ActiveLists<'a, R: ActiveRoom> {
             /// Where the rays come from.
             eye: Point,
             /// The lists stay the same for columns that begin before this one.
             until: u32,
-            $($list: ActiveList<'a, crate::shape::$prepared, $active>,)*
+            $($list: ActiveList<'a, crate::shape::$prepared, R::$active_list<'a>>,)*
             /// Whether every shape is asked in every column.
             is_full: bool,
         }
 
-        impl<'a> ActiveLists<'a> {
+        impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
             /// Every shape in every column, or nothing yet; `USED` unless nobody is going to ask.
             #[inline(always)]
             pub(super) fn new<const USED: bool>(eye: Point, is_full: bool) -> Self {
@@ -59,7 +75,7 @@ macro_rules! active_lists {
 
             /// Looks for the shapes of the columns of a window.
             #[inline(never)]
-            fn look<W: SceneAccess, R: Capacity>(
+            fn look<W: SceneAccess>(
                 &mut self,
                 world: &'a W,
                 rects: &Rects<R>,
@@ -111,10 +127,10 @@ macro_rules! active_lists {
 }
 kinds!(active_lists);
 
-impl<'a> ActiveLists<'a> {
+impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
     /// Advances to a window, whose first column is not before the last one's.
     #[inline(always)]
-    pub(super) fn advance<W: SceneAccess, R: Capacity>(
+    pub(super) fn advance<W: SceneAccess>(
         &mut self,
         world: &'a W,
         rects: &Rects<R>,

@@ -24,12 +24,12 @@ pub use scene::{Scene, SceneIn, Tabled};
 pub use static_scene::{Apart, Static, StaticScene};
 pub use within::{Whole, Within};
 
+pub use active_lists::ActiveRoom;
 use light_occluders::LightOccluders;
 use light_table::LightTable;
 use mirror_table::MirrorTables;
 
 use crate::ray::{PathSignature, Ray};
-use crate::scene::Capacity;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
 use crate::scene::shape_set::ShapeSet;
@@ -101,7 +101,7 @@ pub(crate) fn nearest_ahead<W: World, Q: CullingQuality>(
 /// there is no need to implement it elsewhere.
 pub trait World: SceneAccess {
     /// The room of its lists.
-    type Room: Capacity;
+    type Room: ActiveRoom;
 
     /// The lights, and the shapes as they see them.
     #[allow(private_interfaces)]

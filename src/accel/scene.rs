@@ -1,9 +1,9 @@
 //! A scene made ready for the kernels, with the shapes as its lights see them.
 
-use super::World;
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::MirrorTables;
+use super::{ActiveRoom, World};
 use crate::camera::Camera;
 use crate::scene::access::SceneAccess;
 use crate::scene::{
@@ -148,7 +148,7 @@ impl<R: Capacity> SceneAccess for SceneIn<R> {
 }
 
 #[allow(private_interfaces)]
-impl<R: Capacity> World for SceneIn<R> {
+impl<R: ActiveRoom> World for SceneIn<R> {
     type Room = R;
 
     #[inline(always)]
@@ -178,7 +178,7 @@ impl<R: Capacity> SceneAccess for Tabled<'_, R> {
 }
 
 #[allow(private_interfaces)]
-impl<R: Capacity> World for Tabled<'_, R> {
+impl<R: ActiveRoom> World for Tabled<'_, R> {
     type Room = R;
 
     #[inline(always)]

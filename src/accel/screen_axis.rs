@@ -19,7 +19,7 @@ pub(super) struct Columns {
 }
 
 /// What is bound to so few columns, or rather some less for the bounds are wide, is thin.
-const THIN: i32 = signed(LONGEST_STRIDE) + 4;
+pub(super) const THIN: i32 = signed(LONGEST_STRIDE) + 4;
 
 impl Columns {
     pub(super) const ALL: Self = Self {

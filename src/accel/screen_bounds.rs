@@ -4,7 +4,7 @@
 //! radii are widened by 2⁻¹⁰ and 64 steps, mirrored ones by two epsilon, rectangles by one or two
 //! pixels.
 
-use super::screen_axis::{Columns, widened};
+use super::screen_axis::{Columns, THIN, widened};
 use super::screen_rect::{ScreenRect, THIN_SHAPE, insert};
 use crate::number::Length;
 use crate::ray::ScreenAxis;
@@ -110,6 +110,7 @@ impl Eye<'_> {
             let (center, half_axis, radius) = shape.outline();
             let rect = match self.seen(center, half_axis) {
                 Some((way, _)) if K::IS_BALL => self.ball(index, way, radius),
+                Some((way, normal)) if K::IS_FLAT => self.flat(index, (way, normal), radius),
                 Some((way, half_axis)) => self.capsule(index, (way, half_axis), radius),
                 None => ScreenRect::new(index, Columns::ALL, Columns::ALL, None),
             };
@@ -136,16 +137,36 @@ impl Eye<'_> {
         ScreenRect::new(index, columns, rows, tips)
     }
 
-    fn capsule(&self, index: usize, (way, half): (Vector, Vector), radius: i32) -> ScreenRect {
+    fn flat(&self, index: usize, (way, normal): (Vector, Vector), radius: i32) -> ScreenRect {
+        let rect = self.capsule_columns((way, Vector::ZERO), radius);
+        let Some((mut columns, rows)) = rect else {
+            return ScreenRect::of_nothing(index);
+        };
+        // Seen edge-on it is thinner than its columns say.
+        let (direction, _) = way.direction_and_length();
+        let width = i64::from(columns.last) - i64::from(columns.first);
+        let thickness = width * i64::from(normal.dot(direction).abs());
+        columns.is_thin |= thickness <= i64::from(THIN) * i64::from(radius);
+        ScreenRect::new(index, columns.with_neighbours(), rows, None)
+    }
+
+    fn capsule(&self, index: usize, capsule: (Vector, Vector), radius: i32) -> ScreenRect {
+        match self.capsule_columns(capsule, radius) {
+            Some((columns, rows)) => ScreenRect::new(index, columns.with_neighbours(), rows, None),
+            None => ScreenRect::of_nothing(index),
+        }
+    }
+
+    /// The columns and rows of a capsule, if it can be seen.
+    fn capsule_columns(
+        &self,
+        (way, half): (Vector, Vector),
+        radius: i32,
+    ) -> Option<(Columns, Columns)> {
         let radius = widened(radius) + self.lift();
         let [columns, rows] =
             [0, 1].map(|it: usize| self.axes[it].capsule_columns(way, half, radius));
-        match (columns, rows) {
-            (Some(columns), Some(rows)) => {
-                ScreenRect::new(index, columns.with_neighbours(), rows, None)
-            }
-            _ => ScreenRect::of_nothing(index),
-        }
+        columns.zip(rows)
     }
 
     /// The way to a shape's middle and its half axis, mirrored if there is a plane; `None` where that is

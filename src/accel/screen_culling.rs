@@ -23,11 +23,11 @@ pub(crate) struct ScreenCulling<'a, W: World> {
     y: u16,
     /// Whether every shape is asked in every column.
     is_full: bool,
-    direct: ActiveLists<'a>,
+    direct: ActiveLists<'a, W::Room>,
     /// The plane that mirrored the latest ray of this row.
     plane: ShapeId,
     /// What can be met after it.
-    mirrored: ActiveLists<'a>,
+    mirrored: ActiveLists<'a, W::Room>,
 }
 
 impl<'a, W: World> ScreenCulling<'a, W> {

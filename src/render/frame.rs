@@ -3,10 +3,10 @@
 use core::marker::PhantomData;
 
 use super::Picture;
-use crate::accel::{Apart, SceneIn, Static, Tabled, Whole, Within, World};
+use crate::accel::{ActiveRoom, Apart, SceneIn, Static, Tabled, Whole, Within, World};
 use crate::camera::Camera;
 use crate::render::{Fast, Quality};
-use crate::scene::{Bound, Capacity, Excess, MostReflections};
+use crate::scene::{Bound, Excess, MostReflections};
 use crate::shade::{BlinnPhong, Shading};
 
 /// A view of a scene that is still to be drawn: which camera, how many reflections, how exact.
@@ -103,7 +103,7 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     }
 }
 
-impl<R: Capacity> SceneIn<R> {
+impl<R: ActiveRoom> SceneIn<R> {
     /// A view of this scene through `camera`, with 4 reflections, [`Fast`], [`BlinnPhong`].
     pub const fn frame<'a>(&'a self, camera: &'a Camera) -> Frame<'a, &'a Self> {
         Frame::new(self, camera)
@@ -144,7 +144,7 @@ impl<R: Capacity> SceneIn<R> {
     }
 }
 
-impl<R: Capacity> Tabled<'_, R> {
+impl<R: ActiveRoom> Tabled<'_, R> {
     /// A view of the scene through `camera`, as [`Scene::frame`](crate::Scene::frame).
     pub const fn frame<'a>(&'a self, camera: &'a Camera) -> Frame<'a, &'a Self> {
         Frame::new(self, camera)

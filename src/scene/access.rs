@@ -97,6 +97,20 @@ macro_rules! parts {
                 Some((plane.normal, plane.material))
             }
 
+            /// Whether a shape of the scene is flat, as planes are.
+            #[inline(always)]
+            pub(crate) fn is_flat(&self, shape: ShapeId) -> bool {
+                let index = shape.index();
+                $(
+                    if index < self.$list.len() {
+                        return <crate::shape::$prepared as Bounded>::IS_FLAT;
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let _ = index;
+                true
+            }
+
             /// Whether a near point lies inside of a shape that rays from there do not leave.
             pub(crate) fn hold(&self, point: Point) -> bool {
                 $(self.$list.iter().any(|shape| shape.holds(point)))||*

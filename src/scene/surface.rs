@@ -41,7 +41,7 @@ impl<'a> Surface<'a> {
         let (outward, material) = parts.outside(shape, at.point)?;
         let climb = view.short_dot(outward);
         // At the rim of a shape rounding must not turn its outside into its inside.
-        let (is_inside, epsilon) = match parts.is_plane(shape) {
+        let (is_inside, epsilon) = match parts.is_flat(shape) {
             true => (climb > Unit::ZERO, parts.epsilon),
             false if climb > RIM => (true, parts.inner_epsilon),
             false => (false, parts.epsilon),
@@ -68,11 +68,10 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The shape, unless it may be met again by a ray that leaves it here: from inside of a sphere or
-    /// cylinder.
+    /// The shape, unless a ray that leaves it here can hit it again: from inside of one that is not flat.
     #[inline(always)]
     pub(crate) fn skip<W: SceneAccess>(&self, world: &W) -> ShapeId {
-        match self.is_inside && !world.parts().is_plane(self.shape) {
+        match self.is_inside && !world.parts().is_flat(self.shape) {
             true => ShapeId::NONE,
             false => self.shape,
         }
@@ -85,7 +84,7 @@ impl<'a> Surface<'a> {
         let direction = self.view.reflected(self.normal, cosine);
         // A curved surface's normal has a length of one but for 2⁻¹⁶, or 2⁻¹⁴ far away; four times as
         // much is what the direction's is off by.
-        let direction = match world.parts().is_plane(self.shape) {
+        let direction = match world.parts().is_flat(self.shape) {
             true => direction,
             false => direction.renormalised(),
         };

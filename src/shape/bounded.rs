@@ -8,7 +8,7 @@ use crate::ray::Ray;
 use crate::vector::{Direction, Point, Vector};
 
 /// A bounded shape as the kernels read it.
-pub(crate) trait Bounded: Copy + Debug + 'static {
+pub trait Bounded: Copy + Debug + 'static {
     /// The shape as rays from one fixed point meet it.
     type FromPoint: Copy + Debug;
 
@@ -16,7 +16,12 @@ pub(crate) trait Bounded: Copy + Debug + 'static {
     /// back.
     const IS_BALL: bool;
 
-    /// A capsule around the shape: its middle, the way from there to one end, and its radius.
+    /// Whether shapes of this kind are flat: a ray that leaves one does not hit it again, and one that is
+    /// a mirror bends nothing.
+    const IS_FLAT: bool = false;
+
+    /// A capsule around the shape: its middle, the way from there to one end, and its radius. Of a flat
+    /// one, the way is its normal, as long as its radius.
     fn outline(&self) -> (Point, Vector, i32);
 
     /// The shape as rays from the camera, or its mirror image, meet it; no ray that hits the shape
@@ -73,13 +78,13 @@ pub(crate) trait Bounded: Copy + Debug + 'static {
 
 /// Distances along a ray: above `start` and below `reach`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Range {
+pub struct Range {
     pub(crate) start: Length,
     pub(crate) reach: Length,
 }
 
 /// A ray from a light to a point on a surface.
-pub(crate) struct LightRay {
+pub struct LightRay {
     pub(crate) direction: Direction,
     /// How far the point is from the light.
     pub(crate) reach: Length,
@@ -91,7 +96,7 @@ pub(crate) struct LightRay {
 
 /// Whose surface the end of a light's ray lies on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Own {
+pub enum Own {
     /// Another shape's.
     No,
     /// This shape's, seen from outside.

@@ -167,7 +167,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 sum.add(throughput, K::missed(world));
                 break;
             }
-            is_bent |= !world.parts().is_plane(surface.shape);
+            is_bent |= !world.parts().is_flat(surface.shape);
             surface.reflect(world, &mut ray);
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
         }

@@ -4,7 +4,7 @@ use crate::vector::{Direction, Vector};
 
 /// A cylinder as the rays from one point see it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct CylinderFromPoint {
+pub struct CylinderFromPoint {
     /// From the point to the middle of the cylinder.
     pub(super) way: Vector,
     /// axis × way: its length along a ray is how far the ray's line passes from the axis's, times

@@ -5,7 +5,7 @@ use crate::vector::{Direction, Vector};
 
 /// A sphere as the rays from one point see it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SphereFromPoint {
+pub struct SphereFromPoint {
     /// From the point to the centre.
     pub(super) way: Vector,
     /// The length of the tangents from the point; the least number where the point lies inside.
