@@ -78,14 +78,14 @@
 //! | floor | modules | what lives there |
 //! |---|---|---|
 //! | 8 | `display` | rows into a display, dithered if it has few levels |
-//! | 7 | `render` | a frame made ready; a row's colours, most between traced ones |
+//! | 7 | `render` | a frame made ready, its quality; a row's colours, most between traced ones |
 //! | 6 | `trace` | one ray to one colour: the accumulation |
 //! | 5 | `accel` | what only makes it faster: which shapes a ray need ask |
 //! | 4 | `shade` | the light at one hit |
 //! | 3 | `scene` | the checked scene; what a ray meets, whether it is blocked |
 //! | 2 | `shape`, `camera`, `material`, `light` | intersections; a pixel's ray; plain data |
 //! | 1 | `vector`, `ray`, `grid`, `color` | points, directions, rays, the scene's grid, linear colour |
-//! | 0 | `number`, `fault`, `kinds`, `quality` | the formats, shifts, roots; the words for what is wrong; the list of bounded kinds; what a frame may leave out |
+//! | 0 | `number`, `fault`, `kinds` | the formats, shifts, roots; the words for what is wrong; the list of bounded kinds |
 //!
 //! A file uses only floors below its own. Beside them stand `scenes` (behind a feature of that
 //! name) and `host` (likewise: the double-precision reference, image comparison and scene files;
@@ -167,7 +167,6 @@ pub mod host;
 mod light;
 mod material;
 mod number;
-mod quality;
 mod ray;
 mod render;
 mod scene;
@@ -184,7 +183,7 @@ mod shape;
 mod trace;
 mod vector;
 
-pub use accel::{Apart, Scene, SceneIn, Static, StaticScene, Whole, Within, World};
+pub use accel::{Apart, Scene, SceneIn, Static, StaticScene, Tabled, Whole, Within, World};
 pub use camera::{Camera, CameraDescription, CameraError};
 pub use display::{
     Budgeted, Choice, Ditherable, Dithered, Enlarged, Front, FrontPoint, Grade, Threshold, dither,
@@ -193,8 +192,7 @@ pub use fault::Fault;
 pub use light::Light;
 pub use material::Material;
 pub use number::{Number, Unit};
-pub use quality::{Exact, Fast, Fine, Quality, Small};
-pub use render::{Frame, Picture, Report, StaticFrame};
+pub use render::{Exact, Fast, Fine, Frame, Picture, Quality, Report, Small, StaticFrame};
 pub use scene::access::SceneAccess;
 pub use scene::{
     Bound, Capacity, Description, Excess, Mirrors, MostReflections, Need, Needs, Room,

@@ -5,7 +5,8 @@
 //! no root. It differs from the plain test where rounding decides, by a few steps of the grid: the ray
 //! runs from the light to the surface and not back.
 
-use super::World;
+use super::light_table::light_set;
+use super::{CullingQuality, World};
 use crate::light::PreparedLight;
 use crate::number::Length;
 use crate::ray::ScaledPoint;
@@ -103,7 +104,7 @@ impl<R: Capacity> LightOccluders<R> {
 /// Where `PRECISE`, a point that epsilon lifts into a sphere is in its shadow. A shape does not occlude
 /// a point on its own surface: hits are known to a few steps, so the ray ends that much earlier.
 #[inline(always)]
-pub(crate) fn occluded<W: World, const PRECISE: bool>(
+pub(crate) fn occluded<W: World, Q: CullingQuality, const PRECISE: bool>(
     world: &W,
     surface: &Surface<'_>,
     (light, index): (&LightOccluders<W::Room>, usize),
@@ -118,11 +119,7 @@ pub(crate) fn occluded<W: World, const PRECISE: bool>(
         epsilon: world.parts().epsilon,
         end: surface.place.point,
     };
-    let table = match W::NEEDS.sets {
-        true => world.light_tables().get(index),
-        false => None,
-    };
-    let set = table.map_or(ShapeSet::ALL, |table| table.at(direction));
+    let set = light_set::<W, Q>(world, index, direction);
     any_occludes::<W, PRECISE>(world, set, surface, light, &ray)
 }
 

@@ -4,9 +4,11 @@
 //! cylinder's wall is a chain of balls.
 
 use super::direction_table::{CellSets, DirectionTable};
+use super::{CullingQuality, World};
+use crate::light::PreparedLight;
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
-use crate::vector::Point;
+use crate::vector::{Direction, Point};
 
 /// The shapes around a light.
 pub(crate) type LightTable = DirectionTable<8, 512, 64>;
@@ -18,7 +20,7 @@ macro_rules! light_table {
     ) => {
         impl LightTable {
             /// Of a light at a near point.
-            pub(super) const fn around(light: Point, parts: &Parts<'_>) -> Self {
+            pub(crate) const fn around(light: Point, parts: &Parts<'_>) -> Self {
                 let layout = SetLayout::new(parts.lengths());
                 let mut cells = CellSets::NONE;
                 let kind = 0;
@@ -43,6 +45,41 @@ macro_rules! light_table {
     };
 }
 kinds!(light_table);
+
+impl LightTable {
+    /// Of a light; every shape in every direction if it is far.
+    pub(super) const fn of_light(light: &PreparedLight, parts: &Parts<'_>) -> Self {
+        match light.place.is_near() {
+            true => Self::around(light.place.point, parts),
+            false => Self::ALL,
+        }
+    }
+
+    /// Of each light of a scene.
+    pub(super) const fn of_lights<const L: usize>(parts: &Parts<'_>) -> [Self; L] {
+        let mut tables = [Self::ALL; L];
+        let mut index = 0;
+        while index < parts.lights.len() && index < L {
+            tables[index] = Self::of_light(&parts.lights[index], parts);
+            index += 1;
+        }
+        tables
+    }
+}
+
+/// The shapes in a direction from the light with a number; all where it has no table.
+#[inline(always)]
+pub(crate) fn light_set<W: World, Q: CullingQuality>(
+    world: &W,
+    light: usize,
+    direction: Direction,
+) -> &ShapeSet {
+    let table = match W::NEEDS.sets && Q::CULLING.light_tables {
+        true => world.light_tables().get(light),
+        false => None,
+    };
+    table.map_or(ShapeSet::ALL, |table| table.at(direction))
+}
 
 #[cfg(test)]
 mod tests;

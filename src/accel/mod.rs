@@ -20,7 +20,7 @@ mod static_scene;
 mod within;
 
 pub(crate) use active_list::Window;
-pub use scene::{Scene, SceneIn};
+pub use scene::{Scene, SceneIn, Tabled};
 pub use static_scene::{Apart, Static, StaticScene};
 pub use within::{Whole, Within};
 
@@ -37,22 +37,58 @@ use crate::scene::shape_set::ShapeSet;
 /// The longest way from one pixel that is always traced to the next.
 pub(crate) const LONGEST_STRIDE: u32 = 4;
 
+/// Which techniques are used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Culling {
+    /// Rows ask what [`screen_bounds`] name.
+    pub(crate) screen_bounds: bool,
+    /// Shadows are told from the light ([`light_occluders`], [`light_visibility`]).
+    pub(crate) light_occluders: bool,
+    /// Shadows ask what [`light_table`] names.
+    pub(crate) light_tables: bool,
+    /// Rays off round mirrors ask what [`mirror_table`] names.
+    pub(crate) mirror_tables: bool,
+}
+
+impl Culling {
+    /// Every technique.
+    pub(crate) const ALL: Self = Self {
+        screen_bounds: true,
+        light_occluders: true,
+        light_tables: true,
+        mirror_tables: true,
+    };
+
+    /// The plain path.
+    pub(crate) const NONE: Self = Self {
+        screen_bounds: false,
+        light_occluders: false,
+        light_tables: false,
+        mirror_tables: false,
+    };
+
+    /// Whether a technique is used.
+    pub(crate) const fn is_any(self) -> bool {
+        self.screen_bounds || self.light_occluders || self.light_tables || self.mirror_tables
+    }
+}
+
 /// Which techniques a quality uses.
 pub trait CullingQuality {
-    /// Whether it uses any.
-    const CULLING: bool;
+    /// Its techniques.
+    const CULLING: Culling;
 }
 
 /// The nearest bounded shape on a ray that a mirror reflects; asks what lies ahead of it, if that is
 /// known.
 #[inline(always)]
-pub(crate) fn nearest_ahead<W: World>(
+pub(crate) fn nearest_ahead<W: World, Q: CullingQuality>(
     world: &W,
     ray: &Ray,
     (mirror, skip): (ShapeId, ShapeId),
     signature: &mut PathSignature,
 ) -> Hit {
-    let candidates = match W::CHOOSES_HITS {
+    let candidates = match W::CHOOSES_HITS && Q::CULLING.mirror_tables {
         true => world.mirror_tables().ahead(mirror, ray.direction),
         false => ShapeSet::ALL,
     };

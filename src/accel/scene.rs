@@ -7,7 +7,7 @@ use super::mirror_table::MirrorTables;
 use crate::camera::Camera;
 use crate::scene::access::SceneAccess;
 use crate::scene::{
-    Capacity, Description, Needs, Parts, PlainScene, Room, RuntimeSceneIn, SceneBuilder,
+    Array, Capacity, Description, Needs, Parts, PlainScene, Room, RuntimeSceneIn, SceneBuilder,
     SceneBuilderIn, SceneError, used,
 };
 
@@ -16,7 +16,6 @@ use crate::scene::{
 pub struct SceneIn<R: Capacity> {
     pub(super) plain: PlainScene<R>,
     pub(super) light_occluders: R::Lights<LightOccluders<R>>,
-    pub(super) light_tables: R::Lights<LightTable>,
 }
 
 impl<R: Capacity> SceneIn<R> {
@@ -58,16 +57,11 @@ macro_rules! scene {
                 let mut scene = Self {
                     plain,
                     light_occluders: [LightOccluders::NONE; L],
-                    light_tables: [LightTable::ALL; L],
                 };
                 let parts = scene.plain.constant_parts();
                 let mut index = 0;
                 while index < parts.lights.len() && index < L {
-                    let light = parts.lights[index];
-                    scene.light_occluders[index] = LightOccluders::new(light, &parts);
-                    if light.place.is_near() {
-                        scene.light_tables[index] = LightTable::around(light.place.point, &parts);
-                    }
+                    scene.light_occluders[index] = LightOccluders::new(parts.lights[index], &parts);
                     index += 1;
                 }
                 Ok(scene)
@@ -99,8 +93,52 @@ macro_rules! scene {
 }
 kinds!(scene);
 
+impl<R: Capacity> SceneIn<R> {
+    /// The scene with a table for each light of the shapes around it: 1 KB a light, in memory of the
+    /// caller's. Shadows of many shapes then take less time; the picture is the same, to the bit.
+    ///
+    /// A scene whose type has room for three bounded shapes or fewer asks them all, with tables or without.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
+    /// use reflet::{Camera, Material, RuntimeScene};
+    ///
+    /// const CAMERA: Camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
+    ///
+    /// let mut scene = RuntimeScene::<8, 0, 0, 1, 1>::new();
+    /// let chalk = scene.add_material(Material::new([0.9; 3]))?;
+    /// for x in -3..=3 {
+    ///     scene.add_sphere([x, 0, 0], 0.4, chalk)?;
+    /// }
+    /// scene.add_light([9, -4, 6], [1, 1, 1])?;
+    /// let scene = scene.build()?;
+    /// let tabled = scene.tabled();
+    /// let mut display = MockDisplay::<Rgb888>::new();
+    /// tabled.frame(&CAMERA).draw(&mut display).unwrap();
+    /// # Ok::<(), reflet::SceneError>(())
+    /// ```
+    pub fn tabled(&self) -> Tabled<'_, R> {
+        let mut light_tables: R::Lights<LightTable> = Array::filled(LightTable::ALL);
+        let parts = self.plain.parts();
+        for (light, table) in parts.lights.iter().zip(light_tables.as_mut()) {
+            *table = LightTable::of_light(light, &parts);
+        }
+        Tabled {
+            scene: self,
+            light_tables,
+        }
+    }
+}
+
+/// A [`Scene`] with a table for each of its lights; see [`Scene::tabled`].
+#[derive(Clone, Copy, Debug)]
+pub struct Tabled<'a, R: Capacity> {
+    scene: &'a SceneIn<R>,
+    light_tables: R::Lights<LightTable>,
+}
+
 impl<R: Capacity> SceneAccess for SceneIn<R> {
-    const NEEDS: Needs = Needs::of_room(&R::COUNTS);
+    const NEEDS: Needs = Needs::of_room(&R::COUNTS).without_sets();
     const CHOOSES_HITS: bool = false;
 
     #[inline(always)]
@@ -120,7 +158,37 @@ impl<R: Capacity> World for SceneIn<R> {
 
     #[inline(always)]
     fn light_tables(&self) -> &[LightTable] {
-        used(self.light_tables.as_ref(), self.plain.counts.lights)
+        &[]
+    }
+
+    #[inline(always)]
+    fn mirror_tables(&self) -> &MirrorTables {
+        MirrorTables::NONE
+    }
+}
+
+impl<R: Capacity> SceneAccess for Tabled<'_, R> {
+    const NEEDS: Needs = Needs::of_room(&R::COUNTS);
+    const CHOOSES_HITS: bool = false;
+
+    #[inline(always)]
+    fn parts(&self) -> Parts<'_> {
+        self.scene.plain.parts()
+    }
+}
+
+#[allow(private_interfaces)]
+impl<R: Capacity> World for Tabled<'_, R> {
+    type Room = R;
+
+    #[inline(always)]
+    fn light_occluders(&self) -> &[LightOccluders<R>] {
+        self.scene.light_occluders()
+    }
+
+    #[inline(always)]
+    fn light_tables(&self) -> &[LightTable] {
+        used(self.light_tables.as_ref(), self.scene.plain.counts.lights)
     }
 
     #[inline(always)]

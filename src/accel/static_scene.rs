@@ -105,7 +105,7 @@ macro_rules! apart {
             const LIGHTS: [PreparedLight; L] = T::SCENE.plain.lights;
             const MATERIALS: [PreparedMaterial; M] = T::SCENE.plain.materials;
             const GRID: Grid = T::SCENE.plain.grid;
-            const LIGHT_TABLES: [LightTable; L] = T::SCENE.light_tables;
+            const LIGHT_TABLES: [LightTable; L] = LightTable::of_lights(&T::PARTS);
             const LIGHT_OCCLUDERS: [LightOccluders<Room<$($arguments)*>>; L] =
                 T::SCENE.light_occluders;
         }

@@ -9,7 +9,7 @@ use embedded_graphics::primitives::Rectangle;
 use super::Enlarged;
 use crate::accel::World;
 use crate::number::{Unit, signed};
-use crate::quality::{Fast, Fine, Quality};
+use crate::render::{Fast, Fine, Quality};
 use crate::render::{Frame, Report};
 use crate::shade::Shading;
 

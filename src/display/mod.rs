@@ -19,7 +19,7 @@ use embedded_graphics::transform::Transform;
 use crate::accel::World;
 use crate::color::Sum;
 use crate::number::unsigned;
-use crate::quality::Quality;
+use crate::render::Quality;
 use crate::render::{Frame, Picture, Report};
 use crate::shade::Shading;
 

@@ -8,7 +8,7 @@ use embedded_graphics::prelude::Size;
 
 use super::reference::Picture;
 use crate::accel::World;
-use crate::quality::Quality;
+use crate::render::Quality;
 use crate::shade::Shading;
 
 /// Draws a frame row by row into the form that pictures are compared in.

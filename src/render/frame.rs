@@ -3,9 +3,9 @@
 use core::marker::PhantomData;
 
 use super::Picture;
-use crate::accel::{Apart, SceneIn, Static, Whole, Within, World};
+use crate::accel::{Apart, SceneIn, Static, Tabled, Whole, Within, World};
 use crate::camera::Camera;
-use crate::quality::{Fast, Quality};
+use crate::render::{Fast, Quality};
 use crate::scene::{Bound, Capacity, Excess, MostReflections};
 use crate::shade::{BlinnPhong, Shading};
 
@@ -141,6 +141,13 @@ impl<R: Capacity> SceneIn<R> {
             Ok(()) => Ok(Frame::new(Within::new(self), camera)),
             Err(excess) => Err(excess),
         }
+    }
+}
+
+impl<R: Capacity> Tabled<'_, R> {
+    /// A view of the scene through `camera`, as [`Scene::frame`](crate::Scene::frame).
+    pub const fn frame<'a>(&'a self, camera: &'a Camera) -> Frame<'a, &'a Self> {
+        Frame::new(self, camera)
     }
 }
 

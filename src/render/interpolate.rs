@@ -16,7 +16,7 @@ use crate::accel::{LONGEST_STRIDE, Window, World};
 use crate::camera::RowDirections;
 use crate::color::{Bend, Sum};
 use crate::number::Unit;
-use crate::quality::Quality;
+use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Traced, Tracer};
 
@@ -56,6 +56,19 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         );
     };
 
+    /// How many columns lie from one pixel that is always traced to the next.
+    ///
+    /// What all planes together show is cut into convex parts, one for each sequence of planes that a
+    /// path can meet, and no plane throws a shadow. So nothing lies between two pixels whose paths
+    /// went alike.
+    #[inline(always)]
+    fn stride(tracer: &Tracer<'a, W, K, Q>) -> u32 {
+        match Q::STRIDE > 1 && !tracer.has_bounded() {
+            true => LONGEST_STRIDE,
+            false => Q::STRIDE,
+        }
+    }
+
     /// From `column` on, in a picture so wide.
     #[inline(always)]
     pub(crate) fn new(
@@ -65,7 +78,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         width: u32,
     ) -> Self {
         const { Self::IS_SOUND };
-        let stride = tracer.stride();
+        let stride = Self::stride(tracer);
         // As when the row begins before it; how much the colours bend is known from the stretch before.
         let window = (column - column % stride).saturating_sub(3 * stride);
         let mut colors = Self {
@@ -91,7 +104,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// Makes ready for a row that begins inside of a stretch.
     #[inline(never)]
     fn start(&mut self) {
-        let stride = self.tracer.stride();
+        let stride = Self::stride(self.tracer);
         let first = self.column - self.column % stride;
         let before = first.saturating_sub(stride);
         let turn_to = |colors: &mut Self, column: u32| {
@@ -118,7 +131,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         let Some(until) = self.tracer.clear_until(&self.window) else {
             return false;
         };
-        let stride = self.tracer.stride();
+        let stride = Self::stride(self.tracer);
         self.clear_until = (until - until % stride).max(first + stride);
         let missed = self.tracer.missed();
         self.stretch = [missed.sum; LONGEST_STRIDE as usize];
@@ -149,7 +162,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         if first < self.clear_until {
             return;
         }
-        let stride = self.tracer.stride();
+        let stride = Self::stride(self.tracer);
         self.window = self.tracer.advance(first, first + 2 * stride);
         if stride == 1 {
             self.stretch[0] = self.trace(first).sum;

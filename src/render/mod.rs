@@ -5,10 +5,12 @@
 mod frame;
 mod interpolate;
 mod picture;
+mod quality;
 mod report;
 
 pub use frame::{Frame, StaticFrame};
 pub use picture::Picture;
+pub use quality::{Exact, Fast, Fine, Quality, Small};
 pub use report::Report;
 
 use interpolate::Colors;

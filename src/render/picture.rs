@@ -9,8 +9,8 @@ use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
 use crate::camera::{Camera, RayGenerator};
 use crate::color::Sum;
-use crate::quality::{Fast, Quality};
 use crate::ray::ScaledPoint;
+use crate::render::{Fast, Quality};
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
 

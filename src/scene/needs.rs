@@ -234,6 +234,14 @@ impl Needs {
         }
     }
 
+    /// The same where all shapes are asked.
+    pub(crate) const fn without_sets(self) -> Self {
+        Self {
+            sets: false,
+            ..self
+        }
+    }
+
     /// What both need.
     #[must_use]
     pub const fn both(&self, other: &Self) -> Self {

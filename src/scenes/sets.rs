@@ -9,8 +9,8 @@ use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{Scene, Static, World};
 use crate::number::sweep::Sweep;
 use crate::number::{Length, Unit};
-use crate::quality::Fine;
 use crate::ray::{PathSignature, REACH, ScaledPoint, ScaledRay};
+use crate::render::Fine;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::{nearest_hit, occluded};
 use crate::scene::{RuntimeScene, Surface};
@@ -141,10 +141,18 @@ fn rows_of_crowded_scenes_miss_no_shape() {
         let (tubes, roomy) = (crowd::<0, 12>(&mut random), roomy_crowd(&mut random));
         let position = random.place().map(|x| 2.5 * x);
         let camera = camera(&mut random, position);
-        compare(&many, &camera, &format!("crowd {round}"));
-        compare(&few, &camera, &format!("small crowd {round}"));
-        compare(&tubes, &camera, &format!("crowd of cylinders {round}"));
-        compare(&roomy, &camera, &format!("crowd with room {round}"));
+        compare(&many.tabled(), &camera, &format!("crowd {round}"));
+        compare(&few.tabled(), &camera, &format!("small crowd {round}"));
+        compare(
+            &tubes.tabled(),
+            &camera,
+            &format!("crowd of cylinders {round}"),
+        );
+        compare(
+            &roomy.tabled(),
+            &camera,
+            &format!("crowd with room {round}"),
+        );
     }
 }
 
@@ -168,7 +176,7 @@ fn rows_that_show_a_rim_large_miss_no_shape() {
         let target = about(&scene, &mut random, 1.2, round % 24);
         // A sphere is wider than the picture.
         let camera = Camera::new(position, target, [0.1, 0.2, 1.0], 0.6).unwrap();
-        compare(&scene, &camera, &format!("rim {round}"));
+        compare(&scene.tabled(), &camera, &format!("rim {round}"));
     }
 }
 
@@ -180,7 +188,7 @@ fn rows_seen_from_far_away_miss_no_shape() {
         let camera = Camera::new([900.0, 700.0, 500.0], [0.0; 3], [0.0, 0.0, 1.0], 0.2).unwrap();
         let from = scene.parts().grid.place(camera.description().position);
         assert!(!from.is_near());
-        compare(&scene, &camera, &format!("far crowd {round}"));
+        compare(&scene.tabled(), &camera, &format!("far crowd {round}"));
     }
 }
 
@@ -193,7 +201,11 @@ fn rows_seen_from_inside_a_sphere_miss_no_shape() {
         let position = about(&scene, &mut random, 0.5, round);
         let inside = camera(&mut random, position);
         is_inside(&scene, &inside);
-        compare(&scene, &inside, &format!("inside of the crowd {round}"));
+        compare(
+            &scene.tabled(),
+            &inside,
+            &format!("inside of the crowd {round}"),
+        );
 
         // Inside of a sphere around everything; behind it nothing can be seen.
         let (mut scene, glass) = described::<61, 20>(&mut random, (60, 20));
@@ -205,7 +217,7 @@ fn rows_seen_from_inside_a_sphere_miss_no_shape() {
         let position = random.place().map(|x| 1.5 * x);
         let inside = camera(&mut random, position);
         is_inside(&scene, &inside);
-        compare(&scene, &inside, &format!("crowd inside {round}"));
+        compare(&scene.tabled(), &inside, &format!("crowd inside {round}"));
     }
 }
 
@@ -267,7 +279,8 @@ fn asked<W: World>(world: &W, random: &mut Sweep) -> [u32; 2] {
             let all = occluded_by_any(world, light, direction, reach, left);
             let surface = outside_of(world, left);
             let ray = (direction, reach);
-            let some = light_occluders::occluded::<_, false>(world, &surface, (light, index), ray);
+            let some =
+                light_occluders::occluded::<_, Fine, false>(world, &surface, (light, index), ray);
             assert_eq!(some, all, "{direction:?} {reach:?} {left:?}");
             counts[usize::from(all)] += 1;
         }
@@ -282,10 +295,10 @@ fn light_tables_miss_no_shape() {
     let mut counts = [[0; 2]; 4];
     for _ in 0..6 {
         let asked = [
-            asked(&crowd::<100, 40>(&mut random), &mut random),
-            asked(&crowd::<30, 20>(&mut random), &mut random),
-            asked(&roomy_crowd(&mut random), &mut random),
-            asked(&crowd::<2, 1>(&mut random), &mut random),
+            asked(&crowd::<100, 40>(&mut random).tabled(), &mut random),
+            asked(&crowd::<30, 20>(&mut random).tabled(), &mut random),
+            asked(&roomy_crowd(&mut random).tabled(), &mut random),
+            asked(&crowd::<2, 1>(&mut random).tabled(), &mut random),
         ];
         for (sum, counts) in counts.iter_mut().zip(asked) {
             *sum = [0, 1].map(|it| sum[it] + counts[it]);
@@ -341,8 +354,12 @@ fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
                 continue;
             }
             let way = (ray.direction().reversed(), distance);
-            let hidden =
-                light_occluders::occluded::<_, false>(world, &surface, (occluders, index), way);
+            let hidden = light_occluders::occluded::<_, Fine, false>(
+                world,
+                &surface,
+                (occluders, index),
+                way,
+            );
             if general(surface.place) == hidden {
                 counts[usize::from(hidden)] += 1;
                 continue;
@@ -370,8 +387,8 @@ fn clear_lights_are_hidden_by_what_blocks_the_way_to_them() {
         many.set_epsilon(1e-6).unwrap();
         few.set_epsilon(1e-6).unwrap();
         let told = [
-            told(&many.build().unwrap(), &mut random),
-            told(&few.build().unwrap(), &mut random),
+            told(&many.build().unwrap().tabled(), &mut random),
+            told(&few.build().unwrap().tabled(), &mut random),
         ];
         for told in told {
             counts = [0, 1, 2].map(|it| counts[it] + told[it]);

@@ -24,13 +24,21 @@ pub(crate) trait Bounded: Copy + Debug + 'static {
     fn from_eye(&self, eye: Point) -> Self::FromPoint;
 
     /// Whether one shape is in front of another, or about as far; asked of balls.
-    fn is_in_front_of(one: &Self::FromPoint, other: &Self::FromPoint) -> bool;
+    #[inline(always)]
+    fn is_in_front_of(_one: &Self::FromPoint, _other: &Self::FromPoint) -> bool {
+        false
+    }
 
     /// Whether part of the shape may be nearer than a distance; asked of balls.
-    fn may_be_nearer(from: &Self::FromPoint, distance: Length) -> bool;
+    #[inline(always)]
+    fn may_be_nearer(_from: &Self::FromPoint, _distance: Length) -> bool {
+        true
+    }
 
     /// Whether a near point lies inside of the shape, so that all rays from it stay inside.
-    fn holds(&self, point: Point) -> bool;
+    fn holds(&self, _point: Point) -> bool {
+        false
+    }
 
     /// Distance of the first hit of a ray, within `range`. Sets `side` if the ray certainly misses
     /// the shape's sides on the left.

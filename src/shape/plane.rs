@@ -1,13 +1,16 @@
 //! Infinite planes.
 
+mod approach;
+mod far;
+
+pub(crate) use approach::{Approach, Bearing};
+pub(crate) use far::{NOT_MET, Side};
+
 use super::MaterialId;
 use crate::fault::Fault;
 use crate::grid::Grid;
-use crate::number::{
-    Length, Quotient, Unit, divide, magnitude, narrowed, narrowed_128, ratio, shifted, signed,
-    unsigned, unsigned_wide, wide_unsigned, word_and_sign,
-};
-use crate::ray::{Ray, ScaledPoint, ScaledRay};
+use crate::number::{Length, Unit, narrowed, narrowed_128, unsigned, word_and_sign};
+use crate::ray::{Ray, ScaledPoint};
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// A plane as it is described.
@@ -101,88 +104,8 @@ impl Upright {
     }
 }
 
-/// Further than any distance.
-pub(crate) const NOT_MET: u64 = u64::MAX;
-
 /// The largest offset that near rays work with.
 const MAX_OFFSET: i64 = 1 << 61;
-
-/// Where a place lies, as a plane sees it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
-    /// Where the normal points.
-    Above,
-    /// On the other side.
-    Below,
-    /// Within epsilon.
-    Close,
-    /// In the plane, as far as can be told.
-    In,
-}
-
-/// How a ray comes down on a plane: the distance is the height over the descent.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Approach {
-    height: u32,
-    /// How much height is lost a step, Q4.28.
-    descent: u32,
-}
-
-impl Approach {
-    /// Of what is met at a distance.
-    #[inline(always)]
-    pub(crate) const fn at(distance: Length) -> Self {
-        Self {
-            height: unsigned(distance.to_bits()),
-            descent: 1 << 28,
-        }
-    }
-
-    /// Whether this meets its plane before another; no division.
-    #[inline(always)]
-    pub(crate) const fn is_before(&self, other: &Self) -> bool {
-        wide_unsigned(self.height, other.descent) < wide_unsigned(other.height, self.descent)
-    }
-
-    /// The distance, which is below 2³⁰.
-    #[inline(always)]
-    pub(crate) const fn distance(&self) -> Length {
-        let distance = ratio(self.height, self.descent << 2);
-        // Rounding may reach beyond.
-        const MOST: i32 = (1 << 30) - 1;
-        Length::from_bits(if distance < MOST { distance } else { MOST })
-    }
-}
-
-/// Where a ray begins as a plane sees it, and where it goes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Bearing {
-    /// The height over the plane, within ±2³², so that only the sign may be lost.
-    steps: i32,
-    /// All bits the sign of the height.
-    sign: i32,
-    /// A quarter of the cosine to the normal, rounded down: how much height is gained a step, Q4.28.
-    climb: i32,
-}
-
-impl Bearing {
-    /// Of nothing.
-    pub(crate) const NONE: Self = Self {
-        steps: 0,
-        sign: 0,
-        climb: 0,
-    };
-
-    /// How the ray comes down on the plane, if it does.
-    #[inline(always)]
-    pub(crate) fn approach(&self) -> Option<Approach> {
-        let steps = magnitude(self.steps, self.sign);
-        (self.climb ^ self.sign < 0 && steps != 0).then_some(Approach {
-            height: steps,
-            descent: self.climb.unsigned_abs(),
-        })
-    }
-}
 
 impl PreparedPlane {
     /// Fills the room of a plane that a scene's type allows but the scene does not use.
@@ -299,63 +222,6 @@ impl PreparedPlane {
         descent(height, climb).filter(|&(height, descent)| {
             height < u64::from(descent) * u64::from(unsigned(reach.to_bits()))
         })
-    }
-
-    /// The distance in raw steps at which a path from any place meets the plane, below 2⁶², or
-    /// [`NOT_MET`].
-    #[inline(never)]
-    pub(crate) fn intersect_far(&self, path: &ScaledRay) -> u64 {
-        let (height, scale) = self.height_far(path.from());
-        let climb = path.direction().dot(self.normal).to_bits();
-        // One that is zero when it is rounded down to 2⁻²⁸ is none: near rays do not meet the plane from
-        // below then, and its surface would be seen from above.
-        let climb = if climb >> 2 == 0 { 0 } else { climb };
-        let Some((height, descent)) = descent(height, climb) else {
-            return NOT_MET;
-        };
-        let Quotient { mantissa, exponent } = divide(height, descent);
-        let exponent = exponent + signed(scale);
-        match exponent < 30 {
-            true => unsigned_wide(shifted(mantissa.into(), exponent.max(-63))),
-            false => NOT_MET,
-        }
-    }
-
-    /// How far a place lies along the normal from the plane, with 30 more fraction bits, and the
-    /// scale this is in.
-    fn height_far(&self, place: ScaledPoint) -> (i64, u32) {
-        let scale = place.scale.max(self.far_scale);
-        let along = place.point.to_vector().dot_wide(self.normal);
-        let at_scale = |value: i64, from: u32| shifted(value, -signed((scale - from).min(63)));
-        (
-            at_scale(along, place.scale) - at_scale(self.far_offset, self.far_scale),
-            scale,
-        )
-    }
-
-    /// Where a place lies.
-    pub(crate) fn side(&self, place: ScaledPoint, epsilon: Length) -> Side {
-        let (height, scale) = self.height_far(place);
-        // A few steps of the scale, for what rounding has moved.
-        const IN: i64 = 4;
-        let close = i64::from(epsilon.to_bits() >> scale.min(31)) + IN;
-        match height >> 30 {
-            steps if steps.abs() <= IN => Side::In,
-            steps if steps > close => Side::Above,
-            steps if steps < -close => Side::Below,
-            _ => Side::Close,
-        }
-    }
-
-    /// Whether a path meets the plane before it has gone `reach` · 2^`scale` steps; no division.
-    pub(crate) fn blocks_far(&self, path: &ScaledRay, reach: Length, scale: u32) -> bool {
-        let (height, height_scale) = self.height_far(path.from());
-        let climb = path.direction().dot(self.normal).to_bits();
-        let Some((height, descent)) = descent(height, climb) else {
-            return false;
-        };
-        let limit = u128::from(descent) * u128::from(unsigned(reach.to_bits()));
-        u128::from(height) << height_scale.min(60) < limit << scale.min(60)
     }
 }
 

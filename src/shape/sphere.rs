@@ -5,6 +5,11 @@
 //! for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7): an error along the ray does not
 //! count, so a small sphere far away keeps a clean edge.
 
+mod from_point;
+mod intersect;
+
+pub(crate) use from_point::SphereFromPoint;
+
 use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
 use crate::fault::Fault;
@@ -62,77 +67,9 @@ pub struct PreparedSphere {
     touches: bool,
 }
 
-/// A sphere as the rays from one point see it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct SphereFromPoint {
-    /// From the point to the centre.
-    way: Vector,
-    /// The length of the tangents from the point; the least number where the point lies inside.
-    tangent: i32,
-}
-
 /// What the square of a radius over a distance is at least, in steps, where a sphere's tangents
 /// tell whether a ray meets it.
 const COARSEST: i32 = 128;
-
-/// Up to how deep inside, in steps, a ray starts on the surface, but for rounding: it is lifted by two
-/// steps at least, and each coordinate of a hit is rounded by up to two.
-const ON_SURFACE: i64 = 4;
-
-impl SphereFromPoint {
-    /// A quarter of the way along a ray at which it comes nearest to the centre.
-    #[inline(always)]
-    pub(crate) const fn nearest_approach(&self, direction: Direction) -> i32 {
-        self.way.quarter_dot(direction)
-    }
-
-    /// Whether a ray may meet the sphere, by its nearest approach: a ray that touches it comes
-    /// nearest where the tangent does, and one that goes through later.
-    #[inline(always)]
-    pub(crate) const fn may_be_met(&self, nearest_approach: i32) -> bool {
-        nearest_approach >= self.tangent >> 2
-    }
-
-    /// Whether its tangents are shorter than another's: it is in front of it, or about as far.
-    #[inline(always)]
-    pub(crate) const fn is_in_front_of(&self, other: &Self) -> bool {
-        self.tangent < other.tangent
-    }
-
-    /// Whether its tangents are shorter than a distance.
-    #[inline(always)]
-    pub(crate) const fn is_nearer_than(&self, distance: Length) -> bool {
-        self.tangent < distance.to_bits()
-    }
-
-    /// From the point to the centre.
-    #[inline(always)]
-    pub(crate) const fn way(&self) -> Vector {
-        self.way
-    }
-
-    /// Whether the point lies inside the sphere.
-    pub(crate) const fn is_around(&self) -> bool {
-        self.tangent == i32::MIN
-    }
-
-    /// Whether the sphere, which the point is outside of, lies on the ray before `reach`, where
-    /// something else that is not inside the sphere ends the ray.
-    ///
-    /// No root: the sphere is entered before its tangents' length and left after it.
-    #[inline(always)]
-    pub(crate) const fn is_before(&self, direction: Direction, reach: Length) -> bool {
-        self.tangent < reach.to_bits() && self.way.dot(direction) >= self.tangent
-    }
-
-    /// Whether a distance is shorter than the tangents, but long enough to end inside of the sphere,
-    /// whose radius is given.
-    #[inline(always)]
-    pub(crate) const fn may_hold_the_end(&self, radius: i32, distance: Length) -> bool {
-        let rest = self.tangent - distance.to_bits();
-        0 <= rest && rest <= radius
-    }
-}
 
 impl PreparedSphere {
     /// Fills the room of a sphere that a scene's type allows but the scene does not use.
@@ -238,47 +175,6 @@ impl PreparedSphere {
             },
         }
     }
-
-    /// The distance at which a ray meets the sphere, above `start` and below `reach`; from inside
-    /// where it enters before `start`.
-    #[inline(always)]
-    pub(crate) fn met(
-        &self,
-        way: Vector,
-        direction: Direction,
-        start: Length,
-        reach: Length,
-    ) -> Option<Length> {
-        let distance = way.dot(direction);
-        if distance - self.radius >= reach.to_bits() {
-            return None;
-        }
-        let nearest = way.without(direction, distance);
-        let half_chord_square = self.square - signed_wide(nearest.square());
-        if half_chord_square < 0 {
-            return None;
-        }
-        // Of nothing it may be one.
-        let half_chord = square_root(unsigned_wide(half_chord_square) | 1);
-        let entry = distance - half_chord;
-        let met = if entry > start.to_bits() {
-            entry
-        } else {
-            distance + half_chord
-        };
-        (start.to_bits() < met && met < reach.to_bits()).then_some(Length::from_bits(met))
-    }
-
-    /// The distance at which the ray meets the sphere from outside, or else from inside, above 0
-    /// and below `reach`.
-    #[cfg(test)]
-    pub(crate) fn intersect_alone(&self, ray: &Ray, reach: Length) -> Option<Length> {
-        let way = ray.origin.to(self.center);
-        if way.dot(ray.direction) < -self.radius {
-            return None;
-        }
-        self.met(way, ray.direction, Length::from_bits(0), reach)
-    }
 }
 
 impl Bounded for PreparedSphere {
@@ -331,28 +227,8 @@ impl Bounded for PreparedSphere {
         }
     }
 
-    /// No root is taken. A ray that starts on the surface, but for rounding, and goes out is not blocked.
     fn blocks(&self, ray: &Ray, reach: Length) -> bool {
-        let way = ray.origin.to(self.center);
-        let distance = way.dot(ray.direction);
-        if distance < -self.radius || distance - self.radius > reach.to_bits() {
-            return false;
-        }
-        let nearest = way.without(ray.direction, distance);
-        let half_chord_square = self.square - signed_wide(nearest.square());
-        if half_chord_square < 0 {
-            return false;
-        }
-        let past = distance - reach.to_bits();
-        let entry_is_ahead = distance > 0 && wide(distance, distance) > half_chord_square;
-        if entry_is_ahead {
-            past < 0 || wide(past, past) < half_chord_square
-        } else {
-            // r² less the square of the way to the centre; r² - (r - depth)² is 2 r depth or less.
-            let inside = half_chord_square - wide(distance, distance);
-            let exit_is_ahead = distance > 0 || inside > ON_SURFACE * 2 * self.radius as i64;
-            exit_is_ahead && past < 0 && wide(past, past) > half_chord_square
-        }
+        self.is_on(ray, reach)
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
-//! Floor 6: one ray to one colour: the accumulation over reflections, its weight and its stop.
+//! Floor 6: one ray to one colour: the accumulation over reflections, its throughput and its stop.
 //!
-//! c = Σᵢ (1 - αᵢ) (Π over k < i of αₖ) cᵢ, in a loop: the weight Π αₖ is carried along, and the
-//! path ends where it is spent, where nothing is met, or after the last reflection.
+//! c = Σᵢ (1 - αᵢ) (Π over k < i of αₖ) cᵢ, in a loop: the throughput Π αₖ is carried along, and the
+//! path ends where it is spent, where nothing is hit, or after the last reflection.
 
 mod visibility;
 
@@ -11,18 +11,24 @@ use visibility::{Culled, Plain};
 
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::screen_culling::ScreenCulling;
-use crate::accel::{CullingQuality, LONGEST_STRIDE, Window, World, nearest_ahead};
+use crate::accel::{CullingQuality, Window, World, nearest_ahead};
 use crate::color::Sum;
 use crate::number::{Unit, share};
-use crate::quality::Quality;
-use crate::ray::{PathSignature, ScaledPoint, ScaledRay};
+use crate::ray::{PathSignature, ScaledRay};
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::Hit;
 use crate::scene::query::nearest_hit;
 use crate::scene::{Mirrors, Surface, far, planes};
-use crate::shade::Lit;
 use crate::shade::highlight::sealed::Shading;
+use crate::shade::{LightQuality, Lit};
 use crate::vector::Direction;
+
+/// How exactly paths are followed.
+pub trait PathQuality: CullingQuality + LightQuality {
+    /// A path ends when its throughput times the brightest colour of the scene falls below this share of
+    /// white.
+    const SMALLEST_WEIGHT: Unit;
+}
 
 /// The colour at the end of a path, and what it met.
 #[derive(Clone, Copy, Debug)]
@@ -64,14 +70,14 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     reflections: u32,
     /// How many rays were followed, those to the lights apart.
     pub(crate) rays: u32,
-    /// The largest weight with which a path would have gone on.
+    /// The largest throughput with which a path would have gone on.
     pub(crate) cut_off: Unit,
     kinds: PhantomData<(K, Q)>,
 }
 
-impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
+impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Whether every pixel is traced, and nothing is known before about what its ray may meet.
-    pub(crate) const IS_PLAIN: bool = !Q::CULLING;
+    pub(crate) const IS_PLAIN: bool = !Q::CULLING.is_any();
 
     #[inline(always)]
     pub(crate) fn new(
@@ -94,7 +100,7 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     /// Advances to the columns from `first` to `last`; `first` never decreases.
     #[inline(always)]
     pub(crate) fn advance(&mut self, first: u32, last: u32) -> Window {
-        match Q::CULLING {
+        match Q::CULLING.is_any() {
             true => self.culling.advance(self.world, first, last),
             false => Window::default(),
         }
@@ -105,6 +111,12 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     pub(crate) fn clear_until(&self, window: &Window) -> Option<u32> {
         self.culling.clear_until(self.world, window)
+    }
+
+    /// Whether the scene has bounded shapes.
+    #[inline(always)]
+    pub(crate) fn has_bounded(&self) -> bool {
+        self.world.parts().has_bounded()
     }
 
     /// What paths are that meet nothing.
@@ -119,159 +131,156 @@ impl<'a, W: World, K: Shading, Q: Quality> Tracer<'a, W, K, Q> {
         self.visibility.from.is_near()
     }
 
-    /// How many columns lie from one pixel that is always traced to the next.
-    ///
-    /// What all planes together show is cut into convex parts, one for each sequence of planes that a
-    /// path can meet, and no plane throws a shadow. So nothing lies between two pixels whose paths
-    /// went alike.
+    /// Follows the path that begins in this direction, through the pixel of a column in a window.
     #[inline(always)]
-    pub(crate) fn stride(&self) -> u32 {
-        match Q::STRIDE > 1 && !self.world.parts().has_bounded() {
-            true => LONGEST_STRIDE,
-            false => Q::STRIDE,
-        }
-    }
-
-    /// Follows the path that begins in this direction, through the pixel of a column: one of those it
-    /// has been turned to.
-    #[inline(always)]
-    pub(crate) fn trace(&mut self, window: (&Window, u32), direction: Direction) -> Traced {
+    pub(crate) fn trace(&mut self, pixel: (&Window, u32), direction: Direction) -> Traced {
         let world = self.world;
-        let mut path = ScaledRay::new(self.visibility.from, direction);
+        let mut ray = ScaledRay::new(self.visibility.from, direction);
         let Traced {
             mut sum,
             mut signature,
         } = Traced::NONE;
-        let mut weight = Unit::ONE;
-        let mut mirror = ShapeId::NONE;
-        let mut skip = ShapeId::NONE;
-        let mut reflections = 0;
+        let mut throughput = Unit::ONE;
+        let mut bounce = Bounce::NONE;
         let mut is_bent = false;
         loop {
-            let met = self.meet(window, &path, reflections, (mirror, skip), &mut signature);
-            let Some(surface) = surface(world, &path, met) else {
-                sum.add(weight, K::missed(world));
+            let Some(surface) = self.surface(pixel, &ray, &bounce, &mut signature) else {
+                sum.add(throughput, K::missed(world));
                 signature.note(u32::MAX);
                 break;
             };
             signature.note(surface.shape.side(surface.is_inside));
-            let reflected = match K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
-                true => share(weight, surface.material(world).mirror),
-                false => Unit::ZERO,
-            };
+            let reflected = Self::reflected(world, &surface, throughput);
             // A view of normals has none but the surface's own colour.
             let is_seen = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
-            if is_seen && reflected < weight {
+            if is_seen && reflected < throughput {
                 let lit = self.shade(&surface);
                 signature.note(lit.lights);
-                sum.add(weight - reflected, lit.color);
+                sum.add(throughput - reflected, lit.color);
             }
-            weight = reflected;
-            if weight == Unit::ZERO {
+            throughput = reflected;
+            if throughput == Unit::ZERO || self.is_cut_off(throughput, bounce.count) {
                 break;
             }
-            if weight < world.parts().smallest_weight(Q::SMALLEST_WEIGHT)
-                // Known when compiled, so that what follows is not linked.
-                || W::NEEDS.reflections == 0
-                || reflections >= self.reflections
-            {
-                self.cut_off = self.cut_off.max(weight);
-                break;
-            }
-            reflections += 1;
+            bounce.count += 1;
             if !W::NEEDS.mirrored {
-                sum.add(weight, K::missed(world));
+                sum.add(throughput, K::missed(world));
                 break;
             }
             is_bent |= !world.parts().is_plane(surface.shape);
-            surface.reflect(world, &mut path);
-            mirror = surface.shape;
-            skip = surface.skip(world);
+            surface.reflect(world, &mut ray);
+            (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
         }
-        self.rays += reflections + 1;
+        self.rays += bounce.count + 1;
         let signature = signature.ended(is_bent);
         Traced { sum, signature }
+    }
+
+    /// What is left of a path's throughput after a surface.
+    #[inline(always)]
+    fn reflected(world: &W, surface: &Surface<'_>, throughput: Unit) -> Unit {
+        match K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
+            true => share(throughput, surface.material(world).mirror),
+            false => Unit::ZERO,
+        }
+    }
+
+    /// Whether a path ends with this throughput, after so many reflections; notes it if it does.
+    #[inline(always)]
+    fn is_cut_off(&mut self, throughput: Unit, reflections: u32) -> bool {
+        let is_cut_off = throughput < self.world.parts().smallest_weight(Q::SMALLEST_WEIGHT)
+            // Known when compiled, so that what follows is not linked.
+            || W::NEEDS.reflections == 0
+            || reflections >= self.reflections;
+        if is_cut_off {
+            self.cut_off = self.cut_off.max(throughput);
+        }
+        is_cut_off
     }
 
     /// The colour of a surface without reflections.
     #[inline(always)]
     fn shade(&self, surface: &Surface<'_>) -> Lit {
         let world = self.world;
-        match Q::CULLING {
-            true => K::color::<W, Q, _>(world, surface, &Culled::new(world, self.visibility)),
+        match Q::CULLING.is_any() {
+            true => {
+                K::color::<W, Q, _>(world, surface, &Culled::<W, Q>::new(world, self.visibility))
+            }
             false => K::color::<W, Q, _>(world, surface, &Plain(world)),
         }
     }
 
-    /// What a path that has been reflected so often meets first, and where.
+    /// The surface that a ray hits first, if it hits one.
     #[inline(always)]
-    fn meet(
+    fn surface(
         &mut self,
-        (window, column): (&Window, u32),
-        path: &ScaledRay,
-        reflections: u32,
-        (mirror, skip): (ShapeId, ShapeId),
+        pixel: (&Window, u32),
+        ray: &ScaledRay,
+        bounce: &Bounce,
         signature: &mut PathSignature,
-    ) -> Option<(ScaledPoint, ShapeId)> {
-        let world = self.world;
-        if !Q::CULLING {
-            return nearest_hit::<W, false>(world, path, skip, signature);
-        }
-        let hit = self.nearest(
-            (window, column),
-            path,
-            reflections,
-            (mirror, skip),
-            signature,
-        );
-        match Q::IS_PRECISE {
-            true => far::located::<W, true>(world, path, skip, hit, signature),
-            false => far::located::<W, false>(world, path, skip, hit, signature),
-        }
+    ) -> Option<Surface<'a>> {
+        let (world, skip) = (self.world, bounce.skip);
+        let (at, shape) = if !Q::CULLING.is_any() {
+            nearest_hit::<W, false>(world, ray, skip, signature)
+        } else {
+            let hit = self.near_hit(pixel, ray, bounce, signature);
+            match Q::IS_PRECISE {
+                true => far::located::<W, true>(world, ray, skip, hit, signature),
+                false => far::located::<W, false>(world, ray, skip, hit, signature),
+            }
+        }?;
+        Surface::new(world, at, shape, ray.direction())
     }
 
-    /// What a path that has been reflected so often meets first if it is short.
+    /// What a ray hits first if that is near.
     #[inline(always)]
-    fn nearest(
+    fn near_hit(
         &mut self,
         (window, column): (&Window, u32),
-        path: &ScaledRay,
-        reflections: u32,
-        (mirror, skip): (ShapeId, ShapeId),
+        ray: &ScaledRay,
+        bounce: &Bounce,
         signature: &mut PathSignature,
     ) -> Hit {
-        let (world, ray) = (self.world, &path.ray);
-        if !path.from().is_near() {
+        if !ray.from().is_near() {
             return Hit::BEYOND;
         }
+        let (world, ray, skip) = (self.world, &ray.ray, bounce.skip);
         let parts = world.parts();
         let bounded = if !parts.has_bounded() {
             Hit::NONE
-        } else if reflections == 0 {
+        } else if bounce.count == 0 {
             self.culling.direct(world, column, ray, signature)
         } else {
             match parts.plane(skip) {
-                Some(plane) if reflections == 1 => {
+                Some(plane) if bounce.count == 1 => {
+                    let pixel = (window, column);
                     self.culling
-                        .mirrored(world, (skip, plane), (window, column), ray, signature)
+                        .mirrored(world, (skip, plane), pixel, ray, signature)
                 }
-                _ => nearest_ahead(world, ray, (mirror, skip), signature),
+                _ => nearest_ahead::<W, Q>(world, ray, (bounce.mirror, skip), signature),
             }
         };
         planes::nearest(world, ray, skip, bounded)
     }
 }
 
-/// The surface where a path meets a shape, if it does.
-#[inline(always)]
-fn surface<'a, W: World>(
-    world: &'a W,
-    path: &ScaledRay,
-    met: Option<(ScaledPoint, ShapeId)>,
-) -> Option<Surface<'a>> {
-    let (at, shape) = met?;
-    Surface::new(world, at, shape, path.direction())
+/// The latest reflection of a path.
+struct Bounce {
+    /// How many there were.
+    count: u32,
+    mirror: ShapeId,
+    /// The mirror, unless the ray can hit it again.
+    skip: ShapeId,
+}
+
+impl Bounce {
+    /// Of a ray from the camera.
+    const NONE: Self = Self {
+        count: 0,
+        mirror: ShapeId::NONE,
+        skip: ShapeId::NONE,
+    };
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -2,16 +2,18 @@ mod accumulation;
 mod inside;
 mod leaving;
 mod light;
+pub(crate) mod qualities;
 mod series;
 
 use std::vec::Vec;
+
+use qualities::{Fast, Fine, Small};
 
 use super::*;
 use crate::accel::Scene;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
-use crate::quality::{Fast, Fine};
 use crate::ray::ScaledPoint;
 use crate::scene::RuntimeScene;
 use crate::scene::access::SceneAccess;
@@ -50,7 +52,7 @@ struct Followed {
 }
 
 /// Follows one path, and asks every shape of the scene.
-fn followed_by<K: Shading, Q: Quality, W: World>(
+fn followed_by<K: Shading, Q: PathQuality, W: World>(
     world: &W,
     path: ScaledRay,
     reflections: u8,
@@ -68,7 +70,7 @@ fn followed_by<K: Shading, Q: Quality, W: World>(
 }
 
 /// Follows paths from inside the room into many directions, one result each.
-fn followed<Q: Quality>(room: &Scene<1, 0, 0, 0, 1>, reflections: u8) -> Vec<Followed> {
+fn followed<Q: PathQuality>(room: &Scene<1, 0, 0, 0, 1>, reflections: u8) -> Vec<Followed> {
     let parts = room.parts();
     let mut sweep = Sweep::new(u64::from(reflections));
     let paths = (0..40).map(|_| {

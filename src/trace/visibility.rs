@@ -1,8 +1,11 @@
 //! The answers whether a light is visible: the plain one, and the one with culling.
 
-use crate::accel::World;
+use core::marker::PhantomData;
+
 use crate::accel::light_occluders::{self, LightOccluders};
+use crate::accel::light_table::light_set;
 use crate::accel::light_visibility::LightVisibility;
+use crate::accel::{CullingQuality, World};
 use crate::light::PreparedLight;
 use crate::number::Length;
 use crate::ray::{ScaledPoint, ScaledRay};
@@ -62,19 +65,24 @@ impl<W: SceneAccess> Visibility for Plain<'_, W> {
 }
 
 /// What the planes hide is known for the whole frame, and lights know the shapes around them.
-pub(super) struct Culled<'a, W> {
+pub(super) struct Culled<'a, W, Q> {
     world: &'a W,
     visibility: &'a LightVisibility,
+    quality: PhantomData<Q>,
 }
 
-impl<'a, W> Culled<'a, W> {
+impl<'a, W, Q> Culled<'a, W, Q> {
     #[inline(always)]
     pub(super) const fn new(world: &'a W, visibility: &'a LightVisibility) -> Self {
-        Self { world, visibility }
+        Self {
+            world,
+            visibility,
+            quality: PhantomData,
+        }
     }
 }
 
-impl<W: World> Visibility for Culled<'_, W> {
+impl<W: World, Q: CullingQuality> Visibility for Culled<'_, W, Q> {
     type Light = LightOccluders<W::Room>;
 
     #[inline(always)]
@@ -104,7 +112,7 @@ impl<W: World> Visibility for Culled<'_, W> {
         light: (&LightOccluders<W::Room>, usize),
         ray: (Direction, Length),
     ) -> bool {
-        light_occluders::occluded::<W, PRECISE>(self.world, surface, light, ray)
+        light_occluders::occluded::<W, Q, PRECISE>(self.world, surface, light, ray)
     }
 
     #[inline(always)]
@@ -115,12 +123,7 @@ impl<W: World> Visibility for Culled<'_, W> {
         index: usize,
         light: (ScaledPoint, Length, u32),
     ) -> bool {
-        let table = match W::NEEDS.sets {
-            true => self.world.light_tables().get(index),
-            false => None,
-        };
-        let direction = ray.direction().reversed();
-        let set = table.map_or(ShapeSet::ALL, |table| table.at(direction));
+        let set = light_set::<W, Q>(self.world, index, ray.direction().reversed());
         occluded(self.world, set, ray, surface.skip(self.world), light)
     }
 }

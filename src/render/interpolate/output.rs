@@ -4,7 +4,7 @@ use super::Colors;
 use crate::accel::World;
 use crate::color::Sum;
 use crate::number::to_u32;
-use crate::quality::Quality;
+use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::Tracer;
 
@@ -17,7 +17,7 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         if Tracer::<W, K, Q>::IS_PLAIN {
             return self.traced(column).sum;
         }
-        let place = column % self.tracer.stride();
+        let place = column % Self::stride(self.tracer);
         if place == 0 {
             self.follow(column);
         }
@@ -33,7 +33,7 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
             }
             return;
         }
-        let stride = self.tracer.stride();
+        let stride = Self::stride(self.tracer);
         while !pixels.is_empty() {
             let place = self.column % stride;
             if place == 0 {

@@ -1,4 +1,5 @@
 use super::super::LIFT;
+use super::intersect::{STEEP, root_of_lifted};
 use super::*;
 use crate::number::Unit;
 use crate::number::sweep::Sweep;

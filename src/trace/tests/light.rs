@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::color::Color;
-use crate::quality::Small;
 
 type Scenery = RuntimeScene<2, 2, 1, 4, 2>;
 type Built = Scene<2, 2, 1, 4, 2>;
@@ -44,7 +43,7 @@ pub(super) fn colors<K: Shading, W: World>(
     surface: &Surface<'_>,
 ) -> [Color; 2] {
     [
-        K::color::<W, Fast, _>(world, surface, &Culled::new(world, view)).color,
+        K::color::<W, Fast, _>(world, surface, &Culled::<W, Fast>::new(world, view)).color,
         K::color::<W, Small, _>(world, surface, &Plain(world)).color,
     ]
 }

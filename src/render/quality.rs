@@ -1,8 +1,11 @@
-//! Floor 0: how exact a picture is, as a type, so that the choice costs nothing while it runs.
+//! Floor 7: how exact a picture is, as a type, so that the choice costs nothing while it runs.
+//!
+//! Each floor declares its own part of a quality; what users see joins them.
 
-use crate::accel::CullingQuality;
+use crate::accel::{Culling, CullingQuality};
 use crate::number::Unit;
 use crate::shade::LightQuality;
+use crate::trace::PathQuality;
 
 /// What a frame may leave out. Choose with [`crate::Frame::quality`].
 ///
@@ -82,7 +85,7 @@ impl Quality for Fast {
 pub struct Small;
 
 impl Quality for Small {
-    const SMALLEST_WEIGHT: Unit = Fast::SMALLEST_WEIGHT;
+    const SMALLEST_WEIGHT: Unit = <Fast as Quality>::SMALLEST_WEIGHT;
     const STRIDE: u32 = 1;
     const TOLERANCE: Unit = Unit::ZERO;
     const IS_SMALL: bool = true;
@@ -118,5 +121,38 @@ impl<Q: Quality> LightQuality for Q {
 }
 
 impl<Q: Quality> CullingQuality for Q {
-    const CULLING: bool = !Q::IS_SMALL;
+    const CULLING: Culling = match Q::IS_SMALL {
+        true => Culling::NONE,
+        false => Culling::ALL,
+    };
+}
+
+impl<Q: Quality> PathQuality for Q {
+    const SMALLEST_WEIGHT: Unit = <Q as Quality>::SMALLEST_WEIGHT;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trace::tests::qualities;
+
+    #[test]
+    fn paths_are_tested_with_these_qualities() {
+        fn known_to_paths<Q: PathQuality>() -> (Unit, Culling, bool) {
+            (Q::SMALLEST_WEIGHT, Q::CULLING, Q::IS_PRECISE)
+        }
+        let these = [
+            known_to_paths::<Fast>(),
+            known_to_paths::<Small>(),
+            known_to_paths::<Fine>(),
+            known_to_paths::<Exact>(),
+        ];
+        let tested = [
+            known_to_paths::<qualities::Fast>(),
+            known_to_paths::<qualities::Small>(),
+            known_to_paths::<qualities::Fine>(),
+            known_to_paths::<qualities::Exact>(),
+        ];
+        assert_eq!(these, tested);
+    }
 }
