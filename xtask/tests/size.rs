@@ -99,8 +99,8 @@ fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
     let (small, flash) = linked(&scene(), Quality::SMALL, phong);
     for part in [
         "Colors<W,K,Q>::follow",
-        "scene::row::",
-        "scene::extent::",
+        "accel::active_list",
+        "accel::screen_",
         "SphereFromPoint",
     ] {
         assert!(has(&all.0, part) && !has(&small, part), "{part}");

@@ -55,43 +55,51 @@ pub enum Rule {
 
 /// The rules, by the beginning of a function's [`path`]; the first that fits counts. A function that
 /// none fits belongs to its caller's stage.
-const RULES: [(&str, Rule); 27] = [
+const RULES: [(&str, Rule); 29] = [
     (
         "firmware::contestant::Fixed::prepare",
         Rule::AllIs(Stage::Preparation),
     ),
     ("firmware", Rule::Is(Stage::Output)),
     (
-        "reflet::camera::RayGenerator::screen_axes",
+        "reflet::camera::rays::<impl reflet::camera::Camera>::screen_axes",
         Rule::Is(Stage::Spans),
     ),
     ("reflet::camera", Rule::MakesRay),
-    ("reflet::scene::row::Row::nearest", Rule::Meets),
-    ("reflet::scene::row::Row::meet_", Rule::Meets),
-    ("reflet::scene::row", Rule::Is(Stage::Spans)),
-    ("reflet::scene::culling", Rule::Is(Stage::Spans)),
-    ("reflet::scene::nearest", Rule::Meets),
-    ("reflet::scene::ahead", Rule::Meets),
-    ("reflet::scene::query::nearest", Rule::Meets),
-    ("reflet::scene::query::blocked", Rule::Is(Stage::Shadow)),
-    ("reflet::scene::far::nearest", Rule::Meets),
-    ("reflet::scene::far::only_plane", Rule::Meets),
+    ("reflet::accel::active_list::ActiveList::ask", Rule::Meets),
     (
-        "reflet::scene::far::ends_before",
-        Rule::AllIs(Stage::Shadow),
+        "reflet::accel::active_lists::ActiveLists::nearest",
+        Rule::Meets,
     ),
-    ("reflet::scene::far::blocked", Rule::Is(Stage::Shadow)),
-    ("reflet::scene::cells", Rule::Is(Stage::Shadow)),
-    ("reflet::scene::view", Rule::Is(Stage::Shadow)),
-    ("reflet::shade::Surface::reflect", Rule::MirrorsRay),
+    ("reflet::accel::active_list", Rule::Is(Stage::Spans)),
+    ("reflet::accel::screen_", Rule::Is(Stage::Spans)),
+    ("reflet::accel::nearest_ahead", Rule::Meets),
+    ("reflet::accel::mirror_table", Rule::Meets),
+    ("reflet::accel::light_", Rule::Is(Stage::Shadow)),
+    (
+        "reflet::scene::nearest::any_blocks",
+        Rule::Is(Stage::Shadow),
+    ),
+    ("reflet::scene::nearest", Rule::Meets),
+    ("reflet::scene::query::nearest_hit", Rule::Meets),
+    ("reflet::scene::query::occluded", Rule::Is(Stage::Shadow)),
+    ("reflet::scene::planes::near", Rule::Meets),
+    ("reflet::scene::far::nearest", Rule::Meets),
+    ("reflet::scene::far::occluded", Rule::Is(Stage::Shadow)),
+    ("reflet::scene::surface::Surface::reflect", Rule::MirrorsRay),
+    ("reflet::scene::surface", Rule::Is(Stage::Shading)),
     ("reflet::shade", Rule::Is(Stage::Shading)),
+    ("reflet::trace::visibility", Rule::Is(Stage::Shadow)),
     ("reflet::trace::Tracer::new", Rule::Is(Stage::Spans)),
-    ("reflet::trace::Tracer::look", Rule::Is(Stage::Spans)),
     ("reflet::trace", Rule::Is(Stage::Other)),
     ("reflet::color::Sum::to_rgb8", Rule::Is(Stage::Output)),
     ("reflet::color", Rule::Is(Stage::Shading)),
-    ("reflet::render::Picture::tracer", Rule::Is(Stage::Spans)),
+    (
+        "reflet::render::picture::Picture::tracer",
+        Rule::Is(Stage::Spans),
+    ),
     ("reflet::render", Rule::Is(Stage::Output)),
+    ("reflet::display", Rule::Is(Stage::Output)),
 ];
 
 impl Rule {
