@@ -122,3 +122,6 @@ pub(crate) fn occluded<W: World, Q: CullingQuality, const PRECISE: bool>(
     let set = light_set::<W, Q>(world, index, direction);
     any_occludes::<W, PRECISE>(world, set, surface, light, &ray)
 }
+
+#[cfg(test)]
+mod tests;

@@ -80,3 +80,6 @@ pub(crate) fn light_set<W: World, Q: CullingQuality>(
     };
     table.map_or(ShapeSet::ALL, |table| table.at(direction))
 }
+
+#[cfg(test)]
+mod tests;

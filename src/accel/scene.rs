@@ -196,3 +196,6 @@ impl<R: ActiveRoom> World for Tabled<'_, R> {
         MirrorTables::NONE
     }
 }
+
+#[cfg(test)]
+mod tests;

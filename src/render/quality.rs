@@ -130,3 +130,29 @@ impl<Q: Quality> CullingQuality for Q {
 impl<Q: Quality> PathQuality for Q {
     const SMALLEST_WEIGHT: Unit = <Q as Quality>::SMALLEST_WEIGHT;
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::trace::tests::qualities;
+
+    #[test]
+    fn paths_are_tested_with_these_qualities() {
+        fn known_to_paths<Q: PathQuality>() -> (Unit, Culling, bool) {
+            (Q::SMALLEST_WEIGHT, Q::CULLING, Q::IS_PRECISE)
+        }
+        let these = [
+            known_to_paths::<Fast>(),
+            known_to_paths::<Small>(),
+            known_to_paths::<Fine>(),
+            known_to_paths::<Exact>(),
+        ];
+        let tested = [
+            known_to_paths::<qualities::Fast>(),
+            known_to_paths::<qualities::Small>(),
+            known_to_paths::<qualities::Fine>(),
+            known_to_paths::<qualities::Exact>(),
+        ];
+        assert_eq!(these, tested);
+    }
+}

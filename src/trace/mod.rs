@@ -283,4 +283,4 @@ impl Bounce {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

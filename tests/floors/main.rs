@@ -13,11 +13,10 @@ use std::{
 use source::{paths, tokens};
 
 /// The rooms of the stack and their floors. Rooms of one floor may know each other.
-const FLOORS: [(&str, u8); 18] = [
+const FLOORS: [(&str, u8); 17] = [
     ("number", 0),
     ("fault", 0),
     ("kinds", 0),
-    ("quality", 0),
     ("vector", 1),
     ("ray", 1),
     ("grid", 1),

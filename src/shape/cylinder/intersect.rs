@@ -9,7 +9,7 @@ use crate::vector::Direction;
 
 /// Rays closer to the axis than this (the square of the sine is below 1/16) are measured with the
 /// direction across the axis normalised.
-const STEEP: i32 = 1 << 26;
+pub(super) const STEEP: i32 = 1 << 26;
 
 impl PreparedCylinder {
     /// The distance at which a ray meets the wall first, from outside or from inside, above `start`
@@ -130,7 +130,7 @@ impl PreparedCylinder {
 
 /// √(`square` · 2³²) >> `lift`, for a square below 2²⁸.
 #[inline(always)]
-fn root_of_lifted(square: u32, lift: u32) -> i32 {
+pub(super) fn root_of_lifted(square: u32, lift: u32) -> i32 {
     let square = square | 1;
     let zeros = leading_zeros(square) & !1;
     let mantissa = square << zeros;

@@ -1,6 +1,6 @@
 use super::*;
 use crate::number::sweep::Sweep;
-use crate::ray::ScaledPoint;
+use crate::ray::{ScaledPoint, ScaledRay};
 use crate::shape::fixture::*;
 use crate::vector::Vector;
 

@@ -2,15 +2,17 @@
 
 use std::vec::Vec;
 
+use super::qualities::{Exact, Fast};
 use super::series::{Chain, recursion};
 use super::{Followed, followed_by, path};
 use crate::color::Sum;
 use crate::material::{Material, PreparedMaterial};
 use crate::number::sweep::Sweep;
 use crate::number::{Unit, share};
-use crate::render::{Exact, Fast, Quality};
-use crate::scene::{RuntimeScene, World};
+use crate::scene::RuntimeScene;
+use crate::scene::access::SceneAccess;
 use crate::shade::BlinnPhong;
+use crate::trace::PathQuality;
 use crate::vector::Position;
 
 /// How many steps of a sum make white: 255 of 256 parts of 2²⁴.
