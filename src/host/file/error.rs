@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::FileRoom;
 use crate::camera::CameraError;
 use crate::fault::Fault;
-use crate::scene::SceneError;
+use crate::scene::{Capacity, SceneError};
 
 /// A scene file that cannot be used, and where in it the reason stands.
 ///
@@ -176,43 +177,50 @@ impl Display for Problem {
             Self::UnknownMaterial { place, name } => {
                 write!(line, "{place}.material: there is no material {name}")
             }
-            Self::Scene(error) => write!(line, "{}{}", Place(*error), Reason(error.fault())),
+            Self::Scene(error) => write_refused(&mut line, *error),
             Self::Camera(error) => write!(line, "{error}"),
         }
     }
 }
 
-/// What the core refuses, as the file calls it.
-struct Place(SceneError);
+macro_rules! refused {
+    (
+        $header:tt
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
+            $nth:literal $too_many:ident $($more:tt)* })*
+    ) => {
+        /// The list of a file, and the place in it, that the core refuses; none where that is the whole scene.
+        fn place(error: SceneError) -> Option<(&'static str, usize)> {
+            match error {
+                $(SceneError::$described(index, _) => Some((stringify!($list), index)),)*
+                SceneError::Light(index, _) => Some(("lights", index)),
+                SceneError::Material(index, _) => Some(("materials", index)),
+                SceneError::Scene(_) => None,
+            }
+        }
 
-impl Display for Place {
-    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let (list, index) = match self.0 {
-            SceneError::Sphere(index, _) => ("spheres", index),
-            SceneError::Plane(index, _) => ("planes", index),
-            SceneError::Cylinder(index, _) => ("cylinders", index),
-            SceneError::Light(index, _) => ("lights", index),
-            SceneError::Material(index, _) => ("materials", index),
-            SceneError::Scene(_) => return Ok(()),
-        };
-        write!(formatter, "{list}[{index}]: ")
-    }
+        /// The list of a file that is too long, and how long it may be.
+        fn limit(fault: Fault) -> Option<(&'static str, usize)> {
+            let most = FileRoom::COUNTS;
+            match fault {
+                $(Fault::$too_many => Some((stringify!($list), most.$list)),)*
+                Fault::TooManyLights => Some(("lights", most.lights)),
+                Fault::TooManyMaterials => Some(("materials", most.materials)),
+                _ => None,
+            }
+        }
+    };
 }
+kinds!(shapes, refused);
 
-/// Why the core refuses it, where a file has no type to raise the bounds of.
-struct Reason(Fault);
-
-impl Display for Reason {
-    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let (most, list) = match self.0 {
-            Fault::TooManySpheres => (super::MAX_SPHERES, "spheres"),
-            Fault::TooManyPlanes => (super::MAX_PLANES, "planes"),
-            Fault::TooManyCylinders => (super::MAX_CYLINDERS, "cylinders"),
-            Fault::TooManyLights => (super::MAX_LIGHTS, "lights"),
-            Fault::TooManyMaterials => (super::MAX_MATERIALS, "materials"),
-            fault => return formatter.write_str(fault.words()),
-        };
-        write!(formatter, "a file holds {most} {list} at most")
+/// Says what the core refuses as the file calls it: a file has no type to raise the bounds of.
+fn write_refused(line: &mut impl Write, error: SceneError) -> fmt::Result {
+    if let Some((list, index)) = place(error) {
+        write!(line, "{list}[{index}]: ")?;
+    }
+    match limit(error.fault()) {
+        Some((list, most)) => write!(line, "a file holds {most} {list} at most"),
+        None => line.write_str(error.fault().words()),
     }
 }
 

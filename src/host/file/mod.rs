@@ -42,7 +42,7 @@ use std::vec::Vec;
 pub use self::error::{FileError, Problem};
 use crate::camera;
 use crate::host::reference::{Camera, Scene};
-use crate::scene::RuntimeScene;
+use crate::scene::{Room, RuntimeSceneIn};
 
 /// The most bytes that a scene file may have: 16 MB.
 pub const MAX_BYTES: u64 = 16_000_000;
@@ -62,13 +62,14 @@ pub const MAX_LIGHTS: usize = 16;
 /// The most materials that a scene of a file may have.
 pub const MAX_MATERIALS: usize = 256;
 
-/// The scene of a file as it is filled: with room for the most that a file may hold.
-pub type FileRuntimeScene =
-    RuntimeScene<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
+/// Room for the most that a file may hold.
+pub type FileRoom = Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
+
+/// The scene of a file as it is filled.
+pub type FileRuntimeScene = RuntimeSceneIn<FileRoom>;
 
 /// The scene of a file when it is built.
-pub type FileScene =
-    crate::Scene<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
+pub type FileScene = crate::SceneIn<FileRoom>;
 
 /// The reference's scene in the core, seen first with its camera, with as much room as that of a file.
 ///

@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use super::document;
 use super::error::Problem;
-use crate::host::reference::{Camera, Cylinder, Light, Material, Plane, Scene, Sphere};
+use crate::host::reference::{self, Camera, Material, Scene};
 
 /// How far above a surface a ray leaves it where a file does not say.
 const EPSILON: f64 = 1e-3;
@@ -47,58 +47,43 @@ fn names(scenes: &[document::Scene]) -> Vec<String> {
     scenes.iter().map(name).collect()
 }
 
-/// The scene with materials by number, and its camera.
-pub(super) fn resolve(scene: document::Scene) -> Result<(Scene, Camera), Problem> {
-    let numbers = material_numbers(&scene.materials)?;
-    let number = |list: &str, index: usize, name: &str| {
-        let unknown = || Problem::UnknownMaterial {
-            place: format!("{list}[{index}]"),
-            name: name.to_owned(),
-        };
-        numbers.get(name).copied().ok_or_else(unknown)
+macro_rules! resolve {
+    (
+        $header:tt
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
+            $nth:literal $too_many:ident $without:ident
+            $(#[$doc:meta])* $add:ident($($(#[$key:meta])* $field:ident: $type:ident),*) })*
+    ) => {
+        /// The scene with materials by number, and its camera.
+        pub(super) fn resolve(scene: document::Scene) -> Result<(Scene, Camera), Problem> {
+            let numbers = material_numbers(&scene.materials)?;
+            $(
+                let resolved = |(index, it): (usize, &document::$described)| {
+                    let number = numbers.get(it.material.as_str()).copied();
+                    let unknown = || Problem::UnknownMaterial {
+                        place: format!("{}[{index}]", stringify!($list)),
+                        name: it.material.clone(),
+                    };
+                    Ok(reference::$described {
+                        $($field: it.$field,)*
+                        material: number.ok_or_else(unknown)?,
+                    })
+                };
+                let $list: Result<_, Problem> = scene.$list.iter().enumerate().map(resolved).collect();
+                let $list = $list?;
+            )*
+            let resolved = Scene {
+                $($list,)*
+                lights: scene.lights,
+                materials: scene.materials.iter().map(material).collect(),
+                background: scene.background,
+                epsilon: scene.epsilon.unwrap_or(EPSILON),
+            };
+            Ok((resolved, scene.camera))
+        }
     };
-    let spheres = each(&scene.spheres, |index, sphere| {
-        Ok(Sphere {
-            center: sphere.center,
-            radius: sphere.radius,
-            material: number("spheres", index, &sphere.material)?,
-        })
-    })?;
-    let planes = each(&scene.planes, |index, plane| {
-        Ok(Plane {
-            point: plane.center,
-            normal: plane.normal,
-            material: number("planes", index, &plane.material)?,
-        })
-    })?;
-    let cylinders = each(&scene.cylinders, |index, cylinder| {
-        Ok(Cylinder {
-            center: cylinder.center,
-            axis: cylinder.axis,
-            radius: cylinder.radius,
-            height: cylinder.height,
-            material: number("cylinders", index, &cylinder.material)?,
-        })
-    })?;
-    let resolved = Scene {
-        spheres,
-        planes,
-        cylinders,
-        lights: scene.lights.iter().map(light).collect(),
-        materials: scene.materials.iter().map(material).collect(),
-        background: scene.background,
-        epsilon: scene.epsilon.unwrap_or(EPSILON),
-    };
-    Ok((resolved, camera(&scene.camera)))
 }
-
-fn each<D, R>(
-    list: &[D],
-    mut resolve: impl FnMut(usize, &D) -> Result<R, Problem>,
-) -> Result<Vec<R>, Problem> {
-    let numbered = list.iter().enumerate();
-    numbered.map(|(index, item)| resolve(index, item)).collect()
-}
+kinds!(shapes, resolve);
 
 fn material_numbers(materials: &[document::Material]) -> Result<HashMap<&str, usize>, Problem> {
     let mut numbers = HashMap::new();
@@ -122,21 +107,5 @@ fn material(material: &document::Material) -> Material {
         specular: material.specular,
         shininess: material.shininess,
         mirror: material.mirror,
-    }
-}
-
-fn light(light: &document::Light) -> Light {
-    Light {
-        position: light.position,
-        color: light.color,
-    }
-}
-
-fn camera(camera: &document::Camera) -> Camera {
-    Camera {
-        position: camera.position,
-        target: camera.target,
-        up: camera.up,
-        fov: camera.fov,
     }
 }

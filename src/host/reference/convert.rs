@@ -1,50 +1,64 @@
 //! From the core's descriptions to the reference's doubles: the one place that names the core.
 
 use super::Camera;
-use super::scene::{Cylinder, Light, Material, Plane, Scene, Sphere};
+use super::scene::{Light, Material, Scene};
 use crate::number::Number;
 use crate::vector::Position;
-use crate::{camera, light, material, scene, shape};
+use crate::{camera, light, material, scene};
 
-/// What a fixed-point scene was described with, each number as the nearest double.
-///
-/// The description's camera is not part of the scene here; it converts by itself.
-///
-/// ```
-/// use reflet::host::reference::Scene;
-/// use reflet::{Material, SceneBuilder};
-///
-/// const SCENE: SceneBuilder<1, 0, 0, 0> = SceneBuilder::new()
-///     .sphere([0.1, 0.2, 0.3], 0.7, Material::new([0.9; 3]).mirror(0.4))
-///     .background([0.25, 0.5, 1.0]);
-///
-/// let scene = Scene::from(&SCENE.description());
-/// assert_eq!((scene.spheres[0].center, scene.spheres[0].radius), ([0.1, 0.2, 0.3], 0.7));
-/// assert_eq!(scene.materials[scene.spheres[0].material].mirror, 0.4);
-/// assert_eq!((scene.background, scene.epsilon), ([0.25, 0.5, 1.0], 1e-3));
-/// ```
-impl From<&scene::Description<'_>> for Scene {
-    fn from(description: &scene::Description<'_>) -> Self {
-        Self {
-            spheres: description.spheres.iter().map(sphere).collect(),
-            planes: description.planes.iter().map(plane).collect(),
-            cylinders: description.cylinders.iter().map(cylinder).collect(),
-            lights: description.lights.iter().map(light).collect(),
-            materials: description.materials.iter().map(material).collect(),
-            background: triple(description.background),
-            epsilon: description.epsilon.to_f64(),
+macro_rules! convert {
+    (
+        $header:tt
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
+            $nth:literal $too_many:ident $without:ident
+            $(#[$doc:meta])* $add:ident($($(#[$key:meta])* $field:ident: $type:ident),*) })*
+    ) => {
+        /// What a fixed-point scene was described with, each number as the nearest double.
+        ///
+        /// The description's camera is not part of the scene here; it converts by itself.
+        ///
+        /// ```
+        /// use reflet::host::reference::Scene;
+        /// use reflet::{Material, SceneBuilder};
+        ///
+        /// const SCENE: SceneBuilder<1, 0, 0, 0> = SceneBuilder::new()
+        ///     .sphere([0.1, 0.2, 0.3], 0.7, Material::new([0.9; 3]).mirror(0.4))
+        ///     .background([0.25, 0.5, 1.0]);
+        ///
+        /// let scene = Scene::from(&SCENE.description());
+        /// assert_eq!((scene.spheres[0].center, scene.spheres[0].radius), ([0.1, 0.2, 0.3], 0.7));
+        /// assert_eq!(scene.materials[scene.spheres[0].material].mirror, 0.4);
+        /// assert_eq!((scene.background, scene.epsilon), ([0.25, 0.5, 1.0], 1e-3));
+        /// ```
+        impl From<&scene::Description<'_>> for Scene {
+            fn from(description: &scene::Description<'_>) -> Self {
+                $(
+                    let $list = description.$list.iter().map(|it| super::$described {
+                        $($field: it.$field.plain(),)*
+                        material: it.material.index(),
+                    });
+                )*
+                Self {
+                    $($list: $list.collect(),)*
+                    lights: description.lights.iter().map(light).collect(),
+                    materials: description.materials.iter().map(material).collect(),
+                    background: description.background.plain(),
+                    epsilon: description.epsilon.plain(),
+                }
+            }
         }
-    }
+    };
 }
+kinds!(shapes, convert);
 
 /// What a fixed-point camera was described with, each number as the nearest double.
 impl From<&camera::CameraDescription> for Camera {
     fn from(description: &camera::CameraDescription) -> Self {
         Self {
-            position: place(description.position),
-            target: place(description.target),
-            up: place(description.up),
-            fov: description.fov.to_f64(),
+            position: description.position.plain(),
+            target: description.target.plain(),
+            up: description.up.plain(),
+            fov: description.fov.plain(),
         }
     }
 }
@@ -56,36 +70,10 @@ impl From<&camera::Camera> for Camera {
     }
 }
 
-fn sphere(sphere: &shape::sphere::Sphere) -> Sphere {
-    Sphere {
-        center: place(sphere.center),
-        radius: sphere.radius.to_f64(),
-        material: sphere.material.index(),
-    }
-}
-
-fn plane(plane: &shape::plane::Plane) -> Plane {
-    Plane {
-        point: place(plane.point),
-        normal: place(plane.normal),
-        material: plane.material.index(),
-    }
-}
-
-fn cylinder(cylinder: &shape::cylinder::Cylinder) -> Cylinder {
-    Cylinder {
-        center: place(cylinder.center),
-        axis: place(cylinder.axis),
-        radius: cylinder.radius.to_f64(),
-        height: cylinder.height.to_f64(),
-        material: cylinder.material.index(),
-    }
-}
-
 fn light(light: &light::Light) -> Light {
     Light {
-        position: place(light.position),
-        color: triple(light.color),
+        position: light.position.plain(),
+        color: light.color.plain(),
     }
 }
 
@@ -93,7 +81,7 @@ fn material(material: &material::Material) -> Material {
     let coefficients = material.described_coefficients().map(Number::to_f64);
     let [ambient, diffuse, specular, shininess, mirror] = coefficients;
     Material {
-        color: triple(material.described_color()),
+        color: material.described_color().plain(),
         ambient,
         diffuse,
         specular,
@@ -102,17 +90,41 @@ fn material(material: &material::Material) -> Material {
     }
 }
 
-fn place(position: Position) -> [f64; 3] {
-    triple(position.0)
+/// Numbers of the core as doubles.
+trait Plain {
+    type Double;
+
+    fn plain(self) -> Self::Double;
 }
 
-fn triple(numbers: [Number; 3]) -> [f64; 3] {
-    numbers.map(Number::to_f64)
+impl Plain for Number {
+    type Double = f64;
+
+    fn plain(self) -> f64 {
+        self.to_f64()
+    }
+}
+
+impl Plain for [Number; 3] {
+    type Double = [f64; 3];
+
+    fn plain(self) -> [f64; 3] {
+        self.map(Number::to_f64)
+    }
+}
+
+impl Plain for Position {
+    type Double = [f64; 3];
+
+    fn plain(self) -> [f64; 3] {
+        self.0.plain()
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::host::reference::{Cylinder, Plane, Sphere};
     use crate::scene::RuntimeScene;
 
     #[test]
