@@ -6,6 +6,7 @@ mod shapes;
 
 pub mod compare;
 pub mod file;
+pub mod line;
 mod painted;
 pub mod path;
 pub mod reference;
