@@ -35,6 +35,16 @@ pub struct Material {
 }
 
 impl Material {
+    /// Fills the room for a material that a scene does not use: zeros, which take no flash.
+    pub(crate) const NONE: Self = Self {
+        color: [Number::ZERO; 3],
+        ambient: Number::ZERO,
+        diffuse: Number::ZERO,
+        specular: Number::ZERO,
+        shininess: Number::ZERO,
+        mirror: Number::ZERO,
+    };
+
     /// A matte material: ambient 0.2, diffuse 0.8, no highlight, no reflection.
     ///
     /// For constants. Panics, which stops the compiler, where a component is outside 0 to 16;

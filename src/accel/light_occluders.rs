@@ -125,3 +125,6 @@ pub(crate) fn occluded<W: World, const PRECISE: bool>(
     let set = table.map_or(ShapeSet::ALL, |table| table.at(direction));
     any_occludes::<W, PRECISE>(world, set, surface, light, &ray)
 }
+
+#[cfg(test)]
+mod tests;

@@ -43,3 +43,6 @@ macro_rules! light_table {
     };
 }
 kinds!(light_table);
+
+#[cfg(test)]
+mod tests;

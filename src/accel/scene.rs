@@ -128,3 +128,6 @@ impl<R: Capacity> World for SceneIn<R> {
         MirrorTables::NONE
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -26,10 +26,10 @@ macro_rules! rects {
         }
 
         impl<R: Capacity> Rects<R> {
-            /// Every shape everywhere.
+            /// Room for rectangles.
             #[inline(always)]
-            fn all() -> Self {
-                Self { $($list: Array::filled(ScreenRect::ALL),)* }
+            fn empty() -> Self {
+                Self { $($list: Array::filled(ScreenRect::NONE),)* }
             }
 
             /// Finds the rectangles of all shapes.
@@ -57,16 +57,16 @@ pub(crate) struct ScreenBounds<R: Capacity> {
 }
 
 impl<R: Capacity> ScreenBounds<R> {
-    /// Every shape everywhere.
+    /// Room for the rectangles of a frame.
     #[inline(always)]
-    pub(crate) fn all() -> Self {
+    pub(crate) fn empty() -> Self {
         Self {
-            direct: Rects::all(),
-            mirrored: Array::filled(Rects::all()),
+            direct: Rects::empty(),
+            mirrored: Array::filled(Rects::empty()),
         }
     }
 
-    /// Turns from everything to a scene as the rays through the columns and those through the rows of
+    /// Finds the rectangles of a scene as the rays through the columns and those through the rows of
     /// a picture see it; mirrored only where a plane mirrors.
     pub(crate) fn look<W: SceneAccess>(&mut self, world: &W, axes: &[ScreenAxis; 2]) {
         let parts = world.parts();

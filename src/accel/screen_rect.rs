@@ -29,11 +29,12 @@ const TIP_ROWS: u16 = 2;
 pub(super) const THIN_SHAPE: u16 = 1 << 15;
 
 impl ScreenRect {
-    pub(super) const ALL: Self = Self {
+    /// Fills the room of a rectangle that is not known; all zeros, which need no constant in flash.
+    pub(super) const NONE: Self = Self {
         left: 0,
-        right: u16::MAX,
+        right: 0,
         top: 0,
-        bottom: u16::MAX,
+        bottom: 0,
         tips: [0; 2],
         shape: 0,
     };
@@ -42,9 +43,9 @@ impl ScreenRect {
     pub(super) fn of_nothing(shape: usize) -> Self {
         Self {
             left: u16::MAX,
-            right: 0,
+            bottom: u16::MAX,
             shape: to_u16(to_u32(shape)) % THIN_SHAPE,
-            ..Self::ALL
+            ..Self::NONE
         }
     }
 

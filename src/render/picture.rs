@@ -73,7 +73,7 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
             false => LightVisibility::new(world, from),
         };
         if !is_plain && from.is_near() {
-            let bounds = picture.bounds.insert(ScreenBounds::all());
+            let bounds = picture.bounds.insert(ScreenBounds::empty());
             bounds.look(world, &camera.screen_axes(&generator, from.point));
         }
         picture.generator = Some(generator);

@@ -151,4 +151,4 @@ const fn numbers([red, green, blue]: [f64; 3]) -> [Number; 3] {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -45,7 +45,7 @@ macro_rules! capacity {
         ///
         /// Implemented by the crate for every [`Room`]; there is no need to implement it elsewhere.
         /// Where the room's numbers are named the compiler knows the arrays, so that constants can index
-        /// them: in `impl<const S: usize, ..> Scene<Room<S, ..>>`, `R::Spheres<T>` is `[T; S]`.
+        /// them: in `impl<const S: usize, ..> SceneBuilderIn<Room<S, ..>>`, `R::Spheres<T>` is `[T; S]`.
         pub trait Capacity: Copy + Debug + 'static {
             $(
                 #[doc = concat!("With room for the ", stringify!($list), ".")]

@@ -96,7 +96,7 @@ macro_rules! description {
                     $($list: List::new(crate::shape::$described::NONE),)*
                     planes: List::new(Plane::NONE),
                     lights: List::new(Light::NONE),
-                    materials: List::new(Material::new([0.0; 3])),
+                    materials: List::new(Material::NONE),
                     background: [Number::ZERO; 3],
                     epsilon: Number::new(EPSILON),
                     camera: None,

@@ -11,6 +11,8 @@ mod capacity;
 mod description;
 mod error;
 pub(crate) mod far;
+#[cfg(test)]
+mod fixture;
 mod layout;
 mod list;
 pub(crate) mod nearest;
@@ -23,6 +25,8 @@ pub(crate) mod shape_set;
 pub(crate) mod surface;
 
 pub(crate) use access::Parts;
+#[cfg(test)]
+pub(crate) use builder::tests as built;
 pub use builder::{SceneBuilder, SceneBuilderIn};
 pub(crate) use capacity::Array;
 pub use capacity::{Capacity, Room};

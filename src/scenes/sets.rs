@@ -2,16 +2,19 @@
 //! work, never the picture.
 
 use super::{BuiltIn, NAMES, Visitor, visit};
+use crate::accel::light_occluders::{self, LightOccluders};
+use crate::accel::light_visibility::LightVisibility;
+use crate::accel::screen_bounds::ScreenBounds;
+use crate::accel::screen_culling::ScreenCulling;
+use crate::accel::{Scene, Static, World};
 use crate::number::sweep::Sweep;
 use crate::number::{Length, Unit};
 use crate::quality::Fine;
-use crate::ray::{REACH, ScaledPoint, ScaledRay};
-use crate::scene::culling::ScreenCulling;
-use crate::scene::extent::Outlooks;
-use crate::scene::query::{ShapeId, blocked, blocked_from, first};
-use crate::scene::view::{LightVisibility, Visible};
-use crate::scene::{Occluders, RuntimeScene, Scene, Static, World};
-use crate::shade::{BlinnPhong, Surface};
+use crate::ray::{PathSignature, REACH, ScaledPoint, ScaledRay};
+use crate::scene::access::{SceneAccess, ShapeId};
+use crate::scene::query::{nearest_hit, occluded};
+use crate::scene::{RuntimeScene, Surface};
+use crate::shade::BlinnPhong;
 use crate::shape::MaterialId;
 use crate::shape::plane::{PreparedPlane, Side};
 use crate::trace::Tracer;
@@ -25,25 +28,24 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
     let generator = camera.generator(SIZE.0, SIZE.1);
     let from = world.parts().grid.place(camera.description().position);
     let view = LightVisibility::new(world, from);
-    let everything = W::Outlook::ALL;
-    let outlook = from.is_near().then(|| {
-        let mut outlook = everything;
-        outlook.look(world, &camera.screen_axes(&generator, from.point));
-        outlook
+    let everything = ScreenBounds::<W::Room>::empty();
+    let bounds = from.is_near().then(|| {
+        let mut bounds = everything;
+        bounds.look(world, &camera.screen_axes(&generator, from.point));
+        bounds
     });
     for y in 0..SIZE.1 {
-        let tracer = |culling| Tracer::<W, BlinnPhong, Fine>::new(world, &view, culling, 3);
-        let mut some = tracer(ScreenCulling::new::<true>(outlook.as_ref(), from, y));
-        some.look();
-        let mut all = tracer(ScreenCulling::of_everything::<true>(
-            Some(&everything),
-            from,
-        ));
+        let tracer = |bounds, is_full| {
+            let culling = ScreenCulling::new::<true>(bounds, from, y, is_full);
+            Tracer::<W, BlinnPhong, Fine>::new(world, &view, culling, 3)
+        };
+        let mut some = tracer(bounds.as_ref(), false);
+        let mut all = tracer(Some(&everything), true);
         let directions = generator.row(y);
         for x in 0..SIZE.0 {
             let [some, all] = [&mut some, &mut all].map(|it| {
-                it.turn_to(x / 4 * 4, x / 4 * 4 + 4);
-                it.trace(x, directions.of(x)).sum
+                let window = it.advance(x / 4 * 4, x / 4 * 4 + 4);
+                it.trace((&window, x), directions.of(x)).sum
             });
             assert_eq!(some, all, "{name}: pixel {x}, {y} of {camera:?}");
         }
@@ -215,20 +217,18 @@ fn is_inside<W: World>(world: &W, camera: &Camera) {
 }
 
 /// Whether any sphere or cylinder of all lies between a light and what is `distance` away from it
-/// in a direction: the same as [`blocked_from`], with every shape asked.
-fn blocked_by_any<W: World>(
+/// in a direction: the same as [`light_occluders::occluded`], with every shape asked.
+fn occluded_by_any<W: World>(
     world: &W,
-    lamp: &W::LightOccluders,
+    light: &LightOccluders<W::Room>,
     direction: Direction,
     distance: Length,
     left: Option<usize>,
 ) -> bool {
     let parts = world.parts();
-    let spheres = lamp.spheres().iter().take(parts.spheres.len());
-    let light = lamp.light().place.point;
-    spheres
-        .clone()
-        .any(|seen| seen.is_before(direction, distance))
+    let light = light.light().place.point;
+    let mut spheres = parts.spheres.iter();
+    spheres.any(|sphere| sphere.seen_from(light).is_before(direction, distance))
         || parts.cylinders.iter().enumerate().any(|(index, cylinder)| {
             let seen = cylinder.seen_from(light);
             let met = cylinder.met(&seen, &direction, parts.epsilon, distance);
@@ -236,32 +236,38 @@ fn blocked_by_any<W: World>(
         })
 }
 
-/// Asks in many directions what the cells around a scene's lights know and what all shapes say;
+/// The outside of a cylinder, or of no shape, as far as its shadow is asked for.
+fn outside_of<W: World>(world: &W, cylinder: Option<usize>) -> Surface<'_> {
+    let parts = world.parts();
+    let plane = ShapeId::at(parts.bounded());
+    let mut surface = Surface::new(world, ScaledPoint::ORIGIN, plane, Direction::X).unwrap();
+    surface.is_inside = false;
+    surface.shape = cylinder.map_or(ShapeId::NONE, |it| ShapeId::at(parts.spheres.len() + it));
+    surface
+}
+
+/// Asks in many directions what the tables of a scene's lights know and what all shapes say;
 /// how often a light was hidden, and how often it was not.
 fn asked<W: World>(world: &W, random: &mut Sweep) -> [u32; 2] {
     let mut counts = [0; 2];
     let cylinders = world.parts().cylinders.len();
-    let lamps = world.lamps().iter().enumerate();
-    for (index, lamp) in lamps.filter(|(_, it)| it.light().is_plain) {
+    let lights = world.light_occluders().iter().enumerate();
+    for (index, light) in lights.filter(|(_, it)| it.light().is_plain) {
         for round in 0..4000 {
             // As far as can be seen to all sides, or to a place among the shapes.
-            let light = lamp.light().place;
+            let from = light.light().place;
             let (direction, reach) = match round % 2 {
                 0 => (Position::new(random.place()).direction().unwrap(), REACH),
                 _ => {
                     let place = world.parts().grid.place(Position::new(random.place()));
-                    light.to(place).0.direction_and_length()
+                    from.to(place).0.direction_and_length()
                 }
             };
             let left = Some(round % (2 * cylinders + 1)).filter(|&it| it < cylinders);
-            let all = blocked_by_any(world, lamp, direction, reach, left);
-            let some = blocked_from(
-                world,
-                (lamp, index),
-                (direction, reach),
-                |it| left.is_some_and(|left| it == world.parts().cylinder_number(left)),
-                |_, _, seen| seen.is_before(direction, reach),
-            );
+            let all = occluded_by_any(world, light, direction, reach, left);
+            let surface = outside_of(world, left);
+            let ray = (direction, reach);
+            let some = light_occluders::occluded::<_, false>(world, &surface, (light, index), ray);
             assert_eq!(some, all, "{direction:?} {reach:?} {left:?}");
             counts[usize::from(all)] += 1;
         }
@@ -270,7 +276,7 @@ fn asked<W: World>(world: &W, random: &mut Sweep) -> [u32; 2] {
 }
 
 #[test]
-fn cells_miss_no_shape() {
+fn light_tables_miss_no_shape() {
     let mut random = Sweep::new(0x2545_f491_4f6c_dd1d);
     // Runs of shapes, a bit for each shape, also with room for more, and so few that all are asked.
     let mut counts = [[0; 2]; 4];
@@ -292,6 +298,11 @@ fn cells_miss_no_shape() {
     );
 }
 
+/// Where a ray first hits a shape, and which, with every shape asked.
+fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
+    nearest_hit::<_, false>(world, ray, skip, &mut PathSignature::new())
+}
+
 /// Whether what a light that stands clear hides is told alike by the way from it and by the way to it,
 /// at what a camera sees of a scene without planes; counted are lights that are hidden or not, and
 /// where rounding decided.
@@ -305,37 +316,33 @@ fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
     for _ in 0..10_000 {
         let towards = parts.grid.place(Position::new(random.place()));
         let (direction, _) = from.to(towards).0.direction_and_length();
-        let Some((at, shape)) = first(world, &ScaledRay::new(from, direction), ShapeId::NONE)
-        else {
+        let ray = ScaledRay::new(from, direction);
+        let Some((at, shape)) = first(world, &ray, ShapeId::NONE) else {
             continue;
         };
         let surface = Surface::new(world, at, shape, direction).unwrap();
-        for (index, lamp) in world.lamps().iter().enumerate() {
-            if view.standing(index) != Visible::Clear {
+        for (index, occluders) in world.light_occluders().iter().enumerate() {
+            if !view.is_clear(index) {
                 continue;
             }
-            let light = lamp.light();
+            let (light, table) = (occluders.light(), &world.light_tables()[index]);
             let to_light = |from: ScaledPoint| {
                 let (direction, distance) = from.to(light.place).0.direction_and_length();
                 (ScaledRay::new(from, direction), distance)
             };
             let general = |from: ScaledPoint| {
-                let (path, distance) = to_light(from);
-                let cells = (light.place, world.cells().get(index));
-                blocked(world, &path, surface.left(world), cells, distance, 0)
+                let (ray, distance) = to_light(from);
+                let set = table.at(ray.direction().reversed());
+                let skip = surface.skip(world);
+                occluded(world, set, &ray, skip, (light.place, distance, 0))
             };
-            let (path, distance) = to_light(surface.place);
-            if surface.normal.dot(path.direction()) <= Unit::ZERO {
+            let (ray, distance) = to_light(surface.place);
+            if surface.normal.dot(ray.direction()) <= Unit::ZERO {
                 continue;
             }
-            let way = path.direction().reversed();
-            let hidden = blocked_from(
-                world,
-                (lamp, index),
-                (way, distance),
-                |cylinder| cylinder == surface.left(world),
-                |_, _, seen| seen.is_before(way, distance),
-            );
+            let way = (ray.direction().reversed(), distance);
+            let hidden =
+                light_occluders::occluded::<_, false>(world, &surface, (occluders, index), way);
             if general(surface.place) == hidden {
                 counts[usize::from(hidden)] += 1;
                 continue;

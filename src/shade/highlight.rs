@@ -184,3 +184,6 @@ fn mirrored_cosine(cosines: &Cosines) -> Unit {
     let cosine = 2 * i64::from(product) - i64::from(cosines.between.to_bits());
     Unit::from_bits(narrowed(cosine.clamp(0, 1 << 30)))
 }
+
+#[cfg(test)]
+mod tests;

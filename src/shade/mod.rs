@@ -208,10 +208,3 @@ fn sent_on<W: SceneAccess, H: Highlight>(
     let highlight = H::highlight(&cosines, material.shininess, W::NEEDS.shininess);
     strength + lit(highlight, material.specular)
 }
-
-#[cfg(test)]
-mod inside;
-#[cfg(test)]
-mod leaving;
-#[cfg(test)]
-mod tests;

@@ -1,15 +1,20 @@
 mod accumulation;
+mod inside;
+mod leaving;
+mod light;
 mod series;
 
 use std::vec::Vec;
 
 use super::*;
+use crate::accel::Scene;
+use crate::accel::screen_bounds::ScreenBounds;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::quality::{Fast, Fine};
 use crate::ray::ScaledPoint;
-use crate::scene::extent::Outlooks;
-use crate::scene::{RuntimeScene, Scene, World};
+use crate::scene::RuntimeScene;
+use crate::scene::access::SceneAccess;
 use crate::shade::{BlinnPhong, Normals, Phong};
 use crate::vector::{Position, Vector};
 
@@ -31,6 +36,11 @@ fn path(from: ScaledPoint, towards: [f64; 3]) -> ScaledRay {
     ScaledRay::new(from, Position::new(towards).direction().unwrap())
 }
 
+/// Where a ray first hits a shape, and which, with every shape asked.
+fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
+    nearest_hit::<_, false>(world, ray, skip, &mut PathSignature::new())
+}
+
 /// What is known about one path.
 #[derive(Clone, Copy, Debug)]
 struct Followed {
@@ -46,11 +56,12 @@ fn followed_by<K: Shading, Q: Quality, W: World>(
     reflections: u8,
 ) -> Followed {
     let view = LightVisibility::new(world, path.from());
-    let outlook = W::Outlook::ALL;
-    let culling = ScreenCulling::of_everything::<true>(Some(&outlook), path.from());
+    let bounds = ScreenBounds::empty();
+    let culling = ScreenCulling::new::<true>(Some(&bounds), path.from(), 0, true);
     let mut tracer = Tracer::<_, K, Q>::new(world, &view, culling, reflections);
+    let window = tracer.advance(0, 0);
     Followed {
-        sum: tracer.trace(0, path.direction()).sum,
+        sum: tracer.trace((&window, 0), path.direction()).sum,
         rays: tracer.rays,
         cut_off: tracer.cut_off,
     }

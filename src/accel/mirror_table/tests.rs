@@ -1,9 +1,13 @@
 use super::*;
+use crate::accel::{Scene, Static, StaticScene, World};
 use crate::material::Material;
 use crate::number::scaled_by_unit;
 use crate::number::sweep::Sweep;
 use crate::ray::{REACH, Ray};
-use crate::scene::{RuntimeScene, StaticScene, World};
+use crate::scene::RuntimeScene;
+use crate::scene::access::SceneAccess;
+use crate::shape::{PreparedCylinder, PreparedSphere};
+use crate::vector::Direction;
 
 type Scenery = RuntimeScene<6, 1, 5, 1, 2>;
 pub(crate) type Built = Scene<6, 1, 5, 1, 2>;
@@ -37,14 +41,13 @@ pub(crate) fn crowd(sweep: &mut Sweep, number: usize) -> Built {
     scene.build().unwrap()
 }
 
-impl Built {
-    /// The tables that it would have as a constant.
-    pub(crate) fn leaked_round_mirrors(&self) -> RoundMirrors {
-        let tables = std::boxed::Box::new(self.tables_ahead::<12>());
-        RoundMirrors {
-            numbers: self.numbers_ahead(),
-            tables: std::boxed::Box::leak(tables),
-        }
+/// The tables that a scene would have as a constant.
+pub(crate) fn leaked(scene: &Built) -> MirrorTables {
+    let parts = scene.parts();
+    let tables = std::boxed::Box::new(MirrorTables::tables::<12>(&parts));
+    MirrorTables {
+        numbers: MirrorTables::numbered(&parts).0,
+        tables: std::boxed::Box::leak(tables),
     }
 }
 
@@ -60,12 +63,12 @@ fn beside(from: Point, direction: Direction, length: i32) -> Point {
 }
 
 /// Every shape with a ball, a point from which a ray may leave it, and what is said to lie ahead.
-fn mirrors(scene: &Built, sweep: &mut Sweep) -> std::vec::Vec<(Point, Ahead)> {
+fn mirrors(scene: &Built, sweep: &mut Sweep) -> std::vec::Vec<(Point, MirrorTable)> {
     let parts = scene.parts();
-    let epsilon = scene.inner_epsilon.to_bits();
+    let epsilon = parts.inner_epsilon.to_bits();
     let mut mirrors = std::vec::Vec::new();
     // All of the eleven shapes are.
-    let tables = scene.tables_ahead::<12>();
+    let tables = MirrorTables::tables::<12>(&parts);
     for (sphere, ahead) in parts.spheres.iter().zip(tables) {
         let (center, radius) = sphere.ball();
         // Inside or outside.
@@ -109,6 +112,11 @@ fn direction_from(origin: Point, scene: &Built, sweep: &mut Sweep) -> Direction 
     }
 }
 
+/// Whether a set has a shape of a scene with fewer shapes than bits.
+fn has(set: &ShapeSet, shape: usize) -> bool {
+    set.with(ShapeSet::of(shape)) == *set
+}
+
 #[test]
 fn what_is_not_ahead_is_passed_by() {
     let mut sweep = Sweep::new(1);
@@ -120,13 +128,10 @@ fn what_is_not_ahead_is_passed_by() {
             for _ in 0..200 {
                 let direction = direction_from(origin, &scene, &mut sweep);
                 let ray = Ray { origin, direction };
-                let mut is_ahead = [false; 11];
-                let later = ahead
-                    .shapes(direction)
-                    .for_each(parts.spheres, |index, _| is_ahead[index] = true);
-                later.for_each(parts.cylinders, |index, _| is_ahead[6 + index] = true);
+                let set = ahead.at(direction);
+                let is_ahead: [_; 11] = core::array::from_fn(|shape| has(set, shape));
                 for (sphere, is_ahead) in parts.spheres.iter().zip(&is_ahead) {
-                    let hit = sphere.intersect(&ray, REACH);
+                    let hit = sphere.intersect_alone(&ray, REACH);
                     met += u32::from(hit.is_some());
                     assert!(*is_ahead || hit.is_none(), "{sphere:?} {ray:?}");
                 }
@@ -154,13 +159,15 @@ fn only_what_mirrors_has_a_table() {
         scene.add_sphere([x, 0.0, 0.0], 0.5, material).unwrap();
     }
     let scene = scene.build().unwrap();
-    let numbers = scene.numbers_ahead();
+    let (numbers, room) = MirrorTables::numbered(&scene.parts());
     assert_eq!(&numbers[..4], [u8::MAX, 0, u8::MAX, u8::MAX]);
-    let [ahead] = scene.tables_ahead();
+    assert_eq!(room, 1);
+    let [ahead] = MirrorTables::tables(&scene.parts());
     // Nothing lies above it but, of what it is not known, itself.
     let up = Direction::from_raw(Vector::new(0, 0, 1 << 30));
-    assert_eq!(ahead.shapes(up), MirrorSet(0b10));
-    assert_eq!(ahead.shapes(Direction::X), MirrorSet(0b1110));
+    let shapes = |direction| core::array::from_fn(|shape| has(ahead.at(direction), shape));
+    assert_eq!(shapes(up), [false, true, false, false]);
+    assert_eq!(shapes(Direction::X), [false, true, true, true]);
 }
 
 const MIRROR: Material = Material::new([0.5; 3]).mirror(0.5);
@@ -194,18 +201,17 @@ impl StaticScene for Floor {
 
 #[test]
 fn only_constant_scenes_with_round_mirrors_and_some_shapes_have_tables() {
-    use crate::scene::Static;
     let have_tables = [
-        <Static<Row<3>> as World>::AHEAD,
-        <Static<Row<4>> as World>::AHEAD,
-        <Static<Row<16>> as World>::AHEAD,
-        <Static<Row<17>> as World>::AHEAD,
-        <Static<Floor> as World>::AHEAD,
-        <Scene<4, 1, 0, 0> as World>::AHEAD,
+        <Static<Row<3>> as SceneAccess>::CHOOSES_HITS,
+        <Static<Row<4>> as SceneAccess>::CHOOSES_HITS,
+        <Static<Row<16>> as SceneAccess>::CHOOSES_HITS,
+        <Static<Row<17>> as SceneAccess>::CHOOSES_HITS,
+        <Static<Floor> as SceneAccess>::CHOOSES_HITS,
+        <Scene<4, 1, 0, 0> as SceneAccess>::CHOOSES_HITS,
     ];
     assert_eq!(have_tables, [false, true, true, false, false, false]);
     fn tables<const N: usize>() -> usize {
-        Static::<Row<N>>::new().round_mirrors().tables.len()
+        Static::<Row<N>>::new().mirror_tables().tables.len()
     }
     assert_eq!([tables::<4>(), tables::<5>(), tables::<16>()], [4, 6, 16]);
 }

@@ -1,6 +1,6 @@
 use super::*;
 use crate::number::sweep::Sweep;
-use crate::vector::Direction;
+use crate::vector::{Direction, Point};
 
 /// Looks along x.
 fn screen_axis(aside: Direction) -> ScreenAxis {

@@ -3,12 +3,11 @@ use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::NEAR;
 use crate::ray::PathSignature;
-use crate::scene::cells::Cells;
-use crate::scene::query::{Shape, first};
-use crate::scene::{RuntimeScene, Scene, query};
+use crate::scene::query::nearest_hit;
+use crate::scene::{PlainScene, Room, RuntimeScene, query};
 use crate::vector::{Point, Position, Vector};
 
-type Built = Scene<1, 2, 2, 0, 1>;
+type Built = PlainScene<Room<1, 2, 2, 0, 1>>;
 
 /// The radius of the ball that the shapes need, in steps: planes enlarge the one they are given.
 const SHAPES: i32 = BALL / 8;
@@ -27,26 +26,21 @@ fn scene() -> Built {
     }
     scene.add_plane([0.0, 0.0, -0.7], [0, 0, 1], white).unwrap();
     scene.add_plane([0.0, 9e6, 0.0], [0, 1, 0], white).unwrap();
-    let scene = scene.build().unwrap();
+    let scene = scene.plain().unwrap();
     assert_eq!(scene.grid.fraction_bits(), 25);
     assert_eq!(scene.grid.middle(), Position::ORIGIN);
     scene
 }
 
-/// The shapes around a light that stands somewhere, if that is near.
-fn cells(scene: &Built, place: ScaledPoint) -> Cells {
-    let parts = scene.parts();
-    match place.is_near() {
-        true => Cells::around(place.point, parts.spheres, parts.cylinders),
-        false => Cells::ALL,
-    }
+/// What a path meets first, by the plain query.
+fn first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
+    nearest_hit::<_, false>(scene, path, ShapeId::NONE, &mut PathSignature::new())
 }
 
-/// Says what a path meets first.
-type Way = fn(&Built, &ScaledRay, ShapeId, &mut PathSignature) -> Option<(ScaledPoint, ShapeId)>;
-
-/// By code that is fast, and by code that is small.
-const WAYS: [Way; 2] = [nearest::<Built, false>, nearest::<Built, true>];
+/// What a path meets first, as if it were far.
+fn far_first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
+    nearest(scene, path, ShapeId::NONE, &mut PathSignature::new())
+}
 
 /// A path from a place, aimed at a point among the shapes.
 fn aimed(sweep: &mut Sweep, from: ScaledPoint) -> ScaledRay {
@@ -79,11 +73,12 @@ fn length(a: [f64; 3]) -> f64 {
 
 /// The name of what has been hit.
 fn kind(scene: &Built, hit: Option<(ScaledPoint, ShapeId)>) -> &'static str {
-    match hit.map(|(_, shape)| scene.parts().shape(shape).unwrap()) {
+    let parts = scene.parts();
+    match hit.map(|(_, shape)| shape) {
         None => "nothing",
-        Some(Shape::Sphere(_)) => "sphere",
-        Some(Shape::Plane(_)) => "plane",
-        Some(Shape::Cylinder(_)) => "cylinder",
+        Some(shape) if parts.is_plane(shape) => "plane",
+        Some(shape) if shape.index() < parts.spheres.len() => "sphere",
+        Some(_) => "cylinder",
     }
 }
 
@@ -105,13 +100,8 @@ fn path_from_outside_the_ball_meets_what_a_near_ray_meets() {
         checked += 1;
         let path = aimed(&mut sweep, from);
         let (near, far) = (
-            first(&scene, &path, ShapeId::NONE),
-            WAYS[checked % 2](
-                &scene,
-                &ScaledRay::new(coarse, path.direction()),
-                ShapeId::NONE,
-                &mut PathSignature::new(),
-            ),
+            first(&scene, &path),
+            far_first(&scene, &ScaledRay::new(coarse, path.direction())),
         );
         kinds[["nothing", "sphere", "plane", "cylinder"]
             .iter()
@@ -146,7 +136,7 @@ fn hit_of_a_far_path_lies_on_path_and_shape() {
     for _ in 0..100_000 {
         let from = far_place(&mut sweep, 20);
         let path = aimed(&mut sweep, from);
-        let hit = WAYS[hits % 2](&scene, &path, ShapeId::NONE, &mut PathSignature::new());
+        let hit = far_first(&scene, &path);
         if kind(&scene, hit) != "sphere" {
             continue;
         }
@@ -178,16 +168,15 @@ fn path_to_a_near_light_is_blocked_alike_near_and_far() {
         });
         let (direction, distance) = from.to(light).0.direction_and_length();
         let path = ScaledRay::new(from, direction);
-        let near = query::blocked(
+        let near = query::occluded(
             &scene,
+            ShapeSet::ALL,
             &path,
             ShapeId::NONE,
-            (light, Some(&cells(&scene, light))),
-            distance,
-            0,
+            (light, distance, 0),
         );
         counts[usize::from(near)] += 1;
-        let far = blocked(&scene, &path, ShapeId::NONE, light, distance, 0);
+        let far = occluded(&scene, &path, ShapeId::NONE, (light, distance, 0));
         assert_eq!(near, far, "{path:?} {light:?}");
     }
     assert!(counts.into_iter().all(|count| count > 10_000), "{counts:?}");
@@ -207,24 +196,22 @@ fn far_light_is_blocked_by_what_a_near_light_in_the_same_direction_is() {
         let (way, scale) = from.to(light);
         let (direction, distance) = way.direction_and_length();
         let path = ScaledRay::new(from, direction);
-        let far = query::blocked(
+        let far = query::occluded(
             &scene,
+            ShapeSet::ALL,
             &path,
             ShapeId::NONE,
-            (light, Some(&cells(&scene, light))),
-            distance,
-            scale,
+            (light, distance, scale),
         );
         counts[usize::from(far)] += 1;
         // Three radii of the ball are past everything but the planes.
         let past_the_ball = Length::from_bits(3 << 28);
-        let near = query::blocked(
+        let near = query::occluded(
             &scene,
+            ShapeSet::ALL,
             &path,
             ShapeId::NONE,
-            (light, Some(&cells(&scene, light))),
-            past_the_ball,
-            0,
+            (light, past_the_ball, 0),
         );
         let further = far_plane(&scene, &path, light);
         assert_eq!(far, near || further, "{path:?} {light:?}");
@@ -258,13 +245,12 @@ fn near_light_is_seen_from_far_away_unless_something_hides_it() {
             let (way, scale) = from.to(light);
             let (direction, distance) = way.direction_and_length();
             let path = ScaledRay::new(from, direction);
-            let found = query::blocked(
+            let found = query::occluded(
                 &scene,
+                ShapeSet::ALL,
                 &path,
                 ShapeId::NONE,
-                (light, Some(&cells(&scene, light))),
-                distance,
-                scale,
+                (light, distance, scale),
             );
             assert_eq!(found, hidden, "{light:?} at scale {scale}");
         }
@@ -278,7 +264,7 @@ fn wall_far_away_is_met_where_it_stands() {
         let from = ScaledPoint::new(Point::new(x, 0, z), 0);
         let north = Vector::new(0, 1, 0).precise_direction();
         let path = ScaledRay::new(from, north);
-        let (at, _) = first(&scene, &path, ShapeId::NONE).unwrap();
+        let (at, _) = first(&scene, &path).unwrap();
         let [_, y, _] = wide(at).map(|it| it * 2f64.powi(-scene.grid.fraction_bits()));
         assert!((y / 9e6 - 1.0).abs() < 2f64.powi(-26), "{y}");
     }
@@ -290,9 +276,6 @@ fn path_from_the_end_of_the_world_meets_nothing_but_planes() {
     let from = ScaledPoint::new(Point::new(0, NEAR, NEAR), FURTHEST_SCALE + 1);
     let (direction, _) = from.to(ScaledPoint::ORIGIN).0.direction_and_length();
     let path = ScaledRay::new(from, direction);
-    for nearest in WAYS {
-        let met = nearest(&scene, &path, ShapeId::NONE, &mut PathSignature::new());
-        assert_eq!(met, None);
-    }
+    assert_eq!([first(&scene, &path), far_first(&scene, &path)], [None; 2]);
     assert!(into_ball(&path).is_none());
 }

@@ -8,7 +8,7 @@ type Scenery = RuntimeScene<4, 3, 2, 2, 4>;
 fn needs(fill: impl FnOnce(&mut Scenery) -> Result<(), SceneError>) -> Needs {
     let mut scene = Scenery::new();
     fill(&mut scene).unwrap();
-    scene.build().unwrap().needs()
+    scene.plain().unwrap().parts().needs()
 }
 
 const GREY: Material = Material::new([0.5; 3]);
@@ -41,16 +41,13 @@ fn single_plane_mirrors_nothing_that_is_met_and_is_not_shaded() {
     let mut scene = Scenery::new();
     let glass = scene.add_material(GREY.mirror(0.5)).unwrap();
     scene.add_plane([0, 0, -2], [0, 0, 1], glass).unwrap();
-    let dark = scene.build().unwrap().needs();
-    assert_eq!(
-        (dark.reflections, dark.mirrored, dark.places),
-        (1, false, false)
-    );
+    let dark = scene.plain().unwrap().parts().needs();
+    assert_eq!((dark.reflections, dark.mirrored), (1, false));
     scene.add_light([9, 9, 9], [1, 1, 1]).unwrap();
-    let lit = scene.build().unwrap().needs();
-    assert_eq!((lit.reflections, lit.places, lit.shadows), (1, true, false));
+    let lit = scene.plain().unwrap().parts().needs();
+    assert_eq!((lit.reflections, lit.shadows), (1, false));
     scene.add_plane([0, 0, 2], [0, 0, 1], glass).unwrap();
-    let two = scene.build().unwrap().needs();
+    let two = scene.plain().unwrap().parts().needs();
     assert_eq!((two.reflections, two.mirrored), (u8::MAX, true));
     assert!(two.shadows);
 }

@@ -1,12 +1,13 @@
 use super::*;
 use crate::material::Material;
 use crate::number::Number;
-use crate::scene::{RuntimeScene, Scene};
-use crate::shape::MaterialId;
-use crate::vector::{Direction, Position};
+use crate::scene::{PlainScene, Room, RuntimeScene};
+use crate::shape::bounded::Bounded;
+use crate::shape::{MaterialId, PreparedCylinder, PreparedSphere};
+use crate::vector::{Direction, Point, Position, Vector};
 
 type Scenery = RuntimeScene<4, 3, 2, 2, 1>;
-type Built = Scene<4, 3, 2, 2, 1>;
+type Built = PlainScene<Room<4, 3, 2, 2, 1>>;
 
 /// A step of the scenes here, in their units: 1 is the radius of the ball that the shapes need, an
 /// eighth of the one they are given beside planes.
@@ -22,16 +23,10 @@ fn scenery(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Built {
         scene.add_sphere([0.0, y, 0.0], 0.125, white).unwrap();
     }
     fill(&mut scene, white);
-    let built = scene.build().unwrap();
+    let built = scene.plain().unwrap();
     assert_eq!(built.grid.fraction_bits(), 25);
     assert_eq!(built.grid.middle(), Position::ORIGIN);
     built
-}
-
-/// The shapes around a light that stands somewhere near.
-fn cells(scene: &Built, place: ScaledPoint) -> Cells {
-    let parts = scene.parts();
-    Cells::around(place.point, parts.spheres, parts.cylinders)
 }
 
 /// A path from a point on the x axis along it.
@@ -49,7 +44,8 @@ fn plane_number(scene: &Built, index: u32) -> ShapeId {
 
 /// Where on the x axis a path from `x` is ended, in scene units, and by what.
 fn met_at(scene: &Built, x: f64, left: ShapeId) -> Option<(f64, ShapeId)> {
-    let (at, shape) = first(scene, &along_x(scene, x), left)?;
+    let ray = along_x(scene, x);
+    let (at, shape) = nearest_hit::<_, false>(scene, &ray, left, &mut PathSignature::new())?;
     let x = f64::from(at.point.x) * 2f64.powi(at.scale as i32) * STEP;
     Some((x, shape))
 }
@@ -127,8 +123,7 @@ fn plane_just_left_is_not_met() {
 fn numbers_name_spheres_then_cylinders_then_planes() {
     let scene = scenery(|scene, white| {
         scene.add_sphere([0, 0, 0], 0.5, white).unwrap();
-        let (axis, radius) = ([0, 0, 1], 0.25);
-        for _ in 0..2 {
+        for (axis, radius) in [([0, 0, 1], 0.25), ([1, 0, 0], 0.125)] {
             scene
                 .add_cylinder([0, 0, 0], axis, radius, 0.25, white)
                 .unwrap();
@@ -136,20 +131,34 @@ fn numbers_name_spheres_then_cylinders_then_planes() {
         scene.add_plane([0, 0, 0], [1, 0, 0], white).unwrap();
     });
     let parts = scene.parts();
-    for number in 0..6 {
-        let (shape, number) = (parts.shape(ShapeId(number)).unwrap(), number as usize);
-        let is_it = match shape {
-            Shape::Sphere(sphere) => core::ptr::eq(sphere, &parts.spheres[number]),
-            Shape::Cylinder(cylinder) => core::ptr::eq(cylinder, &parts.cylinders[number - 3]),
-            Shape::Plane(plane) => core::ptr::eq(plane, &parts.planes[number - 5]),
-        };
-        assert!(is_it, "{number}: {shape:?}");
-        let number = ShapeId(number as u32);
+    let balls = parts.spheres.iter().map(PreparedSphere::ball);
+    let balls = balls.chain(parts.cylinders.iter().map(PreparedCylinder::ball));
+    for (number, ball) in balls.enumerate() {
+        assert_eq!(parts.ball(number).unwrap().0, ball, "{number}");
+    }
+    assert!(parts.ball(5).is_none());
+    // Points of the shapes in the order of their numbers, and the normals there.
+    let spheres = parts.spheres.iter().map(|sphere| {
+        let (center, radius) = sphere.ball();
+        let at = center.along(Direction::X, Length::from_bits(radius));
+        (at, sphere.normal(at))
+    });
+    let cylinders = parts.cylinders.iter().map(|cylinder| {
+        let (center, _, radius) = cylinder.capsule();
+        let y = Vector::new(0, 1, 0).precise_direction();
+        let at = center.along(y, Length::from_bits(radius));
+        (at, cylinder.normal(at))
+    });
+    let planes = parts.planes.iter().map(|it| (Point::ORIGIN, it.normal));
+    for (number, (at, normal)) in spheres.chain(cylinders).chain(planes).enumerate() {
+        let number = ShapeId::at(number);
+        let (found, _) = parts.outside(number, at).unwrap();
+        assert_eq!(found, normal, "{number:?}");
         assert_eq!(parts.is_plane(number), number.0 == 5);
         assert_eq!(parts.plane(number).is_some(), number.0 == 5);
     }
     for none in [ShapeId(6), ShapeId::NONE, ShapeId::BEYOND] {
-        assert!(parts.shape(none).is_none() && parts.plane(none).is_none());
+        assert!(parts.outside(none, Point::ORIGIN).is_none() && parts.plane(none).is_none());
     }
     assert!(!parts.is_plane(ShapeId::NONE));
 }
@@ -179,13 +188,12 @@ fn is_blocked_by_a_plane_at(x: f64) -> bool {
     let path = along_x(&scene, 0.0);
     let light = scene.grid.place(Position::new([0.75, 0.0, 0.0]));
     let (way, scale) = path.from().to(light);
-    blocked(
+    occluded(
         &scene,
+        ShapeSet::ALL,
         &path,
         ShapeId::NONE,
-        (light, Some(&cells(&scene, light))),
-        Length::from_bits(way.x),
-        scale,
+        (light, Length::from_bits(way.x), scale),
     )
 }
 
@@ -218,13 +226,12 @@ fn light_is_blocked_by_every_kind_of_shape_and_by_none_behind_it() {
         let path = along_x(&scene, from);
         let light = scene.grid.place(Position::new([to, 0.0, 0.0]));
         let distance = Length::from_bits(path.from().to(light).0.x);
-        blocked(
+        occluded(
             &scene,
+            ShapeSet::ALL,
             &path,
             ShapeId::NONE,
-            (light, Some(&cells(&scene, light))),
-            distance,
-            0,
+            (light, distance, 0),
         )
     };
     for (from, to, truth) in [
@@ -256,13 +263,12 @@ fn light_closer_than_epsilon_is_not_blocked() {
         };
         let distance = Length::from_bits(steps);
         assert!(
-            !blocked(
+            !occluded(
                 &scene,
+                ShapeSet::ALL,
                 &path,
                 ShapeId::NONE,
-                (light, Some(&cells(&scene, light))),
-                distance,
-                0,
+                (light, distance, 0)
             ),
             "{steps} steps"
         );

@@ -1,46 +1,49 @@
 //! Tests: paths come to the same whether or not mirrors have tables of what lies ahead of their rays.
 
 use crate::Camera;
+use crate::accel::World;
+use crate::accel::light_occluders::LightOccluders;
+use crate::accel::light_table::LightTable;
+use crate::accel::light_visibility::LightVisibility;
+use crate::accel::mirror_table::MirrorTables;
+use crate::accel::mirror_table::tests::{Built, crowd, leaked};
+use crate::accel::screen_culling::ScreenCulling;
 use crate::color::Sum;
 use crate::number::sweep::Sweep;
 use crate::quality::Exact;
 use crate::ray::PathSignature;
-use crate::scene::ahead::RoundMirrors;
-use crate::scene::ahead::tests::{Built, crowd};
-use crate::scene::cells::Cells;
-use crate::scene::culling::ScreenCulling;
-use crate::scene::view::LightVisibility;
-use crate::scene::{Needs, Parts, World};
+use crate::scene::access::SceneAccess;
+use crate::scene::{Needs, Parts};
 use crate::shade::BlinnPhong;
 use crate::trace::{Traced, Tracer};
 
 /// A scene filled at run time, with the tables of a constant one.
 struct Tabled<'a> {
     scene: &'a Built,
-    mirrors: RoundMirrors,
+    mirrors: MirrorTables,
 }
 
-impl World for Tabled<'_> {
-    type LightOccluders = <Built as World>::LightOccluders;
-    type Outlook = <Built as World>::Outlook;
-
-    const NEEDS: Needs = <Built as World>::NEEDS;
-    const PLANES: usize = <Built as World>::PLANES;
-    const AHEAD: bool = true;
+impl SceneAccess for Tabled<'_> {
+    const NEEDS: Needs = <Built as SceneAccess>::NEEDS;
+    const CHOOSES_HITS: bool = true;
 
     fn parts(&self) -> Parts<'_> {
         self.scene.parts()
     }
+}
 
-    fn lamps(&self) -> &[Self::LightOccluders] {
-        self.scene.lamps()
+impl World for Tabled<'_> {
+    type Room = <Built as World>::Room;
+
+    fn light_occluders(&self) -> &[LightOccluders<Self::Room>] {
+        self.scene.light_occluders()
     }
 
-    fn cells(&self) -> &[Cells] {
-        self.scene.cells()
+    fn light_tables(&self) -> &[LightTable] {
+        self.scene.light_tables()
     }
 
-    fn round_mirrors(&self) -> &RoundMirrors {
+    fn mirror_tables(&self) -> &MirrorTables {
         &self.mirrors
     }
 }
@@ -52,12 +55,13 @@ fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, PathSigna
     let from = world.parts().grid.place(camera.description().position);
     let view = LightVisibility::new(world, from);
     let rows = (0..SIDE).flat_map(|y| {
-        let culling = ScreenCulling::of_everything::<true>(None, from);
+        let culling = ScreenCulling::new::<true>(None, from, y, true);
         let mut tracer = Tracer::<W, BlinnPhong, Exact>::new(world, &view, culling, 5);
         let directions = generator.row(y);
         let mut pixels = std::vec::Vec::new();
         for x in 0..SIDE {
-            let Traced { sum, signature } = tracer.trace(x, directions.of(x));
+            let window = tracer.advance(x, x);
+            let Traced { sum, signature } = tracer.trace((&window, x), directions.of(x));
             pixels.push((sum, signature));
         }
         pixels
@@ -73,7 +77,7 @@ fn paths_come_to_the_same_with_tables_and_without() {
         let scene = crowd(&mut sweep, number);
         let tabled = Tabled {
             scene: &scene,
-            mirrors: scene.leaked_round_mirrors(),
+            mirrors: leaked(&scene),
         };
         // From outside, and from among the shapes.
         let distance = if number % 3 == 0 { 2.0 } else { 24.0 };

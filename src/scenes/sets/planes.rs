@@ -1,6 +1,8 @@
 //! Tests: what a view says about planes and lights is what every plane says.
 
 use super::*;
+use crate::scene::access::SceneAccess;
+use crate::scene::shape_set::ShapeSet;
 
 /// A view of a scene of planes that is held against every plane asked.
 struct Held<'a> {
@@ -55,17 +57,18 @@ impl Held<'_> {
         }
         let path = ScaledRay::new(place, direction);
         let is_behind = normal.is_some_and(|normal| normal.dot(direction) <= Unit::ZERO);
-        let is_blocked = blocked(scene, &path, left, (from, None), distance, scale);
-        let standing = self.view.standing(light);
-        self.standings[standing as usize] += 1;
-        let is_true = match standing {
-            Visible::Clear => !is_blocked,
-            Visible::Hidden => is_behind || is_blocked,
-            Visible::Unclear => true,
+        let is_blocked = occluded(scene, ShapeSet::ALL, &path, left, (from, distance, scale));
+        let (is_clear, is_hidden) = (self.view.is_clear(light), self.view.is_hidden(light));
+        let (standing, is_true) = match (is_clear, is_hidden) {
+            (true, false) => (0, !is_blocked),
+            (false, true) => (1, is_behind || is_blocked),
+            (false, false) => (2, true),
+            (true, true) => (0, false),
         };
+        self.standings[standing] += 1;
         assert!(
             is_true,
-            "{standing:?}: {path:?} of {:?} to {:?} among {:?}",
+            "clear {is_clear}, hidden {is_hidden}: {path:?} of {:?} to {:?} among {:?}",
             self.view, from, parts.planes
         );
     }

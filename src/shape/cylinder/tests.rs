@@ -18,8 +18,14 @@ fn tube() -> PreparedCylinder {
     cylinder([0; 3], direction([0, 0, 1]), RADIUS, HALF_HEIGHT)
 }
 
+/// The distance at which a ray meets a wall; the ball around the cylinder is not asked.
+fn intersect(cylinder: &PreparedCylinder, ray: &Ray, reach: Length) -> Option<Length> {
+    let seen = cylinder.seen_from(ray.origin);
+    cylinder.met(&seen, &ray.direction, Length::from_bits(0), reach)
+}
+
 fn met(origin: [i32; 3], towards: [i32; 3]) -> Option<i32> {
-    steps(tube().intersect(&ray(origin, towards), EVERYWHERE))
+    steps(intersect(&tube(), &ray(origin, towards), EVERYWHERE))
 }
 
 /// Fails unless the tube is met `truth` steps along the ray, but for what three factors rounded
@@ -180,11 +186,11 @@ fn tangent_is_met_where_it_touches_and_missed_two_steps_further_out() {
 #[test]
 fn reach_ends_before_the_distance_it_names() {
     let ray = ray([-4 * RADIUS, 0, 0], [1, 0, 0]);
-    let distance = tube().intersect(&ray, EVERYWHERE).unwrap();
-    assert_eq!(tube().intersect(&ray, distance), None);
+    let distance = intersect(&tube(), &ray, EVERYWHERE).unwrap();
+    assert_eq!(intersect(&tube(), &ray, distance), None);
     assert!(!tube().blocks(&ray, distance));
     let further = Length::from_bits(distance.to_bits() + 1);
-    assert_eq!(tube().intersect(&ray, further), Some(distance));
+    assert_eq!(intersect(&tube(), &ray, further), Some(distance));
     assert!(tube().blocks(&ray, further));
 }
 
@@ -200,7 +206,7 @@ fn blocks_agrees_with_intersect() {
         let reach_in_steps = f64::from(reach.to_bits());
         let at_the_end = |root: &f64| (root - reach_in_steps).abs() <= SLACK / truth.sine;
         assert!(
-            blocks == cylinder.intersect(&ray, reach).is_some()
+            blocks == intersect(&cylinder, &ray, reach).is_some()
                 || truth.is_close_call(&cylinder)
                 || truth.roots.iter().any(at_the_end),
             "{cylinder:?} {ray:?} {reach:?}"
@@ -217,7 +223,7 @@ fn every_cylinder_is_met_where_double_precision_meets_it() {
         if truth.is_close_call(&cylinder) {
             continue;
         }
-        let found = steps(cylinder.intersect(&ray, EVERYWHERE)).map(f64::from);
+        let found = steps(intersect(&cylinder, &ray, EVERYWHERE)).map(f64::from);
         let nearest = truth.nearest();
         assert_eq!(found.is_some(), nearest.is_some(), "{cylinder:?} {ray:?}");
         let (Some(found), Some(nearest)) = (found, nearest) else {
@@ -243,7 +249,7 @@ fn cylinder_that_is_met_is_not_passed_by() {
     for (cylinder, ray) in pairs(9) {
         let is_passed_by = cylinder.is_passed_by(&ray);
         passed_by += u32::from(is_passed_by);
-        if cylinder.intersect(&ray, EVERYWHERE).is_some() {
+        if intersect(&cylinder, &ray, EVERYWHERE).is_some() {
             met += 1;
             assert!(!is_passed_by, "{cylinder:?} {ray:?}");
         }
@@ -255,7 +261,7 @@ fn cylinder_that_is_met_is_not_passed_by() {
 fn hit_lies_on_its_cylinder() {
     let mut hits = 0;
     for (cylinder, ray) in pairs(4) {
-        let Some(distance) = cylinder.intersect(&ray, EVERYWHERE) else {
+        let Some(distance) = intersect(&cylinder, &ray, EVERYWHERE) else {
             continue;
         };
         hits += 1;
@@ -287,7 +293,7 @@ fn ray_almost_along_the_axis_keeps_its_bits() {
         let radius = 1 << bits;
         let cylinder = cylinder([0; 3], direction([0, 0, 1]), radius, 1 << 27);
         let inside = ray([0, 0, -(1 << 26)], [radius, 0, 1 << 26]);
-        let distance = f64::from(cylinder.intersect(&inside, EVERYWHERE).unwrap().to_bits());
+        let distance = f64::from(intersect(&cylinder, &inside, EVERYWHERE).unwrap().to_bits());
         let truth = &Truth::new(&cylinder, &inside).roots[1];
         // One step across is 1 / sine along.
         let step = 2f64.powi(26) / f64::from(radius);
@@ -343,7 +349,7 @@ fn ray_leaving_a_cylinder_outward_misses_it() {
     let mut sweep = Sweep::new(6);
     let mut left_outside = 0;
     for (cylinder, arriving) in pairs(7) {
-        let Some(distance) = cylinder.intersect(&arriving, EVERYWHERE) else {
+        let Some(distance) = intersect(&cylinder, &arriving, EVERYWHERE) else {
             continue;
         };
         let at = arriving.origin.along(arriving.direction, distance);
@@ -369,7 +375,7 @@ fn ray_leaving_a_cylinder_outward_misses_it() {
         for direction in [upward, mirrored] {
             let leaving = Ray { origin, direction };
             assert_eq!(
-                cylinder.intersect(&leaving, EVERYWHERE),
+                intersect(&cylinder, &leaving, EVERYWHERE),
                 None,
                 "{cylinder:?} {leaving:?}"
             );
@@ -393,7 +399,7 @@ fn ray_leaving_the_inside_of_a_cylinder_crosses_it() {
             origin: Point::ORIGIN,
             direction: any_direction(&mut sweep),
         };
-        let Some(distance) = cylinder.intersect(&arriving, EVERYWHERE) else {
+        let Some(distance) = intersect(&cylinder, &arriving, EVERYWHERE) else {
             continue;
         };
         let at = arriving.origin.along(arriving.direction, distance);
@@ -415,7 +421,7 @@ fn ray_leaving_the_inside_of_a_cylinder_crosses_it() {
         if truth.is_close_call(&cylinder) {
             continue;
         }
-        let found = steps(cylinder.intersect(&leaving, EVERYWHERE)).map(f64::from);
+        let found = steps(intersect(&cylinder, &leaving, EVERYWHERE)).map(f64::from);
         assert_eq!(
             found.is_some(),
             truth.nearest().is_some(),
@@ -454,38 +460,6 @@ fn root_of_a_grazed_narrow_cylinder_is_nothing() {
 }
 
 #[test]
-fn nothing_of_a_cylinder_is_nearer_to_a_light_than_it_says() {
-    let mut close = 0;
-    for (index, (cylinder, ray)) in pairs(31).take(200_000).enumerate() {
-        // Every other light stands almost on the axis.
-        let origin = match index % 2 {
-            0 => ray.origin,
-            _ => {
-                let (Point { x, y, z }, half, _) = cylinder.capsule();
-                let Point { x: a, y: b, z: c } = ray.origin;
-                let [dx, dy, dz] = [a, b, c].map(|it| it >> 16);
-                Point::new(
-                    x + 3 * half.x + dx,
-                    y + 3 * half.y + dy,
-                    z + 3 * half.z + dz,
-                )
-            }
-        };
-        let axis = unit(in_doubles(cylinder.axis.raw()));
-        let way = in_doubles(origin.to(cylinder.center));
-        let rise = dot(way, axis).abs();
-        let aside = length(plus(way, -dot(way, axis), axis));
-        let outside = (aside - f64::from(cylinder.radius)).max(0.0);
-        let above = (rise - f64::from(cylinder.half_height)).max(0.0);
-        let truth = outside.hypot(above);
-        let nearest = f64::from(cylinder.lit_from(origin).nearest);
-        assert!(nearest <= truth, "{nearest}, not {truth}");
-        close += u32::from(truth - nearest < 0.001 * truth + 256.0);
-    }
-    assert!(close > 150_000, "{close}");
-}
-
-#[test]
 fn ray_along_the_axis_may_be_longer_than_one() {
     let longer = (1 << 28..).find_map(|z| {
         let (direction, _) = Vector::new(0, 0, z).direction_and_length();
@@ -495,5 +469,5 @@ fn ray_along_the_axis_may_be_longer_than_one() {
         origin: point([0, 0, -2 * HALF_HEIGHT]),
         direction: longer.unwrap(),
     };
-    assert_eq!(tube().intersect(&ray, EVERYWHERE), None);
+    assert_eq!(intersect(&tube(), &ray, EVERYWHERE), None);
 }

@@ -12,7 +12,7 @@ fn sphere(center: [i32; 3], radius: i32) -> PreparedSphere {
 
 /// The distance to the sphere of [`RADIUS`] around the middle, as everything is reached.
 fn met(origin: [i32; 3], towards: [i32; 3]) -> Option<i32> {
-    steps(sphere([0; 3], RADIUS).intersect(&ray(origin, towards), EVERYWHERE))
+    steps(sphere([0; 3], RADIUS).intersect_alone(&ray(origin, towards), EVERYWHERE))
 }
 
 /// Where the line of a ray meets a sphere, in order, and how far it passes from its centre.
@@ -85,10 +85,10 @@ fn tangent_is_met_where_it_touches_and_missed_a_step_further_out() {
 fn reach_ends_before_the_distance_it_names() {
     let sphere = sphere([0; 3], RADIUS);
     let ray = ray([-4 * RADIUS, 0, 0], [1, 0, 0]);
-    let distance = sphere.intersect(&ray, EVERYWHERE).unwrap();
-    assert_eq!(sphere.intersect(&ray, distance), None);
+    let distance = sphere.intersect_alone(&ray, EVERYWHERE).unwrap();
+    assert_eq!(sphere.intersect_alone(&ray, distance), None);
     let further = Length::from_bits(distance.to_bits() + 1);
-    assert_eq!(sphere.intersect(&ray, further), Some(distance));
+    assert_eq!(sphere.intersect_alone(&ray, further), Some(distance));
     for (reach, blocks) in [(-2, false), (0, false), (1, true), (2, true)] {
         let reach = Length::from_bits(3 * RADIUS + reach);
         assert_eq!(sphere.blocks(&ray, reach), blocks, "{reach:?}");
@@ -109,7 +109,7 @@ fn blocks_agrees_with_intersect() {
         let blocks = sphere.blocks(&ray, reach);
         counts[usize::from(blocks)] += 1;
         assert!(
-            blocks == sphere.intersect(&ray, reach).is_some()
+            blocks == sphere.intersect_alone(&ray, reach).is_some()
                 || at_the_rim
                 || roots.iter().any(at_an_end),
             "{sphere:?} {ray:?} {reach:?}"
@@ -128,7 +128,7 @@ fn every_sphere_is_met_where_double_precision_meets_it() {
             continue;
         }
         let truth = roots.iter().copied().find(|root| *root > 0.0);
-        let found = steps(sphere.intersect(&ray, EVERYWHERE)).map(f64::from);
+        let found = steps(sphere.intersect_alone(&ray, EVERYWHERE)).map(f64::from);
         assert_eq!(found.is_some(), truth.is_some(), "{sphere:?} {ray:?}");
         let (Some(found), Some(truth)) = (found, truth) else {
             misses += 1;
@@ -156,7 +156,7 @@ fn sphere_that_is_met_is_left_out_by_nothing() {
         let may_be_met = seen.may_be_met(seen.nearest_approach(ray.direction));
         passed_by += u32::from(passes_by);
         left_out += u32::from(!may_be_met);
-        if sphere.intersect(&ray, EVERYWHERE).is_some() {
+        if sphere.intersect_alone(&ray, EVERYWHERE).is_some() {
             met += 1;
             assert!(!passes_by && may_be_met, "{sphere:?} {ray:?}");
         }
@@ -171,11 +171,11 @@ fn sphere_that_is_met_is_left_out_by_nothing() {
 fn hit_lies_on_its_sphere() {
     let mut hits = 0;
     for (sphere, ray) in pairs(5) {
-        let Some(distance) = sphere.intersect(&ray, EVERYWHERE) else {
+        let Some(distance) = sphere.intersect_alone(&ray, EVERYWHERE) else {
             continue;
         };
         hits += 1;
-        let outward = sphere.outward(ray.origin.along(ray.direction, distance));
+        let outward = sphere.center.to(ray.origin.along(ray.direction, distance));
         let off = length(in_doubles(outward)) - f64::from(sphere.radius);
         assert!(off.abs() <= SLACK, "{off} steps: {sphere:?} {ray:?}");
     }
@@ -216,7 +216,7 @@ fn normal_points_away_from_the_centre_and_has_length_one() {
 /// Where a ray leaves a sphere that it has met: 16 steps above it, on the side it came from; and
 /// the normal there.
 fn left(sphere: &PreparedSphere, ray: &Ray) -> Option<(Point, Direction)> {
-    let distance = sphere.intersect(ray, EVERYWHERE)?;
+    let distance = sphere.intersect_alone(ray, EVERYWHERE)?;
     let at = ray.origin.along(ray.direction, distance);
     let outward = sphere.normal(at);
     let climbs = ray.direction.dot(outward).to_bits() > 0;
@@ -255,7 +255,7 @@ fn ray_leaving_a_sphere_misses_it() {
         for direction in [upward, mirrored] {
             let leaving = Ray { origin, direction };
             assert_eq!(
-                sphere.intersect(&leaving, EVERYWHERE),
+                sphere.intersect_alone(&leaving, EVERYWHERE),
                 None,
                 "{sphere:?} {leaving:?}"
             );
@@ -289,7 +289,12 @@ fn ray_leaving_the_inside_of_a_sphere_crosses_it() {
             origin,
             direction: upward,
         };
-        let distance = f64::from(sphere.intersect(&leaving, EVERYWHERE).unwrap().to_bits());
+        let distance = f64::from(
+            sphere
+                .intersect_alone(&leaving, EVERYWHERE)
+                .unwrap()
+                .to_bits(),
+        );
         let (roots, _) = in_double_precision(&sphere, &leaving);
         let bound = SLACK + 4.0 * f64::from(radius) / (roots[1] - roots[0]);
         assert!(

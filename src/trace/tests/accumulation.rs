@@ -9,7 +9,8 @@ use crate::material::{Material, PreparedMaterial};
 use crate::number::sweep::Sweep;
 use crate::number::{Unit, share};
 use crate::quality::{Exact, Fast, Quality};
-use crate::scene::{RuntimeScene, World};
+use crate::scene::RuntimeScene;
+use crate::scene::access::SceneAccess;
 use crate::shade::BlinnPhong;
 use crate::vector::Position;
 

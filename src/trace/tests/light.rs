@@ -1,10 +1,8 @@
+//! Tests: the light at one hit, by both ways to find whether a light is visible.
+
 use super::*;
-use crate::material::Material;
-use crate::number::sweep::Sweep;
-use crate::quality::{Fast, Small};
-use crate::scene::query::first;
-use crate::scene::{RuntimeScene, Scene, World};
-use crate::vector::Position;
+use crate::color::Color;
+use crate::quality::Small;
 
 type Scenery = RuntimeScene<2, 2, 1, 4, 2>;
 type Built = Scene<2, 2, 1, 4, 2>;
@@ -39,8 +37,20 @@ fn whole(color: Color) -> [f64; 3] {
         .map(|it| it.to_num::<f64>() * 256.0 / 255.0)
 }
 
+/// The colour of a surface with culling, and by the plain path.
+pub(super) fn colors<K: Shading, W: World>(
+    world: &W,
+    view: &LightVisibility,
+    surface: &Surface<'_>,
+) -> [Color; 2] {
+    [
+        K::color::<W, Fast, _>(world, surface, &Culled::new(world, view)).color,
+        K::color::<W, Small, _>(world, surface, &Plain(world)).color,
+    ]
+}
+
 /// The colour of what is seen from `from` towards `towards`.
-fn seen<K: sealed::Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) -> [f64; 3] {
+fn seen<K: Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) -> [f64; 3] {
     let parts = scene.parts();
     let from = parts.grid.place(Position::new(from));
     let direction = Position::new(towards).direction().unwrap();
@@ -48,11 +58,7 @@ fn seen<K: sealed::Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) ->
     let (at, shape) = first(scene, &path, ShapeId::NONE).unwrap();
     let surface = Surface::new(scene, at, shape, direction).unwrap();
     let view = LightVisibility::new(scene, from);
-    let colors = [
-        K::color::<_, Fast>(scene, &view, &surface, &mut PathSignature::new()),
-        K::color::<_, Small>(scene, &view, &surface, &mut PathSignature::new()),
-    ];
-    let [fast, small] = colors.map(whole);
+    let [fast, small] = colors::<K, _>(scene, &view, &surface).map(whole);
     for (fast, small) in fast.into_iter().zip(small) {
         assert!((fast - small).abs() < 1e-6, "{fast}, small {small}");
     }
@@ -60,7 +66,7 @@ fn seen<K: sealed::Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) ->
 }
 
 /// The colour of the sphere's point that is nearest to (5, 0, 0), seen from there.
-fn facing<K: sealed::Shading>(scene: &Built) -> [f64; 3] {
+fn facing<K: Shading>(scene: &Built) -> [f64; 3] {
     seen::<K>(scene, [5.0, 0.0, 0.0], [-1.0, 0.0, 0.0])
 }
 
@@ -386,75 +392,9 @@ fn normals_are_shown_as_colours() {
 fn miss_is_the_background_and_blue_among_normals() {
     let scene = scenery(RED, |scene| scene.set_background([0.5, 0.25, 2.0]).unwrap());
     assert_eq!(
-        whole(<BlinnPhong as sealed::Shading>::missed(&scene)),
+        whole(<BlinnPhong as Shading>::missed(&scene)),
         [0.5, 0.25, 2.0]
     );
-    assert_eq!(
-        whole(<Phong as sealed::Shading>::missed(&scene)),
-        [0.5, 0.25, 2.0]
-    );
-    assert_eq!(
-        whole(<Normals as sealed::Shading>::missed(&scene)),
-        [0.0, 0.0, 1.0]
-    );
-}
-
-/// Unit vectors to the light and to the viewer on the upper side of a surface, with their cosines.
-fn angles(seed: u64) -> impl Iterator<Item = ([f64; 3], [f64; 3], Cosines)> {
-    let mut sweep = Sweep::new(seed);
-    (0..200_000).map(move |_| {
-        let [light, viewer] = [0; 2].map(|_| {
-            let [x, y, z] = sweep.triple(1 << 20).map(f64::from);
-            let length = (x * x + y * y + (z * z + 1.0)).sqrt();
-            [x / length, y / length, (z * z + 1.0).sqrt() / length]
-        });
-        let quantised = |cosine: f64| Unit::from_bits((cosine * 2f64.powi(30)).floor() as i32);
-        let cosines = Cosines {
-            light: quantised(light[2]),
-            viewer: quantised(viewer[2]),
-            between: quantised(dot(light, viewer)),
-        };
-        (light, viewer, cosines)
-    })
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[test]
-fn half_way_cosine_is_the_one_of_the_half_way_vector() {
-    for (light, viewer, cosines) in angles(2) {
-        let sum = [0, 1, 2].map(|axis| light[axis] + viewer[axis]);
-        let length = dot(sum, sum).sqrt();
-        let truth = sum[2] / length;
-        let square = half_way_square(&cosines);
-        // A quotient is known to 2^-26 of it and rounded to a last place. With s = n·l + n·v, known
-        // to two last places, and L the length of the sum of light and viewer, which is at least s:
-        // s² / 4 is known to s + 1 last places and L² / 4 to 3/2. Where light and viewer face each
-        // other, L is short, and what is rounded counts more.
-        let rounded = (length + 2.5) * 2f64.powi(-28) / (length * length);
-        let bound = 2f64.powi(-26) + 2f64.powi(-30) + rounded;
-        let off = (square.to_num::<f64>() - truth * truth).abs();
-        assert!(off <= bound, "{off:e}: {light:?} {viewer:?}");
-        // a² - b² = (a - b) (a + b); a root is known to 2^-27 of it.
-        let found = root_of_unit(square).to_num::<f64>();
-        assert!(
-            (found - truth).abs() <= bound / (found + truth) + 2f64.powi(-27) + 2f64.powi(-30),
-            "{found}, not {truth}: {light:?} {viewer:?}"
-        );
-    }
-}
-
-#[test]
-fn mirrored_cosine_is_the_one_of_the_mirrored_light() {
-    for (light, viewer, cosines) in angles(3) {
-        let mirrored = [-light[0], -light[1], light[2]];
-        let truth = dot(mirrored, viewer).max(0.0);
-        let found = mirrored_cosine(&cosines).to_num::<f64>();
-        assert!(
-            (found - truth).abs() <= 8.0 * 2f64.powi(-30),
-            "{found}, not {truth}"
-        );
-    }
+    assert_eq!(whole(<Phong as Shading>::missed(&scene)), [0.5, 0.25, 2.0]);
+    assert_eq!(whole(<Normals as Shading>::missed(&scene)), [0.0, 0.0, 1.0]);
 }

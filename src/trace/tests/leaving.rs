@@ -1,14 +1,10 @@
 //! Tests: rays that leave a surface from outside do not meet it again, at any angle, and have length
 //! one.
 
+use super::light::colors;
 use super::*;
-use crate::material::Material;
-use crate::number::sweep::Sweep;
-use crate::quality::{Fast, Small};
-use crate::scene::query::first;
-use crate::scene::{RuntimeScene, World};
+use crate::number::Brightness;
 use crate::shape::MaterialId;
-use crate::vector::Position;
 
 type Scenery = RuntimeScene<2, 2, 1, 4, 2>;
 
@@ -242,8 +238,8 @@ fn left_outside(kind: Kind, rounds: u32, seed: u64) -> Fate {
         let scene = scene.build().unwrap();
         let parts = scene.parts();
         let own = match kind {
-            Kind::Sphere => ShapeId::of_sphere(0),
-            _ => parts.cylinder_number(0),
+            Kind::Sphere => ShapeId::at(0),
+            _ => ShapeId::at(parts.spheres.len()),
         };
         let step = 2f64.powi(-parts.grid.fraction_bits());
         let from = parts.grid.place(Position::new(eye));
@@ -292,17 +288,13 @@ impl Fate {
         if height > 1e-6 && height * distance.min(radius) > LEVEL {
             self.lit += 1;
             self.grazed_by_light += u64::from(height < 0.1);
-            self.clear += u64::from(view.standing(0) == Visible::Clear);
-            let signature = &mut PathSignature::new();
-            let fast =
-                <BlinnPhong as sealed::Shading>::color::<_, Fast>(world, view, surface, signature);
-            let small =
-                <BlinnPhong as sealed::Shading>::color::<_, Small>(world, view, surface, signature);
+            self.clear += u64::from(view.is_clear(0));
+            let [fast, small] = colors::<BlinnPhong, _>(world, view, surface);
             self.dark += u64::from(fast.largest().min(small.largest()) <= Brightness::ZERO);
         }
         surface.reflect(world, &mut path);
         // What is left from outside is not asked, so that only what is turned can be met again.
-        let met = first(world, &path, surface.left(world));
+        let met = first(world, &path, surface.skip(world));
         self.met_again += u64::from(met.is_some_and(|(_, it)| it == surface.shape));
     }
 }

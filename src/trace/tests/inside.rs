@@ -1,13 +1,9 @@
 //! Tests: rays that leave the inside of a curved surface go on to the next wall, not to the one
 //! they have left, and not through it.
 
+use super::light::colors;
 use super::*;
-use crate::material::Material;
-use crate::number::sweep::Sweep;
-use crate::quality::Fast;
-use crate::scene::query::first;
-use crate::scene::{RuntimeScene, World};
-use crate::vector::{Point, Position, Vector};
+use crate::vector::Point;
 
 type Scenery = RuntimeScene<2, 0, 1, 1, 1>;
 
@@ -98,8 +94,8 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
             half_height: height / 2.0 * 2f64.powi(grid.fraction_bits()),
         };
         let number = match is_sphere {
-            true => ShapeId::of_sphere(0),
-            false => scene.parts().cylinder_number(0),
+            true => ShapeId::at(0),
+            false => ShapeId::at(scene.parts().spheres.len()),
         };
         for _ in 0..8 {
             let from = grid.place(Position::new(aside(&mut sweep, 0.9)));
@@ -127,12 +123,7 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
                 if bounce > 0 && cosine > 0.05 && f64::from(gone.to_bits()) < 0.5 * chord {
                     fate.met_again += 1;
                 }
-                let color = <BlinnPhong as sealed::Shading>::color::<_, Fast>(
-                    &scene,
-                    &view,
-                    &surface,
-                    &mut PathSignature::new(),
-                );
+                let [color, _] = colors::<BlinnPhong, _>(&scene, &view, &surface);
                 let to_light = surface
                     .place
                     .to(scene.parts().lights[0].place)
@@ -144,7 +135,7 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
                     fate.dark += 1;
                 }
                 surface.reflect(&scene, &mut path);
-                left = surface.left(&scene);
+                left = surface.skip(&scene);
             }
         }
     }
