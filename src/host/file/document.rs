@@ -16,12 +16,9 @@ type Position = [f64; 3];
 type Number = f64;
 
 macro_rules! document {
-    (
-        $header:tt
-        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-            $nth:literal $too_many:ident $without:ident
-            $(#[$doc:meta])* $add:ident($($(#[$key:meta])* $field:ident: $type:ident),*) })*
-    ) => {
+    ($parameters:tt $({
+        $list:ident $kind:ident $described:ident $add:ident $fields:tt $room:ident $too_many:ident { $($key:tt)* }
+    })*) => {
         /// One scene as it is written.
         #[derive(Deserialize)]
         #[serde(deny_unknown_fields)]
@@ -45,7 +42,7 @@ macro_rules! document {
             #[derive(Deserialize)]
             #[serde(deny_unknown_fields)]
             pub(super) struct $described {
-                $($(#[$key])* pub $field: $type,)*
+                $($key)*
                 pub material: String,
             }
         )*

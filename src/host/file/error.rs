@@ -186,11 +186,9 @@ impl Problem {
 }
 
 macro_rules! refused {
-    (
-        $header:tt
-        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-            $nth:literal $too_many:ident $($more:tt)* })*
-    ) => {
+    ($parameters:tt $({
+        $list:ident $kind:ident $described:ident $add:ident $fields:tt $room:ident $too_many:ident $keys:tt
+    })*) => {
         /// The list of a file, and the place in it, that the core refuses; none where that is the whole scene.
         fn place(error: SceneError) -> Option<(&'static str, usize)> {
             match error {

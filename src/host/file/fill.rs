@@ -10,12 +10,9 @@ use crate::material::Material;
 use crate::scene::SceneError;
 
 macro_rules! fill {
-    (
-        $header:tt
-        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-            $nth:literal $too_many:ident $without:ident
-            $(#[$doc:meta])* $add:ident($($(#[$key:meta])* $field:ident: $type:ident),*) })*
-    ) => {
+    ($parameters:tt $({
+        $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $($more:tt)*
+    })*) => {
         /// Adds everything in the scene to `target`.
         pub(super) fn scene(
             target: &mut FileRuntimeScene,

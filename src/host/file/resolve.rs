@@ -17,25 +17,20 @@ pub(super) fn choose(
     mut scenes: Vec<document::Scene>,
     wanted: Option<&str>,
 ) -> Result<document::Scene, Problem> {
-    let Some(wanted) = wanted else {
-        return match scenes.len() {
-            0 => Err(Problem::Empty),
-            1 => Ok(scenes.swap_remove(0)),
-            _ => Err(Problem::Undecided {
-                names: names(&scenes),
-            }),
-        };
-    };
-    let mut found = (0..scenes.len()).filter(|&at| scenes[at].name.as_deref() == Some(wanted));
-    match (found.next(), found.next()) {
-        (Some(at), None) => Ok(scenes.swap_remove(at)),
-        (Some(first), Some(second)) => Err(Problem::Repeated {
+    let is_meant = |at: &usize| wanted.is_none_or(|it| scenes[*at].name.as_deref() == Some(it));
+    let mut meant = (0..scenes.len()).filter(is_meant);
+    match (meant.next(), meant.next(), wanted) {
+        (Some(at), None, _) => Ok(scenes.swap_remove(at)),
+        _ if scenes.is_empty() => Err(Problem::Empty),
+        (_, _, None) => Err(Problem::Undecided {
+            names: names(&scenes),
+        }),
+        (Some(first), Some(second), Some(wanted)) => Err(Problem::Repeated {
             place: format!("scene {second}"),
             name: wanted.to_owned(),
             first: format!("scene {first}"),
         }),
-        (None, _) if scenes.is_empty() => Err(Problem::Empty),
-        (None, _) => Err(Problem::NotFound {
+        (None, _, Some(wanted)) => Err(Problem::NotFound {
             wanted: wanted.to_owned(),
             names: names(&scenes),
         }),
@@ -48,12 +43,9 @@ fn names(scenes: &[document::Scene]) -> Vec<String> {
 }
 
 macro_rules! resolve {
-    (
-        $header:tt
-        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-            $nth:literal $too_many:ident $without:ident
-            $(#[$doc:meta])* $add:ident($($(#[$key:meta])* $field:ident: $type:ident),*) })*
-    ) => {
+    ($parameters:tt $({
+        $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $($more:tt)*
+    })*) => {
         /// The scene with materials by number, and its camera.
         pub(super) fn resolve(scene: document::Scene) -> Result<(Scene, Camera), Problem> {
             let numbers = material_numbers(&scene.materials)?;

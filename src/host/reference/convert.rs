@@ -3,16 +3,22 @@
 use super::Camera;
 use super::scene::{Light, Material, Scene};
 use crate::number::Number;
-use crate::vector::Position;
 use crate::{camera, light, material, scene};
 
+/// A double or three of a field of the core.
+macro_rules! plain {
+    (Position $value:expr) => {
+        triple($value.0)
+    };
+    (Number $value:expr) => {
+        $value.to_f64()
+    };
+}
+
 macro_rules! convert {
-    (
-        $header:tt
-        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-            $nth:literal $too_many:ident $without:ident
-            $(#[$doc:meta])* $add:ident($($(#[$key:meta])* $field:ident: $type:ident),*) })*
-    ) => {
+    ($parameters:tt $({
+        $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $($more:tt)*
+    })*) => {
         /// What a fixed-point scene was described with, each number as the nearest double.
         ///
         /// The description's camera is not part of the scene here; it converts by itself.
@@ -34,7 +40,7 @@ macro_rules! convert {
             fn from(description: &scene::Description<'_>) -> Self {
                 $(
                     let $list = description.$list.iter().map(|it| super::$described {
-                        $($field: it.$field.plain(),)*
+                        $($field: plain!($type it.$field),)*
                         material: it.material.index(),
                     });
                 )*
@@ -42,8 +48,8 @@ macro_rules! convert {
                     $($list: $list.collect(),)*
                     lights: description.lights.iter().map(light).collect(),
                     materials: description.materials.iter().map(material).collect(),
-                    background: description.background.plain(),
-                    epsilon: description.epsilon.plain(),
+                    background: triple(description.background),
+                    epsilon: description.epsilon.to_f64(),
                 }
             }
         }
@@ -55,10 +61,10 @@ kinds!(shapes, convert);
 impl From<&camera::CameraDescription> for Camera {
     fn from(description: &camera::CameraDescription) -> Self {
         Self {
-            position: description.position.plain(),
-            target: description.target.plain(),
-            up: description.up.plain(),
-            fov: description.fov.plain(),
+            position: triple(description.position.0),
+            target: triple(description.target.0),
+            up: triple(description.up.0),
+            fov: description.fov.to_f64(),
         }
     }
 }
@@ -72,8 +78,8 @@ impl From<&camera::Camera> for Camera {
 
 fn light(light: &light::Light) -> Light {
     Light {
-        position: light.position.plain(),
-        color: light.color.plain(),
+        position: triple(light.position.0),
+        color: triple(light.color),
     }
 }
 
@@ -81,7 +87,7 @@ fn material(material: &material::Material) -> Material {
     let coefficients = material.described_coefficients().map(Number::to_f64);
     let [ambient, diffuse, specular, shininess, mirror] = coefficients;
     Material {
-        color: material.described_color().plain(),
+        color: triple(material.described_color()),
         ambient,
         diffuse,
         specular,
@@ -90,35 +96,8 @@ fn material(material: &material::Material) -> Material {
     }
 }
 
-/// Numbers of the core as doubles.
-trait Plain {
-    type Double;
-
-    fn plain(self) -> Self::Double;
-}
-
-impl Plain for Number {
-    type Double = f64;
-
-    fn plain(self) -> f64 {
-        self.to_f64()
-    }
-}
-
-impl Plain for [Number; 3] {
-    type Double = [f64; 3];
-
-    fn plain(self) -> [f64; 3] {
-        self.map(Number::to_f64)
-    }
-}
-
-impl Plain for Position {
-    type Double = [f64; 3];
-
-    fn plain(self) -> [f64; 3] {
-        self.0.plain()
-    }
+fn triple(numbers: [Number; 3]) -> [f64; 3] {
+    numbers.map(Number::to_f64)
 }
 
 #[cfg(test)]

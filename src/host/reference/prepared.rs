@@ -6,10 +6,7 @@ use std::vec::Vec;
 use super::{Camera, Cylinder, Light, Material, Plane, Real, Scene, Shape, Sphere, model};
 
 macro_rules! prepared {
-    (
-        $header:tt
-        $({ $list:ident $kind:ident $described:ident $($more:tt)* })*
-    ) => {
+    ($parameters:tt $({ $list:ident $kind:ident $described:ident $($more:tt)* })*) => {
         /// A scene made ready for rays; it owns the lists of a [`model::Scene`].
         #[derive(Clone, Debug)]
         pub struct Prepared {

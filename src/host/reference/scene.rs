@@ -12,12 +12,9 @@ type Position = [f64; 3];
 type Number = f64;
 
 macro_rules! scene {
-    (
-        { $declaration:tt $parameters:tt [$($arguments:tt)*] }
-        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-            $nth:literal $too_many:ident $without:ident
-            $(#[$doc:meta])* $add:ident($($(#[$key:meta])* $field:ident: $type:ident),*) })*
-    ) => {
+    ([$($parameter:tt)*] $({
+        $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $room:ident $($more:tt)*
+    })*) => {
         /// A scene in plain doubles.
         ///
         /// Nothing is checked: a shape without size, a normal or an axis of length zero is never met, and
@@ -72,7 +69,7 @@ macro_rules! scene {
             $(const $room: &str = stringify!($list);)*
             const L: &str = "lights";
             const M: &str = "materials";
-            &[$($arguments)*]
+            &[$($parameter)*]
         };
 
         $(

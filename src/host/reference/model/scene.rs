@@ -4,10 +4,7 @@
 use super::{Ray, Real, Shape, Vector};
 
 macro_rules! scene {
-    (
-        $header:tt
-        $({ $list:ident $kind:ident $described:ident $($more:tt)* })*
-    ) => {
+    ($parameters:tt $({ $list:ident $kind:ident $described:ident $($more:tt)* })*) => {
         /// A scene made ready for rays. Shapes name their material by its place.
         #[derive(Clone, Copy, Debug)]
         pub struct Scene<'a> {
@@ -45,14 +42,25 @@ macro_rules! scene {
                     let met = nearest_of(self.$list, ray, &mut reach).map(Met::$described);
                     let shape = met.or(shape);
                 )*
-                let shape = shape?;
-                Some(match shape {
+                let (shape, at) = (shape?, ray.at(reach));
+                let (normal, material) = match shape {
                     $(
                         Met::$described(index) => {
                             let it = &self.$list[index];
-                            self.surface(ray, reach, shape, it, it.material)
+                            (it.normal(at), it.material)
                         }
                     )*
+                };
+                let is_inside = normal.dot(ray.direction) > 0.0;
+                let normal = if is_inside { -normal } else { normal };
+                Some(Surface {
+                    outside: at + normal * self.epsilon,
+                    normal,
+                    viewer: -ray.direction,
+                    material: &self.materials[material],
+                    distance: reach,
+                    shape,
+                    is_inside,
                 })
             }
 
@@ -128,32 +136,6 @@ pub struct Surface<'a> {
     pub shape: Met,
     /// Whether it is seen from the side that its shape's normal leaves.
     pub is_inside: bool,
-}
-
-impl<'a> Scene<'a> {
-    #[inline]
-    fn surface(
-        &self,
-        ray: &Ray,
-        distance: Real,
-        shape: Met,
-        it: &impl Shape,
-        material: usize,
-    ) -> Surface<'a> {
-        let at = ray.at(distance);
-        let normal = it.normal(at);
-        let is_inside = normal.dot(ray.direction) > 0.0;
-        let normal = if is_inside { -normal } else { normal };
-        Surface {
-            outside: at + normal * self.epsilon,
-            normal,
-            viewer: -ray.direction,
-            material: &self.materials[material],
-            distance,
-            shape,
-            is_inside,
-        }
-    }
 }
 
 /// The nearest before `reach`, which becomes its distance.
