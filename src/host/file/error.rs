@@ -189,36 +189,23 @@ macro_rules! refused {
     ($parameters:tt $({
         $list:ident $kind:ident $described:ident $add:ident $fields:tt $room:ident $too_many:ident $keys:tt
     })*) => {
-        /// The list of a file, and the place in it, that the core refuses; none where that is the whole scene.
-        fn place(error: SceneError) -> Option<(&'static str, usize)> {
-            match error {
-                $(SceneError::$described(index, _) => Some((stringify!($list), index)),)*
-                SceneError::Light(index, _) => Some(("lights", index)),
-                SceneError::Material(index, _) => Some(("materials", index)),
-                SceneError::Scene(_) => None,
-            }
-        }
-
-        /// The list of a file that is too long, and how long it may be.
-        fn limit(fault: Fault) -> Option<(&'static str, usize)> {
-            let most = FileRoom::COUNTS;
-            match fault {
-                $(Fault::$too_many => Some((stringify!($list), most.$list)),)*
-                Fault::TooManyLights => Some(("lights", most.lights)),
-                Fault::TooManyMaterials => Some(("materials", most.materials)),
-                _ => None,
-            }
+        /// What the core refuses, as the file calls it: a file has no type to raise the bounds of.
+        fn refused(error: SceneError) -> String {
+            let (list, index) = match error {
+                $(SceneError::$described(index, _) => (stringify!($list), index),)*
+                SceneError::Light(index, _) => ("lights", index),
+                SceneError::Material(index, _) => ("materials", index),
+                SceneError::Scene(fault) => return fault.to_string(),
+            };
+            let room = FileRoom::COUNTS;
+            let most = match error.fault() {
+                $(Fault::$too_many => room.$list,)*
+                Fault::TooManyLights => room.lights,
+                Fault::TooManyMaterials => room.materials,
+                fault => return format!("{list}[{index}]: {fault}"),
+            };
+            format!("{list}[{index}]: a file holds {most} {list} at most")
         }
     };
 }
 kinds!(shapes, refused);
-
-/// What the core refuses, as the file calls it: a file has no type to raise the bounds of.
-fn refused(error: SceneError) -> String {
-    let place = place(error).map(|(list, index)| format!("{list}[{index}]: "));
-    let fault = match limit(error.fault()) {
-        Some((list, most)) => format!("a file holds {most} {list} at most"),
-        None => error.fault().to_string(),
-    };
-    place.unwrap_or_default() + &fault
-}

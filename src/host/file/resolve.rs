@@ -49,20 +49,21 @@ macro_rules! resolve {
         /// The scene with materials by number, and its camera.
         pub(super) fn resolve(scene: document::Scene) -> Result<(Scene, Camera), Problem> {
             let numbers = material_numbers(&scene.materials)?;
-            $(
-                let resolved = |(index, it): (usize, &document::$described)| {
-                    let number = numbers.get(it.material.as_str()).copied();
-                    let unknown = || Problem::UnknownMaterial {
-                        place: format!("{}[{index}]", stringify!($list)),
-                        name: it.material.clone(),
-                    };
-                    Ok(reference::$described {
-                        $($field: it.$field,)*
-                        material: number.ok_or_else(unknown)?,
-                    })
+            let number = |list: &str, index: usize, name: &str| {
+                let unknown = || Problem::UnknownMaterial {
+                    place: format!("{list}[{index}]"),
+                    name: name.to_owned(),
                 };
-                let $list: Result<_, Problem> = scene.$list.iter().enumerate().map(resolved).collect();
-                let $list = $list?;
+                numbers.get(name).copied().ok_or_else(unknown)
+            };
+            $(
+                let mut $list = Vec::with_capacity(scene.$list.len());
+                for (index, it) in scene.$list.iter().enumerate() {
+                    $list.push(reference::$described {
+                        $($field: it.$field,)*
+                        material: number(stringify!($list), index, &it.material)?,
+                    });
+                }
             )*
             let resolved = Scene {
                 $($list,)*

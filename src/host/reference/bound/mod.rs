@@ -229,3 +229,8 @@ fn brightest(scene: &Scene) -> f64 {
     let colors = materials.flat_map(|material| (0..3).map(move |axis| own(material, axis)));
     colors.chain(scene.background).fold(0.0, f64::max)
 }
+
+/// The largest component, whatever its sign.
+fn largest(Vector(components): Vector) -> f64 {
+    components.into_iter().map(f64::abs).fold(0.0, f64::max)
+}

@@ -3,6 +3,7 @@
 
 use std::vec::Vec;
 
+use super::largest;
 use crate::host::reference::Shading;
 use crate::host::reference::model::{Ray, Scene, Surface, Vector};
 
@@ -234,10 +235,6 @@ impl Hit {
         let own = (shininess + 4.0) * to_the_minus(28);
         (most - here).max(here - least) + own
     }
-}
-
-fn largest(Vector([red, green, blue]): Vector) -> f64 {
-    red.max(green).max(blue)
 }
 
 /// FNV-1a, a word at a time.
