@@ -3,7 +3,8 @@
 //! Whatever exists once a kind is written from this list by a small macro beside its other parts: the
 //! list hands itself to that macro. Planes are no bounded kind; they are written by hand.
 
-/// Calls a macro with the list of bounded kinds.
+/// Calls a macro with the list of bounded kinds. A second name comes first in what that macro is given:
+/// of the macro it hands the list on to.
 ///
 /// In front stand the const parameters of a scene's type, in three spellings: declared with the
 /// defaults, declared, and named. The parameter of a new kind is the last and 0 unless it is given, so
@@ -19,8 +20,9 @@
 ///
 /// The order of the kinds is the order in which a ray asks them, and so that of their numbers.
 macro_rules! kinds {
-    ($write:ident) => {
+    ($write:ident $(, $next:ident)?) => {
         $write! {
+            $($next)?
             {
                 [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize = 8]
                 [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize]

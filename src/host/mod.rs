@@ -1,8 +1,12 @@
 //! What only a desktop needs, beside the stack and never under it: the double-precision
 //! reference, the comparison of pictures, scene files, and where a ray goes.
 
+#[macro_use]
+mod shapes;
+
 pub mod compare;
 pub mod file;
+pub mod line;
 mod painted;
 pub mod path;
 pub mod reference;

@@ -7,35 +7,48 @@ use std::vec::Vec;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-/// One scene as it is written.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Scene {
-    pub name: Option<String>,
-    pub camera: Camera,
-    #[serde(default)]
-    pub materials: Vec<Material>,
-    #[serde(default)]
-    pub lights: Vec<Light>,
-    #[serde(default)]
-    pub spheres: Vec<Sphere>,
-    #[serde(default)]
-    pub planes: Vec<Plane>,
-    #[serde(default)]
-    pub cylinders: Vec<Cylinder>,
-    #[serde(default)]
-    pub background: [f64; 3],
-    pub epsilon: Option<f64>,
-}
+use crate::host::reference::{Camera, Light};
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Camera {
-    pub position: [f64; 3],
-    pub target: [f64; 3],
-    pub up: [f64; 3],
-    pub fov: f64,
+/// A place or a way.
+type Position = [f64; 3];
+
+/// A size.
+type Number = f64;
+
+macro_rules! document {
+    ($parameters:tt $({
+        $list:ident $kind:ident $described:ident $add:ident $fields:tt $room:ident $too_many:ident { $($key:tt)* }
+    })*) => {
+        /// One scene as it is written.
+        #[derive(Deserialize)]
+        #[serde(deny_unknown_fields)]
+        pub(super) struct Scene {
+            pub name: Option<String>,
+            pub camera: Camera,
+            #[serde(default)]
+            pub materials: Vec<Material>,
+            #[serde(default)]
+            pub lights: Vec<Light>,
+            $(
+                #[serde(default)]
+                pub $list: Vec<$described>,
+            )*
+            #[serde(default)]
+            pub background: [f64; 3],
+            pub epsilon: Option<f64>,
+        }
+
+        $(
+            #[derive(Deserialize)]
+            #[serde(deny_unknown_fields)]
+            pub(super) struct $described {
+                $($key)*
+                pub material: String,
+            }
+        )*
+    };
 }
+kinds!(shapes, document);
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -47,39 +60,6 @@ pub(super) struct Material {
     pub specular: f64,
     pub shininess: f64,
     pub mirror: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Light {
-    pub position: [f64; 3],
-    pub color: [f64; 3],
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Sphere {
-    pub center: [f64; 3],
-    pub radius: f64,
-    pub material: String,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Plane {
-    pub center: [f64; 3],
-    pub normal: [f64; 3],
-    pub material: String,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Cylinder {
-    pub center: [f64; 3],
-    pub axis: [f64; 3],
-    pub radius: f64,
-    pub height: f64,
-    pub material: String,
 }
 
 /// Reads one scene or an array of scenes.

@@ -1,15 +1,17 @@
 //! What can be wrong with a scene file, said in one line; it never reads a file.
 
 use std::borrow::ToOwned;
-use std::fmt::{self, Display, Formatter, Write};
+use std::fmt::{self, Display, Formatter};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::FileRoom;
 use crate::camera::CameraError;
 use crate::fault::Fault;
-use crate::scene::SceneError;
+use crate::host::line::one_line;
+use crate::scene::{Capacity, SceneError};
 
 /// A scene file that cannot be used, and where in it the reason stands.
 ///
@@ -137,95 +139,73 @@ impl std::error::Error for FileError {}
 
 impl Display for FileError {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let mut line = OneLine(formatter);
         if let Some(file) = &self.file {
-            write!(line, "{}: ", file.display())?;
+            write!(formatter, "{}: ", one_line(&file.display().to_string()))?;
         }
         if let Some(scene) = &self.scene {
-            write!(line, "scene {scene}: ")?;
+            write!(formatter, "scene {}: ", one_line(scene))?;
         }
-        write!(line, "{}", self.problem)
+        write!(formatter, "{}", self.problem)
     }
 }
 
 impl Display for Problem {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let mut line = OneLine(formatter);
+        formatter.write_str(&one_line(&self.words()))
+    }
+}
+
+impl Problem {
+    fn words(&self) -> String {
         match self {
-            Self::Unreadable(error) => write!(line, "{error}"),
+            Self::Unreadable(error) => error.to_string(),
             Self::TooLarge => {
                 let megabytes = super::MAX_BYTES / 1_000_000;
-                write!(line, "a scene file may have {megabytes} MB at most")
+                format!("a scene file may have {megabytes} MB at most")
             }
             Self::Json {
-                line: at,
+                line,
                 column,
                 message,
-            } => write!(line, "line {at}, column {column}: {message}"),
-            Self::Empty => write!(line, "there is no scene in the file"),
-            Self::Undecided { names } => {
-                write!(line, "choose one of the scenes {}", names.join(", "))
-            }
+            } => format!("line {line}, column {column}: {message}"),
+            Self::Empty => "there is no scene in the file".to_owned(),
+            Self::Undecided { names } => format!("choose one of the scenes {}", names.join(", ")),
             Self::NotFound { wanted, names } => {
-                let names = names.join(", ");
-                write!(line, "there is no scene {wanted}, only {names}")
+                format!("there is no scene {wanted}, only {}", names.join(", "))
             }
             Self::Repeated { place, name, first } => {
-                write!(line, "{place} has the name {name} of {first}")
+                format!("{place} has the name {name} of {first}")
             }
             Self::UnknownMaterial { place, name } => {
-                write!(line, "{place}.material: there is no material {name}")
+                format!("{place}.material: there is no material {name}")
             }
-            Self::Scene(error) => write!(line, "{}{}", Place(*error), Reason(error.fault())),
-            Self::Camera(error) => write!(line, "{error}"),
+            Self::Scene(error) => refused(*error),
+            Self::Camera(error) => error.to_string(),
         }
     }
 }
 
-/// What the core refuses, as the file calls it.
-struct Place(SceneError);
-
-impl Display for Place {
-    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let (list, index) = match self.0 {
-            SceneError::Sphere(index, _) => ("spheres", index),
-            SceneError::Plane(index, _) => ("planes", index),
-            SceneError::Cylinder(index, _) => ("cylinders", index),
-            SceneError::Light(index, _) => ("lights", index),
-            SceneError::Material(index, _) => ("materials", index),
-            SceneError::Scene(_) => return Ok(()),
-        };
-        write!(formatter, "{list}[{index}]: ")
-    }
+macro_rules! refused {
+    ($parameters:tt $({
+        $list:ident $kind:ident $described:ident $add:ident $fields:tt $room:ident $too_many:ident $keys:tt
+    })*) => {
+        /// What the core refuses, as the file calls it: a file has no type to raise the bounds of.
+        fn refused(error: SceneError) -> String {
+            let (list, index) = match error {
+                $(SceneError::$described(index, _) => (stringify!($list), index),)*
+                SceneError::Light(index, _) => ("lights", index),
+                SceneError::Material(index, _) => ("materials", index),
+                SceneError::Scene(fault) => return fault.to_string(),
+            };
+            let room = FileRoom::COUNTS;
+            let most = match error.fault() {
+                $(Fault::$too_many => room.$list,)*
+                Fault::TooManyLights => room.lights,
+                Fault::TooManyMaterials => room.materials,
+                fault => return format!("{list}[{index}]: {fault}"),
+            };
+            format!("{list}[{index}]: a file holds {most} {list} at most")
+        }
+    };
 }
-
-/// Why the core refuses it, where a file has no type to raise the bounds of.
-struct Reason(Fault);
-
-impl Display for Reason {
-    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let (most, list) = match self.0 {
-            Fault::TooManySpheres => (super::MAX_SPHERES, "spheres"),
-            Fault::TooManyPlanes => (super::MAX_PLANES, "planes"),
-            Fault::TooManyCylinders => (super::MAX_CYLINDERS, "cylinders"),
-            Fault::TooManyLights => (super::MAX_LIGHTS, "lights"),
-            Fault::TooManyMaterials => (super::MAX_MATERIALS, "materials"),
-            fault => return formatter.write_str(fault.words()),
-        };
-        write!(formatter, "a file holds {most} {list} at most")
-    }
-}
-
-/// Writes what would break or hide a line as an escape: names and paths come from outside.
-struct OneLine<'a, 'b>(&'a mut Formatter<'b>);
-
-impl Write for OneLine<'_, '_> {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        text.chars().try_for_each(|letter| {
-            match letter.is_control() || matches!(letter, '\u{2028}' | '\u{2029}') {
-                true => write!(self.0, "{}", letter.escape_default()),
-                false => self.0.write_char(letter),
-            }
-        })
-    }
-}
+kinds!(shapes, refused);

@@ -9,31 +9,33 @@ use crate::host::reference;
 use crate::material::Material;
 use crate::scene::SceneError;
 
-/// Adds everything in the scene to `target`.
-pub(super) fn scene(
-    target: &mut FileRuntimeScene,
-    scene: &reference::Scene,
-) -> Result<(), SceneError> {
-    let mut ids = Vec::with_capacity(scene.materials.len());
-    for (index, plain) in scene.materials.iter().enumerate() {
-        ids.push(target.add_material(material(index, plain)?)?);
-    }
-    for light in &scene.lights {
-        target.add_light(light.position, light.color)?;
-    }
-    for sphere in &scene.spheres {
-        target.add_sphere(sphere.center, sphere.radius, ids[sphere.material])?;
-    }
-    for plane in &scene.planes {
-        target.add_plane(plane.point, plane.normal, ids[plane.material])?;
-    }
-    for tube in &scene.cylinders {
-        let material = ids[tube.material];
-        target.add_cylinder(tube.center, tube.axis, tube.radius, tube.height, material)?;
-    }
-    target.set_background(scene.background)?;
-    target.set_epsilon(scene.epsilon)
+macro_rules! fill {
+    ($parameters:tt $({
+        $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $($more:tt)*
+    })*) => {
+        /// Adds everything in the scene to `target`.
+        pub(super) fn scene(
+            target: &mut FileRuntimeScene,
+            scene: &reference::Scene,
+        ) -> Result<(), SceneError> {
+            let mut ids = Vec::with_capacity(scene.materials.len());
+            for (index, plain) in scene.materials.iter().enumerate() {
+                ids.push(target.add_material(material(index, plain)?)?);
+            }
+            for light in &scene.lights {
+                target.add_light(light.position, light.color)?;
+            }
+            $(
+                for it in &scene.$list {
+                    target.$add($(it.$field,)* ids[it.material])?;
+                }
+            )*
+            target.set_background(scene.background)?;
+            target.set_epsilon(scene.epsilon)
+        }
+    };
 }
+kinds!(shapes, fill);
 
 /// The core's camera.
 pub(super) fn camera(camera: &reference::Camera) -> Result<Camera, CameraError> {

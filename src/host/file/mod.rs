@@ -42,7 +42,7 @@ use std::vec::Vec;
 pub use self::error::{FileError, Problem};
 use crate::camera;
 use crate::host::reference::{Camera, Scene};
-use crate::scene::RuntimeScene;
+use crate::scene::{Room, RuntimeSceneIn};
 
 /// The most bytes that a scene file may have: 16 MB.
 pub const MAX_BYTES: u64 = 16_000_000;
@@ -62,13 +62,14 @@ pub const MAX_LIGHTS: usize = 16;
 /// The most materials that a scene of a file may have.
 pub const MAX_MATERIALS: usize = 256;
 
-/// The scene of a file as it is filled: with room for the most that a file may hold.
-pub type FileRuntimeScene =
-    RuntimeScene<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
+/// Room for the most that a file may hold.
+pub type FileRoom = Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
+
+/// The scene of a file as it is filled.
+pub type FileRuntimeScene = RuntimeSceneIn<FileRoom>;
 
 /// The scene of a file when it is built.
-pub type FileScene =
-    crate::Scene<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
+pub type FileScene = crate::SceneIn<FileRoom>;
 
 /// The reference's scene in the core, seen first with its camera, with as much room as that of a file.
 ///
@@ -79,22 +80,23 @@ pub type FileScene =
 /// The core refuses a part of the scene or the scene as a whole, or there are more parts than a file
 /// may hold.
 pub fn built(scene: &Scene, camera: &Camera) -> Result<Box<FileScene>, FileError> {
-    let mut target = Box::new(FileRuntimeScene::new());
-    fill(&mut target, scene, camera)
-        .and_then(|_| target.build().map_err(Problem::Scene))
-        .map(Box::new)
-        .map_err(FileError::new)
+    let filled = filled(scene, camera).and_then(|(target, _)| build(&target));
+    filled.map_err(FileError::new)
 }
 
-fn fill(
-    target: &mut FileRuntimeScene,
+fn filled(
     scene: &Scene,
     camera: &Camera,
-) -> Result<camera::Camera, Problem> {
-    fill::scene(target, scene).map_err(Problem::Scene)?;
+) -> Result<(Box<FileRuntimeScene>, camera::Camera), Problem> {
+    let mut target = Box::new(FileRuntimeScene::new());
+    fill::scene(&mut target, scene).map_err(Problem::Scene)?;
     let camera = fill::camera(camera).map_err(Problem::Camera)?;
     target.set_camera(camera);
-    Ok(camera)
+    Ok((target, camera))
+}
+
+fn build(scene: &FileRuntimeScene) -> Result<Box<FileScene>, Problem> {
+    scene.build().map(Box::new).map_err(Problem::Scene)
 }
 
 /// A scene read from a file: every shape has its material; whether the core takes its numbers is
@@ -182,10 +184,7 @@ impl SceneFile {
     ///
     /// The core refuses a part of the scene, or there are more parts than a file may hold.
     pub fn runtime(&self) -> Result<(Box<FileRuntimeScene>, camera::Camera), FileError> {
-        let mut scene = Box::new(FileRuntimeScene::new());
-        let camera = fill(&mut scene, &self.scene, &self.camera);
-        let camera = camera.map_err(|problem| self.error(problem))?;
-        Ok((scene, camera))
+        filled(&self.scene, &self.camera).map_err(|problem| self.error(problem))
     }
 
     /// The scene of the fixed-point core, ready to be drawn.
@@ -195,10 +194,7 @@ impl SceneFile {
     /// All of [`SceneFile::runtime`], and the core refuses the scene as a whole.
     pub fn build(&self) -> Result<Box<FileScene>, FileError> {
         let (scene, _) = self.runtime()?;
-        let built = scene
-            .build()
-            .map_err(|error| self.error(Problem::Scene(error)))?;
-        Ok(Box::new(built))
+        build(&scene).map_err(|problem| self.error(problem))
     }
 
     fn error(&self, problem: Problem) -> FileError {

@@ -7,7 +7,7 @@ use std::vec::Vec;
 
 use super::document;
 use super::error::Problem;
-use crate::host::reference::{Camera, Cylinder, Light, Material, Plane, Scene, Sphere};
+use crate::host::reference::{self, Camera, Material, Scene};
 
 /// How far above a surface a ray leaves it where a file does not say.
 const EPSILON: f64 = 1e-3;
@@ -17,25 +17,20 @@ pub(super) fn choose(
     mut scenes: Vec<document::Scene>,
     wanted: Option<&str>,
 ) -> Result<document::Scene, Problem> {
-    let Some(wanted) = wanted else {
-        return match scenes.len() {
-            0 => Err(Problem::Empty),
-            1 => Ok(scenes.swap_remove(0)),
-            _ => Err(Problem::Undecided {
-                names: names(&scenes),
-            }),
-        };
-    };
-    let mut found = (0..scenes.len()).filter(|&at| scenes[at].name.as_deref() == Some(wanted));
-    match (found.next(), found.next()) {
-        (Some(at), None) => Ok(scenes.swap_remove(at)),
-        (Some(first), Some(second)) => Err(Problem::Repeated {
+    let is_meant = |at: &usize| wanted.is_none_or(|it| scenes[*at].name.as_deref() == Some(it));
+    let mut meant = (0..scenes.len()).filter(is_meant);
+    match (meant.next(), meant.next(), wanted) {
+        (Some(at), None, _) => Ok(scenes.swap_remove(at)),
+        _ if scenes.is_empty() => Err(Problem::Empty),
+        (_, _, None) => Err(Problem::Undecided {
+            names: names(&scenes),
+        }),
+        (Some(first), Some(second), Some(wanted)) => Err(Problem::Repeated {
             place: format!("scene {second}"),
             name: wanted.to_owned(),
             first: format!("scene {first}"),
         }),
-        (None, _) if scenes.is_empty() => Err(Problem::Empty),
-        (None, _) => Err(Problem::NotFound {
+        (None, _, Some(wanted)) => Err(Problem::NotFound {
             wanted: wanted.to_owned(),
             names: names(&scenes),
         }),
@@ -47,58 +42,41 @@ fn names(scenes: &[document::Scene]) -> Vec<String> {
     scenes.iter().map(name).collect()
 }
 
-/// The scene with materials by number, and its camera.
-pub(super) fn resolve(scene: document::Scene) -> Result<(Scene, Camera), Problem> {
-    let numbers = material_numbers(&scene.materials)?;
-    let number = |list: &str, index: usize, name: &str| {
-        let unknown = || Problem::UnknownMaterial {
-            place: format!("{list}[{index}]"),
-            name: name.to_owned(),
-        };
-        numbers.get(name).copied().ok_or_else(unknown)
+macro_rules! resolve {
+    ($parameters:tt $({
+        $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $($more:tt)*
+    })*) => {
+        /// The scene with materials by number, and its camera.
+        pub(super) fn resolve(scene: document::Scene) -> Result<(Scene, Camera), Problem> {
+            let numbers = material_numbers(&scene.materials)?;
+            let number = |list: &str, index: usize, name: &str| {
+                let unknown = || Problem::UnknownMaterial {
+                    place: format!("{list}[{index}]"),
+                    name: name.to_owned(),
+                };
+                numbers.get(name).copied().ok_or_else(unknown)
+            };
+            $(
+                let mut $list = Vec::with_capacity(scene.$list.len());
+                for (index, it) in scene.$list.iter().enumerate() {
+                    $list.push(reference::$described {
+                        $($field: it.$field,)*
+                        material: number(stringify!($list), index, &it.material)?,
+                    });
+                }
+            )*
+            let resolved = Scene {
+                $($list,)*
+                lights: scene.lights,
+                materials: scene.materials.iter().map(material).collect(),
+                background: scene.background,
+                epsilon: scene.epsilon.unwrap_or(EPSILON),
+            };
+            Ok((resolved, scene.camera))
+        }
     };
-    let spheres = each(&scene.spheres, |index, sphere| {
-        Ok(Sphere {
-            center: sphere.center,
-            radius: sphere.radius,
-            material: number("spheres", index, &sphere.material)?,
-        })
-    })?;
-    let planes = each(&scene.planes, |index, plane| {
-        Ok(Plane {
-            point: plane.center,
-            normal: plane.normal,
-            material: number("planes", index, &plane.material)?,
-        })
-    })?;
-    let cylinders = each(&scene.cylinders, |index, cylinder| {
-        Ok(Cylinder {
-            center: cylinder.center,
-            axis: cylinder.axis,
-            radius: cylinder.radius,
-            height: cylinder.height,
-            material: number("cylinders", index, &cylinder.material)?,
-        })
-    })?;
-    let resolved = Scene {
-        spheres,
-        planes,
-        cylinders,
-        lights: scene.lights.iter().map(light).collect(),
-        materials: scene.materials.iter().map(material).collect(),
-        background: scene.background,
-        epsilon: scene.epsilon.unwrap_or(EPSILON),
-    };
-    Ok((resolved, camera(&scene.camera)))
 }
-
-fn each<D, R>(
-    list: &[D],
-    mut resolve: impl FnMut(usize, &D) -> Result<R, Problem>,
-) -> Result<Vec<R>, Problem> {
-    let numbered = list.iter().enumerate();
-    numbered.map(|(index, item)| resolve(index, item)).collect()
-}
+kinds!(shapes, resolve);
 
 fn material_numbers(materials: &[document::Material]) -> Result<HashMap<&str, usize>, Problem> {
     let mut numbers = HashMap::new();
@@ -122,21 +100,5 @@ fn material(material: &document::Material) -> Material {
         specular: material.specular,
         shininess: material.shininess,
         mirror: material.mirror,
-    }
-}
-
-fn light(light: &document::Light) -> Light {
-    Light {
-        position: light.position,
-        color: light.color,
-    }
-}
-
-fn camera(camera: &document::Camera) -> Camera {
-    Camera {
-        position: camera.position,
-        target: camera.target,
-        up: camera.up,
-        fov: camera.fov,
     }
 }

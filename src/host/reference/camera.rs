@@ -1,10 +1,13 @@
 //! Where a picture is taken from, as anyone may fill it in; it makes no ray.
 
+use serde::Deserialize;
+
 /// Where a picture is taken from, in plain doubles.
 ///
 /// Nothing is checked: `target` differs from `position`, `up` is not along the view, and `fov` is
 /// between 0 and 180.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Camera {
     /// Where it stands.
     pub position: [f64; 3],

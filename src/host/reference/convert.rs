@@ -1,49 +1,69 @@
 //! From the core's descriptions to the reference's doubles: the one place that names the core.
 
 use super::Camera;
-use super::scene::{Cylinder, Light, Material, Plane, Scene, Sphere};
+use super::scene::{Light, Material, Scene};
 use crate::number::Number;
-use crate::vector::Position;
-use crate::{camera, light, material, scene, shape};
+use crate::{camera, light, material, scene};
 
-/// What a fixed-point scene was described with, each number as the nearest double.
-///
-/// The description's camera is not part of the scene here; it converts by itself.
-///
-/// ```
-/// use reflet::host::reference::Scene;
-/// use reflet::{Material, SceneBuilder};
-///
-/// const SCENE: SceneBuilder<1, 0, 0, 0> = SceneBuilder::new()
-///     .sphere([0.1, 0.2, 0.3], 0.7, Material::new([0.9; 3]).mirror(0.4))
-///     .background([0.25, 0.5, 1.0]);
-///
-/// let scene = Scene::from(&SCENE.description());
-/// assert_eq!((scene.spheres[0].center, scene.spheres[0].radius), ([0.1, 0.2, 0.3], 0.7));
-/// assert_eq!(scene.materials[scene.spheres[0].material].mirror, 0.4);
-/// assert_eq!((scene.background, scene.epsilon), ([0.25, 0.5, 1.0], 1e-3));
-/// ```
-impl From<&scene::Description<'_>> for Scene {
-    fn from(description: &scene::Description<'_>) -> Self {
-        Self {
-            spheres: description.spheres.iter().map(sphere).collect(),
-            planes: description.planes.iter().map(plane).collect(),
-            cylinders: description.cylinders.iter().map(cylinder).collect(),
-            lights: description.lights.iter().map(light).collect(),
-            materials: description.materials.iter().map(material).collect(),
-            background: triple(description.background),
-            epsilon: description.epsilon.to_f64(),
-        }
-    }
+/// A double or three of a field of the core.
+macro_rules! plain {
+    (Position $value:expr) => {
+        triple($value.0)
+    };
+    (Number $value:expr) => {
+        $value.to_f64()
+    };
 }
+
+macro_rules! convert {
+    ($parameters:tt $({
+        $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $($more:tt)*
+    })*) => {
+        /// What a fixed-point scene was described with, each number as the nearest double.
+        ///
+        /// The description's camera is not part of the scene here; it converts by itself.
+        ///
+        /// ```
+        /// use reflet::host::reference::Scene;
+        /// use reflet::{Material, SceneBuilder};
+        ///
+        /// const SCENE: SceneBuilder<1, 0, 0, 0> = SceneBuilder::new()
+        ///     .sphere([0.1, 0.2, 0.3], 0.7, Material::new([0.9; 3]).mirror(0.4))
+        ///     .background([0.25, 0.5, 1.0]);
+        ///
+        /// let scene = Scene::from(&SCENE.description());
+        /// assert_eq!((scene.spheres[0].center, scene.spheres[0].radius), ([0.1, 0.2, 0.3], 0.7));
+        /// assert_eq!(scene.materials[scene.spheres[0].material].mirror, 0.4);
+        /// assert_eq!((scene.background, scene.epsilon), ([0.25, 0.5, 1.0], 1e-3));
+        /// ```
+        impl From<&scene::Description<'_>> for Scene {
+            fn from(description: &scene::Description<'_>) -> Self {
+                $(
+                    let $list = description.$list.iter().map(|it| super::$described {
+                        $($field: plain!($type it.$field),)*
+                        material: it.material.index(),
+                    });
+                )*
+                Self {
+                    $($list: $list.collect(),)*
+                    lights: description.lights.iter().map(light).collect(),
+                    materials: description.materials.iter().map(material).collect(),
+                    background: triple(description.background),
+                    epsilon: description.epsilon.to_f64(),
+                }
+            }
+        }
+    };
+}
+kinds!(shapes, convert);
 
 /// What a fixed-point camera was described with, each number as the nearest double.
 impl From<&camera::CameraDescription> for Camera {
     fn from(description: &camera::CameraDescription) -> Self {
         Self {
-            position: place(description.position),
-            target: place(description.target),
-            up: place(description.up),
+            position: triple(description.position.0),
+            target: triple(description.target.0),
+            up: triple(description.up.0),
             fov: description.fov.to_f64(),
         }
     }
@@ -56,35 +76,9 @@ impl From<&camera::Camera> for Camera {
     }
 }
 
-fn sphere(sphere: &shape::sphere::Sphere) -> Sphere {
-    Sphere {
-        center: place(sphere.center),
-        radius: sphere.radius.to_f64(),
-        material: sphere.material.index(),
-    }
-}
-
-fn plane(plane: &shape::plane::Plane) -> Plane {
-    Plane {
-        point: place(plane.point),
-        normal: place(plane.normal),
-        material: plane.material.index(),
-    }
-}
-
-fn cylinder(cylinder: &shape::cylinder::Cylinder) -> Cylinder {
-    Cylinder {
-        center: place(cylinder.center),
-        axis: place(cylinder.axis),
-        radius: cylinder.radius.to_f64(),
-        height: cylinder.height.to_f64(),
-        material: cylinder.material.index(),
-    }
-}
-
 fn light(light: &light::Light) -> Light {
     Light {
-        position: place(light.position),
+        position: triple(light.position.0),
         color: triple(light.color),
     }
 }
@@ -102,10 +96,6 @@ fn material(material: &material::Material) -> Material {
     }
 }
 
-fn place(position: Position) -> [f64; 3] {
-    triple(position.0)
-}
-
 fn triple(numbers: [Number; 3]) -> [f64; 3] {
     numbers.map(Number::to_f64)
 }
@@ -113,6 +103,7 @@ fn triple(numbers: [Number; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::host::reference::{Cylinder, Plane, Sphere};
     use crate::scene::RuntimeScene;
 
     #[test]

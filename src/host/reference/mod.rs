@@ -55,7 +55,7 @@ mod trace;
 pub use self::camera::Camera;
 pub use self::model::Vector;
 pub use self::picture::{Picture, pixel, render};
-pub use self::scene::{Cylinder, Light, Material, Plane, Scene, Sphere};
+pub use self::scene::*;
 pub use self::shading::Shading;
 
 /// What is computed in. `xtask/float_picture` takes the same files in single precision.

@@ -3,82 +3,95 @@
 
 use std::vec::Vec;
 
-use super::{Camera, Real, Scene, model};
+use super::{Camera, Cylinder, Light, Material, Plane, Real, Scene, Shape, Sphere, model};
 
-/// A scene made ready for rays; it owns the lists of a [`model::Scene`].
-#[derive(Clone, Debug)]
-pub struct Prepared {
-    spheres: Vec<model::Sphere>,
-    planes: Vec<model::Plane>,
-    cylinders: Vec<model::Cylinder>,
-    lights: Vec<model::Light>,
-    materials: Vec<model::Material>,
-    background: model::Vector,
-    epsilon: Real,
+macro_rules! prepared {
+    ($parameters:tt $({ $list:ident $kind:ident $described:ident $($more:tt)* })*) => {
+        /// A scene made ready for rays; it owns the lists of a [`model::Scene`].
+        #[derive(Clone, Debug)]
+        pub struct Prepared {
+            $($list: Vec<model::$described>,)*
+            lights: Vec<model::Light>,
+            materials: Vec<model::Material>,
+            background: model::Vector,
+            epsilon: Real,
+        }
+
+        impl Prepared {
+            /// Makes a scene ready.
+            ///
+            /// # Panics
+            ///
+            /// A shape names a material that the scene does not have.
+            pub fn new(scene: &Scene) -> Self {
+                for Shape { material, .. } in scene.shapes() {
+                    assert!(material < scene.materials.len(), "no material {material}");
+                }
+                Self {
+                    $($list: scene.$list.iter().map($kind).collect(),)*
+                    lights: scene.lights.iter().map(light).collect(),
+                    materials: scene.materials.iter().map(material).collect(),
+                    background: vector(scene.background),
+                    epsilon: scene.epsilon as Real,
+                }
+            }
+
+            /// What rays are followed through.
+            pub fn scene(&self) -> model::Scene<'_> {
+                model::Scene {
+                    $($list: &self.$list,)*
+                    lights: &self.lights,
+                    materials: &self.materials,
+                    background: self.background,
+                    epsilon: self.epsilon,
+                }
+            }
+        }
+    };
+}
+kinds!(shapes, prepared);
+
+fn sphere(sphere: &Sphere) -> model::Sphere {
+    model::Sphere {
+        center: vector(sphere.center),
+        radius: sphere.radius as Real,
+        material: sphere.material,
+    }
 }
 
-impl Prepared {
-    /// Makes a scene ready.
-    ///
-    /// # Panics
-    ///
-    /// A shape names a material that the scene does not have.
-    pub fn new(scene: &Scene) -> Self {
-        let known = |material: usize| {
-            assert!(material < scene.materials.len(), "no material {material}");
-            material
-        };
-        let spheres = scene.spheres.iter().map(|sphere| model::Sphere {
-            center: vector(sphere.center),
-            radius: sphere.radius as Real,
-            material: known(sphere.material),
-        });
-        let planes = scene.planes.iter().map(|plane| model::Plane {
-            point: vector(plane.point),
-            normal: vector(plane.normal).unit(),
-            material: known(plane.material),
-        });
-        let cylinders = scene.cylinders.iter().map(|cylinder| model::Cylinder {
-            center: vector(cylinder.center),
-            axis: vector(cylinder.axis).unit(),
-            radius: cylinder.radius as Real,
-            half_height: cylinder.height as Real / 2.0,
-            material: known(cylinder.material),
-        });
-        let lights = scene.lights.iter().map(|light| model::Light {
-            position: vector(light.position),
-            color: vector(light.color),
-        });
-        let materials = scene.materials.iter().map(|material| model::Material {
-            color: vector(material.color),
-            ambient: material.ambient as Real,
-            diffuse: material.diffuse as Real,
-            specular: material.specular as Real,
-            shininess: material.shininess as Real,
-            mirror: material.mirror as Real,
-        });
-        Self {
-            spheres: spheres.collect(),
-            planes: planes.collect(),
-            cylinders: cylinders.collect(),
-            lights: lights.collect(),
-            materials: materials.collect(),
-            background: vector(scene.background),
-            epsilon: scene.epsilon as Real,
-        }
+fn plane(plane: &Plane) -> model::Plane {
+    model::Plane {
+        point: vector(plane.point),
+        normal: vector(plane.normal).unit(),
+        material: plane.material,
     }
+}
 
-    /// What rays are followed through.
-    pub fn scene(&self) -> model::Scene<'_> {
-        model::Scene {
-            spheres: &self.spheres,
-            planes: &self.planes,
-            cylinders: &self.cylinders,
-            lights: &self.lights,
-            materials: &self.materials,
-            background: self.background,
-            epsilon: self.epsilon,
-        }
+fn cylinder(cylinder: &Cylinder) -> model::Cylinder {
+    model::Cylinder {
+        center: vector(cylinder.center),
+        axis: vector(cylinder.axis).unit(),
+        radius: cylinder.radius as Real,
+        half_height: cylinder.height as Real / 2.0,
+        material: cylinder.material,
+    }
+}
+
+fn light(light: &Light) -> model::Light {
+    model::Light {
+        position: vector(light.position),
+        color: vector(light.color),
+    }
+}
+
+fn material(material: &Material) -> model::Material {
+    model::Material {
+        color: vector(material.color),
+        ambient: material.ambient as Real,
+        diffuse: material.diffuse as Real,
+        specular: material.specular as Real,
+        shininess: material.shininess as Real,
+        mirror: material.mirror as Real,
     }
 }
 

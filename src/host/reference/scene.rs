@@ -1,83 +1,115 @@
 //! The reference's scene: plain doubles as anyone may fill them in; it checks and renders nothing.
 
+use core::fmt::Debug;
 use std::vec::Vec;
 
-/// A scene in plain doubles.
-///
-/// Nothing is checked: a shape without size, a normal or an axis of length zero is never met, and
-/// a material that is not in the list panics when the scene is rendered.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
-    /// The spheres.
-    pub spheres: Vec<Sphere>,
-    /// The infinite planes.
-    pub planes: Vec<Plane>,
-    /// The open cylinders.
-    pub cylinders: Vec<Cylinder>,
-    /// The point lights.
-    pub lights: Vec<Light>,
-    /// What the shapes are made of; they name it by its place in this list.
-    pub materials: Vec<Material>,
-    /// Linear colour where a ray meets nothing.
-    pub background: [f64; 3],
-    /// How far from a surface, along its normal, shadow and reflected rays start; in scene units.
-    pub epsilon: f64,
-}
+use serde::Deserialize;
 
-impl Default for Scene {
-    /// Nothing at all, on black, with an epsilon of 0.001.
-    fn default() -> Self {
-        Self {
-            spheres: Vec::new(),
-            planes: Vec::new(),
-            cylinders: Vec::new(),
-            lights: Vec::new(),
-            materials: Vec::new(),
-            background: [0.0; 3],
-            epsilon: 1e-3,
+/// A place or a way, in scene units.
+type Position = [f64; 3];
+
+/// A size, in scene units.
+type Number = f64;
+
+macro_rules! scene {
+    ([$($parameter:tt)*] $({
+        $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $room:ident $($more:tt)*
+    })*) => {
+        /// A scene in plain doubles.
+        ///
+        /// Nothing is checked: a shape without size, a normal or an axis of length zero is never met, and
+        /// a material that is not in the list panics when the scene is rendered.
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Scene {
+            $(
+                #[doc = concat!("The ", stringify!($list), ".")]
+                pub $list: Vec<$described>,
+            )*
+            /// The point lights.
+            pub lights: Vec<Light>,
+            /// What the shapes are made of; they name it by its place in this list.
+            pub materials: Vec<Material>,
+            /// Linear colour where a ray meets nothing.
+            pub background: [f64; 3],
+            /// How far from a surface, along its normal, shadow and reflected rays start; in scene units.
+            pub epsilon: f64,
         }
-    }
-}
 
-/// A sphere.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sphere {
-    /// Its centre.
-    pub center: [f64; 3],
-    /// Its radius.
-    pub radius: f64,
-    /// Its place in [`Scene::materials`].
-    pub material: usize,
-}
+        impl Default for Scene {
+            /// Nothing at all, on black, with an epsilon of 0.001.
+            fn default() -> Self {
+                Self {
+                    $($list: Vec::new(),)*
+                    lights: Vec::new(),
+                    materials: Vec::new(),
+                    background: [0.0; 3],
+                    epsilon: 1e-3,
+                }
+            }
+        }
 
-/// An infinite plane, seen from both sides.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plane {
-    /// Any point in it.
-    pub point: [f64; 3],
-    /// What stands upright on it, of any length.
-    pub normal: [f64; 3],
-    /// Its place in [`Scene::materials`].
-    pub material: usize,
-}
+        impl Scene {
+            /// All shapes, a kind after the other.
+            pub fn shapes(&self) -> impl Iterator<Item = Shape<'_>> {
+                let shapes = core::iter::empty();
+                $(
+                    let shapes = shapes.chain(self.$list.iter().map(|it| Shape {
+                        list: stringify!($list),
+                        kind: stringify!($kind),
+                        fields: vec![$(&it.$field),*],
+                        material: it.material,
+                    }));
+                )*
+                shapes
+            }
+        }
 
-/// A tube without caps, seen from outside and inside.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cylinder {
-    /// The middle of its axis.
-    pub center: [f64; 3],
-    /// The direction of its axis, of any length.
-    pub axis: [f64; 3],
-    /// Its radius.
-    pub radius: f64,
-    /// Its length along the axis, half of it to each side of the centre.
-    pub height: f64,
+        /// What each number of the type of a [`crate::Scene`] counts, such as `spheres`.
+        pub const PARAMETERS: &[&str] = {
+            $(const $room: &str = stringify!($list);)*
+            const L: &str = "lights";
+            const M: &str = "materials";
+            &[$($parameter)*]
+        };
+
+        $(
+            #[doc = concat!("A ", stringify!($kind), " in plain doubles.")]
+            ///
+            #[doc = concat!(
+                "The fields are the arguments of [`", stringify!($add), "`](crate::RuntimeSceneIn::",
+                stringify!($add), ")."
+            )]
+            #[derive(Clone, Copy, Debug, PartialEq)]
+            pub struct $described {
+                $(
+                    #[doc = concat!("Its ", stringify!($field), ".")]
+                    pub $field: $type,
+                )*
+                /// Its place in [`Scene::materials`].
+                pub material: usize,
+            }
+        )*
+    };
+}
+kinds!(shapes, scene);
+
+/// A shape of any kind, taken apart.
+#[derive(Clone, Debug)]
+pub struct Shape<'a> {
+    /// The name of its list, such as `spheres`.
+    pub list: &'static str,
+    /// The name of its kind, such as `sphere`.
+    pub kind: &'static str,
+    /// Its fields but the material, in the order in which a builder takes them. Each is a number or three,
+    /// and prints as Rust source.
+    pub fields: Vec<&'a dyn Debug>,
     /// Its place in [`Scene::materials`].
     pub material: usize,
 }
 
 /// A point light that does not fall off with distance.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Light {
     /// Where it stands.
     pub position: [f64; 3],

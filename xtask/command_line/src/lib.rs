@@ -8,7 +8,8 @@ mod setting;
 mod source;
 
 pub use file::{NewFile, are_same_file, is_standard_output, print, shown};
-pub use mistake::{in_one_line, json_line, one_line, parse};
+pub use mistake::{in_one_line, json_line, parse};
+pub use reflet::host::line::one_line;
 pub use setting::{Quality, Shading, size};
 pub use source::{Chosen, Kind, Named, Source, with_advice};
 

@@ -1,5 +1,7 @@
 //! Reading the command line, and lines about what is wrong with it.
 
+use reflet::host::line::escaped;
+
 use crate::Failure;
 
 /// Reads the command line. Prints the help and ends the program where that is what was asked for.
@@ -27,24 +29,8 @@ pub fn in_one_line(error: &clap::Error) -> String {
     lines.join("; ").trim_start_matches("error: ").to_owned()
 }
 
-/// The text with every control character and line separator escaped. A path or a file may contain
-/// some, and they would break the line.
-pub fn one_line(text: &str) -> String {
-    escaped(text, |letter| letter.escape_default().to_string())
-}
-
 /// A line of JSON with every control character and line separator in its strings escaped, also those
 /// that JSON allows.
 pub fn json_line(json: &str) -> String {
     escaped(json, |letter| format!("\\u{:04x}", u32::from(letter)))
-}
-
-/// `escape` is applied to what breaks a line or steers a terminal.
-fn escaped(text: &str, escape: impl Fn(char) -> String) -> String {
-    let breaks = |letter: char| letter.is_control() || matches!(letter, '\u{2028}' | '\u{2029}');
-    let written = |letter: char| match breaks(letter) {
-        true => escape(letter),
-        false => letter.to_string(),
-    };
-    text.chars().map(written).collect()
 }

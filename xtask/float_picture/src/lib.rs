@@ -4,6 +4,13 @@
 // Scenes are made ready for two models: that of the port and that with the reference's own settings.
 #![allow(clippy::duplicate_mod)]
 
+#[macro_use]
+#[path = "../../../src/kinds.rs"]
+mod kinds;
+#[macro_use]
+#[path = "../../../src/host/shapes.rs"]
+mod shapes;
+
 pub mod accuracy;
 pub mod port;
 pub mod single;

@@ -4,7 +4,7 @@
 mod prepared;
 
 use float_port as model;
-use reflet::host::reference::{Camera, Picture, Scene, Shading};
+use reflet::host::reference::*;
 
 pub use self::prepared::{Prepared, camera};
 

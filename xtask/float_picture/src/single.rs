@@ -15,7 +15,7 @@ mod real;
 #[path = "../../../src/host/reference/trace.rs"]
 mod trace;
 
-use reflet::host::reference::{Camera, Picture, Scene, Shading};
+use reflet::host::reference::*;
 
 use self::prepared::{Prepared, camera};
 

@@ -8,22 +8,27 @@
 #![no_std]
 #![deny(missing_docs)]
 
+#[macro_use]
+#[path = "../../../src/kinds.rs"]
+mod kinds;
+#[macro_use]
+#[path = "../../../src/host/shapes.rs"]
+mod shapes;
+
 #[path = "../../../src/host/reference/model/mod.rs"]
 mod model;
 mod real;
 #[path = "../../../src/host/reference/shading.rs"]
 mod shading;
 
-pub use model::{
-    Camera, Cylinder, Light, Material, Met, Plane, Ray, Scene, Shape, Sphere, Surface, Vector, View,
-};
+pub use model::*;
 pub use shading::Shading;
 
 /// Red, green and blue of what comes along a ray of a [`View`], after at most `reflections`
 /// reflections.
 #[inline]
 pub fn pixel(scene: &Scene, shading: Shading, ray: &Ray, reflections: u32) -> [u8; 3] {
-    model::quantised(match shading {
+    quantised(match shading {
         Shading::Normals => scene.normal_color(ray),
         shading => color(scene, shading, *ray, reflections),
     })

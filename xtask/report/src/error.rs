@@ -194,7 +194,7 @@ impl Truth {
 /// Where the paths of a level end, and which of them are traced.
 fn ending(painter: &Painter, level: Level, reflections: u8) -> Ending {
     let numbers = level.numbers();
-    let is_of_planes = painter.scene.spheres.is_empty() && painter.scene.cylinders.is_empty();
+    let is_of_planes = painter.scene.shapes().all(|it| it.kind == "plane");
     Ending {
         reflections: reflections.into(),
         smallest_weight: numbers.smallest_weight.to_num(),

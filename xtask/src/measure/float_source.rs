@@ -21,19 +21,9 @@ pub fn view(scene: &Source, reflections: u8, shading: Shading) -> String {
 
 fn scene(scene: &Scene) -> String {
     let prepared = Prepared::new(scene);
-    let scene = prepared.scene();
     // What `derive(Debug)` writes of plain data is Rust, but for the lists.
-    format!(
-        "{{ use float_port::*; Scene {{ spheres: &{:?}, planes: &{:?}, cylinders: &{:?}, \
-         lights: &{:?}, materials: &{:?}, background: {:?}, epsilon: {:?} }} }}",
-        scene.spheres,
-        scene.planes,
-        scene.cylinders,
-        scene.lights,
-        scene.materials,
-        scene.background,
-        scene.epsilon,
-    )
+    let scene = format!("{:?}", prepared.scene()).replace(": [", ": &[");
+    format!("{{ use float_port::*; {scene} }}")
 }
 
 fn camera(camera: &Camera) -> String {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use reflet::host::reference::{Camera, Cylinder, Light, Material, Plane, Scene, Sphere};
+use reflet::host::reference::{Camera, Light, Material, PARAMETERS, Scene, Shape};
 
 /// How far rays are lifted off surfaces unless the scene says otherwise.
 const EPSILON: f64 = 1e-3;
@@ -21,14 +21,9 @@ pub fn source(
         let material = constant(&materials[*index], &scene.materials[*index]);
         constants += &material;
     }
-    let scene_type = format!(
-        "Scene<{}, {}, {}, {}, {}>",
-        scene.spheres.len(),
-        scene.planes.len(),
-        scene.cylinders.len(),
-        scene.lights.len(),
-        used.len(),
-    );
+    let room = room(scene, used.len());
+    let (lists, counts): (Vec<_>, Vec<_>) = room.into_iter().unzip();
+    let (lists, scene_type) = (lists.join(", "), format!("Scene<{}>", counts.join(", ")));
     let import = if used.is_empty() { "" } else { "Material, " };
     let name = name.escape_debug();
     format!(
@@ -41,7 +36,7 @@ pub fn source(
          #[derive(Clone, Copy, Debug)]\n\
          pub struct {type_name};\n\n\
          impl StaticScene for {type_name} {{\n\
-             type Scene = {scene_type}; // spheres, planes, cylinders, lights, materials\n\
+             type Scene = {scene_type}; // {lists}\n\
              const SCENE: &'static Self::Scene = &{};\n\
          }}\n",
         vector(camera.position),
@@ -53,10 +48,22 @@ pub fn source(
 }
 
 fn used_materials(scene: &Scene) -> BTreeSet<usize> {
-    let spheres = scene.spheres.iter().map(|sphere| sphere.material);
-    let planes = scene.planes.iter().map(|plane| plane.material);
-    let cylinders = scene.cylinders.iter().map(|cylinder| cylinder.material);
-    spheres.chain(planes).chain(cylinders).collect()
+    scene.shapes().map(|shape| shape.material).collect()
+}
+
+/// The lists that the numbers of the scene's type count, and the numbers. Those behind the materials are
+/// 0 unless they are written.
+fn room(scene: &Scene, materials: usize) -> Vec<(&'static str, String)> {
+    let count = |list: &str| match list {
+        "lights" => scene.lights.len(),
+        "materials" => materials,
+        list => scene.shapes().filter(|shape| shape.list == list).count(),
+    };
+    let mut room: Vec<_> = PARAMETERS.iter().map(|list| (*list, count(list))).collect();
+    while room.pop_if(|it| it.0 != "materials" && it.1 == 0).is_some() {}
+    room.into_iter()
+        .map(|(list, count)| (list, count.to_string()))
+        .collect()
 }
 
 fn constant(name: &str, material: &Material) -> String {
@@ -75,25 +82,17 @@ fn constant(name: &str, material: &Material) -> String {
 }
 
 fn builder(scene: &Scene, materials: &[String]) -> String {
-    let sphere = |it: &Sphere| {
-        let (center, radius) = (vector(it.center), number(it.radius));
-        format!(".sphere({center}, {radius}, {})", materials[it.material])
-    };
-    let plane = |it: &Plane| {
-        let (point, normal) = (vector(it.point), vector(it.normal));
-        format!(".plane({point}, {normal}, {})", materials[it.material])
-    };
-    let cylinder = |it: &Cylinder| {
-        let (center, axis) = (vector(it.center), vector(it.axis));
-        let (radius, height) = (number(it.radius), number(it.height));
-        let material = &materials[it.material];
-        format!(".cylinder({center}, {axis}, {radius}, {height}, {material})")
+    let shape = |it: Shape| {
+        let fields: String = it
+            .fields
+            .iter()
+            .map(|field| format!("{field:?}, "))
+            .collect();
+        format!(".{}({fields}{})", it.kind, materials[it.material])
     };
     let light = |it: &Light| format!(".light({}, {})", vector(it.position), vector(it.color));
     let mut text = String::from("Scene::builder()");
-    text.extend(scene.spheres.iter().map(sphere));
-    text.extend(scene.planes.iter().map(plane));
-    text.extend(scene.cylinders.iter().map(cylinder));
+    text.extend(scene.shapes().map(shape));
     text.extend(scene.lights.iter().map(light));
     if scene.background != [0.0; 3] {
         text += &format!(".background({})", vector(scene.background));

@@ -5,7 +5,7 @@
 //! pixel half way may be traced, and then the two at the quarters may be moved by three quarters of
 //! what the curve misses it by, or taken for the middle of a line, or be traced themselves.
 
-use super::{Stage, Vector};
+use super::{Stage, Vector, largest};
 
 /// The most that the pixel `x` may be off by.
 pub(super) fn error(row: &[&Stage], x: usize, stride: usize, tolerance: f64) -> f64 {
@@ -115,8 +115,4 @@ impl Stretch<'_> {
         let bend = first * (2.0 - way) + last * (1.0 + way);
         start + (end - start) * way - bend * sag
     }
-}
-
-fn largest(Vector(difference): Vector) -> f64 {
-    difference.into_iter().map(f64::abs).fold(0.0, f64::max)
 }

@@ -219,15 +219,18 @@ impl Followed {
 /// (ambient + Σ over the lights of (diffuse + specular) · light) · colour, at its brightest in the
 /// scene, or the background.
 fn brightest(scene: &Scene) -> f64 {
-    let shapes = scene.spheres.iter().map(|it| it.material);
-    let shapes = shapes.chain(scene.planes.iter().map(|it| it.material));
-    let shapes = shapes.chain(scene.cylinders.iter().map(|it| it.material));
     let own = |material: usize, axis: usize| {
         let material = &scene.materials[material];
         let light: f64 = scene.lights.iter().map(|it| it.color[axis]).sum();
         let strongest = material.diffuse + material.specular;
         (material.ambient + strongest * light) * material.color[axis]
     };
-    let colors = shapes.flat_map(|material| (0..3).map(move |axis| own(material, axis)));
+    let materials = scene.shapes().map(|it| it.material);
+    let colors = materials.flat_map(|material| (0..3).map(move |axis| own(material, axis)));
     colors.chain(scene.background).fold(0.0, f64::max)
+}
+
+/// The largest component, whatever its sign.
+fn largest(Vector(components): Vector) -> f64 {
+    components.into_iter().map(f64::abs).fold(0.0, f64::max)
 }

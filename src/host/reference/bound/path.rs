@@ -3,8 +3,9 @@
 
 use std::vec::Vec;
 
+use super::largest;
 use crate::host::reference::Shading;
-use crate::host::reference::model::{Met, Ray, Scene, Surface, Vector};
+use crate::host::reference::model::{Ray, Scene, Surface, Vector};
 
 /// The grid that a scene was laid on, in scene units: [`crate::host::precision`] tells.
 #[derive(Clone, Copy, Debug)]
@@ -127,7 +128,7 @@ pub(super) fn follow(
         let (lights, error) = at.light(scene, &surface, shading, precision);
         let own = scene.own_color(&surface, shading);
         stage = stage.lit(own, error, reflection, surface.material.mirror);
-        let shape = number(scene, surface.shape) as u64;
+        let shape = scene.number(surface.shape) as u64;
         stage.trail = mixed(
             mixed(stage.trail, 2 * shape + u64::from(surface.is_inside)),
             lights,
@@ -159,7 +160,7 @@ struct Hit {
 
 impl Hit {
     fn new(scene: &Scene, surface: &Surface, ray: &Ray, drift: Drift, step: f64) -> Self {
-        let (distance, curvature) = (surface.distance, curvature(scene, surface.shape));
+        let (distance, curvature) = (surface.distance, scene.shape(surface.shape).curvature());
         let cosine = -surface.normal.dot(ray.direction);
         let aside = drift.place + distance * drift.direction + 6.0 * step;
         let slide = aside / cosine + distance * to_the_minus(26);
@@ -234,28 +235,6 @@ impl Hit {
         let own = (shininess + 4.0) * to_the_minus(28);
         (most - here).max(here - least) + own
     }
-}
-
-/// The place of a shape among all: spheres come first, then planes, then cylinders.
-fn number(scene: &Scene, shape: Met) -> usize {
-    match shape {
-        Met::Sphere(index) => index,
-        Met::Plane(index) => scene.spheres.len() + index,
-        Met::Cylinder(index) => scene.spheres.len() + scene.planes.len() + index,
-    }
-}
-
-/// One over the radius of a shape; 0 of a plane.
-fn curvature(scene: &Scene, shape: Met) -> f64 {
-    match shape {
-        Met::Sphere(index) => 1.0 / scene.spheres[index].radius,
-        Met::Plane(_) => 0.0,
-        Met::Cylinder(index) => 1.0 / scene.cylinders[index].radius,
-    }
-}
-
-fn largest(Vector([red, green, blue]): Vector) -> f64 {
-    red.max(green).max(blue)
 }
 
 /// FNV-1a, a word at a time.

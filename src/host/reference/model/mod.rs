@@ -13,8 +13,8 @@ mod shape;
 mod vector;
 mod view;
 
-pub use self::scene::{Light, Material, Met, Scene, Surface};
-pub use self::shape::{Cylinder, Plane, Ray, Shape, Sphere};
+pub use self::scene::*;
+pub use self::shape::*;
 pub use self::vector::{Vector, quantised};
 pub use self::view::{Camera, View};
 use super::Shading;

@@ -1,26 +1,97 @@
 //! What a ray meets in a whole scene, and the one place that steps off a surface; it knows no
 //! colour but hands on the material.
 
-use super::{Cylinder, Plane, Ray, Real, Shape, Sphere, Vector};
+use super::{Ray, Real, Shape, Vector};
 
-/// A scene made ready for rays. Shapes name their material by its place.
-#[derive(Clone, Copy, Debug)]
-pub struct Scene<'a> {
-    /// The spheres.
-    pub spheres: &'a [Sphere],
-    /// The infinite planes.
-    pub planes: &'a [Plane],
-    /// The open cylinders.
-    pub cylinders: &'a [Cylinder],
-    /// The point lights.
-    pub lights: &'a [Light],
-    /// What the shapes are made of.
-    pub materials: &'a [Material],
-    /// Linear colour where a ray meets nothing.
-    pub background: Vector,
-    /// How far from a surface, along its normal, shadow and reflected rays start.
-    pub epsilon: Real,
+macro_rules! scene {
+    ($parameters:tt $({ $list:ident $kind:ident $described:ident $($more:tt)* })*) => {
+        /// A scene made ready for rays. Shapes name their material by its place.
+        #[derive(Clone, Copy, Debug)]
+        pub struct Scene<'a> {
+            $(
+                #[doc = concat!("The ", stringify!($list), ".")]
+                pub $list: &'a [super::$described],
+            )*
+            /// The point lights.
+            pub lights: &'a [Light],
+            /// What the shapes are made of.
+            pub materials: &'a [Material],
+            /// Linear colour where a ray meets nothing.
+            pub background: Vector,
+            /// How far from a surface, along its normal, shadow and reflected rays start.
+            pub epsilon: Real,
+        }
+
+        /// Which shape a ray meets: its kind and its place in the list of its kind.
+        #[derive(Clone, Copy, Debug)]
+        pub enum Met {
+            $(
+                #[doc = concat!("A ", stringify!($kind), ".")]
+                $described(usize),
+            )*
+        }
+
+        impl<'a> Scene<'a> {
+            /// The nearest surface ahead.
+            #[inline]
+            pub fn nearest(&self, ray: &Ray) -> Option<Surface<'a>> {
+                let mut reach = Real::INFINITY;
+                let shape = None;
+                $(
+                    // It is nearer than those before.
+                    let met = nearest_of(self.$list, ray, &mut reach).map(Met::$described);
+                    let shape = met.or(shape);
+                )*
+                let (shape, at) = (shape?, ray.at(reach));
+                let (normal, material) = match shape {
+                    $(
+                        Met::$described(index) => {
+                            let it = &self.$list[index];
+                            (it.normal(at), it.material)
+                        }
+                    )*
+                };
+                let is_inside = normal.dot(ray.direction) > 0.0;
+                let normal = if is_inside { -normal } else { normal };
+                Some(Surface {
+                    outside: at + normal * self.epsilon,
+                    normal,
+                    viewer: -ray.direction,
+                    material: &self.materials[material],
+                    distance: reach,
+                    shape,
+                    is_inside,
+                })
+            }
+
+            /// Whether the ray meets anything nearer than `reach`.
+            #[inline]
+            pub fn is_blocked(&self, ray: &Ray, reach: Real) -> bool {
+                $(blocks(self.$list, ray, reach))||*
+            }
+
+            /// The shape that was met.
+            pub fn shape(&self, met: Met) -> &'a dyn Shape {
+                match met {
+                    $(Met::$described(index) => &self.$list[index],)*
+                }
+            }
+
+            /// The place of a shape among all; the kinds follow each other.
+            pub fn number(&self, met: Met) -> usize {
+                let mut first = 0;
+                $(
+                    if let Met::$described(index) = met {
+                        return first + index;
+                    }
+                    first += self.$list.len();
+                )*
+                first
+            }
+        }
+    };
 }
+kinds!(shapes, scene);
 
 /// A point light that does not fall off with distance.
 #[derive(Clone, Copy, Debug)]
@@ -48,17 +119,6 @@ pub struct Material {
     pub mirror: Real,
 }
 
-/// Which shape a ray meets: its kind and its place in the list of its kind.
-#[derive(Clone, Copy, Debug)]
-pub enum Met {
-    /// A sphere.
-    Sphere(usize),
-    /// A plane.
-    Plane(usize),
-    /// A cylinder.
-    Cylinder(usize),
-}
-
 /// What a ray met.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface<'a> {
@@ -76,49 +136,6 @@ pub struct Surface<'a> {
     pub shape: Met,
     /// Whether it is seen from the side that its shape's normal leaves.
     pub is_inside: bool,
-}
-
-impl<'a> Scene<'a> {
-    /// The nearest surface ahead.
-    #[inline]
-    pub fn nearest(&self, ray: &Ray) -> Option<Surface<'a>> {
-        let mut reach = Real::INFINITY;
-        let sphere = nearest_of(self.spheres, ray, &mut reach).map(Met::Sphere);
-        let plane = nearest_of(self.planes, ray, &mut reach).map(Met::Plane);
-        let cylinder = nearest_of(self.cylinders, ray, &mut reach).map(Met::Cylinder);
-        // Each of them is nearer than those before.
-        let shape = cylinder.or(plane).or(sphere)?;
-        Some(match shape {
-            Met::Sphere(index) => self.surface(ray, reach, shape, &self.spheres[index]),
-            Met::Plane(index) => self.surface(ray, reach, shape, &self.planes[index]),
-            Met::Cylinder(index) => self.surface(ray, reach, shape, &self.cylinders[index]),
-        })
-    }
-
-    #[inline]
-    fn surface(&self, ray: &Ray, distance: Real, shape: Met, it: &impl Shape) -> Surface<'a> {
-        let at = ray.at(distance);
-        let normal = it.normal(at);
-        let is_inside = normal.dot(ray.direction) > 0.0;
-        let normal = if is_inside { -normal } else { normal };
-        Surface {
-            outside: at + normal * self.epsilon,
-            normal,
-            viewer: -ray.direction,
-            material: &self.materials[it.material()],
-            distance,
-            shape,
-            is_inside,
-        }
-    }
-
-    /// Whether the ray meets anything nearer than `reach`.
-    #[inline]
-    pub fn is_blocked(&self, ray: &Ray, reach: Real) -> bool {
-        blocks(self.spheres, ray, reach)
-            || blocks(self.planes, ray, reach)
-            || blocks(self.cylinders, ray, reach)
-    }
 }
 
 /// The nearest before `reach`, which becomes its distance.

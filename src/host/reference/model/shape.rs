@@ -29,8 +29,8 @@ pub trait Shape {
     /// The unit normal at a point of the surface: outwards, or the plane's own.
     fn normal(&self, at: Vector) -> Vector;
 
-    /// Its place in the list of materials.
-    fn material(&self) -> usize;
+    /// One over its radius; 0 of what is flat.
+    fn curvature(&self) -> Real;
 }
 
 /// A sphere.
@@ -100,9 +100,8 @@ impl Shape for Sphere {
         (at - self.center).unit()
     }
 
-    #[inline]
-    fn material(&self) -> usize {
-        self.material
+    fn curvature(&self) -> Real {
+        1.0 / self.radius
     }
 }
 
@@ -118,9 +117,8 @@ impl Shape for Plane {
         self.normal
     }
 
-    #[inline]
-    fn material(&self) -> usize {
-        self.material
+    fn curvature(&self) -> Real {
+        0.0
     }
 }
 
@@ -166,8 +164,7 @@ impl Shape for Cylinder {
         (at - self.center).across(self.axis).unit()
     }
 
-    #[inline]
-    fn material(&self) -> usize {
-        self.material
+    fn curvature(&self) -> Real {
+        1.0 / self.radius
     }
 }
