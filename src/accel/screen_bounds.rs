@@ -125,8 +125,10 @@ impl Eye<'_> {
 
     fn ball(&self, index: usize, way: Vector, radius: i32) -> ScreenRect {
         let lift = self.lift();
-        let [columns, rows] =
-            [0, 1].map(|it: usize| self.axes[it].sphere_columns(way, widened(radius) + lift));
+        let [columns, rows] = self
+            .axes
+            .each_ref()
+            .map(|axis| axis.sphere_columns(way, widened(radius) + lift));
         let (Some(mut columns), Some(rows)) = (columns, rows) else {
             return ScreenRect::of_nothing(index);
         };
@@ -164,8 +166,10 @@ impl Eye<'_> {
         radius: i32,
     ) -> Option<(Columns, Columns)> {
         let radius = widened(radius) + self.lift();
-        let [columns, rows] =
-            [0, 1].map(|it: usize| self.axes[it].capsule_columns(way, half, radius));
+        let [columns, rows] = self
+            .axes
+            .each_ref()
+            .map(|axis| axis.capsule_columns(way, half, radius));
         columns.zip(rows)
     }
 
