@@ -199,7 +199,6 @@ fn ending(painter: &Painter, level: Level, reflections: u8) -> Ending {
         reflections: reflections.into(),
         smallest_weight: numbers.smallest_weight.to_num(),
         stride: match numbers.stride {
-            _ if painter.is_plain() => 1,
             2.. if is_of_planes => 4,
             stride => stride,
         },

@@ -44,15 +44,8 @@ impl Painter {
         })
     }
 
-    /// Whether a constant scene traces every pixel, whatever its quality says: nothing in it looks
-    /// otherwise in another place.
-    pub fn is_plain(&self) -> bool {
-        !self.world.needs().places
-    }
-
     pub fn paint(&self, setting: &Setting) -> Picture {
-        // As a constant scene does; the one here is filled at run time, and would not.
-        self.draw(setting, self.is_plain())
+        self.draw(setting, false)
     }
 
     /// The picture under a setting of fixed point with shadows and every pixel traced.
