@@ -154,7 +154,7 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
                 if u32::from(rect.right) >= first {
                     if let Some(shape) = shapes.get(rect.shape()) {
                         self.insert(ActiveShape {
-                            from: shape.from_eye(eye),
+                            from: shape.seen_from_eye(eye),
                             shape,
                             index: to_u16(to_u32(rect.shape())),
                             left: rect.left,

@@ -11,7 +11,7 @@ use crate::shade::{BlinnPhong, Shading};
 
 /// A view of a scene that is still to be drawn: which camera, how many reflections, how exact.
 ///
-/// Made by [`StaticFrame::frame`] or [`Scene::frame`].
+/// Made by [`StaticFrame::frame`] or [`Scene::frame`](crate::Scene::frame).
 pub struct Frame<'a, W, Q = Fast, K = BlinnPhong> {
     world: W,
     camera: &'a Camera,

@@ -26,7 +26,7 @@ pub trait Bounded: Copy + Debug + 'static {
 
     /// The shape as rays from the camera, or its mirror image, meet it; no ray that hits the shape
     /// is told otherwise by rounding.
-    fn from_eye(&self, eye: Point) -> Self::FromPoint;
+    fn seen_from_eye(&self, eye: Point) -> Self::FromPoint;
 
     /// Whether one shape is in front of another, or about as far; asked of balls.
     #[inline(always)]

@@ -226,7 +226,7 @@ impl Bounded for PreparedCylinder {
         self.capsule()
     }
 
-    fn from_eye(&self, eye: Point) -> CylinderFromPoint {
+    fn seen_from_eye(&self, eye: Point) -> CylinderFromPoint {
         self.seen_from(eye)
     }
 

@@ -186,7 +186,7 @@ impl Bounded for PreparedSphere {
         (self.center, Vector::ZERO, self.radius)
     }
 
-    fn from_eye(&self, eye: Point) -> SphereFromPoint {
+    fn seen_from_eye(&self, eye: Point) -> SphereFromPoint {
         self.surely_seen_from(eye)
     }
 
