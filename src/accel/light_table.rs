@@ -75,7 +75,7 @@ pub(crate) fn light_set<W: World, Q: CullingQuality>(
     direction: Direction,
 ) -> &ShapeSet {
     let table = match W::NEEDS.sets && Q::CULLING.light_tables {
-        true => world.light_tables().get(light),
+        true => world.tables().light_tables.get(light),
         false => None,
     };
     table.map_or(ShapeSet::ALL, |table| table.at(direction))

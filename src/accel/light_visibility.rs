@@ -44,7 +44,7 @@ impl LightVisibility {
         if from.is_near() && parts.hold(from.point) {
             view.unclear = u32::MAX;
         }
-        let lights = world.light_occluders();
+        let lights = world.tables().light_occluders;
         if lights.len() > u32::BITS as usize {
             view.unclear = u32::MAX;
             return view;

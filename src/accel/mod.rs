@@ -89,7 +89,7 @@ pub(crate) fn nearest_ahead<W: World, Q: CullingQuality>(
     signature: &mut PathSignature,
 ) -> Hit {
     let candidates = match W::CHOOSES_HITS && Q::CULLING.mirror_tables {
-        true => world.mirror_tables().ahead(mirror, ray.direction),
+        true => world.tables().mirror_tables.ahead(mirror, ray.direction),
         false => ShapeSet::ALL,
     };
     nearest_of(world, candidates, (ray, NOWHERE), skip, signature)
@@ -103,35 +103,27 @@ pub trait World: SceneAccess {
     /// The room of its lists.
     type Room: ActiveRoom;
 
-    /// The lights, and the shapes as they see them.
+    /// What makes it fast.
     #[allow(private_interfaces)]
-    fn light_occluders(&self) -> &[LightOccluders<Self::Room>];
-
-    /// Which shapes lie in which direction from each light.
-    #[allow(private_interfaces)]
-    fn light_tables(&self) -> &[LightTable];
-
-    /// Which shapes lie ahead of rays that leave each round mirror.
-    #[allow(private_interfaces)]
-    fn mirror_tables(&self) -> &MirrorTables;
+    fn tables(&self) -> Tables<'_, Self::Room>;
 }
 
-#[allow(private_interfaces)]
+/// What is kept of a scene beside its parts.
+#[derive(Debug)]
+pub struct Tables<'a, R: ActiveRoom> {
+    /// The lights, and the shapes as they see them.
+    pub(crate) light_occluders: &'a [LightOccluders<R>],
+    /// Which shapes lie in which direction from each light.
+    pub(crate) light_tables: &'a [LightTable],
+    /// Which shapes lie ahead of rays that leave each round mirror.
+    pub(crate) mirror_tables: &'a MirrorTables,
+}
+
 impl<W: World> World for &W {
     type Room = W::Room;
 
     #[inline(always)]
-    fn light_occluders(&self) -> &[LightOccluders<W::Room>] {
-        (**self).light_occluders()
-    }
-
-    #[inline(always)]
-    fn light_tables(&self) -> &[LightTable] {
-        (**self).light_tables()
-    }
-
-    #[inline(always)]
-    fn mirror_tables(&self) -> &MirrorTables {
-        (**self).mirror_tables()
+    fn tables(&self) -> Tables<'_, W::Room> {
+        (**self).tables()
     }
 }

@@ -3,7 +3,7 @@
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::MirrorTables;
-use super::{ActiveRoom, World};
+use super::{ActiveRoom, Tables, World};
 use crate::camera::Camera;
 use crate::scene::access::SceneAccess;
 use crate::scene::{
@@ -147,23 +147,16 @@ impl<R: Capacity> SceneAccess for SceneIn<R> {
     }
 }
 
-#[allow(private_interfaces)]
 impl<R: ActiveRoom> World for SceneIn<R> {
     type Room = R;
 
     #[inline(always)]
-    fn light_occluders(&self) -> &[LightOccluders<R>] {
-        used(self.light_occluders.as_ref(), self.plain.counts.lights)
-    }
-
-    #[inline(always)]
-    fn light_tables(&self) -> &[LightTable] {
-        &[]
-    }
-
-    #[inline(always)]
-    fn mirror_tables(&self) -> &MirrorTables {
-        MirrorTables::NONE
+    fn tables(&self) -> Tables<'_, R> {
+        Tables {
+            light_occluders: used(self.light_occluders.as_ref(), self.plain.counts.lights),
+            light_tables: &[],
+            mirror_tables: MirrorTables::NONE,
+        }
     }
 }
 
@@ -177,23 +170,15 @@ impl<R: Capacity> SceneAccess for Tabled<'_, R> {
     }
 }
 
-#[allow(private_interfaces)]
 impl<R: ActiveRoom> World for Tabled<'_, R> {
     type Room = R;
 
     #[inline(always)]
-    fn light_occluders(&self) -> &[LightOccluders<R>] {
-        self.scene.light_occluders()
-    }
-
-    #[inline(always)]
-    fn light_tables(&self) -> &[LightTable] {
-        used(self.light_tables.as_ref(), self.scene.plain.counts.lights)
-    }
-
-    #[inline(always)]
-    fn mirror_tables(&self) -> &MirrorTables {
-        MirrorTables::NONE
+    fn tables(&self) -> Tables<'_, R> {
+        Tables {
+            light_tables: used(self.light_tables.as_ref(), self.scene.plain.counts.lights),
+            ..self.scene.tables()
+        }
     }
 }
 

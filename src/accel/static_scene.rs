@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::{MirrorTable, MirrorTables};
-use super::{SceneIn, World};
+use super::{SceneIn, Tables, World};
 use crate::grid::Grid;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
@@ -114,9 +114,9 @@ macro_rules! apart {
 kinds!(apart);
 
 /// A list of mirror tables of each size: an array's length cannot come from the scene.
-struct Tables<T, const N: usize>(PhantomData<T>);
+struct MirrorList<T, const N: usize>(PhantomData<T>);
 
-impl<T: Apart, const N: usize> Tables<T, N> {
+impl<T: Apart, const N: usize> MirrorList<T, N> {
     const OF_SCENE: [MirrorTable; N] = MirrorTables::tables(&T::PARTS);
 }
 
@@ -125,14 +125,14 @@ const fn mirror_tables<T: Apart>() -> MirrorTables {
     let (numbers, room) = MirrorTables::numbered(&T::PARTS);
     let tables: &[MirrorTable] = match room {
         0 => &[],
-        1 => &Tables::<T, 1>::OF_SCENE,
-        2 => &Tables::<T, 2>::OF_SCENE,
-        3 => &Tables::<T, 3>::OF_SCENE,
-        4 => &Tables::<T, 4>::OF_SCENE,
-        6 => &Tables::<T, 6>::OF_SCENE,
-        8 => &Tables::<T, 8>::OF_SCENE,
-        12 => &Tables::<T, 12>::OF_SCENE,
-        _ => &Tables::<T, 16>::OF_SCENE,
+        1 => &MirrorList::<T, 1>::OF_SCENE,
+        2 => &MirrorList::<T, 2>::OF_SCENE,
+        3 => &MirrorList::<T, 3>::OF_SCENE,
+        4 => &MirrorList::<T, 4>::OF_SCENE,
+        6 => &MirrorList::<T, 6>::OF_SCENE,
+        8 => &MirrorList::<T, 8>::OF_SCENE,
+        12 => &MirrorList::<T, 12>::OF_SCENE,
+        _ => &MirrorList::<T, 16>::OF_SCENE,
     };
     MirrorTables { numbers, tables }
 }
@@ -164,22 +164,15 @@ impl<T: Apart> SceneAccess for Static<T> {
     }
 }
 
-#[allow(private_interfaces)]
 impl<T: Apart> World for Static<T> {
     type Room = <T::Scene as World>::Room;
 
     #[inline(always)]
-    fn light_occluders(&self) -> &[LightOccluders<Self::Room>] {
-        T::LIGHT_OCCLUDERS
-    }
-
-    #[inline(always)]
-    fn light_tables(&self) -> &[LightTable] {
-        T::LIGHT_TABLES
-    }
-
-    #[inline(always)]
-    fn mirror_tables(&self) -> &MirrorTables {
-        T::MIRROR_TABLES
+    fn tables(&self) -> Tables<'_, Self::Room> {
+        Tables {
+            light_occluders: T::LIGHT_OCCLUDERS,
+            light_tables: T::LIGHT_TABLES,
+            mirror_tables: T::MIRROR_TABLES,
+        }
     }
 }

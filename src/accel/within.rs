@@ -2,10 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::World;
-use super::light_occluders::LightOccluders;
-use super::light_table::LightTable;
-use super::mirror_table::MirrorTables;
+use super::{Tables, World};
 use crate::scene::access::{SceneAccess, if_needed};
 use crate::scene::{Bound, Needs, Parts};
 
@@ -57,34 +54,24 @@ impl<W: SceneAccess> SceneAccess for Whole<W> {
     }
 }
 
-/// Passes on what another scene has.
-macro_rules! passed_on {
-    ($world:tt; $lights:expr) => {
-        type Room = W::Room;
-
-        #[inline(always)]
-        fn light_occluders(&self) -> &[LightOccluders<W::Room>] {
-            if_needed($lights, self.$world.light_occluders())
-        }
-
-        #[inline(always)]
-        fn light_tables(&self) -> &[LightTable] {
-            self.$world.light_tables()
-        }
-
-        #[inline(always)]
-        fn mirror_tables(&self) -> &MirrorTables {
-            self.$world.mirror_tables()
-        }
-    };
-}
-
-#[allow(private_interfaces)]
 impl<W: World, B: Bound> World for Within<W, B> {
-    passed_on! { world; B::NEEDS.lights }
+    type Room = W::Room;
+
+    #[inline(always)]
+    fn tables(&self) -> Tables<'_, W::Room> {
+        let tables = self.world.tables();
+        Tables {
+            light_occluders: if_needed(B::NEEDS.lights, tables.light_occluders),
+            ..tables
+        }
+    }
 }
 
-#[allow(private_interfaces)]
 impl<W: World> World for Whole<W> {
-    passed_on! { 0; true }
+    type Room = W::Room;
+
+    #[inline(always)]
+    fn tables(&self) -> Tables<'_, W::Room> {
+        self.0.tables()
+    }
 }

@@ -263,7 +263,7 @@ fn outside_of<W: World>(world: &W, cylinder: Option<usize>) -> Surface<'_> {
 fn asked<W: World>(world: &W, random: &mut Sweep) -> [u32; 2] {
     let mut counts = [0; 2];
     let cylinders = world.parts().cylinders.len();
-    let lights = world.light_occluders().iter().enumerate();
+    let lights = world.tables().light_occluders.iter().enumerate();
     for (index, light) in lights.filter(|(_, it)| it.light().is_plain) {
         for round in 0..4000 {
             // As far as can be seen to all sides, or to a place among the shapes.
@@ -334,11 +334,11 @@ fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
             continue;
         };
         let surface = Surface::new(world, at, shape, direction).unwrap();
-        for (index, occluders) in world.light_occluders().iter().enumerate() {
+        for (index, occluders) in world.tables().light_occluders.iter().enumerate() {
             if !view.is_clear(index) {
                 continue;
             }
-            let (light, table) = (occluders.light(), &world.light_tables()[index]);
+            let (light, table) = (occluders.light(), &world.tables().light_tables[index]);
             let to_light = |from: ScaledPoint| {
                 let (direction, distance) = from.to(light.place).0.direction_and_length();
                 (ScaledRay::new(from, direction), distance)

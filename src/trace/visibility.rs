@@ -87,7 +87,7 @@ impl<W: World, Q: CullingQuality> Visibility for Culled<'_, W, Q> {
 
     #[inline(always)]
     fn lights(&self) -> &[LightOccluders<W::Room>] {
-        self.world.light_occluders()
+        self.world.tables().light_occluders
     }
 
     #[inline(always)]

@@ -16,7 +16,7 @@ fn marble(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Scenery {
 
 fn is_light_plain(scene: &Scenery) -> bool {
     let scene = scene.build().unwrap();
-    scene.light_occluders()[0].light().is_plain
+    scene.tables().light_occluders[0].light().is_plain
 }
 
 #[test]

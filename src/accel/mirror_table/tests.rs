@@ -211,7 +211,7 @@ fn only_constant_scenes_with_round_mirrors_and_some_shapes_have_tables() {
     ];
     assert_eq!(have_tables, [false, true, true, false, false, false]);
     fn tables<const N: usize>() -> usize {
-        Static::<Row<N>>::new().mirror_tables().tables.len()
+        Static::<Row<N>>::new().tables().mirror_tables.tables.len()
     }
     assert_eq!([tables::<4>(), tables::<5>(), tables::<16>()], [4, 6, 16]);
 }

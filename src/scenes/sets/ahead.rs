@@ -1,13 +1,11 @@
 //! Tests: paths come to the same whether or not mirrors have tables of what lies ahead of their rays.
 
 use crate::Camera;
-use crate::accel::World;
-use crate::accel::light_occluders::LightOccluders;
-use crate::accel::light_table::LightTable;
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::mirror_table::MirrorTables;
 use crate::accel::mirror_table::tests::{Built, crowd, leaked};
 use crate::accel::screen_culling::ScreenCulling;
+use crate::accel::{Tables, World};
 use crate::color::Sum;
 use crate::number::sweep::Sweep;
 use crate::ray::PathSignature;
@@ -35,16 +33,11 @@ impl SceneAccess for Tabled<'_> {
 impl World for Tabled<'_> {
     type Room = <Built as World>::Room;
 
-    fn light_occluders(&self) -> &[LightOccluders<Self::Room>] {
-        self.scene.light_occluders()
-    }
-
-    fn light_tables(&self) -> &[LightTable] {
-        self.scene.light_tables()
-    }
-
-    fn mirror_tables(&self) -> &MirrorTables {
-        &self.mirrors
+    fn tables(&self) -> Tables<'_, Self::Room> {
+        Tables {
+            mirror_tables: &self.mirrors,
+            ..self.scene.tables()
+        }
     }
 }
 
