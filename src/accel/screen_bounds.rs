@@ -42,6 +42,9 @@ macro_rules! rects {
                     );
                 }
                 let parts = world.parts();
+                // Said so, nothing of planes is linked where there are none.
+                let plane = if W::NEEDS.planes { eye.plane } else { None };
+                let eye = Eye { plane, ..*eye };
                 $(eye.look_at(parts.$list, self.$list.as_mut());)*
             }
         }

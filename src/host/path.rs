@@ -52,7 +52,7 @@ pub fn follow<W: SceneAccess>(
     let mut left = ShapeId::NONE;
     let mut rays = vec![plain(world, &path)];
     for _ in 0..reflections {
-        let hit = nearest_hit::<W, false>(world, &path, left, &mut PathSignature::new());
+        let hit = nearest_hit(world, &path, left, &mut PathSignature::new());
         let Some((at, shape)) = hit else {
             break;
         };

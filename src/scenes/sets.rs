@@ -313,7 +313,7 @@ fn light_tables_miss_no_shape() {
 
 /// Where a ray first hits a shape, and which, with every shape asked.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit::<_, false>(world, ray, skip, &mut PathSignature::new())
+    nearest_hit(world, ray, skip, &mut PathSignature::new())
 }
 
 /// Whether what a light that stands clear hides is told alike by the way from it and by the way to it,

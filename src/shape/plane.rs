@@ -9,7 +9,7 @@ pub(crate) use far::{NOT_MET, Side};
 use super::MaterialId;
 use crate::fault::Fault;
 use crate::grid::Grid;
-use crate::number::{Length, Unit, narrowed, narrowed_128, unsigned, word_and_sign};
+use crate::number::{Length, Unit, narrowed, narrowed_128, word_and_sign};
 use crate::ray::{Ray, ScaledPoint};
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -208,20 +208,6 @@ impl PreparedPlane {
         approach
             .is_before(&Approach::at(reach))
             .then(|| approach.distance())
-    }
-
-    /// Whether the ray meets the plane above 0 and below `reach`; no division.
-    pub(crate) fn blocks(&self, ray: &Ray, reach: Length) -> bool {
-        self.crossing(ray, reach).is_some()
-    }
-
-    /// The height above the plane and how fast the ray loses it, where it does before `reach`.
-    fn crossing(&self, ray: &Ray, reach: Length) -> Option<(u64, u32)> {
-        let height = self.height(ray.origin);
-        let climb = ray.direction.dot(self.normal).to_bits();
-        descent(height, climb).filter(|&(height, descent)| {
-            height < u64::from(descent) * u64::from(unsigned(reach.to_bits()))
-        })
     }
 }
 

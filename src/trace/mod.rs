@@ -17,8 +17,8 @@ use crate::number::{Unit, share};
 use crate::ray::{PathSignature, ScaledRay};
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::Hit;
-use crate::scene::query::nearest_hit;
-use crate::scene::{Mirrors, Surface, far, planes};
+use crate::scene::query::{located, nearest_hit};
+use crate::scene::{Mirrors, Surface, planes};
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{LightQuality, Lit};
 use crate::vector::Direction;
@@ -221,12 +221,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     ) -> Option<Surface<'a>> {
         let (world, skip) = (self.world, bounce.skip);
         let (at, shape) = if !Q::CULLING.is_any() {
-            nearest_hit::<W, false>(world, ray, skip, signature)
+            nearest_hit(world, ray, skip, signature)
         } else {
             let hit = self.near_hit(pixel, ray, bounce, signature);
             match Q::IS_PRECISE {
-                true => far::located::<W, true>(world, ray, skip, hit, signature),
-                false => far::located::<W, false>(world, ray, skip, hit, signature),
+                true => located::<W, true>(world, ray, skip, hit, signature),
+                false => located::<W, false>(world, ray, skip, hit, signature),
             }
         }?;
         Surface::new(world, at, shape, ray.direction())

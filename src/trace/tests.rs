@@ -40,7 +40,7 @@ fn path(from: ScaledPoint, towards: [f64; 3]) -> ScaledRay {
 
 /// Where a ray first hits a shape, and which, with every shape asked.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit::<_, false>(world, ray, skip, &mut PathSignature::new())
+    nearest_hit(world, ray, skip, &mut PathSignature::new())
 }
 
 /// What is known about one path.

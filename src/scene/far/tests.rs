@@ -3,8 +3,11 @@ use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::NEAR;
 use crate::ray::PathSignature;
-use crate::scene::query::nearest_hit;
-use crate::scene::{PlainScene, Room, RuntimeScene, query};
+use crate::scene::access::ShapeId;
+use crate::scene::nearest::{Hit, NOWHERE, any_blocks, nearest_of};
+use crate::scene::query::{located, nearest_hit};
+use crate::scene::shape_set::ShapeSet;
+use crate::scene::{PlainScene, Room, RuntimeScene, planes, query};
 use crate::vector::{Point, Position, Vector};
 
 type Built = PlainScene<Room<1, 2, 2, 0, 1>>;
@@ -32,14 +35,23 @@ fn scene() -> Built {
     scene
 }
 
-/// What a path meets first, by the plain query.
+/// What a path meets first, by the near kernels where they can tell.
 fn first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit::<_, false>(scene, path, ShapeId::NONE, &mut PathSignature::new())
+    let (skip, mut signature) = (ShapeId::NONE, PathSignature::new());
+    let hit = match path.from().is_near() {
+        true => {
+            let ray = (&path.ray, NOWHERE);
+            let bounded = nearest_of(scene, ShapeSet::ALL, ray, skip, &mut signature);
+            planes::nearest(scene, &path.ray, skip, bounded)
+        }
+        false => Hit::BEYOND,
+    };
+    located::<_, false>(scene, path, skip, hit, &mut signature)
 }
 
-/// What a path meets first, as if it were far.
+/// What a path meets first, by the plain query.
 fn far_first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
-    nearest(scene, path, ShapeId::NONE, &mut PathSignature::new())
+    nearest_hit(scene, path, ShapeId::NONE, &mut PathSignature::new())
 }
 
 /// A path from a place, aimed at a point among the shapes.
@@ -176,7 +188,13 @@ fn path_to_a_near_light_is_blocked_alike_near_and_far() {
             (light, distance, 0),
         );
         counts[usize::from(near)] += 1;
-        let far = occluded(&scene, &path, ShapeId::NONE, (light, distance, 0));
+        let epsilon = scene.parts().epsilon;
+        let reach = Length::from_bits((distance.to_bits() - epsilon.to_bits()).max(0));
+        let mut others = planes::others(&scene, ShapeId::NONE);
+        let far = others.any(|(_, plane)| plane.blocks(&path, reach, 0))
+            || between(&path, (light, reach, 0), epsilon).is_some_and(|(ray, reach)| {
+                any_blocks(&scene, ShapeSet::ALL, &ray, ShapeId::NONE, reach)
+            });
         assert_eq!(near, far, "{path:?} {light:?}");
     }
     assert!(counts.into_iter().all(|count| count > 10_000), "{counts:?}");

@@ -68,7 +68,7 @@ impl PreparedPlane {
     }
 
     /// Whether a path meets the plane before it has gone `reach` · 2^`scale` steps; no division.
-    pub(crate) fn blocks_far(&self, path: &ScaledRay, reach: Length, scale: u32) -> bool {
+    pub(crate) fn blocks(&self, path: &ScaledRay, reach: Length, scale: u32) -> bool {
         let (height, height_scale) = self.height_far(path.from());
         let climb = path.direction().dot(self.normal).to_bits();
         let Some((height, descent)) = descent(height, climb) else {

@@ -1,8 +1,14 @@
 use super::*;
 use crate::number::sweep::Sweep;
+use crate::number::unsigned;
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::shape::fixture::*;
 use crate::vector::Vector;
+
+/// A near ray as one from any place.
+fn from_near(ray: &Ray) -> ScaledRay {
+    ScaledRay::new(ScaledPoint::new(ray.origin, 0), ray.direction)
+}
 
 /// The plane z = `height` steps.
 fn floor_at(height: i32) -> PreparedPlane {
@@ -73,7 +79,7 @@ fn ray_along_a_plane_misses_it() {
             "at height {height}"
         );
         assert!(
-            !floor_at(0).blocks(&along, EVERYWHERE),
+            !floor_at(0).blocks(&from_near(&along), EVERYWHERE, 0),
             "at height {height}"
         );
     }
@@ -94,7 +100,11 @@ fn reach_ends_before_the_distance_it_names() {
     let from_above = ray([0, 0, 1 << 26], [0, 0, -1]);
     for (reach, blocks) in [(-1, false), (0, false), (1, true)] {
         let reach = Length::from_bits((1 << 26) + reach);
-        assert_eq!(floor_at(0).blocks(&from_above, reach), blocks, "{reach:?}");
+        assert_eq!(
+            floor_at(0).blocks(&from_near(&from_above), reach, 0),
+            blocks,
+            "{reach:?}"
+        );
         let met = floor_at(0).intersect(&from_above, reach);
         assert_eq!(met.is_some(), blocks, "{reach:?}");
     }
@@ -106,7 +116,7 @@ fn blocks_agrees_with_intersect() {
     let mut counts = [0; 2];
     for (plane, ray) in pairs(2) {
         let reach = Length::from_bits(sweep.within(1, 1 << 30));
-        let blocks = plane.blocks(&ray, reach);
+        let blocks = plane.blocks(&from_near(&ray), reach, 0);
         counts[usize::from(blocks)] += 1;
         let distance = in_double_precision(&plane, &ray);
         // Only where rounding decides may one see what the other does not.
@@ -176,9 +186,12 @@ fn paths_are_blocked_where_rays_are() {
     for (plane, ray) in pairs(6) {
         let path = ScaledRay::new(ScaledPoint::new(ray.origin, 0), ray.direction);
         let reach = Length::from_bits(sweep.within(1, 1 << 30));
-        let near = plane.blocks(&ray, reach);
+        let height = plane.height(ray.origin);
+        let near = descent(height, ray.direction.dot(plane.normal).to_bits()).is_some_and(
+            |(height, descent)| height < u64::from(descent) * u64::from(unsigned(reach.to_bits())),
+        );
         assert_eq!(
-            plane.blocks_far(&path, reach, 0),
+            plane.blocks(&path, reach, 0),
             near,
             "{plane:?} {ray:?} {reach:?}"
         );
@@ -195,7 +208,7 @@ fn reach_of_a_path_counts_in_its_scale() {
         ((1 << 20) + 1, 8, true),
         (1, 29, true),
     ] {
-        let found = plane.blocks_far(&path, Length::from_bits(reach), scale);
+        let found = plane.blocks(&path, Length::from_bits(reach), scale);
         assert_eq!(found, blocks, "{reach} at scale {scale}");
     }
 }
@@ -206,7 +219,7 @@ fn plane_too_far_for_rays_is_met_by_paths() {
     let far = PreparedPlane::new(direction([0, 0, 1]), -(1 << 61), 10, MaterialId(0));
     let down = ray([0, 0, 1 << 20], [0, 0, -1]);
     assert_eq!(far.intersect(&down, EVERYWHERE), None);
-    assert!(!far.blocks(&down, EVERYWHERE));
+    assert!(!far.blocks(&from_near(&down), EVERYWHERE, 0));
     let path = ScaledRay::new(ScaledPoint::new(down.origin, 0), down.direction);
     let distance = far.intersect_far(&path) as f64;
     let truth = 2f64.powi(41) + 2f64.powi(20);
@@ -219,7 +232,7 @@ fn plane_too_far_for_rays_is_met_by_paths() {
         ((1 << 29) + (1 << 8) + 16, true),
     ] {
         assert_eq!(
-            far.blocks_far(&path, Length::from_bits(reach), 12),
+            far.blocks(&path, Length::from_bits(reach), 12),
             blocks,
             "{reach}"
         );
@@ -239,7 +252,7 @@ fn path_from_far_away_comes_down_on_a_near_plane() {
         );
         let upward = ScaledRay::new(from, direction([-3, 0, 4]));
         assert_eq!(floor_at(0).intersect_far(&upward), NOT_MET);
-        assert!(!floor_at(0).blocks_far(&upward, EVERYWHERE, 40));
+        assert!(!floor_at(0).blocks(&upward, EVERYWHERE, 40));
     }
 }
 
