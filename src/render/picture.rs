@@ -3,10 +3,10 @@
 use core::marker::PhantomData;
 
 use super::{Colors, Report};
-use crate::accel::World;
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
+use crate::accel::{CullingQuality, World};
 use crate::camera::{Camera, RayGenerator};
 use crate::color::Sum;
 use crate::ray::ScaledPoint;
@@ -67,12 +67,11 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         let position = camera.description().position;
         let from = world.parts().grid.place(position);
         let generator = camera.generator(width, height);
-        let is_plain = Tracer::<W, K, Q>::IS_PLAIN;
-        picture.view = match is_plain {
-            true => LightVisibility::unclear(from),
-            false => LightVisibility::new(world, from),
+        picture.view = match Q::CULLING.light_occluders {
+            true => LightVisibility::new(world, from),
+            false => LightVisibility::unclear(from),
         };
-        if !is_plain && from.is_near() {
+        if Q::CULLING.screen_bounds && from.is_near() {
             let bounds = picture.bounds.insert(ScreenBounds::empty());
             bounds.look(world, &camera.screen_axes(&generator, from.point));
         }
@@ -152,7 +151,7 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         let (bounds, from) = (self.bounds.as_ref(), self.view.from);
         let culling = match Tracer::<W, K, Q>::IS_PLAIN {
             true => ScreenCulling::new::<false>(bounds, from, y, true),
-            false => ScreenCulling::new::<true>(bounds, from, y, false),
+            false => ScreenCulling::new::<true>(bounds, from, y, !Q::CULLING.screen_bounds),
         };
         Tracer::new(&self.world, &self.view, culling, self.reflections)
     }
