@@ -96,14 +96,17 @@ impl SetLayout {
     #[inline(always)]
     fn any(self, set: ShapeSet, kind: usize, mut is_it: impl FnMut(usize) -> bool) -> bool {
         let (start, end) = (self.starts[kind], self.starts[kind + 1]);
+        if start == end {
+            return false;
+        }
         let is_one_word = self.starts[KINDS] <= 32;
         let all = match is_one_word {
             true => low_word(set.0).into(),
             false => set.0,
         };
         let mut bits = all.checked_shr(to_u32(start)).unwrap_or(0);
-        // Bits after the last kind name no shape; in one word it takes less time to clear them than to ask.
-        if kind + 1 < KINDS || is_one_word {
+        // Bits after the last shape name none; in one word it takes less time to clear them than to ask.
+        if end < self.starts[KINDS] || is_one_word {
             let low = 1_u64.checked_shl(to_u32(end - start));
             bits &= low.map_or(u64::MAX, |end| end - 1);
         }
