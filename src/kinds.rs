@@ -24,9 +24,9 @@ macro_rules! kinds {
         $write! {
             $($next)?
             {
-                [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize = 8]
-                [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize]
-                [S, P, C, L, M]
+                [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize = 8, const D: usize = 0]
+                [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize, const D: usize]
+                [S, P, C, L, M, D]
             }
             {
                 spheres sphere Sphere PreparedSphere
@@ -42,6 +42,14 @@ macro_rules! kinds {
                 /// Adds an open cylinder around its `center`; the axis may have any length but 0, radius and
                 /// height are greater than 0.
                 add_cylinder(center: Position, axis: Position, radius: Number, height: Number)
+            }
+            {
+                discs disc Disc PreparedDisc
+                D Discs [ActiveDiscs D] "sixth"
+                TooManyDiscs without_discs
+                /// Adds a flat disc, which is seen from both sides; the normal may have any length but 0, the
+                /// radius is greater than 0.
+                add_disc(center: Position, normal: Position, radius: Number)
             }
         }
     };

@@ -1,6 +1,6 @@
 //! Ray-traced mirrors on microcontrollers.
 //!
-//! A bounded scene (spheres, planes, open cylinders, point lights) is rendered in fixed point, a
+//! A bounded scene (spheres, planes, open cylinders, discs, point lights) is rendered in fixed point, a
 //! row at a time and without a frame buffer, into any [embedded-graphics] `DrawTarget`. A pixel is
 //!
 //! > c = Σᵢ (1 − αᵢ) · (Π over k < i of αₖ) · cᵢ
@@ -116,7 +116,7 @@
 //!
 //! # What is not supported
 //!
-//! Refraction, textures, soft shadows, anti-aliasing, triangles, capped cylinders, light that falls
+//! Refraction, textures, soft shadows, anti-aliasing, triangles, light that falls
 //! off with distance.
 //!
 //! # Features
@@ -201,5 +201,5 @@ pub use scene::{
     RuntimeScene, RuntimeSceneIn, SceneBuilder, SceneBuilderIn, SceneError, Shininess,
 };
 pub use shade::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
-pub use shape::{MaterialId, cylinder::Cylinder, plane::Plane, sphere::Sphere};
+pub use shape::{MaterialId, cylinder::Cylinder, disc::Disc, plane::Plane, sphere::Sphere};
 pub use vector::Position;

@@ -79,6 +79,7 @@ fn the_readmes_limits_of_scene_files_are_the_librarys() {
         ("spheres", file::MAX_SPHERES),
         ("planes", file::MAX_PLANES),
         ("cylinders", file::MAX_CYLINDERS),
+        ("discs", file::MAX_DISCS),
         ("lights", file::MAX_LIGHTS),
         ("materials", file::MAX_MATERIALS),
     ]

@@ -4,6 +4,7 @@
 
 pub(crate) mod bounded;
 pub mod cylinder;
+pub mod disc;
 #[cfg(test)]
 mod fixture;
 pub mod plane;

@@ -13,7 +13,7 @@ use reflet::Fault::{self, *};
 use serde_json::Value;
 
 /// A constant of a scene or a material, and its fault.
-const FAULTS: [(&str, Fault); 34] = [
+const FAULTS: [(&str, Fault); 37] = [
     (".sphere([0.0; 3], 0.0, WHITE)", Radius),
     (".sphere([0.0; 3], -1.0, WHITE)", Radius),
     (".cylinder([0.0; 3], UP, 0.0, 1.0, WHITE)", Radius),
@@ -22,6 +22,8 @@ const FAULTS: [(&str, Fault); 34] = [
     (".cylinder([0.0; 3], UP, 1.0, -0.5, WHITE)", Height),
     (".plane([0.0; 3], [0.0; 3], WHITE)", Normal),
     (".cylinder([0.0; 3], [0.0; 3], 1.0, 1.0, WHITE)", Axis),
+    (".disc([0.0; 3], UP, 0.0, WHITE)", Radius),
+    (".disc([0.0; 3], [0.0; 3], 1.0, WHITE)", Normal),
     (".sphere([0.0, 1.1e9, 0.0], 1.0, WHITE)", Coordinate),
     (".sphere([f64::NAN, 0.0, 0.0], 1.0, WHITE)", Coordinate),
     (".plane([0.0, 0.0, -1.1e9], UP, WHITE)", Coordinate),
@@ -54,6 +56,10 @@ const FAULTS: [(&str, Fault); 34] = [
     (
         ".cylinder([0.0; 3], UP, 1.0, 1.0, WHITE).cylinder([1.0; 3], UP, 1.0, 1.0, WHITE)",
         TooManyCylinders,
+    ),
+    (
+        ".disc([0.0; 3], UP, 1.0, WHITE).disc([1.0; 3], UP, 1.0, WHITE)",
+        TooManyDiscs,
     ),
     (
         ".light([0.0; 3], [1.0; 3]).light([1.0; 3], [1.0; 3])",
@@ -113,7 +119,7 @@ fn cases() -> impl Iterator<Item = (&'static str, &'static str)> {
 fn program(constant: &str) -> String {
     let (kind, value) = match constant.split_once(['(', '.']) {
         Some(("", _)) => {
-            let scene = "Scene<2, 1, 1, 1, 1>";
+            let scene = "Scene<2, 1, 1, 1, 1, 1>";
             (scene, format!("Scene::builder(){constant}.build()"))
         }
         Some(("Camera::look_at", _)) => ("Camera", constant.to_owned()),

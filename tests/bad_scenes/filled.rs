@@ -2,12 +2,12 @@
 
 use std::error::Error;
 
-use reflet::SceneError::{Cylinder, Light, Plane, Scene, Sphere};
+use reflet::SceneError::{Cylinder, Disc, Light, Plane, Scene, Sphere};
 use reflet::{
     Camera, CameraError, Fault, Material, MaterialId, Number, Position, RuntimeScene, SceneError,
 };
 
-type Scenery = RuntimeScene<2, 2, 2, 2, 2>;
+type Scenery = RuntimeScene<2, 2, 2, 2, 2, 2>;
 type Triple = [f64; 3];
 
 const NAN: f64 = f64::NAN;
@@ -41,6 +41,7 @@ fn words(fault: Fault) -> &'static str {
         Fault::TooManySpheres => "too many spheres: raise the scene type's first bound",
         Fault::TooManyPlanes => "too many planes: raise the scene type's second bound",
         Fault::TooManyCylinders => "too many cylinders: raise the scene type's third bound",
+        Fault::TooManyDiscs => "too many discs: raise the scene type's sixth bound",
         Fault::TooManyLights => "too many lights: raise the scene type's fourth bound",
         Fault::TooManyMaterials => "too many materials: raise the scene type's fifth bound",
         Fault::UnknownMaterial => "material does not exist in this scene: add it first",
@@ -64,6 +65,7 @@ fn assert_error(found: Option<SceneError>, expected: SceneError) {
         Sphere(index, fault) => (format!("sphere {index}"), fault),
         Plane(index, fault) => (format!("plane {index}"), fault),
         Cylinder(index, fault) => (format!("cylinder {index}"), fault),
+        Disc(index, fault) => (format!("disc {index}"), fault),
         Light(index, fault) => (format!("light {index}"), fault),
         SceneError::Material(index, fault) => (format!("material {index}"), fault),
         Scene(fault) => ("scene".to_owned(), fault),
@@ -87,6 +89,10 @@ fn plane(point: Triple, normal: Triple) -> Addition {
 
 fn cylinder(center: Triple, axis: Triple, radius: f64, height: f64) -> Addition {
     Box::new(move |scene, id| scene.add_cylinder(center, axis, radius, height, id))
+}
+
+fn disc(center: Triple, normal: Triple, radius: f64) -> Addition {
+    Box::new(move |scene, id| scene.add_disc(center, normal, radius, id))
 }
 
 fn light(position: Triple, color: Triple) -> Addition {
@@ -114,6 +120,7 @@ fn furnished() -> (Scenery, MaterialId) {
     scene
         .add_cylinder([3, 0, 0], [0, 0, 1], 1, 2, white)
         .unwrap();
+    scene.add_disc([3, 0, 1], [0, 0, 1], 1, white).unwrap();
     scene.add_light([0, -9, 9], [1, 1, 1]).unwrap();
     (scene, white)
 }
@@ -163,6 +170,8 @@ fn coordinates_beyond_the_format_are_refused() {
         assert_refused(Plane(1, fault), plane(ORIGIN, at));
         assert_refused(Cylinder(1, fault), cylinder(at, UP, 1.0, 1.0));
         assert_refused(Cylinder(1, fault), cylinder(ORIGIN, at, 1.0, 1.0));
+        assert_refused(Disc(1, fault), disc(at, UP, 1.0));
+        assert_refused(Disc(1, fault), disc(ORIGIN, at, 1.0));
         assert_refused(Light(1, fault), light(at, [1.0; 3]));
     }
     for at in GOOD_TRIPLES {
@@ -170,6 +179,7 @@ fn coordinates_beyond_the_format_are_refused() {
         assert_accepted(plane(at, UP));
         assert_accepted(plane(ORIGIN, at));
         assert_accepted(cylinder(at, at, 1.0, 1.0));
+        assert_accepted(disc(at, at, 1.0));
         assert_accepted(light(at, [1.0; 3]));
     }
 }
@@ -182,16 +192,19 @@ fn sizes_must_be_greater_than_zero_and_fit_the_format() {
         assert_refused(Sphere(1, Fault::Radius), sphere(ORIGIN, size));
         assert_refused(Cylinder(1, Fault::Radius), wide(size));
         assert_refused(Cylinder(1, Fault::Height), high(size));
+        assert_refused(Disc(1, Fault::Radius), disc(ORIGIN, UP, size));
     }
     for size in UNHEARD_OF.into_iter().chain([BEYOND, 1e30]) {
         assert_refused(Sphere(1, Fault::Coordinate), sphere(ORIGIN, size));
         assert_refused(Cylinder(1, Fault::Coordinate), wide(size));
         assert_refused(Cylinder(1, Fault::Coordinate), high(size));
+        assert_refused(Disc(1, Fault::Coordinate), disc(ORIGIN, UP, size));
     }
     for size in [1e-12, 1.0, LIMIT] {
         assert_accepted(sphere(ORIGIN, size));
         assert_accepted(wide(size));
         assert_accepted(high(size));
+        assert_accepted(disc(ORIGIN, UP, size));
     }
 }
 
@@ -201,10 +214,12 @@ fn normals_and_axes_must_point_somewhere() {
     for zero in [[0.0; 3], [-0.0; 3], [1e-30, -1e-30, 0.0]] {
         assert_refused(Plane(1, Fault::Normal), plane(ORIGIN, zero));
         assert_refused(Cylinder(1, Fault::Axis), cylinder(ORIGIN, zero, 1.0, 1.0));
+        assert_refused(Disc(1, Fault::Normal), disc(ORIGIN, zero, 1.0));
     }
     for short in [[1e-15, 0.0, 0.0], [0.0, -1e-19, 0.0]] {
         assert_accepted(plane(ORIGIN, short));
         assert_accepted(cylinder(ORIGIN, short, 1.0, 1.0));
+        assert_accepted(disc(ORIGIN, short, 1.0));
     }
 }
 
@@ -243,6 +258,7 @@ fn more_than_the_room_is_refused() {
             sphere([at; 3], 1.0),
             plane([at; 3], [0.0, 1.0, 0.0]),
             cylinder([at; 3], [0.0, 1.0, 0.0], 1.0, 1.0),
+            disc([at; 3], [0.0, 1.0, 0.0], 1.0),
             light([at; 3], [1.0; 3]),
             material([0.1 * at; 3]),
         ]
@@ -255,6 +271,7 @@ fn more_than_the_room_is_refused() {
         Sphere(2, Fault::TooManySpheres),
         Plane(2, Fault::TooManyPlanes),
         Cylinder(2, Fault::TooManyCylinders),
+        Disc(2, Fault::TooManyDiscs),
         Light(2, Fault::TooManyLights),
         SceneError::Material(2, Fault::TooManyMaterials),
     ];
@@ -273,6 +290,7 @@ fn material_of_another_scene_is_refused() {
     assert_refused_with(foreign, Sphere(1, fault), sphere(ORIGIN, 1.0));
     assert_refused_with(foreign, Plane(1, fault), plane(ORIGIN, UP));
     assert_refused_with(foreign, Cylinder(1, fault), tube);
+    assert_refused_with(foreign, Disc(1, fault), disc(ORIGIN, UP, 1.0));
 }
 
 #[test]
@@ -280,6 +298,10 @@ fn what_shows_in_the_whole_scene_is_refused_when_it_is_built() {
     let (mut scene, white) = furnished();
     scene.add_sphere([0; 3], 1e-9, white).unwrap();
     assert_error(scene.build().err(), Sphere(1, Fault::Tiny));
+
+    let (mut scene, white) = furnished();
+    scene.add_disc([0; 3], [0, 0, 1], 1e-9, white).unwrap();
+    assert_error(scene.build().err(), Disc(1, Fault::Tiny));
 
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();

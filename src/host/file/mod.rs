@@ -17,6 +17,7 @@
 //!   "cylinders": [
 //!     { "center": [2, 0, 1], "axis": [0, 0, 1], "radius": 0.5, "height": 2, "material": "gold" }
 //!   ],
+//!   "discs": [ { "center": [2, 0, 2], "normal": [0, 0, 1], "radius": 0.5, "material": "gold" } ],
 //!   "background": [0, 0, 0],
 //!   "epsilon": 0.001
 //! }
@@ -56,6 +57,9 @@ pub const MAX_PLANES: usize = 32;
 /// The most cylinders that a scene of a file may have.
 pub const MAX_CYLINDERS: usize = 128;
 
+/// The most discs that a scene of a file may have.
+pub const MAX_DISCS: usize = 128;
+
 /// The most lights that a scene of a file may have.
 pub const MAX_LIGHTS: usize = 16;
 
@@ -63,7 +67,8 @@ pub const MAX_LIGHTS: usize = 16;
 pub const MAX_MATERIALS: usize = 256;
 
 /// Room for the most that a file may hold.
-pub type FileRoom = Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS>;
+pub type FileRoom =
+    Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS, MAX_DISCS>;
 
 /// The scene of a file as it is filled.
 pub type FileRuntimeScene = RuntimeSceneIn<FileRoom>;

@@ -26,6 +26,7 @@ fn scene() -> Value {
         "planes": [ { "center": [0, 0, -1], "normal": [0, 0, 2], "material": "clay" } ],
         "cylinders": [ { "center": [2, 0, 1], "axis": [0, 0, 3], "radius": 0.5, "height": 2.5,
                          "material": "gold" } ],
+        "discs": [ { "center": [2, 0.5, 3], "normal": [0, 0, 4], "radius": 0.75, "material": "clay" } ],
         "background": [0.125, 0.25, 0.375],
         "epsilon": 0.0078125
     })
@@ -99,6 +100,12 @@ fn every_number_arrives_in_the_reference() {
             radius: 0.5,
             height: 2.5,
             material: 1,
+        }],
+        discs: vec![reference::Disc {
+            center: [2.0, 0.5, 3.0],
+            normal: [0.0, 0.0, 4.0],
+            radius: 0.75,
+            material: 0,
         }],
         lights: vec![reference::Light {
             position: [3.0, -4.0, 6.0],
@@ -239,6 +246,7 @@ fn every_key_but_the_optional_ones_is_required() {
         "/spheres/0",
         "/planes/0",
         "/cylinders/0",
+        "/discs/0",
     ];
     for pointer in objects {
         let object = scene();
@@ -255,7 +263,7 @@ fn every_key_but_the_optional_ones_is_required() {
 
 #[test]
 fn unknown_material_is_named_with_its_shape() {
-    for list in ["spheres", "planes", "cylinders"] {
+    for list in ["spheres", "planes", "cylinders", "discs"] {
         let found = complaint(&scene_with(&format!("/{list}/0/material"), "brass"));
         let expected = format!("scene still life: {list}[0].material: there is no material brass");
         assert_eq!(found, expected);
@@ -294,6 +302,16 @@ fn what_the_core_refuses_is_reported_with_its_place() {
             "/cylinders/0/axis",
             json!([0, 0, 0]),
             "cylinders[0]: axis must not be zero",
+        ),
+        (
+            "/discs/0/radius",
+            json!(0),
+            "discs[0]: radius must be greater than 0",
+        ),
+        (
+            "/discs/0/normal",
+            json!([0, 0, 0]),
+            "discs[0]: normal must not be zero",
         ),
         (
             "/planes/0/normal",
@@ -358,6 +376,7 @@ fn file_may_hold_as_many_parts_as_it_says() {
         ("spheres", 512),
         ("planes", 32),
         ("cylinders", 128),
+        ("discs", 128),
         ("lights", 16),
         ("materials", 256),
     ];

@@ -103,12 +103,12 @@ fn triple(numbers: [Number; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::host::reference::{Cylinder, Plane, Sphere};
+    use crate::host::reference::{Cylinder, Disc, Plane, Sphere};
     use crate::scene::RuntimeScene;
 
     #[test]
     fn every_number_of_a_description_arrives_in_its_place() {
-        let mut described = RuntimeScene::<1, 1, 1, 1, 2>::new();
+        let mut described = RuntimeScene::<1, 1, 1, 1, 2, 1>::new();
         let gold = material::Material::new([0.1, 0.2, 0.3])
             .ambient(0.4)
             .diffuse(0.5)
@@ -122,6 +122,9 @@ mod tests {
             .unwrap();
         described
             .add_cylinder([3.1, 3.2, 3.3], [3.4, 3.5, 3.6], 3.7, 3.8, gold)
+            .unwrap();
+        described
+            .add_disc([5.1, 5.2, 5.3], [5.4, 5.5, 5.6], 5.7, chalk)
             .unwrap();
         described
             .add_light([4.1, 4.2, 4.3], [0.4, 0.5, 0.6])
@@ -147,6 +150,12 @@ mod tests {
             height: 3.8,
             material: 1,
         };
+        let disc = Disc {
+            center: [5.1, 5.2, 5.3],
+            normal: [5.4, 5.5, 5.6],
+            radius: 5.7,
+            material: 0,
+        };
         let light = Light {
             position: [4.1, 4.2, 4.3],
             color: [0.4, 0.5, 0.6],
@@ -162,6 +171,7 @@ mod tests {
         assert_eq!(scene.spheres, [sphere]);
         assert_eq!(scene.planes, [plane]);
         assert_eq!(scene.cylinders, [cylinder]);
+        assert_eq!(scene.discs, [disc]);
         assert_eq!(scene.lights, [light]);
         assert_eq!(scene.materials[1], gold);
         assert_eq!(scene.materials[0].color, [0.9; 3]);

@@ -3,7 +3,7 @@
 
 use std::vec::Vec;
 
-use super::{Camera, Cylinder, Light, Material, Plane, Real, Scene, Shape, Sphere, model};
+use super::{Camera, Cylinder, Disc, Light, Material, Plane, Real, Scene, Shape, Sphere, model};
 
 macro_rules! prepared {
     ($parameters:tt $({ $list:ident $kind:ident $described:ident $($more:tt)* })*) => {
@@ -74,6 +74,15 @@ fn cylinder(cylinder: &Cylinder) -> model::Cylinder {
         radius: cylinder.radius as Real,
         half_height: cylinder.height as Real / 2.0,
         material: cylinder.material,
+    }
+}
+
+fn disc(disc: &Disc) -> model::Disc {
+    model::Disc {
+        center: vector(disc.center),
+        normal: vector(disc.normal).unit(),
+        radius: disc.radius as Real,
+        material: disc.material,
     }
 }
 

@@ -2,7 +2,7 @@ use super::*;
 use crate::material::Material;
 use crate::scene::{Capacity, Room, RuntimeScene, SceneError};
 
-type Scenery = RuntimeScene<4, 3, 2, 2, 4>;
+type Scenery = RuntimeScene<4, 3, 2, 2, 4, 1>;
 
 /// What a scene needs that a function has filled.
 fn needs(fill: impl FnOnce(&mut Scenery) -> Result<(), SceneError>) -> Needs {
@@ -29,6 +29,7 @@ fn full_scene_needs_everything() {
             scene.add_sphere([x, 0, 0], 1, red)?;
             scene.add_cylinder([x, 3, 0], [0, 0, 1], 1, 1, glass)?;
         }
+        scene.add_disc([0, 3, 1], [0, 0, 1], 1, red)?;
         scene.add_plane([0, 0, -2], [0, 0, 1], glass)?;
         scene.add_light([9, 9, 9], [1, 1, 1])
     });
@@ -109,6 +110,7 @@ fn bound_names_the_first_need_beyond_it() {
         (all.without_spheres(), "spheres"),
         (all.without_planes(), "planes"),
         (all.without_cylinders(), "cylinders"),
+        (all.without_discs(), "discs"),
         (all.without_lights(), "lights"),
         (all.without_highlights(), "highlights"),
         (all.with_shininess(Shininess::Whole), "shininess"),
@@ -126,7 +128,7 @@ fn bound_names_the_first_need_beyond_it() {
 
 #[test]
 fn room_bounds_every_scene_in_it() {
-    let roomy = Needs::of_room(&Room::<4, 3, 2, 2, 4>::COUNTS);
+    let roomy = Needs::of_room(&Room::<4, 3, 2, 2, 4, 1>::COUNTS);
     let scene = needs(|scene| {
         let red = scene.add_material(Material::new([0.9, 0.1, 0.1]).mirror(0.3))?;
         scene.add_plane([0, 0, -2], [0, 0, 1], red)

@@ -3,8 +3,8 @@
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
 use reflet::{
-    BlinnPhong, Exact, Fast, Fine, Frame, Normals, Phong, Quality, Report, Scene, Shading, Small,
-    Unit, Unshadowed, World,
+    BlinnPhong, Exact, Fast, Fine, Frame, Normals, Phong, Quality, Report, Shading, Small, Unit,
+    Unshadowed, World,
 };
 
 use crate::Wild;
@@ -24,7 +24,7 @@ impl Wild {
     /// The picture has taken more rays than a frame may, or a path has been cut off though nothing
     /// mirrors.
     pub fn draw(&self) -> Option<Drawn> {
-        let built: Scene<6, 4, 4, 4, 4> = self.scene.build().ok()?;
+        let built = self.scene.build().ok()?;
         let frame = built.frame(&self.camera).reflections(self.reflections);
         Some(match self.kind % 8 {
             0 => self.paint(frame.quality::<Fast>()),

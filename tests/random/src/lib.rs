@@ -17,7 +17,7 @@ use reflet::{Camera, Material, MaterialId, RuntimeScene, SceneError};
 pub use draw::Drawn;
 
 /// Room for what a few hundred bytes describe.
-pub type Scenery = RuntimeScene<6, 4, 4, 4, 4>;
+pub type Scenery = RuntimeScene<6, 4, 4, 4, 4, 4>;
 
 /// A scene that the library accepts, and how it is to be drawn.
 #[derive(Clone, Debug)]
@@ -95,7 +95,27 @@ fn fill(
     if ids.is_empty() {
         return Ok(Ok(scene));
     }
-    Ok(add_all(bytes, numbers, &mut scene, &ids)?.map(|()| scene))
+    if let Err(error) = add_all(bytes, numbers, &mut scene, &ids)? {
+        return Ok(Err(error));
+    }
+    Ok(add_discs(bytes, numbers, &mut scene, &ids)?.map(|()| scene))
+}
+
+/// Read after all else, so that the same bytes make the same other parts as before there were discs.
+fn add_discs(
+    bytes: &mut Unstructured,
+    numbers: &mut Numbers,
+    scene: &mut Scenery,
+    ids: &[MaterialId],
+) -> Result<std::result::Result<(), SceneError>> {
+    for _ in 0..bytes.int_in_range(0..=4)? {
+        let (center, normal) = (numbers.place(bytes)?, numbers.way(bytes)?);
+        let (radius, id) = (numbers.size(bytes)?, *bytes.choose(ids)?);
+        if let Err(error) = scene.add_disc(center, normal, radius, id) {
+            return Ok(Err(error));
+        }
+    }
+    Ok(Ok(()))
 }
 
 fn add_all(

@@ -16,7 +16,7 @@ use reflet::{
 const SIZE: Size = Size::new(80, 60);
 
 /// Room for every built-in scene.
-type Largest = RuntimeScene<64, 8, 32, 8, 16>;
+type Largest = RuntimeScene<64, 8, 32, 8, 16, 16>;
 
 /// A run-time scene filled from a description.
 fn refilled(description: &Description<'_>) -> Largest {
@@ -40,6 +40,10 @@ fn refilled(description: &Description<'_>) -> Largest {
         let id = ids[it.material.index()];
         let added = scene.add_cylinder(it.center, it.axis, it.radius, it.height, id);
         added.unwrap();
+    }
+    for it in description.discs {
+        let id = ids[it.material.index()];
+        scene.add_disc(it.center, it.normal, it.radius, id).unwrap();
     }
     for light in description.lights {
         scene.add_light(light.position, light.color).unwrap();
@@ -145,7 +149,7 @@ fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
     let free = floor.frame(&Floor::CAMERA);
     let bound = floor.frame_within::<Bare>(&Floor::CAMERA).ok().unwrap();
     assert_alike::<Fast, BlinnPhong, _, _>(SIZE, "floor", free, bound);
-    let excess = |scene: &Scene<64, 8, 32, 8, 16>| scene.frame_within::<Bare>(camera).err();
+    let excess = |scene: &Scene<64, 8, 32, 8, 16, 16>| scene.frame_within::<Bare>(camera).err();
     assert_eq!(excess(&castle).unwrap().need, "spheres");
     assert_eq!(excess(&floor), None);
     let mut two_floors = Largest::new();
@@ -191,7 +195,7 @@ prop_compose! {
     }
 }
 
-type Few = RuntimeScene<2, 2, 1, 2, 2>;
+type Few = RuntimeScene<2, 2, 1, 2, 2, 2>;
 
 prop_compose! {
     /// A scene of few shapes, so that each need is often missing.
@@ -201,6 +205,7 @@ prop_compose! {
         spheres in prop::collection::vec(point(), 0..=2),
         planes in prop::collection::vec(point(), 0..=2),
         cylinders in prop::collection::vec(point(), 0..=1),
+        discs in prop::collection::vec((point(), point()), 0..=2),
         lights in prop::collection::vec((point(), coefficient()), 0..=2),
     ) -> Few {
         let mut scene = Few::new();
@@ -218,6 +223,9 @@ prop_compose! {
         for at in cylinders {
             scene.add_cylinder(at, [0.3, 0.2, 1.0], 0.4, 1.5, id(1)).unwrap();
         }
+        for (index, (at, normal)) in discs.into_iter().enumerate() {
+            scene.add_disc(at, normal, 0.8, id(index)).unwrap();
+        }
         for (at, green) in lights {
             scene.add_light(at.map(|it| 4.0 * it), [0.5, green, 0.5]).unwrap();
         }
@@ -234,7 +242,7 @@ fn within_a_step(a: &[[u8; 3]], b: &[[u8; 3]]) -> usize {
 /// Bounds that leave out one thing each.
 struct Off<const I: usize>;
 
-const OFF: [Needs; 9] = [
+const OFF: [Needs; 10] = [
     Needs::ALL.without_spheres(),
     Needs::ALL.without_planes(),
     Needs::ALL.without_cylinders(),
@@ -244,6 +252,7 @@ const OFF: [Needs; 9] = [
     Needs::ALL.without_mirrors(),
     Needs::ALL.with_mirrors(Mirrors::All),
     Needs::ALL.without_colors(),
+    Needs::ALL.without_discs(),
 ];
 
 impl<const I: usize> Bound for Off<I> {
@@ -251,7 +260,7 @@ impl<const I: usize> Bound for Off<I> {
 }
 
 /// Whether a scene is within a bound; if so, its pictures are held against those with no bound.
-fn is_held<const I: usize>(scene: &Scene<2, 2, 1, 2, 2>) -> bool {
+fn is_held<const I: usize>(scene: &Scene<2, 2, 1, 2, 2, 2>) -> bool {
     if scene.frame_within::<Off<I>>(&FRONT).is_err() {
         return false;
     }
@@ -284,6 +293,7 @@ fn what_a_bound_leaves_out_is_missed_by_no_scene_within_it() {
             is_held::<6>(&scene),
             is_held::<7>(&scene),
             is_held::<8>(&scene),
+            is_held::<9>(&scene),
         ];
         for (count, held) in counts.iter().zip(held) {
             count.set(count.get() + u32::from(held));

@@ -23,7 +23,7 @@ const WITHIN_8: f64 = 0.99;
 const WITHIN_1: f64 = 0.98;
 
 type Triple = [f64; 3];
-type Scenery = RuntimeScene<16, 4, 6, 4, 4>;
+type Scenery = RuntimeScene<16, 4, 6, 4, 4, 4>;
 
 /// A scene in a cube of ±1, how large that cube is, and where it stands.
 #[derive(Clone, Debug)]
@@ -32,6 +32,7 @@ struct Recipe {
     spheres: Vec<(Triple, f64, usize)>,
     planes: Vec<(Triple, Triple, usize)>,
     cylinders: Vec<(Triple, Triple, (f64, f64), usize)>,
+    discs: Vec<(Triple, Triple, f64, usize)>,
     lights: Vec<(Triple, f64, Triple)>,
     background: Triple,
     eye: Eye,
@@ -104,6 +105,7 @@ fn recipe() -> impl Strategy<Value = Recipe> {
     let planes = prop::collection::vec((triple(-2.0..2.0), any(), 0..4_usize), 0..4);
     let sizes = (0.02..0.3, 0.05..2.0);
     let cylinders = prop::collection::vec((any(), any(), sizes, 0..4_usize), 0..6);
+    let discs = prop::collection::vec((any(), any(), 0.05..0.6, 0..4_usize), 0..4);
     // Near and far ones.
     let away = prop_oneof![4 => 0.5..3.0, 1 => 10.0..1000.0, 1 => Just(5e3)];
     let lights = prop::collection::vec((any(), away, triple(0.0..1.0)), 1..4);
@@ -115,25 +117,28 @@ fn recipe() -> impl Strategy<Value = Recipe> {
         reference::Shading::Phong,
         reference::Shading::Normals,
     ]);
-    let things = (spheres, planes, cylinders, lights);
+    let things = (spheres, planes, cylinders, discs, lights);
     let surfaces = prop::collection::vec(surface(), 4);
     let view = (eye(), triple(-0.3..0.3), any());
     let place = (scale, offset, triple(0.0..1.0), 0..9_u8, shading);
     (surfaces, things, view, place).prop_map(
-        |(materials, (spheres, planes, cylinders, lights), (eye, target, up), place)| Recipe {
-            materials,
-            spheres,
-            planes,
-            cylinders,
-            lights,
-            eye,
-            target,
-            up,
-            scale: place.0,
-            offset: place.1,
-            background: place.2,
-            reflections: place.3,
-            shading: place.4,
+        |(materials, (spheres, planes, cylinders, discs, lights), (eye, target, up), place)| {
+            Recipe {
+                materials,
+                spheres,
+                planes,
+                cylinders,
+                discs,
+                lights,
+                eye,
+                target,
+                up,
+                scale: place.0,
+                offset: place.1,
+                background: place.2,
+                reflections: place.3,
+                shading: place.4,
+            }
         },
     )
 }
@@ -161,6 +166,9 @@ impl Recipe {
         for &(center, axis, (radius, height), id) in &self.cylinders {
             let (radius, height) = (radius * self.scale, height * self.scale);
             scene.add_cylinder(self.placed(center), axis, radius, height, ids[id])?;
+        }
+        for &(center, normal, radius, id) in &self.discs {
+            scene.add_disc(self.placed(center), normal, radius * self.scale, ids[id])?;
         }
         for &(towards, away, color) in &self.lights {
             let position = self.placed(towards.map(|it| it * away));
@@ -346,6 +354,7 @@ struct Wild {
     spheres: Vec<(Triple, f64)>,
     planes: Vec<(Triple, Triple)>,
     cylinders: Vec<(Triple, Triple, f64, f64)>,
+    discs: Vec<(Triple, Triple, f64)>,
     lights: Vec<(Triple, f64)>,
     epsilon: f64,
     unit: f64,
@@ -358,15 +367,17 @@ fn wild() -> impl Strategy<Value = Wild> {
     let planes = prop::collection::vec((any_triple(), any_triple()), 0..4);
     let cylinder = (any_triple(), any_triple(), any_size(), any_size());
     let cylinders = prop::collection::vec(cylinder, 0..4);
+    let discs = prop::collection::vec((any_triple(), any_triple(), any_size()), 0..4);
     let lights = prop::collection::vec((any_triple(), 0.0..2.0), 0..4);
     let unit = (-9.0..8.0).prop_map(|it: f64| 10f64.powf(it));
-    let shapes = (spheres, planes, cylinders);
+    let shapes = (spheres, planes, cylinders, discs);
     (surface, shapes, lights, any_size(), unit).prop_map(
-        |(surface, (spheres, planes, cylinders), lights, epsilon, unit)| Wild {
+        |(surface, (spheres, planes, cylinders, discs), lights, epsilon, unit)| Wild {
             surface,
             spheres,
             planes,
             cylinders,
+            discs,
             lights,
             epsilon,
             unit,
@@ -395,6 +406,9 @@ impl Wild {
         for &(center, axis, radius, height) in &self.cylinders {
             let (radius, height) = (sized(radius), sized(height));
             scene.add_cylinder(self.placed(center), axis, radius, height, id)?;
+        }
+        for &(center, normal, radius) in &self.discs {
+            scene.add_disc(self.placed(center), normal, sized(radius), id)?;
         }
         for &(position, color) in &self.lights {
             scene.add_light(self.placed(position), [color; 3])?;

@@ -17,11 +17,12 @@ pub const CAMERA: Camera =
 pub struct Ball;
 
 impl StaticScene for Ball {
-    type Scene = Scene<1, 1, 1, 1, 1>; // spheres, planes, cylinders, lights, materials
+    type Scene = Scene<1, 1, 1, 1, 1, 1>; // spheres, planes, cylinders, lights, materials, discs
     const SCENE: &'static Self::Scene = &Scene::builder()
         .sphere([0.0, 0.0, 1.0], 1.0, GOLD)
         .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], GOLD)
         .cylinder([2.0, 0.0, 1.0], [0.0, 0.0, 1.0], 0.5, 0.2, GOLD)
+        .disc([2.0, 0.0, 1.1], [0.0, 0.0, 1.0], 0.5, GOLD)
         .light([3.0, -4.0, 6.125], [1.0, 1.0, 1.0])
         .background([0.25, 0.5, 1.0])
         .epsilon(0.0005)

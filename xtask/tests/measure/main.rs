@@ -29,6 +29,7 @@ const SCENES: &str = r#"[
             { "center": [2, 0, 1], "axis": [0, 0, 1], "radius": 0.5, "height": 2e-1,
               "material": "gold" }
         ],
+        "discs": [ { "center": [2, 0, 1.1], "normal": [0, 0, 1], "radius": 0.5, "material": "gold" } ],
         "background": [0.25, 0.5, 1],
         "epsilon": 0.0005
     },

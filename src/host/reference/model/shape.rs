@@ -70,6 +70,19 @@ pub struct Cylinder {
     pub material: usize,
 }
 
+/// A flat disc, seen from both sides.
+#[derive(Clone, Copy, Debug)]
+pub struct Disc {
+    /// Its middle.
+    pub center: Vector,
+    /// Unit length.
+    pub normal: Vector,
+    /// Its radius.
+    pub radius: Real,
+    /// Its place in the list of materials.
+    pub material: usize,
+}
+
 impl Shape for Sphere {
     #[inline(always)]
     fn meet(&self, ray: &Ray, reach: Real) -> Option<Real> {
@@ -166,5 +179,27 @@ impl Shape for Cylinder {
 
     fn curvature(&self) -> Real {
         1.0 / self.radius
+    }
+}
+
+impl Shape for Disc {
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, reach: Real) -> Option<Real> {
+        let to_center = self.center - ray.origin;
+        let distance = self.normal.dot(to_center) / self.normal.dot(ray.direction);
+        if !(distance > 0.0 && distance < reach) {
+            return None;
+        }
+        let aside = to_center - ray.direction * distance;
+        (aside.dot(aside) <= self.radius * self.radius).then_some(distance)
+    }
+
+    #[inline]
+    fn normal(&self, _: Vector) -> Vector {
+        self.normal
+    }
+
+    fn curvature(&self) -> Real {
+        0.0
     }
 }

@@ -1,6 +1,6 @@
 //! Tests of `reference::model::shape`.
 
-use crate::host::reference::model::{Cylinder, Plane, Ray, Shape, Sphere, Vector};
+use crate::host::reference::model::{Cylinder, Disc, Plane, Ray, Shape, Sphere, Vector};
 use crate::number::sweep::Sweep;
 
 const BALL: Sphere = Sphere {
@@ -20,6 +20,13 @@ const TUBE: Cylinder = Cylinder {
     axis: Vector([0.0, 0.0, 1.0]),
     radius: 2.0,
     half_height: 3.0,
+    material: 0,
+};
+
+const LID: Disc = Disc {
+    center: Vector([0.0, 0.0, 1.0]),
+    normal: Vector([0.0, 0.0, 1.0]),
+    radius: 2.0,
     material: 0,
 };
 
@@ -153,6 +160,32 @@ fn ray_leaving_a_cylinder_misses_it() {
 }
 
 #[test]
+fn disc_is_met_from_both_sides() {
+    assert_eq!(meet(&LID, [1.0, 1.0, 4.0], [0.0, 0.0, -1.0]), Some(3.0));
+    assert_eq!(meet(&LID, [1.0, 1.0, -4.0], [0.0, 0.0, 1.0]), Some(5.0));
+    let distance = meet(&LID, [-3.0, 0.0, 5.0], [3.0, 0.0, -4.0]).unwrap();
+    assert!((distance - 5.0).abs() < 1e-14, "{distance}");
+}
+
+#[test]
+fn disc_behind_or_alongside_is_not_met() {
+    assert_eq!(meet(&LID, [0.0, 0.0, 4.0], [0.0, 0.0, 1.0]), None);
+    assert_eq!(meet(&LID, [0.0, -4.0, 4.0], [0.0, 1.0, 0.0]), None);
+    assert_eq!(meet(&LID, [0.0, -4.0, 1.0], [0.0, 1.0, 0.0]), None);
+    assert_eq!(meet(&LID, [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]), None);
+    assert_eq!(meet(&LID, [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]), None);
+}
+
+#[test]
+fn disc_ends_at_its_rim_which_belongs_to_it() {
+    let at = |aside| meet(&LID, [0.0, aside, 4.0], [0.0, 0.0, -1.0]);
+    for end in [-2.0, 2.0] {
+        assert_eq!(at(end), Some(3.0));
+        assert_eq!(at(end * (1.0 + 1e-12)), None);
+    }
+}
+
+#[test]
 fn tilted_cylinder_is_met_as_the_upright_one() {
     let tilted = Cylinder {
         axis: Vector([1.0, 1.0, 1.0]).unit(),
@@ -172,6 +205,7 @@ fn normals_point_outwards() {
     assert_eq!(FLOOR.normal(Vector([3.0, 9.0, 1.0])), up);
     let wall = TUBE.normal(Vector([0.0, -2.0, 1.7]));
     assert_eq!(wall, Vector([0.0, -1.0, 0.0]));
+    assert_eq!(LID.normal(Vector([1.0, 1.0, 1.0])), up);
 }
 
 #[test]
@@ -193,12 +227,17 @@ fn every_hit_of_a_sweep_lies_on_its_surface_and_nothing_lies_before_it() {
             axis,
             ..TUBE
         };
+        let lid = Disc {
+            center,
+            normal: axis,
+            ..LID
+        };
         // What is zero on the surface and, to first order, the distance from it.
         let off_ball = |at: Vector| (at - center).length() - ball.radius;
         let off_floor = |at: Vector| axis.dot(at - center);
         let off_tube = |at: Vector| axis.cross(at - center).length() - tube.radius;
-        let shapes: [&dyn Shape; 3] = [&ball, &floor, &tube];
-        let offs: [&dyn Fn(Vector) -> f64; 3] = [&off_ball, &off_floor, &off_tube];
+        let shapes: [&dyn Shape; 4] = [&ball, &floor, &tube, &lid];
+        let offs: [&dyn Fn(Vector) -> f64; 4] = [&off_ball, &off_floor, &off_tube, &off_floor];
         for (kind, (shape, off)) in shapes.into_iter().zip(offs).enumerate() {
             let Some(distance) = shape.meet(&ray, f64::INFINITY) else {
                 continue;
@@ -211,6 +250,8 @@ fn every_hit_of_a_sweep_lies_on_its_surface_and_nothing_lies_before_it() {
             assert!((shape.normal(at).length() - 1.0).abs() < 1e-14);
             if kind == 2 {
                 assert!(axis.dot(at - center).abs() <= tube.half_height + 1e-11);
+            } else if kind == 3 {
+                assert!((at - center).length() <= lid.radius + 1e-11);
             } else {
                 // Off the surface on one side all the way: a sphere and a plane have no holes.
                 let sides = (1..50).map(|step| off(ray.at(distance * f64::from(step) / 50.0)));
@@ -230,7 +271,12 @@ fn shape_at_the_reach_or_further_is_not_met() {
         normal: Vector([0.0, 1.0, 0.0]),
         material: 0,
     };
-    let shapes: [&dyn Shape; 3] = [&BALL, &wall, &TUBE];
+    let lid = Disc {
+        center: Vector([0.0, -2.0, 0.0]),
+        normal: Vector([0.0, 1.0, 0.0]),
+        ..LID
+    };
+    let shapes: [&dyn Shape; 4] = [&BALL, &wall, &TUBE, &lid];
     for shape in shapes {
         assert_eq!(shape.meet(&ray, 3.0), None);
         assert_eq!(shape.meet(&ray, 3.5), Some(3.0));

@@ -5,10 +5,11 @@ use reflet::host::file as limits;
 use serde_json::{Map, Value, json};
 
 /// The lists of a scene, and how many parts each may have.
-pub const LISTS: [(&str, usize); 5] = [
+pub const LISTS: [(&str, usize); 6] = [
     ("spheres", limits::MAX_SPHERES),
     ("planes", limits::MAX_PLANES),
     ("cylinders", limits::MAX_CYLINDERS),
+    ("discs", limits::MAX_DISCS),
     ("lights", limits::MAX_LIGHTS),
     ("materials", limits::MAX_MATERIALS),
 ];
@@ -80,7 +81,7 @@ pub fn scene(bytes: &mut Unstructured) -> Result<Value> {
     scene.insert("camera".to_owned(), camera);
     let materials = names.iter().map(|name| material(bytes, name));
     scene.insert("materials".to_owned(), materials.collect::<Result<_>>()?);
-    for kind in ["spheres", "planes", "cylinders", "lights"] {
+    for kind in ["spheres", "planes", "cylinders", "discs", "lights"] {
         if bytes.arbitrary()? {
             let count = bytes.int_in_range(0..=3)?;
             let parts = (0..count).map(|_| part(bytes, kind, names));
@@ -115,6 +116,7 @@ fn part(bytes: &mut Unstructured, kind: &str, names: &[&str]) -> Result<Value> {
         "planes" => json!({ "center": center, "normal": way, "material": name }),
         "cylinders" => json!({ "center": center, "axis": way, "radius": radius,
                                "height": height, "material": name }),
+        "discs" => json!({ "center": center, "normal": way, "radius": radius, "material": name }),
         _ => json!({ "position": center, "color": color(bytes)? }),
     })
 }

@@ -92,6 +92,7 @@ fn still_life() -> Value {
         "planes": [ { "center": [0, 0, -1], "normal": [0, 0, 2], "material": "clay" } ],
         "cylinders": [ { "center": [2, 0, 1], "axis": [0, 0, 3], "radius": 0.5, "height": 2.5,
                          "material": "clay" } ],
+        "discs": [ { "center": [2, 0, 3], "normal": [0, 0, 4], "radius": 0.75, "material": "clay" } ],
         "background": [0.125, 0.25, 0.375],
         "epsilon": 0.0078125
     })
@@ -124,14 +125,14 @@ fn every_number_is_judged_alike_at_its_edges() {
             tried += 1;
         }
     }
-    assert_eq!(tried, 46 * document::EDGES.len());
+    assert_eq!(tried, 53 * document::EDGES.len());
 }
 
 #[test]
 fn largest_scene_is_taken_by_both() {
     const MOST: i32 = 1 << 30;
     let mut file = still_life();
-    for list in ["lights", "planes", "cylinders"] {
+    for list in ["lights", "planes", "cylinders", "discs"] {
         file[list] = json!([]);
     }
     let sphere = |x| json!({ "center": [x, 0, 0], "radius": MOST, "material": "clay" });
@@ -177,7 +178,12 @@ fn every_list_is_judged_alike_at_its_most() {
 #[test]
 fn zero_directions_are_refused_by_both() {
     let validator = validator();
-    for place in ["/camera/up", "/planes/0/normal", "/cylinders/0/axis"] {
+    for place in [
+        "/camera/up",
+        "/planes/0/normal",
+        "/cylinders/0/axis",
+        "/discs/0/normal",
+    ] {
         let mut file = still_life();
         *file.pointer_mut(place).unwrap() = json!([0, 0.0, -0.0]);
         assert!(!validator.is_valid(&file), "{place}");

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 #[derive(Clone)]
 pub struct Draft {
     camera: Value,
-    parts: [(&'static str, Vec<Value>); 5],
+    parts: [(&'static str, Vec<Value>); 6],
     background: [f64; 3],
     epsilon: Option<f64>,
 }
@@ -23,7 +23,14 @@ impl Draft {
     /// What a camera of any kind sees. The materials of [`Draft::material`] are there: chalk, gold,
     /// water, red, black, white and mirror.
     pub fn through(position: [f64; 3], target: [f64; 3], up: [f64; 3], fov: f64) -> Self {
-        let empty = ["materials", "lights", "spheres", "planes", "cylinders"];
+        let empty = [
+            "materials",
+            "lights",
+            "spheres",
+            "planes",
+            "cylinders",
+            "discs",
+        ];
         let draft = Self {
             camera: json!({"position": position, "target": target, "up": up, "fov": fov}),
             parts: empty.map(|name| (name, Vec::new())),
@@ -93,6 +100,14 @@ impl Draft {
             "material": material,
         });
         self.part("cylinders", cylinder)
+    }
+
+    /// With a disc: its middle, normal and radius.
+    pub fn disc(self, center: [f64; 3], normal: [f64; 3], radius: f64, material: &str) -> Self {
+        let disc = json!({
+            "center": center, "normal": normal, "radius": radius, "material": material,
+        });
+        self.part("discs", disc)
     }
 
     /// Before another background.

@@ -23,10 +23,30 @@ fn pipe(eye: [f64; 3], target: [f64; 3]) -> Draft {
         .cylinder([0.0; 3], [0.0, 1.0, 0.0], (0.5, 2.0), "gold")
 }
 
+/// A mirror level with the eye, but for a slope, and one beside the view, between balls.
+fn edge_on(slope: f64) -> Draft {
+    ahead()
+        .sphere([0.0, 0.5, 0.6], 0.5, "gold")
+        .sphere([0.3, 0.0, -0.7], 0.5, "chalk")
+        .disc([0.0; 3], [0.0, slope, 1.0], 1.2, "mirror")
+        .disc([-1.0, 0.0, 0.0], [5.0, -1.0 + slope, 0.0], 0.8, "mirror")
+}
+
+/// A cylinder that is closed at both ends, over a floor.
+fn closed() -> Draft {
+    Draft::seen_from([1.0, -5.0, 2.5], [0.0, 0.0, 0.5])
+        .light(LAMP)
+        .cylinder([0.0, 0.0, 0.75], UP, (0.8, 1.5), "red")
+        .disc([0.0, 0.0, 1.5], UP, 0.8, "water")
+        .disc([0.0; 3], UP, 0.8, "gold")
+        .plane([0.0, 0.0, -0.5], UP, "chalk")
+}
+
 fn rays() -> Vec<Case> {
     let horizon =
         "rows of pixels beside the horizon meet the floor at any distance, up to for ever";
     let rim = "a rim's rays touch: the root of what is left of two equal squares";
+    let edge = "the rate at which a ray nears the disc is a difference of two numbers beside one";
     let axis = "the square of the sine to the axis is a difference of two numbers beside one";
     let high = still_life([0.0, -4.0, 1.0], [0.0, 0.0, 1.0], 50.0);
     let low = still_life([0.0, -4.0, 1e-4], [0.0, 0.0, 1e-4], 50.0);
@@ -62,6 +82,8 @@ fn rays() -> Vec<Case> {
                 .plane([0.0; 3], [0.0, 1.0, 0.0], "gold")
                 .plane([0.0, 5.0, 0.0], [0.0, 1.0, 0.3], "chalk"),
         ),
+        picture("mirror disc seen edge-on", edge, edge_on(0.0)),
+        picture("mirror disc 0.1° from edge-on", edge, edge_on(1.0 / 573.0)),
         picture("along a cylinder's axis", axis, along),
         picture("parallel to a cylinder's axis", axis, parallel),
         picture("along a cylinder's wall", axis, wall),
@@ -107,6 +129,14 @@ fn touching() -> Vec<Case> {
         picture("touching spheres", touch, touching),
         picture("spheres on a floor", touch, on_a_floor),
         picture("nested spheres that touch", touch, nested),
+        picture("cylinder closed by glossy discs", touch, closed()),
+        picture(
+            "disc that touches a sphere",
+            touch,
+            above()
+                .sphere([0.0, 0.0, 0.5], 0.5, "gold")
+                .disc([0.0; 3], UP, 1.5, "water"),
+        ),
         picture(
             "nested spheres, from inside",
             "every ray starts inside of one shape and outside of the others",
@@ -141,9 +171,12 @@ fn twins() -> Vec<(&'static str, Draft, Draft)> {
     let one = tube(above(), "chalk");
     let flats = flat.clone().plane([0.0; 3], [0.0, 0.0, -2.0], "black");
     let slopes = slope.clone().plane([0.0; 3], TILTED, "black");
+    let plate = |draft: Draft, name| draft.disc([0.0; 3], TILTED, 1.0, name);
+    let lid = plate(above(), "gold");
     vec![
         ("sphere", ball.clone(), ball.sphere([0.0; 3], 1.0, "black")),
         ("cylinder", one.clone(), tube(one, "gold")),
+        ("disc", lid.clone(), plate(lid, "black")),
         ("plane", flat, flats),
         ("tilted plane", slope, slopes),
     ]

@@ -1,0 +1,219 @@
+//! Discs in pictures: beside double precision, edge-on, and where they close a cylinder.
+
+use embedded_graphics::prelude::Size;
+use reflet::host::compare::compare;
+use reflet::host::reference::bound::{Ending, Paths};
+use reflet::host::reference::{self, Picture, render};
+use reflet::host::{painted, precision};
+use reflet::{
+    BlinnPhong, Camera, Exact, Fast, Fine, Frame, Material, MaterialId, Phong, Quality,
+    RuntimeScene, Shading, Small, World,
+};
+
+const SIDE: u32 = 160;
+const REFLECTIONS: u8 = 4;
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+type Scenery = RuntimeScene<1, 1, 1, 2, 4, 6>;
+
+fn materials(scene: &mut Scenery) -> [MaterialId; 4] {
+    let red = Material::new([0.9, 0.2, 0.1]).ambient(0.2).diffuse(0.6);
+    let gold = Material::new([0.7, 0.6, 0.0]).ambient(0.2).diffuse(0.4);
+    let chalk = Material::new([0.9, 0.9, 0.8]).ambient(0.2).diffuse(0.8);
+    let mirror = Material::new([1.0; 3]).ambient(0.0).diffuse(0.0);
+    [
+        red.specular(0.5, 20.0),
+        gold.specular(0.8, 4.0).mirror(0.4),
+        chalk,
+        mirror.mirror(1.0),
+    ]
+    .map(|material| scene.add_material(material).unwrap())
+}
+
+/// A leaning cylinder with a disc at each end, before a round mirror, under a lamp with a shade.
+fn lids() -> (Scenery, Camera) {
+    let mut scene = Scenery::new();
+    let [red, gold, chalk, mirror] = materials(&mut scene);
+    scene.add_sphere([1.4, -0.5, 0.5], 0.5, gold).unwrap();
+    scene.add_plane([0, 0, 0], [0, 0, 1], chalk).unwrap();
+    let axis = [0.75, -0.5, 2.5];
+    let half = 0.5 * f64::sqrt(0.75 * 0.75 + 0.5 * 0.5 + 2.5 * 2.5);
+    let center = [-0.6, 0.0, 1.5];
+    scene
+        .add_cylinder(center, axis, 0.7, 2.0 * half, red)
+        .unwrap();
+    for (end, lid) in [(0.5, red), (-0.5, gold)] {
+        let [x, y, z] = [0, 1, 2].map(|at| center[at] + end * axis[at]);
+        scene.add_disc([x, y, z], axis, 0.7, lid).unwrap();
+    }
+    for (center, normal, radius, id) in [
+        ([1.2, 2.0, 1.5], [0.2, 1.0, -0.1], 1.3, mirror),
+        ([0.5, -1.0, 3.3], [0.0, 0.2, 1.0], 0.5, gold),
+        ([2.3, -1.0, 1.1], [0.98, 0.02, 0.195], 0.4, chalk),
+    ] {
+        scene.add_disc(center, normal, radius, id).unwrap();
+    }
+    scene.add_light([0.5, -1.5, 5.0], [1.0; 3]).unwrap();
+    scene.add_light([6.0, -4.0, 2.0], [0.4; 3]).unwrap();
+    scene.set_background([0.21, 0.29, 0.52]).unwrap();
+    let camera = Camera::look_at([2.5, -6.0, 3.3], [0.0, 0.0, 1.2], UP).fov(50.0);
+    (scene, camera)
+}
+
+/// Discs level with the eye, some of them mirrors, one that touches a ball, one upright.
+fn edges() -> (Scenery, Camera) {
+    let mut scene = Scenery::new();
+    let [red, gold, _, mirror] = materials(&mut scene);
+    scene.add_sphere([0.0, 0.0, 1.5], 0.5, red).unwrap();
+    for (center, normal, radius, id) in [
+        ([1.2, 0.0, 1.0], [0.0, 0.0, 1.0], 0.4, gold),
+        ([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], 0.7, mirror),
+        ([-0.2, 0.0, 0.9], [0.0, 0.03, 1.0], 0.7, gold),
+        ([0.0, 0.0, 0.3], [1.0, 0.0, 0.0], 0.5, gold),
+        ([-1.2, 0.0, 1.0], [1.0, 0.2, 0.05], 0.6, mirror),
+    ] {
+        scene.add_disc(center, normal, radius, id).unwrap();
+    }
+    scene.add_light([2.0, -5.0, 4.0], [1.0; 3]).unwrap();
+    scene.set_background([0.21, 0.29, 0.52]).unwrap();
+    let camera = Camera::look_at([0.0, -6.0, 1.0], [0.0, 0.0, 1.0], UP).fov(40.0);
+    (scene, camera)
+}
+
+fn picture<Q: Quality, K: Shading, W: World + Copy>(frame: Frame<'_, W>, side: u32) -> Picture {
+    let frame = frame.reflections(REFLECTIONS).quality::<Q>().shading::<K>();
+    painted(&frame.sized(Size::new(side, side)))
+}
+
+/// The least shares of pixels with the same value and within 1, and signal to noise.
+fn assert_near<K: Shading>((scene, camera): (Scenery, Camera), shading: reference::Shading) {
+    let truth = {
+        let (scene, camera) = ((&scene.description()).into(), (&camera).into());
+        render(&scene, &camera, SIDE, SIDE, REFLECTIONS.into(), shading)
+    };
+    let built = scene.build().unwrap();
+    let frame = || built.frame(&camera);
+    // `Fast` loses highlights that are narrower than a stride.
+    for (name, picture, same, within1) in [
+        ("fast", picture::<Fast, K, _>(frame(), SIDE), 0.99, 0.998),
+        ("fine", picture::<Fine, K, _>(frame(), SIDE), 0.998, 0.9995),
+        (
+            "small",
+            picture::<Small, K, _>(frame(), SIDE),
+            0.9995,
+            0.9999,
+        ),
+        (
+            "exact",
+            picture::<Exact, K, _>(frame(), SIDE),
+            0.9999,
+            0.9999,
+        ),
+    ] {
+        let found = compare(&picture, &truth).unwrap();
+        println!("{name}: {found:?}");
+        let is_near = found.same >= same && found.within1 >= within1 && found.psnr >= 46.0;
+        assert!(is_near, "{name}: {found:?}");
+    }
+}
+
+#[test]
+fn discs_are_painted_as_double_precision_paints_them() {
+    for scene in [lids, edges] {
+        assert_near::<BlinnPhong>(scene(), reference::Shading::BlinnPhong);
+        assert_near::<Phong>(scene(), reference::Shading::Phong);
+    }
+}
+
+#[test]
+fn no_pixel_of_a_disc_is_further_off_than_its_bound() {
+    const ALL: usize = 200;
+    const SIDE: u32 = 96;
+    let shading = reference::Shading::BlinnPhong;
+    for (scene, camera) in [lids(), edges()] {
+        let exact = reference::Scene::from(&scene.description());
+        let built = scene.build().unwrap();
+        let found = picture::<Fast, BlinnPhong, _>(built.frame(&camera), SIDE);
+        let (precision, camera) = (precision(&built), (&camera).into());
+        let paths = Paths::follow(&exact, &camera, (SIDE, SIDE), ALL, shading, &precision);
+        let ending = Ending {
+            reflections: REFLECTIONS.into(),
+            smallest_weight: Fast::SMALLEST_WEIGHT.to_num(),
+            stride: Fast::STRIDE,
+            tolerance: Fast::TOLERANCE.to_num(),
+        };
+        let (mut sure, mut decided) = (0, 0);
+        let places = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
+        let pixels = places.zip(&found.pixels);
+        for (bound, ((x, y), found)) in paths.bounds(&ending).iter().zip(pixels) {
+            let truth = paths.path(x, y).ended(ALL, 0.0).color;
+            let truth = truth.map(|channel| 255.0 * channel.clamp(0.0, 1.0));
+            let apart = (0..3).map(|axis| (f64::from(found[axis]) - truth[axis]).abs());
+            // One of the two is not rounded to 8 bits.
+            let is_further = apart.fold(0.0, f64::max) > 255.0 * bound.share() + 0.5;
+            assert!(
+                bound.is_unsure || !is_further,
+                "{x} {y}: {found:?} {truth:?}"
+            );
+            sure += u32::from(!bound.is_unsure);
+            decided += u32::from(is_further);
+        }
+        let all = SIDE * SIDE;
+        println!("of {all} pixels {sure} are sure, {decided} were decided otherwise");
+        assert!(3 * sure > all && 100 * decided < all, "{sure} {decided}");
+    }
+}
+
+/// A closed cylinder that does not shine, around a ball that does: where there is a gap it is seen.
+fn lantern(axis: [f64; 3]) -> Scenery {
+    let mut scene = Scenery::new();
+    let dark = Material::new([0.0; 3]).ambient(0.0).diffuse(0.0);
+    let shining = Material::new([1.0; 3]).ambient(1.0).diffuse(0.0);
+    let dark = scene.add_material(dark).unwrap();
+    let shining = scene.add_material(shining).unwrap();
+    scene.add_sphere([0.0; 3], 0.99, shining).unwrap();
+    let half = f64::sqrt(axis.iter().map(|it| it * it).sum());
+    scene
+        .add_cylinder([0.0; 3], axis, 1.0, 2.0 * half, dark)
+        .unwrap();
+    scene.add_disc(axis, axis, 1.0, dark).unwrap();
+    scene.add_disc(axis.map(|it| -it), axis, 1.0, dark).unwrap();
+    scene
+}
+
+fn assert_closed<Q: Quality>(scene: &Scenery, camera: &Camera) {
+    let built = scene.build().unwrap();
+    let picture = picture::<Q, BlinnPhong, _>(built.frame(camera), SIDE);
+    let gaps = picture.pixels.iter().filter(|it| **it != [0; 3]).count();
+    assert_eq!(gaps, 0, "{:?}", camera.description());
+}
+
+#[test]
+fn no_gap_shows_between_a_cylinder_and_the_discs_that_close_it() {
+    for axis in [
+        [0.0, 0.0, 1.0],
+        [0.75, 0.0, 1.0],
+        [0.3, -0.4, 0.9],
+        [1.0, 1.0, 0.1],
+    ] {
+        let scene = lantern(axis);
+        for eye in [
+            [0.0, -4.0, 0.0],
+            [0.0, -4.0, 1.0],
+            [3.0, -4.0, 2.5],
+            [0.1, -0.2, 5.0],
+            [-300.0, -400.0, 150.0],
+        ] {
+            let far: f64 = eye.iter().map(|it: &f64| it * it).sum::<f64>().sqrt();
+            // The whole, and a piece of the upper rim a hundred times as large.
+            let [x, y, z] = axis;
+            for (target, size) in [([0.0; 3], 3.0), ([x, y - 0.9, z], 0.03)] {
+                let fov = 2.0 * (size / far).atan().to_degrees();
+                let camera = Camera::look_at(eye, target, [0.1, 0.9, 1.0]).fov(fov);
+                assert_closed::<Fast>(&scene, &camera);
+                assert_closed::<Exact>(&scene, &camera);
+                assert_closed::<Small>(&scene, &camera);
+            }
+        }
+    }
+}
