@@ -107,7 +107,10 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         Self {
             active: V::default(),
             // Hidden from the compiler, or it clears the whole list along with this.
-            next: if USED { black_box(0) } else { 0 },
+            next: match USED && size_of::<V>() > size_of::<usize>() {
+                true => black_box(0),
+                false => 0,
+            },
             passed: 0,
             kind: PhantomData,
         }

@@ -25,7 +25,7 @@ macro_rules! light_occluders {
         #[derive(Clone, Copy, Debug)]
         pub struct LightOccluders<R: Capacity> {
             light: PreparedLight,
-            $($list: R::$lists<<crate::shape::$prepared as Bounded>::FromPoint>,)*
+            $($list: R::$lists<<crate::shape::$prepared as Bounded>::FromLight>,)*
         }
 
         impl<$($header)*> LightOccluders<Room<$($arguments)*>> {
@@ -44,7 +44,7 @@ macro_rules! light_occluders {
                     $(
                         let mut index = 0;
                         while index < parts.$list.len() && index < $room {
-                            let from = parts.$list[index].seen_from(point);
+                            let from = parts.$list[index].seen_from_light(point);
                             light.is_plain &= parts.$list[index].is_told(&from);
                             occluders.$list[index] = from;
                             index += 1;

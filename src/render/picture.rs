@@ -95,7 +95,7 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         let inside = pixels.len().min((self.width - x) as usize);
         let (pixels, _) = pixels.split_at_mut(inside);
         let Some(generator) = self.generator() else {
-            pixels.fill(shown(self.only_sum()));
+            fill(pixels, shown(self.only_sum()));
             return Report {
                 rays: inside as u64,
                 ..Report::NONE
@@ -155,4 +155,10 @@ impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
         };
         Tracer::new(&self.world, &self.view, culling, self.reflections)
     }
+}
+
+/// Fills pixels with one colour; out of line, or its caller's loops are unrolled around a constant.
+#[inline(never)]
+fn fill<C: Copy>(pixels: &mut [C], color: C) {
+    pixels.fill(color);
 }

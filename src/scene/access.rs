@@ -101,14 +101,15 @@ macro_rules! parts {
             #[inline(always)]
             pub(crate) fn is_flat(&self, shape: ShapeId) -> bool {
                 let index = shape.index();
+                let first = 0;
                 $(
-                    if index < self.$list.len() {
-                        return <crate::shape::$prepared as Bounded>::IS_FLAT;
+                    let next = first + self.$list.len();
+                    if <crate::shape::$prepared as Bounded>::IS_FLAT && (first..next).contains(&index) {
+                        return true;
                     }
-                    let index = index - self.$list.len();
+                    let first = next;
                 )*
-                let _ = index;
-                true
+                index >= first
             }
 
             /// Whether a near point lies inside of a shape that rays from there do not leave.

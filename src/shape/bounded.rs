@@ -12,6 +12,9 @@ pub trait Bounded: Copy + Debug + 'static {
     /// The shape as rays from one fixed point meet it.
     type FromPoint: Copy + Debug;
 
+    /// The shape as rays from a light meet it.
+    type FromLight: Copy + Debug;
+
     /// Whether shapes of this kind are balls: their screen bounds are exact, and rows ask them front to
     /// back.
     const IS_BALL: bool;
@@ -64,7 +67,7 @@ pub trait Bounded: Copy + Debug + 'static {
     /// Whether the shape, as a light sees it, hides the end of a ray from the light.
     fn occludes<const PRECISE: bool>(
         &self,
-        from: &Self::FromPoint,
+        from: &Self::FromLight,
         ray: &LightRay,
         own: Own,
     ) -> bool;

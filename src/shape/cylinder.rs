@@ -7,7 +7,7 @@
 mod from_point;
 mod intersect;
 
-pub(crate) use from_point::CylinderFromPoint;
+pub(crate) use from_point::{CylinderFromLight, CylinderFromPoint};
 
 use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
@@ -117,10 +117,13 @@ impl PreparedCylinder {
     }
 
     /// Fills the room of a cylinder that a light does not see.
-    pub(crate) const NOT_SEEN: CylinderFromPoint = CylinderFromPoint {
-        way: Vector::ZERO,
-        across: Vector::ZERO,
-        rise: 0,
+    pub(crate) const NOT_SEEN: CylinderFromLight = CylinderFromLight {
+        from: CylinderFromPoint {
+            way: Vector::ZERO,
+            across: Vector::ZERO,
+            rise: 0,
+        },
+        nearest: i32::MAX,
     };
 
     /// A cylinder inside the ball with a radius of at least 4 steps.
@@ -201,24 +204,15 @@ impl PreparedCylinder {
         way.passes_by(way.dot(ray.direction), radius)
     }
 
-    /// As seen from a near point.
-    pub(crate) const fn seen_from(&self, origin: Point) -> CylinderFromPoint {
-        let way = origin.to(self.center);
-        CylinderFromPoint {
-            way,
-            across: self.axis.crossed_with(way),
-            rise: way.dot(self.axis),
-        }
-    }
-
     /// Whether a point that sees the cylinder so can tell what it hides: any can.
-    pub(crate) const fn is_told(&self, _: &CylinderFromPoint) -> bool {
+    pub(crate) const fn is_told(&self, _: &CylinderFromLight) -> bool {
         true
     }
 }
 
 impl Bounded for PreparedCylinder {
     type FromPoint = CylinderFromPoint;
+    type FromLight = CylinderFromLight;
 
     const IS_BALL: bool = false;
 
@@ -266,13 +260,14 @@ impl Bounded for PreparedCylinder {
     #[inline(always)]
     fn occludes<const PRECISE: bool>(
         &self,
-        from: &CylinderFromPoint,
+        from: &CylinderFromLight,
         ray: &LightRay,
         own: Own,
     ) -> bool {
         own != Own::Outside
+            && from.nearest < ray.reach.to_bits()
             && self
-                .met(from, &ray.direction, ray.epsilon, ray.reach)
+                .met(&from.from, &ray.direction, ray.epsilon, ray.reach)
                 .is_some()
     }
 

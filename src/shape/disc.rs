@@ -141,6 +141,11 @@ impl PreparedDisc {
         }
     }
 
+    /// As seen from a light at a near point.
+    pub(crate) const fn seen_from_light(&self, light: Point) -> DiscFromPoint {
+        self.seen_from(light)
+    }
+
     /// Whether a point that sees the disc so can tell what it hides: any can.
     pub(crate) const fn is_told(&self, _: &DiscFromPoint) -> bool {
         true
@@ -178,6 +183,7 @@ const fn unsigned_square(length: i32) -> u64 {
 
 impl Bounded for PreparedDisc {
     type FromPoint = DiscFromPoint;
+    type FromLight = DiscFromPoint;
 
     const IS_BALL: bool = false;
     const IS_FLAT: bool = true;

@@ -115,6 +115,11 @@ impl PreparedSphere {
         self
     }
 
+    /// As seen from a light at a near point.
+    pub(crate) const fn seen_from_light(&self, light: Point) -> SphereFromPoint {
+        self.seen_from(light)
+    }
+
     /// Whether a point that sees the sphere so lies outside of it, and sees so much of it that the length
     /// of the tangents tells what it hides.
     ///
@@ -179,6 +184,7 @@ impl PreparedSphere {
 
 impl Bounded for PreparedSphere {
     type FromPoint = SphereFromPoint;
+    type FromLight = SphereFromPoint;
 
     const IS_BALL: bool = true;
 

@@ -17,7 +17,7 @@ const LONGEST_WITH_TESTS: usize = 500;
 const LONGEST_FUNCTION: usize = 50;
 
 /// Lines of code of the library, tests apart.
-const MOST_CODE: usize = 11_700;
+const MOST_CODE: usize = 11_860;
 
 #[test]
 fn no_file_is_too_long() {
