@@ -64,11 +64,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 32304 | 1047 | 11960 | 198 |
-//! | Cargo's default release | 42364 | 1093 | 14488 | 206 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 28840 | 1290 | 12032 | 249 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 28024 | 1838 | 12100 | 370 |
-//! | Cargo's default dev (debug) | 222792 | 21997 | 200160 | 5045 |
+//! | lto = true, codegen-units = 1 | 30752 | 1056 | 11644 | 197 |
+//! | Cargo's default release | 39228 | 1084 | 14548 | 202 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 28400 | 1563 | 12076 | 250 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 28324 | 2215 | 12140 | 369 |
+//! | Cargo's default dev (debug) | 259972 | 23351 | 231312 | 5005 |
 //!
 //! Every profile draws the same picture. Where flash is scarce, the quality [`Small`] saves more than an
 //! `opt-level`.
