@@ -55,16 +55,13 @@ pub enum Rule {
 
 /// The rules, by the beginning of a function's [`path`]; the first that fits counts. A function that
 /// none fits belongs to its caller's stage.
-const RULES: [(&str, Rule); 29] = [
+const RULES: [(&str, Rule); 34] = [
     (
         "firmware::contestant::Fixed::prepare",
         Rule::AllIs(Stage::Preparation),
     ),
     ("firmware", Rule::Is(Stage::Output)),
-    (
-        "reflet::camera::rays::<impl reflet::camera::Camera>::screen_axes",
-        Rule::Is(Stage::Spans),
-    ),
+    ("reflet::camera::rays::screen_axes", Rule::Is(Stage::Spans)),
     ("reflet::camera", Rule::MakesRay),
     ("reflet::accel::active_list::ActiveList::ask", Rule::Meets),
     (
@@ -72,10 +69,15 @@ const RULES: [(&str, Rule); 29] = [
         Rule::Meets,
     ),
     ("reflet::accel::active_list", Rule::Is(Stage::Spans)),
-    ("reflet::accel::screen_", Rule::Is(Stage::Spans)),
+    ("reflet::accel::screen_axis", Rule::Is(Stage::Spans)),
+    ("reflet::accel::screen_bounds", Rule::Is(Stage::Spans)),
+    ("reflet::accel::screen_culling", Rule::Is(Stage::Spans)),
+    ("reflet::accel::screen_rect", Rule::Is(Stage::Spans)),
     ("reflet::accel::nearest_ahead", Rule::Meets),
     ("reflet::accel::mirror_table", Rule::Meets),
-    ("reflet::accel::light_", Rule::Is(Stage::Shadow)),
+    ("reflet::accel::light_occluders", Rule::Is(Stage::Shadow)),
+    ("reflet::accel::light_table", Rule::Is(Stage::Shadow)),
+    ("reflet::accel::light_visibility", Rule::Is(Stage::Shadow)),
     (
         "reflet::scene::nearest::any_blocks",
         Rule::Is(Stage::Shadow),
@@ -84,8 +86,8 @@ const RULES: [(&str, Rule); 29] = [
     ("reflet::scene::query::nearest_hit", Rule::Meets),
     ("reflet::scene::query::occluded", Rule::Is(Stage::Shadow)),
     ("reflet::scene::planes::near", Rule::Meets),
-    ("reflet::scene::far::nearest", Rule::Meets),
-    ("reflet::scene::far::occluded", Rule::Is(Stage::Shadow)),
+    ("reflet::scene::query::far_hit", Rule::Meets),
+    ("reflet::scene::far::between", Rule::Is(Stage::Shadow)),
     ("reflet::scene::surface::Surface::reflect", Rule::MirrorsRay),
     ("reflet::scene::surface", Rule::Is(Stage::Shading)),
     ("reflet::shade", Rule::Is(Stage::Shading)),
@@ -218,7 +220,7 @@ mod tests {
                 "core::iter::Map::next",
             ),
             (
-                "<reflet::camera::Lens>::fan",
+                "<reflet::camera::RayGenerator>::screen_axes",
                 "reflet::camera::RayGenerator::screen_axes",
             ),
             ("__aeabi_lmul", "__aeabi_lmul"),
