@@ -36,7 +36,8 @@ pub struct Ray {
 /// let rays = follow(&FLOOR, &camera, (1, 1), (0, 0), 9);
 /// assert_eq!(rays.len(), 2);
 /// assert_eq!(rays[1].direction, [0.0, 0.0, 1.0]);
-/// assert!((rays[1].origin[2] - 1e-3).abs() < 1e-6);
+/// // Two steps of the scene's grid, 2^-20 each.
+/// assert!((rays[1].origin[2] - 1e-3).abs() <= 2.0 / f64::from(1 << 20));
 /// ```
 pub fn follow<W: SceneAccess>(
     world: &W,
