@@ -65,7 +65,7 @@ pub trait Storage<T>: Default + Debug + AsRef<[T]> + AsMut<[T]> {
     /// Adds an item; `None` where there is no room.
     fn add(&mut self, item: T) -> Option<()>;
 
-    /// Drops all items but those that stay.
+    /// Keeps the items for which `stays` is true.
     fn keep(&mut self, stays: impl FnMut(&T) -> bool);
 
     /// Drops all items.
@@ -101,7 +101,7 @@ pub(super) struct ActiveList<'a, K: Bounded, V> {
 }
 
 impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
-    /// No shape yet; `USED` unless nobody is going to ask.
+    /// An empty list. `USED` is false where the list is never read, so that nothing is stored.
     #[inline(always)]
     pub(super) fn new<const USED: bool>() -> Self {
         Self {

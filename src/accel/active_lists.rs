@@ -47,7 +47,8 @@ macro_rules! active_lists {
         }
 
         impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
-            /// Every shape in every column, or nothing yet; `USED` unless nobody is going to ask.
+            /// Empty lists, or every shape in every column if `is_full`. `USED` is false where the lists are
+            /// never read.
             #[inline(always)]
             pub(super) fn new<const USED: bool>(eye: Point, is_full: bool) -> Self {
                 Self {

@@ -10,7 +10,7 @@ use crate::number::bit_modulo_32;
 use crate::ray::ScaledPoint;
 use crate::shape::plane::Side;
 
-/// A frame's point of view.
+/// The camera's place, and which lights are visible from all that its rays hit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightVisibility {
     /// Where the rays come from.

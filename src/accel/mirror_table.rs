@@ -83,7 +83,7 @@ impl MirrorTables {
     }
 }
 
-/// Of the sizes that lists of tables have, the one for so many.
+/// The length of the list that holds so many tables: the compiler makes lists of nine lengths.
 const fn room_for(tables: usize) -> usize {
     match tables {
         0..=4 => tables,

@@ -24,15 +24,15 @@ pub(crate) struct ScreenCulling<'a, W: World> {
     /// Whether every shape is asked in every column.
     is_full: bool,
     direct: ActiveLists<'a, W::Room>,
-    /// The plane that mirrored the latest ray of this row.
+    /// The plane into which `mirrored` looks: that of the latest mirrored ray.
     plane: ShapeId,
-    /// What can be met after it.
+    /// The shapes that rays can meet after that plane.
     mirrored: ActiveLists<'a, W::Room>,
 }
 
 impl<'a, W: World> ScreenCulling<'a, W> {
     /// Of the row `y`, below 2¹⁶, seen from the camera; every shape in every column where it `is_full`.
-    /// `USED` unless nobody is going to ask.
+    /// `USED` is false where it is never asked.
     #[inline(always)]
     pub(crate) fn new<const USED: bool>(
         bounds: Option<&'a ScreenBounds<W::Room>>,

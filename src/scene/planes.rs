@@ -1,4 +1,4 @@
-//! The planes of a scene: the nearest that a ray meets, and whether one blocks it. Heights over
+//! The planes of a scene: the nearest that a ray meets, and the planes that may block it. Heights over
 //! descents are compared as fractions; only the nearest is divided.
 
 use super::access::{SceneAccess, ShapeId};
@@ -7,8 +7,8 @@ use crate::number::to_u32;
 use crate::ray::Ray;
 use crate::shape::plane::{Approach, Bearing, PreparedPlane};
 
-/// What a near ray that has skip the shape `skip` meets first, given what it meets first of the
-/// spheres and cylinders.
+/// The nearest hit of a near ray: a plane, or `bounded`, its nearest bounded shape. Skips the plane that
+/// the ray leaves.
 #[inline(always)]
 pub(crate) fn nearest<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId, bounded: Hit) -> Hit {
     let parts = world.parts();
@@ -105,7 +105,7 @@ impl NearestPlane {
     }
 }
 
-/// The planes but the one a ray has just skip, and their numbers.
+/// All planes and their numbers, without the one that a ray leaves.
 pub(super) fn others<W: SceneAccess>(
     world: &W,
     skip: ShapeId,

@@ -48,8 +48,8 @@ pub trait Bounded: Copy + Debug + 'static {
         false
     }
 
-    /// Distance of the first hit of a ray, within `range`. Sets `side` if the ray certainly misses
-    /// the shape's sides on the left.
+    /// Distance of the first hit of a ray, within `range`. Sets `side` if the ray
+    /// misses the shape on the negative side of its axis.
     fn intersect(&self, ray: &Ray, range: Range, side: &mut bool) -> Option<Length>;
 
     /// The same for a ray from the point that the shape is seen from.

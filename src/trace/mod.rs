@@ -38,19 +38,19 @@ pub(crate) struct Traced {
 }
 
 impl Traced {
-    /// Of a path that has not met anything.
+    /// The start of a path: no light, nothing hit.
     pub(crate) const NONE: Self = Self {
         sum: Sum::ZERO,
         signature: PathSignature::new(),
     };
 
-    /// Of no path: black, and like no other.
+    /// Sentinel for a column beyond the picture: black; its signature equals no real one.
     pub(crate) const BEYOND: Self = Self {
         sum: Sum::ZERO,
         signature: PathSignature::of_none(),
     };
 
-    /// Of paths that meet nothing and pass by nothing that is thin.
+    /// The result of a path that hits nothing and passes no thin shape.
     pub(crate) fn missed<W: World, K: Shading>(world: &W) -> Self {
         let mut missed = Self::NONE;
         missed.sum.add(Unit::ONE, K::missed(world));

@@ -1,4 +1,4 @@
-//! Floor 8: the colours of embedded-graphics, dithered.
+//! Floor 8: how each colour type of embedded-graphics is dithered.
 
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565,
