@@ -18,7 +18,7 @@ const WATER: Material = Material::new([0.6, 0.8, 1.0])
 struct Harbour;
 
 impl StaticScene for Harbour {
-    type Scene = Scene<1, 1, 0, 1>; // spheres, planes, cylinders, lights
+    type Scene = Scene<room!(spheres: 1, planes: 1, lights: 1)>; // spheres, planes, cylinders, lights
     const SCENE: &'static Self::Scene = &Scene::builder()
         .sphere([0.0, 0.0, 1.0], 1.0, GOLD)
         .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], WATER)

@@ -5,46 +5,12 @@ mod rays;
 
 pub(crate) use rays::{RayGenerator, RowDirections};
 
-use core::fmt;
+use core::hash::{Hash, Hasher};
 
+use crate::error::Error;
+use crate::fault::Fault;
 use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of};
 use crate::vector::{Direction, Position};
-
-/// What is wrong with a camera.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum CameraError {
-    /// A coordinate that is not a finite number within ±2³⁰.
-    Coordinate,
-    /// Position and target are the same point.
-    View,
-    /// `up` is zero or parallel to the view direction.
-    Up,
-    /// A field of view that is not between 0.001 and 179.999 degrees.
-    FieldOfView,
-}
-
-impl CameraError {
-    /// One sentence that names the field and the fix.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Coordinate => {
-                "camera coordinates must be finite and within -2^30 to 2^30 scene units"
-            }
-            Self::View => "camera target must differ from its position",
-            Self::Up => "camera up must not be zero or parallel to the view direction",
-            Self::FieldOfView => "camera fov must be between 0.001 and 179.999 degrees",
-        }
-    }
-}
-
-impl fmt::Display for CameraError {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(self.words())
-    }
-}
-
-impl core::error::Error for CameraError {}
 
 /// The narrowest and the widest field of view, in degrees. In the narrowest picture of 320 pixels
 /// a pixel is 2⁻²⁴ wide and a direction, which is known to 2⁻²⁹, right to a 32nd of it; in the
@@ -53,7 +19,7 @@ const NARROWEST: Number = Number::new(0.001);
 const WIDEST: Number = Number::new(179.999);
 
 /// A camera as it was described.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct CameraDescription {
     /// Where it stands.
     pub position: Position,
@@ -89,10 +55,16 @@ pub struct Camera {
     cotangent: Scaled,
 }
 
+impl Hash for Camera {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.description.hash(state);
+    }
+}
+
 impl Camera {
     /// A camera with a field of view of 50 degrees.
     ///
-    /// For constants. Panics, which stops the compiler, with the words of a [`CameraError`].
+    /// For constants. Panics, which stops the compiler, with the message of an [`Error`].
     pub const fn look_at(position: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Self {
         Self::checked(CameraDescription {
             position: Position::new(position),
@@ -121,7 +93,7 @@ impl Camera {
         target: impl Into<Position>,
         up: impl Into<Position>,
         fov: impl Into<Number>,
-    ) -> Result<Self, CameraError> {
+    ) -> Result<Self, Error> {
         Self::try_from_description(CameraDescription {
             position: position.into(),
             target: target.into(),
@@ -141,20 +113,20 @@ impl Camera {
     /// No float instruction is executed.
     ///
     /// # Errors
-    /// [`CameraError::Up`] where the camera would look along `up`, and
-    /// [`CameraError::Coordinate`] where an angle or the new position is out of range.
+    /// [`Fault::Up`] where the camera would look along `up`, and
+    /// [`Fault::Coordinate`] where an angle or the new position is out of range.
     pub fn orbited(
         &self,
         azimuth: impl Into<Number>,
         elevation: impl Into<Number>,
-    ) -> Result<Self, CameraError> {
+    ) -> Result<Self, Error> {
         self.turned(azimuth.into(), elevation.into())
     }
 
     #[inline(never)]
-    fn turned(&self, azimuth: Number, elevation: Number) -> Result<Self, CameraError> {
+    fn turned(&self, azimuth: Number, elevation: Number) -> Result<Self, Error> {
         if !Position([azimuth, elevation, Number::ZERO]).is_in_range() {
-            return Err(CameraError::Coordinate);
+            return Err(Error::of("camera", Fault::Coordinate));
         }
         let CameraDescription {
             position,
@@ -162,8 +134,8 @@ impl Camera {
             up,
             ..
         } = self.description;
-        let offset = position.minus(target).leading().ok_or(CameraError::View)?;
-        let axis = up.direction().ok_or(CameraError::Up)?;
+        let offset = position.minus(target).leading().ok_or(Error::of("camera", Fault::View))?;
+        let axis = up.direction().ok_or(Error::of("camera", Fault::Up))?;
         let raised = self
             .forward
             .reversed()
@@ -181,11 +153,11 @@ impl Camera {
     const fn checked(description: CameraDescription) -> Self {
         match Self::try_from_description(description) {
             Ok(camera) => camera,
-            Err(error) => panic!("{}", error.words()),
+            Err(error) => error.stop(),
         }
     }
 
-    const fn try_from_description(description: CameraDescription) -> Result<Self, CameraError> {
+    const fn try_from_description(description: CameraDescription) -> Result<Self, Error> {
         let fov = description.fov;
         let is_held = fov.to_bits() >= NARROWEST.to_bits() && fov.to_bits() <= WIDEST.to_bits();
         let cotangent = match is_held {
@@ -200,7 +172,7 @@ impl Camera {
     const fn aimed(
         description: CameraDescription,
         cotangent: Option<Scaled>,
-    ) -> Result<Self, CameraError> {
+    ) -> Result<Self, Error> {
         let CameraDescription {
             position,
             target,
@@ -208,24 +180,24 @@ impl Camera {
             ..
         } = description;
         if !(position.is_in_range() && target.is_in_range() && up.is_in_range()) {
-            return Err(CameraError::Coordinate);
+            return Err(Error::of("camera", Fault::Coordinate));
         }
         let Some(forward) = target.minus(position).direction() else {
-            return Err(CameraError::View);
+            return Err(Error::of("camera", Fault::View));
         };
         let Some(upward) = up.direction() else {
-            return Err(CameraError::Up);
+            return Err(Error::of("camera", Fault::Up));
         };
         // Closer to parallel than 2⁻²⁴, rounding alone would say where right is.
         let right = match forward.cross(upward) {
             Some((vector, shift)) if shift >= 8 => vector.precise_direction(),
-            _ => return Err(CameraError::Up),
+            _ => return Err(Error::of("camera", Fault::Up)),
         };
         let Some(up) = right.perpendicular(forward) else {
-            return Err(CameraError::Up);
+            return Err(Error::of("camera", Fault::Up));
         };
         let Some(cotangent) = cotangent else {
-            return Err(CameraError::FieldOfView);
+            return Err(Error::of("camera", Fault::FieldOfView));
         };
         Ok(Self {
             description,

@@ -1,4 +1,4 @@
-//! Floor 0: what can be wrong with a description, in words that name the field and the fix.
+//! Floor 0: what can be wrong with one part, with a message that names the field and the fix.
 
 use core::fmt;
 
@@ -6,9 +6,9 @@ macro_rules! faults {
     (
         $header:tt
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-            $nth:literal $too_many:ident $without:ident $($more:tt)* })*
+            $set:ident $too_many:ident $without:ident $($more:tt)* })*
     ) => {
-        /// What is wrong with one part of a scene.
+        /// What is wrong with one part of a scene, with a camera, or with a call.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[non_exhaustive]
         pub enum Fault {
@@ -56,11 +56,33 @@ macro_rules! faults {
             TooManyMaterials,
             /// A material that was never added to this scene.
             UnknownMaterial,
+            /// A handle of a part that this scene does not have.
+            UnknownHandle,
+            /// Room for more parts than a constant scene has, which takes flash.
+            UnusedRoom,
+            /// Surfaces that scatter light, no light, and no ambient light.
+            NoLight,
+            /// A constant scene in which more than 16 shapes move.
+            TooManyMoving,
+            /// A part that cannot move in a constant scene: a plane, a light, or none at all.
+            NothingMoves,
+            /// A motion box that is missing, has a corner out of range, or does not hold a part that moves.
+            Motion,
+            /// A camera whose position and target are the same point.
+            View,
+            /// A camera whose `up` is zero or parallel to the view direction.
+            Up,
+            /// A field of view that is not between 0.001 and 179.999 degrees.
+            FieldOfView,
+            /// A need that the limit of a scene leaves out.
+            Limit,
+            /// A scene that has changed since its frame was prepared.
+            Changed,
         }
 
         impl Fault {
-            /// One sentence that names the field and the fix.
-            pub const fn words(self) -> &'static str {
+            /// Returns one sentence that names the field and the fix.
+            pub const fn message(self) -> &'static str {
                 match self {
                     Self::Radius => "radius must be greater than 0",
                     Self::Height => "height must be greater than 0",
@@ -73,7 +95,7 @@ macro_rules! faults {
                         "radius and half the height must be at least 2^-22 of the scene's extent: \
                          enlarge it or shrink the scene"
                     }
-                    Self::Extent => "the scene must be larger than 2^-30 scene units: scale it up",
+                    Self::Extent => "extent must be larger than 2^-30 scene units: scale the scene up",
                     Self::Color => "color components must be within 0 to 16",
                     Self::Ambient => "ambient must be within 0 to 16",
                     Self::Diffuse => "diffuse must be within 0 to 16",
@@ -88,13 +110,30 @@ macro_rules! faults {
                     }
                     $(
                         Self::$too_many => concat!(
-                            "too many ", stringify!($list), ": raise the scene type's ", $nth, " bound"
+                            "too many ", stringify!($list), ": raise `", stringify!($list), "` in room!(..)"
                         ),
                     )*
-                    Self::TooManyPlanes => "too many planes: raise the scene type's second bound",
-                    Self::TooManyLights => "too many lights: raise the scene type's fourth bound",
-                    Self::TooManyMaterials => "too many materials: raise the scene type's fifth bound",
+                    Self::TooManyPlanes => "too many planes: raise `planes` in room!(..)",
+                    Self::TooManyLights => "too many lights: raise `lights` in room!(..)",
+                    Self::TooManyMaterials => "too many materials: raise `materials` in room!(..)",
                     Self::UnknownMaterial => "material does not exist in this scene: add it first",
+                    Self::UnknownHandle => "handle is of another scene: use one that this scene returned",
+                    Self::UnusedRoom => "room!(..) has room for more than the scene uses: lower it",
+                    Self::NoLight => {
+                        "nothing lights the scene: add a light, or give a material some ambient"
+                    }
+                    Self::TooManyMoving => "at most 16 shapes of a constant scene move: use a RuntimeScene",
+                    Self::NothingMoves => {
+                        "only bounded shapes of a constant scene can have a name and move: use a RuntimeScene"
+                    }
+                    Self::Motion => {
+                        "motion box must hold every part that moves, in every place: enlarge it"
+                    }
+                    Self::View => "target must differ from the position",
+                    Self::Up => "up must not be zero or parallel to the view direction",
+                    Self::FieldOfView => "fov must be between 0.001 and 179.999 degrees",
+                    Self::Limit => "the scene needs this, but its NeedsLimit leaves it out: allow it there",
+                    Self::Changed => "changed since the frame was prepared: prepare the frame again",
                 }
             }
         }
@@ -102,19 +141,8 @@ macro_rules! faults {
 }
 kinds!(faults);
 
-impl Fault {
-    /// Stops the compiler with [`Fault::words`] where there is a fault; for constants.
-    pub(crate) const fn refuse(fault: Option<Self>) {
-        if let Some(fault) = fault {
-            panic!("{}", fault.words());
-        }
-    }
-}
-
 impl fmt::Display for Fault {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(self.words())
+        formatter.write_str(self.message())
     }
 }
-
-impl core::error::Error for Fault {}

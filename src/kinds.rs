@@ -30,14 +30,14 @@ macro_rules! kinds {
             }
             {
                 spheres sphere Sphere PreparedSphere
-                S Spheres [ActiveSpheres 16] "first"
+                S Spheres [ActiveSpheres 16] set_sphere
                 TooManySpheres without_spheres
                 /// Adds a sphere with a radius greater than 0.
                 add_sphere(center: Position, radius: Number)
             }
             {
                 cylinders cylinder Cylinder PreparedCylinder
-                C Cylinders [ActiveCylinders 8] "third"
+                C Cylinders [ActiveCylinders 8] set_cylinder
                 TooManyCylinders without_cylinders
                 /// Adds an open cylinder around its `center`; the axis may have any length but 0, radius and
                 /// height are greater than 0.
@@ -45,12 +45,43 @@ macro_rules! kinds {
             }
             {
                 discs disc Disc PreparedDisc
-                D Discs [ActiveDiscs D] "sixth"
+                D Discs [ActiveDiscs D] set_disc
                 TooManyDiscs without_discs
                 /// Adds a flat disc, which is seen from both sides; the normal may have any length but 0, the
                 /// radius is greater than 0.
                 add_disc(center: Position, normal: Position, radius: Number)
             }
         }
+    };
+}
+
+/// Writes the type of a room with these counts: the const parameters of the list, in their order.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __room {
+    ($counts:expr) => {
+        $crate::__private::Room<
+            { $counts.parameter("S") },
+            { $counts.parameter("P") },
+            { $counts.parameter("C") },
+            { $counts.parameter("L") },
+            { $counts.parameter("M") },
+            { $counts.parameter("D") },
+        >
+    };
+}
+
+/// Writes the described type of a kind.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __described {
+    (sphere) => {
+        $crate::description::Sphere
+    };
+    (cylinder) => {
+        $crate::description::Cylinder
+    };
+    (disc) => {
+        $crate::description::Disc
     };
 }

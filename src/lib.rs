@@ -18,7 +18,7 @@
 //!
 //! struct Ball;
 //! impl StaticScene for Ball {
-//!     type Scene = Scene<1, 0, 0, 1>; // spheres, planes, cylinders, lights
+//!     type Scene = Scene<room!(spheres: 1, lights: 1)>; // spheres, planes, cylinders, lights
 //!     const SCENE: &'static Self::Scene = &Scene::builder()
 //!         .sphere([0.0, 0.0, 0.0], 1.0, CHALK)
 //!         .light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0])
@@ -153,7 +153,8 @@ mod kinds;
 mod accel;
 mod camera;
 mod color;
-mod display;
+pub mod display;
+mod error;
 mod fault;
 mod grid;
 #[cfg(feature = "host")]
@@ -183,23 +184,53 @@ mod shape;
 mod trace;
 mod vector;
 
-pub use accel::{
-    ActiveRoom, Apart, Scene, SceneIn, Static, StaticScene, Tabled, Whole, Within, World,
-};
-pub use camera::{Camera, CameraDescription, CameraError};
-pub use display::{
-    Budgeted, Choice, Ditherable, Dithered, Enlarged, Front, FrontPoint, Grade, Threshold, dither,
-};
-pub use fault::Fault;
-pub use light::Light;
+pub use accel::{MovingScene, Scene};
+pub use camera::Camera;
+pub use error::Error;
+pub use fault::Fault as ErrorKind;
 pub use material::Material;
 pub use number::{Number, Unit};
-pub use render::{Exact, Fast, Fine, Frame, Picture, Quality, Report, Small, StaticFrame};
-pub use scene::access::SceneAccess;
-pub use scene::{
-    Bound, Capacity, Description, Excess, Mirrors, MostReflections, Need, Needs, Room,
-    RuntimeScene, RuntimeSceneIn, SceneBuilder, SceneBuilderIn, SceneError, Shininess,
-};
-pub use shade::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
-pub use shape::{MaterialId, cylinder::Cylinder, disc::Disc, plane::Plane, sphere::Sphere};
+pub use render::{FrameBuilder, PreparedFrame, Report, Rows};
+pub use scene::{Handle, RuntimeScene, SceneBuilder};
+pub use shape::MaterialId;
 pub use vector::Position;
+
+/// How exact a picture is, as a type: what a frame leaves out.
+pub mod quality {
+    pub use crate::render::{Exact, Fast, Fine, Quality, Small};
+}
+
+/// How surfaces are lit, as a type.
+pub mod shading {
+    pub use crate::shade::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
+}
+
+/// Frames for so many instructions, or so much time.
+pub mod budget {
+    pub use crate::display::budget::{Budgeted, Choice, FrontPoint, ParetoFront, QualityLevel};
+}
+
+/// What a scene needs of the library: what it does not need is not linked.
+pub mod needs {
+    pub use crate::accel::Limited;
+    pub use crate::scene::{Mirrors, MostReflections, Need, Needs, NeedsLimit, Shininess};
+}
+
+/// Scenes as they were described: plain numbers, before they are prepared.
+pub mod description {
+    pub use crate::camera::CameraDescription;
+    pub use crate::light::Light;
+    pub use crate::scene::Description;
+    pub use crate::shape::{cylinder::Cylinder, disc::Disc, plane::Plane, sphere::Sphere};
+}
+
+/// What the macros of the crate name; not part of the interface.
+#[doc(hidden)]
+pub mod __private {
+    pub use crate::accel::drawable::{Drawable, Everything};
+    pub use crate::accel::{Apart, StaticScene};
+    pub use crate::scene::{Capacity, Counts, Room};
+
+    /// The room in which the parts of a constant scene are counted.
+    pub type LargestRoom = Room<512, 32, 128, 16, 256, 128>;
+}

@@ -10,7 +10,7 @@ use crate::vector::Position;
 
 /// A point light as it is described: it shines evenly to all sides and does not fall off with
 /// distance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Light {
     /// Where it stands.
     pub position: Position,

@@ -1,6 +1,7 @@
 //! Floor 2: what a surface is made of.
 
 use crate::color::{Color, brightness};
+use crate::error::Error;
 use crate::fault::Fault;
 use crate::number::{Brightness, Exponent, Number, Unit};
 
@@ -24,7 +25,7 @@ use crate::number::{Brightness, Exponent, Number, Unit};
 /// use reflet::Material;
 /// const GLARE: Material = Material::new([1.0; 3]).mirror(1.5);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Material {
     color: [Number; 3],
     ambient: Number,
@@ -99,7 +100,7 @@ impl Material {
         diffuse: impl Into<Number>,
         (specular, shininess): (impl Into<Number>, impl Into<Number>),
         mirror: impl Into<Number>,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, Error> {
         let material = Self {
             color: color.map(Into::into),
             ambient: ambient.into(),
@@ -109,13 +110,13 @@ impl Material {
             mirror: mirror.into(),
         };
         match material.fault() {
-            Some(fault) => Err(fault),
+            Some(fault) => Err(Error::of("material", fault)),
             None => Ok(material),
         }
     }
 
     const fn checked(self) -> Self {
-        Fault::refuse(self.fault());
+        Error::refuse("material", self.fault());
         self
     }
 

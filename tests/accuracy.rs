@@ -160,7 +160,7 @@ const CHALK: Material = Material::new([0.9, 0.9, 0.8]).ambient(0.2).diffuse(0.8)
 
 /// A few shapes on a floor, from 90 units away and hardly above the horizon: single precision is
 /// down to 30 decibels here.
-const TELEPHOTO: SceneBuilder<4, 1, 1, 2> = SceneBuilder::new()
+const TELEPHOTO: SceneBuilder<room!(spheres: 4, planes: 1, cylinders: 1, lights: 2)> = SceneBuilder::new()
     .sphere([-1.0, 0.0, 0.6], 0.6, GOLD)
     .sphere([0.6, -0.4, 0.4], 0.4, WATER)
     .sphere([1.3, 0.7, 0.8], 0.8, CHALK)
@@ -175,7 +175,7 @@ const TELEPHOTO: SceneBuilder<4, 1, 1, 2> = SceneBuilder::new()
 const FAR_AWAY: Camera =
     Camera::look_at([12.0, -89.0, 4.5], [0.1, 0.0, 0.5], [0.0, 0.0, 1.0]).fov(2.5);
 
-const TELEPHOTO_SCENE: Scene<4, 1, 1, 2> = TELEPHOTO.build();
+const TELEPHOTO_SCENE: Scene<room!(spheres: 4, planes: 1, cylinders: 1, lights: 2)> = TELEPHOTO.build();
 
 const LAMP: Material = Material::new([1.8; 3]).ambient(16.0).diffuse(0.0);
 const DULL: Material = Material::new([0.2; 3])
@@ -187,12 +187,12 @@ const ABOVE_THE_FLOOR: Camera =
     Camera::look_at([0.0, -3.0, 2.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(60.0);
 
 /// A floor that mirrors less than 1/256, under a ball 28.8 times as bright as white.
-const LAMPLIGHT: SceneBuilder<1, 1, 0, 0> = SceneBuilder::new()
+const LAMPLIGHT: SceneBuilder<room!(spheres: 1, planes: 1)> = SceneBuilder::new()
     .sphere([0.0, 3.0, 2.0], 2.5, LAMP)
     .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], DULL)
     .camera(ABOVE_THE_FLOOR);
 
-const LAMPLIGHT_SCENE: Scene<1, 1, 0, 0> = LAMPLIGHT.build();
+const LAMPLIGHT_SCENE: Scene<room!(spheres: 1, planes: 1)> = LAMPLIGHT.build();
 
 #[test]
 fn reflection_of_something_bright_is_not_cut_off() {

@@ -155,7 +155,7 @@ fn no_pixel_of_a_scene_is_further_off_than_its_bound() {
 }
 
 /// A room that mirrors itself and glows: every path meets the same α and the same colour for ever.
-fn room(alpha: f64, is_round: bool) -> RuntimeScene<1, 6, 0, 1, 1> {
+fn room(alpha: f64, is_round: bool) -> RuntimeScene<room!(spheres: 1, planes: 6, lights: 1, materials: 1)> {
     let mut room = RuntimeScene::new();
     let glass = Material::from_numbers(COLOR, 1, 0, (0, 1), alpha).unwrap();
     let glass = room.add_material(glass).unwrap();

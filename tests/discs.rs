@@ -14,7 +14,7 @@ const SIDE: u32 = 160;
 const REFLECTIONS: u8 = 4;
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-type Scenery = RuntimeScene<1, 1, 1, 2, 4, 6>;
+type Scenery = RuntimeScene<room!(spheres: 1, planes: 1, cylinders: 1, discs: 6, lights: 2, materials: 4)>;
 
 fn materials(scene: &mut Scenery) -> [MaterialId; 4] {
     let red = Material::new([0.9, 0.2, 0.1]).ambient(0.2).diffuse(0.6);

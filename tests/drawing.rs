@@ -388,7 +388,7 @@ fn fast_picture_takes_fewer_rays_than_it_has_pixels() {
 
 #[test]
 fn scene_may_change_between_frames() {
-    let mut scene = RuntimeScene::<1, 0, 0, 1, 1>::new();
+    let mut scene = RuntimeScene::<room!(spheres: 1, lights: 1, materials: 1)>::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
     scene.add_light([0, -9, 9], [1, 1, 1]).unwrap();
     let camera = reflet::Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);

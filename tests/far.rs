@@ -6,7 +6,7 @@ use reflet::host::painted;
 use reflet::host::reference::{self, Picture, Shading};
 use reflet::{Camera, Fine, Material, RuntimeScene};
 
-type Room = RuntimeScene<1, 2, 0, 1, 1>;
+type Room = RuntimeScene<room!(spheres: 1, planes: 2, lights: 1, materials: 1)>;
 
 /// The picture in fixed point, which must be within 1 of the reference everywhere.
 fn exact(scene: &Room, camera: &Camera) -> Picture {

@@ -46,7 +46,7 @@ fn camera_made_of_them_is_the_camera_made_of_floats() {
     assert_eq!(nowhere, Err(CameraError::View));
 }
 
-type Scenery = RuntimeScene<1, 1, 1, 1, 1>;
+type Scenery = RuntimeScene<room!(spheres: 1, planes: 1, cylinders: 1, lights: 1, materials: 1)>;
 
 fn filled<N, V>(number: fn(f32) -> N, vector: fn([f32; 3]) -> V) -> Scenery
 where

@@ -34,7 +34,7 @@ impl Setting {
     /// Mirrors, shadows, and a light and a floor that go on for ever; every number is a fraction
     /// of 64.
     fn picture(self) -> Picture {
-        let mut scene = RuntimeScene::<3, 2, 2, 2, 3>::new();
+        let mut scene = RuntimeScene::<room!(spheres: 3, planes: 2, cylinders: 2, lights: 2, materials: 3)>::new();
         let mut add = |color: [f64; 3], mirror: f64| {
             let made = Material::from_numbers(color, 0.25, 0.5, (0.5, 7.5), mirror);
             scene.add_material(made.unwrap()).unwrap()

@@ -10,7 +10,7 @@ use crate::vector::{Direction, Vector};
 
 /// A set of shapes for each of `CELLS` = `SIDE`³ cells, `SETS` different ones at most.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct DirectionTable<const SIDE: usize, const CELLS: usize, const SETS: usize> {
+pub struct DirectionTable<const SIDE: usize, const CELLS: usize, const SETS: usize> {
     /// Which set a cell has.
     numbers: [u8; CELLS],
     sets: [ShapeSet; SETS],
@@ -73,6 +73,11 @@ pub(super) struct CellSets<const SIDE: usize, const CELLS: usize>([ShapeSet; CEL
 impl<const SIDE: usize, const CELLS: usize> CellSets<SIDE, CELLS> {
     /// No shape in any.
     pub(super) const NONE: Self = Self([ShapeSet::NONE; CELLS]);
+
+    /// Adds a shape to all cells.
+    pub(super) const fn add_everywhere(&mut self, shape: ShapeSet) {
+        self.add_ball(Vector::ZERO, 1, shape);
+    }
 
     /// Adds a ball, whose middle lies so far from the point, to the cells that it reaches.
     pub(super) const fn add_ball(&mut self, way: Vector, radius: i32, shape: ShapeSet) {

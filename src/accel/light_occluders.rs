@@ -56,6 +56,37 @@ macro_rules! light_occluders {
             }
         }
 
+        impl<R: Capacity> LightOccluders<R> {
+            $(
+                #[doc = concat!("Prepares the view of a ", stringify!($kind), " that has changed.")]
+                pub(super) fn $kind(&mut self, index: usize, parts: &Parts<'_>) {
+                    let view = self.$list.as_mut().get_mut(index);
+                    if let Some((view, shape)) = view.zip(parts.$list.get(index)) {
+                        *view = shape.seen_from_light(self.light.place.point);
+                    }
+                }
+            )*
+
+            /// Decides again whether all views tell what the shapes hide.
+            pub(super) fn settle(&mut self, parts: &Parts<'_>) {
+                self.light.is_plain = self.light.place.scale == 0
+                    $(&& self.$list.as_ref().iter().zip(parts.$list).all(|(view, shape)| shape.is_told(view)))*;
+            }
+
+            /// Prepares the views from a light that has changed.
+            pub(super) fn put(&mut self, light: &PreparedLight, parts: &Parts<'_>) {
+                self.light.place = light.place;
+                if light.place.scale == 0 {
+                    $(
+                        for (view, shape) in self.$list.as_mut().iter_mut().zip(parts.$list) {
+                            *view = shape.seen_from_light(light.place.point);
+                        }
+                    )*
+                }
+                self.settle(parts);
+            }
+        }
+
         /// Whether a shape of a set occludes the end of a light's ray on a surface.
         #[inline(always)]
         fn any_occludes<W: World, const PRECISE: bool>(

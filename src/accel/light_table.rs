@@ -11,7 +11,7 @@ use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::vector::{Direction, Point};
 
 /// The shapes around a light.
-pub(crate) type LightTable = DirectionTable<8, 512, 64>;
+pub type LightTable = DirectionTable<8, 512, 64>;
 
 macro_rules! light_table {
     (
@@ -27,10 +27,13 @@ macro_rules! light_table {
                 $(
                     let mut index = 0;
                     while index < parts.$list.len() {
+                        let shape = ShapeSet::of(layout.bit(kind, index));
+                        if parts.moving.meets(shape) {
+                            cells.add_everywhere(shape);
+                        }
                         let mut link = 0;
                         while link < crate::shape::$prepared::LINKS {
                             let (center, radius) = parts.$list[index].link(link);
-                            let shape = ShapeSet::of(layout.bit(kind, index));
                             cells.add_ball(light.to(center), radius, shape);
                             link += 1;
                         }

@@ -19,13 +19,13 @@ use crate::vector::{Direction, Point, Vector};
 pub(super) const MOST: usize = 16;
 
 /// The shapes ahead of the rays that leave one mirror.
-pub(crate) type MirrorTable = DirectionTable<4, 64, 16>;
+pub type MirrorTable = DirectionTable<4, 64, 16>;
 
 type Cells = CellSets<4, 64>;
 
 /// The tables of a scene's round mirrors.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct MirrorTables {
+pub struct MirrorTables {
     /// Which table each bounded shape has.
     pub(super) numbers: [u8; MOST],
     pub(super) tables: &'static [MirrorTable],
@@ -94,12 +94,14 @@ const fn room_for(tables: usize) -> usize {
     }
 }
 
-/// Whether the bounded shape that stands there among them mirrors.
+/// Whether the bounded shape that stands there among them mirrors, and does not move. There are at most
+/// 64, so its index is its bit in a set.
 const fn is_mirror(parts: &Parts<'_>, index: usize) -> bool {
     match parts.ball(index) {
         Some((_, material)) => {
+            let moves = parts.moving.meets(ShapeSet::of(index));
             let index = material.index();
-            index < parts.materials.len() && parts.materials[index].mirrors()
+            !moves && index < parts.materials.len() && parts.materials[index].mirrors()
         }
         None => false,
     }
@@ -140,7 +142,10 @@ macro_rules! mirror_table {
                 while index < parts.$list.len() {
                     let shape = ShapeSet::of(layout.bit(kind, index));
                     let is_noted = crate::shape::$prepared::IS_SIDE_NOTED;
-                    add(cells, from, parts.$list[index].ball(), (shape, is_noted));
+                    match parts.moving.meets(shape) {
+                        true => cells.add_everywhere(shape),
+                        false => add(cells, from, parts.$list[index].ball(), (shape, is_noted)),
+                    }
                     index += 1;
                 }
                 let kind = kind + 1;
@@ -173,8 +178,7 @@ const fn add(
     let both = from as i64 + radius as i64;
     let distance = square_root(way.square()) as i64;
     if distance <= both {
-        // In all directions.
-        return cells.add_ball(Vector::ZERO, 1, shape);
+        return cells.add_everywhere(shape);
     }
     cells.add_ball(way, narrowed(both), shape);
     // What is this far away, √2 times the sum of the radii, lies further behind a ray that goes away

@@ -7,10 +7,13 @@ mod active_list;
 mod active_lists;
 mod cap;
 mod direction_table;
+pub(crate) mod drawable;
+mod fingerprint;
 pub(crate) mod light_occluders;
 pub(crate) mod light_table;
 pub(crate) mod light_visibility;
 pub(crate) mod mirror_table;
+mod motion;
 mod scene;
 mod screen_axis;
 pub(crate) mod screen_bounds;
@@ -20,9 +23,10 @@ mod static_scene;
 mod within;
 
 pub(crate) use active_list::Window;
-pub use scene::{Scene, SceneIn, Tabled};
+pub use motion::MovingScene;
+pub use scene::{Scene, Tabled};
 pub use static_scene::{Apart, Static, StaticScene};
-pub use within::{Whole, Within};
+pub use within::Limited;
 
 pub use active_lists::ActiveRoom;
 use light_occluders::LightOccluders;
@@ -104,7 +108,6 @@ pub trait World: SceneAccess {
     type Room: ActiveRoom;
 
     /// What makes it fast.
-    #[allow(private_interfaces)]
     fn tables(&self) -> Tables<'_, Self::Room>;
 }
 

@@ -1,30 +1,44 @@
 //! A scene made ready for the kernels, with the shapes as its lights see them.
 
 use super::light_occluders::LightOccluders;
+use super::fingerprint::Fingerprint;
 use super::light_table::LightTable;
 use super::mirror_table::MirrorTables;
 use super::{ActiveRoom, Tables, World};
 use crate::camera::Camera;
 use crate::scene::access::SceneAccess;
+use crate::error::Error;
+use crate::fault::Fault;
 use crate::scene::{
-    Array, Capacity, Description, Needs, Parts, PlainScene, Room, RuntimeSceneIn, SceneBuilder,
-    SceneBuilderIn, SceneError, used,
+    Array, Capacity, Description, Needs, Parts, PlainScene, Room, RuntimeScene, SceneBuilder, used,
 };
 
-/// A [`Scene`] with its room as one type.
+/// A scene made ready for the kernels; `R` is its room, [`room!`](crate::room).
+///
+/// [`RuntimeScene::build`](crate::RuntimeScene::build) makes it while the program runs,
+/// [`SceneBuilder::build`] when the program is compiled. Bytes of RAM on a Cortex-M of one that is filled
+/// at run time, and of the tables that [`Scene::tabled`] adds:
+///
+/// | room | scene | its description | tables |
+/// |---|--:|--:|--:|
+/// | `room!(spheres: 1, lights: 1, materials: 1)` | 480 | 624 | not needed |
+/// | `room!(spheres: 8, planes: 2, cylinders: 4, lights: 2, materials: 4)` | 1736 | 2360 | 2056 |
+/// | `room!(spheres: 32, planes: 4, cylinders: 16, lights: 2, materials: 8)` | 5096 | 6440 | 2056 |
 #[derive(Clone, Copy, Debug)]
-pub struct SceneIn<R: Capacity> {
+pub struct Scene<R: Capacity> {
     pub(super) plain: PlainScene<R>,
     pub(super) light_occluders: R::Lights<LightOccluders<R>>,
+    /// Changes with the scene: a frame that was prepared for another one is refused.
+    pub(super) stamp: u32,
 }
 
-impl<R: Capacity> SceneIn<R> {
-    /// The camera the scene was described with.
+impl<R: Capacity> Scene<R> {
+    /// Returns the camera that the scene was described with.
     pub const fn camera(&self) -> Option<&Camera> {
         self.plain.camera.as_ref()
     }
 
-    /// What this scene needs.
+    /// Returns what the scene needs.
     pub fn needs(&self) -> Needs {
         self.plain.parts().needs()
     }
@@ -32,38 +46,25 @@ impl<R: Capacity> SceneIn<R> {
 
 macro_rules! scene {
     (
-        { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
-        $($more:tt)*
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
+        $({ $list:ident $($more:tt)* })*
     ) => {
-        /// A scene made ready for the kernels, with room for `S` spheres, `P` planes, `C` cylinders, `L`
-        /// lights and `M` materials.
-        ///
-        /// Made by [`SceneBuilder::build`] when the program is compiled, or by
-        /// [`RuntimeScene::build`](crate::RuntimeScene::build) while it runs. Bytes of RAM on a Cortex-M of
-        /// one that is filled at run time, and of the tables that [`Scene::tabled`] adds:
-        ///
-        /// | capacity | scene | its description | tables |
-        /// |---|--:|--:|--:|
-        /// | `Scene<1, 0, 0, 1, 1>` | 480 | 624 | not needed |
-        /// | `Scene<8, 2, 4, 2, 4>` | 1736 | 2360 | 2056 |
-        /// | `Scene<32, 4, 16, 2, 8>` | 5096 | 6440 | 2056 |
-        pub type Scene<$($declaration)*> = SceneIn<Room<$($arguments)*>>;
-
-        impl<$($header)*> SceneIn<Room<$($arguments)*>> {
-            /// Starts the description of a scene that is built when the program is compiled.
-            pub const fn builder() -> SceneBuilder<$($arguments)*> {
-                SceneBuilder::new()
-            }
-
+        impl<$($header)*> Scene<Room<$($arguments)*>> {
             /// Prepares a description whose parts have been checked and fit.
-            const fn prepare(description: &Description<'_>) -> Result<Self, SceneError> {
+            const fn prepare(description: &Description<'_>) -> Result<Self, Error> {
                 let plain = match PlainScene::prepare(description) {
                     Ok(plain) => plain,
                     Err(error) => return Err(error),
                 };
+                Ok(Self::of(plain))
+            }
+
+            /// Adds the shapes as the lights see them.
+            const fn of(plain: PlainScene<Room<$($arguments)*>>) -> Self {
                 let mut scene = Self {
                     plain,
                     light_occluders: [LightOccluders::NONE; L],
+                    stamp: 0,
                 };
                 let parts = scene.plain.constant_parts();
                 let mut index = 0;
@@ -71,36 +72,59 @@ macro_rules! scene {
                     scene.light_occluders[index] = LightOccluders::new(parts.lights[index], &parts);
                     index += 1;
                 }
-                Ok(scene)
+                scene
             }
         }
 
-        impl<$($header)*> SceneBuilderIn<Room<$($arguments)*>> {
+        impl<$($header)*> SceneBuilder<Room<$($arguments)*>> {
             /// Chooses the binary point and prepares the scene for the kernels.
-            pub const fn build(&self) -> Scene<$($arguments)*> {
-                match Scene::prepare(&self.description()) {
-                    Ok(scene) => scene,
-                    Err(error) => panic!("{}", error.fault().words()),
+            pub const fn build(&self) -> Scene<Room<$($arguments)*>> {
+                self.refuse_unused_room();
+                let plain = match PlainScene::prepare(&self.description()) {
+                    Ok(plain) => plain.marked(self.moving()),
+                    Err(error) => error.stop(),
+                };
+                if plain.constant_parts().lacks_light() {
+                    Error::of("scene", Fault::NoLight).stop();
+                }
+                Scene::of(plain)
+            }
+
+            /// Stops the compiler if a list has room for more than its parts; each takes flash.
+            const fn refuse_unused_room(&self) {
+                let (counts, room) = (self.counts(), Room::<$($arguments)*>::COUNTS);
+                $(
+                    if counts.$list < room.$list {
+                        Error::of(stringify!($list), Fault::UnusedRoom).stop();
+                    }
+                )*
+                if counts.planes < room.planes {
+                    Error::of("planes", Fault::UnusedRoom).stop();
+                }
+                if counts.lights < room.lights {
+                    Error::of("lights", Fault::UnusedRoom).stop();
                 }
             }
         }
 
-        impl<$($header)*> RuntimeSceneIn<Room<$($arguments)*>> {
+        impl<$($header)*> RuntimeScene<Room<$($arguments)*>> {
             /// Chooses the binary point and prepares the scene for the kernels, with integers only.
             ///
             /// # Errors
-            /// What can only be seen in the scene as a whole: [`Fault::Tiny`](crate::Fault::Tiny),
-            /// [`Fault::Extent`](crate::Fault::Extent), [`Fault::Epsilon`](crate::Fault::Epsilon) and
-            /// [`Fault::Brightness`](crate::Fault::Brightness).
-            pub fn build(&self) -> Result<Scene<$($arguments)*>, SceneError> {
-                Scene::prepare(&self.description())
+            /// What can only be seen in the scene as a whole: [`Fault::Tiny`], [`Fault::Extent`],
+            /// [`Fault::Epsilon`], [`Fault::Brightness`].
+            pub fn build(&self) -> Result<Scene<Room<$($arguments)*>>, Error> {
+                let description = self.description();
+                let mut scene = Scene::prepare(&description)?;
+                scene.stamp = Fingerprint::of(&description);
+                Ok(scene)
             }
         }
     };
 }
 kinds!(scene);
 
-impl<R: Capacity> SceneIn<R> {
+impl<R: Capacity> Scene<R> {
     /// The scene with a table for each light of the shapes around it: 1 KB a light, in memory of the
     /// caller's. Shadows of many shapes then take less time; the picture is the same, to the bit.
     ///
@@ -112,7 +136,7 @@ impl<R: Capacity> SceneIn<R> {
     ///
     /// const CAMERA: Camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
     ///
-    /// let mut scene = RuntimeScene::<8, 0, 0, 1, 1>::new();
+    /// let mut scene = RuntimeScene::<room!(spheres: 8, lights: 1, materials: 1)>::new();
     /// let chalk = scene.add_material(Material::new([0.9; 3]))?;
     /// for x in -3..=3 {
     ///     scene.add_sphere([x, 0, 0], 0.4, chalk)?;
@@ -122,7 +146,7 @@ impl<R: Capacity> SceneIn<R> {
     /// let tabled = scene.tabled();
     /// let mut display = MockDisplay::<Rgb888>::new();
     /// tabled.frame(&CAMERA).draw(&mut display).unwrap();
-    /// # Ok::<(), reflet::SceneError>(())
+    /// # Ok::<(), reflet::Error>(())
     /// ```
     pub fn tabled(&self) -> Tabled<'_, R> {
         let mut light_tables: R::Lights<LightTable> = Array::filled(LightTable::ALL);
@@ -140,11 +164,11 @@ impl<R: Capacity> SceneIn<R> {
 /// A [`Scene`] with a table for each of its lights; see [`Scene::tabled`].
 #[derive(Clone, Copy, Debug)]
 pub struct Tabled<'a, R: Capacity> {
-    scene: &'a SceneIn<R>,
+    pub(super) scene: &'a Scene<R>,
     light_tables: R::Lights<LightTable>,
 }
 
-impl<R: Capacity> SceneAccess for SceneIn<R> {
+impl<R: Capacity> SceneAccess for Scene<R> {
     const NEEDS: Needs = Needs::of_room(&R::COUNTS).without_sets();
     const CHOOSES_HITS: bool = false;
 
@@ -154,7 +178,7 @@ impl<R: Capacity> SceneAccess for SceneIn<R> {
     }
 }
 
-impl<R: ActiveRoom> World for SceneIn<R> {
+impl<R: ActiveRoom> World for Scene<R> {
     type Room = R;
 
     #[inline(always)]

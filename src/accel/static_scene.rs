@@ -5,53 +5,41 @@ use core::marker::PhantomData;
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::{MirrorTable, MirrorTables};
-use super::{SceneIn, Tables, World};
+use super::{ActiveRoom, Scene, Tables, World};
 use crate::grid::Grid;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::scene::access::SceneAccess;
-use crate::scene::{Needs, Parts, Room, used};
+use crate::scene::{Description, Needs, Parts, Room, used};
 use crate::shape::plane::PreparedPlane;
 
-/// A scene that is a constant of a type: it lives in flash, and the compiler keeps only the code and
-/// the tables that this scene can use.
+/// A scene that is a constant of a type; [`scene!`](crate::scene) implements it.
 ///
-/// ```
-/// use reflet::{Material, Scene, StaticScene};
-///
-/// const RED: Material = Material::new([0.9, 0.1, 0.1]);
-///
-/// struct Marble;
-/// impl StaticScene for Marble {
-///     type Scene = Scene<1, 0, 0, 1>; // spheres, planes, cylinders, lights
-///     const SCENE: &'static Self::Scene = &Scene::builder()
-///         .sphere([0.0, 0.0, 1.0], 1.0, RED)
-///         .light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0])
-///         .build();
-/// }
-/// ```
-pub trait StaticScene {
-    /// The scene's type, which carries its bounds.
-    type Scene: World + 'static;
+/// The scene lives in flash, and the compiler keeps only the code and the tables that it can use.
+pub trait StaticScene: Sized + 'static {
+    /// The room of the scene.
+    type Room: ActiveRoom;
     /// The scene.
-    const SCENE: &'static Self::Scene;
+    const SCENE: &'static Scene<Self::Room>;
+    /// The value of the type, which has no fields.
+    const INSTANCE: &'static Self;
+
+    /// Lends the numbers that the scene was written with.
+    fn with_description<R>(read: impl FnOnce(Description<'_>) -> R) -> R;
 }
 
-/// A [`StaticScene`] taken apart: what it needs, and each of its parts as a constant of its own, so
-/// that a part that nothing reads is not linked.
-///
-/// Implemented by the crate for every [`StaticScene`].
-#[allow(private_interfaces)]
+/// A [`StaticScene`] taken apart: what it needs, and each of its parts as a constant of its own, so that
+/// a part that nothing reads is not linked.
 pub trait Apart: StaticScene {
     /// What the scene needs.
     const NEEDS: Needs;
-    /// Its parts.
+    /// The parts of the scene.
     const PARTS: Parts<'static>;
-    /// Its lights, and its shapes as they see them.
-    const LIGHT_OCCLUDERS: &'static [LightOccluders<<Self::Scene as World>::Room>];
-    /// Which of them lie in which direction from each light.
+    /// The lights, with the shapes as they see them.
+    const LIGHT_OCCLUDERS: &'static [LightOccluders<Self::Room>];
+    /// The shapes in each direction from each light.
     const LIGHT_TABLES: &'static [LightTable];
-    /// Which of them lie ahead of rays that leave each round mirror; none where no ray is going to.
+    /// The shapes ahead of rays that leave each round mirror; empty where no ray reads them.
     const MIRROR_TABLES: &'static MirrorTables;
 }
 
@@ -70,10 +58,9 @@ macro_rules! apart {
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
-        #[allow(private_interfaces)]
         impl<T, $($header)*> Apart for T
         where
-            T: StaticScene<Scene = SceneIn<Room<$($arguments)*>>>,
+            T: StaticScene<Room = Room<$($arguments)*>>,
         {
             const NEEDS: Needs = T::SCENE.plain.constant_parts().needs();
 
@@ -98,7 +85,7 @@ macro_rules! apart {
         #[allow(non_upper_case_globals, reason = "a constant has the name of its list")]
         impl<T, $($header)*> Copied<T>
         where
-            T: StaticScene<Scene = SceneIn<Room<$($arguments)*>>>,
+            T: StaticScene<Room = Room<$($arguments)*>>,
         {
             $(const $lists: [crate::shape::$prepared; $room] = T::SCENE.plain.$list;)*
             const PLANES: [PreparedPlane; P] = T::SCENE.plain.planes;
@@ -165,7 +152,7 @@ impl<T: Apart> SceneAccess for Static<T> {
 }
 
 impl<T: Apart> World for Static<T> {
-    type Room = <T::Scene as World>::Room;
+    type Room = T::Room;
 
     #[inline(always)]
     fn tables(&self) -> Tables<'_, Self::Room> {

@@ -2,18 +2,72 @@
 
 use core::marker::PhantomData;
 
+use super::drawable::Drawable;
 use super::{Tables, World};
+use crate::error::Error;
 use crate::scene::access::{SceneAccess, if_needed};
-use crate::scene::{Bound, Needs, Parts};
+use crate::scene::{Needs, NeedsLimit, Parts};
 
-/// A scene of which no more is needed than `B` says; see [`crate::Scene::frame_within`].
+/// A scene that needs no more than the limit `L` allows: what `L` leaves out is not linked.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
+/// use reflet::needs::{Limited, Needs, NeedsLimit};
+/// use reflet::{Camera, Material, RuntimeScene, room};
+///
+/// struct Matte;
+/// impl NeedsLimit for Matte {
+///     const NEEDS: Needs = Needs::ALL.without_mirrors();
+/// }
+/// const CAMERA: Camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
+///
+/// let mut scene = RuntimeScene::<room!(spheres: 1)>::new();
+/// let chalk = scene.add_material(Material::new([0.9; 3]))?;
+/// scene.add_sphere([0, 0, 0], 1, chalk)?;
+/// let scene = scene.build()?;
+/// let mut display = MockDisplay::<Rgb888>::new();
+/// Limited::<_, Matte>::new(&scene)?.frame(&CAMERA).draw(&mut display).unwrap();
+///
+/// let mut scene = RuntimeScene::<room!(spheres: 1)>::new();
+/// let glass = scene.add_material(Material::new([0.9; 3]).mirror(0.5))?;
+/// scene.add_sphere([0, 0, 0], 1, glass)?;
+/// let error = Limited::<_, Matte>::new(&scene.build()?).err().unwrap();
+/// assert_eq!(error.part(), "mirrors");
+/// # Ok::<(), reflet::Error>(())
+/// ```
+pub struct Limited<'a, S, L> {
+    scene: &'a S,
+    limit: PhantomData<fn() -> L>,
+}
+
+impl<'a, S: Drawable, L: NeedsLimit> Limited<'a, S, L> {
+    /// Limits a scene.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Limit`](crate::ErrorKind::Limit) with the name of the first need that the limit leaves
+    /// out.
+    pub fn new(scene: &'a S) -> Result<Self, Error> {
+        scene.world().parts().needs().within(&L::NEEDS)?;
+        Ok(Self {
+            scene,
+            limit: PhantomData,
+        })
+    }
+
+    /// Returns the scene without its limit.
+    pub(super) fn scene(&self) -> &'a S {
+        self.scene
+    }
+}
+
+/// A scene of which the kernels need no more than `B` says.
 pub struct Within<W, B> {
     world: W,
     bound: PhantomData<B>,
 }
 
 impl<W, B> Within<W, B> {
-    /// The caller knows it.
+    /// The caller has checked the limit.
     pub(crate) const fn new(world: W) -> Self {
         Self {
             world,
@@ -30,7 +84,7 @@ impl<W: Clone, B> Clone for Within<W, B> {
 
 impl<W: Copy, B> Copy for Within<W, B> {}
 
-impl<W: SceneAccess, B: Bound> SceneAccess for Within<W, B> {
+impl<W: SceneAccess, B: NeedsLimit> SceneAccess for Within<W, B> {
     const NEEDS: Needs = W::NEEDS.both(&B::NEEDS);
     const CHOOSES_HITS: bool = W::CHOOSES_HITS;
 
@@ -40,7 +94,7 @@ impl<W: SceneAccess, B: Bound> SceneAccess for Within<W, B> {
     }
 }
 
-/// A scene with everything linked that any scene needs; see [`crate::Frame::whole`].
+/// A scene of which the kernels take everything to be needed.
 #[derive(Clone, Copy, Debug)]
 pub struct Whole<W>(pub(crate) W);
 
@@ -54,7 +108,7 @@ impl<W: SceneAccess> SceneAccess for Whole<W> {
     }
 }
 
-impl<W: World, B: Bound> World for Within<W, B> {
+impl<W: World, B: NeedsLimit> World for Within<W, B> {
     type Room = W::Room;
 
     #[inline(always)]

@@ -1,10 +1,11 @@
 //! Floor 8: what a picture can be off by where its paths were ended, from its report.
 
-use crate::accel::World;
+use crate::accel::drawable::Drawable;
 use crate::number::{Unit, narrowed_unsigned, signed};
-use crate::render::{Picture, Report};
+use crate::render::{Report, Rows};
+use crate::scene::access::SceneAccess;
 
-impl<W: World, Q, K> Picture<W, Q, K> {
+impl<S: Drawable, Q, K> Rows<'_, S, Q, K> {
     /// How far a pixel of this picture that was traced can be from one whose paths are followed for
     /// ever, on account of the reflections that were left out, as a share of white: 0 to 1.
     ///
@@ -19,13 +20,14 @@ impl<W: World, Q, K> Picture<W, Q, K> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
-    /// use reflet::{StaticFrame, scenes::{BuiltIn, Mirror2}};
+    /// use reflet::scenes::{BuiltIn, Mirror2};
     ///
     /// let bound = |reflections| {
     ///     let frame = Mirror2::frame(&Mirror2::CAMERA).reflections(reflections);
-    ///     let picture = frame.sized(Size::new(32, 32));
+    ///     let frame = frame.prepare(Size::new(32, 32));
+    ///     let rows = frame.on(&Mirror2).unwrap();
     ///     let mut row = [Rgb888::BLACK; 32];
-    ///     picture.cut_off_bound(&picture.row(16, 0, &mut row))
+    ///     rows.cut_off_bound(&rows.row(16, 0, &mut row))
     /// };
     /// assert!(bound(8) < bound(2));
     /// ```

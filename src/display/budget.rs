@@ -7,15 +7,15 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 
 use super::Enlarged;
-use crate::accel::World;
+use crate::accel::drawable::Drawable;
 use crate::number::{Unit, signed};
 use crate::render::{Fast, Fine, Quality};
-use crate::render::{Frame, Report};
+use crate::render::{FrameBuilder, Report};
 use crate::shade::Shading;
 
 /// The quality of a [`FrontPoint`], as a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Grade {
+pub enum QualityLevel {
     /// [`Fast`]
     Fast,
     /// [`Fine`]
@@ -32,7 +32,7 @@ pub struct FrontPoint {
     /// At most this many reflections a path.
     pub reflections: u8,
     /// The quality.
-    pub grade: Grade,
+    pub level: QualityLevel,
     /// A pixel that is drawn covers `scale` by `scale` pixels of the display (see [`Enlarged`]).
     pub scale: u8,
     /// The peak signal-to-noise ratio against double precision that follows every reflection, over
@@ -58,9 +58,9 @@ impl FrontPoint {
 /// `cargo run --release --package report` measures them for a scene of yours and writes them as
 /// Rust source.
 #[derive(Clone, Copy, Debug)]
-pub struct Front(&'static [FrontPoint]);
+pub struct ParetoFront(&'static [FrontPoint]);
 
-impl Front {
+impl ParetoFront {
     /// The front of these points.
     ///
     /// Panics, which stops the compiler for a constant, if there are none, or if one does not take
@@ -93,7 +93,7 @@ impl Front {
             prepare: 0,
             instructions: 0,
             reflections: 0,
-            grade: Grade::Fast,
+            level: QualityLevel::Fast,
             scale: 1,
             psnr: 0,
             largest: u8::MAX,
@@ -122,7 +122,7 @@ pub struct Budgeted {
     /// Of what was drawn.
     pub report: Report,
     /// How far a pixel that was traced can be off on account of the reflections that were left out,
-    /// as a share of white: [`crate::Picture::cut_off_bound`].
+    /// as a share of white: [`crate::Rows::cut_off_bound`].
     pub cut_off_bound: Unit,
     /// How many of the display's rows were still to be drawn when time was up: the lowest ones, which
     /// show what they showed before.
@@ -136,7 +136,7 @@ struct Drawn {
     rows: u32,
 }
 
-impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
+impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// Draws the frame over the whole target with the settings of a front that fit a budget of so
     /// many instructions, instead of its own; [`u64::MAX`] for the best there is.
     ///
@@ -154,17 +154,18 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
-    /// use reflet::{Front, FrontPoint, Grade, StaticFrame, scenes::{BuiltIn, Corner1}};
+    /// use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
+    /// use reflet::scenes::{BuiltIn, Corner1};
     ///
     /// // Made up; `cargo run --release --package report -- corner1` writes what is measured.
-    /// const FRONT: Front = Front::new(&[
+    /// const FRONT: ParetoFront = ParetoFront::new(&[
     ///     FrontPoint {
     ///         prepare: 10_000, instructions: 80, reflections: 1,
-    ///         grade: Grade::Fast, scale: 2, psnr: 2400, largest: 160,
+    ///         level: QualityLevel::Fast, scale: 2, psnr: 2400, largest: 160,
     ///     },
     ///     FrontPoint {
     ///         prepare: 10_000, instructions: 230, reflections: 2,
-    ///         grade: Grade::Fast, scale: 1, psnr: 6000, largest: 9,
+    ///         level: QualityLevel::Fast, scale: 1, psnr: 6000, largest: 9,
     ///     },
     /// ]);
     ///
@@ -178,7 +179,7 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     /// The target's own, at once: no further row is worked out.
     pub fn draw_within<D>(
         self,
-        front: &Front,
+        front: &ParetoFront,
         instructions: u64,
         time_is_up: impl FnMut() -> bool,
         target: &mut D,
@@ -189,11 +190,11 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
     {
         let size = target.bounding_box().size;
         let choice = front.choose(size, instructions);
-        let (grade, scale) = (choice.point.grade, u32::from(choice.point.scale));
+        let (level, scale) = (choice.point.level, u32::from(choice.point.scale));
         let frame = self.reflections(choice.point.reflections);
         let drawn = match scale {
-            0 | 1 => frame.graded(grade, time_is_up, target),
-            _ => frame.graded(grade, time_is_up, &mut Enlarged::new(target, scale)),
+            0 | 1 => frame.at_level(level, time_is_up, target),
+            _ => frame.at_level(level, time_is_up, &mut Enlarged::new(target, scale)),
         }?;
         let rows = drawn.rows.saturating_mul(scale.max(1));
         Ok(Budgeted {
@@ -204,9 +205,9 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         })
     }
 
-    fn graded<D>(
+    fn at_level<D>(
         self,
-        grade: Grade,
+        level: QualityLevel,
         time_is_up: impl FnMut() -> bool,
         target: &mut D,
     ) -> Result<Drawn, D::Error>
@@ -214,9 +215,9 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         D: DrawTarget,
         D::Color: From<Rgb888>,
     {
-        match grade {
-            Grade::Fast => self.quality::<Fast>().draw_until(time_is_up, target),
-            Grade::Fine => self.quality::<Fine>().draw_until(time_is_up, target),
+        match level {
+            QualityLevel::Fast => self.quality::<Fast>().draw_until(time_is_up, target),
+            QualityLevel::Fine => self.quality::<Fine>().draw_until(time_is_up, target),
         }
     }
 
@@ -239,18 +240,19 @@ impl<'a, W: World + Copy, Q: Quality, K: Shading> Frame<'a, W, Q, K> {
         if area.is_zero_sized() {
             return Ok(drawn);
         }
-        let picture = self.sized(area.size);
-        let Size { width, height } = picture.size();
+        let frame = self.prepare(area.size);
+        let rows = frame.unchanged(self.scene());
+        let Size { width, height } = rows.size();
         for y in 0..height {
             if time_is_up() {
                 break;
             }
             let row = Rectangle::new(Point::new(0, signed(y)), Size::new(width, 1));
-            let report = picture.draw_area(row, area.top_left, target)?;
+            let report = rows.draw_area(row, area.top_left, target)?;
             drawn.report = drawn.report.merge(report);
             drawn.rows = y + 1;
         }
-        drawn.cut_off_bound = picture.cut_off_bound(&drawn.report);
+        drawn.cut_off_bound = rows.cut_off_bound(&drawn.report);
         Ok(drawn)
     }
 }

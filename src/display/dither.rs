@@ -28,7 +28,7 @@ use crate::number::{to_u8, unsigned};
 ///
 /// struct Ball;
 /// impl StaticScene for Ball {
-///     type Scene = Scene<1, 0, 0, 1>;
+///     type Scene = Scene<room!(spheres: 1, lights: 1)>;
 ///     const SCENE: &'static Self::Scene = &Scene::builder()
 ///         .sphere([0.0, 0.0, 0.0], 1.0, Material::new([0.9, 0.9, 0.8]))
 ///         .light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0])

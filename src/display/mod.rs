@@ -2,11 +2,10 @@
 //! embedded-graphics; it knows no ray.
 
 mod bound;
-mod budget;
+pub(crate) mod budget;
 mod dither;
 mod enlarged;
 
-pub use budget::{Budgeted, Choice, Front, FrontPoint, Grade};
 pub use dither::{Ditherable, Dithered, Threshold, dither};
 pub use enlarged::Enlarged;
 
@@ -16,24 +15,24 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics::transform::Transform;
 
-use crate::accel::World;
+use crate::accel::drawable::Drawable;
 use crate::color::Sum;
 use crate::number::unsigned;
 use crate::render::Quality;
-use crate::render::{Frame, Picture, Report};
+use crate::render::{FrameBuilder, PreparedFrame, Report, Rows};
 use crate::shade::Shading;
 
-impl<W: World + Copy, Q: Quality, K: Shading> Frame<'_, W, Q, K> {
+impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// Makes the frame ready for one size of picture; each side is taken as 1 to 65535 pixels.
     #[inline(always)]
-    pub fn sized(&self, size: Size) -> Picture<W, Q, K> {
+    pub fn prepare(&self, size: Size) -> PreparedFrame<S, Q, K> {
         self.prepared(size.width, size.height)
     }
 
     /// Draws the frame over the whole target, row by row.
     ///
     /// # Errors
-    /// The target's own, at once: no further row is worked out.
+    /// The error of the target, at once: no further row is computed.
     pub fn draw<D>(&self, target: &mut D) -> Result<Report, D::Error>
     where
         D: DrawTarget,
@@ -43,42 +42,40 @@ impl<W: World + Copy, Q: Quality, K: Shading> Frame<'_, W, Q, K> {
         if area.is_zero_sized() {
             return Ok(Report::NONE);
         }
-        self.sized(area.size).draw_at(area.top_left, target)
+        let frame = self.prepare(area.size);
+        let whole = Rectangle::new(Point::zero(), frame.size());
+        frame.unchanged(self.scene()).draw_area(whole, area.top_left, target)
     }
 }
 
-impl<W: World, Q: Quality, K: Shading> Picture<W, Q, K> {
-    /// The size it was made for.
+impl<S: Drawable, Q, K> PreparedFrame<S, Q, K> {
+    /// Returns the size of the picture.
+    pub fn size(&self) -> Size {
+        let [width, height] = self.sides();
+        Size::new(width, height)
+    }
+}
+
+impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
+    /// Returns the size of the picture.
     pub fn size(&self) -> Size {
         let [width, height] = self.sides();
         Size::new(width, height)
     }
 
-    /// Fills `pixels` with row `y` from column `x` on; row 0 is at the top.
+    /// Computes row `y` from column `x` on into `pixels`; row 0 is at the top.
     ///
-    /// What would lie beyond the picture's edges stays as it is.
+    /// Pixels beyond the edges of the picture stay as they are.
     pub fn row<C: PixelColor + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
         self.fill_row(y, x, pixels, shown)
     }
 
-    /// Draws the whole picture with its top left corner at `top_left` of the target, row by row;
-    /// what lies outside the target is not worked out.
+    /// Draws the part of the picture inside of `area`, which is in coordinates of the picture. The top left
+    /// corner of the picture is at `top_left` of the target. What lies outside of the target is not
+    /// computed.
     ///
     /// # Errors
-    /// The target's own, at once: no further row is worked out.
-    pub fn draw_at<D>(&self, top_left: Point, target: &mut D) -> Result<Report, D::Error>
-    where
-        D: DrawTarget,
-        D::Color: From<Rgb888>,
-    {
-        self.draw_area(Rectangle::new(Point::zero(), self.size()), top_left, target)
-    }
-
-    /// Draws the part of the picture inside `area` (in the picture's own coordinates), where the
-    /// picture's top left corner is at `top_left` of the target.
-    ///
-    /// # Errors
-    /// The target's own, at once: no further row is worked out.
+    /// The error of the target, at once: no further row is computed.
     pub fn draw_area<D>(
         &self,
         area: Rectangle,

@@ -7,34 +7,32 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::Size;
 
 use super::reference::Picture;
-use crate::accel::World;
-use crate::render::Quality;
+use crate::accel::drawable::Drawable;
+use crate::render::{Quality, Rows};
 use crate::shade::Shading;
 
-/// Draws a frame row by row into the form that pictures are compared in.
+/// Draws a frame into the form that pictures are compared in.
 ///
 /// ```
 /// use embedded_graphics::prelude::Size;
-/// use reflet::StaticFrame;
 /// use reflet::host::painted;
 /// use reflet::scenes::{BuiltIn, Empty};
 ///
 /// let frame = Empty::frame(&Empty::CAMERA);
-/// let picture = painted(&frame.sized(Size::new(2, 1)));
+/// let frame = frame.prepare(Size::new(2, 1));
+/// let picture = painted(&frame.on(&Empty).unwrap());
 /// assert_eq!(picture.pixels.len(), 2);
 /// ```
-pub fn painted<W: World, Q: Quality, K: Shading>(
-    picture: &crate::render::Picture<W, Q, K>,
-) -> Picture {
-    let Size { width, height } = picture.size();
+pub fn painted<S: Drawable, Q: Quality, K: Shading>(rows: &Rows<'_, S, Q, K>) -> Picture {
+    let Size { width, height } = rows.size();
     let mut row = vec![Rgb888::BLACK; width as usize];
-    let rows = (0..height).flat_map(|y| {
-        picture.row(y, 0, &mut row);
+    let pixels = (0..height).flat_map(|y| {
+        rows.row(y, 0, &mut row);
         let bytes = row.iter().map(|pixel| [pixel.r(), pixel.g(), pixel.b()]);
         bytes.collect::<Vec<_>>()
     });
     Picture {
-        pixels: rows.collect(),
+        pixels: pixels.collect(),
         width,
         height,
     }

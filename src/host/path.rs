@@ -29,7 +29,7 @@ pub struct Ray {
 /// use reflet::{Camera, Material, Scene};
 ///
 /// const GLASS: Material = Material::new([1.0; 3]).mirror(1.0);
-/// const FLOOR: Scene<0, 1, 0, 0> =
+/// const FLOOR: Scene<room!(planes: 1)> =
 ///     Scene::builder().plane([0.0; 3], [0.0, 0.0, 1.0], GLASS).build();
 ///
 /// let camera = Camera::look_at([0.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);

@@ -9,7 +9,7 @@
 macro_rules! shapes {
     (all of $write:ident { $declaration:tt $header:tt $parameters:tt } $({
         $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-        $nth:literal $too_many:ident $without:ident
+        $set:ident $too_many:ident $without:ident
         $(#[$doc:meta])* $add:ident($($(#[$key:meta])* $field:ident: $type:ident),*)
     })*) => {
         $write! {
@@ -25,7 +25,7 @@ macro_rules! shapes {
             all of $write $header
             $first
             {
-                planes plane Plane PreparedPlane P Planes [] "second" TooManyPlanes without_planes
+                planes plane Plane PreparedPlane P Planes [] set_plane TooManyPlanes without_planes
                 add_plane(#[serde(rename = "center")] point: Position, normal: Position)
             }
             $($more)*

@@ -2,14 +2,14 @@
 //!
 //! Knows no display: colours leave it as sums, and a size is two numbers.
 
-mod frame;
+mod builder;
 mod interpolate;
-mod picture;
+mod prepared;
 mod quality;
 mod report;
 
-pub use frame::{Frame, StaticFrame};
-pub use picture::Picture;
+pub use builder::FrameBuilder;
+pub use prepared::{PreparedFrame, Rows};
 pub use quality::{Exact, Fast, Fine, Quality, Small};
 pub use report::Report;
 

@@ -3,6 +3,7 @@
 use super::capacity::{Capacity, Counts, Room};
 use super::needs::Needs;
 use super::prepare::PlainScene;
+use super::shape_set::ShapeSet;
 use super::used;
 use crate::color::Color;
 use crate::grid::Grid;
@@ -40,6 +41,8 @@ macro_rules! parts {
             /// The same inside of a bounded shape: at least 8 steps, or 16 in a scene with cylinders.
             pub(crate) inner_epsilon: Length,
             pub(crate) grid: &'a Grid,
+            /// The shapes that move: no table may leave them out.
+            pub(crate) moving: ShapeSet,
         }
 
         impl<'a> Parts<'a> {
@@ -169,6 +172,7 @@ macro_rules! parts {
                     epsilon: self.epsilon,
                     inner_epsilon: self.inner_epsilon,
                     grid: &self.grid,
+                    moving: self.moving,
                 }
             }
         }

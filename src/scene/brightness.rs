@@ -1,5 +1,6 @@
 //! How bright a scene can be: the bound on what follows where a path ends.
 
+use super::access::Parts;
 use crate::color::Color;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
@@ -71,4 +72,25 @@ pub(super) const fn dimness(brightest: Brightness) -> Unit {
     let inverse = narrowed((1_i64 << 56) / brightest.to_bits() as i64);
     let rest = 24 - inverse.leading_zeros();
     Unit::from_bits(inverse >> rest << rest)
+}
+
+impl Parts<'_> {
+    /// Tests whether nothing lights the scene: no light, no ambient light, and a surface that scatters
+    /// light.
+    pub(crate) const fn lacks_light(&self) -> bool {
+        if !self.lights.is_empty() || (self.bounded() == 0 && self.planes.is_empty()) {
+            return false;
+        }
+        let mut scatters = false;
+        let mut index = 0;
+        while index < self.materials.len() {
+            let material = &self.materials[index];
+            if bits(material.ambient) > 0 {
+                return false;
+            }
+            scatters |= bits(material.diffuse) > 0 || bits(material.specular) > 0;
+            index += 1;
+        }
+        scatters
+    }
 }

@@ -1,9 +1,10 @@
 //! Scenes written in plain numbers and built by the compiler.
 
-use super::capacity::{Capacity, Room};
+use super::capacity::{Capacity, Counts, Room};
 use super::description::{Described, Description};
 use super::prepare;
 use crate::camera::Camera;
+use crate::error::Error;
 use crate::fault::Fault;
 use crate::light::Light;
 use crate::material::Material;
@@ -11,15 +12,46 @@ use crate::number::Number;
 use crate::shape::plane::Plane;
 use crate::vector::Position;
 
-/// A [`SceneBuilder`] with the room of its scene as one type.
-#[derive(Clone, Copy, Debug)]
-pub struct SceneBuilderIn<R: Capacity>(Described<R>);
+/// The most parts of a constant scene that may move.
+const MOST_MOVING: usize = 16;
 
-impl<R: Capacity> SceneBuilderIn<R> {
+/// The description of a constant scene, part by part; [`scene!`](crate::scene) writes it.
+///
+/// Every method checks its arguments. A mistake stops the compiler with a message that names the part
+/// and the fix. The room is a type, [`room!`](crate::room). A scene that is filled while the program runs
+/// is a [`RuntimeScene`](crate::RuntimeScene), which returns errors.
+///
+/// ```
+/// use reflet::{Material, Scene, SceneBuilder, room};
+///
+/// const BALL: Scene<room!(spheres: 1, lights: 1)> = SceneBuilder::new()
+///     .sphere([0.0; 3], 1.0, Material::new([1.0; 3]))
+///     .light([3.0, -4.0, 6.0], [1.0; 3])
+///     .build();
+/// # let _ = BALL;
+/// ```
+///
+/// ```compile_fail
+/// use reflet::{Material, Scene, SceneBuilder, room};
+///
+/// const BALL: Scene<room!(spheres: 1, lights: 1)> = SceneBuilder::new()
+///     .sphere([0.0; 3], -1.0, Material::new([1.0; 3]))
+///     .light([3.0, -4.0, 6.0], [1.0; 3])
+///     .build();
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct SceneBuilder<R: Capacity> {
+    described: Described<R>,
+    /// Name and index of the part that was added last.
+    last: Option<(&'static str, usize)>,
+    moving: [Option<(&'static str, usize)>; MOST_MOVING],
+}
+
+impl<R: Capacity> SceneBuilder<R> {
     /// What a ray that meets nothing adds, 0 to 16 a component; black unless it is named.
     pub const fn background(mut self, color: [f64; 3]) -> Self {
-        self.0.background = numbers(color);
-        Fault::refuse(prepare::background_fault(self.0.background));
+        self.described.background = numbers(color);
+        Error::refuse("scene", prepare::background_fault(self.described.background));
         self
     }
 
@@ -40,15 +72,48 @@ impl<R: Capacity> SceneBuilderIn<R> {
     /// reflections do not reach the place where two shapes touch. It should be small beside the smallest
     /// shape and the smallest gap.
     pub const fn epsilon(mut self, epsilon: f64) -> Self {
-        self.0.epsilon = Number::new(epsilon);
-        Fault::refuse(prepare::epsilon_fault(self.0.epsilon));
+        self.described.epsilon = Number::new(epsilon);
+        Error::refuse("scene", prepare::epsilon_fault(self.described.epsilon));
         self
+    }
+
+    /// Sets the box in which parts of the scene move, by two opposite corners.
+    ///
+    /// The scene's grid is chosen for the whole box, so that a part that moves in it changes no bit of the
+    /// others. The ball around a part that moves must stay inside of the box.
+    pub const fn motion(mut self, low: [f64; 3], high: [f64; 3]) -> Self {
+        let motion = [Position::new(low), Position::new(high)];
+        Error::refuse("motion", prepare::motion_fault(motion));
+        self.described.motion = Some(motion);
+        self
+    }
+
+    /// Marks the shape that was added last as one that moves, for [`scene!`](crate::scene).
+    #[doc(hidden)]
+    pub const fn moves_as(mut self, name: &'static str) -> Self {
+        let Some((part, index)) = self.last else {
+            Error::of(name, Fault::NothingMoves).stop();
+        };
+        let mut free = 0;
+        while free < MOST_MOVING && self.moving[free].is_some() {
+            free += 1;
+        }
+        if free == MOST_MOVING {
+            Error::at(part, index, Fault::TooManyMoving).stop();
+        }
+        self.moving[free] = Some((part, index));
+        self
+    }
+
+    /// Returns the shapes that move, by name and index; `None` from some index on.
+    pub(crate) const fn moving(&self) -> &[Option<(&'static str, usize)>] {
+        &self.moving
     }
 
     /// The camera the scene is meant to be seen with first. The binary point is chosen so that it
     /// has its place beside the shapes; any other camera can be used as well.
     pub const fn camera(mut self, camera: Camera) -> Self {
-        self.0.camera = Some(camera);
+        self.described.camera = Some(camera);
         self
     }
 }
@@ -65,79 +130,81 @@ macro_rules! plain {
 
 macro_rules! builder {
     (
-        { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-            $nth:literal $too_many:ident $without:ident
+            $set:ident $too_many:ident $without:ident
             $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*) })*
     ) => {
-        /// The description of a scene with room for `S` spheres, `P` planes, `C` cylinders, `L` lights and
-        /// `M` different materials, for constants.
-        ///
-        /// Every method checks what it is given and panics with words that name the field and the fix;
-        /// in a constant that stops the compiler. For scenes that are filled while the program runs there
-        /// is [`crate::RuntimeScene`], which returns errors.
-        ///
-        /// ```compile_fail
-        /// use reflet::{Material, Scene};
-        /// const SCENE: Scene<1, 0, 0, 0> =
-        ///     Scene::builder().sphere([0.0; 3], -1.0, Material::new([1.0; 3])).build();
-        /// ```
-        pub type SceneBuilder<$($declaration)*> = SceneBuilderIn<Room<$($arguments)*>>;
-
-        impl<$($header)*> SceneBuilderIn<Room<$($arguments)*>> {
+        impl<$($header)*> SceneBuilder<Room<$($arguments)*>> {
             /// An empty scene with a black background and an epsilon of 0.001.
             pub const fn new() -> Self {
-                Self(Described::new())
+                Self {
+                    described: Described::new(),
+                    last: None,
+                    moving: [None; MOST_MOVING],
+                }
             }
 
             $(
                 $(#[$doc])*
                 pub const fn $kind(mut self, $($field: plain!($type),)* material: Material) -> Self {
-                    self.0.$list.refuse_more(Fault::$too_many);
-                    let material = self.0.materials.id_of(material);
+                    let index = self.described.$list.len;
+                    self.described.$list.refuse_more(stringify!($kind), Fault::$too_many);
+                    let material = self.described.materials.id_of(material);
                     let $kind = crate::shape::$described {
                         $($field: $type::new($field),)*
                         material,
                     };
-                    Fault::refuse($kind.fault());
-                    self.0.$list.push($kind);
+                    Error::refuse_at(stringify!($kind), index, $kind.fault());
+                    self.described.$list.push($kind);
+                    self.last = Some((stringify!($kind), index));
                     self
                 }
             )*
 
             /// Adds an infinite plane through `point`; the normal may have any length but 0.
             pub const fn plane(mut self, point: [f64; 3], normal: [f64; 3], material: Material) -> Self {
-                self.0.planes.refuse_more(Fault::TooManyPlanes);
+                let index = self.described.planes.len;
+                self.described.planes.refuse_more("plane", Fault::TooManyPlanes);
                 let plane = Plane {
                     point: Position::new(point),
                     normal: Position::new(normal),
-                    material: self.0.materials.id_of(material),
+                    material: self.described.materials.id_of(material),
                 };
-                Fault::refuse(plane.fault());
-                self.0.planes.push(plane);
+                Error::refuse_at("plane", index, plane.fault());
+                self.described.planes.push(plane);
+                self.last = None;
                 self
             }
 
             /// Adds a point light; colour components are 0 to 16.
             pub const fn light(mut self, position: [f64; 3], color: [f64; 3]) -> Self {
-                self.0.lights.refuse_more(Fault::TooManyLights);
+                let index = self.described.lights.len;
+                self.described.lights.refuse_more("light", Fault::TooManyLights);
                 let light = Light {
                     position: Position::new(position),
                     color: numbers(color),
                 };
-                Fault::refuse(light.fault());
-                self.0.lights.push(light);
+                Error::refuse_at("light", index, light.fault());
+                self.described.lights.push(light);
+                self.last = None;
                 self
             }
 
             /// The description so far.
             pub const fn description(&self) -> Description<'_> {
-                self.0.description()
+                self.described.description()
+            }
+
+            /// Returns how many parts of each kind there are.
+            #[doc(hidden)]
+            pub const fn counts(&self) -> Counts {
+                self.description().counts()
             }
 
         }
 
-        impl<$($header)*> Default for SceneBuilderIn<Room<$($arguments)*>> {
+        impl<$($header)*> Default for SceneBuilder<Room<$($arguments)*>> {
             fn default() -> Self {
                 Self::new()
             }

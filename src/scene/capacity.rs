@@ -21,7 +21,7 @@ macro_rules! capacity {
         { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
-        /// How many parts a scene has, or has room for.
+        /// Number of parts of each kind that a scene has, or has room for.
         #[derive(Clone, Copy, Debug)]
         pub struct Counts {
             $(pub(crate) $list: usize,)*
@@ -31,6 +31,47 @@ macro_rules! capacity {
         }
 
         impl Counts {
+            /// Reads the fields of a `room!`. A list that is not named has no room, materials have room
+            /// for 8.
+            pub const fn of_fields(fields: &[(&str, usize)]) -> Self {
+                let mut counts = Self { $($list: 0,)* planes: 0, lights: 0, materials: 8 };
+                let mut index = 0;
+                while index < fields.len() {
+                    let (name, count) = fields[index];
+                    index += 1;
+                    $(
+                        if is_same(name, stringify!($list)) {
+                            counts.$list = count;
+                            continue;
+                        }
+                    )*
+                    match name.as_bytes() {
+                        b"planes" => counts.planes = count,
+                        b"lights" => counts.lights = count,
+                        b"materials" => counts.materials = count,
+                        _ => panic!("{}", concat!(
+                            "room!(..) has no such list; it has "
+                            $(, stringify!($list), ", ")*, "planes, lights, materials"
+                        )),
+                    }
+                }
+                counts
+            }
+
+            /// Returns the count for one const parameter of [`Room`], by the parameter's name.
+            pub const fn parameter(&self, name: &str) -> usize {
+                $(
+                    if is_same(name, stringify!($room)) {
+                        return self.$list;
+                    }
+                )*
+                match name.as_bytes() {
+                    b"P" => self.planes,
+                    b"L" => self.lights,
+                    _ => self.materials,
+                }
+            }
+
             /// How many bounded shapes there are, of all kinds.
             pub(crate) const fn bounded(&self) -> usize {
                 0 $(+ self.$list)*
@@ -45,7 +86,7 @@ macro_rules! capacity {
         ///
         /// Implemented by the crate for every [`Room`]; there is no need to implement it elsewhere.
         /// Where the room's numbers are named the compiler knows the arrays, so that constants can index
-        /// them: in `impl<const S: usize, ..> SceneBuilderIn<Room<S, ..>>`, `R::Spheres<T>` is `[T; S]`.
+        /// them: in `impl<const S: usize, ..> SceneBuilder<Room<S, ..>>`, `R::Spheres<T>` is `[T; S]`.
         pub trait Capacity: Copy + Debug + 'static {
             $(
                 #[doc = concat!("With room for the ", stringify!($list), ".")]
@@ -78,6 +119,22 @@ macro_rules! capacity {
     };
 }
 kinds!(capacity);
+
+/// Compares two names in constants.
+pub(super) const fn is_same(one: &str, other: &str) -> bool {
+    let (one, other) = (one.as_bytes(), other.as_bytes());
+    if one.len() != other.len() {
+        return false;
+    }
+    let mut index = 0;
+    while index < one.len() {
+        if one[index] != other[index] {
+            return false;
+        }
+        index += 1;
+    }
+    true
+}
 
 #[cfg(test)]
 mod tests {

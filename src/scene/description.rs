@@ -8,6 +8,7 @@ use crate::material::Material;
 use crate::number::Number;
 use crate::shape::Extent;
 use crate::shape::plane::Plane;
+use crate::vector::Position;
 
 /// How far a ray is lifted off the surface it leaves unless the scene says otherwise.
 const EPSILON: f64 = 1e-3;
@@ -18,7 +19,8 @@ macro_rules! description {
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
         /// A scene as it was described: plain numbers, before they are laid on the grid.
-        #[derive(Clone, Copy, Debug)]
+        #[derive(Clone, Copy, Debug, Hash)]
+        #[non_exhaustive]
         pub struct Description<'a> {
             $(
                 #[doc = concat!("The ", stringify!($list), ".")]
@@ -37,6 +39,8 @@ macro_rules! description {
             pub epsilon: Number,
             /// The camera the scene is meant to be seen with first.
             pub camera: Option<Camera>,
+            /// Two corners of the box in which parts move, if any do.
+            pub motion: Option<[Position; 2]>,
         }
 
         impl Description<'_> {
@@ -86,6 +90,7 @@ macro_rules! description {
             pub(super) background: [Number; 3],
             pub(super) epsilon: Number,
             pub(super) camera: Option<Camera>,
+            pub(super) motion: Option<[Position; 2]>,
         }
 
         impl<$($header)*> Described<Room<$($arguments)*>> {
@@ -100,6 +105,7 @@ macro_rules! description {
                     background: [Number::ZERO; 3],
                     epsilon: Number::new(EPSILON),
                     camera: None,
+                    motion: None,
                 }
             }
 
@@ -112,6 +118,7 @@ macro_rules! description {
                     background: self.background,
                     epsilon: self.epsilon,
                     camera: self.camera,
+                    motion: self.motion,
                 }
             }
         }

@@ -2,16 +2,16 @@
 
 use super::access::SceneAccess;
 use super::capacity::{Capacity, Room};
-use super::{Needs, Parts, PlainScene, RuntimeSceneIn, SceneError};
+use super::{Needs, Parts, PlainScene, RuntimeScene, Error};
 
 macro_rules! plain {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $($more:tt)*
     ) => {
-        impl<$($header)*> RuntimeSceneIn<Room<$($arguments)*>> {
+        impl<$($header)*> RuntimeScene<Room<$($arguments)*>> {
             /// The scene as the plain path reads it.
-            pub(crate) fn plain(&self) -> Result<PlainScene<Room<$($arguments)*>>, SceneError> {
+            pub(crate) fn plain(&self) -> Result<PlainScene<Room<$($arguments)*>>, Error> {
                 PlainScene::prepare(&self.description())
             }
         }

@@ -128,7 +128,25 @@ const fn radius_around(middle: Position, scene: &Description<'_>) -> u128 {
         radius = larger(radius, far_side);
         index += 1;
     }
+    if let Some(motion) = scene.motion {
+        let mut corner = 0;
+        while corner < 8 {
+            radius = larger(radius, distance(middle, corner_of(&motion, corner)));
+            corner += 1;
+        }
+    }
     radius
+}
+
+/// Returns one of the eight corners of a box.
+const fn corner_of(motion: &[Position; 2], corner: usize) -> Position {
+    let mut position = motion[0];
+    let mut axis = 0;
+    while axis < 3 {
+        position.0[axis] = motion[corner >> axis & 1].0[axis];
+        axis += 1;
+    }
+    position
 }
 
 /// `radius` enlarged for the lights, the camera and the planes, as far as [`accompanied`] allows.
@@ -192,6 +210,10 @@ const fn middle_of(scene: &Description<'_>) -> Position {
     while let Some(extent) = scene.extent(index) {
         bounds.add(extent.center, extent.radius.to_bits());
         index += 1;
+    }
+    if let Some([low, high]) = scene.motion {
+        bounds.add(low, 0);
+        bounds.add(high, 0);
     }
     if !bounds.is_empty {
         return bounds.middle();

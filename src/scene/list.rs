@@ -1,7 +1,8 @@
 //! A list of parts with a fixed room, which the compiler can fill as well as a program.
 
 use super::capacity::Array;
-use super::{SceneError, used};
+use super::used;
+use crate::error::Error;
 use crate::fault::Fault;
 use crate::material::Material;
 use crate::number::{to_u16, to_u32};
@@ -27,10 +28,10 @@ impl<T: Copy, const N: usize> List<[T; N]> {
         used(&self.items, self.len)
     }
 
-    /// Stops the compiler with a fault unless there is room for another item.
-    pub(super) const fn refuse_more(&self, too_many: Fault) {
+    /// Stops the compiler unless there is room for another item.
+    pub(super) const fn refuse_more(&self, part: &'static str, too_many: Fault) {
         if self.len == N {
-            Fault::refuse(Some(too_many));
+            Error::at(part, self.len, too_many).stop();
         }
     }
 
@@ -51,7 +52,7 @@ impl<const N: usize> List<[Material; N]> {
             }
             index += 1;
         }
-        self.refuse_more(Fault::TooManyMaterials);
+        self.refuse_more("material", Fault::TooManyMaterials);
         self.push(material);
         id(index)
     }
@@ -63,20 +64,20 @@ impl<A> List<A> {
         &mut self,
         part: T,
         fault: Option<Fault>,
-        place: fn(usize, Fault) -> SceneError,
+        name: &'static str,
         too_many: Fault,
-    ) -> Result<(), SceneError>
+    ) -> Result<usize, Error>
     where
         A: Array<T>,
     {
         let index = self.len;
         if let Some(fault) = fault {
-            return Err(place(index, fault));
+            return Err(Error::at(name, index, fault));
         }
         let free = self.items.as_mut().get_mut(index);
-        *free.ok_or(place(index, too_many))? = part;
+        *free.ok_or(Error::at(name, index, too_many))? = part;
         self.len += 1;
-        Ok(())
+        Ok(index)
     }
 }
 

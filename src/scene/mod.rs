@@ -9,12 +9,14 @@ mod brightness;
 mod builder;
 mod capacity;
 mod description;
-mod error;
 pub(crate) mod far;
 #[cfg(test)]
 mod fixture;
 mod layout;
+pub(crate) mod handle;
 mod list;
+mod macros;
+mod motion;
 pub(crate) mod nearest;
 mod needs;
 pub(crate) mod planes;
@@ -27,15 +29,15 @@ pub(crate) mod surface;
 pub(crate) use access::Parts;
 #[cfg(test)]
 pub(crate) use builder::tests as built;
-pub use builder::{SceneBuilder, SceneBuilderIn};
+pub use builder::SceneBuilder;
 pub(crate) use capacity::Array;
-pub use capacity::{Capacity, Room};
+pub use capacity::{Capacity, Counts, Room};
+pub use handle::Handle;
 pub use description::Description;
-pub use error::SceneError;
 pub(crate) use needs::FEW;
-pub use needs::{Bound, Excess, Mirrors, MostReflections, Need, Needs, Shininess};
+pub use needs::{Mirrors, MostReflections, Need, Needs, NeedsLimit, Shininess};
 pub(crate) use prepare::PlainScene;
-pub use runtime::{RuntimeScene, RuntimeSceneIn};
+pub use runtime::RuntimeScene;
 pub(crate) use surface::Surface;
 
 /// The first `count` items; all of them, rather than a panic, should there be fewer.

@@ -4,7 +4,7 @@ mod bound;
 mod finish;
 mod words;
 
-pub use bound::{Bound, Excess, MostReflections};
+pub use bound::{MostReflections, NeedsLimit};
 pub use words::Need;
 
 use finish::Finish;
@@ -16,24 +16,23 @@ macro_rules! needs {
     (
         $header:tt
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-            $nth:literal $too_many:ident $without:ident $($more:tt)* })*
+            $set:ident $too_many:ident $without:ident $($more:tt)* })*
     ) => {
         /// What a scene, or any scene of a type, can need of the library.
         ///
-        /// For a [`crate::StaticScene`] it is derived from the scene itself when the program is compiled
-        /// ([`Needs::of`]); for a scene filled at run time from the room in its type, or from a [`Bound`].
+        /// For a constant scene ([`scene!`](crate::scene)) it is derived from the scene itself when the program is compiled
+        /// ([`Needs::of`]); for a scene filled at run time from the room in its type, or from a [`NeedsLimit`].
         /// The code and the tables for what is not needed are not in the program.
         ///
         /// ```
-        /// use reflet::{Material, Mirrors, Needs, Scene, StaticScene};
+        /// use reflet::needs::{Mirrors, Needs};
+        /// use reflet::{Material, scene};
         ///
-        /// struct Marble;
-        /// impl StaticScene for Marble {
-        ///     type Scene = Scene<1, 0, 0, 1>;
-        ///     const SCENE: &'static Self::Scene = &Scene::builder()
-        ///         .sphere([0.0, 0.0, 1.0], 1.0, Material::new([0.9, 0.1, 0.1]))
-        ///         .light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0])
-        ///         .build();
+        /// scene! {
+        ///     struct Marble {
+        ///         sphere([0.0, 0.0, 1.0], 1.0, Material::new([0.9, 0.1, 0.1]));
+        ///         light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0]);
+        ///     }
         /// }
         /// const NEEDS: Needs = Needs::of::<Marble>();
         /// assert!(NEEDS.spheres && !NEEDS.planes && NEEDS.mirrors == Mirrors::None);

@@ -4,9 +4,11 @@ use super::access::Parts;
 use super::brightness::{brightest, dimness};
 use super::capacity::{Capacity, Counts, Room};
 use super::layout::choose_grid;
-use super::{Description, SceneError, used};
+use super::shape_set::ShapeSet;
+use super::{Description, used};
 use crate::camera::Camera;
 use crate::color::Color;
+use crate::error::Error;
 use crate::fault::Fault;
 use crate::grid::Grid;
 use crate::light::{Light, PreparedLight};
@@ -14,7 +16,7 @@ use crate::material::{PreparedMaterial, is_color};
 use crate::number::{Brightness, Length, Number, Unit, signed_wide};
 use crate::shape::plane::PreparedPlane;
 use crate::shape::size_fault;
-use crate::vector::Point;
+use crate::vector::{Point, Position};
 
 pub(super) const fn background_fault(color: [Number; 3]) -> Option<Fault> {
     if is_color(color) {
@@ -29,6 +31,21 @@ pub(super) const fn epsilon_fault(epsilon: Number) -> Option<Fault> {
         Some(_) => Some(Fault::Epsilon),
         None => None,
     }
+}
+
+/// Tells what is wrong with two corners of a motion box: out of range, or not low and high.
+pub(super) const fn motion_fault([low, high]: [Position; 2]) -> Option<Fault> {
+    if !(low.is_in_range() && high.is_in_range()) {
+        return Some(Fault::Coordinate);
+    }
+    let mut axis = 0;
+    while axis < 3 {
+        if low.0[axis].to_bits() > high.0[axis].to_bits() {
+            return Some(Fault::Motion);
+        }
+        axis += 1;
+    }
+    None
 }
 
 /// The smallest epsilon, in steps: what lies in the same place as a surface is not met from it.
@@ -65,14 +82,18 @@ macro_rules! prepare {
             pub(crate) inner_epsilon: Length,
             pub(crate) grid: Grid,
             pub(crate) camera: Option<Camera>,
+            /// Two corners of the box in which parts move.
+            pub(crate) motion: Option<[Point; 2]>,
+            /// The shapes of a constant scene that move.
+            pub(crate) moving: ShapeSet,
         }
 
         impl<$($header)*> PlainScene<Room<$($arguments)*>> {
             /// Prepares a description whose parts have been checked and fit.
-            pub(crate) const fn prepare(scene: &Description<'_>) -> Result<Self, SceneError> {
+            pub(crate) const fn prepare(scene: &Description<'_>) -> Result<Self, Error> {
                 let (grid, epsilon) = match laid(scene) {
                     Ok(laid) => laid,
-                    Err(fault) => return Err(SceneError::Scene(fault)),
+                    Err(fault) => return Err(Error::of("scene", fault)),
                 };
                 let mut prepared = Self {
                     $($list: [crate::shape::$prepared::NONE; $room],)*
@@ -87,6 +108,11 @@ macro_rules! prepare {
                     inner_epsilon: at_least(epsilon, scene.smallest_inside(SMALLEST_EPSILON)),
                     grid,
                     camera: scene.camera,
+                    motion: match scene.motion {
+                        Some([low, high]) => Some([grid.place(low).point, grid.place(high).point]),
+                        None => None,
+                    },
+                    moving: ShapeSet::NONE,
                 };
                 if let Err(error) = prepared.add_shapes(scene) {
                     return Err(error);
@@ -109,7 +135,7 @@ macro_rules! prepare {
                 Ok(prepared)
             }
 
-            const fn add_shapes(&mut self, scene: &Description<'_>) -> Result<(), SceneError> {
+            const fn add_shapes(&mut self, scene: &Description<'_>) -> Result<(), Error> {
                 // Constants know no iterators. The second bounds always hold; with them, nothing can panic.
                 $(
                     let mut index = 0;
@@ -117,7 +143,7 @@ macro_rules! prepare {
                         let $kind = &scene.$list[index];
                         self.$list[index] = match crate::shape::$prepared::prepare($kind, &self.grid) {
                             Ok($kind) => $kind,
-                            Err(fault) => return Err(SceneError::$described(index, fault)),
+                            Err(fault) => return Err(Error::at(stringify!($kind), index, fault)),
                         };
                         index += 1;
                     }
@@ -126,7 +152,7 @@ macro_rules! prepare {
                 while index < scene.planes.len() && index < P {
                     self.planes[index] = match PreparedPlane::prepare(&scene.planes[index], &self.grid) {
                         Ok(plane) => plane,
-                        Err(fault) => return Err(SceneError::Plane(index, fault)),
+                        Err(fault) => return Err(Error::at("plane", index, fault)),
                     };
                     index += 1;
                 }
@@ -139,7 +165,9 @@ macro_rules! prepare {
                 $(
                     let mut index = 0;
                     while index < self.counts.$list && index < $room {
-                        let touches = touches_another(&self.constant_parts(), number);
+                        // What moves may come to touch any shape.
+                        let touches = self.motion.is_some()
+                            || touches_another(&self.constant_parts(), number);
                         self.$list[index] = self.$list[index].touching(touches);
                         index += 1;
                         number += 1;
@@ -194,12 +222,12 @@ const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), Fault> {
 const fn prepare_materials(
     prepared: &mut [PreparedMaterial],
     scene: &Description<'_>,
-) -> Result<(), SceneError> {
+) -> Result<(), Error> {
     let mut index = 0;
     while index < scene.materials.len() && index < prepared.len() {
         let material = PreparedMaterial::new(&scene.materials[index]);
         if is_too_bright(&material, scene.lights) {
-            return Err(SceneError::Material(index, Fault::Brightness));
+            return Err(Error::at("material", index, Fault::Brightness));
         }
         prepared[index] = material;
         index += 1;

@@ -2,8 +2,9 @@
 
 use super::capacity::{Capacity, Room};
 use super::description::{Described, Description};
-use super::{SceneError, list, prepare};
+use super::{Handle, list, prepare};
 use crate::camera::Camera;
+use crate::error::Error;
 use crate::fault::Fault;
 use crate::light::Light;
 use crate::material::Material;
@@ -12,20 +13,36 @@ use crate::shape::MaterialId;
 use crate::shape::plane::Plane;
 use crate::vector::Position;
 
-/// A [`RuntimeScene`] with the room of its scene as one type.
+/// The description of a scene that is filled while the program runs; `R` is its room,
+/// [`room!`](crate::room).
+///
+/// ```
+/// use reflet::{Error, Material, RuntimeScene, Scene, room};
+///
+/// type Pond = room!(spheres: 1, lights: 1);
+///
+/// fn pond() -> Result<Scene<Pond>, Error> {
+///     let mut scene = RuntimeScene::<Pond>::new();
+///     let red = scene.add_material(Material::new([0.9, 0.1, 0.1]))?;
+///     scene.add_sphere([0, 0, 1], 1, red)?; // any mix of i32, f32, f64 and fixed-point numbers
+///     scene.add_light([3, -4, 6], [1, 1, 1])?;
+///     scene.build()
+/// }
+/// assert!(pond().is_ok());
+/// ```
 #[derive(Clone, Debug)]
-pub struct RuntimeSceneIn<R: Capacity>(Described<R>);
+pub struct RuntimeScene<R: Capacity>(Described<R>);
 
-impl<R: Capacity> RuntimeSceneIn<R> {
+impl<R: Capacity> RuntimeScene<R> {
     /// Adds a material and returns the name that shapes use for it.
     ///
     /// # Errors
     /// [`Fault::TooManyMaterials`].
-    pub fn add_material(&mut self, material: Material) -> Result<MaterialId, SceneError> {
+    pub fn add_material(&mut self, material: Material) -> Result<MaterialId, Error> {
         let materials = &mut self.0.materials;
         let index = materials.len;
         let too_many = Fault::TooManyMaterials;
-        materials.add(material, None, SceneError::Material, too_many)?;
+        materials.add(material, None, "material", too_many)?;
         Ok(list::id(index))
     }
 
@@ -38,7 +55,7 @@ impl<R: Capacity> RuntimeSceneIn<R> {
         point: impl Into<Position>,
         normal: impl Into<Position>,
         material: MaterialId,
-    ) -> Result<(), SceneError> {
+    ) -> Result<(), Error> {
         let plane = Plane {
             point: point.into(),
             normal: normal.into(),
@@ -46,7 +63,8 @@ impl<R: Capacity> RuntimeSceneIn<R> {
         };
         let fault = plane.fault().or(self.unknown(material));
         let planes = &mut self.0.planes;
-        planes.add(plane, fault, SceneError::Plane, Fault::TooManyPlanes)
+        planes.add(plane, fault, "plane", Fault::TooManyPlanes)?;
+        Ok(())
     }
 
     /// Adds a point light; colour components are 0 to 16.
@@ -57,24 +75,24 @@ impl<R: Capacity> RuntimeSceneIn<R> {
         &mut self,
         position: impl Into<Position>,
         color: [impl Into<Number>; 3],
-    ) -> Result<(), SceneError> {
+    ) -> Result<Handle<Light>, Error> {
         let light = Light {
             position: position.into(),
             color: color.map(Into::into),
         };
         let fault = light.fault();
         let lights = &mut self.0.lights;
-        lights.add(light, fault, SceneError::Light, Fault::TooManyLights)
+        lights.add(light, fault, "light", Fault::TooManyLights).map(Handle::new)
     }
 
     /// Sets what a ray that meets nothing adds, 0 to 16 a component.
     ///
     /// # Errors
     /// [`Fault::Background`]; the scene is as it was.
-    pub fn set_background(&mut self, color: [impl Into<Number>; 3]) -> Result<(), SceneError> {
+    pub fn set_background(&mut self, color: [impl Into<Number>; 3]) -> Result<(), Error> {
         let background = color.map(Into::into);
         if let Some(fault) = prepare::background_fault(background) {
-            return Err(SceneError::Scene(fault));
+            return Err(Error::of("scene", fault));
         }
         self.0.background = background;
         Ok(())
@@ -87,10 +105,10 @@ impl<R: Capacity> RuntimeSceneIn<R> {
     /// # Errors
     /// [`Fault::Epsilon`] if it is not above 0, or is above 2³⁰; the scene is as it was. That it is smaller
     /// than the scene is checked by [`build`](RuntimeScene::build).
-    pub fn set_epsilon(&mut self, epsilon: impl Into<Number>) -> Result<(), SceneError> {
+    pub fn set_epsilon(&mut self, epsilon: impl Into<Number>) -> Result<(), Error> {
         let epsilon = epsilon.into();
         if let Some(fault) = prepare::epsilon_fault(epsilon) {
-            return Err(SceneError::Scene(fault));
+            return Err(Error::of("scene", fault));
         }
         self.0.epsilon = epsilon;
         Ok(())
@@ -102,6 +120,25 @@ impl<R: Capacity> RuntimeSceneIn<R> {
         self.0.camera = Some(camera);
     }
 
+    /// Sets the box in which parts of the scene move, by two opposite corners; see
+    /// [`SceneBuilder::motion`](crate::SceneBuilder::motion).
+    ///
+    /// # Errors
+    /// [`Fault::Coordinate`], or [`Fault::Motion`] if a coordinate of `low` is above that of `high`; the
+    /// scene is as it was.
+    pub fn set_motion(
+        &mut self,
+        low: impl Into<Position>,
+        high: impl Into<Position>,
+    ) -> Result<(), Error> {
+        let motion = [low.into(), high.into()];
+        if let Some(fault) = prepare::motion_fault(motion) {
+            return Err(Error::of("motion", fault));
+        }
+        self.0.motion = Some(motion);
+        Ok(())
+    }
+
     fn unknown(&self, material: MaterialId) -> Option<Fault> {
         (material.index() >= self.0.materials.len).then_some(Fault::UnknownMaterial)
     }
@@ -109,29 +146,12 @@ impl<R: Capacity> RuntimeSceneIn<R> {
 
 macro_rules! runtime {
     (
-        { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
-            $nth:literal $too_many:ident $without:ident
+            $set:ident $too_many:ident $without:ident
             $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*) })*
     ) => {
-        /// The description of a scene with room for `S` spheres, `P` planes, `C` cylinders, `L` lights and
-        /// `M` materials, filled at run time.
-        ///
-        /// ```
-        /// use reflet::{Material, RuntimeScene, SceneError};
-        ///
-        /// fn scene() -> Result<reflet::Scene<1, 0, 0, 1, 1>, SceneError> {
-        ///     let mut scene = RuntimeScene::<1, 0, 0, 1, 1>::new();
-        ///     let red = scene.add_material(Material::new([0.9, 0.1, 0.1]))?;
-        ///     scene.add_sphere([0, 0, 1], 1, red)?; // any mix of i32, f32, f64 and fixed-point numbers
-        ///     scene.add_light([3, -4, 6], [1, 1, 1])?;
-        ///     scene.build()
-        /// }
-        /// assert!(scene().is_ok());
-        /// ```
-        pub type RuntimeScene<$($declaration)*> = RuntimeSceneIn<Room<$($arguments)*>>;
-
-        impl<R: Capacity> RuntimeSceneIn<R> {
+        impl<R: Capacity> RuntimeScene<R> {
             $(
                 $(#[$doc])*
                 ///
@@ -144,19 +164,19 @@ macro_rules! runtime {
                     &mut self,
                     $($field: impl Into<$type>,)*
                     material: MaterialId,
-                ) -> Result<(), SceneError> {
+                ) -> Result<Handle<crate::shape::$described>, Error> {
                     let $kind = crate::shape::$described {
                         $($field: $field.into(),)*
                         material,
                     };
                     let fault = $kind.fault().or(self.unknown(material));
                     let $list = &mut self.0.$list;
-                    $list.add($kind, fault, SceneError::$described, Fault::$too_many)
+                    $list.add($kind, fault, stringify!($kind), Fault::$too_many).map(Handle::new)
                 }
             )*
         }
 
-        impl<$($header)*> RuntimeSceneIn<Room<$($arguments)*>> {
+        impl<$($header)*> RuntimeScene<Room<$($arguments)*>> {
             /// An empty scene with a black background and an epsilon of 0.001.
             pub const fn new() -> Self {
                 Self(Described::new())
@@ -169,7 +189,7 @@ macro_rules! runtime {
 
         }
 
-        impl<$($header)*> Default for RuntimeSceneIn<Room<$($arguments)*>> {
+        impl<$($header)*> Default for RuntimeScene<Room<$($arguments)*>> {
             fn default() -> Self {
                 Self::new()
             }

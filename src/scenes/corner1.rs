@@ -1,7 +1,7 @@
 //! The scene `corner1`.
 
 use super::BuiltIn;
-use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
+use crate::{Camera, Material, scene};
 
 const GREEN: Material = Material::new([0.3, 1.0, 0.4])
     .ambient(0.2)
@@ -10,27 +10,18 @@ const GREEN: Material = Material::new([0.3, 1.0, 0.4])
 
 const CAMERA: Camera = Camera::look_at([0.0, 0.5, 0.0], [0.0, 0.5, 1.0], [0.0, 1.0, 0.0]).fov(75.0);
 
-const BUILDER: SceneBuilder<0, 3, 0, 1, 1> = SceneBuilder::new()
-    .plane([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], GREEN)
-    .plane([0.0, 0.0, 0.0], [0.0, 1.0, 0.0], GREEN)
-    .plane([-0.3, 0.0, 0.0], [1.0, 0.0, 0.0], GREEN)
-    .light([0.0, 0.0, 0.1], [1.0, 0.4, 0.2])
-    .camera(CAMERA);
-
-/// Three planes, and a light that lies in two of them: what is lit hangs on how rays leave a surface.
-#[derive(Clone, Copy, Debug)]
-pub struct Corner1;
-
-impl StaticScene for Corner1 {
-    type Scene = Scene<0, 3, 0, 1, 1>;
-    const SCENE: &'static Self::Scene = &BUILDER.build();
+scene! {
+    /// Three planes, and a light that lies in two of them: what is lit hangs on how rays leave a surface.
+    pub struct Corner1 {
+        plane([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], GREEN);
+        plane([0.0, 0.0, 0.0], [0.0, 1.0, 0.0], GREEN);
+        plane([-0.3, 0.0, 0.0], [1.0, 0.0, 0.0], GREEN);
+        light([0.0, 0.0, 0.1], [1.0, 0.4, 0.2]);
+        camera(CAMERA);
+    }
 }
 
 impl BuiltIn for Corner1 {
     const NAME: &'static str = "corner1";
     const CAMERA: Camera = CAMERA;
-
-    fn with_description<R>(read: impl FnOnce(Description<'_>) -> R) -> R {
-        read(BUILDER.description())
-    }
 }

@@ -1,7 +1,7 @@
 //! The scene `mirror1`.
 
 use super::BuiltIn;
-use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
+use crate::{Camera, Material, scene};
 
 const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
     .ambient(0.1)
@@ -32,33 +32,24 @@ const BLUE_PARTICLE: Material = Material::new([0.1, 0.3, 0.9])
 const CAMERA: Camera =
     Camera::look_at([0.5, -2.0, 0.4], [0.5, 0.0, 0.4], [0.0, 0.0, 1.0]).fov(65.0);
 
-const BUILDER: SceneBuilder<3, 1, 3, 2, 5> = SceneBuilder::new()
-    .sphere([2.0, 2.0, 0.1], 0.5, RED_PARTICLE)
-    .sphere([2.0, 4.0, 0.1], 0.5, BLUE_PARTICLE)
-    .sphere([2.0, 4.0, 2.1], 0.5, RED_PARTICLE)
-    .plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR)
-    .cylinder([-2.0, 4.0, 0.0], [0.0, 0.0, 1.0], 2.0, 4.0, MIRROR)
-    // The rods between the particles.
-    .cylinder([2.0, 3.0, 0.1], [0.0, 1.0, 0.0], 0.1, 2.0, WHITE)
-    .cylinder([2.0, 4.0, 1.1], [0.0, 0.0, 1.0], 0.1, 2.0, WHITE)
-    .light([2.5, 2.5, 4.0], [1.0, 0.8, 0.5])
-    .light([0.5, -2.5, -0.1], [0.5, 0.8, 1.0])
-    .camera(CAMERA);
-
-/// Three particles before a cylinder that is a mirror.
-#[derive(Clone, Copy, Debug)]
-pub struct Mirror1;
-
-impl StaticScene for Mirror1 {
-    type Scene = Scene<3, 1, 3, 2, 5>;
-    const SCENE: &'static Self::Scene = &BUILDER.build();
+scene! {
+    /// Three particles before a cylinder that is a mirror.
+    pub struct Mirror1 {
+        sphere([2.0, 2.0, 0.1], 0.5, RED_PARTICLE);
+        sphere([2.0, 4.0, 0.1], 0.5, BLUE_PARTICLE);
+        sphere([2.0, 4.0, 2.1], 0.5, RED_PARTICLE);
+        plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR);
+        cylinder([-2.0, 4.0, 0.0], [0.0, 0.0, 1.0], 2.0, 4.0, MIRROR);
+        // The rods between the particles.
+        cylinder([2.0, 3.0, 0.1], [0.0, 1.0, 0.0], 0.1, 2.0, WHITE);
+        cylinder([2.0, 4.0, 1.1], [0.0, 0.0, 1.0], 0.1, 2.0, WHITE);
+        light([2.5, 2.5, 4.0], [1.0, 0.8, 0.5]);
+        light([0.5, -2.5, -0.1], [0.5, 0.8, 1.0]);
+        camera(CAMERA);
+    }
 }
 
 impl BuiltIn for Mirror1 {
     const NAME: &'static str = "mirror1";
     const CAMERA: Camera = CAMERA;
-
-    fn with_description<R>(read: impl FnOnce(Description<'_>) -> R) -> R {
-        read(BUILDER.description())
-    }
 }

@@ -45,7 +45,8 @@ pub use primitives::Primitives;
 pub use shading_lights::ShadingLights;
 pub use shading_speculars::ShadingSpeculars;
 
-use crate::{Camera, Description, StaticFrame};
+use crate::accel::Apart;
+use crate::{Camera, FrameBuilder};
 
 /// The names of the scenes, in the order they are shown.
 pub const NAMES: [&str; 11] = [
@@ -63,15 +64,17 @@ pub const NAMES: [&str; 11] = [
 ];
 
 /// A scene that comes with the library.
-pub trait BuiltIn: StaticFrame {
+pub trait BuiltIn: Apart {
     /// What it is called.
     const NAME: &'static str;
 
     /// The view it was made for.
     const CAMERA: Camera;
 
-    /// Lends the numbers the scene was written with: not for a frame, but for checking one.
-    fn with_description<R>(read: impl FnOnce(Description<'_>) -> R) -> R;
+    /// Views the scene through a camera: 4 reflections, quality `Fast`, shading `BlinnPhong`.
+    fn frame(camera: &Camera) -> FrameBuilder<'_, Self> {
+        FrameBuilder::new(Self::INSTANCE, camera)
+    }
 }
 
 /// What is done with a scene that is only known by its name: a closure generic over the scene.

@@ -1,7 +1,7 @@
 //! The scene `primitives`.
 
 use super::BuiltIn;
-use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
+use crate::{Camera, Material, scene};
 
 const GREEN: Material = Material::new([0.3, 1.0, 0.4])
     .ambient(0.2)
@@ -20,33 +20,24 @@ const MIRROR: Material = Material::new([0.9, 0.9, 0.9])
 
 const CAMERA: Camera = Camera::look_at([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]).fov(75.0);
 
-const BUILDER: SceneBuilder<1, 4, 1, 2, 3> = SceneBuilder::new()
-    .sphere([0.0, 1.5, 4.0], 1.0, MIRROR)
-    // The floor, two slanting walls and the far end.
-    .plane([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], WHITE)
-    .plane([-2.0, -1.0, 0.0], [0.3939193, 0.91914503, 0.0], GREEN)
-    .plane([2.0, -1.0, 0.0], [0.3939193, -0.91914503, 0.0], GREEN)
-    .plane([0.0, 0.0, 50.0], [0.0, 0.0, -1.0], GREEN)
-    .cylinder([0.0, -0.8, 4.0], [0.0, 1.0, 0.0], 1.0, 0.4, GREEN)
-    // Red from behind the camera, blue from the left.
-    .light([3.0, 0.0, -0.5], [1.0, 0.4, 0.2])
-    .light([-3.0, -0.8, 3.0], [0.2, 0.4, 0.9])
-    .camera(CAMERA);
-
-/// A room with a mirroring ball above a low open cylinder; the camera stands at the origin.
-#[derive(Clone, Copy, Debug)]
-pub struct Primitives;
-
-impl StaticScene for Primitives {
-    type Scene = Scene<1, 4, 1, 2, 3>;
-    const SCENE: &'static Self::Scene = &BUILDER.build();
+scene! {
+    /// A room with a mirroring ball above a low open cylinder; the camera stands at the origin.
+    pub struct Primitives {
+        sphere([0.0, 1.5, 4.0], 1.0, MIRROR);
+        // The floor, two slanting walls and the far end.
+        plane([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], WHITE);
+        plane([-2.0, -1.0, 0.0], [0.3939193, 0.91914503, 0.0], GREEN);
+        plane([2.0, -1.0, 0.0], [0.3939193, -0.91914503, 0.0], GREEN);
+        plane([0.0, 0.0, 50.0], [0.0, 0.0, -1.0], GREEN);
+        cylinder([0.0, -0.8, 4.0], [0.0, 1.0, 0.0], 1.0, 0.4, GREEN);
+        // Red from behind the camera, blue from the left.
+        light([3.0, 0.0, -0.5], [1.0, 0.4, 0.2]);
+        light([-3.0, -0.8, 3.0], [0.2, 0.4, 0.9]);
+        camera(CAMERA);
+    }
 }
 
 impl BuiltIn for Primitives {
     const NAME: &'static str = "primitives";
     const CAMERA: Camera = CAMERA;
-
-    fn with_description<R>(read: impl FnOnce(Description<'_>) -> R) -> R {
-        read(BUILDER.description())
-    }
 }

@@ -1,6 +1,7 @@
 //! Tests: the sets of shapes that a scene keeps, and what a view knows about its planes, change the
 //! work, never the picture.
 
+use crate::scene::Room;
 use super::{BuiltIn, NAMES, Visitor, visit};
 use crate::accel::light_occluders::{self, LightOccluders};
 use crate::accel::light_visibility::LightVisibility;
@@ -75,10 +76,10 @@ fn rows_of_the_built_in_scenes_miss_no_shape() {
 }
 
 /// A scene full of spheres and cylinders.
-type Crowd<const S: usize, const C: usize> = Scene<S, 2, C, 2, 1>;
+type Crowd<const S: usize, const C: usize> = Scene<Room<S, 2, C, 2, 1>>;
 
 /// How a crowd is described; its only material comes first.
-type Description<const S: usize, const C: usize> = RuntimeScene<S, 2, C, 2, 1>;
+type Description<const S: usize, const C: usize> = RuntimeScene<Room<S, 2, C, 2, 1>>;
 
 /// Some spheres and cylinders, all mirrors, and two lights; one of them among the shapes.
 fn described<const S: usize, const C: usize>(

@@ -1,7 +1,7 @@
 //! The scene `shading_speculars`.
 
 use super::BuiltIn;
-use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
+use crate::{Camera, Material, scene};
 
 const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
     .ambient(0.1)
@@ -21,31 +21,22 @@ const SHINY: Material = Material::new([0.9, 0.3, 0.1])
 const CAMERA: Camera =
     Camera::look_at([0.0, -4.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(70.0);
 
-const BUILDER: SceneBuilder<2, 2, 2, 1, 3> = SceneBuilder::new()
-    .sphere([2.0, 0.0, 0.1], 0.6, WHITE)
-    .sphere([-2.0, 0.0, 0.1], 0.6, SHINY)
-    .plane([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], WHITE)
-    .plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR)
-    // Two pipes along x, above the spheres.
-    .cylinder([2.0, 0.0, 2.0], [1.0, 0.0, 0.0], 0.5, 4.0, SHINY)
-    .cylinder([-2.0, 0.0, 2.0], [1.0, 0.0, 0.0], 0.6, 4.0, WHITE)
-    .light([0.0, 0.0, 0.0], [1.0, 0.9, 0.5])
-    .camera(CAMERA);
-
-/// Matte and shiny spheres and cylinders around one light.
-#[derive(Clone, Copy, Debug)]
-pub struct ShadingSpeculars;
-
-impl StaticScene for ShadingSpeculars {
-    type Scene = Scene<2, 2, 2, 1, 3>;
-    const SCENE: &'static Self::Scene = &BUILDER.build();
+scene! {
+    /// Matte and shiny spheres and cylinders around one light.
+    pub struct ShadingSpeculars {
+        sphere([2.0, 0.0, 0.1], 0.6, WHITE);
+        sphere([-2.0, 0.0, 0.1], 0.6, SHINY);
+        plane([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], WHITE);
+        plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR);
+        // Two pipes along x, above the spheres.
+        cylinder([2.0, 0.0, 2.0], [1.0, 0.0, 0.0], 0.5, 4.0, SHINY);
+        cylinder([-2.0, 0.0, 2.0], [1.0, 0.0, 0.0], 0.6, 4.0, WHITE);
+        light([0.0, 0.0, 0.0], [1.0, 0.9, 0.5]);
+        camera(CAMERA);
+    }
 }
 
 impl BuiltIn for ShadingSpeculars {
     const NAME: &'static str = "shading_speculars";
     const CAMERA: Camera = CAMERA;
-
-    fn with_description<R>(read: impl FnOnce(Description<'_>) -> R) -> R {
-        read(BUILDER.description())
-    }
 }

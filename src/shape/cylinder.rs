@@ -18,7 +18,7 @@ use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// A cylinder as it is described.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Cylinder {
     /// Its middle, half way up.
     pub center: Position,

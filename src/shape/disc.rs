@@ -12,7 +12,7 @@ use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// A disc as it is described.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Disc {
     /// Its middle.
     pub center: Position,

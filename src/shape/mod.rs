@@ -25,10 +25,13 @@ macro_rules! exports {
 kinds!(exports);
 
 /// Names a material of one scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MaterialId(pub(crate) u16);
 
 impl MaterialId {
+    /// The material that was added first.
+    pub(crate) const FIRST: Self = Self(0);
+
     /// Its place in the scene's list of materials.
     pub const fn index(self) -> usize {
         self.0 as usize

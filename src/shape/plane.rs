@@ -14,7 +14,7 @@ use crate::ray::{Ray, ScaledPoint};
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// A plane as it is described.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Plane {
     /// Any point of it.
     pub point: Position,

@@ -19,7 +19,7 @@ use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// A sphere as it is described.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sphere {
     /// Its middle.
     pub center: Position,

@@ -5,6 +5,7 @@ mod light;
 pub(crate) mod qualities;
 mod series;
 
+use crate::scene::Room;
 use std::vec::Vec;
 
 use qualities::{Fast, Fine, Small};
@@ -25,8 +26,8 @@ const ULP: f64 = 1.0 / (1 << 30) as f64;
 
 /// A closed sphere of radius 1 around the origin that shines evenly with `brightness` and
 /// reflects the share `alpha`.
-fn room(brightness: f64, alpha: f64) -> Scene<1, 0, 0, 0, 1> {
-    let mut scene = RuntimeScene::<1, 0, 0, 0, 1>::new();
+fn room(brightness: f64, alpha: f64) -> Scene<Room<1, 0, 0, 0, 1>> {
+    let mut scene = RuntimeScene::<Room<1, 0, 0, 0, 1>>::new();
     let shining = Material::from_numbers([brightness; 3], 1, 0, (0, 1), alpha).unwrap();
     let shining = scene.add_material(shining).unwrap();
     scene.add_sphere([0, 0, 0], 1, shining).unwrap();
@@ -70,7 +71,7 @@ fn followed_by<K: Shading, Q: PathQuality, W: World>(
 }
 
 /// Follows paths from inside the room into many directions, one result each.
-fn followed<Q: PathQuality>(room: &Scene<1, 0, 0, 0, 1>, reflections: u8) -> Vec<Followed> {
+fn followed<Q: PathQuality>(room: &Scene<Room<1, 0, 0, 0, 1>>, reflections: u8) -> Vec<Followed> {
     let parts = room.parts();
     let mut sweep = Sweep::new(u64::from(reflections));
     let paths = (0..40).map(|_| {
@@ -236,7 +237,7 @@ fn fast_differs_from_fine_by_no_more_than_the_weight_it_reports() {
 
 #[test]
 fn path_that_meets_nothing_adds_the_background_with_its_weight() {
-    let mut scene = RuntimeScene::<1, 0, 0, 0, 1>::new();
+    let mut scene = RuntimeScene::<Room<1, 0, 0, 0, 1>>::new();
     let mirror = Material::from_numbers([1, 1, 1], 0, 0, (0, 1), 0.5).unwrap();
     let mirror = scene.add_material(mirror).unwrap();
     scene.add_sphere([0, 0, 0], 1, mirror).unwrap();
@@ -275,7 +276,7 @@ fn normals_are_seen_in_no_mirror() {
 #[test]
 fn path_between_facing_mirrors_stays_between_them() {
     // Nobody leaves, and no plane is met twice in a row.
-    let mut scene = RuntimeScene::<0, 2, 0, 0, 1>::new();
+    let mut scene = RuntimeScene::<Room<0, 2, 0, 0, 1>>::new();
     let shining = Material::from_numbers([1, 1, 1], 1, 0, (0, 1), 0.875).unwrap();
     let shining = scene.add_material(shining).unwrap();
     scene.add_plane([0, 0, 0], [0, 0, 1], shining).unwrap();
@@ -300,7 +301,7 @@ fn path_between_facing_mirrors_stays_between_them() {
 /// ones met the other.
 #[test]
 fn mirror_that_the_camera_almost_lies_in_shows_all_that_is_before_other_planes() {
-    let mut scene = RuntimeScene::<1, 2, 0, 0, 3>::new();
+    let mut scene = RuntimeScene::<Room<1, 2, 0, 0, 3>>::new();
     let mut material = |color: [f64; 3], alpha: f64| {
         let made = Material::from_numbers(color, 1, 0, (0, 1), alpha).unwrap();
         scene.add_material(made).unwrap()
@@ -336,7 +337,7 @@ fn mirror_that_the_camera_almost_lies_in_shows_all_that_is_before_other_planes()
 /// the surface that is no climb, and it would be seen from the other side.
 #[test]
 fn mirror_is_met_from_below_only_by_rays_that_climb() {
-    let mut scene = RuntimeScene::<1, 1, 0, 0, 1>::new();
+    let mut scene = RuntimeScene::<Room<1, 1, 0, 0, 1>>::new();
     let mirror = Material::from_numbers([1; 3], 0, 0, (0, 1), 1).unwrap();
     let mirror = scene.add_material(mirror).unwrap();
     scene.add_sphere([0, 0, 3], 1, mirror).unwrap();
@@ -359,7 +360,7 @@ fn weights_add_up_to_exactly_one() {
     let mut sweep = Sweep::new(3);
     let (mut rays, mut whole) = (0, 0);
     for number in 0..400 {
-        let mut scene = RuntimeScene::<4, 2, 1, 0, 7>::new();
+        let mut scene = RuntimeScene::<Room<4, 2, 1, 0, 7>>::new();
         let mut mirror = || {
             // Anything from 0 to just below 1, and both ends often.
             let bits = sweep.within(-(1 << 28), 5 << 28).clamp(0, (1 << 30) - 1);

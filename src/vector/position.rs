@@ -5,7 +5,7 @@ use crate::number::{Number, Unit, narrowed, narrowed_128, signed};
 
 /// Three coordinates of a description: a position, or a normal, axis or view direction that is
 /// not normalised yet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Position(pub [Number; 3]);
 
 impl Position {

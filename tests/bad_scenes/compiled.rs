@@ -119,7 +119,7 @@ fn cases() -> impl Iterator<Item = (&'static str, &'static str)> {
 fn program(constant: &str) -> String {
     let (kind, value) = match constant.split_once(['(', '.']) {
         Some(("", _)) => {
-            let scene = "Scene<2, 1, 1, 1, 1, 1>";
+            let scene = "Scene<room!(spheres: 2, planes: 1, cylinders: 1, discs: 1, lights: 1, materials: 1)>";
             (scene, format!("Scene::builder(){constant}.build()"))
         }
         Some(("Camera::look_at", _)) => ("Camera", constant.to_owned()),

@@ -7,7 +7,7 @@ use reflet::{
     Camera, CameraError, Fault, Material, MaterialId, Number, Position, RuntimeScene, SceneError,
 };
 
-type Scenery = RuntimeScene<2, 2, 2, 2, 2, 2>;
+type Scenery = RuntimeScene<room!(spheres: 2, planes: 2, cylinders: 2, discs: 2, lights: 2, materials: 2)>;
 type Triple = [f64; 3];
 
 const NAN: f64 = f64::NAN;

@@ -1,9 +1,10 @@
+use crate::scene::Room;
 use super::*;
 use crate::material::Material;
 use crate::scene::RuntimeScene;
 use crate::shape::MaterialId;
 
-type Scenery = RuntimeScene<1, 0, 1, 1, 1>;
+type Scenery = RuntimeScene<Room<1, 0, 1, 1, 1>>;
 
 /// One sphere of radius 1 around the origin, and what a function adds.
 fn marble(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Scenery {

@@ -1,3 +1,4 @@
+use crate::scene::Room;
 use super::*;
 use crate::accel::Scene;
 use crate::material::Material;
@@ -7,11 +8,11 @@ use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::occluded;
 use crate::scene::{Needs, RuntimeScene};
 
-type Built = Scene<2, 2, 2, 1, 1>;
+type Built = Scene<Room<2, 2, 2, 1, 1>>;
 
 /// A sphere in the middle, a small one beside it, and tubes above and below it; a floor and a wall.
 fn scene() -> Built {
-    let mut scene = RuntimeScene::<2, 2, 2, 1, 1>::new();
+    let mut scene = RuntimeScene::<Room<2, 2, 2, 1, 1>>::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
     scene.add_sphere([0, 0, 0], 0.5, white).unwrap();
     scene.add_sphere([0.8, 0.0, 0.0], 0.1, white).unwrap();

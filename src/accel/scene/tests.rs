@@ -1,3 +1,4 @@
+use crate::scene::Room;
 use std::format;
 
 use super::*;
@@ -5,7 +6,7 @@ use crate::scene::built::{BUILT, CAMERA, filled};
 
 #[test]
 fn compiler_and_program_prepare_the_same_scene() {
-    const SCENE: Scene<3, 1, 2, 1, 2> = BUILT.build();
+    const SCENE: Scene<Room<3, 1, 2, 1, 2>> = BUILT.build();
     assert_eq!(
         format!("{SCENE:?}"),
         format!("{:?}", filled().build().unwrap())

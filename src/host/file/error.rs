@@ -8,10 +8,10 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::FileRoom;
-use crate::camera::CameraError;
+use crate::error::Error;
 use crate::fault::Fault;
 use crate::host::line::one_line;
-use crate::scene::{Capacity, SceneError};
+use crate::scene::Capacity;
 
 /// A scene file that cannot be used, and where in it the reason stands.
 ///
@@ -81,9 +81,9 @@ pub enum Problem {
         name: String,
     },
     /// The core refuses a part of the scene or the scene as a whole.
-    Scene(SceneError),
+    Scene(Error),
     /// The camera is refused.
-    Camera(CameraError),
+    Camera(Error),
 }
 
 impl FileError {
@@ -190,15 +190,18 @@ macro_rules! refused {
         $list:ident $kind:ident $described:ident $add:ident $fields:tt $room:ident $too_many:ident $keys:tt
     })*) => {
         /// What the core refuses, as the file calls it: a file has no type to raise the bounds of.
-        fn refused(error: SceneError) -> String {
-            let (list, index) = match error {
-                $(SceneError::$described(index, _) => (stringify!($list), index),)*
-                SceneError::Light(index, _) => ("lights", index),
-                SceneError::Material(index, _) => ("materials", index),
-                SceneError::Scene(fault) => return fault.to_string(),
+        fn refused(error: Error) -> String {
+            let names = [
+                $((stringify!($kind), stringify!($list)),)*
+                ("light", "lights"),
+                ("material", "materials"),
+            ];
+            let list = names.iter().find(|(part, _)| *part == error.part());
+            let Some(((_, list), index)) = list.zip(error.index()) else {
+                return error.kind().to_string();
             };
             let room = FileRoom::COUNTS;
-            let most = match error.fault() {
+            let most = match error.kind() {
                 $(Fault::$too_many => room.$list,)*
                 Fault::TooManyLights => room.lights,
                 Fault::TooManyMaterials => room.materials,

@@ -4,10 +4,10 @@
 use std::vec::Vec;
 
 use super::FileRuntimeScene;
-use crate::camera::{Camera, CameraError};
+use crate::camera::Camera;
+use crate::error::Error;
 use crate::host::reference;
 use crate::material::Material;
-use crate::scene::SceneError;
 
 macro_rules! fill {
     ($parameters:tt $({
@@ -17,7 +17,7 @@ macro_rules! fill {
         pub(super) fn scene(
             target: &mut FileRuntimeScene,
             scene: &reference::Scene,
-        ) -> Result<(), SceneError> {
+        ) -> Result<(), Error> {
             let mut ids = Vec::with_capacity(scene.materials.len());
             for (index, plain) in scene.materials.iter().enumerate() {
                 ids.push(target.add_material(material(index, plain)?)?);
@@ -38,11 +38,11 @@ macro_rules! fill {
 kinds!(shapes, fill);
 
 /// The core's camera.
-pub(super) fn camera(camera: &reference::Camera) -> Result<Camera, CameraError> {
+pub(super) fn camera(camera: &reference::Camera) -> Result<Camera, Error> {
     Camera::new(camera.position, camera.target, camera.up, camera.fov)
 }
 
-fn material(index: usize, plain: &reference::Material) -> Result<Material, SceneError> {
+fn material(index: usize, plain: &reference::Material) -> Result<Material, Error> {
     let highlight = (plain.specular, plain.shininess);
     Material::from_numbers(
         plain.color,
@@ -51,5 +51,5 @@ fn material(index: usize, plain: &reference::Material) -> Result<Material, Scene
         highlight,
         plain.mirror,
     )
-    .map_err(|fault| SceneError::Material(index, fault))
+    .map_err(|error| Error::at("material", index, error.kind()))
 }

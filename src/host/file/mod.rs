@@ -43,7 +43,7 @@ use std::vec::Vec;
 pub use self::error::{FileError, Problem};
 use crate::camera;
 use crate::host::reference::{Camera, Scene};
-use crate::scene::{Room, RuntimeSceneIn};
+use crate::scene::{Room, RuntimeScene};
 
 /// The most bytes that a scene file may have: 16 MB.
 pub const MAX_BYTES: u64 = 16_000_000;
@@ -71,10 +71,10 @@ pub type FileRoom =
     Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS, MAX_DISCS>;
 
 /// The scene of a file as it is filled.
-pub type FileRuntimeScene = RuntimeSceneIn<FileRoom>;
+pub type FileRuntimeScene = RuntimeScene<FileRoom>;
 
 /// The scene of a file when it is built.
-pub type FileScene = crate::SceneIn<FileRoom>;
+pub type FileScene = crate::Scene<FileRoom>;
 
 /// The reference's scene in the core, seen first with its camera, with as much room as that of a file.
 ///

@@ -5,10 +5,9 @@ use std::vec::Vec;
 use serde_json::{Value, json};
 
 use super::*;
-use crate::camera::CameraError;
 use crate::fault::Fault;
 use crate::host::reference;
-use crate::scene::SceneError;
+use crate::error::Error;
 
 /// A scene with one of everything, each number different.
 fn scene() -> Value {
@@ -281,7 +280,7 @@ fn repeated_material_is_named_with_both_places() {
 
 #[test]
 fn what_the_core_refuses_is_reported_with_its_place() {
-    let camera = CameraError::FieldOfView.words();
+    let camera = Fault::FieldOfView.message();
     let cases = [
         (
             "/spheres/0/radius",
@@ -347,7 +346,7 @@ fn what_the_core_refuses_is_reported_with_its_place() {
         (
             "/camera/up",
             json!([1e300, 0, 0]),
-            CameraError::Coordinate.words(),
+            Fault::Coordinate.message(),
         ),
         (
             "/spheres/0/center/1",
@@ -437,7 +436,7 @@ fn error_keeps_what_it_says_as_values() {
         .runtime()
         .unwrap_err();
     assert_eq!((error.file(), error.scene()), (None, Some("still life")));
-    let expected = SceneError::Sphere(0, Fault::Radius);
+    let expected = Error::at("sphere", 0, Fault::Radius);
     assert!(
         matches!(error.problem(), Problem::Scene(found) if *found == expected),
         "{error:?}"

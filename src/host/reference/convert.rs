@@ -1,5 +1,6 @@
 //! From the core's descriptions to the reference's doubles: the one place that names the core.
 
+use crate::scene::Room;
 use super::Camera;
 use super::scene::{Light, Material, Scene};
 use crate::number::Number;
@@ -27,7 +28,7 @@ macro_rules! convert {
         /// use reflet::host::reference::Scene;
         /// use reflet::{Material, SceneBuilder};
         ///
-        /// const SCENE: SceneBuilder<1, 0, 0, 0> = SceneBuilder::new()
+        /// const SCENE: SceneBuilder<room!(spheres: 1)> = SceneBuilder::new()
         ///     .sphere([0.1, 0.2, 0.3], 0.7, Material::new([0.9; 3]).mirror(0.4))
         ///     .background([0.25, 0.5, 1.0]);
         ///
@@ -108,7 +109,7 @@ mod tests {
 
     #[test]
     fn every_number_of_a_description_arrives_in_its_place() {
-        let mut described = RuntimeScene::<1, 1, 1, 1, 2, 1>::new();
+        let mut described = RuntimeScene::<Room<1, 1, 1, 1, 2, 1>>::new();
         let gold = material::Material::new([0.1, 0.2, 0.3])
             .ambient(0.4)
             .diffuse(0.5)

@@ -76,7 +76,7 @@ macro_rules! scene {
             #[doc = concat!("A ", stringify!($kind), " in plain doubles.")]
             ///
             #[doc = concat!(
-                "The fields are the arguments of [`", stringify!($add), "`](crate::RuntimeSceneIn::",
+                "The fields are the arguments of [`", stringify!($add), "`](crate::RuntimeScene::",
                 stringify!($add), ")."
             )]
             #[derive(Clone, Copy, Debug, PartialEq)]

@@ -18,7 +18,7 @@ const SHAPES: i32 = BALL / 8;
 /// A sphere of half the shapes' radius in their middle, and small tubes above and below it; a floor
 /// and a wall far away.
 fn scene() -> Built {
-    let mut scene = RuntimeScene::<1, 2, 2, 0, 1>::new();
+    let mut scene = RuntimeScene::<Room<1, 2, 2, 0, 1>>::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
     scene.add_sphere([0, 0, 0], 0.5, white).unwrap();
     let axis = [0, 1, 0];

@@ -1,23 +1,23 @@
-//! The most that a scene may need: what lies beyond it is not linked.
-
-use core::fmt;
+//! Limits: the most that a scene may need. What lies beyond a limit is not linked.
 
 use super::{Mirrors, Needs, Shininess};
+use crate::error::Error;
+use crate::fault::Fault;
 
-/// The most that scenes filled at run time may need, as a type: what it leaves out is not linked.
+/// The most that a scene may need, as a type; see [`Limited`](crate::needs::Limited).
 ///
 /// ```
-/// use reflet::{Bound, Mirrors, Needs};
+/// use reflet::needs::{Mirrors, Needs, NeedsLimit};
 ///
 /// /// Whatever scene comes, nothing in it mirrors.
 /// struct Matte;
 ///
-/// impl Bound for Matte {
+/// impl NeedsLimit for Matte {
 ///     const NEEDS: Needs = Needs::ALL.without_mirrors();
 /// }
 /// assert!(Matte::NEEDS.mirrors == Mirrors::None);
 /// ```
-pub trait Bound {
+pub trait NeedsLimit {
     /// The most that is needed.
     const NEEDS: Needs;
 }
@@ -27,13 +27,13 @@ impl Needs {
     ///
     /// # Errors
     /// The first thing that the bound leaves out.
-    pub const fn within(&self, bound: &Self) -> Result<(), Excess> {
+    pub const fn within(&self, bound: &Self) -> Result<(), Error> {
         let (needed, allowed) = (self.levels(), bound.levels());
         let mut index = 0;
         while index < needed.len() {
             let (need, level) = needed[index];
             if level > allowed[index].1 {
-                return Err(Excess { need });
+                return Err(Error::of(need, Fault::Limit));
             }
             index += 1;
         }
@@ -115,27 +115,10 @@ impl Needs {
     }
 }
 
-/// So many reflections at most.
+/// Limits a path to `N` reflections when the program is compiled: with 0, no code for mirrors is linked.
+#[derive(Clone, Copy, Debug)]
 pub struct MostReflections<const N: u8>;
 
-impl<const N: u8> Bound for MostReflections<N> {
+impl<const N: u8> NeedsLimit for MostReflections<N> {
     const NEEDS: Needs = Needs::ALL.with_reflections(N);
 }
-
-/// A scene needs something that its [`Bound`] leaves out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Excess {
-    /// The name of the field of [`Needs`].
-    pub need: &'static str,
-}
-
-impl fmt::Display for Excess {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str("the scene needs `")?;
-        formatter.write_str(self.need)?;
-        formatter.write_str("`, which the bound of its frame leaves out: allow it there")
-    }
-}
-
-impl core::error::Error for Excess {}

@@ -1,11 +1,11 @@
 use super::*;
 use crate::material::Material;
-use crate::scene::{Capacity, Room, RuntimeScene, SceneError};
+use crate::scene::{Capacity, Room, RuntimeScene};
 
-type Scenery = RuntimeScene<4, 3, 2, 2, 4, 1>;
+type Scenery = RuntimeScene<Room<4, 3, 2, 2, 4, 1>>;
 
 /// What a scene needs that a function has filled.
-fn needs(fill: impl FnOnce(&mut Scenery) -> Result<(), SceneError>) -> Needs {
+fn needs(fill: impl FnOnce(&mut Scenery) -> Result<(), Error>) -> Needs {
     let mut scene = Scenery::new();
     fill(&mut scene).unwrap();
     scene.plain().unwrap().parts().needs()

@@ -6,7 +6,7 @@ use crate::shape::bounded::Bounded;
 use crate::shape::{MaterialId, PreparedCylinder, PreparedSphere};
 use crate::vector::{Direction, Point, Position, Vector};
 
-type Scenery = RuntimeScene<4, 3, 2, 2, 1>;
+type Scenery = RuntimeScene<Room<4, 3, 2, 2, 1>>;
 type Built = PlainScene<Room<4, 3, 2, 2, 1>>;
 
 /// A step of the scenes here, in their units: 1 is the radius of the ball that the shapes need, an

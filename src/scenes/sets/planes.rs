@@ -1,12 +1,13 @@
 //! Tests: what a view says about planes and lights is what every plane says.
 
+use crate::scene::Room;
 use super::*;
 use crate::scene::access::SceneAccess;
 use crate::scene::shape_set::ShapeSet;
 
 /// A view of a scene of planes that is held against every plane asked.
 struct Held<'a> {
-    scene: &'a Scene<0, 4, 0, 4, 1>,
+    scene: &'a Scene<Room<0, 4, 0, 4, 1>>,
     view: LightVisibility,
     /// How often a light stood clear, hidden and unclear.
     standings: [u32; 3],
@@ -106,7 +107,7 @@ fn view_knows_from_which_lights_planes_hide_what_it_shows() {
     let mut random = Sweep::new(0x3c6e_f372_fe94_f82b);
     let mut standings = [0; 3];
     for round in 0..3000 {
-        let mut scene = RuntimeScene::<0, 4, 0, 4, 1>::new();
+        let mut scene = RuntimeScene::<Room<0, 4, 0, 4, 1>>::new();
         let glass = Material::new([1.0; 3]).mirror(0.5);
         let glass = scene.add_material(glass).unwrap();
         let points = [0; 4].map(|_| random.place());

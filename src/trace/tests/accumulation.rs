@@ -1,5 +1,6 @@
 //! The accumulation in the library's own formats, on random α and c: the bounds of `docs/theory.md`.
 
+use crate::scene::Room;
 use std::vec::Vec;
 
 use super::qualities::{Exact, Fast};
@@ -197,7 +198,7 @@ fn traced_path_is_the_loop_bit_for_bit() {
     let mut sweep = Sweep::new(17);
     for _ in 0..300 {
         let loss = sweep.within(0, 20);
-        let mut scene = RuntimeScene::<0, 2, 0, 0, 2>::new();
+        let mut scene = RuntimeScene::<Room<0, 2, 0, 0, 2>>::new();
         let walls = [0, 1].map(|height| {
             let alpha = 1.0 - f64::from(sweep.within(0, 1 << 30 >> loss)) / f64::from(1 << 30);
             let own = f64::from(sweep.within(0, 16 << 12)) / 4096.0;

@@ -1,11 +1,12 @@
 //! Tests: rays that leave the inside of a curved surface go on to the next wall, not to the one
 //! they have left, and not through it.
 
+use crate::scene::Room;
 use super::light::colors;
 use super::*;
 use crate::vector::Point;
 
-type Scenery = RuntimeScene<2, 0, 1, 1, 1>;
+type Scenery = RuntimeScene<Room<2, 0, 1, 1, 1>>;
 
 /// What happened to rays inside of a shape.
 #[derive(Debug, Default)]

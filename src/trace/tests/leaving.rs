@@ -1,12 +1,13 @@
 //! Tests: rays that leave a surface from outside do not meet it again, at any angle, and have length
 //! one.
 
+use crate::scene::Room;
 use super::light::colors;
 use super::*;
 use crate::number::Brightness;
 use crate::shape::MaterialId;
 
-type Scenery = RuntimeScene<2, 2, 1, 4, 2>;
+type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
 
 /// What rays are sent at.
 #[derive(Clone, Copy, Debug, PartialEq)]

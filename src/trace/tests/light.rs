@@ -1,10 +1,11 @@
 //! Tests: the light at one hit, by both ways to find whether a light is visible.
 
+use crate::scene::Room;
 use super::*;
 use crate::color::Color;
 
-type Scenery = RuntimeScene<2, 2, 1, 4, 2>;
-type Built = Scene<2, 2, 1, 4, 2>;
+type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
+type Built = Scene<Room<2, 2, 1, 4, 2>>;
 
 /// A step of Q6.26.
 const STEP: f64 = 1.0 / (1 << 26) as f64;

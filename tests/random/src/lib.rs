@@ -17,7 +17,7 @@ use reflet::{Camera, Material, MaterialId, RuntimeScene, SceneError};
 pub use draw::Drawn;
 
 /// Room for what a few hundred bytes describe.
-pub type Scenery = RuntimeScene<6, 4, 4, 4, 4, 4>;
+pub type Scenery = RuntimeScene<room!(spheres: 6, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>;
 
 /// A scene that the library accepts, and how it is to be drawn.
 #[derive(Clone, Debug)]

@@ -76,10 +76,10 @@ fn scene_of_planes_loses_nothing() {
     }
 }
 
-type Ball = RuntimeScene<2, 1, 0, 1, 2>;
+type Ball = RuntimeScene<room!(spheres: 2, planes: 1, lights: 1, materials: 2)>;
 
 /// Thirty balls at most, more than a row has room for, and the one behind the camera.
-type Balls = RuntimeScene<31, 0, 0, 1, 1>;
+type Balls = RuntimeScene<room!(spheres: 31, lights: 1, materials: 1)>;
 
 /// A ball that is white all over, and one behind the camera.
 fn ball(center: [f64; 3], radius: f64) -> Ball {

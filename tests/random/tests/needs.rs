@@ -16,7 +16,7 @@ use reflet::{
 const SIZE: Size = Size::new(80, 60);
 
 /// Room for every built-in scene.
-type Largest = RuntimeScene<64, 8, 32, 8, 16, 16>;
+type Largest = RuntimeScene<room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16)>;
 
 /// A run-time scene filled from a description.
 fn refilled(description: &Description<'_>) -> Largest {
@@ -149,7 +149,7 @@ fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
     let free = floor.frame(&Floor::CAMERA);
     let bound = floor.frame_within::<Bare>(&Floor::CAMERA).ok().unwrap();
     assert_alike::<Fast, BlinnPhong, _, _>(SIZE, "floor", free, bound);
-    let excess = |scene: &Scene<64, 8, 32, 8, 16, 16>| scene.frame_within::<Bare>(camera).err();
+    let excess = |scene: &Scene<room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16)>| scene.frame_within::<Bare>(camera).err();
     assert_eq!(excess(&castle).unwrap().need, "spheres");
     assert_eq!(excess(&floor), None);
     let mut two_floors = Largest::new();
@@ -195,7 +195,7 @@ prop_compose! {
     }
 }
 
-type Few = RuntimeScene<2, 2, 1, 2, 2, 2>;
+type Few = RuntimeScene<room!(spheres: 2, planes: 2, cylinders: 1, discs: 2, lights: 2, materials: 2)>;
 
 prop_compose! {
     /// A scene of few shapes, so that each need is often missing.
@@ -260,7 +260,7 @@ impl<const I: usize> Bound for Off<I> {
 }
 
 /// Whether a scene is within a bound; if so, its pictures are held against those with no bound.
-fn is_held<const I: usize>(scene: &Scene<2, 2, 1, 2, 2, 2>) -> bool {
+fn is_held<const I: usize>(scene: &Scene<room!(spheres: 2, planes: 2, cylinders: 1, discs: 2, lights: 2, materials: 2)>) -> bool {
     if scene.frame_within::<Off<I>>(&FRONT).is_err() {
         return false;
     }

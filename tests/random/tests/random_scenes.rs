@@ -23,7 +23,7 @@ const WITHIN_8: f64 = 0.99;
 const WITHIN_1: f64 = 0.98;
 
 type Triple = [f64; 3];
-type Scenery = RuntimeScene<16, 4, 6, 4, 4, 4>;
+type Scenery = RuntimeScene<room!(spheres: 16, planes: 4, cylinders: 6, discs: 4, lights: 4, materials: 4)>;
 
 /// A scene in a cube of ±1, how large that cube is, and where it stands.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ use reflet::host::reference::{self, Picture, Shading};
 use reflet::{Camera, Exact, Material, Quality, RuntimeScene, Small};
 
 type Triple = [f64; 3];
-type Scenery = RuntimeScene<12, 1, 12, 2, 2>;
+type Scenery = RuntimeScene<room!(spheres: 12, planes: 1, cylinders: 12, lights: 2, materials: 2)>;
 
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 48;

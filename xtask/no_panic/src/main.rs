@@ -102,10 +102,10 @@ fn draw_within() {
 }
 
 /// A scene that is filled, and a camera that is made and moved, while the program runs.
-fn fill() -> Option<(Scene<4, 4, 4, 4, 4, 4>, Camera)> {
+fn fill() -> Option<(Scene<room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>, Camera)> {
     let number = || Number::from(black_box(1.5_f32));
     let point = || black_box([0.5_f64, 1.5, 2.5]);
-    let mut scene = black_box(RuntimeScene::<4, 4, 4, 4, 4, 4>::new());
+    let mut scene = black_box(RuntimeScene::<room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>::new());
     let made = Material::from_numbers(
         [number(); 3],
         number(),

@@ -24,7 +24,7 @@ pub fn measure() -> Result<Vec<Seen>> {
     let camera = Camera::new([0.3, -0.4, 0.2], [1.0, 1.3, 0.7], [0, 0, 1], 80)?;
     let mut seen = Vec::new();
     for alpha in ALPHAS {
-        let mut room = RuntimeScene::<0, 6, 0, 0, 1>::new();
+        let mut room = RuntimeScene::<room!(planes: 6, materials: 1)>::new();
         let glass = room.add_material(Material::from_numbers([1; 3], 1, 0, (0, 1), alpha)?)?;
         for axis in 0..3 {
             for side in [-1, 1] {

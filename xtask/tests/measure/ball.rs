@@ -17,7 +17,7 @@ pub const CAMERA: Camera =
 pub struct Ball;
 
 impl StaticScene for Ball {
-    type Scene = Scene<1, 1, 1, 1, 1, 1>; // spheres, planes, cylinders, lights, materials, discs
+    type Scene = Scene<room!(spheres: 1, planes: 1, cylinders: 1, discs: 1, lights: 1, materials: 1)>; // spheres, planes, cylinders, lights, materials, discs
     const SCENE: &'static Self::Scene = &Scene::builder()
         .sphere([0.0, 0.0, 1.0], 1.0, GOLD)
         .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], GOLD)

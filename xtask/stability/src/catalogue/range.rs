@@ -5,7 +5,7 @@ use reflet::{Camera, CameraError, Fault, Material, MaterialId, RuntimeScene, Sce
 use super::draft::Draft;
 use super::{Case, claim, picture};
 
-type Room = RuntimeScene<2, 1, 1, 1, 1>;
+type Room = RuntimeScene<room!(spheres: 2, planes: 1, cylinders: 1, lights: 1, materials: 1)>;
 
 const MOST: f64 = (1 << 30) as f64;
 

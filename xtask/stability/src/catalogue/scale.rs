@@ -66,7 +66,7 @@ fn scaled_by_powers() -> Measured {
 /// A ratio that is out of reach is refused.
 fn beyond_reach() -> Result<String, String> {
     let filled = || {
-        let mut scene = RuntimeScene::<2, 0, 0, 0, 1>::new();
+        let mut scene = RuntimeScene::<room!(spheres: 2, materials: 1)>::new();
         let id = scene.add_material(Material::new([0.9; 3]))?;
         scene.add_sphere([0, 0, -(1 << 23)], 1 << 23, id)?;
         scene.add_sphere([0, 0, 1], 1, id)?;

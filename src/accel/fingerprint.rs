@@ -1,0 +1,48 @@
+//! The fingerprint of a scene: a number by which a frame notes the scene that it was prepared for.
+
+use core::hash::{Hash, Hasher};
+
+use crate::ray::spread;
+use crate::scene::Description;
+
+/// The hash of a description, 32 bits, one byte after the other.
+pub(super) struct Fingerprint(u32);
+
+impl Fingerprint {
+    /// Hashes every number of a description.
+    pub(super) fn of(description: &Description<'_>) -> u32 {
+        let mut hash = Self(0);
+        description.hash(&mut hash);
+        hash.0
+    }
+}
+
+impl Hasher for Fingerprint {
+    fn write(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = spread(self.0.rotate_left(5) ^ u32::from(*byte));
+        }
+    }
+
+    fn finish(&self) -> u64 {
+        self.0.into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Material, RuntimeScene, room};
+
+    #[test]
+    fn stamp_tells_scenes_apart() {
+        let stamp = |x: f64, shade: f64| {
+            let mut scene = RuntimeScene::<room!(spheres: 1)>::new();
+            let chalk = scene.add_material(Material::new([shade; 3])).unwrap();
+            scene.add_sphere([x, 0.0, 0.0], 1, chalk).unwrap();
+            scene.build().unwrap().stamp
+        };
+        assert_eq!(stamp(0.5, 0.5), stamp(0.5, 0.5));
+        assert_ne!(stamp(0.5, 0.5), stamp(0.25, 0.5));
+        assert_ne!(stamp(0.5, 0.5), stamp(0.5, 0.25));
+    }
+}

@@ -1,0 +1,101 @@
+//! The macros for users: the room of a scene, and a constant scene.
+
+/// Names the room of a scene that is filled at run time: how many parts of each kind it can hold.
+///
+/// The lists are `spheres`, `planes`, `cylinders`, `discs`, `lights` and `materials`. A list that is not
+/// named has no room, and the code for it is not linked. `materials` is 8 unless it is named.
+///
+/// ```
+/// use reflet::{RuntimeScene, room};
+///
+/// let pond = RuntimeScene::<room!(spheres: 8, planes: 1, lights: 2)>::new();
+/// # let _ = pond;
+/// ```
+#[macro_export]
+macro_rules! room {
+    ($($list:ident: $count:expr),* $(,)?) => {
+        $crate::__room!($crate::__private::Counts::of_fields(&[$((stringify!($list), $count)),*]))
+    };
+}
+
+/// Declares a constant scene: a type without fields, whose scene is checked and prepared by the compiler.
+///
+/// Each line is a method of [`SceneBuilder`](crate::SceneBuilder) with its arguments: `sphere`, `plane`,
+/// `cylinder`, `disc`, `light`, `background`, `epsilon`, `camera`, `motion`. Parts are counted by the
+/// macro. A mistake stops the compiler with a message that names the part and the fix.
+///
+/// The type has a function `frame`, which views the scene through a camera.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
+/// use reflet::{Camera, Material, scene};
+///
+/// scene! {
+///     /// A red marble.
+///     pub struct Marble {
+///         sphere([0.0, 0.0, 1.0], 1.0, Material::new([0.9, 0.1, 0.1]));
+///         light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0]);
+///     }
+/// }
+/// const CAMERA: Camera = Camera::look_at([0.0, -5.0, 1.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
+///
+/// let mut display = MockDisplay::<Rgb888>::new();
+/// Marble::frame(&CAMERA).draw(&mut display).unwrap();
+/// ```
+///
+/// A shape with a name moves: the name becomes a [`Handle`](crate::Handle) of the type, such as
+/// `Bounce::BALL` for `sphere BALL(..)`. See [`MovingScene`](crate::MovingScene).
+#[macro_export]
+macro_rules! scene {
+    (
+        $(#[$attribute:meta])*
+        $visibility:vis struct $name:ident {
+            $($part:ident $($handle:ident)? ($($argument:expr),* $(,)?);)*
+        }
+    ) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug)]
+        $visibility struct $name;
+
+        const _: () = {
+            const COUNTS: $crate::__private::Counts =
+                $crate::SceneBuilder::<$crate::__private::LargestRoom>::new()
+                    $(.$part($($argument),*))*
+                    .counts();
+
+            type Room = $crate::__room!(COUNTS);
+
+            const BUILDER: $crate::SceneBuilder<Room> = $crate::SceneBuilder::new()
+                $(.$part($($argument),*) $(.moves_as(stringify!($handle)))?)*;
+
+            impl $crate::__private::StaticScene for $name {
+                type Room = Room;
+                const SCENE: &'static $crate::Scene<Room> = &BUILDER.build();
+                const INSTANCE: &'static Self = &Self;
+
+                fn with_description<R>(
+                    read: impl FnOnce($crate::description::Description<'_>) -> R,
+                ) -> R {
+                    read(BUILDER.description())
+                }
+            }
+        };
+
+        #[allow(dead_code, reason = "a scene need not be drawn and moved")]
+        impl $name {
+            const PARTS: &[(&str, &str)] =
+                &[$((stringify!($part), concat!($(stringify!($handle))?))),*];
+
+            $($(
+                #[doc = concat!("Names the ", stringify!($part), " that moves.")]
+                pub const $handle: $crate::Handle<$crate::__described!($part)> =
+                    $crate::Handle::named(Self::PARTS, stringify!($handle));
+            )?)*
+
+            /// Views the scene through a camera: 4 reflections, quality `Fast`, shading `BlinnPhong`.
+            pub fn frame(camera: &$crate::Camera) -> $crate::FrameBuilder<'_, Self> {
+                $crate::FrameBuilder::new(&Self, camera)
+            }
+        }
+    };
+}

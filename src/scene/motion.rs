@@ -1,0 +1,110 @@
+//! Parts of a prepared scene that change in place. Only the part that changes is prepared again.
+//!
+//! The grid of the scene was chosen for its whole motion box. So a part that moves in the box changes no
+//! bit of the others.
+
+use super::capacity::{Capacity, Room};
+use super::prepare::PlainScene;
+use super::shape_set::{SetLayout, ShapeSet};
+use crate::error::Error;
+use crate::fault::Fault;
+use crate::light::PreparedLight;
+use crate::vector::{Point, Position};
+
+macro_rules! motion {
+    (
+        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $($more:tt)* })*
+    ) => {
+        impl<R: Capacity> PlainScene<R> {
+            $(
+                #[doc = concat!(
+                    "Puts a ", stringify!($kind), " into another place, with the material that it has."
+                )]
+                #[inline(never)]
+                pub(crate) fn $kind(
+                    &mut self,
+                    index: usize,
+                    $kind: &crate::shape::$described,
+                ) -> Result<(), Error> {
+                    let error = |fault| Error::at(stringify!($kind), index, fault);
+                    if let Some(fault) = $kind.fault() {
+                        return Err(error(fault));
+                    }
+                    let moved = crate::shape::$prepared::prepare($kind, &self.grid).map_err(error)?;
+                    if !self.is_in_motion_box(moved.ball()) {
+                        return Err(error(Fault::Motion));
+                    }
+                    let known = self.counts.$list;
+                    let old = self.$list.as_mut().get_mut(index).filter(|_| index < known);
+                    let old = old.ok_or(error(Fault::UnknownHandle))?;
+                    let material = old.material;
+                    *old = moved.touching(true);
+                    old.material = material;
+                    Ok(())
+                }
+            )*
+        }
+
+        impl<$($header)*> PlainScene<Room<$($arguments)*>> {
+            /// Marks the shapes that move in a constant scene, by name and index; those that do not start
+            /// inside of the motion box stop the compiler.
+            pub(crate) const fn marked(mut self, moving: &[Option<(&'static str, usize)>]) -> Self {
+                let layout = SetLayout::new(self.constant_parts().lengths());
+                let mut number = 0;
+                while number < moving.len() {
+                    if let Some((name, index)) = moving[number] {
+                        let kind = 0;
+                        $(
+                            if super::capacity::is_same(name, stringify!($kind)) && index < $room {
+                                if !self.is_in_motion_box(self.$list[index].ball()) {
+                                    Error::at(name, index, Fault::Motion).stop();
+                                }
+                                self.moving = self.moving.with(ShapeSet::of(layout.bit(kind, index)));
+                            }
+                            let kind = kind + 1;
+                        )*
+                        let _ = kind;
+                    }
+                    number += 1;
+                }
+                self
+            }
+        }
+    };
+}
+kinds!(motion);
+
+impl<R: Capacity> PlainScene<R> {
+    /// Puts a light into another place, with the colour that it has.
+    #[inline(never)]
+    pub(crate) fn light(&mut self, index: usize, position: Position) -> Result<(), Error> {
+        let error = |fault| Error::at("light", index, fault);
+        if !position.is_in_range() {
+            return Err(error(Fault::Coordinate));
+        }
+        let known = self.counts.lights;
+        let light = self.lights.as_mut().get_mut(index).filter(|_| index < known);
+        let light = light.ok_or(error(Fault::UnknownHandle))?;
+        *light = PreparedLight {
+            place: self.grid.place(position),
+            ..*light
+        };
+        Ok(())
+    }
+
+    /// Tests whether a ball lies in the motion box; no ball does if there is none.
+    const fn is_in_motion_box(&self, (center, radius): (Point, i32)) -> bool {
+        let Some([low, high]) = self.motion else {
+            return false;
+        };
+        // A corner is rounded to a step, and so are centre and radius.
+        let radius = radius - 2;
+        low.x <= center.x - radius
+            && low.y <= center.y - radius
+            && low.z <= center.z - radius
+            && high.x >= center.x + radius
+            && high.y >= center.y + radius
+            && high.z >= center.z + radius
+    }
+}
