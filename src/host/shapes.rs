@@ -1,8 +1,8 @@
 //! The list of all kinds of shapes: the bounded kinds of `kinds!`, with planes inserted as the second
 //! kind. The reference tests the kinds in this order. The list is tokens only; it knows no type.
 //!
-//! `kinds!(shapes, write)` calls the macro `write!` with the const parameters of a scene's type, followed
-//! by one group of tokens for each kind:
+//! `kinds!(shapes, write)` calls the macro `write!` with the const parameters of a scene's type, and
+//! with one group of tokens for each kind:
 //! - the name of its list (`spheres`), its own name (`sphere`) and its type (`Sphere`);
 //! - the run-time scene's method that adds such a shape, with the fields of the description;
 //! - its const parameter, and the `Fault` for too many shapes of this kind;
