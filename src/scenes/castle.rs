@@ -1,4 +1,4 @@
-//! The scene `castle`.
+//! The built-in scene `castle`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
@@ -96,7 +96,7 @@ const BUILDER: SceneBuilder<40, 2, 4, 1, 6> = SceneBuilder::new()
     .light([10.539, -61.862, 55.018], [1.0, 0.719, 0.413])
     .camera(CAMERA);
 
-/// A castle of three towers with golden domes around a keep, on an island in a lake that mirrors them.
+/// The scene `castle`: three towers with golden domes around a keep, on an island in a reflecting lake.
 #[derive(Clone, Copy, Debug)]
 pub struct Castle;
 

@@ -1,4 +1,4 @@
-//! The scene `columns`.
+//! The built-in scene `columns`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
@@ -19,7 +19,7 @@ const CAMERA: Camera =
 
 const BUILDER: SceneBuilder<0, 1, 8, 2, 2> = SceneBuilder::new()
     .plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR)
-    // On a circle of radius 3, an eighth of a turn apart.
+    // The columns stand on a circle of radius 3, an eighth of a turn apart.
     .cylinder(
         [2.9773350964055805, 0.368070270072946, 0.0],
         [0.0, 0.0, 1.0],
@@ -80,7 +80,8 @@ const BUILDER: SceneBuilder<0, 1, 8, 2, 2> = SceneBuilder::new()
     .light([20.0, -3.0, 0.0], [1.0, 0.2, 0.1])
     .camera(CAMERA);
 
-/// Eight columns in a circle on a reflecting floor, lit from within and from far aside.
+/// The scene `columns`: eight columns in a circle on a reflecting floor. One light is inside the circle,
+/// and one is far away to the side.
 #[derive(Clone, Copy, Debug)]
 pub struct Columns;
 

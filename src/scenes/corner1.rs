@@ -1,4 +1,4 @@
-//! The scene `corner1`.
+//! The built-in scene `corner1`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
@@ -17,7 +17,8 @@ const BUILDER: SceneBuilder<0, 3, 0, 1, 1> = SceneBuilder::new()
     .light([0.0, 0.0, 0.1], [1.0, 0.4, 0.2])
     .camera(CAMERA);
 
-/// Three planes, and a light that lies in two of them: what is lit hangs on how rays leave a surface.
+/// The scene `corner1`: three planes, and a light that lies in two of them. Which surfaces are lit
+/// depends on the distance from a surface at which shadow rays start.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner1;
 

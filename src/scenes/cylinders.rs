@@ -1,4 +1,4 @@
-//! The scene `cylinders`.
+//! The built-in scene `cylinders`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
@@ -20,7 +20,7 @@ const BUILDER: SceneBuilder<0, 0, 3, 3, 1> = SceneBuilder::new()
     .light([-50.0, 50.0, 50.0], [0.2, 0.8, 0.2])
     .camera(CAMERA);
 
-/// Three open cylinders with slanting axes under three coloured lights.
+/// The scene `cylinders`: three open cylinders with slanting axes under three coloured lights.
 #[derive(Clone, Copy, Debug)]
 pub struct Cylinders;
 

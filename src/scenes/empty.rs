@@ -1,4 +1,4 @@
-//! The scene `empty`.
+//! The built-in scene `empty`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Scene, SceneBuilder, StaticScene};
@@ -9,7 +9,7 @@ const BUILDER: SceneBuilder<0, 0, 0, 1, 0> = SceneBuilder::new()
     .light([0.0, 0.0, 0.1], [1.0, 0.4, 0.2])
     .camera(CAMERA);
 
-/// Nothing but a light: every pixel is the background.
+/// The scene `empty`: one light and no shapes, so every pixel is the background.
 #[derive(Clone, Copy, Debug)]
 pub struct Empty;
 

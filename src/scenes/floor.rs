@@ -1,4 +1,4 @@
-//! The scene `floor`.
+//! The built-in scene `floor`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
@@ -16,7 +16,7 @@ const BUILDER: SceneBuilder<0, 1, 0, 0, 1> = SceneBuilder::new()
     .plane([0.0, 0.0, -0.5], [0.0, 0.0, 1.0], WHITE)
     .camera(CAMERA);
 
-/// A bare floor without a light: ambient light only, under a tilted camera.
+/// The scene `floor`: one plane without a light, so with ambient light only, seen by a tilted camera.
 #[derive(Clone, Copy, Debug)]
 pub struct Floor;
 

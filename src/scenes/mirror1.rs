@@ -1,4 +1,4 @@
-//! The scene `mirror1`.
+//! The built-in scene `mirror1`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
@@ -38,14 +38,14 @@ const BUILDER: SceneBuilder<3, 1, 3, 2, 5> = SceneBuilder::new()
     .sphere([2.0, 4.0, 2.1], 0.5, RED_PARTICLE)
     .plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR)
     .cylinder([-2.0, 4.0, 0.0], [0.0, 0.0, 1.0], 2.0, 4.0, MIRROR)
-    // The rods between the particles.
+    // The rods that join the particles.
     .cylinder([2.0, 3.0, 0.1], [0.0, 1.0, 0.0], 0.1, 2.0, WHITE)
     .cylinder([2.0, 4.0, 1.1], [0.0, 0.0, 1.0], 0.1, 2.0, WHITE)
     .light([2.5, 2.5, 4.0], [1.0, 0.8, 0.5])
     .light([0.5, -2.5, -0.1], [0.5, 0.8, 1.0])
     .camera(CAMERA);
 
-/// Three particles before a cylinder that is a mirror.
+/// The scene `mirror1`: three spheres joined by rods, beside a cylinder that is a mirror.
 #[derive(Clone, Copy, Debug)]
 pub struct Mirror1;
 

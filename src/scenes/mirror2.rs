@@ -1,4 +1,4 @@
-//! The scene `mirror2`.
+//! The built-in scene `mirror2`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
@@ -39,14 +39,14 @@ const BUILDER: SceneBuilder<3, 3, 2, 2, 5> = SceneBuilder::new()
     .plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR)
     .plane([-5.0, 5.0, 0.0], [-2.0, 1.0, 0.0], MIRROR)
     .plane([5.0, 5.0, 0.0], [2.0, 1.0, 0.0], MIRROR)
-    // The rods between the particles.
+    // The rods that join the particles.
     .cylinder([2.0, 3.0, 0.1], [0.0, 1.0, 0.0], 0.1, 2.0, WHITE)
     .cylinder([2.0, 4.0, 1.1], [0.0, 0.0, 1.0], 0.1, 2.0, WHITE)
     .light([2.5, 2.5, 4.0], [1.0, 0.8, 0.5])
     .light([0.5, -2.5, -0.1], [0.5, 0.8, 1.0])
     .camera(CAMERA);
 
-/// The particles of [`Mirror1`](super::Mirror1) between two plane mirrors.
+/// The scene `mirror2`: the three particles of [`Mirror1`](super::Mirror1) between two plane mirrors.
 #[derive(Clone, Copy, Debug)]
 pub struct Mirror2;
 

@@ -1,6 +1,6 @@
-//! Eleven ready scenes, as constants: for trying things out, and what the tests measure by.
+//! Eleven built-in scenes, as constants, for first experiments; tests and measurements use them, too.
 //!
-//! Each is a type; [`visit`] finds one by its name.
+//! Each scene is a type. [`visit`] finds a scene by its name.
 //!
 //! ```
 //! use reflet::scenes::{BuiltIn, Visitor, visit};
@@ -47,7 +47,7 @@ pub use shading_speculars::ShadingSpeculars;
 
 use crate::{Camera, Description, StaticFrame};
 
-/// The names of the scenes, in the order they are shown.
+/// Names of the eleven built-in scenes, in the order in which programs show them.
 pub const NAMES: [&str; 11] = [
     Castle::NAME,
     ShadingLights::NAME,
@@ -62,28 +62,30 @@ pub const NAMES: [&str; 11] = [
     Cylinders::NAME,
 ];
 
-/// A scene that comes with the library.
+/// A scene that is built into the library.
 pub trait BuiltIn: StaticFrame {
-    /// What it is called.
+    /// Name of the scene, such as `castle`.
     const NAME: &'static str;
 
-    /// The view it was made for.
+    /// Camera that the scene was designed for.
     const CAMERA: Camera;
 
-    /// Lends the numbers the scene was written with: not for a frame, but for checking one.
+    /// Calls `read` with the description of the scene: the numbers it was written with. A frame does not
+    /// need them; checks of a frame do.
     fn with_description<R>(read: impl FnOnce(Description<'_>) -> R) -> R;
 }
 
-/// What is done with a scene that is only known by its name: a closure generic over the scene.
+/// A function that [`visit`] calls for a scene chosen by name: like a closure, but generic over the type
+/// of the scene.
 pub trait Visitor {
-    /// What it returns.
+    /// Type of the visitor's result.
     type Output;
 
-    /// Does it with the scene `S`.
+    /// Runs the visitor on the scene `S`.
     fn visit<S: BuiltIn>(self) -> Self::Output;
 }
 
-/// Visits the scene of this name; `None` where there is none.
+/// Runs the visitor on the scene called `name`, or returns `None` if there is no such scene.
 pub fn visit<V: Visitor>(name: &str, visitor: V) -> Option<V::Output> {
     Some(match name {
         Castle::NAME => visitor.visit::<Castle>(),

@@ -1,4 +1,4 @@
-//! The scene `primitives`.
+//! The built-in scene `primitives`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
@@ -28,12 +28,13 @@ const BUILDER: SceneBuilder<1, 4, 1, 2, 3> = SceneBuilder::new()
     .plane([2.0, -1.0, 0.0], [0.3939193, -0.91914503, 0.0], GREEN)
     .plane([0.0, 0.0, 50.0], [0.0, 0.0, -1.0], GREEN)
     .cylinder([0.0, -0.8, 4.0], [0.0, 1.0, 0.0], 1.0, 0.4, GREEN)
-    // Red from behind the camera, blue from the left.
+    // A red light from behind the camera, and a blue one from the left.
     .light([3.0, 0.0, -0.5], [1.0, 0.4, 0.2])
     .light([-3.0, -0.8, 3.0], [0.2, 0.4, 0.9])
     .camera(CAMERA);
 
-/// A room with a mirroring ball above a low open cylinder; the camera stands at the origin.
+/// The scene `primitives`: a room with a mirroring sphere above a low open cylinder. The camera is at
+/// the origin.
 #[derive(Clone, Copy, Debug)]
 pub struct Primitives;
 

@@ -1,4 +1,4 @@
-//! The scene `shading_lights`.
+//! The built-in scene `shading_lights`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
@@ -20,12 +20,12 @@ const BUILDER: SceneBuilder<1, 2, 0, 2, 2> = SceneBuilder::new()
     .sphere([0.0, 0.0, 0.0], 1.0, WHITE)
     .plane([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], WHITE)
     .plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR)
-    // Green from the right, red from the left.
+    // A green light from the right, and a red one from the left.
     .light([3.0, 0.0, 3.0], [0.0, 1.0, 0.0])
     .light([-3.0, 0.0, 3.0], [1.0, 0.0, 0.0])
     .camera(CAMERA);
 
-/// One matte sphere between a red and a green light.
+/// The scene `shading_lights`: one matte sphere between a red and a green light.
 #[derive(Clone, Copy, Debug)]
 pub struct ShadingLights;
 

@@ -1,4 +1,4 @@
-//! The scene `shading_speculars`.
+//! The built-in scene `shading_speculars`.
 
 use super::BuiltIn;
 use crate::{Camera, Description, Material, Scene, SceneBuilder, StaticScene};
@@ -26,13 +26,13 @@ const BUILDER: SceneBuilder<2, 2, 2, 1, 3> = SceneBuilder::new()
     .sphere([-2.0, 0.0, 0.1], 0.6, SHINY)
     .plane([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], WHITE)
     .plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR)
-    // Two pipes along x, above the spheres.
+    // Two cylinders along x, above the spheres.
     .cylinder([2.0, 0.0, 2.0], [1.0, 0.0, 0.0], 0.5, 4.0, SHINY)
     .cylinder([-2.0, 0.0, 2.0], [1.0, 0.0, 0.0], 0.6, 4.0, WHITE)
     .light([0.0, 0.0, 0.0], [1.0, 0.9, 0.5])
     .camera(CAMERA);
 
-/// Matte and shiny spheres and cylinders around one light.
+/// The scene `shading_speculars`: matte and shiny spheres and cylinders around one light.
 #[derive(Clone, Copy, Debug)]
 pub struct ShadingSpeculars;
 

@@ -65,7 +65,7 @@ impl Surface<'_> {
     pub fn gleam(&self, to_light: Vector, shading: Shading) -> Real {
         match shading {
             Shading::Phong => to_light.mirrored(self.normal).dot(self.viewer),
-            // The value does not matter for `Normals`, which shows no highlight.
+            // `Normals` shows no highlight, so any value does.
             Shading::BlinnPhong | Shading::Normals => {
                 self.normal.dot((to_light + self.viewer).unit())
             }
