@@ -327,8 +327,8 @@ fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledP
 /// at random hits of camera rays in a scene without planes.
 ///
 /// Returns three counts: lights that both find visible, lights that both find hidden, and differences. A
-/// difference fails unless a shift of the point by less than 64 steps removes it, so that it is
-/// rounding.
+/// difference counts as rounding if moving the point by at most 64 steps a coordinate removes it; any
+/// other difference fails.
 fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
     let parts = world.parts();
     let mut counts = [0; 3];
