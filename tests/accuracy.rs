@@ -7,10 +7,9 @@ use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::reference::{self, render};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
-use reflet::{
-    BlinnPhong, Camera, Exact, Fast, Fine, Material, Normals, Phong, Quality, Scene, SceneBuilder,
-    Shading, Small, StaticFrame,
-};
+use reflet::{room, Camera, Material, Scene, SceneBuilder};
+use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
 
 const SIDE: u32 = 320;
 const REFLECTIONS: u8 = 4;

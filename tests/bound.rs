@@ -7,10 +7,9 @@ use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
-use reflet::{
-    BlinnPhong, Camera, Exact, Fast, Fine, Material, Phong, Quality, RuntimeScene, Shading,
-    StaticScene, Unit,
-};
+use reflet::{room, Camera, Material, RuntimeScene, Unit};
+use reflet::quality::{Exact, Fast, Fine, Quality};
+use reflet::shading::{BlinnPhong, Phong, Shading};
 
 const SIDE: u32 = 96;
 

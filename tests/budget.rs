@@ -11,10 +11,11 @@ use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, pixel};
 use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES, Visitor, visit};
-use reflet::{
-    BlinnPhong, Enlarged, Fast, Fine, Front, FrontPoint, Grade, Phong, Report, StaticFrame, Unit,
-    Unshadowed,
-};
+use reflet::{Report, Unit};
+use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
+use reflet::display::Enlarged;
+use reflet::quality::{Fast, Fine};
+use reflet::shading::{BlinnPhong, Phong, Unshadowed};
 
 const FRONT: Front = Front::new(&[
     point(40, 0, Grade::Fast, 4, 2000),
@@ -41,7 +42,7 @@ const PREPARE: u32 = 777;
 
 /// What was measured of the built-in scenes.
 mod measured {
-    use reflet::{Front, FrontPoint, Grade};
+    use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
 
     include!("../docs/error-time/front.rs");
 }

@@ -5,10 +5,10 @@ use reflet::host::compare::compare;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture, render};
 use reflet::host::{painted, precision};
-use reflet::{
-    BlinnPhong, Camera, Exact, Fast, Fine, Frame, Material, MaterialId, Phong, Quality,
-    RuntimeScene, Shading, Small, World,
-};
+use reflet::{room, Camera, FrameBuilder, Material, MaterialId, RuntimeScene};
+use reflet::__private::Drawable;
+use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::shading::{BlinnPhong, Phong, Shading};
 
 const SIDE: u32 = 160;
 const REFLECTIONS: u8 = 4;

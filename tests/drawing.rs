@@ -12,9 +12,8 @@ use embedded_graphics::prelude::{Point, PointsIter, Size};
 use embedded_graphics::primitives::Rectangle;
 use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Mirror1, Primitives};
-use reflet::{
-    Exact, Fast, Material, Number, Picture, Quality, Report, RuntimeScene, Static, StaticFrame,
-};
+use reflet::{room, Material, Number, Report, Rows, RuntimeScene};
+use reflet::quality::{Exact, Fast, Quality};
 
 /// A display that remembers what it is told, in order, and fails at the call it is told to.
 struct Recorder<C> {

@@ -4,7 +4,8 @@ use embedded_graphics::prelude::Size;
 use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, Shading};
-use reflet::{Camera, Fine, Material, RuntimeScene};
+use reflet::{room, Camera, Material, RuntimeScene};
+use reflet::quality::Fine;
 
 type Room = RuntimeScene<room!(spheres: 1, planes: 2, lights: 1, materials: 1)>;
 

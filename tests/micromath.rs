@@ -5,7 +5,7 @@ use embedded_graphics::prelude::Size;
 use micromath::F32;
 use micromath::vector::F32x3;
 use reflet::host::painted;
-use reflet::{Camera, CameraError, Fault, Material, Number, Position, RuntimeScene, SceneError};
+use reflet::{room, Camera, Error, ErrorKind, Material, Number, Position, RuntimeScene};
 
 fn vector([x, y, z]: [f32; 3]) -> F32x3 {
     F32x3 { x, y, z }

@@ -4,7 +4,8 @@
 use embedded_graphics::prelude::Size;
 use reflet::host::painted;
 use reflet::host::reference::{Picture, Vector};
-use reflet::{Camera, Fine, Material, RuntimeScene};
+use reflet::{room, Camera, Material, RuntimeScene};
+use reflet::quality::Fine;
 
 /// Where a scene is put and how large it is made, and whether its camera is far away.
 #[derive(Clone, Copy, Debug)]

@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Dimensions;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::{Drawable, PointsIter};
 use embedded_graphics_simulator::SimulatorDisplay;
-use reflet::Ditherable;
+use reflet::display::Ditherable;
 
 /// The colours of a display.
 #[derive(Clone, Copy, ValueEnum)]

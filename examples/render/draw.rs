@@ -7,7 +7,10 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::scenes::{BuiltIn, Visitor};
-use reflet::{BlinnPhong, Camera, Exact, Fine, Frame, Normals, Phong, Report, Small, World};
+use reflet::{Camera, FrameBuilder, Report};
+use reflet::__private::Drawable;
+use reflet::quality::{Exact, Fine, Small};
+use reflet::shading::{BlinnPhong, Normals, Phong};
 
 use command_line::{Kind, Source};
 use command_line::{Quality, Shading};

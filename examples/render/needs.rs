@@ -1,7 +1,7 @@
 //! What a scene needs of the library, in words.
 
 use reflet::scenes::{BuiltIn, Visitor};
-use reflet::{Need, Needs};
+use reflet::needs::{Need, Needs};
 use serde_json::json;
 
 use crate::draw::Settings;

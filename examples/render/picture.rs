@@ -8,7 +8,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::reference::{self, Picture};
-use reflet::{Camera, CameraError, Report};
+use reflet::{Camera, Error, Report};
 
 use crate::arguments::Arguments;
 use crate::dither::Levels;

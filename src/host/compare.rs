@@ -1,26 +1,26 @@
-//! How far two pictures are apart; it never asks what is in them.
+//! Compares two pictures of the same size, pixel by pixel. This file knows nothing of scenes.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
 
 use super::reference::Picture;
 
-/// How far two pictures are apart.
+/// The difference between two pictures: shares of similar pixels, signal-to-noise ratio, and maximum.
 ///
-/// The shares are of pixels, 0 to 1, and a pixel counts if each of its three channels does. Of
-/// pictures without pixels every share is 1.
+/// Each share is a part of all pixels, 0 to 1. A pixel counts only if all three of its channels are
+/// within the limit. For pictures without pixels every share is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Difference {
-    /// Share of pixels that are equal.
+    /// Share of pixels that are equal in both pictures.
     pub same: f64,
-    /// Share of pixels that are 1 of 255 apart or less.
+    /// Share of pixels that differ by at most 1 (of 255) in every channel.
     pub within1: f64,
-    /// Share of pixels that are 8 of 255 apart or less.
+    /// Share of pixels that differ by at most 8 (of 255) in every channel.
     pub within8: f64,
     /// Peak signal-to-noise ratio in decibels over all channels, 10 log₁₀(255² / mean squared
-    /// difference); infinite where the pictures are equal.
+    /// difference); infinite if the pictures are equal.
     pub psnr: f64,
-    /// The largest difference of any channel.
+    /// Largest difference of any channel of any pixel, 0 to 255.
     pub max: u8,
 }
 
@@ -44,7 +44,7 @@ pub struct Difference {
 pub fn compare(a: &Picture, b: &Picture) -> Result<Difference, SizeMismatch> {
     SizeMismatch::refuse(a, b)?;
     let pairs = || a.pixels.iter().zip(&b.pixels).map(|(a, b)| apart(a, b));
-    // How many pixels are this far apart in their worst channel.
+    // Entry i counts the pixels whose worst channel differs by i.
     let mut counts = [0_usize; 256];
     pairs().for_each(|[red, green, blue]| counts[usize::from(red.max(green).max(blue))] += 1);
     let square = |channel: u8| u64::from(channel).pow(2);
@@ -60,7 +60,8 @@ pub fn compare(a: &Picture, b: &Picture) -> Result<Difference, SizeMismatch> {
     })
 }
 
-/// |a − b| of every channel times `gain`, 255 where that is more: where two pictures differ.
+/// Returns a picture that shows where two pictures differ. Each channel is |a − b| times `gain`, at most
+/// 255.
 ///
 /// # Errors
 ///
@@ -86,7 +87,7 @@ pub fn difference_picture(a: &Picture, b: &Picture, gain: u8) -> Result<Picture,
     })
 }
 
-/// Two pictures of different sizes cannot be compared.
+/// The error of comparing two pictures of different sizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SizeMismatch {
     a: Size,
@@ -166,7 +167,7 @@ mod tests {
         }
     }
 
-    /// The difference of one pixel from [100; 3], with three equal pixels beside it.
+    /// Compares two rows of four pixels [100; 3], one pixel of the second replaced by `pixel`.
     fn one_of_four(pixel: [u8; 3]) -> Difference {
         let (a, mut b) = (row(&[[100; 3]; 4]), row(&[[100; 3]; 4]));
         b.pixels[2] = pixel;
@@ -227,7 +228,7 @@ mod tests {
 
     #[test]
     fn psnr_is_taken_over_all_channels() {
-        // Squares of 3, 4 and 0 in twelve channels.
+        // The channels of one pixel differ by 3, 4 and 0: squares of 25 in sum, over twelve channels.
         let expected = 10.0 * (255.0 * 255.0 * 12.0 / 25.0_f64).log10();
         assert_eq!(one_of_four([103, 96, 100]).psnr, expected);
         assert!((44.942..44.944).contains(&expected), "{expected}");

@@ -1,8 +1,10 @@
-//! Text from outside in one line: names and paths may hold anything.
+//! Escapes text from outside so that it stays on one line. Names and paths of a user may hold any
+//! character.
 
 use std::string::{String, ToString};
 
-/// The text with every control character and line separator escaped as in Rust.
+/// Returns the text with every control character and line separator escaped as in a Rust literal: a line
+/// break becomes `\n`.
 ///
 /// ```
 /// assert_eq!(reflet::host::line::one_line("red\nbox"), "red\\nbox");
@@ -11,7 +13,8 @@ pub fn one_line(text: &str) -> String {
     escaped(text, |letter| letter.escape_default().to_string())
 }
 
-/// The text with what breaks a line or steers a terminal replaced by its `escape`.
+/// Returns the text with each control character and each Unicode line or paragraph separator replaced by
+/// `escape(character)`. These are the characters that break a line or control a terminal.
 pub fn escaped(text: &str, escape: impl Fn(char) -> String) -> String {
     let breaks = |letter: char| letter.is_control() || matches!(letter, '\u{2028}' | '\u{2029}');
     let written = |letter: char| match breaks(letter) {

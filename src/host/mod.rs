@@ -1,5 +1,5 @@
-//! What only a desktop needs, beside the stack and never under it: the double-precision
-//! reference, the comparison of pictures, scene files, and where a ray goes.
+//! Tools for the desktop: the double-precision reference, picture comparison, scene files, and the rays
+//! of one pixel. This module uses the ray tracer; the ray tracer never uses this module.
 
 #[macro_use]
 mod shapes;
@@ -16,7 +16,8 @@ pub use self::painted::painted;
 use crate::number::Number;
 use crate::scene::access::SceneAccess;
 
-/// The grid that a scene was laid on and how dim it is, as the analysis of rounding wants it.
+/// Returns the facts about a prepared scene that the rounding analysis needs: the step and the middle of
+/// its grid, in scene units, and its dimness.
 pub fn precision(world: &impl SceneAccess) -> reference::bound::Precision {
     let grid = world.parts().grid;
     reference::bound::Precision {

@@ -1,4 +1,5 @@
-//! A frame of the library as a picture that can be compared; it knows no scene.
+//! Draws a frame of the library into a [`Picture`], the form that `compare` takes. This file knows no
+//! scene.
 
 use std::vec;
 use std::vec::Vec;
@@ -11,7 +12,7 @@ use crate::accel::drawable::Drawable;
 use crate::render::{Quality, Rows};
 use crate::shade::Shading;
 
-/// Draws a frame into the form that pictures are compared in.
+/// Draws a frame, row by row, and returns it as a [`Picture`] that can be compared with others.
 ///
 /// ```
 /// use embedded_graphics::prelude::Size;

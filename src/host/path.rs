@@ -1,4 +1,5 @@
-//! Where a ray of the fixed-point core goes, bounce by bounce, in plain doubles; it knows no colour.
+//! The rays that the fixed-point core follows through one pixel, converted to doubles. This file knows
+//! no colours.
 
 use std::vec::Vec;
 
@@ -11,18 +12,20 @@ use crate::scene::access::SceneAccess;
 use crate::scene::access::ShapeId;
 use crate::scene::query::nearest_hit;
 
-/// A ray: where it starts, and its direction, which has length one but for 2⁻²⁶.
+/// A ray of the fixed-point core, converted to doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// In scene units.
+    /// Point where the ray starts, in scene units.
     pub origin: [f64; 3],
-    /// Where it goes.
+    /// Direction of the ray. Its length is one to within 2⁻²⁶.
     pub direction: [f64; 3],
 }
 
-/// The rays that the core follows through one pixel: the camera's, and after every mirror the
-/// next, `reflections` at most, from epsilon above what was met. It ends where nothing is met; every
-/// surface mirrors.
+/// Returns the rays that the core follows through pixel (`x`, `y`): the camera ray, then one ray for
+/// each reflection, at most `reflections` of them.
+///
+/// Every surface counts as a mirror, whatever its material. A reflected ray starts epsilon above the
+/// surface that was hit. The list ends at the first ray that hits nothing.
 ///
 /// ```
 /// use reflet::host::path::follow;

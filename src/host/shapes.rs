@@ -1,10 +1,12 @@
-//! The list of all kinds of shapes: that of the bounded kinds, with planes where the reference asks
-//! them. It is tokens only and knows no type.
+//! The list of all kinds of shapes: the bounded kinds of `kinds!`, with planes inserted as the second
+//! kind. The reference tests the kinds in this order. The list is tokens only; it knows no type.
 //!
-//! `kinds!(shapes, write)` calls `write!` with the const parameters of a scene's type, and of each kind:
-//! the name of its list and its own, its type, the run-time scene's method that adds one with the fields
-//! of its description, its const parameter, the `Fault` where there are too many, and the fields as a
-//! scene file calls them.
+//! `kinds!(shapes, write)` calls the macro `write!` with the const parameters of a scene's type, and
+//! with one group of tokens for each kind:
+//! - the name of its list (`spheres`), its own name (`sphere`) and its type (`Sphere`);
+//! - the run-time scene's method that adds such a shape, with the fields of the description;
+//! - its const parameter, and the `Fault` for too many shapes of this kind;
+//! - the fields with the names that a scene file uses.
 
 macro_rules! shapes {
     (all of $write:ident { $declaration:tt $header:tt $parameters:tt } $({

@@ -1,4 +1,4 @@
-//! The scene `columns`.
+//! The built-in scene `columns`.
 
 use super::BuiltIn;
 use crate::{Camera, Material, scene};
@@ -18,10 +18,11 @@ const CAMERA: Camera =
     Camera::look_at([0.0, -8.0, 6.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(70.0);
 
 scene! {
-    /// Eight columns in a circle on a reflecting floor, lit from within and from far aside.
+    // The columns stand on a circle of radius 3, an eighth of a turn apart.
     pub struct Columns {
         plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR);
-        // On a circle of radius 3, an eighth of a turn apart.
+/// The scene `columns`: eight columns in a circle on a reflecting floor. One light is inside the circle,
+/// and one is far away to the side.
         cylinder([2.9773350964055805, 0.368070270072946, 0.0], [0.0, 0.0, 1.0], 0.25, 4.0, SHINY);
         cylinder([1.8450288526113454, 2.3655588204548335, 0.0], [0.0, 0.0, 1.0], 0.25, 4.0, SHINY);
         cylinder([-0.3680702700729458, 2.9773350964055805, 0.0], [0.0, 0.0, 1.0], 0.25, 4.0, SHINY);

@@ -1,6 +1,6 @@
-//! Eleven ready scenes, as constants: for trying things out, and what the tests measure by.
+//! Eleven built-in scenes, as constants, for first experiments; tests and measurements use them, too.
 //!
-//! Each is a type; [`visit`] finds one by its name.
+//! Each scene is a type. [`visit`] finds a scene by its name.
 //!
 //! ```
 //! use reflet::scenes::{BuiltIn, Visitor, visit};
@@ -48,7 +48,7 @@ pub use shading_speculars::ShadingSpeculars;
 use crate::accel::Apart;
 use crate::{Camera, FrameBuilder};
 
-/// The names of the scenes, in the order they are shown.
+/// Names of the eleven built-in scenes, in the order in which programs show them.
 pub const NAMES: [&str; 11] = [
     Castle::NAME,
     ShadingLights::NAME,
@@ -63,30 +63,32 @@ pub const NAMES: [&str; 11] = [
     Cylinders::NAME,
 ];
 
-/// A scene that comes with the library.
+/// A scene that is built into the library.
 pub trait BuiltIn: Apart {
-    /// What it is called.
+    /// Name of the scene, such as `castle`.
     const NAME: &'static str;
 
-    /// The view it was made for.
+    /// Camera that the scene was designed for.
     const CAMERA: Camera;
 
-    /// Views the scene through a camera: 4 reflections, quality `Fast`, shading `BlinnPhong`.
+    /// Calls `read` with the description of the scene: the numbers it was written with. A frame does not
+    /// need them; checks of a frame do.
     fn frame(camera: &Camera) -> FrameBuilder<'_, Self> {
         FrameBuilder::new(Self::INSTANCE, camera)
     }
 }
 
-/// What is done with a scene that is only known by its name: a closure generic over the scene.
+/// A function that [`visit`] calls for a scene chosen by name: like a closure, but generic over the type
+/// of the scene.
 pub trait Visitor {
-    /// What it returns.
+    /// Type of the visitor's result.
     type Output;
 
-    /// Does it with the scene `S`.
+    /// Runs the visitor on the scene `S`.
     fn visit<S: BuiltIn>(self) -> Self::Output;
 }
 
-/// Visits the scene of this name; `None` where there is none.
+/// Runs the visitor on the scene called `name`, or returns `None` if there is no such scene.
 pub fn visit<V: Visitor>(name: &str, visitor: V) -> Option<V::Output> {
     Some(match name {
         Castle::NAME => visitor.visit::<Castle>(),

@@ -1,4 +1,4 @@
-//! The scene `primitives`.
+//! The built-in scene `primitives`.
 
 use super::BuiltIn;
 use crate::{Camera, Material, scene};
@@ -21,16 +21,17 @@ const MIRROR: Material = Material::new([0.9, 0.9, 0.9])
 const CAMERA: Camera = Camera::look_at([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]).fov(75.0);
 
 scene! {
-    /// A room with a mirroring ball above a low open cylinder; the camera stands at the origin.
+    // The floor, two slanting walls and the far end.
     pub struct Primitives {
         sphere([0.0, 1.5, 4.0], 1.0, MIRROR);
-        // The floor, two slanting walls and the far end.
+    // A red light from behind the camera, and a blue one from the left.
         plane([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], WHITE);
         plane([-2.0, -1.0, 0.0], [0.3939193, 0.91914503, 0.0], GREEN);
         plane([2.0, -1.0, 0.0], [0.3939193, -0.91914503, 0.0], GREEN);
         plane([0.0, 0.0, 50.0], [0.0, 0.0, -1.0], GREEN);
         cylinder([0.0, -0.8, 4.0], [0.0, 1.0, 0.0], 1.0, 0.4, GREEN);
-        // Red from behind the camera, blue from the left.
+/// The scene `primitives`: a room with a mirroring sphere above a low open cylinder. The camera is at
+/// the origin.
         light([3.0, 0.0, -0.5], [1.0, 0.4, 0.2]);
         light([-3.0, -0.8, 3.0], [0.2, 0.4, 0.9]);
         camera(CAMERA);

@@ -1,5 +1,4 @@
-//! Tests: the sets of shapes that a scene keeps, and what a view knows about its planes, change the
-//! work, never the picture.
+//! Tests that culling never changes a picture: candidate sets of shapes, and lights that planes hide.
 
 use crate::scene::Room;
 use super::{BuiltIn, NAMES, Visitor, visit};
@@ -24,7 +23,8 @@ use crate::{Camera, Material};
 
 const SIZE: (u32, u32) = (40, 32);
 
-/// Compares every pixel with the one for which every ray asks every shape.
+/// Asserts for every pixel that the traced sum with screen culling equals the sum without, for which
+/// every ray tests every shape.
 fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
     let generator = camera.generator(SIZE.0, SIZE.1);
     let from = world.parts().grid.place(camera.description().position);
@@ -75,13 +75,14 @@ fn rows_of_the_built_in_scenes_miss_no_shape() {
     }
 }
 
-/// A scene full of spheres and cylinders.
+/// A scene of `S` spheres and `C` cylinders, with up to two planes, two lights and one material.
 type Crowd<const S: usize, const C: usize> = Scene<Room<S, 2, C, 2, 1>>;
 
-/// How a crowd is described; its only material comes first.
+/// The run-time scene of a [`Crowd`], before it is built.
 type Description<const S: usize, const C: usize> = RuntimeScene<Room<S, 2, C, 2, 1>>;
 
-/// Some spheres and cylinders, all mirrors, and two lights; one of them among the shapes.
+/// Returns a run-time scene of random mirroring spheres and cylinders and two lights, one among the
+/// shapes, and the id of its only material.
 fn described<const S: usize, const C: usize>(
     random: &mut Sweep,
     (spheres, cylinders): (usize, usize),
@@ -106,7 +107,7 @@ fn described<const S: usize, const C: usize>(
     (scene, glass)
 }
 
-/// A crowd between two mirrors.
+/// Returns a random scene of `S` spheres and `C` cylinders with two mirroring planes.
 fn crowd<const S: usize, const C: usize>(random: &mut Sweep) -> Crowd<S, C> {
     let (mut scene, glass) = described(random, (S, C));
     scene
@@ -118,7 +119,7 @@ fn crowd<const S: usize, const C: usize>(random: &mut Sweep) -> Crowd<S, C> {
     scene.build().unwrap()
 }
 
-/// A crowd in a scene with room for more of everything.
+/// Returns a random scene of 18 spheres and 9 cylinders whose type has room for more of each kind.
 fn roomy_crowd(random: &mut Sweep) -> Crowd<40, 24> {
     let (mut scene, glass) = described(random, (18, 9));
     scene
@@ -127,7 +128,8 @@ fn roomy_crowd(random: &mut Sweep) -> Crowd<40, 24> {
     scene.build().unwrap()
 }
 
-/// A camera that looks at the middle of a crowd.
+/// Returns a camera at `position` that looks at the origin, the middle of a crowd, with a random field
+/// of view.
 fn camera(random: &mut Sweep, position: [f64; 3]) -> Camera {
     let fov = 60.0 + 50.0 * random.share();
     Camera::new(position, [0.0; 3], [0.1, 0.2, 1.0], fov).unwrap()
@@ -137,7 +139,7 @@ fn camera(random: &mut Sweep, position: [f64; 3]) -> Camera {
 fn rows_of_crowded_scenes_miss_no_shape() {
     let mut random = Sweep::new(0x9e37_79b9_7f4a_7c15);
     for round in 0..6 {
-        // More shapes than a mask has bits and rows have room for, and few enough for both.
+        // `many` has more shapes than a mask has bits and a row's list has places; `few` fits both.
         let (many, few) = (crowd::<100, 40>(&mut random), crowd::<24, 8>(&mut random));
         let (tubes, roomy) = (crowd::<0, 12>(&mut random), roomy_crowd(&mut random));
         let position = random.place().map(|x| 2.5 * x);
@@ -157,7 +159,8 @@ fn rows_of_crowded_scenes_miss_no_shape() {
     }
 }
 
-/// A position within a share of its radius of a sphere's middle, on every axis.
+/// Returns a random position near the centre of a sphere: on each axis at most `share` times the radius
+/// away.
 fn about<W: World>(world: &W, random: &mut Sweep, share: f64, sphere: usize) -> [f64; 3] {
     let (parts, aside) = (world.parts(), random.place());
     let (center, radius) = parts.spheres[sphere].ball();
@@ -175,7 +178,7 @@ fn rows_that_show_a_rim_large_miss_no_shape() {
         let scene = crowd::<24, 8>(&mut random);
         let position = random.place().map(|x| 2.5 * x);
         let target = about(&scene, &mut random, 1.2, round % 24);
-        // A sphere is wider than the picture.
+        // With this field of view one sphere is wider than the picture.
         let camera = Camera::new(position, target, [0.1, 0.2, 1.0], 0.6).unwrap();
         compare(&scene.tabled(), &camera, &format!("rim {round}"));
     }
@@ -197,7 +200,7 @@ fn rows_seen_from_far_away_miss_no_shape() {
 fn rows_seen_from_inside_a_sphere_miss_no_shape() {
     let mut random = Sweep::new(0xbb67_ae85_84ca_a73b);
     for round in 0..4 {
-        // Inside of one of the spheres of the crowd, which others reach into.
+        // The camera is inside one of the spheres of the crowd, which overlaps others.
         let scene = crowd::<100, 40>(&mut random);
         let position = about(&scene, &mut random, 0.5, round);
         let inside = camera(&mut random, position);
@@ -208,7 +211,7 @@ fn rows_seen_from_inside_a_sphere_miss_no_shape() {
             &format!("inside of the crowd {round}"),
         );
 
-        // Inside of a sphere around everything; behind it nothing can be seen.
+        // The camera is inside a sphere that surrounds all shapes and hides what is outside.
         let (mut scene, glass) = described::<61, 20>(&mut random, (60, 20));
         scene.add_sphere([0.1, 0.2, 0.3], 3.5, glass).unwrap();
         scene
@@ -222,15 +225,16 @@ fn rows_seen_from_inside_a_sphere_miss_no_shape() {
     }
 }
 
-/// Fails unless a camera stands inside of a sphere.
+/// Asserts that a camera is inside a sphere of the scene.
 fn is_inside<W: World>(world: &W, camera: &Camera) {
     let from = world.parts().grid.place(camera.description().position);
     let mut spheres = world.parts().spheres.iter();
     assert!(spheres.any(|sphere| sphere.seen_from(from.point).is_around()));
 }
 
-/// Whether any sphere or cylinder of all lies between a light and what is `distance` away from it
-/// in a direction: the same as [`light_occluders::occluded`], with every shape asked.
+/// Tests whether any sphere or cylinder blocks the ray from a light to the point at `distance` in a
+/// direction. It gives the result of [`light_occluders::occluded`], but tests every shape. `left` is a
+/// cylinder to skip.
 fn occluded_by_any<W: World>(
     world: &W,
     light: &LightOccluders<W::Room>,
@@ -249,7 +253,8 @@ fn occluded_by_any<W: World>(
         })
 }
 
-/// The outside of a cylinder, or of no shape, as far as its shadow is asked for.
+/// Returns a surface on the outside of a cylinder, or of no shape. Only the fields that a shadow test
+/// reads are meaningful.
 fn outside_of<W: World>(world: &W, cylinder: Option<usize>) -> Surface<'_> {
     let parts = world.parts();
     let plane = ShapeId::at(parts.bounded());
@@ -259,15 +264,16 @@ fn outside_of<W: World>(world: &W, cylinder: Option<usize>) -> Surface<'_> {
     surface
 }
 
-/// Asks in many directions what the tables of a scene's lights know and what all shapes say;
-/// how often a light was hidden, and how often it was not.
+/// Asserts in many directions that the shadow test with light tables equals the one with every shape.
+/// Returns how often a light was visible and how often it was hidden.
 fn asked<W: World>(world: &W, random: &mut Sweep) -> [u32; 2] {
     let mut counts = [0; 2];
     let cylinders = world.parts().cylinders.len();
     let lights = world.tables().light_occluders.iter().enumerate();
     for (index, light) in lights.filter(|(_, it)| it.light().is_plain) {
         for round in 0..4000 {
-            // As far as can be seen to all sides, or to a place among the shapes.
+            // Half of the rays go in any direction as far as a ray reaches, half to a point among the
+            // shapes.
             let from = light.light().place;
             let (direction, reach) = match round % 2 {
                 0 => (Position::new(random.place()).direction().unwrap(), REACH),
@@ -292,7 +298,8 @@ fn asked<W: World>(world: &W, random: &mut Sweep) -> [u32; 2] {
 #[test]
 fn light_tables_miss_no_shape() {
     let mut random = Sweep::new(0x2545_f491_4f6c_dd1d);
-    // Runs of shapes, a bit for each shape, also with room for more, and so few that all are asked.
+    // Four forms of sets: runs of shapes; one bit for each shape, also with room for more; and so few
+    // shapes that all are tested.
     let mut counts = [[0; 2]; 4];
     for _ in 0..6 {
         let asked = [
@@ -312,14 +319,17 @@ fn light_tables_miss_no_shape() {
     );
 }
 
-/// Where a ray first hits a shape, and which, with every shape asked.
+/// Returns the point and the shape of a ray's nearest hit, by the plain path that tests every shape.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
     nearest_hit(world, ray, skip, &mut PathSignature::new())
 }
 
-/// Whether what a light that stands clear hides is told alike by the way from it and by the way to it,
-/// at what a camera sees of a scene without planes; counted are lights that are hidden or not, and
-/// where rounding decided.
+/// Asserts that the shadow test from a clear light's side agrees with the plain shadow ray to the light,
+/// at random hits of camera rays in a scene without planes.
+///
+/// Returns three counts: lights that both find visible, lights that both find hidden, and differences. A
+/// difference counts as rounding if moving the point by at most 64 steps a coordinate removes it; any
+/// other difference fails.
 fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
     let parts = world.parts();
     let mut counts = [0; 3];
@@ -366,7 +376,7 @@ fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
                 continue;
             }
             counts[2] += 1;
-            // Rounding decides if it does so a few steps aside.
+            // The difference is rounding if the plain test agrees at a point a few steps beside.
             let Point { x, y, z } = surface.place.point;
             let aside = (0..200).any(|_| {
                 let [dx, dy, dz] = random.place().map(|it| (it * 64.0) as i32);

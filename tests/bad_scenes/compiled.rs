@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-use reflet::CameraError;
+use reflet::Error;
 use reflet::Fault::{self, *};
 use serde_json::Value;
 
@@ -127,7 +127,7 @@ fn program(constant: &str) -> String {
     };
     format!(
         "#![allow(unused)]
-use reflet::{{Camera, Material, Scene}};
+use reflet::{room, Camera, Material, Scene};
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const WHITE: Material = Material::new([1.0; 3]);
 const TRIED: {kind} = {value};

@@ -3,9 +3,7 @@
 use std::error::Error;
 
 use reflet::SceneError::{Cylinder, Disc, Light, Plane, Scene, Sphere};
-use reflet::{
-    Camera, CameraError, Fault, Material, MaterialId, Number, Position, RuntimeScene, SceneError,
-};
+use reflet::{room, Camera, Error, ErrorKind, Material, MaterialId, Number, Position, RuntimeScene};
 
 type Scenery = RuntimeScene<room!(spheres: 2, planes: 2, cylinders: 2, discs: 2, lights: 2, materials: 2)>;
 type Triple = [f64; 3];

@@ -7,7 +7,7 @@ use embedded_graphics::{geometry::Size, pixelcolor::Gray4};
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
 use image::RgbImage;
 use reflet::scenes::{BuiltIn, Castle, Columns, Mirror1, ShadingLights};
-use reflet::{Camera, Report, StaticFrame};
+use reflet::{Camera, Report};
 use xtask::board::Board;
 use xtask::emulator::qemu::{Failure, Key, Qemu};
 use xtask::toolchain::{self, BareMetal};

@@ -8,7 +8,9 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::SimulatorDisplay;
 use frame_hash::FrameHash;
 use reflet::scenes::{BuiltIn, Castle};
-use reflet::{Enlarged, Fine, FrontPoint, StaticFrame};
+use reflet::budget::FrontPoint;
+use reflet::display::Enlarged;
+use reflet::quality::Fine;
 use xtask::{measure::Core, toolchain};
 
 /// What was measured, and the size it was measured at.
@@ -17,7 +19,7 @@ mod measured {
     #![allow(dead_code)]
 
     use embedded_graphics::geometry::Size;
-    use reflet::{Front, FrontPoint, Grade};
+    use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
 
     include!("../../docs/error-time/front.rs");
 

@@ -6,7 +6,8 @@ use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
 use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Visitor};
-use reflet::{Exact, Fast, Fine, Quality as Exactness, Small, scenes};
+use reflet::scenes;
+use reflet::quality::{Exact, Fast, Fine, Quality as Exactness, Small};
 use xtask::measure::{CORES, Core, Quality, Scene, Size as Pixels, Task, count};
 
 const SIDE: u32 = 64;

@@ -5,7 +5,7 @@ use std::{fs, path::PathBuf, time::Duration};
 
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
-use reflet::StaticFrame;
+
 use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Castle};
 use xtask::{emulator::qemu::Qemu, measure::weigh, root, toolchain};

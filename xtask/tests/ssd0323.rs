@@ -12,7 +12,7 @@ use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Gray4;
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::{digital, spi};
-use reflet::StaticFrame;
+
 use reflet::scenes::{BuiltIn, Castle};
 use ssd0323::{Error, Ssd0323};
 

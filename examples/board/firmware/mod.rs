@@ -13,10 +13,8 @@ use embedded_graphics::{
     geometry::{OriginDimensions, Point, Size},
     primitives::Rectangle,
 };
-use reflet::{
-    Camera, Report,
-    scenes::{BuiltIn, Visitor},
-};
+use reflet::{Camera, Report};
+use reflet::scenes::{BuiltIn, Visitor};
 use semihosting::println;
 
 use self::{

@@ -13,10 +13,7 @@ use embedded_graphics::{
     geometry::Size,
     pixelcolor::{Rgb888, RgbColor},
 };
-use reflet::{
-    StaticFrame,
-    scenes::{BuiltIn, Castle},
-};
+use reflet::scenes::{BuiltIn, Castle};
 use semihosting::{println, process::exit};
 
 /// Width and height of the picture.

@@ -3,7 +3,10 @@
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use reflet::scenes::{BuiltIn, Castle, NAMES, Visitor, visit};
-use reflet::{Camera, Picture, Quality, Shading, World};
+use reflet::{Camera, Rows};
+use reflet::__private::Drawable;
+use reflet::quality::Quality;
+use reflet::shading::Shading;
 
 use crate::keys::Request;
 

@@ -11,10 +11,7 @@ use embedded_graphics::{
     geometry::Size,
     pixelcolor::{Rgb888, RgbColor},
 };
-use reflet::{
-    StaticFrame,
-    scenes::{BuiltIn, Castle},
-};
+use reflet::scenes::{BuiltIn, Castle};
 use riscv_rt::entry;
 use semihosting::{println, process::exit};
 

@@ -1,5 +1,5 @@
-//! The text of a scene file exactly as it is written; it owns the names of the keys and never
-//! judges a value.
+//! The JSON structure of a scene file: owns the names of the keys. It accepts any value of the right
+//! type and never checks ranges.
 
 use std::string::String;
 use std::vec::Vec;
@@ -9,17 +9,17 @@ use serde::de::DeserializeOwned;
 
 use crate::host::reference::{Camera, Light};
 
-/// A place or a way.
+/// A position or a direction: x, y and z.
 type Position = [f64; 3];
 
-/// A size.
+/// A size, such as a radius or a height.
 type Number = f64;
 
 macro_rules! document {
     ($parameters:tt $({
         $list:ident $kind:ident $described:ident $add:ident $fields:tt $room:ident $too_many:ident { $($key:tt)* }
     })*) => {
-        /// One scene as it is written.
+        /// One scene as it is written in the file: materials are named, and nothing is checked yet.
         #[derive(Deserialize)]
         #[serde(deny_unknown_fields)]
         pub(super) struct Scene {
@@ -62,12 +62,12 @@ pub(super) struct Material {
     pub mirror: f64,
 }
 
-/// Reads one scene or an array of scenes.
+/// Reads one scene or an array of scenes from JSON text.
 ///
-/// The first character decides which of the two is read, so that a mistake deep inside is
-/// reported where it stands.
+/// The first character decides which of the two is read. So the error for a mistake deep inside names
+/// its own line and column.
 pub(super) fn read(text: &str) -> serde_json::Result<Vec<Scene>> {
-    // Some editors put a byte-order mark in front.
+    // Some editors put a byte-order mark at the start of a file.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     match text.trim_start().starts_with('[') {
         true => read_as(text),

@@ -1,4 +1,4 @@
-//! What can be wrong with a scene file, said in one line; it never reads a file.
+//! The errors of a scene file, each with a message of one line. This file never reads a scene file.
 
 use std::borrow::ToOwned;
 use std::fmt::{self, Display, Formatter};
@@ -13,9 +13,9 @@ use crate::fault::Fault;
 use crate::host::line::one_line;
 use crate::scene::Capacity;
 
-/// A scene file that cannot be used, and where in it the reason stands.
+/// The error of a scene file that cannot be used: the file, the scene in it, and the [`Problem`].
 ///
-/// Its text is one line: the file, the scene and the [`Problem`].
+/// Its message is one line with these three parts.
 ///
 /// ```
 /// use reflet::host::file::SceneFile;
@@ -33,56 +33,56 @@ pub struct FileError {
     problem: Problem,
 }
 
-/// What is wrong with a scene file.
+/// The reason why a scene file cannot be used.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Problem {
     /// The file cannot be read.
     Unreadable(io::Error),
-    /// The file has more than [`MAX_BYTES`](super::MAX_BYTES).
+    /// The file is larger than [`MAX_BYTES`](super::MAX_BYTES).
     TooLarge,
-    /// The text is not JSON or not the JSON of a scene.
+    /// The text is not JSON, or is JSON but not a scene.
     Json {
-        /// The line of the mistake, counted from 1.
+        /// Line of the mistake, counted from 1.
         line: usize,
-        /// The column of the mistake, counted from 1; 0 at the start of a line.
+        /// Column of the mistake, counted from 1; 0 if the mistake is at the start of a line.
         column: usize,
-        /// The mistake.
+        /// Message of the JSON parser, without the position.
         message: String,
     },
-    /// The file is an array without a scene.
+    /// The file is an empty array: it holds no scene.
     Empty,
-    /// The file holds several scenes, and none of them was asked for.
+    /// The file holds several scenes, and the caller did not name one.
     Undecided {
-        /// What can be asked for.
+        /// Names of all scenes in the file.
         names: Vec<String>,
     },
-    /// No scene of the file has the name that was asked for.
+    /// No scene of the file has the requested name.
     NotFound {
-        /// The name that was asked for.
+        /// The requested name.
         wanted: String,
-        /// What can be asked for.
+        /// Names of all scenes in the file.
         names: Vec<String>,
     },
     /// Two scenes or two materials have the same name.
     Repeated {
-        /// The second of the two, such as `materials[3]`.
+        /// Place of the second scene or material with this name, such as `materials[3]`.
         place: String,
-        /// The name.
+        /// The name that both have.
         name: String,
-        /// The first of the two.
+        /// Place of the first scene or material with this name.
         first: String,
     },
-    /// A shape asks for a material that the scene does not have.
+    /// A shape names a material that the scene does not have.
     UnknownMaterial {
-        /// The shape, such as `spheres[3]`.
+        /// Place of the shape, such as `spheres[3]`.
         place: String,
-        /// The name of the material.
+        /// Name of the missing material.
         name: String,
     },
-    /// The core refuses a part of the scene or the scene as a whole.
+    /// The core refuses a part of the scene, or the scene as a whole.
     Scene(Error),
-    /// The camera is refused.
+    /// The core refuses the camera.
     Camera(Error),
 }
 
@@ -119,17 +119,18 @@ impl FileError {
         self
     }
 
-    /// The file, where the scene was read from one.
+    /// Returns the path of the file, or `None` if the scene was parsed from text.
     pub fn file(&self) -> Option<&Path> {
         self.file.as_deref()
     }
 
-    /// The name of the scene, where the problem stands in a scene with a name.
+    /// Returns the name of the scene that has the problem. It is `None` if the scene has no name or the
+    /// problem is not in one scene.
     pub fn scene(&self) -> Option<&str> {
         self.scene.as_deref()
     }
 
-    /// What is wrong.
+    /// Returns the reason why the file cannot be used.
     pub fn problem(&self) -> &Problem {
         &self.problem
     }
@@ -189,7 +190,10 @@ macro_rules! refused {
     ($parameters:tt $({
         $list:ident $kind:ident $described:ident $add:ident $fields:tt $room:ident $too_many:ident $keys:tt
     })*) => {
-        /// What the core refuses, as the file calls it: a file has no type to raise the bounds of.
+        /// Returns the message for a part that the core refuses, such as `spheres[3]: ...`.
+        ///
+        /// If there are too many parts, it states the limit of a scene file. The core's own message does
+        /// not fit: it advises a larger type, and a file has no type.
         fn refused(error: Error) -> String {
             let names = [
                 $((stringify!($kind), stringify!($list)),)*

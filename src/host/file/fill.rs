@@ -1,5 +1,5 @@
-//! From the reference's plain numbers to the core, through the calls every user makes; it has no
-//! rules of its own.
+//! Fills a run-time scene of the core from a scene of the reference, through the public methods. This
+//! file has no checks of its own.
 
 use std::vec::Vec;
 
@@ -13,7 +13,7 @@ macro_rules! fill {
     ($parameters:tt $({
         $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $($more:tt)*
     })*) => {
-        /// Adds everything in the scene to `target`.
+        /// Adds every material, light and shape of `scene` to `target`; sets background and epsilon.
         pub(super) fn scene(
             target: &mut FileRuntimeScene,
             scene: &reference::Scene,
@@ -37,7 +37,7 @@ macro_rules! fill {
 }
 kinds!(shapes, fill);
 
-/// The core's camera.
+/// Converts a camera of the reference to one of the core.
 pub(super) fn camera(camera: &reference::Camera) -> Result<Camera, Error> {
     Camera::new(camera.position, camera.target, camera.up, camera.fov)
 }

@@ -1,5 +1,5 @@
-//! Scene files: JSON in, the reference's scene and a run-time scene out; it owns the format and
-//! the place of every mistake, and never draws.
+//! Scene files: reads JSON and returns a scene for the reference and one for the core. This module owns
+//! the format, and reports where in a file each mistake is. It never draws.
 //!
 //! A file is one scene, or an array of scenes of which one is chosen by its name:
 //!
@@ -23,9 +23,9 @@
 //! }
 //! ```
 //!
-//! `name`, `background`, `epsilon` and every list may be left out; a list is empty then, and the
-//! rest as above. An unknown key is an error. `docs/scene.schema.json` in the repository is a JSON
-//! Schema of all this.
+//! `name`, `background`, `epsilon` and every list are optional. A list that is left out is empty;
+//! `background` and `epsilon` have the values above by default. An unknown key is an error.
+//! `docs/scene.schema.json` in the repository is a JSON Schema of this format.
 
 mod document;
 mod error;
@@ -45,40 +45,42 @@ use crate::camera;
 use crate::host::reference::{Camera, Scene};
 use crate::scene::{Room, RuntimeScene};
 
-/// The most bytes that a scene file may have: 16 MB.
+/// Largest size of a scene file in bytes: 16 MB.
 pub const MAX_BYTES: u64 = 16_000_000;
 
-/// The most spheres that a scene of a file may have.
+/// Largest number of spheres in a scene that is read from a scene file: 512.
 pub const MAX_SPHERES: usize = 512;
 
-/// The most planes that a scene of a file may have.
+/// Largest number of planes in a scene that is read from a scene file: 32.
 pub const MAX_PLANES: usize = 32;
 
-/// The most cylinders that a scene of a file may have.
+/// Largest number of cylinders in a scene that is read from a scene file: 128.
 pub const MAX_CYLINDERS: usize = 128;
 
-/// The most discs that a scene of a file may have.
+/// Largest number of discs in a scene that is read from a scene file: 128.
 pub const MAX_DISCS: usize = 128;
 
-/// The most lights that a scene of a file may have.
+/// Largest number of lights in a scene that is read from a scene file: 16.
 pub const MAX_LIGHTS: usize = 16;
 
-/// The most materials that a scene of a file may have.
+/// Largest number of materials in a scene that is read from a scene file: 256.
 pub const MAX_MATERIALS: usize = 256;
 
-/// Room for the most that a file may hold.
+/// Capacity of a scene that is read from a scene file: the `MAX_` limit of each kind of part.
 pub type FileRoom =
     Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS, MAX_DISCS>;
 
-/// The scene of a file as it is filled.
+/// A run-time scene with the capacity [`FileRoom`], to be filled from a scene file.
 pub type FileRuntimeScene = RuntimeScene<FileRoom>;
 
-/// The scene of a file when it is built.
+/// A prepared scene with the capacity [`FileRoom`], built from a scene file and ready to draw.
 pub type FileScene = crate::Scene<FileRoom>;
 
-/// The reference's scene in the core, seen first with its camera, with as much room as that of a file.
+/// Builds a scene of the core, with the capacity [`FileRoom`], from a scene and a camera of the
+/// reference.
 ///
-/// A scene that was described in plain decimal numbers comes back as it was: each is a double.
+/// The camera is set before the scene is built. A core scene that was described with decimal literals
+/// and converted to the reference is built again without a change, because each literal is a double.
 ///
 /// # Errors
 ///
@@ -104,8 +106,9 @@ fn build(scene: &FileRuntimeScene) -> Result<Box<FileScene>, Problem> {
     scene.build().map(Box::new).map_err(Problem::Scene)
 }
 
-/// A scene read from a file: every shape has its material; whether the core takes its numbers is
-/// found by [`SceneFile::runtime`].
+/// A scene that was read from a scene file, with every material name resolved.
+///
+/// The numbers are not checked yet: [`SceneFile::runtime`] tests whether the core accepts them.
 #[derive(Clone, Debug)]
 pub struct SceneFile {
     path: Option<PathBuf>,
@@ -116,12 +119,12 @@ pub struct SceneFile {
 }
 
 impl SceneFile {
-    /// Reads a scene from `text`: the one called `name`, or the only one.
+    /// Reads the scene called `name` from JSON `text`, or the only scene if `name` is `None`.
     ///
     /// # Errors
     ///
-    /// The text is no scene, holds no scene of that name or several scenes and no name is given,
-    /// has a name twice, or a shape's material is missing.
+    /// The text is not the JSON of a scene; it has no scene of that name; it has several scenes and no
+    /// name is given; a name is used twice; or the material of a shape is missing.
     ///
     /// ```
     /// use reflet::host::file::SceneFile;
@@ -151,11 +154,11 @@ impl SceneFile {
         })
     }
 
-    /// Reads a scene from the file at `path`: the one called `name`, or the only one.
+    /// Reads the scene called `name` from the file at `path`, or the only scene if `name` is `None`.
     ///
     /// # Errors
     ///
-    /// The file cannot be read or has more than [`MAX_BYTES`], and all of [`SceneFile::parse`].
+    /// The file cannot be read or is larger than [`MAX_BYTES`]; and all errors of [`SceneFile::parse`].
     pub fn read(path: impl AsRef<Path>, name: Option<&str>) -> Result<Self, FileError> {
         let path = path.as_ref();
         let read = text_of(path)
@@ -168,22 +171,22 @@ impl SceneFile {
         })
     }
 
-    /// The name of the scene, where it has one.
+    /// Returns the name of the scene, or `None` if the file gives no name.
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
     }
 
-    /// The names of the materials, in the order of the reference's.
+    /// Returns the names of the materials, in the order of the reference's list of materials.
     pub fn materials(&self) -> &[String] {
         &self.materials
     }
 
-    /// The scene and the camera of the double-precision reference.
+    /// Returns the scene and the camera for the double-precision reference.
     pub fn reference(&self) -> (Scene, Camera) {
         (self.scene.clone(), self.camera.clone())
     }
 
-    /// The scene and the camera of the fixed-point core, filled at run time and ready to build.
+    /// Returns the scene and the camera for the fixed-point core. The scene is filled but not built yet.
     ///
     /// # Errors
     ///
@@ -192,11 +195,11 @@ impl SceneFile {
         filled(&self.scene, &self.camera).map_err(|problem| self.error(problem))
     }
 
-    /// The scene of the fixed-point core, ready to be drawn.
+    /// Builds the scene for the fixed-point core, ready to be drawn.
     ///
     /// # Errors
     ///
-    /// All of [`SceneFile::runtime`], and the core refuses the scene as a whole.
+    /// All errors of [`SceneFile::runtime`]; or the core refuses the scene as a whole.
     pub fn build(&self) -> Result<Box<FileScene>, FileError> {
         let (scene, _) = self.runtime()?;
         build(&scene).map_err(|problem| self.error(problem))
@@ -209,8 +212,10 @@ impl SceneFile {
     }
 }
 
-/// All of a file that is not too large. A pipe or a device, whose size nobody knows, is read no
-/// further than that.
+/// Returns the text of the file at `path`, if that is UTF-8 and at most [`MAX_BYTES`] long.
+///
+/// It stops one byte beyond the limit, so a pipe or a device, which has no known size, is never read
+/// without end.
 fn text_of(path: &Path) -> Result<String, Problem> {
     let mut bytes = Vec::new();
     File::open(path)

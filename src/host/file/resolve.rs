@@ -1,4 +1,5 @@
-//! From the text's scenes to the one that is meant, its names resolved; it never judges a number.
+//! Chooses one scene of a file by name and replaces material names by numbers. This file never checks
+//! other values.
 
 use std::borrow::ToOwned;
 use std::collections::HashMap;
@@ -9,10 +10,11 @@ use super::document;
 use super::error::Problem;
 use crate::host::reference::{self, Camera, Material, Scene};
 
-/// How far above a surface a ray leaves it where a file does not say.
+/// Default of `epsilon` for a file that does not give it: how far above a surface shadow and reflected
+/// rays start, in scene units.
 const EPSILON: f64 = 1e-3;
 
-/// The scene called `wanted`, or the only one.
+/// Returns the scene called `wanted`, or the only scene if `wanted` is `None`.
 pub(super) fn choose(
     mut scenes: Vec<document::Scene>,
     wanted: Option<&str>,
@@ -46,7 +48,8 @@ macro_rules! resolve {
     ($parameters:tt $({
         $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $($more:tt)*
     })*) => {
-        /// The scene with materials by number, and its camera.
+        /// Returns the scene for the reference, with each material name replaced by its index, and the
+        /// camera.
         pub(super) fn resolve(scene: document::Scene) -> Result<(Scene, Camera), Problem> {
             let numbers = material_numbers(&scene.materials)?;
             let number = |list: &str, index: usize, name: &str| {

@@ -9,7 +9,7 @@ use crate::fault::Fault;
 use crate::host::reference;
 use crate::error::Error;
 
-/// A scene with one of everything, each number different.
+/// A scene with one part of every kind, in which all numbers differ.
 fn scene() -> Value {
     json!({
         "name": "still life",
@@ -31,14 +31,14 @@ fn scene() -> Value {
     })
 }
 
-/// The scene with the value at `pointer` replaced.
+/// Returns the scene as text with the value at the JSON pointer replaced.
 fn scene_with(pointer: &str, value: impl Into<Value>) -> String {
     let mut scene = scene();
     *scene.pointer_mut(pointer).expect(pointer) = value.into();
     scene.to_string()
 }
 
-/// The scene without the key in the object at `pointer`.
+/// Returns the scene as text without the key in the object at the JSON pointer.
 fn scene_without(pointer: &str, key: &str) -> String {
     let mut scene = scene();
     let object = scene.pointer_mut(pointer).and_then(Value::as_object_mut);
@@ -50,7 +50,7 @@ fn parsed(text: &str) -> SceneFile {
     SceneFile::parse(text, None).unwrap()
 }
 
-/// What the reading or the building of a text says.
+/// Returns the message of the error that a text causes when it is read or built.
 fn complaint(text: &str) -> String {
     let built = SceneFile::parse(text, None).and_then(|file| file.build().map(|_| ()));
     let complaint = built.unwrap_err().to_string();

@@ -1,12 +1,12 @@
-//! From the core's descriptions to the reference's doubles: the one place that names the core.
+//! Converts descriptions of the core to doubles of the reference. It is the only file of the reference
+//! that names types of the core.
 
-use crate::scene::Room;
 use super::Camera;
 use super::scene::{Light, Material, Scene};
 use crate::number::Number;
 use crate::{camera, light, material, scene};
 
-/// A double or three of a field of the core.
+/// Converts a field of the core's description to one double or an array of three.
 macro_rules! plain {
     (Position $value:expr) => {
         triple($value.0)
@@ -20,9 +20,9 @@ macro_rules! convert {
     ($parameters:tt $({
         $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $($more:tt)*
     })*) => {
-        /// What a fixed-point scene was described with, each number as the nearest double.
+        /// Converts the description of a fixed-point scene; each number becomes the nearest double.
         ///
-        /// The description's camera is not part of the scene here; it converts by itself.
+        /// The description's camera is not part of a scene of the reference. Convert it separately.
         ///
         /// ```
         /// use reflet::host::reference::Scene;
@@ -58,7 +58,7 @@ macro_rules! convert {
 }
 kinds!(shapes, convert);
 
-/// What a fixed-point camera was described with, each number as the nearest double.
+/// Converts the description of a fixed-point camera; each number becomes the nearest double.
 impl From<&camera::CameraDescription> for Camera {
     fn from(description: &camera::CameraDescription) -> Self {
         Self {
@@ -70,7 +70,7 @@ impl From<&camera::CameraDescription> for Camera {
     }
 }
 
-/// What a fixed-point camera was made from.
+/// Converts a fixed-point camera back to the numbers it was described with, as doubles.
 impl From<&camera::Camera> for Camera {
     fn from(camera: &camera::Camera) -> Self {
         (&camera.description()).into()

@@ -1,20 +1,20 @@
-//! The double-precision reference: what a picture should be, in plain `f64` and without a trick.
+//! The double-precision reference: computes the exact picture in `f64` with the textbook formulas.
 //!
-//! It is written independently of the fixed-point core and shares no code with it. A picture is
-//! defined so:
+//! It is written independently of the fixed-point core and shares no code with it. The reference defines
+//! a picture as follows:
 //!
 //! - **Camera**: rays go through pixel centres, row 0 on top. Forward is unit(target − position),
 //!   right is unit(forward × up), and the vertical half-tangent is the horizontal one times
 //!   height / width.
-//! - **Hit**: the nearest t > 0 of spheres, infinite planes and open cylinders. The normal n faces
-//!   the incoming ray.
+//! - **Hit**: the nearest t > 0 at which the ray hits a shape. Planes are infinite, and cylinders are
+//!   open. The normal n faces the incoming ray.
 //! - **Leaving a surface**: shadow and reflected rays start at q = p + ε n. Light directions and
 //!   distances are taken from q.
 //! - **Own colour** cᵢ: ambient · colour, and for every light with n·l > 0 that is not blocked
 //!   (diffuse · n·l + specular · s^shininess) · colour · light colour. The highlight's s is n·h
 //!   with h = unit(l + v) for Blinn-Phong and v·r for Phong, 0 where that is negative. A light is
-//!   blocked if the ray from q meets anything at t < distance − ε.
-//! - **Mirrors**: cⁱ = (1 − αᵢ) cᵢ + αᵢ cⁱ⁺¹, where cⁱ is the background if ray i meets nothing
+//!   blocked if the ray from q hits a shape at t < distance − ε.
+//! - **Mirrors**: cⁱ = (1 − αᵢ) cᵢ + αᵢ cⁱ⁺¹, where cⁱ is the background if ray i hits nothing
 //!   and 0 if i exceeds the number of reflections.
 //! - **Output**: round(255 c) after clamping to 0 to 1.
 //!
@@ -58,7 +58,8 @@ pub use self::picture::{Picture, pixel, render};
 pub use self::scene::*;
 pub use self::shading::Shading;
 
-/// What is computed in. `xtask/float_picture` takes the same files in single precision.
+/// Number type of all computations of the reference. `xtask/float_picture` compiles the same files with
+/// `f32` instead.
 type Real = f64;
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
-//! Pixels: from linear colours to bytes, and all of a picture in parallel; it knows no light.
+//! Renders one pixel or a whole picture of the reference, with all threads. This file knows nothing of
+//! lights.
 
 use std::vec::Vec;
 
@@ -8,22 +9,22 @@ use super::model::{Vector, View, quantised};
 use super::prepared::{self, Prepared};
 use super::{Camera, Scene, Shading, trace};
 
-/// A picture of 8 bits a channel.
+/// A picture with three channels of 8 bits for each pixel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Pixels in a row.
+    /// Number of pixels in a row.
     pub width: u32,
-    /// Rows.
+    /// Number of rows.
     pub height: u32,
     /// Red, green and blue of `width` × `height` pixels, row by row from the top.
     pub pixels: Vec<[u8; 3]>,
 }
 
-/// The colour of one pixel before it is clamped and rounded: column `x`, row `y` from the top, of
-/// a picture of `width` × `height`.
+/// Returns the linear colour of one pixel, before it is clamped and rounded: column `x`, row `y` from
+/// the top, of a picture of `width` × `height`.
 ///
-/// After `reflections` reflections nothing more is added. Any number of them can be asked for;
-/// each one that a ray takes holds 32 bytes until the pixel is done.
+/// The path ends after `reflections` reflections, and light beyond them counts as black. Any number is
+/// allowed; each reflection on the path takes 32 bytes until the pixel is done.
 ///
 /// # Panics
 ///
@@ -52,10 +53,9 @@ pub fn pixel(
     color
 }
 
-/// Every pixel of a picture, by all of the machine's threads; the same bytes whatever their
-/// number.
+/// Renders a whole picture with all threads of the machine. The bytes do not depend on their number.
 ///
-/// Each channel is clamped to 0 to 1 and becomes round(255 c).
+/// Each channel c is clamped to 0 to 1 and stored as round(255 c).
 ///
 /// # Panics
 ///

@@ -1,5 +1,5 @@
-//! From descriptions in doubles to what the model follows rays through: numbers rounded to `Real`,
-//! and directions made unit length.
+//! Prepares a described scene for the model: rounds every double to `Real` and gives every direction
+//! unit length.
 
 use std::vec::Vec;
 
@@ -7,7 +7,7 @@ use super::{Camera, Cylinder, Disc, Light, Material, Plane, Real, Scene, Shape, 
 
 macro_rules! prepared {
     ($parameters:tt $({ $list:ident $kind:ident $described:ident $($more:tt)* })*) => {
-        /// A scene made ready for rays; it owns the lists of a [`model::Scene`].
+        /// A scene prepared for tracing. It owns the lists that a [`model::Scene`] borrows.
         #[derive(Clone, Debug)]
         pub struct Prepared {
             $($list: Vec<model::$described>,)*
@@ -18,7 +18,7 @@ macro_rules! prepared {
         }
 
         impl Prepared {
-            /// Makes a scene ready.
+            /// Prepares a scene for tracing.
             ///
             /// # Panics
             ///
@@ -36,7 +36,7 @@ macro_rules! prepared {
                 }
             }
 
-            /// What rays are followed through.
+            /// Returns the scene that the model traces rays in; it borrows the lists.
             pub fn scene(&self) -> model::Scene<'_> {
                 model::Scene {
                     $($list: &self.$list,)*
@@ -104,7 +104,7 @@ fn material(material: &Material) -> model::Material {
     }
 }
 
-/// A camera, of which a [`model::View`] is made.
+/// Prepares a camera for the model: rounds its doubles to `Real`. A [`model::View`] is made of it.
 pub fn camera(camera: &Camera) -> model::Camera {
     model::Camera {
         position: vector(camera.position),

@@ -1,9 +1,11 @@
-//! The numbers of the reference, and what `core` lacks of them.
+//! The number type of the reference, and the functions on it that `core` does not have.
 
 pub(super) use super::Real;
 
-/// Whether the chord of a ray in a round shape is found by the distance of the shape's middle from the
-/// ray, which keeps the chord's digits however far away the shape is, or by the textbook's
+/// Selects the formula for the chord of a ray in a sphere or cylinder.
+///
+/// `true`: from the distance between the ray and the shape's centre (for a cylinder: its axis), which
+/// keeps the digits of the chord however far away the shape is. `false`: from the textbook's
 /// discriminant.
 pub const IS_CAREFUL: bool = true;
 

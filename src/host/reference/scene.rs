@@ -1,42 +1,44 @@
-//! The reference's scene: plain doubles as anyone may fill them in; it checks and renders nothing.
+//! The scene of the reference, in doubles, with public fields. This file checks nothing and renders
+//! nothing.
 
 use core::fmt::Debug;
 use std::vec::Vec;
 
 use serde::Deserialize;
 
-/// A place or a way, in scene units.
+/// A position in scene units, or a direction of any length.
 type Position = [f64; 3];
 
-/// A size, in scene units.
+/// A size, such as a radius or a height, in scene units.
 type Number = f64;
 
 macro_rules! scene {
     ([$($parameter:tt)*] $({
         $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $room:ident $($more:tt)*
     })*) => {
-        /// A scene in plain doubles.
+        /// A scene of the reference, in doubles.
         ///
-        /// Nothing is checked: a shape without size, a normal or an axis of length zero is never met, and
-        /// a material that is not in the list panics when the scene is rendered.
+        /// Nothing is checked. A ray never hits a shape without size or with a normal or an axis of
+        /// length zero. Rendering panics if a shape names a material that is not in the list.
         #[derive(Clone, Debug, PartialEq)]
         pub struct Scene {
             $(
-                #[doc = concat!("The ", stringify!($list), ".")]
+                #[doc = concat!("The ", stringify!($list), " of the scene.")]
                 pub $list: Vec<$described>,
             )*
-            /// The point lights.
+            /// The point lights of the scene.
             pub lights: Vec<Light>,
-            /// What the shapes are made of; they name it by its place in this list.
+            /// The materials of the scene. A shape names its material by the index in this list.
             pub materials: Vec<Material>,
-            /// Linear colour where a ray meets nothing.
+            /// Linear colour of a ray that hits nothing.
             pub background: [f64; 3],
-            /// How far from a surface, along its normal, shadow and reflected rays start; in scene units.
+            /// Distance from a surface, along its normal, at which shadow and reflected rays start; in
+            /// scene units.
             pub epsilon: f64,
         }
 
         impl Default for Scene {
-            /// Nothing at all, on black, with an epsilon of 0.001.
+            /// Returns an empty scene with a black background and an epsilon of 0.001.
             fn default() -> Self {
                 Self {
                     $($list: Vec::new(),)*
@@ -49,7 +51,7 @@ macro_rules! scene {
         }
 
         impl Scene {
-            /// All shapes, a kind after the other.
+            /// Returns all shapes of the scene, kind by kind, in the order of the lists.
             pub fn shapes(&self) -> impl Iterator<Item = Shape<'_>> {
                 let shapes = core::iter::empty();
                 $(
@@ -64,7 +66,8 @@ macro_rules! scene {
             }
         }
 
-        /// What each number of the type of a [`crate::Scene`] counts, such as `spheres`.
+        /// Names of the parts that the const parameters of [`crate::Scene`] count, such as `spheres`, in
+        /// the order of the parameters.
         pub const PARAMETERS: &[&str] = {
             $(const $room: &str = stringify!($list);)*
             const L: &str = "lights";
@@ -73,7 +76,7 @@ macro_rules! scene {
         };
 
         $(
-            #[doc = concat!("A ", stringify!($kind), " in plain doubles.")]
+            #[doc = concat!("A ", stringify!($kind), " of a scene of the reference, in doubles.")]
             ///
             #[doc = concat!(
                 "The fields are the arguments of [`", stringify!($add), "`](crate::RuntimeScene::",
@@ -82,10 +85,10 @@ macro_rules! scene {
             #[derive(Clone, Copy, Debug, PartialEq)]
             pub struct $described {
                 $(
-                    #[doc = concat!("Its ", stringify!($field), ".")]
+                    #[doc = concat!("The ", stringify!($field), " of the ", stringify!($kind), ".")]
                     pub $field: $type,
                 )*
-                /// Its place in [`Scene::materials`].
+                /// Index of the shape's material in [`Scene::materials`].
                 pub material: usize,
             }
         )*
@@ -93,17 +96,17 @@ macro_rules! scene {
 }
 kinds!(shapes, scene);
 
-/// A shape of any kind, taken apart.
+/// A shape of any kind, as names and a list of its fields.
 #[derive(Clone, Debug)]
 pub struct Shape<'a> {
-    /// The name of its list, such as `spheres`.
+    /// Name of the list that holds the shape, such as `spheres`.
     pub list: &'static str,
-    /// The name of its kind, such as `sphere`.
+    /// Name of the shape's kind, such as `sphere`.
     pub kind: &'static str,
-    /// Its fields but the material, in the order in which a builder takes them. Each is a number or three,
-    /// and prints as Rust source.
+    /// Fields of the shape without the material, in the order of the builder's arguments. Each field is
+    /// a number or an array of three, and prints as Rust source.
     pub fields: Vec<&'a dyn Debug>,
-    /// Its place in [`Scene::materials`].
+    /// Index of the shape's material in [`Scene::materials`].
     pub material: usize,
 }
 
@@ -111,25 +114,26 @@ pub struct Shape<'a> {
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Light {
-    /// Where it stands.
+    /// Position of the light, in scene units.
     pub position: [f64; 3],
-    /// Its linear colour.
+    /// Linear colour of the light.
     pub color: [f64; 3],
 }
 
-/// What a surface is made of.
+/// The material of a surface: its colour, and how it reflects light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Linear colour.
+    /// Linear colour of the material. It multiplies ambient, diffuse and specular light.
     pub color: [f64; 3],
-    /// Share of the colour that is there without any light.
+    /// Share of the colour that is visible without any light.
     pub ambient: f64,
-    /// Share of the light that is scattered evenly.
+    /// Share of a light that the surface scatters evenly in all directions.
     pub diffuse: f64,
-    /// Strength of the highlight, which has the material's colour too.
+    /// Strength of the highlight. The highlight takes the material's colour, like the diffuse light.
     pub specular: f64,
-    /// The highlight's exponent; with 0 the highlight is everywhere the light is.
+    /// Exponent of the highlight. With 0 the highlight covers all that the light reaches.
     pub shininess: f64,
-    /// α, 0 to 1: the share of the picture in this surface.
+    /// Share α, 0 to 1, of the reflected colour in the surface's colour; 1 − α is its own colour's
+    /// share.
     pub mirror: f64,
 }

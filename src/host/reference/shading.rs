@@ -1,13 +1,14 @@
-//! The ways of shading.
+//! The list of shading models of the reference.
 
-/// How a hit becomes a colour.
+/// The shading model: how the reference computes a colour at a hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shading {
-    /// The highlight by the angle between the normal and the half-way vector.
+    /// The highlight depends on the angle between the normal and the half-way vector, unit(light +
+    /// viewer).
     BlinnPhong,
-    /// The highlight by the angle between the mirrored light and the viewer.
+    /// The highlight depends on the angle between the mirrored light direction and the viewer.
     Phong,
-    /// No light: the normal n of what is met first, as the colour (n + 1) / 2, and blue where
-    /// nothing is met.
+    /// The colour is (n + 1) / 2, with n the normal at the first hit, and blue if the ray hits nothing.
+    /// Lights and mirrors are ignored.
     Normals,
 }

@@ -1,11 +1,12 @@
-//! One ray to one colour, by the recurrence cⁱ = (1 − αᵢ) cᵢ + αᵢ cⁱ⁺¹; it knows no picture.
+//! Computes the colour along one ray by the recurrence cⁱ = (1 − αᵢ) cᵢ + αᵢ cⁱ⁺¹. This file knows no
+//! picture.
 
 use std::vec::Vec;
 
 use super::Shading;
 use super::model::{Ray, Scene, Vector};
 
-/// The colour that comes along a ray, before it is clamped.
+/// Returns the linear colour that arrives along a ray, before it is clamped to 0 to 1.
 pub(super) fn color(scene: &Scene, ray: Ray, reflections: u32, shading: Shading) -> Vector {
     match shading {
         Shading::Normals => scene.normal_color(&ray),
@@ -13,10 +14,10 @@ pub(super) fn color(scene: &Scene, ray: Ray, reflections: u32, shading: Shading)
     }
 }
 
-/// The recurrence, solved from its end.
+/// Returns the colour along a ray under lights and mirrors: evaluates the recurrence from its last term.
 ///
-/// The way out lists the surfaces, the way back combines them, so that a room of mirrors takes
-/// memory and never the call stack.
+/// The first loop collects the surfaces along the path, and a fold over the reversed list combines their
+/// colours. So a room of mirrors takes heap memory and never overflows the call stack.
 fn light(scene: &Scene, mut ray: Ray, reflections: u32, shading: Shading) -> Vector {
     let mut surfaces = Vec::new();
     let mut end = Vector::ZERO;

@@ -1,4 +1,4 @@
-//! Tests: paths come to the same whether or not mirrors have tables of what lies ahead of their rays.
+//! Tests that paths have the same sum and signature with and without mirror tables.
 
 use crate::Camera;
 use crate::accel::light_visibility::LightVisibility;
@@ -15,7 +15,7 @@ use crate::scene::{Needs, Parts};
 use crate::shade::BlinnPhong;
 use crate::trace::{Traced, Tracer};
 
-/// A scene filled at run time, with the tables of a constant one.
+/// A scene filled at run time with the mirror tables that a constant scene would have.
 struct Tabled<'a> {
     scene: &'a Built,
     mirrors: MirrorTables,
@@ -41,7 +41,7 @@ impl World for Tabled<'_> {
     }
 }
 
-/// What the paths through all pixels come to.
+/// Returns the sum and the signature of the path through each pixel of a 32x32 picture.
 fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, PathSignature)> {
     const SIDE: u32 = 32;
     let generator = camera.generator(SIDE, SIDE);
@@ -72,7 +72,7 @@ fn paths_come_to_the_same_with_tables_and_without() {
             scene: &scene,
             mirrors: leaked(&scene),
         };
-        // From outside, and from among the shapes.
+        // Every third camera is among the shapes, the others are outside.
         let distance = if number % 3 == 0 { 2.0 } else { 24.0 };
         let camera = Camera::look_at([0.5, -distance, 3.0], [0.0; 3], [0.0, 0.0, 1.0]);
         let [with, without] = [traced(&tabled, &camera), traced(&scene, &camera)];

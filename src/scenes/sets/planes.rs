@@ -1,24 +1,26 @@
-//! Tests: what a view says about planes and lights is what every plane says.
+//! Tests that the lights that a view knows to be clear or hidden agree with a test of every plane.
 
 use crate::scene::Room;
 use super::*;
 use crate::scene::access::SceneAccess;
 use crate::scene::shape_set::ShapeSet;
 
-/// A view of a scene of planes that is held against every plane asked.
+/// A scene of planes with its view, to compare the view's answers with a test of every plane.
 struct Held<'a> {
     scene: &'a Scene<Room<0, 4, 0, 4, 1>>,
     view: LightVisibility,
-    /// How often a light stood clear, hidden and unclear.
+    /// Number of tests in which a light was clear, hidden and unclear.
     standings: [u32; 3],
 }
 
 impl Held<'_> {
-    /// Holds what the view says about a place that its rays come to: above the plane `left`, with
-    /// the normal there, or in mid-air. False where rounding decides on which side of a plane it is.
+    /// Checks the view's answers for all lights at a point on a path: above the plane `left`, with the
+    /// normal there, or between two hits. Returns false without a check if the point is so close to
+    /// another plane that rounding decides on which side it is.
     fn at(&mut self, place: ScaledPoint, left: ShapeId, normal: Option<Direction>) -> bool {
         let parts = self.scene.parts();
-        // Where planes meet, epsilon above one may be behind another, and a hit is known to 2^-26.
+        // Near an edge a point epsilon above one plane may be behind another, and a hit is exact to
+        // 2^-26.
         let margin = Length::from_bits(4 * parts.epsilon.to_bits() + (64 << place.scale));
         let own = parts.plane(left).map(core::ptr::from_ref);
         let is_close = |plane: &PreparedPlane| {
@@ -34,7 +36,8 @@ impl Held<'_> {
         true
     }
 
-    /// The same for one light.
+    /// Checks the view's answer for one light at a point: clear must mean that no plane blocks the
+    /// light, hidden that one does or that the light is behind the surface.
     fn under(
         &mut self,
         light: usize,
@@ -46,8 +49,8 @@ impl Held<'_> {
         let from = parts.lights[light].place;
         let (way, scale) = place.to(from);
         let (direction, distance) = way.direction_and_length();
-        // A light in a plane is up to 4 steps beyond it, and what comes in flat goes through the
-        // plane more than epsilon before.
+        // A light in a plane may be up to 4 steps behind it. Then a ray at a flat angle crosses the
+        // plane more than epsilon before the light.
         let is_flat = |plane: &PreparedPlane| {
             let sine = plane.normal.dot(direction).to_num::<f64>().abs();
             plane.side(from, parts.epsilon) == Side::In
@@ -74,14 +77,14 @@ impl Held<'_> {
         );
     }
 
-    /// Follows a path from the camera over some mirrors, and holds what is on its way.
+    /// Follows a path from the camera over up to four mirrors, and checks the view's answers along it.
     fn along(&mut self, random: &mut Sweep, direction: Direction) {
         let (mut path, mut left) = (ScaledRay::new(self.view.from, direction), ShapeId::NONE);
         for _ in 0..4 {
             let Some((at, shape)) = first(self.scene, &path, left) else {
                 return;
             };
-            // What is further away is known to too few steps.
+            // Points with a larger scale are too coarse to compare.
             if at.scale > 16 {
                 return;
             }
@@ -114,12 +117,12 @@ fn view_knows_from_which_lights_planes_hide_what_it_shows() {
         for point in &points[..1 + round % 4] {
             scene.add_plane(*point, random.place(), glass).unwrap();
         }
-        // Among the planes, beside them, in one of them and far away.
+        // The four lights: among the planes, beside them, in one of them, and far away.
         let [near, beside, far] = [1.0, 8.0, 1e6].map(|size| random.place().map(|x| size * x));
         for light in [near, beside, points[0], far] {
             scene.add_light(light, [1, 1, 1]).unwrap();
         }
-        // The middle of a scene of planes.
+        // The camera sets the middle of a scene of planes.
         scene.set_camera(camera(&mut random, [0.1, 0.2, 0.3]));
         let scene = scene.build().unwrap();
         let size = [1.0, 3.0, 3.0, 1e6][round / 4 % 4];

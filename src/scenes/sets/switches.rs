@@ -1,5 +1,5 @@
-//! Tests: each culling technique by itself, switched off. What chooses candidates changes no bit of a
-//! path; what replaces a computation changes few pixels.
+//! Tests of the culling switches. Switching off a technique that chooses candidates changes no bit of a
+//! path; switching off one that replaces a computation changes few pixels.
 
 use super::*;
 use crate::accel::{Culling, CullingQuality};
@@ -7,7 +7,7 @@ use crate::color::Sum;
 use crate::shade::LightQuality;
 use crate::trace::PathQuality;
 
-/// As [`Fine`], with or without tables.
+/// The quality [`Fine`] with light tables and mirror tables switched on or off.
 struct With<const LIGHT_TABLES: bool, const MIRROR_TABLES: bool>;
 
 impl<const L: bool, const M: bool> LightQuality for With<L, M> {
@@ -26,7 +26,7 @@ impl<const L: bool, const M: bool> PathQuality for With<L, M> {
     const SMALLEST_WEIGHT: Unit = <Fine as PathQuality>::SMALLEST_WEIGHT;
 }
 
-/// As [`Fine`], by the plain path.
+/// The quality [`Fine`] with all culling switched off: the plain path.
 struct PlainPath;
 
 impl LightQuality for PlainPath {
@@ -41,7 +41,7 @@ impl PathQuality for PlainPath {
     const SMALLEST_WEIGHT: Unit = <Fine as PathQuality>::SMALLEST_WEIGHT;
 }
 
-/// What the paths through all pixels come to, with every shape asked for in every column.
+/// Returns the sum and the signature of the path through each pixel. Camera rays test every shape.
 fn traced<W: World, Q: PathQuality>(
     world: &W,
     camera: &Camera,
@@ -50,7 +50,8 @@ fn traced<W: World, Q: PathQuality>(
     traced_by::<W, Q>(world, camera, &LightVisibility::new(world, from))
 }
 
-/// The same with what is known about the lights.
+/// Returns the sum and the signature of the path through each pixel, with the given visibility of the
+/// lights. Camera rays test every shape.
 fn traced_by<W: World, Q: PathQuality>(
     world: &W,
     camera: &Camera,
@@ -76,7 +77,7 @@ fn traced_by<W: World, Q: PathQuality>(
 fn paths_in_built_in_scenes_come_to_the_same_without_tables() {
     struct Paths;
     impl Visitor for Paths {
-        /// Whether it has tables of lights, and of mirrors.
+        /// Whether the scene has light tables, and whether it has mirror tables.
         type Output = [bool; 2];
         fn visit<S: BuiltIn>(self) -> [bool; 2] {
             let world = &Static::<S>::new();
@@ -96,8 +97,8 @@ fn paths_in_built_in_scenes_come_to_the_same_without_tables() {
     }
 }
 
-/// How many pixels of a world are off by more than a level by the plain shadow test, by the plain path, and how many
-/// there are.
+/// Counts the pixels that differ by more than one level from the picture with all techniques: with the
+/// plain shadow test, and on the plain path. The third number is the count of all pixels.
 fn differing<W: World>(world: &W, camera: &Camera) -> [usize; 3] {
     let from = world.parts().grid.place(camera.description().position);
     let all = traced::<_, With<true, true>>(world, camera);
@@ -139,7 +140,8 @@ fn few_pixels_differ_from_those_of_the_plain_path() {
     let sum =
         |of: &[[usize; 3]]| [0, 1, 2].map(|it| of.iter().map(|counts| counts[it]).sum::<usize>());
     for [shadows, plain, pixels] in [sum(&built_in), sum(&crowds)] {
-        // Measured: none of 56 320, and none of 5120. Sums differ in 3 and 9 % of them, by less.
+        // Measured: no pixel of 56 320, and none of 5120. Sums differ in 3 and 9 % of the pixels, but by
+        // less than a level.
         assert!(
             1000 * shadows.max(plain) <= pixels,
             "{shadows} {plain} of {pixels}"

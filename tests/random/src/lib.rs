@@ -12,7 +12,7 @@ mod number;
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::geometry::Size;
 use number::Numbers;
-use reflet::{Camera, Material, MaterialId, RuntimeScene, SceneError};
+use reflet::{room, Camera, Error, Material, MaterialId, RuntimeScene};
 
 pub use draw::Drawn;
 

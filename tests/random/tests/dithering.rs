@@ -13,7 +13,8 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use proptest::prelude::*;
 use reflet::scenes::{BuiltIn, Castle, Empty, Mirror1};
-use reflet::{Ditherable, Dithered, Picture, Static, StaticFrame, Threshold, dither};
+use reflet::Rows;
+use reflet::display::{Ditherable, Dithered, Threshold, dither};
 
 /// The matrix as it is printed: a dot is lit where the picture is brighter than its number.
 const BAYER: [[u32; 8]; 8] = [

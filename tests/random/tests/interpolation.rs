@@ -7,7 +7,8 @@ use proptest::prelude::*;
 use reflet::host::painted;
 use reflet::host::{compare::compare, reference};
 use reflet::scenes::{BuiltIn, Corner1, Floor, NAMES, Visitor, visit};
-use reflet::{Camera, Exact, Fast, Fine, Material, Quality, RuntimeScene, StaticFrame, Unit};
+use reflet::{room, Camera, Material, RuntimeScene, Unit};
+use reflet::quality::{Exact, Fast, Fine, Quality};
 
 /// Traces every fourth pixel, and takes the others from any curve.
 struct Coarse;

@@ -7,10 +7,12 @@ use embedded_graphics::prelude::Size;
 use proptest::{prelude::*, test_runner::TestRunner};
 use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Visitor, visit};
-use reflet::{
-    BlinnPhong, Bound, Camera, Description, Exact, Fast, Fine, Frame, Material, Mirrors, Needs,
-    Normals, Phong, Quality, RuntimeScene, Scene, Shading, Shininess, Small, StaticFrame, World,
-};
+use reflet::{room, Camera, FrameBuilder, Material, RuntimeScene, Scene};
+use reflet::__private::Drawable;
+use reflet::description::Description;
+use reflet::needs::{Mirrors, Needs, NeedsLimit, Shininess};
+use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
 
 /// The size of the built-in scenes' pictures.
 const SIZE: Size = Size::new(80, 60);

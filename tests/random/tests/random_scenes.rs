@@ -10,10 +10,10 @@ use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Vector, render};
-use reflet::{
-    Camera, CameraError, Fast, Fine, Frame, Material, MaterialId, Normals, Phong, Quality,
-    RuntimeScene, SceneError, World,
-};
+use reflet::{room, Camera, Error, FrameBuilder, Material, MaterialId, RuntimeScene};
+use reflet::__private::Drawable;
+use reflet::quality::{Fast, Fine, Quality};
+use reflet::shading::{Normals, Phong};
 
 const SIDE: u32 = 48;
 

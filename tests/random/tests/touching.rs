@@ -7,7 +7,8 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, Shading};
-use reflet::{Camera, Exact, Material, Quality, RuntimeScene, Small};
+use reflet::{room, Camera, Material, RuntimeScene};
+use reflet::quality::{Exact, Quality, Small};
 
 type Triple = [f64; 3];
 type Scenery = RuntimeScene<room!(spheres: 12, planes: 1, cylinders: 12, lights: 2, materials: 2)>;

@@ -21,7 +21,9 @@ use reflet::host::file::SceneFile;
 use reflet::host::reference::{Picture, Shading};
 use reflet::host::{painted, reference};
 use reflet::scenes::{BuiltIn, Castle};
-use reflet::{Exact, Frame, StaticFrame, World};
+use reflet::FrameBuilder;
+use reflet::__private::Drawable;
+use reflet::quality::Exact;
 
 const SIDE: u32 = 128;
 const REFLECTIONS: u8 = 4;

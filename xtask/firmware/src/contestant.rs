@@ -5,9 +5,10 @@ use core::marker::PhantomData;
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
-use reflet::{
-    Camera, MostReflections, Picture, Quality, Shading, Static, StaticFrame, Whole, Within,
-};
+use reflet::{Camera, Rows, Whole, Within};
+use reflet::needs::MostReflections;
+use reflet::quality::Quality;
+use reflet::shading::Shading;
 
 /// A renderer, ready to be measured. What a program may learn only while it runs (camera, size,
 /// reflections) is hidden from the optimiser, for all contestants alike.

@@ -6,7 +6,9 @@ use core::marker::PhantomData;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use frame_hash::FrameHash;
-use reflet::{Picture, Quality, Shading, Static, StaticFrame};
+use reflet::Rows;
+use reflet::quality::Quality;
+use reflet::shading::Shading;
 
 use crate::clock::Clock;
 use crate::{Float, FloatView, Order, View, report};

@@ -7,7 +7,8 @@ use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture};
 use reflet::scenes::{BuiltIn, Visitor, visit};
-use reflet::{BlinnPhong, Exact, Fast, Fine, Phong, Quality, Shading, Small};
+use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::shading::{BlinnPhong, Phong, Shading};
 
 /// The names of what is measured, in the order of [`Row::differences`].
 pub const NAMES: [&str; 5] = ["fast", "fine", "small", "exact", "f32"];

@@ -11,12 +11,14 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{Gray4, Rgb565};
 use embedded_graphics::primitives::Rectangle;
-use reflet::{
-    BlinnPhong, Bound, Camera, Dithered, Enlarged, Fast, Fine, Frame, Front, FrontPoint, Grade,
-    Material, Needs, Normals, Number, Phong, Quality, Report, RuntimeScene, Scene, Shading, Small,
-    StaticFrame, Unshadowed, World,
-    scenes::{BuiltIn, Castle, Floor},
-};
+use reflet::{room, Camera, FrameBuilder, Material, Number, Report, RuntimeScene, Scene};
+use reflet::scenes::{BuiltIn, Castle, Floor};
+use reflet::__private::Drawable;
+use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
+use reflet::display::{Dithered, Enlarged};
+use reflet::needs::{Needs, NeedsLimit};
+use reflet::quality::{Fast, Fine, Quality, Small};
+use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 
 #[entry]
 fn main() -> ! {

@@ -10,7 +10,9 @@ use frame_hash::FrameHash;
 use reflet::host::file::{FileScene, built};
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture};
-use reflet::{BlinnPhong, Camera, Frame, Quality, Unit, Unshadowed};
+use reflet::{Camera, FrameBuilder, Unit};
+use reflet::quality::Quality;
+use reflet::shading::{BlinnPhong, Unshadowed};
 use xtask::sweep::{Contestant, Level, Setting, Visitor};
 
 /// A scene ready to be painted.

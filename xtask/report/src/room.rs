@@ -4,7 +4,8 @@
 use anyhow::Result;
 use embedded_graphics::geometry::Size;
 use reflet::host::painted;
-use reflet::{Camera, Exact, Material, RuntimeScene};
+use reflet::{room, Camera, Material, RuntimeScene};
+use reflet::quality::Exact;
 
 use crate::svg::{self, Axis, Chart};
 

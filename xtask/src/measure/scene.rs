@@ -4,10 +4,8 @@ use std::path::Path;
 
 use anyhow::Result;
 use command_line::{Chosen, Named, Source};
-use reflet::{
-    host::{file::SceneFile, reference},
-    scenes::{self, BuiltIn, Visitor},
-};
+use reflet::host::{file::SceneFile, reference};
+use reflet::scenes::{self, BuiltIn, Visitor};
 
 use crate::{misuse::Misuse, scene_source};
 

@@ -12,7 +12,8 @@ use std::thread;
 use anyhow::{Context, Result};
 use clap::{Args, builder::PossibleValuesParser};
 use reflet::scenes::{BuiltIn, Visitor};
-use reflet::{Needs, scenes};
+use reflet::scenes;
+use reflet::needs::Needs;
 use serde::{Deserialize, Serialize};
 
 use crate::measure::{Core, Quality, Scene, Size, Task, outcome, weigh, weight};

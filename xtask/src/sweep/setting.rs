@@ -1,7 +1,8 @@
 //! One setting, as a value: what draws, how exactly, with how many reflections and how large pixels.
 
 use command_line::Quality as Named;
-use reflet::{Exact, Fast, Fine, Quality, Small, Unit};
+use reflet::Unit;
+use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Setting {

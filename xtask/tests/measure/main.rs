@@ -132,7 +132,7 @@ mod ball;
 
 #[test]
 fn source_describes_the_scene_of_the_file() {
-    use reflet::{StaticFrame, StaticScene, host::file::SceneFile};
+    use reflet::host::file::SceneFile;
 
     let file = SceneFile::parse(SCENES, Some("ball")).unwrap();
     let (scene, camera) = file.runtime().unwrap();

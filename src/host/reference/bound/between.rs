@@ -1,13 +1,13 @@
-//! What pixels that are taken from their neighbours' colours are off by, were those exact; it knows
-//! one row, and no path.
+//! Bounds the error of interpolated pixels, if the colours of the traced pixels were exact. This file
+//! knows one row of colours and no paths.
 //!
-//! A stretch goes from one pixel that is traced to the next, two or four further on. Of four, the
-//! pixel half way may be traced, and then the two at the quarters may be moved by three quarters of
-//! what the curve misses it by, or taken for the middle of a line, or be traced themselves.
+//! A stretch goes from one pixel that is always traced to the next, two or four columns on. In a stretch
+//! of four, the pixel half way may be traced as well. Then the two pixels at the quarters are moved by
+//! three quarters of the curve's error half way, or taken as the middle of a line, or traced, too.
 
 use super::{Stage, Vector, largest};
 
-/// The most that the pixel `x` may be off by.
+/// Returns the largest interpolation error that the pixel in column `x` of a row may have.
 pub(super) fn error(row: &[&Stage], x: usize, stride: usize, tolerance: f64) -> f64 {
     let place = x % stride.max(1);
     let start = x - place;
@@ -40,7 +40,7 @@ pub(super) fn error(row: &[&Stage], x: usize, stride: usize, tolerance: f64) -> 
             }
         }
     }
-    // The middle of a line, between two pixels beside it.
+    // The pixel may be the middle of a line between its two neighbours.
     let (left, right) = (color(x - 1), color(x + 1));
     let is_line = stride == 2 || place != 2;
     if is_line && row[x - 1].trail == row[x + 1].trail {
@@ -49,7 +49,7 @@ pub(super) fn error(row: &[&Stage], x: usize, stride: usize, tolerance: f64) -> 
             worst = worst.max(miss(left + way * 0.5));
         }
         if let (3, 4, Some(beyond)) = (place, stride, row.get(end + stride)) {
-            // `Bend::of_uneven`, of which the pixel is moved by an eighth.
+            // The bend as in `Bend::of_uneven`; the pixel is moved by an eighth of it.
             let far = Vector(beyond.color) - right;
             let bend = (far - way * 2.0) * 0.3125;
             if row[x + 1].trail == beyond.trail && stretch.allows(bend, 4.0) {
@@ -60,7 +60,7 @@ pub(super) fn error(row: &[&Stage], x: usize, stride: usize, tolerance: f64) -> 
     worst + stretch.slack()
 }
 
-/// A stretch of a row.
+/// A stretch of a row: the columns from one pixel that is always traced to the next.
 struct Stretch<'a> {
     row: &'a [&'a Stage],
     start: usize,
@@ -69,7 +69,8 @@ struct Stretch<'a> {
 }
 
 impl Stretch<'_> {
-    /// How far apart exact colours and those of fixed point may be when they are put together.
+    /// Returns a bound of the difference between a combination of colours in exact numbers and in fixed
+    /// point: eight times the largest rounding error of the colours around, and 2⁻¹⁸.
     fn slack(&self) -> f64 {
         let first = self.start.saturating_sub(self.stride);
         let last = (self.start + 2 * self.stride).min(self.row.len() - 1);
@@ -77,12 +78,13 @@ impl Stretch<'_> {
         8.0 * rounding.fold(0.0, f64::max) + f64::exp2(-18.0)
     }
 
-    /// Whether so much may pass for no more than so many tolerances.
+    /// Tests whether fixed point may take `difference` for at most `tolerances` times the tolerance.
     fn allows(&self, difference: Vector, tolerances: f64) -> bool {
         largest(difference) <= tolerances * self.tolerance + self.slack()
     }
 
-    /// How much the colours bend at a column, if there are any before and behind.
+    /// Returns the second difference of the colours one stride before, at and one stride after a column,
+    /// or `None` if a column is outside the row.
     fn bend(&self, column: usize) -> Option<Vector> {
         let color = |column: usize| Some(Vector(self.row.get(column)?.color));
         let before = color(column.checked_sub(self.stride)?)?;
@@ -90,10 +92,12 @@ impl Stretch<'_> {
         Some((after - middle) - (middle - before))
     }
 
-    /// By which bends the curve may be laid, and whether it may then pass without a look half way.
+    /// Returns the pairs of bends that fixed point may use for the curve. The flag tells whether it may
+    /// then accept the curve without tracing the pixel half way.
     ///
-    /// Fixed point knows a bend where the paths around it went alike. That is not quite known here: it
-    /// tells paths apart by more than what they met, and does not by lights too faint for its formats.
+    /// Fixed point has a bend if the signatures of the paths around it are equal. Trails do not decide
+    /// that exactly: a signature depends on more than the hits, and not on lights too faint for the
+    /// formats.
     fn bends(&self) -> [Option<([Vector; 2], bool)>; 4] {
         let [first, last] = [self.start, self.start + self.stride].map(|it| self.bend(it));
         let one = |bend: Vector| ([bend; 2], self.allows(bend, 2.0));
@@ -106,7 +110,8 @@ impl Stretch<'_> {
         ]
     }
 
-    /// The cubic through both ends that bends so at each, at a column.
+    /// Returns the colour at a column of the cubic through both ends of the stretch, with these second
+    /// differences at the ends.
     fn curve(&self, [first, last]: [Vector; 2], column: usize) -> Vector {
         let way = (column - self.start) as f64 / self.stride as f64;
         let ends = [self.start, self.start + self.stride];

@@ -1,35 +1,36 @@
-//! What a picture in fixed point may be off by; it draws nothing in fixed point.
+//! Bounds the error of each pixel of a fixed-point picture, from paths followed in double precision.
+//! This module draws nothing in fixed point.
 //!
-//! Three bounds are added for each pixel, and a step of 8 bits, as both pictures that are compared are
-//! rounded by half of one:
+//! The bound of a pixel is the sum of three bounds and one step of 8 bits. The step is there because
+//! each of the two compared pictures is rounded by up to half a step:
 //!
-//! - **Truncation**: what follows the end of a path adds up to no more than its weight Π αₖ there times
-//!   max |c|, the brightest colour that a surface can have.
-//! - **Between traced pixels**: what the quality's curves, laid through the exact colours of the
-//!   pixels that are traced, are off by. A pixel is taken from a curve only if that passes the
-//!   quality's tolerance; where rounding may turn the decision, the worse of both counts.
+//! - **Truncation**: the light that a path loses by ending early. It is at most the path's weight Π αₖ
+//!   at its end times max |c|, the brightest colour that a surface can have.
+//! - **Between traced pixels**: the error of interpolated pixels: the distance of the quality's curves,
+//!   laid through the exact colours of the traced pixels, from the exact colours. A pixel is
+//!   interpolated only if the curve passes the quality's tolerance. Where rounding may change that
+//!   decision, the larger error of both cases counts.
 //! - **Rounding**: a running error analysis (Wilkinson, "Rounding Errors in Algebraic Processes", 1963;
 //!   Higham, "Accuracy and Stability of Numerical Algorithms", section 3.3), to the first order.
 //!
-//! Along a path the analysis carries how far its ray's origin (P, in scene units) and its direction
-//! (D, in radians) may be off. With g for a step of the scene's grid:
+//! Along a path the analysis tracks the error of the ray's origin (P, in scene units) and of its
+//! direction (D, in radians). With g for a step of the scene's grid:
 //!
-//! | where | what is added | on account of |
+//! | where | error | reason |
 //! |---|---|---|
 //! | at the camera | P = 2 g + 2⁻²⁸ · distance from the scene, D = 2⁻²⁶ | positions to a step, far ones to 29 bits; directions Q2.30 through a root of 27 bits |
-//! | at a hit t away, c the cosine there | H = (P + t D + 6 g) / c + 2⁻²⁶ t | shapes laid on the grid, a reciprocal of 26 bits; a hit slides along its surface |
-//! | its normal | M = H κ + 6 g κ + 2⁻¹⁶ on curvature κ, 2⁻²⁹ on a plane | curved normals have a length of one but for 2⁻¹⁶ |
+//! | at a hit t away, c the cosine there | H = (P + t D + 6 g) / c + 2⁻²⁶ t | shapes are rounded to the grid, a reciprocal has 26 bits; a hit moves along its surface |
+//! | the normal there | M = H κ + 6 g κ + 2⁻¹⁶ for curvature κ, 2⁻²⁹ on a plane | the length of curved normals is one to within 2⁻¹⁶ |
 //! | a light at distance r | L = (H + ε M + 5 g) / r + 2⁻²⁶ | a root of 27 bits |
 //! | diffuse light | M + L + 2⁻²⁸, times the coefficient | |
-//! | a highlight | the most that its power changes while its cosine does by its error | the power itself is exact to (shininess + 4) 2⁻²⁸ |
-//! | a colour | 2⁻²² for the strength of each light, 2⁻²⁰ for each product, 2⁻²⁵ of what is multiplied | each light and the ambient share to 20 bits, 26 in `Exact` behind the point |
-//! | its share of the sum | 2⁻²⁴, and 2⁻³⁰ for each weight before it | Q8.24, weights Q2.30 rounded down |
-//! | the mirrored ray | P = H + ε M + 2 g, D = D + 2 M + 2⁻²⁶ | a mirror turns a ray by twice what it turns itself |
+//! | a highlight | the largest change of its power while its cosine changes by its error | the power itself is exact to (shininess + 4) 2⁻²⁸ |
+//! | a colour | 2⁻²² for the strength of each light, 2⁻²⁰ for each product, 2⁻²⁵ of the light that is multiplied | each light and the ambient share have 20 fraction bits, 26 in `Exact` |
+//! | the colour's share of the sum | 2⁻²⁴, and 2⁻³⁰ for each weight before it | Q8.24, weights Q2.30 rounded down |
+//! | the mirrored ray | P = H + ε M + 2 g, D = D + 2 M + 2⁻²⁶ | a mirror that turns by an angle turns the ray by twice that angle |
 //!
-//! Second order is left out, so where a hit could slide so far that the cosine there is another,
-//! at the rim of a curved shape, nothing is promised: such a pixel is `unsure`, and so is one that
-//! a ray a 32nd of a pixel beside it decides differently: meets another shape, or is lit by another
-//! light.
+//! Errors of second order are left out. So at the rim of a curved shape, where the hit may move so far
+//! that the cosine changes, the bound may not hold: such a pixel is marked *unsure*. A pixel is also
+//! unsure if a ray a 32nd of a pixel beside it hits another shape or is lit by another light.
 
 mod between;
 mod path;
@@ -43,64 +44,68 @@ use super::model::{Vector, View, quantised};
 use super::prepared::{self, Prepared};
 use super::{Camera, Picture, Scene, Shading};
 
-/// A whole picture of paths, followed in double precision.
+/// The paths of all pixels of a picture, followed in double precision.
 #[derive(Clone, Debug)]
 pub struct Paths {
     width: u32,
     height: u32,
-    /// Each row goes on for some columns to the right of the picture.
+    /// The paths, row by row. Each row has [`MARGIN`] more columns to the right of the picture.
     paths: Vec<Followed>,
     brightest: f64,
     dimness: f64,
 }
 
-/// When a path of fixed point ends, and which pixels it traces.
+/// The settings of a fixed-point picture: where paths end, and which pixels are traced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ending {
-    /// After so many reflections.
+    /// Largest number of reflections of a path.
     pub reflections: usize,
-    /// Or when the weight falls below this, as a share of white in a scene brighter than white:
-    /// the `SMALLEST_WEIGHT` of the quality.
+    /// Weight below which a path ends: the `SMALLEST_WEIGHT` of the quality. In a scene brighter than
+    /// white it is a share of white, so it is divided by the brightest colour.
     pub smallest_weight: f64,
-    /// One of so many pixels of a row is traced: 1, 2 or 4.
+    /// Distance from one pixel of a row that is always traced to the next, in pixels: 1, 2 or 4.
     pub stride: u32,
-    /// How exactly the others must follow a curve, as a share of white.
+    /// Tolerance for interpolated pixels, as a share of white: the `TOLERANCE` of the quality.
     pub tolerance: f64,
 }
 
-/// What one pixel may be off by, as shares of white.
+/// The error bound of one pixel in three parts, each as a share of white.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound {
-    /// By what the path was ended before.
+    /// Bound of the light that is lost because the path ends early.
     pub truncation: f64,
-    /// By the formats.
+    /// Bound of the error by rounding to the fixed-point formats.
     pub rounding: f64,
-    /// By being taken from pixels beside it.
+    /// Bound of the error by interpolation between traced pixels.
     pub between: f64,
-    /// Rounding may have decided otherwise what is met or lit, here or at a pixel it is taken from:
-    /// nothing is promised.
+    /// Whether the bound may not hold. Rounding may change which shape is hit or which light shines, at
+    /// this pixel or at one that it is interpolated from.
     pub is_unsure: bool,
 }
 
 impl Bound {
-    /// All of it, as a share of white; no display shows more than 1.
+    /// Returns the sum of the three bounds, as a share of white. It is at most 1, the range of a
+    /// display.
     pub fn share(&self) -> f64 {
         (self.truncation + self.rounding + self.between).min(1.0)
     }
 
-    /// All of it in steps of 8 bits, with the rounding of two pictures; at most 255.
+    /// Returns the bound in steps of 8 bits, at most 255. It includes one step for the rounding of both
+    /// compared pictures.
     pub fn levels(&self) -> f64 {
         (255.0 * self.share() + 1.0).min(255.0)
     }
 }
 
-/// How many columns to the right of a picture fixed point may look at.
+/// Number of columns to the right of a picture that fixed point may trace for interpolation.
 const MARGIN: u32 = 8;
 
-/// How many pixels beside itself a ray has to decide the same for its pixel to be sure.
+/// Distance from a pixel's ray at which four rays beside it must take the same path, in pixels; else the
+/// pixel is unsure.
 const BESIDE: f64 = 1.0 / 32.0;
 
-/// The least that is in radians: what a curved normal may be off by, and four times that.
+/// Smallest value of the distance [`BESIDE`] as an angle, in radians: 2⁻¹⁴, four times the error 2⁻¹⁶ of
+/// a curved normal.
 const LEAST_ANGLE: f64 = 1.0 / (1 << 14) as f64;
 
 impl Paths {
@@ -143,22 +148,23 @@ impl Paths {
         }
     }
 
-    /// The path of a pixel.
+    /// Returns the path of the pixel in column `x` and row `y`.
     pub fn path(&self, x: u32, y: u32) -> &Followed {
         &self.paths[(y * (self.width + MARGIN) + x) as usize]
     }
 
-    /// The paths of each row, those to the right of the picture, too.
+    /// Returns the paths row by row, including the columns to the right of the picture.
     fn rows(&self) -> impl Iterator<Item = &[Followed]> {
         self.paths.chunks((self.width + MARGIN) as usize)
     }
 
-    /// max |c|: the largest component of any colour that a path can meet.
+    /// Returns max |c|: an upper bound of the components of all colours of surfaces and of the
+    /// background.
     pub fn brightest(&self) -> f64 {
         self.brightest
     }
 
-    /// The picture whose paths end so, in double precision.
+    /// Returns the picture in double precision whose paths end as `ending` says.
     pub fn picture(&self, ending: &Ending) -> Picture {
         let Self { width, height, .. } = *self;
         let paths = self.rows().flat_map(|row| &row[..width as usize]);
@@ -170,7 +176,7 @@ impl Paths {
         }
     }
 
-    /// What every pixel may be off by in a picture of fixed point whose paths end so, row by row.
+    /// Returns the error bound of every pixel of a fixed-point picture with these settings, row by row.
     pub fn bounds(&self, ending: &Ending) -> Vec<Bound> {
         let row = |row: &[Followed]| {
             let stages: Vec<&Stage> = row.iter().map(|path| self.ended(path, ending)).collect();
@@ -186,11 +192,11 @@ impl Paths {
 
     fn bound(&self, row: &[&Stage], x: usize, ending: &Ending) -> Bound {
         let (own, stride) = (row[x], ending.stride as usize);
-        // As far as its stretch may reach to both sides.
+        // The pixel's stretch of interpolated columns lies within `stride - 1` columns of it.
         let near = |reach: usize| x.saturating_sub(reach)..(x + reach + 1).min(row.len());
         let stretch = &row[near(stride - 1)];
         let is_alike = |stage: &&Stage| stage.trail == own.trail;
-        // The curve of its stretch is laid by pixels up to a stretch away from both ends.
+        // The curve of a stretch depends on traced pixels up to one stride beyond both of its ends.
         let start = x - x % stride;
         let traced = (start.saturating_sub(stride)..start + 2 * stride + 1).step_by(stride);
         let mut laid_by = traced.filter_map(|column| row.get(column));
@@ -207,7 +213,7 @@ impl Paths {
 }
 
 impl Followed {
-    /// Takes for unsure from where a path beside it went another way.
+    /// Marks each stage as unsure at which the path `beside` this one has another trail or has ended.
     fn doubt(&mut self, beside: &Self) {
         for (index, stage) in self.stages.iter_mut().enumerate() {
             let other = beside.stages.get(index).map(|it| it.trail);
@@ -216,8 +222,8 @@ impl Followed {
     }
 }
 
-/// (ambient + Σ over the lights of (diffuse + specular) · light) · colour, at its brightest in the
-/// scene, or the background.
+/// Returns the largest colour component in a scene: the background's, or a material's
+/// (ambient + (diffuse + specular) · Σ lights) · colour.
 fn brightest(scene: &Scene) -> f64 {
     let own = |material: usize, axis: usize| {
         let material = &scene.materials[material];
@@ -230,7 +236,7 @@ fn brightest(scene: &Scene) -> f64 {
     colors.chain(scene.background).fold(0.0, f64::max)
 }
 
-/// The largest component, whatever its sign.
+/// Returns the largest absolute value of the components of a vector.
 fn largest(Vector(components): Vector) -> f64 {
     components.into_iter().map(f64::abs).fold(0.0, f64::max)
 }

@@ -1,5 +1,5 @@
-//! How far rounding may move one pixel, worked out along its path as the room above derives it. It
-//! knows the core's formats and none of its code.
+//! Bounds the rounding error of one pixel along its path, by the formulas of the table in the parent
+//! module. This file uses the core's formats but none of its code.
 
 use std::vec::Vec;
 
@@ -7,42 +7,44 @@ use super::largest;
 use crate::host::reference::Shading;
 use crate::host::reference::model::{Ray, Scene, Surface, Vector};
 
-/// The grid that a scene was laid on, in scene units: [`crate::host::precision`] tells.
+/// The grid and the dimness of a prepared scene, which the rounding analysis needs. It comes from
+/// [`crate::host::precision`].
 #[derive(Clone, Copy, Debug)]
 pub struct Precision {
-    /// A step of the grid.
+    /// Step of the scene's grid, in scene units.
     pub step: f64,
-    /// Its middle.
+    /// Middle of the scene's grid, in scene units.
     pub middle: [f64; 3],
-    /// The smallest weights of a quality are multiplied by this: 1 / the brightest colour, at most 1.
+    /// Factor for the smallest weight of a quality: 1 / the brightest colour of the scene, at most 1.
     pub dimness: f64,
 }
 
-/// A path of the reference, as far as it was followed, reflection by reflection.
+/// A path of the reference, with the state after each reflection that was followed.
 #[derive(Clone, Debug, Default)]
 pub struct Followed {
-    /// What is known after 0, 1, 2 … reflections; shorter where the path ended before.
+    /// State after 0, 1, 2 … reflections. The list is shorter if the path ended early.
     pub stages: Vec<Stage>,
 }
 
-/// What is known of a path after so many reflections.
+/// The state of a path after a number of reflections: its colour, weight, error bound and trail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
-    /// The colour so far, before it is clamped.
+    /// Sum of the colours so far, before it is clamped.
     pub color: [f64; 3],
-    /// The weight with which the path goes on: Π αₖ; 0 where it ends.
+    /// Weight of the next colour on the path: Π αₖ, or 0 at the end of the path.
     pub weight: f64,
-    /// How far rounding may have moved the colour, in any channel.
+    /// Bound of the rounding error of `color`, in any channel.
     pub rounding: f64,
-    /// A number made of all that was decided: shapes, sides, lights.
+    /// Hash of the decisions on the path so far: the shapes that were hit, their sides, and the lights
+    /// that shine on them.
     pub trail: u64,
-    /// Whether rounding may have decided otherwise, so that nothing is promised.
+    /// Whether rounding may change a decision, so that the bound may not hold.
     pub is_unsure: bool,
 }
 
 impl Followed {
-    /// The stage at which fixed point ends the path: by the number of reflections, or by the smallest
-    /// weight that its quality follows.
+    /// Returns the stage at which fixed point ends the path: after `reflections` reflections, or where
+    /// the weight falls below `smallest_weight`, or at the last stage.
     pub fn ended(&self, reflections: usize, smallest_weight: f64) -> &Stage {
         let stages = &self.stages;
         let cut = stages.iter().position(|it| it.weight < smallest_weight);
@@ -52,7 +54,7 @@ impl Followed {
 }
 
 impl Stage {
-    /// Before anything was met.
+    /// State of a path before its first hit.
     const START: Self = Self {
         color: [0.0; 3],
         weight: 1.0,
@@ -61,7 +63,7 @@ impl Stage {
         is_unsure: false,
     };
 
-    /// The path meets nothing, and ends.
+    /// Returns the stage after the ray hits nothing: adds the background and ends the path.
     fn missed(self, background: Vector) -> Self {
         Self {
             color: (Vector(self.color) + background * self.weight).0,
@@ -72,8 +74,8 @@ impl Stage {
         }
     }
 
-    /// The path meets a surface with a colour of its `own`, which may be off by `error`, after so many
-    /// reflections, and is reflected by the share `alpha`.
+    /// Returns the stage after the ray hits a surface: adds its `own` colour and multiplies the weight
+    /// by `alpha`. `error` bounds the error of `own`; `reflection` is the number of reflections before.
     fn lit(self, own: Vector, error: f64, reflection: usize, alpha: f64) -> Self {
         let share = self.weight * (1.0 - alpha);
         let rounding = share * error
@@ -88,22 +90,22 @@ impl Stage {
     }
 }
 
-/// Error so far along a path.
+/// Error bounds of the current ray of a path: P and D of the table in the parent module.
 #[derive(Clone, Copy)]
 struct Drift {
     place: f64,
     direction: f64,
 }
 
-/// A weight that no display shows.
+/// Weight below which a path is not followed further: far too small to change a pixel.
 const NOTHING: f64 = 1e-12;
 
-/// Two to the power of minus `bits`.
+/// Returns 2 to the power of minus `bits`.
 fn to_the_minus(bits: i32) -> f64 {
     f64::exp2(f64::from(-bits))
 }
 
-/// Follows a ray for at most `reflections` reflections.
+/// Follows a ray for at most `reflections` reflections and returns the stage after each.
 pub(super) fn follow(
     scene: &Scene,
     mut ray: Ray,
@@ -147,13 +149,13 @@ pub(super) fn follow(
     Followed { stages }
 }
 
-/// How far things may be off where a ray meets a surface.
+/// Error bounds at the hit of a ray: of the point, the normal and the viewing direction.
 struct Hit {
-    /// The point above the surface where rays leave, in scene units.
+    /// Error bound of the point epsilon above the surface where rays start, in scene units.
     place: f64,
-    /// The normal, in radians.
+    /// Error bound of the normal, in radians.
     normal: f64,
-    /// The ray that came, in radians.
+    /// Error bound of the incoming ray's direction, in radians.
     view: f64,
     is_unsure: bool,
 }
@@ -172,12 +174,13 @@ impl Hit {
             place: slide + scene.epsilon * normal + 2.0 * step,
             normal,
             view: drift.direction,
-            // The cosine may be another, or the ray pass by.
+            // The error may change the cosine at the hit, or make the ray miss the shape.
             is_unsure: slide * curvature > cosine / 64.0 || cosine < to_the_minus(16),
         }
     }
 
-    /// Which lights shine on the surface, and how far its colour may be off.
+    /// Returns a bit for each light that shines on the surface, and an error bound of the surface's own
+    /// colour, in any channel.
     fn light(
         &self,
         scene: &Scene,
@@ -209,7 +212,8 @@ impl Hit {
         (lights, largest(tinted) + to_the_minus(20))
     }
 
-    /// How far the highlight may be off.
+    /// Returns an error bound of the highlight's power, before the specular coefficient. `error` is the
+    /// bound of the light's direction, in radians.
     fn gleam(&self, surface: &Surface, light: Vector, error: f64, shading: Shading) -> f64 {
         let shininess = surface.material.shininess;
         let cosine = surface.gleam(light, shading).max(0.0);
@@ -221,7 +225,7 @@ impl Hit {
             _ => {
                 let half = (light + surface.viewer).length().max(to_the_minus(20));
                 let turn = (error + self.view) / half + self.normal;
-                // A quotient of Q2.30 by (1 + l·v) / 2.
+                // The error of a quotient in Q2.30 with the divisor (1 + l·v) / 2.
                 let quotient = to_the_minus(25) + to_the_minus(28) * 4.0 / (half * half);
                 (
                     cosine * cosine,
@@ -237,7 +241,7 @@ impl Hit {
     }
 }
 
-/// FNV-1a, a word at a time.
+/// Mixes `word` into the hash `trail`: FNV-1a for whole words, with a rotation.
 fn mixed(trail: u64, word: u64) -> u64 {
     (trail ^ word.wrapping_add(0x9e37_79b9_7f4a_7c15))
         .wrapping_mul(0x0100_0000_01b3)

@@ -1,11 +1,12 @@
-//! The model's formulas, each written once: from a pixel's ray to the light of what it meets.
+//! The formulas of the model, each written once: the ray of a pixel, its nearest hit, and the light
+//! there.
 //!
-//! These files are compiled for the reference, and once more for each rival in single precision
-//! (`xtask/float_picture`, `xtask/float_port`), of which one runs on boards. So they use neither
-//! `std` nor an allocator. What they compute in is said beside them, in the module `real`.
+//! These files are compiled for the reference, and again for each comparison in single precision
+//! (`xtask/float_picture`, `xtask/float_port`). `float_port` runs on boards, so these files use neither
+//! `std` nor an allocator. The module `real` beside them defines the number type.
 //!
-//! How the colours along a path of mirrors add up is not written here: the reference and the float
-//! port each do it in their own way.
+//! The sum of the colours along a path of mirrors is not computed here. The reference and the float
+//! port each do that in their own way.
 
 mod scene;
 mod shade;

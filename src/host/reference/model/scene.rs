@@ -1,44 +1,46 @@
-//! What a ray meets in a whole scene, and the one place that steps off a surface; it knows no
-//! colour but hands on the material.
+//! Finds the nearest hit of a ray in a scene, tests whether a ray is blocked, and offsets the hit point
+//! from its surface by epsilon. This file passes on the material and never computes a colour.
 
 use super::{Ray, Real, Shape, Vector};
 
 macro_rules! scene {
     ($parameters:tt $({ $list:ident $kind:ident $described:ident $($more:tt)* })*) => {
-        /// A scene made ready for rays. Shapes name their material by its place.
+        /// A scene prepared for tracing, as borrowed lists. A shape names its material by index.
         #[derive(Clone, Copy, Debug)]
         pub struct Scene<'a> {
             $(
-                #[doc = concat!("The ", stringify!($list), ".")]
+                #[doc = concat!("The ", stringify!($list), " of the scene.")]
                 pub $list: &'a [super::$described],
             )*
-            /// The point lights.
+            /// The point lights of the scene.
             pub lights: &'a [Light],
-            /// What the shapes are made of.
+            /// The materials of the scene, which shapes name by index.
             pub materials: &'a [Material],
-            /// Linear colour where a ray meets nothing.
+            /// Linear colour of a ray that hits nothing.
             pub background: Vector,
-            /// How far from a surface, along its normal, shadow and reflected rays start.
+            /// Distance from a surface, along its normal, at which shadow and reflected rays start; in
+            /// scene units.
             pub epsilon: Real,
         }
 
-        /// Which shape a ray meets: its kind and its place in the list of its kind.
+        /// The identity of a shape that a ray hits: its kind, and its index in the list of that kind.
         #[derive(Clone, Copy, Debug)]
         pub enum Met {
             $(
-                #[doc = concat!("A ", stringify!($kind), ".")]
+                #[doc = concat!("A ", stringify!($kind), ", by its index.")]
                 $described(usize),
             )*
         }
 
         impl<'a> Scene<'a> {
-            /// The nearest surface ahead.
+            /// Returns the surface at the nearest hit ahead on the ray, or `None` if the ray hits
+            /// nothing.
             #[inline]
             pub fn nearest(&self, ray: &Ray) -> Option<Surface<'a>> {
                 let mut reach = Real::INFINITY;
                 let shape = None;
                 $(
-                    // It is nearer than those before.
+                    // A hit here is nearer than all hits before: `reach` is the nearest so far.
                     let met = nearest_of(self.$list, ray, &mut reach).map(Met::$described);
                     let shape = met.or(shape);
                 )*
@@ -64,20 +66,20 @@ macro_rules! scene {
                 })
             }
 
-            /// Whether the ray meets anything nearer than `reach`.
+            /// Tests whether the ray hits any shape nearer than `reach`.
             #[inline]
             pub fn is_blocked(&self, ray: &Ray, reach: Real) -> bool {
                 $(blocks(self.$list, ray, reach))||*
             }
 
-            /// The shape that was met.
+            /// Returns the shape that was hit.
             pub fn shape(&self, met: Met) -> &'a dyn Shape {
                 match met {
                     $(Met::$described(index) => &self.$list[index],)*
                 }
             }
 
-            /// The place of a shape among all; the kinds follow each other.
+            /// Returns the number of a shape among all shapes of the scene, counted kind by kind.
             pub fn number(&self, met: Met) -> usize {
                 let mut first = 0;
                 $(
@@ -96,49 +98,51 @@ kinds!(shapes, scene);
 /// A point light that does not fall off with distance.
 #[derive(Clone, Copy, Debug)]
 pub struct Light {
-    /// Where it stands.
+    /// Position of the light, in scene units.
     pub position: Vector,
-    /// Its linear colour.
+    /// Linear colour of the light.
     pub color: Vector,
 }
 
-/// What a surface is made of.
+/// The material of a surface: its colour, and how it reflects light.
 #[derive(Clone, Copy, Debug)]
 pub struct Material {
-    /// Linear colour.
+    /// Linear colour of the material. It multiplies ambient, diffuse and specular light.
     pub color: Vector,
-    /// Share of the colour that is there without any light.
+    /// Share of the colour that is visible without any light.
     pub ambient: Real,
-    /// Share of the light that is scattered evenly.
+    /// Share of a light that the surface scatters evenly in all directions.
     pub diffuse: Real,
-    /// Strength of the highlight, which has the material's colour too.
+    /// Strength of the highlight. The highlight takes the material's colour, like the diffuse light.
     pub specular: Real,
-    /// The highlight's exponent.
+    /// Exponent of the highlight.
     pub shininess: Real,
-    /// α, 0 to 1: the share of the picture in this surface.
+    /// Share α, 0 to 1, of the reflected colour in the surface's colour; 1 − α is its own colour's
+    /// share.
     pub mirror: Real,
 }
 
-/// What a ray met.
+/// The surface at the hit of a ray: point, normal, material and shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface<'a> {
-    /// The point that was met, moved off the surface by epsilon, towards where the ray came from.
+    /// The hit point, moved off the surface by epsilon along `normal`, to the side from which the ray
+    /// came.
     pub outside: Vector,
-    /// Unit length, on the side the ray came from.
+    /// Unit normal of the surface, on the side from which the ray came.
     pub normal: Vector,
-    /// Unit length, from the surface to where the ray came from.
+    /// Unit direction from the surface back along the ray, to the viewer.
     pub viewer: Vector,
-    /// What it is made of.
+    /// Material of the surface.
     pub material: &'a Material,
-    /// How far the ray has come.
+    /// Distance from the start of the ray to the hit, in scene units.
     pub distance: Real,
-    /// Which of the scene's shapes it is.
+    /// Identity of the shape that was hit.
     pub shape: Met,
-    /// Whether it is seen from the side that its shape's normal leaves.
+    /// Whether the ray hits the side opposite the shape's own normal, such as the inside of a sphere.
     pub is_inside: bool,
 }
 
-/// The nearest before `reach`, which becomes its distance.
+/// Returns the index of the shape with the nearest hit before `reach`, and sets `reach` to its distance.
 #[inline]
 fn nearest_of(shapes: &[impl Shape], ray: &Ray, reach: &mut Real) -> Option<usize> {
     let mut met = None;
@@ -156,7 +160,7 @@ fn blocks(shapes: &[impl Shape], ray: &Ray, reach: Real) -> bool {
 }
 
 impl Surface<'_> {
-    /// The ray that a mirror sends on.
+    /// Returns the ray reflected at the surface as at a perfect mirror. It starts at `outside`.
     #[inline]
     pub fn reflected(&self) -> Ray {
         Ray {

@@ -1,19 +1,21 @@
-//! The light that a surface itself sends to the viewer; it never asks what the surface mirrors.
+//! Computes a surface's own colour: ambient, diffuse and specular light. This file ignores reflections.
 
 use super::{Light, Ray, Real, Scene, Shading, Surface, Vector, power};
 
-/// What the normals view shows where nothing is met.
+/// Colour that [`Shading::Normals`] shows for a ray that hits nothing.
 const BLUE: Vector = Vector([0.0, 0.0, 1.0]);
 
 impl Scene<'_> {
-    /// What the normals view shows along a ray.
+    /// Returns the colour along a ray for [`Shading::Normals`]: (n + 1) / 2 at the nearest hit, else
+    /// blue.
     pub fn normal_color(&self, ray: &Ray) -> Vector {
         let half = |normal| (normal + Vector::grey(1.0)) * 0.5;
         self.nearest(ray)
             .map_or(BLUE, |surface| half(surface.normal))
     }
 
-    /// Ambient, diffuse and specular light at a surface, in the surface's colour.
+    /// Returns the ambient, diffuse and specular light at a surface, multiplied by the material's
+    /// colour.
     #[inline]
     pub fn own_color(&self, surface: &Surface, shading: Shading) -> Vector {
         let mut light = Vector::grey(surface.material.ambient);
@@ -23,7 +25,9 @@ impl Scene<'_> {
         surface.material.color.filtered(light)
     }
 
-    /// How much of a light's colour comes to the viewer; nothing where it is behind or blocked.
+    /// Returns the factor of a light's colour in the light that the surface sends to the viewer: diffuse
+    /// and specular light, before the material's colour. It is 0 if the light is behind the surface or
+    /// blocked.
     #[inline]
     pub fn strength(&self, surface: &Surface, lamp: &Light, shading: Shading) -> Real {
         let to_lamp = lamp.position - surface.outside;
@@ -33,7 +37,7 @@ impl Scene<'_> {
             direction: to_lamp * (1.0 / distance),
         };
         let facing = surface.normal.dot(ray.direction);
-        // A lamp exactly here has no direction, and what is not a number is not above zero.
+        // For a light exactly at this point `facing` is not a number, and so not above zero.
         let is_lit = facing > 0.0 && !self.is_blocked(&ray, distance - self.epsilon);
         if !is_lit {
             return 0.0;
@@ -44,7 +48,7 @@ impl Scene<'_> {
             return diffuse;
         }
         let cosine = surface.gleam(ray.direction, shading);
-        // Where the mirrored light points away from the viewer there is no highlight, not even one of
+        // There is no highlight if the mirrored light points away from the viewer, not even with
         // shininess 0.
         if cosine > 0.0 {
             diffuse + material.specular * power(cosine, material.shininess)
@@ -55,12 +59,13 @@ impl Scene<'_> {
 }
 
 impl Surface<'_> {
-    /// The cosine that a highlight is a power of, by the unit vector to the light.
+    /// Returns the cosine whose power is the highlight, for the unit vector `to_light`. It may be
+    /// negative.
     #[inline]
     pub fn gleam(&self, to_light: Vector, shading: Shading) -> Real {
         match shading {
             Shading::Phong => to_light.mirrored(self.normal).dot(self.viewer),
-            // The normals view has none.
+            // `Normals` shows no highlight, so any value does.
             Shading::BlinnPhong | Shading::Normals => {
                 self.normal.dot((to_light + self.viewer).unit())
             }

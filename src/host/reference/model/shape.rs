@@ -1,85 +1,87 @@
-//! Where a ray meets one shape, and which way the shape faces there; it knows no material's colour.
+//! Intersects a ray with one shape, and computes the shape's normal. This file knows materials only by
+//! index.
 //!
-//! `meet` is always inlined: where the scene is a constant, so is every shape.
+//! `meet` is always inlined, so that the compiler can use the numbers of shapes in a constant scene.
 
 use super::{IS_CAREFUL, Real, Vector, square_root};
 
-/// A half line.
+/// A ray: a start point and a unit direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Where it starts.
+    /// Point where the ray starts, in scene units.
     pub origin: Vector,
-    /// Length one, so that distances along the ray are scene units.
+    /// Direction of the ray. Its length is one, so that distances along the ray are in scene units.
     pub direction: Vector,
 }
 
 impl Ray {
-    /// The point at this distance.
+    /// Returns the point at `distance` from the start of the ray.
     #[inline]
     pub fn at(&self, distance: Real) -> Vector {
         self.origin + self.direction * distance
     }
 }
 
-/// What every kind of shape can tell.
+/// The functions that each kind of shape implements: hit, normal and curvature.
 pub trait Shape {
-    /// The distance to the nearest point ahead and before `reach`, where there is one.
+    /// Returns the distance to the nearest hit, if it is above 0 and below `reach`.
     fn meet(&self, ray: &Ray, reach: Real) -> Option<Real>;
 
-    /// The unit normal at a point of the surface: outwards, or the plane's own.
+    /// Returns the unit normal at a point of the surface: outwards on a sphere or cylinder, the
+    /// described normal on a plane or disc.
     fn normal(&self, at: Vector) -> Vector;
 
-    /// One over its radius; 0 of what is flat.
+    /// Returns the curvature: 1 / radius of a sphere or cylinder, 0 of a flat shape.
     fn curvature(&self) -> Real;
 }
 
-/// A sphere.
+/// A sphere, prepared for tracing.
 #[derive(Clone, Copy, Debug)]
 pub struct Sphere {
-    /// Its centre.
+    /// Centre of the sphere, in scene units.
     pub center: Vector,
-    /// Its radius.
+    /// Radius of the sphere, in scene units.
     pub radius: Real,
-    /// Its place in the list of materials.
+    /// Index of the shape's material in the scene's list.
     pub material: usize,
 }
 
-/// An infinite plane, seen from both sides.
+/// An infinite plane that is visible from both sides, prepared for tracing.
 #[derive(Clone, Copy, Debug)]
 pub struct Plane {
-    /// Any point in it.
+    /// Any point of the plane, in scene units.
     pub point: Vector,
-    /// Unit length.
+    /// Unit normal of the plane.
     pub normal: Vector,
-    /// Its place in the list of materials.
+    /// Index of the shape's material in the scene's list.
     pub material: usize,
 }
 
-/// A tube without caps, seen from outside and inside.
+/// A cylinder without caps that is visible from outside and inside, prepared for tracing.
 #[derive(Clone, Copy, Debug)]
 pub struct Cylinder {
-    /// The middle of its axis.
+    /// Middle of the cylinder's axis, in scene units.
     pub center: Vector,
-    /// Unit length.
+    /// Unit direction of the cylinder's axis.
     pub axis: Vector,
-    /// Its radius.
+    /// Radius of the cylinder, in scene units.
     pub radius: Real,
-    /// Half of its length along the axis.
+    /// Half of the cylinder's length along the axis, in scene units.
     pub half_height: Real,
-    /// Its place in the list of materials.
+    /// Index of the shape's material in the scene's list.
     pub material: usize,
 }
 
-/// A flat disc, seen from both sides.
+/// A flat disc that is visible from both sides, prepared for tracing.
 #[derive(Clone, Copy, Debug)]
 pub struct Disc {
-    /// Its middle.
+    /// Centre of the disc, in scene units.
     pub center: Vector,
-    /// Unit length.
+    /// Unit normal of the disc.
     pub normal: Vector,
-    /// Its radius.
+    /// Radius of the disc, in scene units.
     pub radius: Real,
-    /// Its place in the list of materials.
+    /// Index of the shape's material in the scene's list.
     pub material: usize,
 }
 
@@ -136,7 +138,9 @@ impl Shape for Plane {
 }
 
 impl Shape for Cylinder {
-    /// As a sphere, in the plane across the axis, where the ray is slower.
+    /// Returns the distance to the nearest hit on the open cylinder, as for a sphere but in the plane
+    /// perpendicular to the axis. There the direction's length (`speed_squared` is its square) is below
+    /// one.
     #[inline(always)]
     fn meet(&self, ray: &Ray, reach: Real) -> Option<Real> {
         let from_center = ray.origin - self.center;
@@ -158,7 +162,7 @@ impl Shape for Cylinder {
         }
         let root = square_root(discriminant);
         for way in [middle - root, middle + root] {
-            // It is zero for a ray along the axis, whose speed is zero, too.
+            // For a ray along the axis both `way` and `speed_squared` are zero, so it has no hit.
             if way > 0.0 {
                 let distance = way / speed_squared;
                 if distance >= reach {

@@ -1,10 +1,10 @@
-//! Three numbers that add and scale: points, directions and linear colours; it knows no shape.
+//! The vector of three numbers: a point, a direction or a linear colour. This file knows no shapes.
 
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 use super::{Real, square_root};
 
-/// A point, a direction or a linear colour.
+/// A vector of three numbers: a point, a direction, or a linear colour.
 ///
 /// ```
 /// use reflet::host::reference::Vector;
@@ -19,16 +19,16 @@ use super::{Real, square_root};
 pub struct Vector(pub [Real; 3]);
 
 impl Vector {
-    /// The origin, or black.
+    /// The zero vector: the origin, or black.
     pub const ZERO: Self = Self([0.0; 3]);
 
-    /// The grey with this value in all components.
+    /// Returns the vector with `value` in all three components: a grey.
     #[inline]
     pub fn grey(value: Real) -> Self {
         Self([value; 3])
     }
 
-    /// The scalar product.
+    /// Returns the scalar product of two vectors.
     ///
     /// ```
     /// # use reflet::host::reference::Vector;
@@ -40,7 +40,7 @@ impl Vector {
         a * x + b * y + c * z
     }
 
-    /// The vector product, which is right-handed.
+    /// Returns the vector product of two vectors; it is right-handed.
     ///
     /// ```
     /// # use reflet::host::reference::Vector;
@@ -53,26 +53,26 @@ impl Vector {
         Self([b * z - c * y, c * x - a * z, a * y - b * x])
     }
 
-    /// The Euclidean length; zero or infinite where the sum of the squares is.
+    /// Returns the Euclidean length. It is zero or infinite if the sum of the squares is.
     #[inline]
     pub fn length(self) -> Real {
         square_root(self.dot(self))
     }
 
-    /// The same direction with length one; not a number for the zero vector.
+    /// Returns the vector scaled to length one. The components are not numbers for the zero vector.
     #[inline]
     pub fn unit(self) -> Self {
         self * (1.0 / self.length())
     }
 
-    /// Component by component, as light is filtered by a colour.
+    /// Returns the product component by component, as a surface's colour filters light.
     #[inline]
     pub fn filtered(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([a * x, b * y, c * z])
     }
 
-    /// The part at right angles to the unit vector `axis`.
+    /// Returns the part of the vector that is perpendicular to the unit vector `axis`.
     ///
     /// ```
     /// # use reflet::host::reference::Vector;
@@ -84,7 +84,8 @@ impl Vector {
         self - axis * self.dot(axis)
     }
 
-    /// A direction away from a surface, turned to the other side of its unit normal.
+    /// Returns the direction mirrored about the unit normal of a surface. Both directions point away
+    /// from the surface.
     ///
     /// ```
     /// # use reflet::host::reference::Vector;
@@ -142,9 +143,9 @@ impl Neg for Vector {
     }
 }
 
-/// A linear colour as bytes: each channel clamped to 0 to 1, and round(255 c).
+/// Converts a linear colour to bytes: each channel c is clamped to 0 to 1 and becomes round(255 c).
 #[inline]
 pub fn quantised(color: Vector) -> [u8; 3] {
-    // `as` cuts off what is behind the point, and clamps.
+    // `as` cuts off the fraction and clamps to 0 to 255.
     color.0.map(|channel| (255.0 * channel + 0.5) as u8)
 }

@@ -1,35 +1,35 @@
-//! From a pixel to the ray through its centre; it knows no scene.
+//! The camera of the model: computes the ray through the centre of a pixel. This file knows no scene.
 
 use super::{Ray, Real, Vector, tangent};
 
-/// Where a picture is taken from.
+/// A camera as described: position, target, up and field of view.
 #[derive(Clone, Copy, Debug)]
 pub struct Camera {
-    /// Where it stands.
+    /// Position of the camera, in scene units.
     pub position: Vector,
-    /// What it looks at: the middle of the picture.
+    /// Point that the camera looks at, in scene units. It is in the middle of the picture.
     pub target: Vector,
-    /// What is up; only its direction across the view matters.
+    /// Direction that is up in the picture. Only its part perpendicular to the view direction matters.
     pub up: Vector,
     /// Full horizontal field of view in degrees.
     pub fov: Real,
 }
 
-/// A camera made ready for pictures of one size.
+/// A camera prepared for pictures of one size.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     position: Vector,
     forward: Vector,
-    /// From the middle of the picture to its right edge, at distance one.
+    /// Vector from the middle of the picture to its right edge, on the image plane at distance one.
     right: Vector,
-    /// From the middle of the picture to its upper edge, at distance one.
+    /// Vector from the middle of the picture to its upper edge, on the image plane at distance one.
     up: Vector,
-    /// The middle of the picture, in pixels from its top left corner.
+    /// Middle of the picture, in pixels from its top left corner.
     middle: [Real; 2],
 }
 
 impl View {
-    /// Makes a camera ready for pictures of this width and height.
+    /// Prepares a camera for pictures of this width and height, in pixels.
     pub fn new(camera: &Camera, (width, height): (u32, u32)) -> Self {
         let (width, height) = (width as Real, height as Real);
         let forward = (camera.target - camera.position).unit();
@@ -45,13 +45,13 @@ impl View {
         }
     }
 
-    /// The ray through the centre of a pixel; row 0 is on top.
+    /// Returns the ray through the centre of the pixel in column `x` and row `y`. Row 0 is on top.
     #[inline]
     pub fn ray(&self, x: u32, y: u32) -> Ray {
         self.ray_through(x as Real + 0.5, y as Real + 0.5)
     }
 
-    /// The ray through a point of the picture, in pixels from its top left corner.
+    /// Returns the ray through a point of the picture, given in pixels from its top left corner.
     #[inline]
     pub fn ray_through(&self, x: Real, y: Real) -> Ray {
         let across = x / self.middle[0] - 1.0;
@@ -63,7 +63,7 @@ impl View {
         }
     }
 
-    /// How far apart the directions of neighbouring pixels are at most, in radians.
+    /// Returns the largest angle between the rays of neighbouring pixels, in radians.
     pub fn pixel_angle(&self) -> Real {
         self.right.length() / self.middle[0]
     }

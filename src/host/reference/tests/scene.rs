@@ -17,7 +17,8 @@ fn material(mirror: f64) -> Material {
     }
 }
 
-/// Along y: a sphere from 4 to 6, a plane at 9, a tube's walls at 12 and 14; α numbers them.
+/// Returns a scene with shapes along the y axis: a sphere from 4 to 6, a plane at 9, and the walls of a
+/// tube at 12 and 14. Each shape has another α, by which tests know it.
 fn row() -> Scene {
     Scene {
         spheres: vec![Sphere {

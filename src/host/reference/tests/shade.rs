@@ -18,7 +18,8 @@ const MATERIAL: Material = Material {
     mirror: 0.0,
 };
 
-/// The light of [`MATERIAL`] in z = 0, seen from 30 degrees to the left of its normal.
+/// Returns the light that a plane z = 0 of [`MATERIAL`] sends to a viewer 30 degrees to the left of its
+/// normal.
 fn lit_by(lights: &[[f64; 3]], screens: &[f64], epsilon: f64, shading: Shading) -> f64 {
     lit_on(MATERIAL, lights, screens, epsilon, shading)
 }
@@ -59,7 +60,7 @@ fn lit_on(
         is_inside: false,
     };
     let Vector([red, green, blue]) = scene.own_color(&surface, shading);
-    // The material and the lights are coloured so that one number tells all.
+    // The material and the lights have such colours that one number determines all channels.
     assert_eq!(green, 0.25 * 0.125);
     let light = red / 0.5 - 0.125;
     assert!(
@@ -69,7 +70,7 @@ fn lit_on(
     light
 }
 
-/// Where a light stands 100 away at an angle in degrees to the right of the normal.
+/// Returns the position of a light at distance 100, at this angle in degrees to the right of the normal.
 fn at_angle(degrees: f64) -> [f64; 3] {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     [100.0 * sine, 0.0, 100.0 * cosine]
@@ -104,7 +105,7 @@ fn phong_falls_by_the_angle_and_blinn_phong_by_half_of_it() {
 
 #[test]
 fn highlight_never_takes_light_away() {
-    // From the viewer's own side the mirrored light goes away at 100 degrees.
+    // The light is on the viewer's side, so the mirrored light is 100 degrees from the viewer.
     let diffuse = 0.5 * 70.0_f64.to_radians().cos();
     assert_near(lit_by(&[at_angle(-70.0)], &[], 1e-15, Phong), diffuse);
 }
@@ -117,7 +118,7 @@ fn highlight_without_shininess_is_where_the_mirrored_light_comes_to_the_viewer()
     };
     let diffuse = 0.5 * 70.0_f64.to_radians().cos();
     let all = diffuse + 0.25;
-    // From the viewer's own side the mirrored light goes away at 100 degrees.
+    // The light is on the viewer's side, so the mirrored light is 100 degrees from the viewer.
     for (degrees, phong, blinn_phong) in
         [(70.0, all, all), (-70.0, diffuse, all), (110.0, 0.0, 0.0)]
     {

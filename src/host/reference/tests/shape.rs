@@ -135,7 +135,7 @@ fn cylinder_ends_at_half_its_height_and_the_rim_belongs_to_it() {
 
 #[test]
 fn ray_over_the_rim_meets_the_far_wall_inside() {
-    // At y = -2 it is 3.5 high, above the rim; at y = 2 it is 1.5 high.
+    // The ray is 3.5 high at y = -2, above the rim, and 1.5 high at y = 2.
     let distance = meet(&TUBE, [0.0, -4.0, 4.5], [0.0, 2.0, -1.0]).unwrap();
     assert!((distance - 45.0_f64.sqrt()).abs() < 1e-14, "{distance}");
 }
@@ -191,7 +191,7 @@ fn tilted_cylinder_is_met_as_the_upright_one() {
         axis: Vector([1.0, 1.0, 1.0]).unit(),
         ..TUBE
     };
-    // At right angles to the axis through the centre, from 5 away.
+    // The ray goes through the centre, perpendicular to the axis, and starts at distance 5.
     let side = Vector([1.0, -1.0, 0.0]).unit();
     let origin = side * 5.0;
     let distance = meet(&tilted, origin.0, (-side).0).unwrap();
@@ -232,7 +232,7 @@ fn every_hit_of_a_sweep_lies_on_its_surface_and_nothing_lies_before_it() {
             normal: axis,
             ..LID
         };
-        // What is zero on the surface and, to first order, the distance from it.
+        // Functions that are zero on the surface and to first order the distance from it.
         let off_ball = |at: Vector| (at - center).length() - ball.radius;
         let off_floor = |at: Vector| axis.dot(at - center);
         let off_tube = |at: Vector| axis.cross(at - center).length() - tube.radius;
@@ -253,7 +253,7 @@ fn every_hit_of_a_sweep_lies_on_its_surface_and_nothing_lies_before_it() {
             } else if kind == 3 {
                 assert!((at - center).length() <= lid.radius + 1e-11);
             } else {
-                // Off the surface on one side all the way: a sphere and a plane have no holes.
+                // All points before the hit are on one side, because a sphere and a plane have no holes.
                 let sides = (1..50).map(|step| off(ray.at(distance * f64::from(step) / 50.0)));
                 let above = sides.filter(|side| *side > 0.0).count();
                 assert!(above == 0 || above == 49, "{kind} {ray:?}");

@@ -30,7 +30,7 @@ fn plane(height: f64, material: usize) -> Plane {
     }
 }
 
-/// A room inside a sphere that glows and mirrors.
+/// Returns a room inside a sphere that has ambient light and mirrors by `mirror`.
 fn room(mirror: f64) -> Scene {
     Scene {
         spheres: vec![Sphere {
@@ -47,7 +47,7 @@ fn seen(scene: &Scene, ray: Ray, reflections: u32, shading: Shading) -> Vector {
     color(&Prepared::new(scene).scene(), ray, reflections, shading)
 }
 
-/// From the given height straight down.
+/// Returns a ray that starts at this height on the z axis and goes straight down.
 fn down(height: f64) -> Ray {
     Ray {
         origin: Vector([0.0, 0.0, height]),
@@ -90,7 +90,7 @@ fn hundred_thousand_reflections_need_no_stack() {
 
 #[test]
 fn ray_stops_at_the_first_surface_that_mirrors_nothing() {
-    // Four thousand million reflections would not end in time.
+    // A path of 2³² - 1 reflections would not end in time.
     let expected = Vector([0.75, 0.5, 2.0]);
     assert_eq!(
         seen(&room(0.0), down(3.0), u32::MAX, Shading::Phong),
@@ -142,8 +142,8 @@ fn two_parallel_mirrors_alternate() {
     }
 }
 
-/// A ray straight up and down meets two mirrors in turn. `trace` goes back from its end by the
-/// recursion, `bound` goes along it with a running weight.
+/// A vertical ray hits two mirrors in turn. `trace` evaluates the recursion from the path's end, `bound`
+/// adds colours from its start with a running weight.
 #[test]
 fn recursion_and_running_weight_agree_between_two_mirrors() {
     let camera = Camera {
@@ -177,7 +177,8 @@ fn recursion_and_running_weight_agree_between_two_mirrors() {
             let stage = paths.path(0, 0).ended(reflections, 0.0);
             let sum = Vector(stage.color);
             assert!((sum - recursive(reflections as u32)).length() < 1e-9);
-            // The rest is what is seen along the next ray: up after the floor, down after the ceiling.
+            // The remainder is the colour along the next ray: up after the floor, down after the
+            // ceiling.
             let next = match reflections % 2 {
                 0 => Ray {
                     direction: Vector([0.0, 0.0, 1.0]),
@@ -207,8 +208,8 @@ fn reflected_ray_starts_epsilon_above_its_surface() {
 
 #[test]
 fn mirrors_show_shaded_surfaces_lit_from_their_own_side() {
-    // Seen in the mirror, the ceiling is lit by the lamp between the two; 0.5 is its diffuse
-    // light straight below, and the mirror below has no colour of its own.
+    // The mirror below shows the ceiling, lit by the lamp between the two. The ceiling's diffuse light
+    // is 0.5 straight above the lamp, and the mirror has no colour of its own.
     let ceiling = Material {
         ambient: 0.0,
         diffuse: 0.5,

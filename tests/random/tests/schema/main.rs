@@ -7,7 +7,7 @@ use std::{env, fs, iter};
 
 use arbitrary::Unstructured;
 use jsonschema::Validator;
-use reflet::CameraError;
+use reflet::Error;
 use reflet::host::file::{FileError, Problem, SceneFile};
 use serde_json::{Map, Value, json};
 

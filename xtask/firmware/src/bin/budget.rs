@@ -15,14 +15,14 @@ use embedded_graphics::primitives::Rectangle;
 use firmware::{Clock, report};
 use frame_hash::FrameHash;
 use reflet::scenes::{BuiltIn, Castle};
-use reflet::{Budgeted, Front, FrontPoint, Grade, StaticFrame};
+use reflet::budget::{Budgeted, FrontPoint, ParetoFront, QualityLevel};
 
 /// What was measured, and the size it was measured at.
 mod measured {
     // Only the castle is drawn.
     #![allow(dead_code)]
 
-    use reflet::{Front, FrontPoint, Grade};
+    use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
 
     include!("../../../../docs/error-time/front.rs");
 

@@ -7,7 +7,8 @@ use embedded_graphics::primitives::{PointsIter, Rectangle};
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::host::file::{FileScene, SceneFile};
 use reflet::host::reference::{self, Shading};
-use reflet::{Camera, Fine};
+use reflet::Camera;
+use reflet::quality::Fine;
 
 use super::draft::Setting;
 use super::{Case, claim};

@@ -6,7 +6,9 @@ use reflet::host;
 use reflet::host::compare::compare;
 use reflet::host::file::SceneFile;
 use reflet::host::reference::{self, Shading, render};
-use reflet::{Exact, Fine, Frame, Quality, World};
+use reflet::FrameBuilder;
+use reflet::__private::Drawable;
+use reflet::quality::{Exact, Fine, Quality};
 
 use super::{Case, Measured, Trial};
 

@@ -1,6 +1,6 @@
 //! Range: the largest and the smallest numbers that are taken, and what is refused beyond.
 
-use reflet::{Camera, CameraError, Fault, Material, MaterialId, RuntimeScene, SceneError};
+use reflet::{room, Camera, Error, ErrorKind, Material, MaterialId, RuntimeScene};
 
 use super::draft::Draft;
 use super::{Case, claim, picture};

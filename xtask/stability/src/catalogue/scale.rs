@@ -3,7 +3,8 @@
 use float_picture::single;
 use reflet::host::file::SceneFile;
 use reflet::host::reference;
-use reflet::{Exact, Material, RuntimeScene, SceneError};
+use reflet::{room, Error, Material, RuntimeScene};
+use reflet::quality::Exact;
 
 use super::draft::{Draft, Setting, lit_by, still_life};
 use super::judge::{SIDE, painted};

@@ -4,7 +4,7 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
 use reflet::host::file::SceneFile;
-use reflet::{Exact, Fast, Fine};
+use reflet::quality::{Exact, Fast, Fine};
 
 use super::symmetry::{SIDE, drawn};
 use stability::catalogue::draft::{Draft, Setting, still_life};

@@ -4,7 +4,7 @@
 use reflet::host::compare::{Difference, compare};
 use reflet::host::file::SceneFile;
 use reflet::host::reference::{Picture, Vector};
-use reflet::{Exact, Fast, Quality};
+use reflet::quality::{Exact, Fast, Quality};
 use serde_json::{Value, json};
 
 use stability::catalogue::draft::{Draft, Setting, lit_by, still_life};
