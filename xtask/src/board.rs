@@ -76,7 +76,7 @@ impl Board {
         Ok(&self.line)
     }
 
-    /// Captures the display. Each of its pixels is four pixels of the image.
+    /// Captures the display. Each of its pixels is a square of 4 x 4 pixels in the image.
     pub fn screen(&mut self) -> Result<RgbImage, Failure> {
         self.running.screen()
     }
