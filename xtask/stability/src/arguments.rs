@@ -1,4 +1,4 @@
-//! The command line; it never opens a file.
+//! Parses the command line of `stability`. Never opens a file.
 
 use std::path::PathBuf;
 
@@ -31,7 +31,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// What the command line says, or the line that says what is wrong with it.
+    /// Parses the command line. An error is one line.
     pub fn read() -> Result<Self, Failure> {
         parse()
     }
