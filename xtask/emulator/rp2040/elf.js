@@ -34,7 +34,7 @@ export class Elf {
     return this.symbols.find(holds)?.name ?? `0x${address.toString(16)}`;
   }
 
-  /** Returns the offsets of a table's headers. The arguments are offsets of fields in the file header. */
+  /** Returns the offsets of a table's headers. The arguments are offsets in the file header. */
   #headers(offsetAt, sizeAt) {
     const start = this.bytes.readUInt32LE(offsetAt);
     const size = this.bytes.readUInt16LE(sizeAt);

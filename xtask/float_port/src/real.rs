@@ -3,7 +3,7 @@
 /// Number type of all computations.
 pub type Real = f32;
 
-/// Whether the discriminant is the reference's careful one. It is the textbook's: that takes fewer
+/// Whether shapes use the reference's careful formulas. No: those of the textbook take fewer
 /// instructions, and a slower competitor would flatter the library.
 pub const IS_CAREFUL: bool = false;
 

@@ -53,7 +53,7 @@ impl Calls {
         self.open.push((way, back));
     }
 
-    /// Records a tail call: a jump at `site` to a function that returns to its caller's caller.
+    /// Records a tail call: a jump at `site` to a function that returns in place of the one that jumped.
     pub fn replace(&mut self, site: u32, callee: u32) {
         let way = self.take(site, callee);
         match self.open.last_mut() {

@@ -141,7 +141,7 @@ impl Figures {
         let outcome = outcome(task)?;
         let (reflections, quality) = (task.settings.reflections, task.settings.quality);
         let left_out = needs(task.scene.name(), reflections).list();
-        // The quality `Small` tests every shape, so it never has the tables of "sets".
+        // The quality `Small` tests every shape, so it has no code for candidate sets.
         let is_out = |name| quality == Quality::SMALL && name == "sets";
         let left_out = left_out
             .iter()
