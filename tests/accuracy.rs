@@ -1,4 +1,5 @@
-//! How far fixed point is from double precision, on every built-in scene and in a telephoto view.
+//! Tests how close fixed point is to double precision, on every built-in scene and in a telephoto
+//! view.
 
 use std::fmt::Display;
 
@@ -14,7 +15,7 @@ use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
 const SIDE: u32 = 320;
 const REFLECTIONS: u8 = 4;
 
-/// What a picture must reach.
+/// Smallest shares of equal pixels and smallest PSNR that a picture must reach.
 struct Bar {
     name: &'static str,
     same: f64,
@@ -29,7 +30,7 @@ const FAST: Bar = Bar {
     psnr: 46.0,
 };
 
-/// As good as single precision, or better.
+/// Bar of the quality `Fine`: as good as single precision, or better.
 const FINE: Bar = Bar {
     name: "fine",
     same: 0.998,
@@ -37,13 +38,13 @@ const FINE: Bar = Bar {
     psnr: 55.0,
 };
 
-/// At least as near as the fast one.
+/// Bar of the quality `Small`: that of `Fast`.
 const SMALL: Bar = Bar {
     name: "small",
     ..FAST
 };
 
-/// At least as near as the fine one.
+/// Bar of the quality `Exact`: that of `Fine`.
 const EXACT: Bar = Bar {
     name: "exact",
     ..FINE
@@ -57,7 +58,7 @@ const NORMALS: Bar = Bar {
 };
 
 impl Bar {
-    /// Prints a line of the table, and what is wrong where the bar is missed.
+    /// Prints a line of the table, and returns this line if the bar is missed.
     fn missed(&self, name: impl Display, found: &Difference) -> Option<String> {
         let Difference {
             same,
@@ -76,7 +77,8 @@ impl Bar {
     }
 }
 
-/// Paints a scene in one shading and compares it with the reference; returns what is too far off.
+/// Draws a scene in one shading and compares it with the reference. Returns a line for each missed
+/// bar.
 struct Check<K> {
     shading: reference::Shading,
     kind: std::marker::PhantomData<K>,
@@ -157,8 +159,8 @@ const WATER: Material = Material::new([0.6, 0.8, 1.0])
     .mirror(0.5);
 const CHALK: Material = Material::new([0.9, 0.9, 0.8]).ambient(0.2).diffuse(0.8);
 
-/// A few shapes on a floor, from 90 units away and hardly above the horizon: single precision is
-/// down to 30 decibels here.
+/// A few shapes on a floor, from 90 units away and just above the horizon. Single precision only
+/// reaches 30 decibels here.
 const TELEPHOTO: SceneBuilder<room!(spheres: 4, planes: 1, cylinders: 1, lights: 2)> = SceneBuilder::new()
     .sphere([-1.0, 0.0, 0.6], 0.6, GOLD)
     .sphere([0.6, -0.4, 0.4], 0.4, WATER)
@@ -185,7 +187,7 @@ const DULL: Material = Material::new([0.2; 3])
 const ABOVE_THE_FLOOR: Camera =
     Camera::look_at([0.0, -3.0, 2.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(60.0);
 
-/// A floor that mirrors less than 1/256, under a ball 28.8 times as bright as white.
+/// A floor that mirrors less than 1/256 of the light, under a ball 28.8 times as bright as white.
 const LAMPLIGHT: SceneBuilder<room!(spheres: 1, planes: 1)> = SceneBuilder::new()
     .sphere([0.0, 3.0, 2.0], 2.5, LAMP)
     .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], DULL)

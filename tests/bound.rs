@@ -1,5 +1,5 @@
-//! What a picture is off by stays within what is promised, but where rounding decides otherwise what
-//! is met; and a room of mirrors converges as the formula says.
+//! Tests that the error of a picture stays within its bound, except where rounding changes what a
+//! path hits; and that a room of mirrors converges as the formula says.
 
 use embedded_graphics::prelude::Size;
 use reflet::host::painted;
@@ -13,10 +13,10 @@ use reflet::shading::{BlinnPhong, Phong, Shading};
 
 const SIDE: u32 = 96;
 
-/// As many as any path of the scenes takes before nothing is left of it.
+/// Number of reflections after which nothing is left of any path of the scenes.
 const ALL: usize = 300;
 
-/// Follows no weights below an eighth.
+/// A quality that stops paths whose weight is below an eighth.
 struct Short;
 
 impl Quality for Short {
@@ -29,7 +29,7 @@ fn ending<Q: Quality>(reflections: u8, is_plane: bool) -> Ending {
     Ending {
         reflections: reflections.into(),
         smallest_weight: Q::SMALLEST_WEIGHT.to_num(),
-        // A scene of planes has a stride of 4 in every quality but 1.
+        // In a scene of planes only, every stride except 1 becomes 4.
         stride: match is_plane {
             true if Q::STRIDE > 1 => 4,
             _ => Q::STRIDE,
@@ -38,17 +38,17 @@ fn ending<Q: Quality>(reflections: u8, is_plane: bool) -> Ending {
     }
 }
 
-/// How a picture stands to what was promised of it.
+/// Comparison of a picture with its bounds.
 #[derive(Debug, Default)]
 struct Held {
     pixels: usize,
-    /// Of which something is promised.
+    /// Number of sure pixels, for which a bound is promised.
     sure: usize,
-    /// Of these, how many are further off.
+    /// Number of sure pixels that exceed their bound.
     broken: usize,
-    /// The others that are further off: decided otherwise.
+    /// Number of unsure pixels that exceed their bound: rounding changed what their paths hit.
     decided: usize,
-    /// The largest bound, and the largest error, of the pixels of which something is promised.
+    /// Largest bound of the sure pixels, in 255ths. `worst` is their largest error.
     most: f64,
     worst: f64,
 }
@@ -64,7 +64,7 @@ fn held(paths: &Paths, ending: &Ending, found: &Picture) -> Held {
             (f64::from(found[axis]) - exact).abs()
         });
         let apart = apart.fold(0.0, f64::max);
-        // One of the two is not rounded to 8 bits.
+        // Only one of the two is rounded to 8 bits.
         let most = 255.0 * bound.share() + 0.5;
         held.pixels += 1;
         let is_further = apart > most;
@@ -102,7 +102,8 @@ impl Visitor for Check {
                     let held = held(&paths, &ending, &picture);
                     let line = format!("{:<18} {shading:?} {name} {reflections} {held:?}", S::NAME);
                     println!("{line}");
-                    // A third of the pixels may lie at an edge, and few of them are wrong.
+                    // Up to two thirds of the pixels may be unsure because of edges, but few of them
+                    // are wrong.
                     let is_well = held.broken == 0
                         && 3 * held.sure >= held.pixels
                         && 100 * held.decided <= held.pixels;
@@ -153,7 +154,8 @@ fn no_pixel_of_a_scene_is_further_off_than_its_bound() {
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
 }
 
-/// A room that mirrors itself and glows: every path meets the same α and the same colour for ever.
+/// Returns a closed room that mirrors and glows: every hit of a path has the same α and the same
+/// colour.
 fn room(alpha: f64, is_round: bool) -> RuntimeScene<room!(spheres: 1, planes: 6, lights: 1, materials: 1)> {
     let mut room = RuntimeScene::new();
     let glass = Material::from_numbers(COLOR, 1, 0, (0, 1), alpha).unwrap();

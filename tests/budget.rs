@@ -1,5 +1,5 @@
-//! A frame with a budget: what is chosen, where it stops, what it says of it; a display with larger
-//! pixels; a picture without shadows; and the bound that a report gives.
+//! Tests frames with a budget: the chosen settings, where drawing stops, and the report. Also tests
+//! enlarged pixels, pictures without shadows, and the bound of a report.
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
@@ -40,7 +40,7 @@ const SIZE: Size = Size::new(30, 21);
 
 const PREPARE: u32 = 777;
 
-/// What was measured of the built-in scenes.
+/// Measured Pareto fronts of the built-in scenes.
 mod measured {
     use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
 
@@ -60,7 +60,7 @@ fn dearest_point_that_fits_is_chosen() {
     }
     let choice = FRONT.choose(SIZE, prepare + 40 * pixels - 1);
     assert_eq!((choice.point, choice.fits), (FRONT.points()[0], false));
-    // The smaller a display is, the more of a frame is preparation.
+    // On a small display, the preparation is a larger part of a frame.
     let choice = FRONT.choose(Size::new(1, 1), prepare + 150);
     assert_eq!(choice.point, FRONT.points()[1]);
     assert_eq!(choice.point.expected(SIZE), prepare + 150 * pixels);
@@ -163,13 +163,14 @@ fn every_pixel_of_a_display_with_larger_ones_is_a_square_inside_of_it() {
     }
 }
 
-/// A built-in scene and its camera, as the reference takes them.
+/// Returns a built-in scene and its camera in the reference's types.
 fn described<S: BuiltIn>() -> (reference::Scene, reference::Camera) {
     let scene = S::with_description(|scene| (&scene).into());
     (scene, (&S::CAMERA).into())
 }
 
-/// The scene with only the shape of this number, spheres first, then planes, then cylinders.
+/// Returns the scene with only one shape. Shapes are numbered: first spheres, then planes, then
+/// cylinders.
 fn lone(scene: &reference::Scene, shape: usize) -> reference::Scene {
     fn only<T: Copy>(all: &[T], at: Option<usize>) -> Vec<T> {
         at.and_then(|at| all.get(at)).copied().into_iter().collect()
@@ -184,7 +185,8 @@ fn lone(scene: &reference::Scene, shape: usize) -> reference::Scene {
     }
 }
 
-/// The scene with shapes that glow: in red the number of the shape, and what is met by nothing black.
+/// Returns the scene with glowing shapes: the red channel is the shape's number plus one. The
+/// background is black.
 fn numbered(scene: &reference::Scene) -> reference::Scene {
     let mut numbered = reference::Scene {
         lights: Vec::new(),
@@ -216,11 +218,11 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
     struct Lit;
 
     impl Visitor for Lit {
-        /// How many pixels are brighter without shadows.
+        /// Number of pixels that are brighter without shadows.
         type Output = usize;
 
         fn visit<S: BuiltIn>(self) -> usize {
-            // Without reflections a pixel is one surface.
+            // Without reflections a pixel shows one surface only.
             let frame = || S::frame(&S::CAMERA).reflections(0).quality::<Fine>();
             let size = Size::new(48, 48);
             let pictures = [
@@ -242,20 +244,20 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
             let met = render(&numbered(&scene), reference::Shading::BlinnPhong);
             let shapes = scene.spheres.len() + scene.planes.len() + scene.cylinders.len();
             let compared = pictures.iter().map(|(shading, shadowed, lit)| {
-                // One more than there are: nothing but the background.
+                // One more than there are shapes: the last scene has only the background.
                 let alone = (0..=shapes).map(|shape| render(&lone(&scene, shape), *shading));
                 let alone: Vec<_> = alone.collect();
                 let apart = |at: usize| {
                     let shape = usize::from(met[at][0]).checked_sub(1).unwrap_or(shapes);
                     let (found, expected) = (lit.pixels[at], alone[shape][at]);
-                    // An open tube throws a shadow on its own inside, even alone.
+                    // An open tube casts a shadow on its own inside, even alone.
                     let is_tube = shape < shapes && shape >= shapes - scene.cylinders.len();
                     (0..3).any(|i| match is_tube {
                         true => found[i].saturating_add(1) < expected[i],
                         false => found[i].abs_diff(expected[i]) > 1,
                     })
                 };
-                // Of all but rims.
+                // At most one pixel in 200 differs, at rims.
                 let different = (0..met.len()).filter(|at| apart(*at)).count();
                 assert!(200 * different <= met.len(), "{}: {different}", S::NAME);
                 let pixels = shadowed.pixels.iter().zip(&lit.pixels);
@@ -314,7 +316,7 @@ fn cut_off_bound_holds_and_shrinks_with_each_reflection() {
     }
 }
 
-/// The scenes in the order of [`NAMES`].
+/// Measured fronts of the scenes, in the order of [`NAMES`].
 const MEASURED: [Front; 11] = [
     measured::CASTLE,
     measured::SHADING_LIGHTS,
@@ -355,7 +357,7 @@ fn error_is_the_one_that_was_promised() {
                 };
                 let (found, name) = (compare(&picture, &truth).unwrap(), S::NAME);
                 assert_eq!(found.max, point.largest, "{name}: {point:?}");
-                // Rounded down to a hundredth.
+                // The promised PSNR is rounded down to a hundredth.
                 let more = found.psnr - f64::from(point.psnr) / 100.0;
                 let is_promised = match point.psnr {
                     u16::MAX => found.psnr == f64::INFINITY,

@@ -1,6 +1,6 @@
-//! The double-precision reference paints what the scenes' own authors painted.
+//! Compares pictures of the double-precision reference with those that the scenes' authors rendered.
 //!
-//! Their pictures are looked for where `REFLET_COURSE` points, else beside the repository.
+//! The authors' pictures are in the folder `REFLET_COURSE`, or else next to the repository.
 
 use std::{
     env, fs,
@@ -21,10 +21,10 @@ fn columns_are_the_authors_picture() {
     assert_agrees("columns", 0, 0.995);
 }
 
-/// Fails where fewer than this share of pixels are within 1 of 255 of the authors' picture.
+/// Fails if fewer than this share of the pixels are within 1 of 255 of the authors' picture.
 ///
-/// Shares stay below 1 because the authors' rays leave surfaces by rules of their own, which shows
-/// at the edges of shadows and mirrors.
+/// The shares are below 1 because the authors lift rays off surfaces by other rules, which shows at
+/// the edges of shadows and mirrors.
 fn assert_agrees(name: &str, reflections: u32, bar: f64) {
     let course = env::var_os("REFLET_COURSE").map_or_else(
         || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/course"),

@@ -1,4 +1,5 @@
-//! Discs in pictures: beside double precision, edge-on, and where they close a cylinder.
+//! Tests discs in pictures: compared with double precision, seen edge-on, and where they close a
+//! cylinder.
 
 use embedded_graphics::prelude::Size;
 use reflet::host::compare::compare;
@@ -30,7 +31,8 @@ fn materials(scene: &mut Scenery) -> [MaterialId; 4] {
     .map(|material| scene.add_material(material).unwrap())
 }
 
-/// A leaning cylinder with a disc at each end, before a round mirror, under a lamp with a shade.
+/// Returns a leaning cylinder with a disc at each end, in front of a round mirror, under a lamp with
+/// a shade.
 fn lids() -> (Scenery, Camera) {
     let mut scene = Scenery::new();
     let [red, gold, chalk, mirror] = materials(&mut scene);
@@ -60,7 +62,8 @@ fn lids() -> (Scenery, Camera) {
     (scene, camera)
 }
 
-/// Discs level with the eye, some of them mirrors, one that touches a ball, one upright.
+/// Returns discs at the height of the eye: some of them mirrors, one that touches a ball, one
+/// upright.
 fn edges() -> (Scenery, Camera) {
     let mut scene = Scenery::new();
     let [red, gold, _, mirror] = materials(&mut scene);
@@ -85,7 +88,8 @@ fn picture<Q: Quality, K: Shading, W: World + Copy>(frame: Frame<'_, W>, side: u
     painted(&frame.sized(Size::new(side, side)))
 }
 
-/// The least shares of pixels with the same value and within 1, and signal to noise.
+/// Checks the shares of pixels that are equal or within 1 of the reference, and the PSNR, in every
+/// quality.
 fn assert_near<K: Shading>((scene, camera): (Scenery, Camera), shading: reference::Shading) {
     let truth = {
         let (scene, camera) = ((&scene.description()).into(), (&camera).into());
@@ -149,7 +153,7 @@ fn no_pixel_of_a_disc_is_further_off_than_its_bound() {
             let truth = paths.path(x, y).ended(ALL, 0.0).color;
             let truth = truth.map(|channel| 255.0 * channel.clamp(0.0, 1.0));
             let apart = (0..3).map(|axis| (f64::from(found[axis]) - truth[axis]).abs());
-            // One of the two is not rounded to 8 bits.
+            // Only one of the two is rounded to 8 bits.
             let is_further = apart.fold(0.0, f64::max) > 255.0 * bound.share() + 0.5;
             assert!(
                 bound.is_unsure || !is_further,
@@ -164,7 +168,8 @@ fn no_pixel_of_a_disc_is_further_off_than_its_bound() {
     }
 }
 
-/// A closed cylinder that does not shine, around a ball that does: where there is a gap it is seen.
+/// Returns a closed black cylinder around a glowing ball. The ball's light is visible only through a
+/// gap.
 fn lantern(axis: [f64; 3]) -> Scenery {
     let mut scene = Scenery::new();
     let dark = Material::new([0.0; 3]).ambient(0.0).diffuse(0.0);
@@ -205,7 +210,7 @@ fn no_gap_shows_between_a_cylinder_and_the_discs_that_close_it() {
             [-300.0, -400.0, 150.0],
         ] {
             let far: f64 = eye.iter().map(|it: &f64| it * it).sum::<f64>().sqrt();
-            // The whole, and a piece of the upper rim a hundred times as large.
+            // The whole cylinder, and a part of the upper rim enlarged a hundred times.
             let [x, y, z] = axis;
             for (target, size) in [([0.0; 3], 3.0), ([x, y - 0.9, z], 0.03)] {
                 let fov = 2.0 * (size / far).atan().to_degrees();

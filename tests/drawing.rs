@@ -1,5 +1,5 @@
-//! How a picture gets into a display: every pixel once, inside, in order; whole, in part, in
-//! pieces, and not a row further once the display has failed.
+//! Tests how a picture is drawn on a display: every pixel once, inside, in order; whole, in part and
+//! in pieces; and no row after the display has failed.
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
@@ -15,10 +15,10 @@ use reflet::scenes::{BuiltIn, Mirror1, Primitives};
 use reflet::{room, Material, Number, Report, Rows, RuntimeScene};
 use reflet::quality::{Exact, Fast, Quality};
 
-/// A display that remembers what it is told, in order, and fails at the call it is told to.
+/// A display that records its calls in order, and fails at the call `fails_at`.
 struct Recorder<C> {
     bounds: Rectangle,
-    /// The area and the colours of every call.
+    /// Area and colours of every call.
     calls: Vec<(Rectangle, Vec<C>)>,
     fails_at: usize,
 }
@@ -35,7 +35,7 @@ impl<C: PixelColor> Recorder<C> {
         }
     }
 
-    /// All pixels in the order they came.
+    /// Returns all drawn pixels in their order.
     fn pixels(&self) -> Vec<(Point, C)> {
         let calls = self.calls.iter();
         let pixels = calls.flat_map(|(area, colors)| area.points().zip(colors.iter().copied()));
@@ -76,12 +76,12 @@ fn recorder(width: u32, height: u32) -> Recorder<Rgb888> {
     Recorder::new(Point::zero(), Size::new(width, height))
 }
 
-/// A picture of a scene with mirrors and shadows.
+/// Returns a picture of a scene with mirrors and shadows.
 fn picture(width: u32, height: u32) -> Mirrors<Fast> {
     Mirror1::frame(&Mirror1::CAMERA).sized(Size::new(width, height))
 }
 
-/// The same, with every pixel traced.
+/// Returns a picture of a scene with mirrors and shadows, with every pixel traced.
 fn exact_picture(width: u32, height: u32) -> Mirrors<Exact> {
     let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Exact>();
     frame.sized(Size::new(width, height))
@@ -93,7 +93,7 @@ fn row<C: PixelColor + From<Rgb888>>(picture: &Mirrors<impl Quality>, y: u32) ->
     pixels
 }
 
-/// Every pixel of a picture by the row API.
+/// Returns all rows of a picture, from `Picture::row`.
 fn rows<C: PixelColor + From<Rgb888>>(picture: &Mirrors<impl Quality>) -> Vec<Vec<C>> {
     Vec::from_iter((0..picture.size().height).map(|y| row(picture, y)))
 }
@@ -113,7 +113,8 @@ fn every_pixel_is_drawn_once_and_inside_in_one_call_a_row() {
     }
 }
 
-/// Draws on embedded-graphics' own mock, which fails on a pixel outside or drawn twice.
+/// Draws on embedded-graphics' own mock display, which fails on a pixel that is outside or drawn
+/// twice.
 fn assert_mock_display_shows<C>()
 where
     C: PixelColor + ColorMapping + From<Rgb888> + std::fmt::Debug,
@@ -157,7 +158,7 @@ fn error_of_the_display_comes_back_at_once() {
     }
 }
 
-/// A display that gives up in the middle of its second row.
+/// A display that fails in the middle of its second row.
 struct Torn {
     taken: usize,
 }
@@ -286,7 +287,7 @@ fn rows_make_the_same_picture_as_draw() {
 #[test]
 fn rows_may_be_filled_in_any_order_and_in_pieces() {
     assert_pieces_make_rows(&picture(30, 11));
-    // No ray is followed twice where every pixel is traced.
+    // If every pixel is traced, pieces trace no ray twice.
     let picture = exact_picture(30, 11);
     for (y, report) in assert_pieces_make_rows(&picture) {
         let mut pixels = [Rgb888::BLACK; 30];
@@ -294,8 +295,8 @@ fn rows_may_be_filled_in_any_order_and_in_pieces() {
     }
 }
 
-/// Every row but one comes after one below it; every row in pieces of another length, from the last
-/// one to the first. Returns the pieces' reports together.
+/// Draws the rows in mixed order, and each row in pieces of another length, from the last piece to
+/// the first. Returns the merged report of each row's pieces.
 fn assert_pieces_make_rows(picture: &Mirrors<impl Quality>) -> Vec<(u32, Report)> {
     let whole = rows::<Rgb888>(picture);
     let row = |step: usize| {

@@ -1,4 +1,4 @@
-//! What stands far from the shapes: lights and cameras beyond the near region.
+//! Tests lights and cameras that are far from the shapes, beyond the near region.
 
 use embedded_graphics::prelude::Size;
 use reflet::host::compare::compare;
@@ -9,7 +9,7 @@ use reflet::quality::Fine;
 
 type Room = RuntimeScene<room!(spheres: 1, planes: 2, lights: 1, materials: 1)>;
 
-/// The picture in fixed point, which must be within 1 of the reference everywhere.
+/// Returns the picture in fixed point. Checks that it is within 1 of the reference in every pixel.
 fn exact(scene: &Room, camera: &Camera) -> Picture {
     let built = scene.build().unwrap();
     let picture = painted(

@@ -1,4 +1,5 @@
-//! micromath's numbers and vectors are taken where a camera or a scene is made at run time.
+//! Tests that micromath's numbers and vectors are accepted when a camera or a scene is made at run
+//! time.
 #![cfg(feature = "micromath")]
 
 use embedded_graphics::prelude::Size;

@@ -1,5 +1,5 @@
-//! The README says what the project does: its example is the example, its tables are the library's, and
-//! their figures are the measured ones.
+//! Tests the README: its example is the real one, its tables are the library's, and their figures
+//! are the measured ones.
 
 use std::fs;
 
@@ -21,7 +21,7 @@ fn the_readmes_example_is_the_example() {
     assert_eq!(block, read("examples/harbour.rs"));
 }
 
-/// The table of a text that has these columns; lines of documentation without their beginning.
+/// Returns the table with these columns in a text. Removes the `//!` of documentation lines.
 fn table(text: &str, columns: &str) -> Vec<String> {
     let lines = text.lines().map(|line| line.trim_start_matches("//! "));
     let rows = lines.skip_while(|line| *line != columns);
@@ -93,7 +93,7 @@ fn the_readmes_limits_of_scene_files_are_the_librarys() {
     assert!(readme.contains(&size), "{size}");
 }
 
-/// The number that a line of a text has after its beginning.
+/// Returns the number that follows `beginning` in the first line that starts with it.
 fn number_after<'a>(text: &'a str, beginning: &str) -> &'a str {
     let rest = text
         .lines()

@@ -1,5 +1,5 @@
-//! A scene has no size and no place of its own: scaled by a power of two, or moved by numbers that
-//! the format holds, it gives the same picture to the bit.
+//! Tests that a scene has no size and position of its own: scaled by a power of two, or moved by
+//! numbers that the format holds, it gives the same picture to the bit.
 
 use embedded_graphics::prelude::Size;
 use reflet::host::painted;
@@ -7,7 +7,7 @@ use reflet::host::reference::{Picture, Vector};
 use reflet::{room, Camera, Material, RuntimeScene};
 use reflet::quality::Fine;
 
-/// Where a scene is put and how large it is made, and whether its camera is far away.
+/// Scale (a power of two) and offset of the scene, and the distance of its camera.
 #[derive(Clone, Copy, Debug)]
 struct Setting {
     power: i32,
@@ -32,8 +32,8 @@ impl Setting {
             .map(|it| self.length(it))
     }
 
-    /// Mirrors, shadows, and a light and a floor that go on for ever; every number is a fraction
-    /// of 64.
+    /// Draws a scene with mirrors, shadows, a far light and an infinite floor. Every coordinate is a
+    /// multiple of 1/64.
     fn picture(self) -> Picture {
         let mut scene = RuntimeScene::<room!(spheres: 3, planes: 2, cylinders: 2, lights: 2, materials: 3)>::new();
         let mut add = |color: [f64; 3], mirror: f64| {

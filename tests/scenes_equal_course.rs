@@ -1,6 +1,6 @@
-//! The built-in scenes hold exactly the figures their authors wrote.
+//! Tests that the built-in scenes have exactly the numbers that their authors wrote.
 //!
-//! The authors' file is looked for where `REFLET_COURSE` points, else beside the repository.
+//! The authors' file is in the folder `REFLET_COURSE`, or else next to the repository.
 
 use std::{env, fs, path::PathBuf};
 
@@ -33,7 +33,7 @@ fn every_built_in_scene_has_the_figures_of_its_source() {
     }
 }
 
-/// A built-in scene in the form of the file, with each shape's material written out.
+/// Converts a built-in scene to the form of the file, with each shape's material written out.
 struct Describe;
 
 impl Visitor for Describe {
@@ -88,7 +88,7 @@ fn triple(position: Position) -> [f64; 3] {
     position.0.map(Number::to_f64)
 }
 
-/// A scene of the file with each shape's material written out and every number an `f64`.
+/// Returns a scene of the file with each shape's material written out and every number as an `f64`.
 fn resolved(source: &Value) -> Value {
     let mut scene = source.clone();
     for kind in ["spheres", "planes", "cylinders"] {
@@ -116,7 +116,7 @@ fn with_floats(value: Value) -> Value {
     }
 }
 
-/// Every place where two values differ.
+/// Returns a line for each place where two values differ.
 fn differences(place: &str, built_in: &Value, source: &Value) -> Vec<String> {
     match (built_in, source) {
         (Value::Array(ours), Value::Array(theirs)) if ours.len() == theirs.len() => {

@@ -1,4 +1,4 @@
-//! `docs/theory.md` names a test for each of its statements, and only tests that exist.
+//! Tests that `docs/theory.md` names a test for each of its statements, and only tests that exist.
 
 use std::fs;
 
@@ -7,13 +7,13 @@ fn read(path: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
-/// The file and the function of each mark `path/to/file.rs::function` in a text.
+/// Returns the file and the function of each reference `path/to/file.rs::function` in a text.
 fn marks(text: &str) -> Vec<(&str, &str)> {
     let quoted = text.split('`').skip(1).step_by(2);
     quoted.filter_map(|it| it.split_once(".rs::")).collect()
 }
 
-/// Whether a source has a test of this name.
+/// Tests whether a source has a test of this name.
 fn has_test(source: &str, name: &str) -> bool {
     let lines: Vec<&str> = source.lines().map(str::trim).collect();
     let head = format!("fn {name}() {{");

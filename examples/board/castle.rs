@@ -1,4 +1,5 @@
-//! The castle alone on the same OLED: what the other scenes need is not in this firmware.
+//! Shows only the castle on the same OLED. So the code that other scenes need is not in this
+//! firmware.
 //!
 //! `cargo run --profile firmware --example board_castle --target thumbv7m-none-eabi` boots it in QEMU.
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -12,7 +13,7 @@ fn main() -> ! {
     firmware::run(|viewer| viewer.follow::<reflet::scenes::Castle>())
 }
 
-/// Where there is no board, it says what is meant.
+/// Says how to run the firmware, if the program is started on a computer.
 #[cfg(not(target_os = "none"))]
 fn main() {
     eprintln!(

@@ -1,4 +1,5 @@
-//! Every built-in scene on an OLED: the firmware of the default board, an LM3S6965 (Cortex-M3).
+//! Shows every built-in scene on an OLED: the firmware of the default board, an LM3S6965
+//! (Cortex-M3).
 //!
 //! `cargo run --profile firmware --example board --target thumbv7m-none-eabi` boots it in QEMU.
 #![cfg_attr(target_os = "none", no_std, no_main)]
@@ -19,7 +20,7 @@ fn main() -> ! {
     })
 }
 
-/// Where there is no board, it says what is meant.
+/// Says how to run the firmware, if the program is started on a computer.
 #[cfg(not(target_os = "none"))]
 fn main() {
     eprintln!(

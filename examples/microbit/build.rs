@@ -1,5 +1,5 @@
-//! Gives the linker this folder's memory map and the start-up code's script: without a script it
-//! links an empty firmware, and says nothing.
+//! Gives the linker this folder's memory map and the script of the start-up code. Without a script
+//! the linker would make an empty firmware, without any message.
 
 fn main() {
     let folder = std::env::var("CARGO_MANIFEST_DIR").expect("cargo sets it");

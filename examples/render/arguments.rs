@@ -1,4 +1,4 @@
-//! The command line; it never opens a file.
+//! Parses the command line of `render`. Never opens a file.
 
 use std::path::PathBuf;
 
@@ -85,20 +85,20 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// What the command line says, or the line that says what is wrong with it.
+    /// Parses the command line. An error is one line.
     ///
-    /// Prints the help and ends the program where that is what was asked for.
+    /// If the command line asks for help, prints the help and exits.
     pub fn read() -> Result<Self, Failure> {
         parse()
     }
 
-    /// Whether a picture goes to standard output. All messages go to standard error then.
+    /// Tests whether a picture goes to standard output. Then all messages go to standard error.
     pub fn picture_is_printed(&self) -> bool {
         let mut paths = [&self.out, &self.raw].into_iter().flatten();
         paths.any(|path| is_standard_output(path))
     }
 
-    /// How the picture is drawn.
+    /// Returns how the picture is drawn.
     pub fn settings(&self) -> Settings {
         let Self {
             reflections,

@@ -1,4 +1,4 @@
-//! The picture as a display of few levels would show it.
+//! Dithers a picture as a display with few levels would show it.
 
 use clap::ValueEnum;
 use embedded_graphics::Pixel;
@@ -8,7 +8,7 @@ use embedded_graphics::prelude::{Drawable, PointsIter};
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::display::Ditherable;
 
-/// The colours of a display.
+/// Colour formats of the displays that a picture can be dithered for.
 #[derive(Clone, Copy, ValueEnum)]
 pub enum Levels {
     Rgb565,
@@ -18,7 +18,7 @@ pub enum Levels {
 }
 
 impl Levels {
-    /// Leaves only these in the picture.
+    /// Replaces the picture by its dithered version, which has only the levels of this format.
     pub fn dither(self, display: &mut SimulatorDisplay<Rgb888>) {
         match self {
             Self::Rgb565 => dither_to::<Rgb565>(display),
@@ -29,7 +29,7 @@ impl Levels {
     }
 }
 
-/// The dots that `reflet::Dithered` would show: they depend on colour and place alone.
+/// Dithers a picture like `reflet::Dithered`. A dot depends only on its colour and its position.
 fn dither_to<C: Ditherable + Into<Rgb888>>(display: &mut SimulatorDisplay<Rgb888>) {
     for at in display.bounding_box().points() {
         let dot: C = reflet::dither(display.get_pixel(at), at);

@@ -1,4 +1,4 @@
-//! The same calls as on a board: a frame, its settings, rows into a display.
+//! Draws with the same calls as on a board: a frame, its settings, rows into a display.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -15,7 +15,7 @@ use reflet::shading::{BlinnPhong, Normals, Phong};
 use command_line::{Kind, Source};
 use command_line::{Quality, Shading};
 
-/// How a picture is drawn.
+/// Settings of a picture: reflections, shading and quality.
 #[derive(Clone, Copy)]
 pub struct Settings {
     pub reflections: u8,
@@ -23,7 +23,7 @@ pub struct Settings {
     pub quality: Quality,
 }
 
-/// A display that is drawn over as a whole, with a count of its rows.
+/// Draws a whole picture into a display and counts the drawn rows.
 pub struct Draw<'a> {
     pub camera: &'a Camera,
     pub settings: Settings,

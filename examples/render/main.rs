@@ -1,4 +1,5 @@
-//! Renders a built-in scene or a scene file into the simulator's display, and says how exact it is.
+//! Renders a built-in scene or a scene file into the simulator's display, and prints how exact the
+//! picture is.
 //!
 //! `cargo run --release --example render -- --help`
 
@@ -26,7 +27,7 @@ fn main() -> ExitCode {
     match Arguments::read().and_then(|arguments| run(&arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            // Nothing is left to be done if even this cannot be said.
+            // If standard error cannot be written either, nothing is left to do.
             let _ = writeln!(io::stderr(), "error: {}", one_line(&failure.to_string()));
             ExitCode::from(2)
         }

@@ -1,4 +1,4 @@
-//! What a scene needs of the library, in words.
+//! Describes in words what a scene needs of the library.
 
 use reflet::scenes::{BuiltIn, Visitor};
 use reflet::needs::{Need, Needs};
@@ -7,7 +7,7 @@ use serde_json::json;
 use crate::draw::Settings;
 use command_line::{Kind, Quality, Source, json_line, one_line};
 
-/// What a scene needs.
+/// Returns what a scene needs.
 pub fn of(source: &Source) -> Needs {
     match &source.kind {
         Kind::BuiltIn => source.visit(Derive),
@@ -25,7 +25,7 @@ impl Visitor for Derive {
     }
 }
 
-/// A line of words for each thing: what it is, whether it is in the firmware, and why.
+/// Returns one line of text for each need: its name, whether the firmware has it, and why.
 pub fn text(scene: &str, needs: Needs, settings: Settings) -> String {
     let lines = lines(needs, settings).into_iter().map(|(need, why)| {
         let place = if need.is_needed { "in" } else { "left out" };
@@ -35,7 +35,7 @@ pub fn text(scene: &str, needs: Needs, settings: Settings) -> String {
     format!("{scene}, quality {quality}:{}", lines.collect::<String>())
 }
 
-/// One line of JSON.
+/// Returns the needs as one line of JSON.
 pub fn json(scene: &str, needs: Needs, settings: Settings) -> String {
     let needs = lines(needs, settings)
         .into_iter()
@@ -45,7 +45,7 @@ pub fn json(scene: &str, needs: Needs, settings: Settings) -> String {
     json_line(&json!({ "scene": scene, "quality": quality, "needs": needs }).to_string())
 }
 
-/// Each need of a scene drawn so, and why it is one.
+/// Returns each need of a scene that is drawn with these settings, and why the scene has it.
 fn lines(needs: Needs, settings: Settings) -> Vec<(Need, String)> {
     let allowed = Needs::ALL.with_reflections(settings.reflections);
     let is_small = matches!(settings.quality, Quality::Small);

@@ -1,4 +1,4 @@
-//! Where the picture and what is known about it go; it never renders.
+//! Writes the picture and the text about it. Never renders.
 
 use std::io::{self, Cursor, Write};
 use std::path::PathBuf;
@@ -12,7 +12,7 @@ use crate::arguments::Arguments;
 use crate::picture::Drawing;
 use crate::report;
 
-/// What is asked for, its paths checked.
+/// The outputs that the command line asks for. Their paths have been checked.
 pub struct Outputs<'a> {
     arguments: &'a Arguments,
     scene: &'a str,
@@ -21,7 +21,8 @@ pub struct Outputs<'a> {
 }
 
 impl<'a> Outputs<'a> {
-    /// What the command line asks for; a picture in the current folder if it asks for nothing.
+    /// Checks the paths of the outputs. If the command line asks for nothing, the picture goes to
+    /// the current folder.
     pub fn new(arguments: &'a Arguments, scene: &'a str) -> Result<Self, Failure> {
         let Arguments {
             out,
@@ -49,7 +50,7 @@ impl<'a> Outputs<'a> {
         })
     }
 
-    /// Whether there is anything to write or to print.
+    /// Tests whether there is anything to write or to print.
     pub fn are_wanted(&self) -> bool {
         let Arguments { check, json, .. } = *self.arguments;
         self.png.is_some() || self.raw.is_some() || check || json
@@ -80,8 +81,8 @@ impl<'a> Outputs<'a> {
     }
 }
 
-/// `NAME.png` in the current folder. A name cannot lead to another folder, and an empty one is
-/// `scene`.
+/// Returns the path `NAME.png` in the current folder. Characters of the name that could lead to
+/// another folder are replaced, and an empty name becomes `scene`.
 fn picture_of(scene: &str) -> PathBuf {
     let safe = |letter: char| match letter.is_alphanumeric() || "-_ ".contains(letter) {
         true => letter,
@@ -101,11 +102,11 @@ fn png(display: &SimulatorDisplay<Rgb888>) -> Result<Vec<u8>, Failure> {
     Ok(bytes.into_inner())
 }
 
-/// Prints and ends the line, on standard error where standard output carries a picture; that
-/// nobody reads any more is no error.
+/// Prints a line: on standard error if standard output carries a picture, else on standard output. A
+/// closed pipe is no error.
 pub fn print(arguments: &Arguments, text: &str) -> Result<(), Failure> {
     if arguments.picture_is_printed() {
-        // As with any message: nothing is left to be done if it cannot be said.
+        // If a message cannot be printed, nothing is left to do.
         let _ = writeln!(io::stderr(), "{text}");
         return Ok(());
     }

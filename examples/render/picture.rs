@@ -1,4 +1,4 @@
-//! A picture of a scene: in fixed point, in double precision, or both compared.
+//! Renders a picture of a scene: in fixed point, in double precision, or both to compare them.
 
 use std::time::Instant;
 
@@ -20,15 +20,15 @@ use command_line::Source;
 /// A picture and what is known about it.
 pub struct Drawing {
     pub display: SimulatorDisplay<Rgb888>,
-    /// How long the picture alone took.
+    /// Time for the picture alone, in seconds.
     pub seconds: f64,
-    /// What fixed point reports, if it was rendered.
+    /// Report of the fixed-point renderer, if it rendered.
     pub report: Option<Report>,
-    /// How far fixed point is from the reference, if both were rendered.
+    /// Difference of fixed point from the reference, if both rendered.
     pub difference: Option<Difference>,
 }
 
-/// The library's camera for the reference's.
+/// Converts the reference's camera to the library's.
 pub fn exact(camera: &reference::Camera) -> Result<Camera, CameraError> {
     Camera::new(camera.position, camera.target, camera.up, camera.fov)
 }
@@ -67,7 +67,7 @@ impl Drawing {
         Ok(drawing)
     }
 
-    /// Renders in fixed point through any camera.
+    /// Renders in fixed point with any camera.
     pub fn in_fixed_point(
         source: &Source,
         camera: &reference::Camera,
@@ -94,7 +94,7 @@ impl Drawing {
         })
     }
 
-    /// The same in the levels of a display, if any are named.
+    /// Dithers the picture for a display, if `levels` is given.
     pub fn dithered(mut self, levels: Option<Levels>) -> Self {
         if let Some(levels) = levels {
             levels.dither(&mut self.display);
@@ -103,9 +103,9 @@ impl Drawing {
     }
 }
 
-/// Refuses a size that there is no memory for, rather than have the program killed.
+/// Refuses a size for which there is not enough memory. Otherwise the system would kill the program.
 fn afford(size: Size) -> Result<(), Failure> {
-    // The display, its PNG twice, and the reference, at three bytes a pixel each.
+    // The display, its PNG twice, and the reference take three bytes a pixel each.
     let bytes = 4 * 3 * u64::from(size.width) * u64::from(size.height);
     let fits = |bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok();
     match usize::try_from(bytes).is_ok_and(fits) {

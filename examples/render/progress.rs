@@ -1,4 +1,4 @@
-//! A bar for what takes longer than a second; it never knows what is waited for.
+//! Shows a progress bar for work that takes longer than a second. Does not know the work.
 
 use std::panic;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -10,8 +10,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 const PATIENCE: Duration = Duration::from_secs(1);
 const GLANCE: Duration = Duration::from_millis(10);
 
-/// What `work` returns. `work` counts what it has done of `total`, where that is known, and a bar
-/// shows it on a terminal once a second is over.
+/// Runs `work` and returns its result. `work` counts its progress towards `total`, if that is known.
+/// After one second a bar on the terminal shows it.
 pub fn watch<T: Send>(total: Option<u64>, work: impl FnOnce(&AtomicU64) -> T + Send) -> T {
     let done = AtomicU64::new(0);
     thread::scope(|scope| {
@@ -35,7 +35,7 @@ pub fn watch<T: Send>(total: Option<u64>, work: impl FnOnce(&AtomicU64) -> T + S
     })
 }
 
-/// Standard error is where it is drawn, and nowhere if that is no terminal.
+/// Returns the progress bar. It is drawn on standard error, and not at all if that is no terminal.
 fn bar(total: Option<u64>) -> ProgressBar {
     let (bar, template) = match total {
         Some(total) => (

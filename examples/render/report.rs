@@ -1,4 +1,4 @@
-//! What is known about a picture, for people and for programs; it never prints.
+//! Formats the results of a picture for people and for programs. Never prints.
 
 use command_line::{json_line, one_line};
 use embedded_graphics::geometry::Size;
@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::draw::Settings;
 use crate::picture::Drawing;
 
-/// One line of JSON.
+/// Returns one line of JSON.
 pub fn json(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> String {
     let mut fields = vec![
         ("scene", scene.into()),
@@ -30,7 +30,7 @@ pub fn json(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> S
             ("same", same.into()),
             ("within1", within1.into()),
             ("within8", within8.into()),
-            // Infinity, which JSON does not have, becomes null.
+            // PSNR is null if it is infinite, because JSON has no infinity.
             ("psnr", Value::from(psnr)),
             ("max", max.into()),
         ]);
@@ -41,7 +41,7 @@ pub fn json(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> S
     json_line(&format!("{{{}}}", fields.collect::<Vec<_>>().join(",")))
 }
 
-/// A line or two of words.
+/// Returns one line of text, or two if the picture was compared with the reference.
 pub fn text(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> String {
     let (
         Settings {

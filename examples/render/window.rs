@@ -1,4 +1,4 @@
-//! The simulator's window and its keys; it draws as everything else does.
+//! Shows the scene in the simulator's window and reacts to its keys.
 
 use std::panic::{self, AssertUnwindSafe};
 use std::thread;
@@ -16,12 +16,12 @@ use crate::{output, report};
 use command_line::Failure;
 use command_line::Source;
 
-/// One press of an arrow key, in degrees.
+/// Degrees by which one press of an arrow key turns the camera.
 const STEP: i32 = 5;
 
 const REST: Duration = Duration::from_millis(10);
 
-/// Shows the scene until the window is left.
+/// Shows the scene until the window is closed.
 pub fn show(source: Source, arguments: &Arguments) -> Result<(), Failure> {
     let mut view = View::new(source, arguments);
     let mut drawing = view.draw()?;
@@ -45,7 +45,7 @@ pub fn show(source: Source, arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// Small pictures are enlarged by a whole factor.
+/// Opens the window. Small pictures are enlarged by a whole factor.
 fn open(arguments: &Arguments, drawing: &Drawing) -> Result<Window, Failure> {
     let longer = arguments.size.width.max(arguments.size.height);
     let settings = OutputSettingsBuilder::new()
@@ -56,7 +56,7 @@ fn open(arguments: &Arguments, drawing: &Drawing) -> Result<Window, Failure> {
         window.update(&drawing.display);
         window
     };
-    // The simulator knows no errors: without a screen it panics.
+    // The simulator returns no errors: without a screen it panics.
     let loud = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
     let opened = panic::catch_unwind(AssertUnwindSafe(first_update));
@@ -69,7 +69,7 @@ fn open(arguments: &Arguments, drawing: &Drawing) -> Result<Window, Failure> {
     })
 }
 
-/// What an event changes, the more the greater.
+/// What an event changed. Larger values mean a larger change.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum News {
     Nothing,

@@ -1,4 +1,4 @@
-//! What `--dither` leaves of a picture.
+//! Tests the option `--dither`.
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,4 +1,4 @@
-//! The render example as its users call it: what it writes, what it prints, what it refuses.
+//! Tests the render example as its users call it: the files it writes, its output, and its errors.
 
 mod dithering;
 mod output;
@@ -13,7 +13,7 @@ use program::{Folder, Outcome};
 use reflet::scenes;
 use serde_json::{Value, json};
 
-/// The built-in scene `floor` as a file.
+/// Returns the built-in scene `floor` as a scene file.
 fn floor() -> Value {
     json!({
         "name": "floor",
@@ -26,21 +26,21 @@ fn floor() -> Value {
     })
 }
 
-/// The same file with a change.
+/// Returns the scene file `floor` with a change.
 fn changed(change: impl FnOnce(&mut Value)) -> String {
     let mut scene = floor();
     change(&mut scene);
     scene.to_string()
 }
 
-/// A call that succeeds, and what it prints.
+/// Runs a call that must succeed, and returns its output.
 fn printed(folder: &Folder, arguments: &str) -> String {
     let outcome = folder.render(arguments);
     assert_eq!((outcome.code, &*outcome.stderr), (0, ""), "{arguments}");
     outcome.stdout
 }
 
-/// A call that fails as it should, and the line it says.
+/// Runs a call that must fail with one line on standard error, and returns this line.
 fn refused(folder: &Folder, arguments: &str) -> String {
     let outcome = folder.render(arguments);
     let (code, stdout, stderr) = (outcome.code, outcome.stdout, outcome.stderr);
@@ -51,7 +51,7 @@ fn refused(folder: &Folder, arguments: &str) -> String {
     words.expect("it is an error").to_owned()
 }
 
-/// A call and words, which a case separates by an arrow.
+/// Splits a test case at its arrow into the call and the expected words.
 fn call_and_words(case: &str) -> (&str, &str) {
     case.split_once(" => ").expect("there is an arrow")
 }
@@ -67,7 +67,7 @@ fn keys(object: &Value) -> BTreeSet<&str> {
     fields.keys().map(String::as_str).collect()
 }
 
-/// Width, height and RGB8 of a PNG file.
+/// Returns width, height and RGB8 bytes of a PNG file.
 fn png(path: &Path) -> (u32, u32, Vec<u8>) {
     let image = ImageReader::open(path).unwrap().decode().unwrap();
     (image.width(), image.height(), image.to_rgb8().into_raw())
@@ -392,7 +392,7 @@ fn window_shows_the_picture() {
     let folder = Folder::new("window");
     printed(&folder, "floor --size 700x5 --out file.png");
     let dump = folder.path("window.png");
-    // The simulator writes its first picture and leaves.
+    // The simulator writes its first picture to a file and exits.
     let variables = [
         ("SDL_VIDEODRIVER", "dummy"),
         ("EG_SIMULATOR_DUMP", dump.to_str().unwrap()),

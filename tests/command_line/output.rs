@@ -1,4 +1,4 @@
-//! Where the picture and the words of the render example go.
+//! Tests where the picture and the messages of the render example go.
 
 use std::fs;
 #[cfg(unix)]
@@ -69,7 +69,8 @@ fn picture_on_standard_output_is_all_that_is_there() {
     assert_eq!((unread.code, lines), (0, 1), "{}", unread.stderr);
 }
 
-/// There is no memory for a picture of this size, which is the first thing that drawing asks for.
+/// Drawing would fail first for lack of memory at this size, so the path must have been refused
+/// before it.
 #[cfg(target_os = "linux")]
 #[test]
 fn path_that_cannot_be_written_is_refused_before_rendering() {
@@ -164,7 +165,7 @@ fn file_that_is_too_large_is_refused() {
     let words = "a scene file may have 16 MB at most";
     let line = refused(&folder, "more.json");
     assert_eq!(line, format!("more.json: {words}"));
-    // A device whose end nobody has seen.
+    // A device without an end.
     #[cfg(target_os = "linux")]
     assert_eq!(refused(&folder, "/dev/zero"), format!("/dev/zero: {words}"));
 }

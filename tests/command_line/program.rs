@@ -1,4 +1,4 @@
-//! The examples' binaries, built once, and folders to run them in.
+//! Builds the examples' programs once, and runs them in folders of their own.
 
 use std::collections::BTreeMap;
 use std::env;
@@ -9,14 +9,14 @@ use std::sync::Mutex;
 
 use serde_json::Value;
 
-/// What a call leaves behind.
+/// Result of a call: its exit code and its output.
 pub struct Outcome {
     pub code: i32,
     pub stdout: String,
     pub stderr: String,
 }
 
-/// A folder of its own for one test, empty at its start.
+/// A folder for one test, empty at its start.
 pub struct Folder(PathBuf);
 
 impl Folder {
@@ -35,7 +35,7 @@ impl Folder {
         self.0.join(name)
     }
 
-    /// The names of what is in it, sorted.
+    /// Returns the sorted names of the folder's files.
     pub fn files(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.0).expect("the folder can be read");
         let name = |entry: fs::DirEntry| entry.file_name().into_string().expect("plain names");
@@ -55,7 +55,7 @@ impl Folder {
         finish(self.command("render", arguments).stdout(Stdio::piped()))
     }
 
-    /// Runs the program with a standard output that nobody reads.
+    /// Runs the program with a standard output that has no reader.
     pub fn render_unread(&self, arguments: &str) -> Outcome {
         let (reader, writer) = std::io::pipe().expect("a pipe");
         drop(reader);
@@ -65,7 +65,8 @@ impl Folder {
         )
     }
 
-    /// Runs the program and returns its exit code, the bytes it prints and its words.
+    /// Runs the program. Returns its exit code, the bytes on standard output, and the text on
+    /// standard error.
     pub fn render_bytes(&self, arguments: &str) -> (i32, Vec<u8>, String) {
         let arguments: Vec<_> = arguments.split_whitespace().collect();
         let output = self.command("render", &arguments).output();
@@ -75,7 +76,7 @@ impl Folder {
         (code, output.stdout, words)
     }
 
-    /// Runs the program with less memory than the machine may have.
+    /// Runs the program with at most 4 GB of memory.
     #[cfg(target_os = "linux")]
     pub fn render_in_4_gigabytes(&self, arguments: &str) -> Outcome {
         let mut shell = Command::new("sh");
@@ -121,13 +122,14 @@ fn finish(command: &mut Command) -> Outcome {
     }
 }
 
-/// Set by whoever has just built all examples in the profile of the tests.
+/// Environment variable that says that all examples have just been built in the profile of the
+/// tests.
 const ARE_BUILT: &str = "EXAMPLES_ARE_BUILT";
 
-/// An example as the sources say it is now.
+/// Returns the path of an example's program, built from the current sources.
 ///
-/// Cargo tells a test nothing about examples, so it is asked: with the profile, the features and
-/// the folder of this test there is nothing to be built after a whole `cargo test`.
+/// Cargo does not give a test the path of an example, so this runs cargo. With the profile, the
+/// features and the folder of this test, nothing needs building after a whole `cargo test`.
 fn binary(example: &'static str) -> PathBuf {
     static BINARIES: Mutex<BTreeMap<&str, PathBuf>> = Mutex::new(BTreeMap::new());
     let mut binaries = BINARIES.lock().expect("no build has failed");
@@ -165,7 +167,7 @@ fn binary(example: &'static str) -> PathBuf {
     built.clone()
 }
 
-/// The path in one of Cargo's messages, if it is the one about the example.
+/// Returns the program's path from a message of Cargo, if the message is about this example.
 fn executable(example: &str, message: &str) -> Option<PathBuf> {
     let message: Value = serde_json::from_str(message).ok()?;
     let is_example = message["target"]["name"] == example;

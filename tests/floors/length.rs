@@ -1,20 +1,22 @@
-//! How long files and functions are, without their tests. It never knows which length is allowed.
+//! Measures the lengths of files and functions without their tests. Never knows which length is
+//! allowed.
 
 use std::{collections::BTreeSet, ops::RangeInclusive};
 
 use crate::source::{lines_of_code, tokens};
 
-/// What is counted of a file, without its tests.
+/// Lengths of a file and its functions, without its tests.
 pub struct Lengths {
-    /// Its lines.
+    /// Number of lines.
     pub lines: usize,
-    /// Those that are neither blank nor a comment.
+    /// Number of lines that are neither blank nor a comment.
     pub code: usize,
-    /// Its functions that have a body.
+    /// The functions that have a body.
     pub functions: Vec<Function>,
 }
 
-/// A function with its lines from `fn` to the last brace that are neither blank nor a comment.
+/// A function. `code` counts its lines from `fn` to the last brace that are neither blank nor a
+/// comment.
 pub struct Function {
     pub line: usize,
     pub name: String,
@@ -40,7 +42,7 @@ impl Lengths {
     }
 }
 
-/// The names of the modules that a file declares for tests alone, in files of their own.
+/// Returns the names of the test-only modules that a file declares without a body.
 pub fn test_modules(source: &str) -> Vec<String> {
     let tokens = tokens(source);
     let declared = declared_for_tests(&tokens).filter(|(_, _, opens)| !opens);
@@ -49,7 +51,7 @@ pub fn test_modules(source: &str) -> Vec<String> {
         .collect()
 }
 
-/// The lines of the modules that a file has for tests alone.
+/// Returns the line ranges of the test-only modules that are in the file itself.
 fn tests(tokens: &[(usize, &str)]) -> Vec<RangeInclusive<usize>> {
     let opened = declared_for_tests(tokens).filter(|(_, _, opens)| *opens);
     opened
@@ -57,7 +59,8 @@ fn tests(tokens: &[(usize, &str)]) -> Vec<RangeInclusive<usize>> {
         .collect()
 }
 
-/// Where `#[cfg(test)] mod name` starts, where the name is, and whether `{` follows.
+/// Finds each `#[cfg(test)] mod name`: the token at which it starts, the token of the name, and
+/// whether `{` follows.
 fn declared_for_tests(tokens: &[(usize, &str)]) -> impl Iterator<Item = (usize, usize, bool)> {
     const MARK: [&str; 7] = ["#", "[", "cfg", "(", "test", ")", "]"];
     let starts = (0..tokens.len()).filter(|start| {
@@ -74,7 +77,7 @@ fn declared_for_tests(tokens: &[(usize, &str)]) -> impl Iterator<Item = (usize, 
     })
 }
 
-/// The functions with a body; those inside another are counted with it, too.
+/// Returns the functions with a body. The lines of a nested function also count for the outer one.
 fn functions(tokens: &[(usize, &str)], code: &BTreeSet<usize>) -> Vec<Function> {
     let starts = (0..tokens.len()).filter(|at| tokens[*at].1 == "fn");
     starts
@@ -91,7 +94,7 @@ fn functions(tokens: &[(usize, &str)], code: &BTreeSet<usize>) -> Vec<Function> 
         .collect()
 }
 
-/// The brace that opens a function's body, unless it has none.
+/// Returns the token of the brace that opens a function's body, or `None` if it has none.
 fn opening(tokens: &[(usize, &str)], from: usize) -> Option<usize> {
     let mut depth = 0_usize;
     for (at, (_, token)) in tokens.iter().enumerate().skip(from) {
@@ -107,7 +110,7 @@ fn opening(tokens: &[(usize, &str)], from: usize) -> Option<usize> {
     None
 }
 
-/// The brace that closes what another opens.
+/// Returns the token of the brace that closes an opening brace.
 fn closing(tokens: &[(usize, &str)], opening: usize) -> usize {
     let mut depth = 0_usize;
     for (at, (_, token)) in tokens.iter().enumerate().skip(opening) {

@@ -1,5 +1,5 @@
-//! The house rules that a compiler does not know: a file names only its own floor and those below,
-//! a display is known on the top floor alone, and no file or function grows out of sight.
+//! Checks rules that the compiler does not check: a file names only its own floor and those below,
+//! only the top floor names embedded-graphics, and no file or function is too long.
 
 mod length;
 mod ratchet;
@@ -12,7 +12,7 @@ use std::{
 
 use source::{paths, tokens};
 
-/// The rooms of the stack and their floors. Rooms of one floor may know each other.
+/// The modules of the stack and their floors. Modules on the same floor may name each other.
 const FLOORS: [(&str, u8); 17] = [
     ("number", 0),
     ("fault", 0),
@@ -33,20 +33,20 @@ const FLOORS: [(&str, u8); 17] = [
     ("display", 8),
 ];
 
-/// The rooms beside the stack: they use it, and nothing in it knows them.
+/// Modules beside the stack: they use it, and no module of the stack names them.
 const BESIDE: [&str; 2] = ["host", "scenes"];
 
-/// The one room of the stack that draws.
+/// The only module of the stack that draws on a display.
 const DRAWS: &str = "display";
 
-/// The files that may wrap.
+/// The files that may use wrapping arithmetic.
 const WRAP: [&[&str]; 3] = [
     &["number", "narrow"],
     &["number", "product"],
     &["number", "sweep"],
 ];
 
-/// Where the whole crate is put together; it may name everything.
+/// The crate's root file, which may name every module.
 const ROOF: &str = "lib";
 
 #[test]
@@ -73,7 +73,7 @@ fn nothing_wraps_unseen() {
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
 }
 
-/// What one rule has against one file: line and words.
+/// What a file does against one rule: line numbers and messages.
 type Complaints = Vec<(usize, String)>;
 
 fn complaints_about_all(rule: impl Fn(&[String], &str) -> Complaints) -> Vec<String> {
@@ -86,7 +86,7 @@ fn complaints_about_all(rule: impl Fn(&[String], &str) -> Complaints) -> Vec<Str
 
 /// A source file of the library.
 struct File {
-    /// Its path below `src`.
+    /// Path of the file below `src`.
     name: String,
     module: Vec<String>,
     text: String,
@@ -120,7 +120,8 @@ fn files_below(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// `shape/sphere.rs` is `[shape, sphere]`, `shape/mod.rs` is `[shape]`.
+/// Returns the module path of a file: `[shape, sphere]` for `shape/sphere.rs`, `[shape]` for
+/// `shape/mod.rs`.
 fn module_of(file: &Path) -> Vec<String> {
     let whole = file.with_extension("");
     let mut names: Vec<String> = whole
@@ -169,7 +170,7 @@ fn displays_named(module: &[String], source: &str) -> Complaints {
         .collect()
 }
 
-/// Names of what wraps, before the tests of a file.
+/// Finds the names of wrapping functions, up to the tests of a file.
 fn wraps(module: &[String], source: &str) -> Complaints {
     let is_test = module.iter().any(|name| name == "tests");
     if is_test || WRAP.iter().any(|it| *it == module) || BESIDE.contains(&module[0].as_str()) {

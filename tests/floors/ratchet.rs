@@ -1,4 +1,4 @@
-//! How long a file, a function and the whole library may be.
+//! Limits the lengths of files, of functions, and of the whole library.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,16 +7,16 @@ use crate::{
     length::{Lengths, test_modules},
 };
 
-/// Lines of a file without its tests.
+/// Most lines of a file without its tests.
 const LONGEST_FILE: usize = 300;
 
-/// Lines of a file with its tests, and of a file of tests.
+/// Most lines of a file with its tests, or of a file of tests.
 const LONGEST_WITH_TESTS: usize = 500;
 
-/// Lines of code of a function.
+/// Most lines of code of a function.
 const LONGEST_FUNCTION: usize = 50;
 
-/// Lines of code of the library, tests apart.
+/// Most lines of code of the library without tests.
 const MOST_CODE: usize = 11_860;
 
 #[test]
@@ -64,7 +64,7 @@ fn library_has_no_more_code_than_it_had() {
     assert!(all <= MOST_CODE, "{all} lines of code, {MOST_CODE} at most");
 }
 
-/// The files that are not for tests alone, with what is counted of each.
+/// Returns the library's files that are not only for tests, with their lengths.
 fn library() -> Vec<(File, Lengths)> {
     let mut files = files();
     let tests: BTreeSet<_> = files.iter().flat_map(declared_for_tests).collect();
@@ -78,9 +78,9 @@ fn library() -> Vec<(File, Lengths)> {
         .collect()
 }
 
-/// The modules in files of their own that a file declares for tests alone.
+/// Returns the module paths of the test-only modules that a file declares in files of their own.
 fn declared_for_tests(file: &File) -> Vec<Vec<String>> {
-    // The roof's modules are no part of a room `lib`.
+    // Modules that `lib.rs` declares are at the top level, not inside a module `lib`.
     let parent = match file.name.as_str() {
         "lib.rs" => &[],
         _ => file.module.as_slice(),
@@ -89,7 +89,7 @@ fn declared_for_tests(file: &File) -> Vec<Vec<String>> {
     names.map(|name| [parent, &[name]].concat()).collect()
 }
 
-/// What is wrong with lengths of which each may be `longest`.
+/// Returns a message for each file or function that is longer than `longest`.
 fn complaints(found: impl Iterator<Item = (String, usize)>, longest: usize) -> Vec<String> {
     found
         .filter(|(_, lines)| *lines > longest)

@@ -1,9 +1,10 @@
-//! Reads Rust source just well enough to see which rooms it names: words, paths and trees of
-//! paths. It never knows which names are allowed.
+//! Reads Rust source just well enough to find the modules that it names: words, paths and trees of
+//! paths. Never knows which names are allowed.
 
 use std::collections::BTreeSet;
 
-/// The rooms a file names by paths that start with `crate`, `self` or `super`, with their lines.
+/// Returns the modules that a file names by paths that start with `crate`, `self` or `super`, with
+/// their lines.
 pub fn paths(module: &[String], source: &str) -> Vec<(usize, String)> {
     let tokens = tokens(source);
     let mut scope = Scope::new(module);
@@ -27,7 +28,7 @@ pub fn paths(module: &[String], source: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// Follows a path or a tree of them from its next name on; returns where it ends.
+/// Follows a path or a tree of paths from its next name. Returns the token after its end.
 fn follow(
     tokens: &[(usize, &str)],
     mut at: usize,
@@ -52,7 +53,7 @@ fn follow(
         }
         at += 1;
         if tokens.get(at).is_none_or(|next| next.1 != "::") {
-            // A path to the crate's root alone names no room.
+            // A path that ends at the crate's root names no module.
             found.extend(base.first().map(|room| (*line, room.clone())));
             if tokens.get(at).is_some_and(|next| next.1 == "as") {
                 at += 2;
@@ -64,7 +65,7 @@ fn follow(
     at
 }
 
-/// The module a token stands in, with those opened inside the file.
+/// The module that contains a token, including modules that are opened inside the file.
 struct Scope {
     module: Vec<String>,
     depth: usize,
@@ -80,7 +81,7 @@ impl Scope {
         }
     }
 
-    /// Takes in the last of the tokens passed so far.
+    /// Updates the module with the last of the tokens passed so far.
     fn pass(&mut self, passed: &[(usize, &str)]) {
         match passed {
             [.., (_, "mod"), (_, name), (_, "{")] => {
@@ -100,14 +101,15 @@ impl Scope {
     }
 }
 
-/// The words and marks of Rust source with their lines, without comments, texts and characters.
+/// Returns the words and symbols of Rust source with their lines, without comments, strings and
+/// characters.
 pub fn tokens(source: &str) -> Vec<(usize, &str)> {
     let mut pieces = pieces(source);
     pieces.retain(|(_, piece)| !is_comment(piece) && !is_text(piece));
     pieces
 }
 
-/// The lines that are neither blank nor a comment.
+/// Returns the lines that are neither blank nor a comment.
 pub fn lines_of_code(source: &str) -> BTreeSet<usize> {
     let code = pieces(source).into_iter();
     code.filter(|(_, piece)| !is_comment(piece))
@@ -115,7 +117,8 @@ pub fn lines_of_code(source: &str) -> BTreeSet<usize> {
         .collect()
 }
 
-/// All that is no white space: words, marks, texts, characters and comments, with their first lines.
+/// Returns everything except white space, with its first line: words, symbols, strings, characters
+/// and comments.
 fn pieces(source: &str) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
     let (mut rest, mut line) = (source, 1);
@@ -141,7 +144,7 @@ fn is_comment(piece: &str) -> bool {
     piece.starts_with("//") || piece.starts_with("/*")
 }
 
-/// Texts, characters, and the mark of a lifetime.
+/// Tests whether a piece is a string, a character, or the mark of a lifetime.
 fn is_text(piece: &str) -> bool {
     piece.contains('"') || piece.starts_with('\'')
 }
@@ -150,7 +153,7 @@ fn is_word(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
-/// The length of what stands at the start and is no code: a comment, a text, a character.
+/// Returns the length of a comment, a string or a character at the start of the source, or 0.
 fn skipped(rest: &str) -> usize {
     let until = |end: &str, from: usize| {
         let found = rest[from..].find(end);
@@ -165,7 +168,7 @@ fn skipped(rest: &str) -> usize {
     } else if rest.starts_with("'\\") {
         quoted(rest, '\'')
     } else if rest.starts_with('\'') {
-        // A character has its closing mark; a lifetime has none.
+        // A character has a closing quote; a lifetime has none.
         let mut chars = rest.char_indices().skip(2);
         chars
             .next()
@@ -182,7 +185,7 @@ fn skipped(rest: &str) -> usize {
     }
 }
 
-/// The length of a text in `mark`s, in which a backslash protects the next character.
+/// Returns the length of a text between `mark`s. A backslash escapes the next character.
 fn quoted(rest: &str, mark: char) -> usize {
     let mut chars = rest.char_indices().skip(1);
     while let Some((at, c)) = chars.next() {

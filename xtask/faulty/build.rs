@@ -1,4 +1,4 @@
-//! Lets the linker find the default board's memory map.
+//! Tells the linker where the default board's memory map is.
 
 fn main() {
     let package = std::env::var("CARGO_MANIFEST_DIR").expect("cargo sets it");

@@ -10,14 +10,17 @@ use reflet::host::compare::Difference;
 
 use crate::kept;
 
+/// File that the command writes, in the repository's folder.
 const PAGE: &str = "docs/accuracy.md";
+/// Width and height of each measured picture, in pixels.
 const SIDE: u32 = 320;
+/// Number of reflections that each ray may have.
 const REFLECTIONS: u8 = 4;
 
-/// Where [`NAMES`] has single precision.
+/// Index of `f32` (single precision) in [`NAMES`]: the last entry.
 const SINGLE: usize = NAMES.len() - 1;
 
-/// One scene in one shading.
+/// Accuracy of one built-in scene in one shading.
 struct Picture {
     shading: &'static str,
     row: Row,
@@ -83,7 +86,7 @@ fn side_by_side(own: &Difference, single: &Difference) -> String {
     pairs.join(" | ")
 }
 
-/// The worst of every figure, and in which picture.
+/// Returns the worst value of each figure for one quality, and the picture in which it occurs.
 fn worst(pictures: &[Picture], index: usize) -> String {
     let worst = FIGURES.map(|figure| {
         let badness = |it: &&Picture| figure.badness(&it.row.differences[index]);
@@ -109,7 +112,8 @@ enum Figure {
 const FIGURES: [Figure; 4] = [Figure::Same, Figure::Within1, Figure::Psnr, Figure::Largest];
 
 impl Figure {
-    /// Larger is worse.
+    /// Returns the figure as a number that is larger for a worse picture, for finding the worst
+    /// case.
     fn badness(self, of: &Difference) -> f64 {
         match self {
             Self::Same => -of.same,

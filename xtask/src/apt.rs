@@ -1,4 +1,5 @@
-//! Debian's packages: the one place that installs something outside the Rust toolchain.
+//! Installs Debian packages with `apt-get`. No other module installs anything outside the Rust
+//! toolchain.
 
 use std::time::Duration;
 
@@ -6,7 +7,8 @@ use anyhow::{Context, Result, bail};
 
 use crate::command::Program;
 
-/// Long enough for a slow mirror, short enough for a person to wait.
+/// Time limit of one `apt-get` run: long enough for a slow mirror, short enough for a person to
+/// wait.
 const LIMIT: Duration = Duration::from_secs(10 * 60);
 
 /// Installs packages with `apt-get`, as root or by a `sudo` that asks for no password.
@@ -22,7 +24,8 @@ pub fn install(packages: &[&str]) -> Result<()> {
         println!("       {program}");
         program.stream()
     };
-    // An old list of packages may do where the mirror is out of reach, so this may fail.
+    // Updating the package list may fail where the mirror is out of reach: an old list may be
+    // enough.
     let update = apt_get(&["update"]);
     let install = apt_get(&[&["install", "-y", "--no-install-recommends"], packages].concat());
     match update {
@@ -31,7 +34,7 @@ pub fn install(packages: &[&str]) -> Result<()> {
     }
 }
 
-/// The words that go before `apt-get` so that it may install and asks nothing.
+/// Returns the words that go before `apt-get`, so that it may install packages and asks no question.
 fn privileges() -> Result<&'static [&'static str]> {
     const QUIET: &str = "DEBIAN_FRONTEND=noninteractive";
     if !Program::new("apt-get").args(["--version"]).succeeds() {

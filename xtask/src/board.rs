@@ -1,5 +1,5 @@
-//! The default board, examples/board in QEMU: builds it, boots it, presses its keys and looks at
-//! its display.
+//! The default board, examples/board in QEMU: builds and boots its firmware, presses its keys and
+//! captures its display.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -14,7 +14,7 @@ use crate::{enter_root, screenshot, toolchain};
 
 const TARGET: &str = "thumbv7m-none-eabi";
 
-/// A picture takes a fraction of a second, and there are eleven scenes.
+/// Time limit of one run. A picture takes a fraction of a second, and there are eleven scenes.
 const LIMIT: Duration = Duration::from_secs(60);
 
 pub fn run(arguments: &Arguments) -> Result<()> {
@@ -28,7 +28,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     screenshot::save(&board.screen()?, file)
 }
 
-/// `cargo xtask show`: for a person, until they close the window or stop it.
+/// Runs a firmware for a person (`cargo xtask show`), until they close the window or stop it.
 pub fn show(firmware: &Path) -> Result<()> {
     Ok(machine().show(firmware)?)
 }
@@ -50,7 +50,7 @@ fn machine() -> Qemu {
 #[derive(Debug)]
 pub struct Board {
     running: Running,
-    /// The line that came with the picture that is shown.
+    /// Report line of the picture that is on the display.
     line: String,
 }
 
@@ -61,14 +61,14 @@ impl Board {
         Ok(Self { running, line })
     }
 
-    /// Presses a key, waits for the next picture, and returns the line that comes with it.
+    /// Presses a key, waits for the next picture, and returns the report line of that picture.
     pub fn press(&mut self, key: Key) -> Result<&str, Failure> {
         self.running.press(key)?;
         self.line = self.running.line(is_report)?;
         Ok(&self.line)
     }
 
-    /// Presses the select key until a scene is shown, and returns the line that came with it.
+    /// Presses the select key until a scene is shown, and returns the report line of its picture.
     pub fn go_to(&mut self, scene: &str) -> Result<&str, Failure> {
         while !self.line.starts_with(&format!("{scene}: ")) {
             self.press(Key::Control)?;
@@ -76,13 +76,13 @@ impl Board {
         Ok(&self.line)
     }
 
-    /// What the display shows, four dots a pixel.
+    /// Captures the display. Each of its pixels is a square of 4 x 4 pixels in the image.
     pub fn screen(&mut self) -> Result<RgbImage, Failure> {
         self.running.screen()
     }
 }
 
-/// Whether a line reports a finished picture: `castle: 13509 rays, ...`.
+/// Tests whether a line reports a finished picture: `castle: 13509 rays, ...`.
 fn is_report(line: &str) -> bool {
     line.split_once(": ")
         .is_some_and(|(name, _)| NAMES.contains(&name))

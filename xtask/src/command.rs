@@ -1,7 +1,7 @@
-//! Other programs: started under a time limit, their output streamed or read.
+//! Runs other programs under a time limit, and streams or reads their output.
 //!
-//! Every process the chores start goes through here, so none can hang them. This module never
-//! knows what a program is for.
+//! The chores start every process through this module, so no process can block them for ever. This
+//! module never knows what a program is for.
 
 use std::ffi::OsStr;
 use std::io::{BufRead, BufReader, Read};
@@ -14,7 +14,7 @@ use std::{fmt, io, thread};
 
 use rustix::process::{Pid, Signal, kill_process};
 
-/// A program about to run: what is called, in which environment, and for how long at most.
+/// A program to run: its command line, environment and time limit.
 #[derive(Debug)]
 pub struct Program {
     command: Command,
@@ -22,7 +22,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// A program without arguments that may run for a minute. It is never given any input.
+    /// Creates a program without arguments. It may run for a minute and has an empty standard input.
     pub fn new(name: impl AsRef<OsStr>) -> Self {
         let mut command = Command::new(name);
         command.stdin(Stdio::null());
@@ -42,30 +42,31 @@ impl Program {
         self
     }
 
-    /// The folder in which it is run, instead of ours.
+    /// Sets the folder in which the program runs. Default: the current folder.
     pub fn in_folder(mut self, folder: impl AsRef<Path>) -> Self {
         self.command.current_dir(folder);
         self
     }
 
-    /// The time after which the program and all it started are ended.
+    /// Sets the time limit. After it, the program and all processes it started are killed.
     pub fn limit(mut self, limit: Duration) -> Self {
         self.limit = limit;
         self
     }
 
-    /// Runs the program; its output goes where ours goes.
+    /// Runs the program. Its output goes to this process's standard output and standard error.
     pub fn stream(self) -> Result<(), Failure> {
         self.run().map(|_| ())
     }
 
-    /// Runs the program and returns what it printed, without the white space around it.
+    /// Runs the program and returns its standard output, without white space at both ends.
     pub fn read(mut self) -> Result<String, Failure> {
         self.command.stdout(Stdio::piped()).stderr(Stdio::piped());
         Ok(text(&self.run()?.stdout))
     }
 
-    /// Runs the program and returns all that it printed, errors in their place, and how it ended.
+    /// Runs the program. Returns its standard output and standard error, in the order in which the
+    /// lines were printed, and whether it succeeded.
     pub fn watch(self) -> (String, Result<(), Failure>) {
         let mut said = String::new();
         let outcome = self.start_with_one_pipe().and_then(|mut running| {
@@ -85,12 +86,13 @@ impl Program {
         (said, outcome)
     }
 
-    /// Whether the program exists, runs and is content.
+    /// Tests whether the program exists, runs, and ends with success.
     pub fn succeeds(self) -> bool {
         self.read().is_ok()
     }
 
-    /// Starts the program and returns while it runs; its output can be read line by line.
+    /// Starts the program and returns while it runs. [`Running::line`] reads its output line by
+    /// line.
     pub fn start(mut self) -> Result<Running, Failure> {
         self.command.stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = self.spawn()?;
@@ -100,8 +102,8 @@ impl Program {
         Ok(self.running(child, lines))
     }
 
-    /// The same with output and complaints in one pipe, which keeps their order. A program that writes
-    /// parts of lines into both may mix them.
+    /// Starts the program with standard output and standard error in one pipe, which keeps their
+    /// order. If the program writes parts of lines to both, these parts may be mixed.
     fn start_with_one_pipe(mut self) -> Result<Running, Failure> {
         let pipe = io::pipe().and_then(|(reader, writer)| {
             self.command.stdout(writer.try_clone()?).stderr(writer);
@@ -125,7 +127,7 @@ impl Program {
     }
 
     fn run(mut self) -> Result<Output, Failure> {
-        /// What is ended closes its pipes in milliseconds.
+        /// Time to wait for a killed process. It closes its pipes within milliseconds.
         const PATIENCE: Duration = Duration::from_secs(10);
         let child = self.spawn()?;
         let id = child.id();
@@ -163,7 +165,7 @@ impl Program {
     }
 }
 
-/// How many lines of a program's output may wait to be read.
+/// Number of output lines that may wait to be read.
 const LINES: usize = 1 << 12;
 
 impl fmt::Display for Program {
@@ -175,7 +177,7 @@ impl fmt::Display for Program {
     }
 }
 
-/// Sends on the lines of a pipe until it closes or nobody listens any more.
+/// Sends each line of a pipe to `lines`, until the pipe closes or the receiver is dropped.
 fn forward(pipe: Option<impl Read + Send + 'static>, lines: SyncSender<String>) {
     let Some(pipe) = pipe else { return };
     thread::spawn(move || {
@@ -186,7 +188,7 @@ fn forward(pipe: Option<impl Read + Send + 'static>, lines: SyncSender<String>) 
     });
 }
 
-/// A program that runs; dropping it ends it with all that it started.
+/// A running program. Dropping it kills the program and all processes that it started.
 #[derive(Debug)]
 pub struct Running {
     command: String,
@@ -197,7 +199,7 @@ pub struct Running {
 }
 
 impl Running {
-    /// The next line that it prints as output or as a complaint; `None` once it prints no more.
+    /// Returns the next line of standard output or standard error, or `None` after both are closed.
     pub fn line(&mut self) -> Result<Option<String>, Failure> {
         let rest = self.deadline.saturating_duration_since(Instant::now());
         match self.lines.recv_timeout(rest) {
@@ -207,7 +209,8 @@ impl Running {
         }
     }
 
-    /// How it ended. It has closed its pipes, so it will be a moment at most.
+    /// Returns the exit status. Waits for it: the pipes are closed already, so the process ends
+    /// soon.
     pub fn status(&mut self) -> Result<ExitStatus, Failure> {
         loop {
             match self.child.try_wait() {
@@ -230,7 +233,8 @@ impl Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // What has ended has no number any more: another program may have it.
+        // A process that has ended has no process number any more: another process may have the same
+        // number.
         if let Ok(None) = self.child.try_wait() {
             end(self.child.id() as i32);
         }
@@ -254,7 +258,7 @@ pub enum Failure {
     TimeOut { command: String, limit: Duration },
 }
 
-/// Words with their beginning; nothing if there are no words.
+/// Returns `beginning` and `words` joined, or an empty string if `words` is empty.
 pub(crate) fn after(beginning: &str, words: &str) -> String {
     match words {
         "" => String::new(),
@@ -266,11 +270,11 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).trim().to_owned()
 }
 
-/// Ends a process and all it started: an orphan would go on and hold our output open.
+/// Kills a process and all processes it started: a child left behind would keep our output open.
 fn end(id: i32) {
     let children = Program::new("pgrep").args(["-P", &id.to_string()]).read();
     if let Some(process) = Pid::from_raw(id) {
-        // It may have ended already.
+        // The process may have ended already.
         let _ = kill_process(process, Signal::KILL);
     }
     let children = children.unwrap_or_default();
@@ -333,11 +337,11 @@ mod tests {
     #[test]
     fn program_past_its_limit_is_ended_with_its_children() {
         let start = Instant::now();
-        // Reading waits for the last holder of the pipe: the child of the child's child, too.
+        // Reading waits until every process that holds the pipe has ended, here a grandchild.
         let slow = shell("(sh -c 'sleep 60; :'; :) & sleep 60").limit(Duration::from_millis(200));
         let failure = slow.read().unwrap_err();
         assert!(failure.to_string().ends_with("was ended after 0.2 s"));
-        // Less than it waits for what cannot be ended.
+        // Less than `PATIENCE`, the time `run` waits for a process that cannot be killed.
         assert!(start.elapsed() < Duration::from_secs(10));
     }
 

@@ -1,7 +1,8 @@
-//! `cargo xtask copies`: an example that is copied out of the repository builds the same firmware.
+//! `cargo xtask copies`: tests that an example builds the same firmware when it is copied out of the
+//! repository.
 //!
-//! A copy has every file of the example's folder. Only the path of reflet in its Cargo.toml is another,
-//! and it is built in its own folder by the command that its README names.
+//! A copy has every file of the example's folder. Only the path of reflet in its Cargo.toml is
+//! changed. The copy is built in its own folder by the command that its README names.
 
 use std::{fs, path::Path};
 
@@ -20,7 +21,7 @@ pub struct Arguments {
     examples: Vec<String>,
 }
 
-/// The firmware examples that are packages, and the core that each is built for.
+/// The examples that are packages of firmware, each with its target.
 const EXAMPLES: [(&str, &str); 3] = [
     ("pico", "thumbv6m-none-eabi"),
     ("microbit", "thumbv6m-none-eabi"),
@@ -44,10 +45,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Builds an example and a copy of it, and weighs both.
+/// Builds an example and a copy of it, and returns the sizes of both.
 ///
 /// # Errors
-/// They differ in any byte that is loaded, or there is no code in them.
+/// Fails if any loaded byte differs, or if the firmware contains no code.
 fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
     let folder = root().join("examples").join(name);
     let manifest = folder.join("Cargo.toml").display().to_string();
@@ -57,7 +58,7 @@ fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
     ensure!(is_outside, "temporary files lie in the repository");
     let copy = place.path().join(name);
     copy_example(&folder, &copy)?;
-    // Kept, so that only the example itself is built again the next time.
+    // This folder is kept, so that the next run compiles only the example itself.
     let target_directory = toolchain::target_directory().join("copies");
     let copied = toolchain::build_there(target, &copy, &target_directory)?;
     let weights = [weigh(&there)?, weigh(&copied)?];
@@ -74,7 +75,7 @@ fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
     Ok(weights)
 }
 
-/// Copies an example. Its manifest names reflet by the whole path.
+/// Copies an example's folder. In the copy, the manifest names reflet by its absolute path.
 fn copy_example(from: &Path, to: &Path) -> Result<()> {
     copy_folder(from, to)?;
     let manifest = to.join("Cargo.toml");
@@ -86,12 +87,12 @@ fn copy_example(from: &Path, to: &Path) -> Result<()> {
     fs::write(manifest, with_reflet_in(&text, root)).context("cannot write a manifest")
 }
 
-/// A manifest that names `root` as the path of reflet.
+/// Returns the manifest with the path of reflet replaced by `root`.
 fn with_reflet_in(manifest: &str, root: &str) -> String {
     manifest.replace("path = \"../..\"", &format!("path = \"{root}\""))
 }
 
-/// Copies all files of a folder but what cargo has built there.
+/// Copies all files of a folder, except what cargo built in its `target` folders.
 fn copy_folder(from: &Path, to: &Path) -> Result<()> {
     let failed = || format!("cannot copy {}", from.display());
     fs::create_dir_all(to).with_context(failed)?;

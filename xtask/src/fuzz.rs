@@ -1,7 +1,8 @@
-//! `cargo xtask fuzz`: draws scenes made of any bytes, with libFuzzer, on the compiler in use.
+//! `cargo xtask fuzz`: draws scenes that are made from arbitrary bytes, with libFuzzer and the compiler
+//! in use.
 //!
-//! cargo-fuzz and a nightly compiler are not needed: the passes that tell the fuzzer what has been
-//! reached are the compiler's own, and every release has them. `cargo fuzz run scene` works, too.
+//! It needs neither cargo-fuzz nor a nightly compiler: the compiler passes that report coverage to
+//! the fuzzer are in every release. `cargo fuzz run scene` works, too.
 
 use std::fs;
 use std::path::Path;
@@ -12,7 +13,7 @@ use clap::Args;
 
 use crate::command::Program;
 
-/// What cargo-fuzz passes to the compiler, the sanitizers apart.
+/// The compiler flags that cargo-fuzz uses, without those of the sanitizers.
 const FLAGS: [&str; 7] = [
     "--cfg",
     "fuzzing",
@@ -23,11 +24,13 @@ const FLAGS: [&str; 7] = [
     "-Cllvm-args=-sanitizer-coverage-trace-compares",
 ];
 
+/// Folder of the inputs that the repository keeps.
 const KEPT: &str = "fuzz/corpus/scene";
+/// Folder of the fuzzer's build, its new inputs and its failures.
 const WORK: &str = "target/fuzz";
 
-/// Draws scenes made of any bytes until the time is over, and fails where one panics, overflows or
-/// takes more rays than a frame may. What it fails on lies in target/fuzz.
+/// Draws scenes made from arbitrary bytes until the time is over. Fails if one panics, overflows or
+/// takes more rays than a frame may. The input that fails is in target/fuzz.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// For how long, in seconds
@@ -39,7 +42,7 @@ pub struct Arguments {
     keep: bool,
 }
 
-/// Builds the target and runs it; the current folder is the repository's.
+/// Builds the fuzz target and runs it. The current folder must be the repository's.
 pub fn run(arguments: &Arguments) -> Result<()> {
     if !compiles_cpp() {
         bail!("libFuzzer is C++ and c++ does not run: as root, apt-get install g++");
@@ -51,7 +54,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let limit = Duration::from_secs(u64::from(seconds) + 300);
     fuzzer(&target)
         .args([&format!("-max_total_time={seconds}"), "-max_len=1024"])
-        // No scene of so many bytes takes a second, however it is drawn.
+        // Drawing a scene of at most 1024 bytes takes less than a second, whatever its settings.
         .args(["-timeout=20", "-len_control=0", "-print_final_stats=1"])
         .args([&found, KEPT])
         .limit(limit)
@@ -73,7 +76,8 @@ fn build() -> Result<String> {
         .lines()
         .find_map(|line| line.strip_prefix("host: "))
         .context("rustc -vV names no host")?;
-    // With a target named, the flags are not for what is run while the target is built.
+    // With `--target`, cargo does not pass the flags to build scripts and macros, which run on the
+    // host.
     Program::new("cargo")
         .args(["build", "--quiet", "--release", "--target", host])
         .args(["--manifest-path", "fuzz/Cargo.toml", "--target-dir", WORK])
@@ -87,7 +91,7 @@ fn fuzzer(target: &str) -> Program {
     Program::new(Path::new(target)).args([&format!("-artifact_prefix={WORK}/")])
 }
 
-/// One input for each piece of code that is reached.
+/// Merges the found inputs into the kept ones: one input for each piece of code that is reached.
 fn merge(target: &str, found: &str) -> Result<()> {
     let kept = Path::new(WORK).join("kept");
     if kept.exists() {

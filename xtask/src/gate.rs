@@ -1,7 +1,7 @@
-//! The gate: the checks that every change passes, and the long ones that `--all` adds.
+//! The gate: the checks that every change has to pass, and the long ones that `--all` adds.
 //!
-//! Formats are checked first, then everything is built. The other steps do not depend on each other
-//! and run side by side, as a firmware is linked on one core only.
+//! Formats are checked first, then all tests are built. The other steps do not depend on each other.
+//! They run side by side, because linking a firmware uses one core only.
 
 use std::{
     collections::VecDeque,
@@ -27,13 +27,13 @@ pub struct Arguments {
     all: bool,
 }
 
-/// No step of the gate takes a tenth of this on a machine that is well.
+/// Time limit of a step. On a working machine no step takes a tenth of it.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
-/// How many steps run at a time.
+/// Number of steps that run at the same time.
 const LANES: usize = 2;
 
-/// Packages outside of the workspace: each is built with flags or for a target of its own.
+/// Packages outside of the workspace. Each is built with its own flags or for its own target.
 const ALONE: [&str; 8] = [
     "examples/microbit",
     "examples/pico",
@@ -45,13 +45,13 @@ const ALONE: [&str; 8] = [
     "xtask/stack_peak",
 ];
 
-/// One check with the name it is reported under.
+/// A check of the gate, and the name under which it is reported.
 struct Step {
     name: String,
     program: Program,
 }
 
-/// Runs the whole gate.
+/// Runs the whole gate: formats and the build first, then all other steps side by side.
 pub fn run(arguments: Arguments) -> Result<()> {
     let bare_metal = BareMetal::find().context("the bare-metal targets are gone since setup")?;
     let mut times = Vec::new();
@@ -60,7 +60,8 @@ pub fn run(arguments: Arguments) -> Result<()> {
     }
     let mut steps = VecDeque::from(tests(arguments.all)?);
     steps.extend(library(&bare_metal, arguments.all));
-    // Clippy belongs to the toolchain in use, which may have no core library for a board.
+    // Clippy belongs to the toolchain in use. Without `Prebuilt`, this toolchain has no core library
+    // for the boards.
     if let BareMetal::Prebuilt = bare_metal {
         steps.extend(boards());
     }
@@ -84,7 +85,8 @@ pub fn run(arguments: Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Runs the steps in [`LANES`] until all are done or one fails.
+/// Runs the steps, [`LANES`] at a time, until all are done or one fails. Returns the time of each
+/// step.
 fn side_by_side(steps: VecDeque<Step>) -> Result<Vec<(String, Duration)>> {
     let (steps, done) = (Mutex::new(steps), Mutex::new(Ok(Vec::new())));
     let next = || match *done.lock().expect("no lane panics") {
@@ -98,7 +100,7 @@ fn side_by_side(steps: VecDeque<Step>) -> Result<Vec<(String, Duration)>> {
             match (&mut *done, taken) {
                 (Ok(times), Ok(time)) => times.push(time),
                 (Ok(_), Err(error)) => *done = Err(error),
-                // The first failure is the one to report.
+                // Only the first failure is reported.
                 (Err(_), _) => {}
             }
         }
@@ -111,7 +113,7 @@ fn side_by_side(steps: VecDeque<Step>) -> Result<Vec<(String, Duration)>> {
     done.into_inner().expect("no lane panics")
 }
 
-/// Runs one step and prints what it said when it is done.
+/// Runs one step, prints its output when it is done, and returns its name and time.
 fn take(Step { name, program }: Step) -> Result<(String, Duration)> {
     println!("== begin: {name}\n   {program}");
     let start = Instant::now();
@@ -133,7 +135,8 @@ fn cargo(subcommand: &str) -> Program {
     Program::new("cargo").args([subcommand])
 }
 
-/// Formats, which take no time, and all test programs, which use every core.
+/// Returns the steps that run first: format checks, which take no time, and the build of all test
+/// programs, which uses every core.
 fn first() -> Vec<Step> {
     let alone = ALONE.map(|package| {
         let manifest = format!("{package}/Cargo.toml");
@@ -147,10 +150,11 @@ fn first() -> Vec<Step> {
     steps
 }
 
-/// The tests: those that build firmware apart from the others. `all` adds the ignored ones.
+/// Returns the test steps. Tests that build firmware and all others are separate steps. `all` adds
+/// the ignored tests.
 ///
-/// Always of the whole workspace, and chosen by name: of fewer packages, what they build on would be
-/// compiled again with fewer features.
+/// Each step selects test programs by name in the whole workspace: for single packages, cargo would
+/// compile their dependencies again with fewer features.
 fn tests(all: bool) -> Result<Vec<Step>> {
     let test = |targets: &[String]| {
         let test = cargo("test").args(["--workspace"]).args(targets);
@@ -173,7 +177,8 @@ fn tests(all: bool) -> Result<Vec<Step>> {
     Ok(vec![
         step("tests on emulated boards", test(&firmware)),
         step("tests on this machine", test(&others)),
-        // These two compile the reference's files once more.
+        // Documentation tests of these two packages would repeat the reference's: they compile its
+        // files again.
         step(
             "tests in the documentation",
             cargo("test")
@@ -183,7 +188,7 @@ fn tests(all: bool) -> Result<Vec<Step>> {
     ])
 }
 
-/// The arguments that choose the test programs in some folders.
+/// Returns the cargo arguments that select the test programs in some folders: `--test=NAME`.
 fn test_programs(folders: &[&str]) -> Result<Vec<String>> {
     let mut names = Vec::new();
     for folder in folders {
@@ -200,7 +205,8 @@ fn test_programs(folders: &[&str]) -> Result<Vec<String>> {
     Ok(names)
 }
 
-/// Everything else about the library: lints, documentation, the package, the targets, the fuzzer.
+/// Returns the other steps for the library: lints, fuzzer, copies of examples, package,
+/// documentation, random rays and bare-metal targets.
 fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let library = ["--package", "reflet", "--lib", "--no-default-features"];
     let firmware = ["--features", "scenes,micromath"];
@@ -210,10 +216,11 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let warnings = ["--", "-D", "warnings"];
     let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
     let rays = cargo("test").args(["--workspace", "--lib", "--", "--ignored"]);
-    // As the tests built it: `cargo xtask` would build it again, with the features of its package alone.
+    // Uses the program that the tests built: `cargo xtask` would build it again, with the features
+    // of its own package only.
     let xtask = || Program::new(target_directory().join("debug/xtask"));
     let fuzz = xtask().args(["fuzz", "--seconds", seconds]);
-    // Without a name it takes all.
+    // `cargo xtask copies` without a name copies all examples.
     let copied: &[_] = if all { &[] } else { &["pico"] };
     vec![
         step("clippy, everything", rest.args(warnings)),
@@ -243,8 +250,8 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     ]
 }
 
-/// Lints of what runs on a board. Only the library of the measuring firmware is looked at: the rest
-/// of it is generated.
+/// Returns the steps that lint the code for boards. Of the measurement firmware only the library is
+/// linted, because the rest is generated.
 fn boards() -> Vec<Step> {
     let clippy = |name: &str, target: &str, what: &[&str]| {
         let program = cargo("clippy").args(["--target", target]);
@@ -270,7 +277,7 @@ fn boards() -> Vec<Step> {
     ]
 }
 
-/// What only `--all` runs.
+/// Returns the steps that only `--all` runs.
 fn long() -> Vec<Step> {
     let rays = cargo("run").args(["--profile", "checked", "--package", "stability", "--"]);
     vec![step(
@@ -279,7 +286,8 @@ fn long() -> Vec<Step> {
     )]
 }
 
-/// The library on the oldest Rust it supports, where that toolchain is there.
+/// Returns the step that checks the library with the oldest Rust it supports, if that toolchain is
+/// installed.
 fn oldest_rust() -> Option<Step> {
     let check = Program::new("cargo")
         .args([

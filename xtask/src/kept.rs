@@ -1,11 +1,12 @@
-//! The files that the chores write and the repository keeps.
+//! Reads and writes the files that chores generate and the repository keeps.
 
 use std::{fs, path::Path};
 
 use anyhow::{Context, Result, bail};
 use serde::de::DeserializeOwned;
 
-/// Reads a file with a line of JSON for each value, which `cargo xtask COMMAND` writes.
+/// Reads a file of JSON lines, one value a line. `command` is the chore that writes the file; the
+/// error names it.
 pub fn read<T: DeserializeOwned>(file: &Path, command: &str) -> Result<Vec<T>> {
     let name = file.display();
     let Ok(text) = fs::read_to_string(file) else {

@@ -1,4 +1,4 @@
-//! The chores of the repository, one module a concern; each says what it is for.
+//! The chores of the repository. Each module is one chore or one part that several share.
 
 pub mod accuracy;
 pub mod apt;
@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Error, Result};
 
-/// Prints on standard output. That nobody reads it any more is no error.
+/// Prints on standard output. A closed pipe is no error.
 fn print(text: impl AsRef<[u8]>) -> Result<()> {
     command_line::print(text).map_err(Error::from_boxed)
 }
@@ -41,7 +41,8 @@ pub fn root() -> PathBuf {
         .to_owned()
 }
 
-/// Makes the folder of the repository the current one: its configuration is found from there.
+/// Makes the repository's folder the current one, so that cargo finds the repository's
+/// configuration.
 pub fn enter_root() -> Result<()> {
     let root = root();
     env::set_current_dir(&root).with_context(|| format!("cannot enter {}", root.display()))

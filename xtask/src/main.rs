@@ -1,4 +1,4 @@
-//! The command line of the chores: `cargo xtask --help` lists them.
+//! The command line of the chores. `cargo xtask --help` lists them.
 
 use std::{path::PathBuf, process::ExitCode};
 
@@ -59,7 +59,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What the command line says; prints the help and ends where that is what was asked for.
+/// Parses the command line. If it asks for help, prints the help and exits.
 fn read() -> Result<Chore> {
     Ok(Chore::try_parse().map_err(|error| {
         if !error.use_stderr() {
@@ -70,7 +70,7 @@ fn read() -> Result<Chore> {
 }
 
 fn run(chore: &Chore) -> Result<()> {
-    // The others read or write a file by the name it has where the command is given.
+    // The other chores read or write files whose names are relative to the folder of the command.
     if let Chore::Setup | Chore::Accuracy | Chore::Fuzz(_) | Chore::Test(_) = chore {
         enter_root()?;
     }

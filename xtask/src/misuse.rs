@@ -1,10 +1,11 @@
-//! What whoever typed the command can mend: bad arguments, bad files. One line, exit code 2.
+//! A mistake of the person who typed the command: a bad argument or a bad file. It is reported in
+//! one line, with exit code 2.
 
 use std::fmt::Display;
 
 use command_line::{in_one_line, one_line};
 
-/// A mistake in an argument or in a file that an argument names.
+/// A mistake in an argument, or in a file that an argument names.
 #[derive(Debug, thiserror::Error)]
 #[error("{}", one_line(.0))]
 pub struct Misuse(String);

@@ -1,5 +1,5 @@
-//! The Raspberry Pi Pico, examples/pico in rp2040js: builds it, emulates it, and looks at its
-//! display.
+//! The Raspberry Pi Pico, examples/pico in rp2040js: builds its firmware, emulates it, and captures
+//! its display.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! Where the picture of a board's display goes: a file that is not written over.
+//! Saves the picture of a board's display in a new file, never over an existing one.
 
 use std::io::Cursor;
 use std::path::{PathBuf, absolute};
@@ -11,7 +11,7 @@ use reflet::scenes::NAMES;
 
 use crate::misuse::Misuse;
 
-/// What is to be seen, and where it goes.
+/// Command-line arguments of the chores that save a picture: the scene and the file.
 #[derive(Args, Debug)]
 pub struct Arguments {
     /// The built-in scene to go to
@@ -25,7 +25,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Where the picture goes; known to be free before the work begins.
+    /// Returns the file of the picture. Fails before the work begins if the file exists already.
     pub fn file(&self, board: &str) -> Result<NewFile> {
         let file = match &self.screenshot {
             None => NewFile::free_png(&absolute(format!("{board}-{}.png", self.scene))?),
@@ -35,7 +35,7 @@ impl Arguments {
     }
 }
 
-/// Writes a picture and says where it is.
+/// Writes a picture as PNG and prints the path of the file.
 pub fn save(picture: &RgbImage, file: NewFile) -> Result<()> {
     let mut bytes = Cursor::new(Vec::new());
     picture.write_to(&mut bytes, ImageFormat::Png)?;

@@ -1,7 +1,7 @@
-//! What a machine needs before the gate can run, and how to get it.
+//! Installs what a machine needs before the gate can run.
 //!
-//! A need is a row of [`NEEDS`]; setting up goes through the rows, gets what is missing, and says
-//! at the end what it could not get and how to get it by hand.
+//! Each row of [`NEEDS`] is one need. Setup goes through the rows and installs what is missing. At
+//! the end it names what it could not install, and how to install that by hand.
 
 use std::time::Instant;
 
@@ -9,13 +9,13 @@ use anyhow::{Result, bail, ensure};
 
 use crate::{apt, command::Program, emulator::rp2040, fuzz, toolchain};
 
-/// Something outside the repository that the gate uses.
+/// A program or library outside the repository that the gate uses.
 struct Need {
     name: &'static str,
     is_there: fn() -> bool,
     get: fn() -> Result<()>,
     by_hand: &'static str,
-    /// What is left undone without it; nothing if the gate cannot do without it.
+    /// Consequence if it cannot be installed; `None` if the gate cannot run without it.
     without: Option<&'static str>,
 }
 
@@ -78,7 +78,7 @@ const NEEDS: &[Need] = &[
     },
 ];
 
-/// Whether each of these tells its version.
+/// Tests whether each of these commands runs with `--version`.
 fn are_there(commands: &[&str]) -> bool {
     commands.iter().all(|command| {
         let mut words = command.split(' ').chain(["--version"]);
@@ -91,7 +91,8 @@ pub fn run() -> Result<()> {
     meet_all(NEEDS)
 }
 
-/// Tries all the needs, so that one run names everything that is missing.
+/// Installs all needs that are missing. Tries every one, so that one run names everything that
+/// cannot be installed.
 fn meet_all(needs: &[Need]) -> Result<()> {
     let mut missing = Vec::new();
     for need in needs {

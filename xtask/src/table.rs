@@ -1,6 +1,7 @@
-//! Tables for the pages that the chores write.
+//! Fills the templates of pages and writes Markdown tables.
 
-/// A page's template with `{{name}}` replaced by the value of that name, and no space after it.
+/// Replaces each `{{name}}` in a page's template by the value of that name. White space at the end
+/// of a value is left out.
 pub fn filled(template: &str, values: &[(&str, String)]) -> String {
     values
         .iter()
@@ -9,7 +10,8 @@ pub fn filled(template: &str, values: &[(&str, String)]) -> String {
         })
 }
 
-/// A Markdown table: so many columns of text, and then numbers, which stand to the right.
+/// Returns a Markdown table. The first `texts` columns are text; the others are numbers and aligned
+/// to the right.
 pub fn markdown(texts: usize, head: &[String], rows: &[Vec<String>]) -> String {
     let line = |cells: &[String]| format!("| {} |\n", cells.join(" | "));
     let rule = |column| if column < texts { "---" } else { "--:" };

@@ -1,8 +1,7 @@
-//! The Rust toolchain: its components, and how to build for a microcontroller.
+//! Sets up the Rust toolchain and builds for microcontrollers.
 //!
-//! The ready-made core library of a target comes from rustup. Where that cannot be had, Debian
-//! packages a compiler together with the source of the core library, and cargo builds that on
-//! the way.
+//! The compiled core library of a target comes from rustup. Where rustup is out of reach, Debian has
+//! a compiler with the source of the core library, and cargo compiles that with the program.
 
 use std::env;
 use std::ffi::OsString;
@@ -14,7 +13,7 @@ use serde_json::Value;
 
 use crate::{apt, command::Program, enter_root, root};
 
-/// The cores reflet is built for: Cortex-M0, M3, M4F and M7, M33, and RV32IMAC.
+/// The targets that reflet is built for: Cortex-M0, M3, M4F and M7, M33, and RV32IMAC.
 pub const TARGETS: [&str; 5] = [
     "thumbv6m-none-eabi",
     "thumbv7m-none-eabi",
@@ -23,18 +22,18 @@ pub const TARGETS: [&str; 5] = [
     "riscv32imac-unknown-none-elf",
 ];
 
-/// The oldest Rust that the library supports, as Cargo.toml says it.
+/// The oldest Rust version that the library supports, from Cargo.toml.
 pub const OLDEST_RUST: &str = env!("CARGO_PKG_RUST_VERSION");
 
-/// What a person types to get the bare-metal targets.
+/// Commands by which a person installs the bare-metal targets.
 pub const BARE_METAL_BY_HAND: &str = "rustup target add thumbv6m-none-eabi thumbv7m-none-eabi \
      thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf, \
      or as root: apt-get install --no-install-recommends rustc-web rust-web-src";
 
-/// rustup takes seconds where it works; where its server is out of reach it may wait forever.
+/// Time limit of rustup. It takes seconds if its server answers, and may wait for ever if not.
 const RUSTUP_LIMIT: Duration = Duration::from_secs(5 * 60);
 
-/// A first build compiles dozens of crates; later ones take seconds.
+/// Time limit of a build. The first build compiles dozens of crates; later builds take seconds.
 const BUILD_LIMIT: Duration = Duration::from_secs(10 * 60);
 
 const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
@@ -43,7 +42,8 @@ pub fn add_component(name: &str) -> Result<()> {
     rustup(&["component", "add", name])
 }
 
-/// Gets the core library for the bare-metal targets: ready-made, or else as source.
+/// Installs the core library for the bare-metal targets: compiled ones from rustup, else the source
+/// from Debian.
 pub fn get_bare_metal() -> Result<()> {
     let Err(refusal) = rustup(&[&["target", "add"], &TARGETS[..]].concat()) else {
         return Ok(());
@@ -72,12 +72,12 @@ fn rustup(arguments: &[&str]) -> Result<()> {
     Ok(rustup.stream()?)
 }
 
-/// A working way to build for every target of [`TARGETS`].
+/// How to build for every target of [`TARGETS`] on this machine.
 #[derive(Debug)]
 pub enum BareMetal {
-    /// The toolchain in use brings their core library.
+    /// The toolchain in use has the compiled core library of every target.
     Prebuilt,
-    /// `rustc` brings the core library's source, and `linker` can link for them.
+    /// `rustc` has the source of the core library, and `linker` can link for the targets.
     BuildStd {
         rustc: OsString,
         linker: Option<PathBuf>,
@@ -85,7 +85,7 @@ pub enum BareMetal {
 }
 
 impl BareMetal {
-    /// The way that works on this machine, if one does. Quick: it looks for files only.
+    /// Returns how this machine can build, or `None` if it cannot. Quick: it only looks for files.
     pub fn find() -> Option<Self> {
         let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
         let library = rust_library(&rustc)?;
@@ -101,8 +101,8 @@ impl BareMetal {
         })
     }
 
-    /// `cargo SUBCOMMAND` for `targets`. What this needs in the environment stays in this one
-    /// program: no build for the host may see it.
+    /// Returns the command `cargo SUBCOMMAND` for `targets`. Its environment variables are set for
+    /// this command only, because no build for the host may see them.
     pub fn cargo(&self, subcommand: &str, targets: &[&str]) -> Program {
         let flags = targets.iter().flat_map(|target| ["--target", target]);
         let cargo = Program::new("cargo").args([subcommand]).args(flags);
@@ -121,32 +121,35 @@ impl BareMetal {
     }
 }
 
-/// Builds one program of a package that stands alone, in release mode; see [`build_in`].
+/// Builds one program of a package outside the workspace, in release mode; see [`build_in`].
 pub fn build(target: &str, arguments: &[&str]) -> Result<PathBuf> {
     build_in("release", target, arguments)
 }
 
-/// Builds one program of a package in the folder `xtask`; `place` is its folder in cargo's.
+/// Builds one program of a package in the folder `xtask`. `place` is its folder inside cargo's
+/// target folder.
 pub fn build_alone(target: &str, package: &str, place: &str, more: &[&str]) -> Result<PathBuf> {
     enter_root()?;
     let manifest = format!("xtask/{package}/Cargo.toml");
     let place = target_directory().join(place).display().to_string();
     let package = ["--manifest-path", &manifest, "--target-dir", &place];
     let cargo = cargo_build("release", target)?.args(package).args(more);
-    // Instead of what the configuration says, which is there for the default board alone.
+    // Replaces the linker arguments of the repository's configuration, which are for the default
+    // board only.
     built(cargo.env("CARGO_ENCODED_RUSTFLAGS", CORTEX_M_SCRIPT))
 }
 
-/// The argument by which rustc hands the linker the script of `cortex-m-rt`.
+/// rustc argument that gives the linker the script of `cortex-m-rt`.
 pub const CORTEX_M_SCRIPT: &str = "-Clink-arg=-Tlink.x";
 
-/// Builds one program in a profile and returns where it is. `arguments` is what `cargo build` needs
-/// to find it. Run in the folder whose configuration is meant.
+/// Builds one program in a profile and returns its path. `arguments` are the arguments of `cargo
+/// build` that name the program. Uses cargo's configuration of the current folder.
 pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathBuf> {
     built(cargo_build(profile, target)?.args(arguments))
 }
 
-/// Builds the package in a folder as somebody does who works there; `place` is cargo's folder.
+/// Builds the package in a folder with that folder's own configuration. `place` is cargo's target
+/// folder.
 pub fn build_there(target: &str, folder: &Path, place: &Path) -> Result<PathBuf> {
     let cargo = cargo_build("release", target)?.args(["--target-dir".as_ref(), place.as_os_str()]);
     built(cargo.in_folder(folder))
@@ -162,7 +165,7 @@ fn cargo_build(profile: &str, target: &str) -> Result<Program> {
         .limit(BUILD_LIMIT))
 }
 
-/// Runs cargo and finds the program among its messages.
+/// Runs cargo and returns the path of the program, from cargo's messages.
 fn built(cargo: Program) -> Result<PathBuf> {
     let messages = cargo.read()?;
     let mut programs = messages.lines().filter_map(|line| {
@@ -172,7 +175,7 @@ fn built(cargo: Program) -> Result<PathBuf> {
     programs.next_back().context("cargo built no program")
 }
 
-/// The folder with the libraries of `rustc`, one folder a target.
+/// Returns the folder with the libraries of `rustc`. It has one folder for each target.
 fn rust_library(rustc: &OsString) -> Option<PathBuf> {
     let sysroot = Program::new(rustc)
         .args(["--print", "sysroot"])
@@ -181,7 +184,7 @@ fn rust_library(rustc: &OsString) -> Option<PathBuf> {
     Some(Path::new(&sysroot).join("lib/rustlib"))
 }
 
-/// The linker of rustup's toolchain: Debian's has none that knows these targets.
+/// Returns the linker of rustup's toolchain. Debian's toolchain has no linker for these targets.
 fn find_linker(library: &Path) -> Option<PathBuf> {
     let tools = library.read_dir().ok()?.flatten();
     tools
@@ -193,7 +196,7 @@ pub fn target_directory() -> PathBuf {
     root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
-/// The environment variable by which cargo learns a target's linker.
+/// Returns the name of the environment variable that gives cargo a target's linker.
 fn linker_variable(target: &str) -> String {
     let name = target.replace(['-', '.'], "_").to_uppercase();
     format!("CARGO_TARGET_{name}_LINKER")

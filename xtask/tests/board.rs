@@ -1,5 +1,5 @@
-//! The default board in QEMU: its display shows what the simulator shows, dot for dot, also after
-//! its keys have been pressed; and what goes wrong on a board is named and never hangs.
+//! Tests the default board in QEMU: its display shows the simulator's picture, pixel for pixel, also
+//! after keys have been pressed. Faults on a board are named and never make a test hang.
 
 use std::{fs, path::PathBuf, time::Duration};
 
@@ -15,10 +15,10 @@ use xtask::{board, root, size};
 
 mod common;
 
-/// Degrees an arrow key turns the camera by.
+/// Degrees by which an arrow key turns the camera.
 const STEP: i32 = 10;
 
-/// The simulator's picture, enlarged as QEMU enlarges the display's.
+/// Returns the simulator's picture, enlarged as QEMU enlarges the display's.
 fn simulated<S: BuiltIn>(camera: &Camera) -> RgbImage {
     let mut display = SimulatorDisplay::<Gray4>::new(Size::new(128, 64));
     S::frame(camera).draw(&mut display).unwrap();
@@ -172,7 +172,7 @@ fn board_without_its_linker_script_is_not_linked() {
         .args(["--quiet", "--locked", "--profile", "firmware"])
         .args(["--package", "reflet", "--example", size::BOARD])
         .args(["--target-dir".as_ref(), place.as_os_str()])
-        // The script comes from the configuration, which this stands in for.
+        // The script comes from the repository's configuration, which this variable replaces.
         .env("CARGO_ENCODED_RUSTFLAGS", "")
         .in_folder(root())
         .limit(Duration::from_secs(600));

@@ -1,5 +1,5 @@
-//! A frame with a budget on an emulated Cortex-M3: what fits is chosen and takes no more than the
-//! budget, and the core's own clock ends it in time.
+//! Tests a frame with a budget on an emulated Cortex-M3: the chosen settings take no more than the
+//! budget, and the core's own clock ends the frame in time.
 
 use std::collections::BTreeMap;
 
@@ -13,9 +13,9 @@ use reflet::display::Enlarged;
 use reflet::quality::Fine;
 use xtask::{measure::Core, toolchain};
 
-/// What was measured, and the size it was measured at.
+/// Measured fronts, and the size at which they were measured.
 mod measured {
-    // Only the castle is drawn.
+    // Only the castle's front is used.
     #![allow(dead_code)]
 
     use embedded_graphics::geometry::Size;
@@ -28,10 +28,10 @@ mod measured {
 
 const SIZE: Size = Size::new(64, 48);
 
-/// The numbers of each line that the firmware says.
+/// Runs the firmware and returns the numbers of each line that it prints.
 fn said() -> Vec<BTreeMap<String, u64>> {
     let core = Core::M3;
-    // Where the other programs of this package are built, too.
+    // The folder in which the other programs of this package are built, too.
     let place = format!("firmware/{}", core.target);
     let chosen = ["--bin", "budget", "--features", "budget"];
     let program = toolchain::build_alone(core.target, "firmware", &place, &chosen);
@@ -46,7 +46,7 @@ fn said() -> Vec<BTreeMap<String, u64>> {
         .collect()
 }
 
-/// Of a display whose lowest rows are black.
+/// Returns the hash of a display whose lowest `missing` rows are set to black.
 fn hash(display: &SimulatorDisplay<Rgb888>, missing: u64) -> u64 {
     let mut bytes = display.to_be_bytes();
     let kept = bytes.len() - 3 * SIZE.width as usize * missing as usize;
@@ -58,8 +58,8 @@ fn hash(display: &SimulatorDisplay<Rgb888>, missing: u64) -> u64 {
     hash.value()
 }
 
-/// What the target may take beyond a budget, at most: a row is asked of an iterator instead of written
-/// where it lies, or each larger pixel is a square of its own.
+/// Returns the most instructions that the draw target may take in addition to the budget. It takes a
+/// row from an iterator instead of writing it in place, or draws each larger pixel as a square.
 fn target_takes(point: &FrontPoint) -> u64 {
     let Size { width, height } = measured::SIZE;
     let scale = u32::from(point.scale);
@@ -74,7 +74,7 @@ fn board_draws_what_fits_and_stops_in_time() {
     assert_eq!(said.len(), 2 + 2 * points.len());
     let castle = || Castle::frame(&Castle::CAMERA);
 
-    // 325 instructions a pixel are too few for either: the cheapest it is.
+    // 325 instructions a pixel are too few for any setting, so the cheapest is chosen.
     let mut display = SimulatorDisplay::<Rgb888>::new(SIZE);
     let Ok(_) = castle()
         .reflections(1)
@@ -93,7 +93,7 @@ fn board_draws_what_fits_and_stops_in_time() {
     let missing = best["missing"];
     assert!(0 < missing && missing < u64::from(SIZE.height), "{missing}");
     assert_eq!(best["hash"], hash(&display, missing));
-    // It ends before the first row that begins too late.
+    // Drawing stops before the first row that would begin after the budget.
     let (taken, longest) = (best["instructions"], best["longest"]);
     assert!(3_000_000 < taken && taken <= 3_000_000 + longest, "{taken}");
 

@@ -1,4 +1,4 @@
-//! The estimate of cycles against another's count.
+//! Compares the estimate of cycles with the count of another emulator.
 
 use xtask::emulator::rp2040::Rp2040;
 use xtask::measure::{Core, Quality, Scene, Size, Task, estimate, with_program};
@@ -37,7 +37,7 @@ fn assert_is_within_10_percent(scene: &'static str) {
     let instructions = run(Rp2040::default().counting_instructions());
     println!("{scene}: {estimate:?}, {cycles} cycles, {instructions} instructions");
     assert!((estimate.cycles / cycles - 1.0).abs() < 0.1, "{scene}");
-    // What is looked at is what is counted, but for the calls themselves.
+    // The estimate and the emulator count the same instructions, except for those of the calls.
     let seen = estimate.instructions as f64;
     assert!((seen / instructions - 1.0).abs() < 0.001, "{scene}");
 }

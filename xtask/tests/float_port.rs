@@ -1,5 +1,5 @@
-//! The float port and single precision are what the library is compared with: their pictures are
-//! right.
+//! Tests that the pictures of the float port and of single precision are right, because the library
+//! is compared with them.
 
 use float_picture::{Shading, render, single};
 use reflet::host::compare::compare;

@@ -1,5 +1,5 @@
-//! What reflet does on a board cannot panic and needs no soft float: xtask/no_panic draws in every
-//! way, and links only if no panic is left.
+//! Tests that reflet cannot panic on a board and needs no soft float. xtask/no_panic calls every
+//! drawing function, and links only if no panic is left.
 
 use std::fs;
 use std::path::Path;
@@ -11,9 +11,9 @@ use xtask::{board, profile::names::Names, toolchain};
 
 const TARGETS: [&str; 2] = ["thumbv6m-none-eabi", "thumbv7m-none-eabi"];
 
-/// Builds xtask/no_panic and returns the float routines in it.
+/// Builds xtask/no_panic and returns the names of its soft-float routines.
 fn build(target: &str, features: &str) -> Result<Vec<String>> {
-    // All are built in the same place, where the next would replace it.
+    // All builds write to the same folder, so they must not run at the same time.
     static PLACE: Mutex<()> = Mutex::new(());
     let _one_at_a_time = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
     let chosen = ["--features", features];
@@ -35,7 +35,8 @@ fn float_routines(program: &Path) -> Result<Vec<String>> {
     Ok(names.into_iter().filter(|name| is_float(name)).collect())
 }
 
-/// Run-time ABI for the Arm Architecture, chapter 5.1; and Rust's own name for the module.
+/// Tests whether a symbol is a soft-float routine, by the Run-time ABI for the Arm Architecture,
+/// chapter 5.1, or by the name of Rust's own module.
 fn is_float(name: &str) -> bool {
     let is_routine = name.strip_prefix("__aeabi_").is_some_and(|name| {
         let computes = ["d", "f", "cd", "cf"].iter().any(|it| name.starts_with(it));

@@ -1,4 +1,4 @@
-//! A frame is the same, to the bit, on the machine that runs the tests and on every core.
+//! Tests that a frame is the same, to the bit, on the machine that runs the tests and on every core.
 
 use std::thread;
 
@@ -37,7 +37,7 @@ fn hash<S: BuiltIn, Q: Exactness>() -> String {
     format!("{:016x}", hash.value())
 }
 
-/// Draws scenes in some qualities on a core and here.
+/// Checks that a core and this machine draw the same pictures of scenes, in some qualities.
 fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, &[Quality])]) {
     let core = Core::find(core).expect("it is in the list");
     for (name, qualities) in pictures {
@@ -59,7 +59,7 @@ fn every_core_draws_the_same_pictures() {
         ("mirror1", &[Quality::FINE]),
         ("columns", &[Quality::SMALL]),
     ];
-    // Each has a target of its own, so they do not wait for each other.
+    // Each core has its own target, so their builds do not wait for each other.
     thread::scope(|scope| {
         for core in cores {
             scope.spawn(|| are_the_same_pictures_as_here(core, &pictures));

@@ -1,4 +1,5 @@
-//! The firmware of examples/pico on an emulated RP2040: its ST7789 shows what the simulator shows.
+//! Tests the firmware of examples/pico on an emulated RP2040: its ST7789 shows the simulator's
+//! picture.
 
 use std::{fs, path::PathBuf, sync::OnceLock};
 
@@ -24,7 +25,7 @@ fn simulated<S: BuiltIn>(camera: &Camera) -> Vec<u16> {
         .collect()
 }
 
-/// Names the first row that differs: two long lists of numbers say nothing.
+/// Compares two pictures row by row, so that a failure names the first row that differs.
 fn assert_equal(shown: &[u16], expected: &[u16]) {
     assert_eq!(shown.len(), expected.len());
     let expected = expected.chunks(SIDE as usize);
@@ -81,7 +82,7 @@ fn panel_is_set_up_as_its_maker_wants_it() {
     assert_eq!(chip.run(firmware()).unwrap().display, expected);
 }
 
-/// An ELF file with these instructions at the start of the RP2040's flash.
+/// Returns an ELF file with these instructions at the start of the RP2040's flash.
 fn program(instructions: &[u16]) -> Vec<u8> {
     const ADDRESS: u32 = 0x1000_0100;
     let vectors = [0x2000_1000, ADDRESS + 9];

@@ -1,4 +1,4 @@
-//! `cargo xtask profile`, as a user calls it.
+//! Tests `cargo xtask profile` as a user calls it.
 
 use std::collections::HashMap;
 
@@ -44,7 +44,7 @@ fn total_is_what_measure_counts_but_for_the_calls() {
     let (core, scene) = (Core::M3, Scene::BuiltIn("primitives"));
     let task = Task::new(core, scene, Size::new(16, ROWS as u32), Quality::FAST);
     let (sums, counted) = (profile(&task).unwrap(), outcome(&task).unwrap());
-    // Arguments are loaded and the call itself is made between two looks at the clock.
+    // Between the two readings of the clock, the firmware also loads arguments and makes the call.
     let call = 1..=32;
     let beyond = counted.prepare - sums.stage(Stage::Preparation);
     assert!(call.contains(&beyond), "{beyond} for a call");
@@ -57,7 +57,7 @@ fn total_is_what_measure_counts_but_for_the_calls() {
 
 #[test]
 fn stages_and_tables_add_up_to_the_total() {
-    // A core that lacks instructions calls for what they do from everywhere.
+    // The Cortex-M0 lacks instructions, so all stages call the routines that replace them.
     let lines = lines("--core m0 castle --size 8x8 --functions --top 100000");
     let stages = stages(&lines);
     let sum: u64 = stage_names().map(|name| stages[name]).sum();
@@ -94,7 +94,7 @@ fn stages_and_tables_add_up_to_the_total() {
         calls("reflet::render::interpolate::Colors<W,K,Q>::follow"),
         0.25
     );
-    // What many call belongs to each of them.
+    // A routine with many callers belongs to the stage of each of them.
     let stages_of = |name: &str| {
         let is_in = |stage: &&str| {
             let rows = rows("innermost", Some(stage));
@@ -111,7 +111,7 @@ fn stages_and_tables_add_up_to_the_total() {
 fn mirrored_rays_are_told_from_the_first() {
     let of = |reflections| {
         let lines = lines(&format!(
-            // So narrow that no pixel is left out.
+            // So narrow that every pixel is traced.
             "mirror1 --size 4x24 --reflections {reflections}"
         ));
         ["primary", "reflection", "shading", "shadow"].map(|name| stages(&lines)[name])
@@ -119,7 +119,8 @@ fn mirrored_rays_are_told_from_the_first() {
     let [primary, reflection, shading, shadow] = of(0);
     assert_eq!(reflection, 0);
     let deep = of(4);
-    // The first rays are the same; their code may differ, as it knows how many follow.
+    // The first rays are the same. Their code may differ, because it is compiled for the number of
+    // reflections.
     assert!(deep[0].abs_diff(primary) <= primary / 10, "{deep:?}");
     assert!(deep[1] > primary / 2);
     assert!(deep[2] > shading && deep[3] > shadow);
@@ -157,7 +158,7 @@ fn tables_name_what_they_show() {
     let names: Vec<_> = parts[0].lines().map(first).collect();
     assert_eq!(names.join(" "), format!("stage {} total", STAGE_NAMES));
     for part in &parts[1..] {
-        // A title, the heads and the rows.
+        // A title, the column heads and the rows.
         assert_eq!(part.lines().count(), 5, "{part}");
         assert!(part.contains("reflet::") || part.contains("src/"), "{part}");
     }

@@ -1,5 +1,5 @@
-//! What a frame takes grows far slower than the number of its shapes. Executed instructions are
-//! counted, not timed, so the same code always comes to the same figures.
+//! Tests that the cost of a frame grows far slower than the number of its shapes. Instructions are
+//! counted, not timed, so the same code always gives the same figures.
 
 use benchmark::Order;
 use xtask::measure::{Core, Figures};

@@ -1,4 +1,5 @@
-//! A firmware carries what its scene needs and nothing else, and no scene grows unseen.
+//! Tests that a firmware contains only what its scene needs, and that no scene has outgrown its
+//! budget.
 
 use std::{collections::BTreeSet, thread};
 
@@ -12,7 +13,7 @@ use xtask::{board, root, size};
 
 mod common;
 
-/// A scene with one of everything, but what a test takes away.
+/// Returns a scene with one of everything; the tests remove parts of it.
 fn scene() -> Value {
     json!({
         "name": "all",
@@ -33,7 +34,7 @@ fn scene() -> Value {
     })
 }
 
-/// The same with another value of a key of every material.
+/// Returns the scene with another value for one key of every material.
 fn with_material(mut scene: Value, key: &str, value: &Value) -> Value {
     for material in scene["materials"].as_array_mut().unwrap() {
         material[key] = value.clone();
@@ -41,20 +42,21 @@ fn with_material(mut scene: Value, key: &str, value: &Value) -> Value {
     scene
 }
 
-/// The same without what a list holds.
+/// Returns the scene with an empty list.
 fn without(mut scene: Value, list: &str) -> Value {
     scene[list] = json!([]);
     scene
 }
 
 fn task(scene: Scene, quality: Quality, shading: Shading) -> Task {
-    // As the kept figures are measured, so that images serve both.
+    // Measured like the stored figures, so that both use the same firmware images.
     let mut task = Task::new(Core::M3, scene, Size::new(64, 64), quality);
     task.settings.shading = shading;
     task
 }
 
-/// What is in the firmware of a scene: its functions, inlined ones too, and its size in flash.
+/// Returns the contents of a scene's firmware: the names of its functions, inlined ones too, and its
+/// size in flash.
 fn linked(scene: &Value, quality: Quality, shading: Shading) -> (BTreeSet<String>, u64) {
     let scene = Scene::parse(&scene.to_string()).unwrap();
     with_program(&task(scene, quality, shading), |program| {
@@ -69,7 +71,7 @@ fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
     let all = linked(&scene(), fast, phong);
     let with = |key, value: f64| with_material(scene(), key, &json!(value));
     let plane = without(without(scene(), "spheres"), "cylinders");
-    // What is absent, without what; the names of functions of which nothing may be left.
+    // Scenes that lack one thing, each with a name of which no function may be left.
     let pairs = [
         (without(scene(), "spheres"), "shape::sphere::"),
         (without(scene(), "planes"), "shape::plane::"),
@@ -91,7 +93,7 @@ fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
         assert!(flash < all.1, "{part}: {flash} bytes, not below {}", all.1);
     }
 
-    // Views and qualities that nobody chose.
+    // Shadings and qualities that the scene does not use.
     assert!(!has(&all.0, "color::halved") && has(&all.0, "Colors<W,K,Q>::follow"));
     let (normals, flash) = linked(&scene(), fast, Shading::Normals);
     assert!(has(&normals, "color::halved") && !has(&normals, "lit_color"));
@@ -127,13 +129,14 @@ fn empty_scene_has_nothing_but_the_loop_that_writes_the_background() {
             assert!(left.is_empty(), "{left:?}");
         }
         let flash = weight(&task).unwrap().flash;
-        // Of which the firmware's own loop over the pixels, which the compiler unrolls, is two thirds.
+        // Two thirds of this are the firmware's own loop over the pixels, which the compiler
+        // unrolls.
         assert!(flash < 1536, "{flash} bytes");
     }
 }
 
-/// Leaving out is no work for the processor: what is known when the firmware is built takes at most 1 %
-/// more instructions, and in truth takes fewer.
+/// Leaving code out costs no instructions: a scene takes at most 1 % more than with everything
+/// linked, and in fact takes fewer.
 #[test]
 fn scenes_are_not_slower_than_with_everything_linked() {
     are_not_slower_than_with_everything(&["castle", "floor"]);
@@ -160,7 +163,7 @@ fn are_not_slower_than_with_everything(names: &[&'static str]) {
     }
 }
 
-/// What scenes may take of flash on thumbv7m, whatever the budget says: scene, quality, reflections
+/// Largest flash of some scenes on thumbv7m, whatever the budget says: scene, quality, reflections
 /// and bytes.
 const LIMITS: [(&str, Quality, u8, u64); 5] = [
     ("floor", Quality::FAST, 4, 8 * 1024),
@@ -188,7 +191,7 @@ fn no_scene_has_grown_beyond_its_budget() {
             "{scene} {quality:?}: {flash} bytes, not {most}"
         );
     }
-    // The larger code is weighed where its instructions are counted.
+    // The larger code is measured where its instructions are counted.
     assert_have_not_grown(|task| {
         let settings = task.settings;
         let is_small = settings.reflections == 4 && settings.quality == Quality::SMALL;
@@ -202,7 +205,7 @@ fn nothing_has_grown_beyond_its_budget() {
     assert_have_not_grown(|_| true);
 }
 
-/// Weighs again what `is_meant`, each target by a thread of its own.
+/// Measures the tasks for which `is_meant` holds again, each target in its own thread.
 fn assert_have_not_grown(is_meant: impl Fn(&Task) -> bool + Sync) {
     let (tasks, kept) = (size::tasks(), size::kept().unwrap());
     let of_target = |target: &str| {
@@ -229,7 +232,8 @@ fn whole_firmware_of_the_castle_is_below_48_kib() {
     let program = board::build_example(size::BOARD).unwrap();
     let weight = weigh(&program).unwrap();
     assert!(weight.flash <= 48 * 1024, "{} bytes", weight.flash);
-    // It does not dither; that these names are found where something does, xtask/no_panic shows.
+    // This firmware does not dither. xtask/no_panic shows that these names are found in a firmware
+    // that does.
     let names = Names::read(&program).unwrap().all().unwrap();
     assert!(
         names

@@ -1,5 +1,5 @@
-//! The boards without a display: the castle is drawn row by row, and it is the picture that is
-//! drawn here.
+//! Tests the boards without a display: they draw the castle row by row, and the picture is the same
+//! as on this machine.
 
 use std::{fs, path::PathBuf, time::Duration};
 
@@ -12,7 +12,7 @@ use xtask::{emulator::qemu::Qemu, measure::weigh, root, toolchain};
 
 const SIDE: u32 = 240;
 
-/// A Cortex-M0 takes some thousand million instructions for the frame.
+/// Time limit of a run: a Cortex-M0 takes some thousand million instructions for the frame.
 const LIMIT: Duration = Duration::from_secs(300);
 
 fn build(target: &str, package: &str) -> PathBuf {
@@ -21,7 +21,7 @@ fn build(target: &str, package: &str) -> PathBuf {
     toolchain::build(target, &arguments).unwrap_or_else(|error| panic!("{error:#}"))
 }
 
-/// The stack that the program says it needed, if it drew the picture that is drawn here.
+/// Returns the stack that the program reports. Panics if its picture differs from this machine's.
 fn stack_of_right_picture(said: &str) -> u64 {
     let start = format!(
         "castle {SIDE}x{SIDE}: {SIDE} rows, hash {:016x}, stack ",
@@ -57,7 +57,7 @@ fn castle_on_risc_v_is_the_same_picture() {
     stack_of_right_picture(&said.unwrap_or_else(|error| panic!("{error}")));
 }
 
-/// Each example has a copy, because it can be copied out of the repository alone.
+/// Each example has its own copy, so that its folder can be copied out of the repository.
 #[test]
 fn stack_is_looked_at_alike_on_both_boards() {
     let source = |board: &str| {

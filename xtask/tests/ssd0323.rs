@@ -1,5 +1,5 @@
-//! The driver of the default board's display, on a desk: what goes over the wire, and that an
-//! error of the wire comes back from the call that draws.
+//! Tests the driver of the default board's display on this machine: the bytes it sends, and that an
+//! error of SPI or the pin is returned by the call that draws.
 
 #[path = "../../examples/board/firmware/ssd0323.rs"]
 mod ssd0323;
@@ -16,8 +16,8 @@ use embedded_hal::{digital, spi};
 use reflet::scenes::{BuiltIn, Castle};
 use ssd0323::{Error, Ssd0323};
 
-/// What was sent, a letter for the level of the data/command pin before every byte; and how many
-/// calls go well before one fails.
+/// A mock of the wires: records the sent bytes with the level of the data/command pin, and can fail
+/// after a number of calls.
 #[derive(Default)]
 struct Wire {
     is_data: bool,
@@ -109,7 +109,7 @@ impl digital::OutputPin for DataCommand {
 
 type Display = Ssd0323<Spi, DataCommand>;
 
-/// A display that has been set up, and its wire, which has forgotten that.
+/// Returns a display that has been set up, and its wire without the bytes of the set-up.
 fn display() -> (Display, Rc<RefCell<Wire>>) {
     let wire = Rc::new(RefCell::new(Wire::default()));
     let display = Ssd0323::new(Spi(wire.clone()), DataCommand(wire.clone())).unwrap();
@@ -212,7 +212,7 @@ fn display_is_black_and_only_then_switched_on() {
 #[test]
 fn error_of_spi_comes_back_from_the_call_that_draws() {
     let frame = Castle::frame(&Castle::CAMERA);
-    // Of the calls of a row, in this order, some go to the pin and the others to SPI.
+    // Order of the calls of a row: `p` goes to the pin, `b` to SPI.
     let errors = "pbbpbbpbb".repeat(2);
     for (calls, kind) in errors.chars().enumerate() {
         let (mut display, wire) = display();
@@ -226,7 +226,7 @@ fn error_of_spi_comes_back_from_the_call_that_draws() {
             Err(expected),
             "after {calls} calls"
         );
-        // The last call of a row only waits for its end.
+        // The last call of a row only waits until the row is sent.
         let rows_sent = wire.borrow().sent.len() / (6 + 64);
         assert_eq!(rows_sent, (calls + 1) / 9, "nothing more is drawn");
     }

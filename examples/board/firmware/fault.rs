@@ -1,4 +1,4 @@
-//! The last words of a firmware whose core cannot go on: the fault's name, where it was, and why.
+//! Handler of hard faults: prints the fault's name, its address and its cause, and ends the program.
 
 use cortex_m::peripheral::SCB;
 use cortex_m_rt::{ExceptionFrame, exception};
@@ -12,8 +12,8 @@ unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
     process::exit(1)
 }
 
-/// What the Configurable Fault Status Register names; ARMv7-M Architecture Reference Manual,
-/// B3.2.15.
+/// Returns the cause in the Configurable Fault Status Register; ARMv7-M Architecture Reference
+/// Manual, B3.2.15.
 fn cause(status: u32) -> &'static str {
     match status {
         0 => "no cause known",

@@ -1,5 +1,5 @@
-//! The LM3S6965's SPI and pins as embedded-hal knows them, and the tick it sleeps by. It knows
-//! what the evaluation board has wired to which pin, and nothing of pictures.
+//! Drives the LM3S6965's SPI and pins through the traits of embedded-hal, and the tick that wakes
+//! the core. Knows how the evaluation board is wired, but nothing of pictures.
 //!
 //! Registers: Texas Instruments, Stellaris LM3S6965 data sheet, chapters 5, 8 and 14.
 
@@ -9,16 +9,16 @@ use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_rt::exception;
 use embedded_hal::{digital, spi};
 
-/// The core's clock in Hz.
+/// Clock of the core in Hz.
 const CLOCK: u32 = 50_000_000;
 
-/// How often a second the core wakes up.
+/// Number of ticks a second. Each wakes the core.
 const TICKS: u32 = 100;
 
-/// What the evaluation board has wired up.
+/// The parts of the evaluation board that the firmware uses.
 pub struct Board {
     pub spi: Spi,
-    /// High for data, low for commands.
+    /// Pin of the display: high for data, low for commands.
     pub data_command: Output,
     pub up: Button,
     pub down: Button,
@@ -28,7 +28,7 @@ pub struct Board {
 }
 
 impl Board {
-    /// Switches on what the board uses; `None` the second time.
+    /// Switches on the used parts of the board. Returns `None` if it was called before.
     pub fn take() -> Option<Self> {
         let mut tick = cortex_m::Peripherals::take()?.SYST;
         start_clock();
@@ -42,7 +42,7 @@ impl Board {
         const PORT_CLOCKS: Register = Register(0x400f_e108);
         SSI_CLOCKS.change(0, 1 << 4);
         PORT_CLOCKS.change(0, 0b11_0101);
-        // A part answers three cycles after it has been given its clock.
+        // A part of the chip can be accessed three cycles after its clock was switched on.
         cortex_m::asm::delay(3);
 
         Some(Self {
@@ -57,8 +57,8 @@ impl Board {
     }
 }
 
-/// Goes from the internal oscillator over to a quarter of the PLL's 200 MHz, fed by the board's
-/// crystal of 8 MHz; data sheet, 5.3.
+/// Switches the clock from the internal oscillator to a quarter of the PLL's 200 MHz, fed by the
+/// board's crystal of 8 MHz; data sheet, 5.3.
 fn start_clock() {
     const STATUS: Register = Register(0x400f_e050);
     const LOCKED: u32 = 1 << 6;
@@ -72,14 +72,14 @@ fn start_clock() {
     const CHOSEN: u32 = 3 << 23 | 0xe << 6;
 
     CONTROL.change(USE_DIVIDER | CRYSTAL_OFF, BYPASS_PLL);
-    // The crystal has to come to rest.
+    // The crystal needs time to become stable.
     cortex_m::asm::delay(1 << 19);
     CONTROL.change(CHOICES | PLL_OFF, CHOSEN | USE_DIVIDER);
     while STATUS.read() & LOCKED == 0 {}
     CONTROL.change(BYPASS_PLL, 0);
 }
 
-/// Rests until the next tick, or whatever else wakes the core.
+/// Sleeps until the next tick or another event wakes the core.
 pub fn sleep() {
     cortex_m::asm::wfi();
 }
@@ -87,12 +87,13 @@ pub fn sleep() {
 #[exception]
 fn SysTick() {}
 
-/// Rests for a time, awake.
+/// Waits for a time without sleeping.
 pub fn delay(milliseconds: u32) {
     cortex_m::asm::delay(CLOCK / 1000 * milliseconds);
 }
 
-/// SSI0 as a master for bytes at 3.1 MHz, with the clock high at rest; its own pin selects the OLED.
+/// SSI0 as an SPI master for bytes at 3.1 MHz. The clock is high when idle, and its own select pin
+/// selects the OLED.
 pub struct Spi(());
 
 impl Spi {
@@ -114,7 +115,7 @@ impl Spi {
         Self(())
     }
 
-    /// Sends a byte while one comes in.
+    /// Sends a byte and returns the byte that was received meanwhile.
     fn exchange(&mut self, byte: u8) -> u8 {
         const RECEIVED: u32 = 1 << 2;
         Self::DATA.write(byte.into());
@@ -157,13 +158,13 @@ impl spi::SpiBus for Spi {
         Ok(())
     }
 
-    /// There is nothing to wait for: a byte has come in when one has gone out.
+    /// Returns at once: every byte has been sent when its answer has been received.
     fn flush(&mut self) -> Result<(), Infallible> {
         Ok(())
     }
 }
 
-/// A pin that is driven.
+/// An output pin.
 pub struct Output {
     level: Register,
 }
@@ -194,7 +195,7 @@ impl digital::OutputPin for Output {
     }
 }
 
-/// A pin that a button pulls down while it is pressed; the port remembers that it was let go.
+/// An input pin that a button pulls low while it is pressed. The port remembers a release.
 pub struct Button {
     port: Port,
     pin: u32,
@@ -205,12 +206,12 @@ impl Button {
         port.at(PULL_UP).change(0, 1 << pin);
         port.at(DIGITAL).change(0, 1 << pin);
         port.at(NOTE_RISE).change(0, 1 << pin);
-        // What was noted until now is no key's doing.
+        // Rises before this moment do not come from the key.
         port.at(FORGET).write(1 << pin);
         Self { port, pin }
     }
 
-    /// Whether the level has risen since this was last asked.
+    /// Tests whether the level has risen since the last call.
     pub fn has_risen(&mut self) -> bool {
         let risen = self.port.at(NOTED).read() & 1 << self.pin != 0;
         self.port.at(FORGET).write(1 << self.pin);
@@ -232,7 +233,7 @@ impl digital::InputPin for Button {
     }
 }
 
-/// Eight pins.
+/// A port of eight pins, by its base address.
 #[derive(Clone, Copy)]
 struct Port(usize);
 
@@ -241,7 +242,8 @@ const PORT_C: Port = Port(0x4000_6000);
 const PORT_E: Port = Port(0x4002_4000);
 const PORT_F: Port = Port(0x4002_5000);
 
-// A port's registers, a bit a pin. After a reset pins are inputs whose falls are noted.
+// Offsets of a port's registers, which have one bit for each pin. After a reset, pins are inputs and
+// falls are noted.
 const DIRECTION: usize = 0x400;
 const NOTE_RISE: usize = 0x40c;
 const NOTED: usize = 0x414;
@@ -255,29 +257,31 @@ impl Port {
         Register(self.0 + offset)
     }
 
-    /// The level of one pin: the address itself says which of the eight are meant.
+    /// Returns the data register of one pin. The address itself selects which of the eight pins are
+    /// accessed.
     const fn level(self, pin: u32) -> Register {
         self.at(4 << pin)
     }
 }
 
-/// A register of the chip, by its address. Only this file makes any.
+/// A register of the chip, by its address. Only this file creates registers.
 #[derive(Clone, Copy)]
 struct Register(usize);
 
 impl Register {
     fn read(self) -> u32 {
-        // SAFETY: every address in this file is one of a register of the chip, aligned, and a
-        // register is no memory that Rust knows of.
+        // SAFETY: every address in this file is the aligned address of a register of the chip, and
+        // Rust places no variable there.
         unsafe { (self.0 as *const u32).read_volatile() }
     }
 
     fn write(self, value: u32) {
-        // SAFETY: as in `read`; what a write does stays in the part the register belongs to.
+        // SAFETY: as in `read`. A write only affects the part of the chip that the register belongs
+        // to.
         unsafe { (self.0 as *mut u32).write_volatile(value) }
     }
 
-    /// Clears bits, then sets bits, and leaves the others as they are.
+    /// Clears some bits, then sets some, and keeps the others.
     fn change(self, clear: u32, set: u32) {
         self.write(self.read() & !clear | set);
     }

@@ -1,5 +1,5 @@
-//! Shows scenes, drawn row by row; the arrow keys orbit the camera, the select key
-//! goes on to the next scene. Each finished picture is reported to the debugger.
+//! Shows scenes, drawn row by row. The arrow keys orbit the camera, the select key shows the next
+//! scene. Each finished picture is reported to the debugger.
 
 mod fault;
 mod keys;
@@ -23,10 +23,10 @@ use self::{
     ssd0323::Ssd0323,
 };
 
-/// What can fail.
+/// Error of the display; neither SPI nor the pin can fail here.
 pub type Error = ssd0323::Error<Infallible, Infallible>;
 
-/// Takes the board and shows some scenes again and again.
+/// Takes the board and calls `show` again and again.
 pub fn run(show: impl Fn(&mut Viewer) -> Result<(), Error>) -> ! {
     let Err(error) = forever(show);
     panic!("the display failed: {error:?}")
@@ -43,7 +43,7 @@ fn forever(show: impl Fn(&mut Viewer) -> Result<(), Error>) -> Result<Infallible
     }
 }
 
-/// The display and the keys.
+/// The display and the keys of the board.
 pub struct Viewer {
     display: Ssd0323<Spi, Output>,
     keys: Keys,
@@ -58,17 +58,17 @@ impl Visitor for &mut Viewer {
 }
 
 impl Viewer {
-    /// Shows a scene from where its keys lead to, until the next one is asked for.
+    /// Shows a scene and orbits its camera by the keys, until the next scene is asked for.
     pub fn follow<S: BuiltIn>(&mut self) -> Result<(), Error> {
         let mut camera = S::CAMERA;
         while let Request::Orbit(azimuth, elevation) = self.show::<S>(&camera)? {
-            // A camera cannot look along its `up`: there it stays.
+            // A camera cannot look along its `up`: then it keeps its place.
             camera = camera.orbited(azimuth, elevation).unwrap_or(camera);
         }
         Ok(())
     }
 
-    /// Draws a scene until it is done or a key is pressed, and returns what the next key asks for.
+    /// Draws a scene until it is finished or a key is pressed. Returns the request of the next key.
     fn show<S: BuiltIn>(&mut self, camera: &Camera) -> Result<Request, Error> {
         let picture = S::frame(camera).sized(self.display.size());
         let mut report = Report::NONE;
@@ -80,7 +80,7 @@ impl Viewer {
                 return Ok(request);
             }
         }
-        // In whole numbers: their formatting is a fraction of that of others.
+        // Printed as whole numbers: formatting them costs a fraction of what other numbers cost.
         let (rays, cut_off) = (report.rays as u32, report.cut_off.to_bits() as u32);
         let cut_off = (u64::from(cut_off) * 10_000 + (1 << 29)) >> 30;
         let (ones, rest) = (cut_off as u32 / 10_000, cut_off as u32 % 10_000);

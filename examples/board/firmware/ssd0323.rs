@@ -1,12 +1,13 @@
-//! The SSD0323: a controller for OLED panels of 128x64 pixels in 16 greys, behind SPI and a pin
-//! that tells data from commands. It knows no chip and keeps no copy of the picture.
+//! Driver for the SSD0323, a controller for OLED panels of 128x64 pixels in 16 greys, connected by
+//! SPI and a data/command pin. It knows no chip and keeps no copy of the picture.
 //!
 //! Two neighbouring pixels share a byte, the left one in the high nibble, and over SPI the memory
-//! cannot be read back. So what is drawn comes in whole pairs: it starts at an even column and is
-//! an even number of pixels wide. Half a pair is an error, as it would take its neighbour along.
+//! cannot be read back. So a drawn area must consist of whole pairs: it starts at an even column and
+//! is an even number of pixels wide. Half a pair is an error, because it would overwrite its
+//! neighbour.
 //!
-//! Values of the set-up: Solomon Systech, SSD0323 data sheet, and OSRAM, application note AN018,
-//! for the panel Pictiva 128x64.
+//! Settings from: Solomon Systech, SSD0323 data sheet, and OSRAM, application note AN018, for the
+//! panel Pictiva 128x64.
 
 use embedded_graphics::{
     Pixel,
@@ -20,12 +21,12 @@ use embedded_hal::{digital::OutputPin, spi::SpiBus};
 const SIZE: Size = Size::new(128, 64);
 const ROW_BYTES: usize = SIZE.width as usize / 2;
 
-/// Selects columns, in pairs, and rows: each command is followed by the first and the last.
+/// Command that selects columns, in pairs. Like `SET_ROWS` it is followed by the first and the last.
 const SET_COLUMNS: u8 = 0x15;
 const SET_ROWS: u8 = 0x75;
 const DISPLAY_ON: u8 = 0xaf;
 
-/// Everything but the power: sent once.
+/// Commands that set up the controller; each is sent once, before the display is switched on.
 const SET_UP: &[&[u8]] = &[
     &[0xae],                                                 // display off
     &[0x81, 50],                                             // contrast
@@ -45,27 +46,28 @@ const SET_UP: &[&[u8]] = &[
     &[0xad, 0x03],                                           // voltage converter on
 ];
 
-/// What can go wrong on the way to the display.
+/// Error of drawing on the display.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error<S, P> {
     /// SPI failed.
     Bus(S),
     /// The data/command pin failed.
     Pin(P),
-    /// One pixel of a pair was to be drawn without the other.
+    /// One pixel of a pair was drawn without the other.
     HalfPair,
 }
 
-/// A display of 128x64 pixels.
+/// Driver of a display with 128x64 pixels.
 pub struct Ssd0323<SPI, DC> {
     spi: SPI,
     data_command: DC,
 }
 
 impl<SPI: SpiBus, DC: OutputPin> Ssd0323<SPI, DC> {
-    /// Sets up a controller that has just been reset, and switches on a black picture.
+    /// Sets up a controller that has just been reset, and switches on the display with a black
+    /// picture.
     ///
-    /// `data_command` is high for data and low for commands; what selects the chip is `spi`'s.
+    /// `data_command` is high for data and low for commands. `spi` must select the chip itself.
     pub fn new(spi: SPI, data_command: DC) -> Result<Self, Error<SPI::Error, DC::Error>> {
         let mut display = Self { spi, data_command };
         for command in SET_UP {
@@ -76,7 +78,7 @@ impl<SPI: SpiBus, DC: OutputPin> Ssd0323<SPI, DC> {
         Ok(display)
     }
 
-    /// Sends pairs of pixels to the right from an even column of a row.
+    /// Sends pairs of pixels of a row, from an even column to the right.
     fn send(&mut self, start: Point, pairs: &[u8]) -> Result<(), Error<SPI::Error, DC::Error>> {
         let Some(after) = pairs.len().checked_sub(1) else {
             return Ok(());
@@ -93,7 +95,7 @@ impl<SPI: SpiBus, DC: OutputPin> Ssd0323<SPI, DC> {
         self.write(bytes)
     }
 
-    /// Returns when the last bit is out: only then may the data/command pin change.
+    /// Sends bytes and returns after the last bit is out: only then may the data/command pin change.
     fn write(&mut self, bytes: &[u8]) -> Result<(), Error<SPI::Error, DC::Error>> {
         self.spi.write(bytes).map_err(Error::Bus)?;
         self.spi.flush().map_err(Error::Bus)
@@ -126,7 +128,7 @@ impl<SPI: SpiBus, DC: OutputPin> DrawTarget for Ssd0323<SPI, DC> {
         Ok(())
     }
 
-    /// Sends every row as soon as its pixels are known.
+    /// Sends each row as soon as its pixels are known.
     fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Self::Error>
     where
         I: IntoIterator<Item = Gray4>,

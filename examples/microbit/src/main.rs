@@ -1,8 +1,9 @@
-//! The castle, 240 pixels wide, on a Cortex-M0 with 16 KB of RAM: rows counted and hashed.
+//! Draws the castle, 240 pixels wide, on a Cortex-M0 with 16 KB of RAM, and counts and hashes its
+//! rows.
 //!
-//! What it says on the semihosting console shows that the picture is the one every other machine
-//! draws, and how little RAM it takes: the static variables and the peak of the stack, the buffer
-//! for a row included.
+//! Its line on the semihosting console shows that the picture is the same as on every other machine,
+//! and the peak of the stack, which includes the buffer for half a row. The RAM in use is this peak
+//! plus the static variables.
 #![no_std]
 #![no_main]
 
@@ -28,7 +29,8 @@ fn main() -> ! {
     exit(0)
 }
 
-/// Draws row by row, a half after the other, as RAM is short; how many rows, and the hash of all.
+/// Draws the picture row by row, each in two halves because RAM is short. Returns the number of rows
+/// and the hash of all pixels.
 #[inline(never)]
 fn draw() -> (u32, u64) {
     const HALF: u32 = SIDE / 2;
@@ -48,10 +50,10 @@ fn draw() -> (u32, u64) {
     (rows, hash)
 }
 
-/// The hash of no bytes, by FNV-1a with 64 bits.
+/// FNV-1a hash of no bytes, 64 bits.
 const HASH_OF_NOTHING: u64 = 0xcbf2_9ce4_8422_2325;
 
-/// The hash of what was hashed before and the bytes of one more pixel.
+/// Returns the hash with the bytes of one more pixel.
 fn hashed(hash: u64, pixel: [u8; 3]) -> u64 {
     let add = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     pixel.into_iter().fold(hash, add)

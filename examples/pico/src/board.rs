@@ -1,4 +1,4 @@
-//! What is wired to which pin, and how it is switched on.
+//! Connects the parts of the board to pins, and switches them on.
 
 use core::fmt::Debug;
 
@@ -22,12 +22,12 @@ use crate::cores::Cores;
 use crate::keys::Keys;
 use crate::view::SIDE;
 
-/// The crystal of a Raspberry Pi Pico, in Hz.
+/// Frequency of the Raspberry Pi Pico's crystal, in Hz.
 const CRYSTAL: u32 = 12_000_000;
 
-/// What the program works with, switched on.
+/// The parts of the board that the program uses, switched on.
 pub struct Board<D> {
-    /// The panel, black and lit.
+    /// The panel: black, with its backlight on.
     pub display: D,
     pub keys: Keys,
     pub cores: Cores,
@@ -37,7 +37,8 @@ pub struct Board<D> {
 /// Switches the board on.
 ///
 /// # Panics
-/// Where a clock does not start, the panel takes nothing, or when called again.
+/// Panics if a clock does not start, if the panel does not accept commands, or if it is called
+/// again.
 pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
     let mut chip = Peripherals::take().expect("the board is switched on once");
     let clocks = init_clocks_and_plls(
@@ -91,7 +92,7 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
     }
 }
 
-/// The panel behind these pins, black.
+/// Returns the panel behind these pins, filled with black.
 fn panel(
     bus: impl SpiBus<Error: Debug>,
     chip_select: impl OutputPin<Error: Debug>,

@@ -1,6 +1,7 @@
-//! Rows worked out by both cores: the first takes the even ones, the second the odd ones.
+//! Shares the rows of a picture between both cores: the first traces the even rows, the second the
+//! odd ones.
 //!
-//! Where no second core answers, as in most emulators, the first works out all of them.
+//! If no second core answers, as in most emulators, the first traces all rows.
 
 use cortex_m::singleton;
 use heapless::spsc::{Consumer, Producer, Queue};
@@ -12,13 +13,13 @@ use rp2040_hal::sio::SioFifo;
 
 use crate::view::{BLACK_ROW, Row, Rows, View};
 
-/// The second core's stack, in words.
+/// Stack of the second core: 2048 words.
 static STACK: Stack<2048> = Stack::new();
 
-/// How many words the FIFO between the cores holds.
+/// Number of words that the FIFO between the cores holds.
 const FIFO_DEPTH: usize = 8;
 
-/// The cores at work.
+/// The first core, and the second if there is one.
 pub struct Cores {
     second: Option<Second>,
 }
@@ -32,12 +33,12 @@ impl Cores {
         }
     }
 
-    /// How many cores there are.
+    /// Returns the number of cores: 1 or 2.
     pub fn count(&self) -> usize {
         1 + usize::from(self.second.is_some())
     }
 
-    /// Traces rows `y` and `y + 1` of a view, whose rows are ready on this core.
+    /// Traces rows `y` and `y + 1` of a view. `rows` is the view's prepared picture on this core.
     pub fn trace(&mut self, view: &View, rows: &dyn Rows, y: u32, [even, odd]: &mut [Row; 2]) {
         match &mut self.second {
             Some(second) => {
@@ -53,7 +54,7 @@ impl Cores {
     }
 }
 
-/// The second core, asked for one row at a time.
+/// The second core, which traces one row at a time.
 struct Second {
     questions: Producer<'static, (View, u32)>,
     answers: Consumer<'static, Row>,
@@ -61,7 +62,7 @@ struct Second {
 
 impl Second {
     fn start(psm: &mut PSM, ppb: &mut PPB, fifo: &mut SioFifo) -> Option<Self> {
-        // A queue holds one item less than it has room for.
+        // A queue holds one item less than its capacity.
         let questions = singleton!(: Queue<(View, u32), 2> = Queue::new())?;
         let answers = singleton!(: Queue<Row, 2> = Queue::new())?;
         let (questions, asked) = questions.split();
@@ -92,7 +93,7 @@ impl Second {
     }
 }
 
-/// What the second core does, for ever. It makes a view ready once, too.
+/// Runs on the second core, for ever: prepares each view once and traces its rows.
 fn answer_all(mut asked: Consumer<'static, (View, u32)>, mut answered: Producer<'static, Row>) {
     let mut question = next(&mut asked);
     loop {
@@ -101,7 +102,7 @@ fn answer_all(mut asked: Consumer<'static, (View, u32)>, mut answered: Producer<
     }
 }
 
-/// Answers questions about one view; returns the first about another.
+/// Traces the rows of one view. Returns the first question about another view.
 fn answer_about(
     rows: &dyn Rows,
     (view, mut y): (View, u32),
@@ -129,8 +130,8 @@ fn next(asked: &mut Consumer<'static, (View, u32)>) -> (View, u32) {
     }
 }
 
-/// Resets the second core and says whether its boot ROM greets the first with a 0, as it does
-/// before it can be started. Starting a core that is not there would wait for ever.
+/// Resets the second core, and tests whether its boot ROM sends a 0 to the first, as it does before
+/// it can be started. Without this test, starting a core that is not there would wait for ever.
 fn second_answers(psm: &mut PSM, fifo: &mut SioFifo, timer: Timer) -> bool {
     psm.frce_off().modify(|_, power| power.proc1().set_bit());
     while psm.frce_off().read().proc1().bit_is_clear() {}

@@ -1,5 +1,5 @@
-//! The five keys as what they ask for. A press is caught even while rows are worked out: the pins
-//! remember it.
+//! The five keys, each with its request. Presses are not lost while rows are traced, because the
+//! pins remember them.
 
 use core::convert::Infallible;
 use core::mem::replace;
@@ -9,32 +9,32 @@ use embedded_hal::digital::InputPin;
 use rp2040_hal::Timer;
 use rp2040_hal::gpio::{DynPinId, FunctionSioInput, Interrupt, Pin, PullUp};
 
-/// What a key asks for.
+/// Action that a key asks for.
 #[derive(Clone, Copy)]
 pub enum Request {
-    /// Another view: degrees about the camera's `up`, and degrees upwards.
+    /// Orbit the camera: degrees about its `up`, and degrees upwards.
     Orbit(i32, i32),
-    /// The next scene.
+    /// Show the next scene.
     NextScene,
 }
 
-/// A pin that a key connects to ground.
+/// Input pin that a key connects to ground while it is pressed.
 pub type KeyPin = Pin<DynPinId, FunctionSioInput, PullUp>;
 
-/// How far one press turns the camera, in degrees.
+/// Degrees by which one press turns the camera.
 const STEP: i32 = 10;
 
-/// How long a contact bounces at most, in milliseconds.
+/// Longest time in milliseconds for which a contact bounces.
 const BOUNCE: u32 = 10;
 
-/// All the keys and what they ask for.
+/// The five keys, each with its request.
 pub struct Keys {
     keys: [(Contact, Request); 5],
     timer: Timer,
 }
 
 impl Keys {
-    /// The arrow keys orbit the camera, the select key asks for the next scene.
+    /// Creates the keys: the arrow keys orbit the camera, the select key asks for the next scene.
     pub fn new([up, down, left, right, select]: [KeyPin; 5], timer: Timer) -> Self {
         let keys = [
             (Contact::new(up), Request::Orbit(0, STEP)),
@@ -46,7 +46,7 @@ impl Keys {
         Self { keys, timer }
     }
 
-    /// What a key asks for that was pressed since the last call.
+    /// Returns the request of a key that was pressed since the last call.
     pub fn pressed(&mut self) -> Option<Request> {
         if self.keys.iter().any(|(contact, _)| contact.has_closed()) {
             self.timer.delay_ms(BOUNCE);
@@ -60,7 +60,7 @@ impl Keys {
         pressed
     }
 
-    /// Waits for a key.
+    /// Waits until a key is pressed, and returns its request.
     pub fn wait(&mut self) -> Request {
         loop {
             if let Some(request) = self.pressed() {
@@ -70,7 +70,7 @@ impl Keys {
     }
 }
 
-/// One key's contact.
+/// The contact of one key.
 struct Contact {
     pin: KeyPin,
     is_held: bool,
@@ -78,7 +78,8 @@ struct Contact {
 
 impl Contact {
     fn new(mut pin: KeyPin) -> Self {
-        // The pin's interrupt is enabled for its memory alone: the core never takes it.
+        // The interrupt is enabled only so that the pin remembers a press; the core never handles
+        // it.
         pin.set_interrupt_enabled(Interrupt::EdgeLow, true);
         pin.clear_interrupt(Interrupt::EdgeLow);
         Self {
@@ -87,12 +88,13 @@ impl Contact {
         }
     }
 
-    /// Whether it closed since the last call of [`Self::was_pressed`].
+    /// Tests whether the contact closed since the last call of [`Self::was_pressed`].
     fn has_closed(&self) -> bool {
         self.pin.interrupt_status(Interrupt::EdgeLow)
     }
 
-    /// Whether it closed since the last call and was open then: letting go bounces, too.
+    /// Tests whether the contact closed since the last call and was open at that call: a release
+    /// bounces, too.
     fn was_pressed(&mut self) -> bool {
         let has_closed = self.has_closed();
         self.pin.clear_interrupt(Interrupt::EdgeLow);

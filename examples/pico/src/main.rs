@@ -1,5 +1,5 @@
-//! The scenes of reflet on a Raspberry Pi Pico: an ST7789 of 240 by 240 pixels, five keys, both
-//! cores. The README has the wiring.
+//! Shows the scenes of reflet on a Raspberry Pi Pico with an ST7789 of 240 by 240 pixels, five keys,
+//! and both cores. The README has the wiring.
 
 #![no_std]
 #![no_main]
@@ -22,7 +22,7 @@ use crate::cores::Cores;
 use crate::keys::{Keys, Request};
 use crate::view::{BLACK_ROW, Rows, SIDE, View};
 
-/// The second stage of the boot loader: makes the flash readable as memory.
+/// Second stage of the boot loader. It makes the flash readable as memory.
 #[used]
 #[unsafe(link_section = ".boot2")]
 static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
@@ -52,7 +52,7 @@ fn main() -> ! {
     }
 }
 
-/// Draws a view, two rows at a time, unless a key is pressed before it is done.
+/// Draws a view, two rows at a time. Stops and returns the request if a key is pressed.
 fn draw<D: DrawTarget<Color = Rgb565>>(
     view: &View,
     rows: &dyn Rows,
@@ -72,7 +72,7 @@ fn draw<D: DrawTarget<Color = Rgb565>>(
     Ok(None)
 }
 
-/// Says what went wrong to a debugger that listens, and stops.
+/// Prints the panic's message to a connected debugger, and stops.
 #[panic_handler]
 fn panic(info: &PanicInfo<'_>) -> ! {
     rprintln!("{}", info);

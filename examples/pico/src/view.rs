@@ -1,4 +1,4 @@
-//! What is shown: a scene and a camera. Knows no board.
+//! The view: a scene and a camera. Knows no board.
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
@@ -10,16 +10,16 @@ use reflet::shading::Shading;
 
 use crate::keys::Request;
 
-/// The width and the height of the picture in pixels.
+/// Width and height of the picture in pixels.
 pub const SIDE: u32 = 240;
 
 /// The pixels of one row.
 pub type Row = [Rgb565; SIDE as usize];
 
-/// A row before it is worked out.
+/// A row of black pixels, the initial value of row buffers.
 pub const BLACK_ROW: Row = [Rgb565::BLACK; SIDE as usize];
 
-/// One of the built-in scenes, seen through a camera.
+/// One of the built-in scenes, and the camera through which it is drawn.
 #[derive(Clone, Copy, PartialEq)]
 pub struct View {
     scene: usize,
@@ -27,22 +27,22 @@ pub struct View {
 }
 
 impl View {
-    /// What is shown after a reset.
+    /// The view after a reset.
     pub const FIRST: Self = Self {
         scene: 0,
         camera: Castle::CAMERA,
     };
 
-    /// The name of the scene.
+    /// Returns the name of the scene.
     pub fn name(&self) -> &'static str {
         NAMES[self.scene]
     }
 
-    /// The view that is asked for.
+    /// Returns the view that a request leads to.
     pub fn after(self, request: Request) -> Self {
         match request {
             Request::Orbit(azimuth, elevation) => {
-                // A camera cannot look along its `up`: there it stays.
+                // A camera cannot look along its `up`: then it keeps its place.
                 let camera = self
                     .camera
                     .orbited(azimuth, elevation)
@@ -53,7 +53,7 @@ impl View {
         }
     }
 
-    /// Makes the view ready for its picture and lends the rows to `work`.
+    /// Prepares the picture of the view and calls `work` with its rows.
     pub fn with_rows<R>(&self, work: impl FnOnce(&dyn Rows) -> R) -> R {
         let camera = &self.camera;
         visit(self.name(), WithRows { camera, work }).expect("the name is one of the list")
@@ -66,7 +66,7 @@ impl View {
     }
 }
 
-/// The rows of a picture that is ready to be drawn.
+/// Rows of a prepared picture, whatever its scene.
 pub trait Rows {
     /// Traces row `y`.
     fn row(&self, y: u32, row: &mut Row);
@@ -86,8 +86,8 @@ struct WithRows<'a, F> {
 impl<R, F: FnOnce(&dyn Rows) -> R> Visitor for WithRows<'_, F> {
     type Output = R;
 
-    /// Each scene has a copy of its own, so that the stack holds what one of them needs, not what all
-    /// do.
+    /// Compiled once for each scene and never inlined, so that the stack holds the picture of one
+    /// scene only.
     #[inline(never)]
     fn visit<S: BuiltIn>(self) -> R {
         let picture = S::frame(self.camera).sized(Size::new(SIDE, SIDE));

@@ -1,7 +1,7 @@
-//! The castle, 240 pixels wide, on an RV32IMAC core with 16 KB of RAM: rows counted and hashed.
+//! Draws the castle, 240 pixels wide, on an RV32IMAC core with 16 KB of RAM, and counts and hashes
+//! its rows.
 //!
-//! What it says on the semihosting console shows that the picture is the one every other machine
-//! draws.
+//! Its line on the semihosting console shows that the picture is the same as on every other machine.
 #![no_std]
 #![no_main]
 
@@ -27,14 +27,14 @@ fn main() -> ! {
     exit(0)
 }
 
-/// A fault ends the program, and badly.
+/// Reports an exception and ends the program with an error.
 #[unsafe(export_name = "ExceptionHandler")]
 fn fault(_: &riscv_rt::TrapFrame) -> ! {
     println!("fault: exception");
     exit(1)
 }
 
-/// Draws row by row; how many rows, and the hash of all.
+/// Draws the picture row by row. Returns the number of rows and the hash of all pixels.
 #[inline(never)]
 fn draw() -> (u32, u64) {
     let mut row = [Rgb888::BLACK; SIDE as usize];
@@ -51,10 +51,10 @@ fn draw() -> (u32, u64) {
     (rows, hash)
 }
 
-/// The hash of no bytes, by FNV-1a with 64 bits.
+/// FNV-1a hash of no bytes, 64 bits.
 const HASH_OF_NOTHING: u64 = 0xcbf2_9ce4_8422_2325;
 
-/// The hash of what was hashed before and the bytes of one more pixel.
+/// Returns the hash with the bytes of one more pixel.
 fn hashed(hash: u64, pixel: [u8; 3]) -> u64 {
     let add = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
     pixel.into_iter().fold(hash, add)

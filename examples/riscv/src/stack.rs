@@ -1,4 +1,5 @@
-//! How deep the stack has been: what is free is painted, and what is still painted was not used.
+//! Measures how deep the stack has been. It paints the free part of the stack; words that are still
+//! painted later were not used.
 
 use core::ptr;
 
@@ -8,7 +9,7 @@ const PAINT: u32 = 0x5afe_57ac;
 const MARGIN: usize = 64;
 
 unsafe extern "C" {
-    // From the linker script: where the static variables end, and where the stack begins.
+    // From the linker script: the end of the static variables, and the start of the stack.
     static mut __sheap: u32;
     static mut _stack_start: u32;
 }
@@ -20,7 +21,7 @@ pub fn paint() {
     let end = (ptr::from_ref(&here) as usize - MARGIN) as *mut u32;
     let mut word = &raw mut __sheap;
     while word < end {
-        // Sound: between the static variables and this frame nothing lives.
+        // Sound: no variable lives between the static variables and this frame.
         unsafe {
             word.write_volatile(PAINT);
             word = word.add(1);
@@ -28,11 +29,11 @@ pub fn paint() {
     }
 }
 
-/// The most bytes that the stack has held since it was painted, counted from its beginning.
+/// Returns the most bytes of stack that were in use since [`paint`], counted from the stack's start.
 pub fn peak() -> u32 {
     let start = &raw mut _stack_start;
     let mut word = &raw mut __sheap;
-    // Sound: all of this is the stack's memory.
+    // Sound: all of this memory belongs to the stack.
     while word < start && unsafe { word.read_volatile() } == PAINT {
         word = unsafe { word.add(1) };
     }

@@ -1,4 +1,4 @@
-//! The pictures of a scene, and what each must keep.
+//! Draws the pictures of a random scene and checks what must hold for each.
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
@@ -9,19 +9,19 @@ use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 
 use crate::Wild;
 
-/// What a picture has shown.
+/// Result of drawing a picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawn {
-    /// The rays that were followed, those to the lights apart.
+    /// Number of followed rays, without shadow rays.
     pub rays: u64,
 }
 
 impl Wild {
-    /// Draws the scene; `None` where the library refuses it as a whole.
+    /// Draws the scene. `None` if the library refuses it as a whole.
     ///
     /// # Panics
     ///
-    /// The picture has taken more rays than a frame may, or a path has been cut off though nothing
+    /// Panics if a row takes more rays than it may, or if a path was cut off in a scene without
     /// mirrors.
     pub fn draw(&self) -> Option<Drawn> {
         let built = self.scene.build().ok()?;
@@ -43,8 +43,8 @@ impl Wild {
         let (width, height) = (self.size.width, self.size.height);
         let mut row = vec![Rgb888::BLACK; width as usize];
         let mut report = Report::NONE;
-        // At most this many pixels of a row are traced: those of the picture, and where some are taken
-        // from others, two stretches beside it and the one before.
+        // Only this many pixels of a row may be traced: those of the picture and, with interpolation,
+        // two stretches beside it and the one before.
         let beside = if Q::STRIDE == 1 { 0 } else { 12 };
         let most = u64::from(width + beside) * (u64::from(self.reflections) + 1);
         for y in 0..height {

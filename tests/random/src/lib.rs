@@ -1,9 +1,10 @@
-//! Scenes and cameras made of any bytes, and their pictures: what the fuzzer and the long runs draw.
+//! Random scenes and cameras, made from arbitrary bytes, and their pictures. The fuzzer and the long
+//! runs draw them.
 //!
-//! Numbers are of every size that a description may have, and often ones that make trouble: zero,
-//! one, a power of two, or the number before, so that things touch, coincide or stand in each other.
-//! What the library refuses is no scene; what it accepts must be drawn without a panic or an overflow,
-//! by no more rays than a frame may follow, and with nothing cut off where nothing mirrors.
+//! Numbers have every size that a description allows. Often they are difficult ones: zero, one, a
+//! power of two, or the number before, so that shapes touch, coincide or contain each other. The
+//! library may refuse a scene. A scene that it accepts must be drawn without a panic or an overflow,
+//! with no more rays than a frame may follow, and without a cut-off if nothing mirrors.
 #![deny(missing_docs)]
 
 mod draw;
@@ -16,28 +17,29 @@ use reflet::{room, Camera, Error, Material, MaterialId, RuntimeScene};
 
 pub use draw::Drawn;
 
-/// Room for what a few hundred bytes describe.
+/// A scene with enough room for what a few hundred bytes describe.
 pub type Scenery = RuntimeScene<room!(spheres: 6, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>;
 
-/// A scene that the library accepts, and how it is to be drawn.
+/// A described scene, and how to draw it.
 #[derive(Clone, Debug)]
 pub struct Wild {
-    /// The scene as it was described.
+    /// The description of the scene.
     pub scene: Scenery,
-    /// Where it is seen from.
+    /// The camera.
     pub camera: Camera,
-    /// 0 to 255.
+    /// Largest number of reflections, 0 to 255.
     pub reflections: u8,
-    /// A few pixels wide and high.
+    /// Size of the picture: a few pixels.
     pub size: Size,
-    /// Which shading and quality.
+    /// Number that selects shading and quality.
     pub kind: u8,
-    /// Whether a material mirrors at all.
+    /// Whether any material mirrors.
     pub mirrors: bool,
 }
 
 impl Wild {
-    /// The scene that some bytes make; `None` where the library refuses it, or they are too few.
+    /// Makes a scene from bytes. `None` if the library refuses one of its parts, or if there are too
+    /// few bytes.
     pub fn read(bytes: &[u8]) -> Option<Self> {
         let mut bytes = Unstructured::new(bytes);
         Self::described(&mut bytes).ok().flatten()
@@ -77,7 +79,7 @@ impl Wild {
     }
 }
 
-/// The outer result is about the bytes, the inner one about the scene.
+/// Fills a scene from bytes. The outer error is about the bytes, the inner one about the scene.
 fn fill(
     bytes: &mut Unstructured,
     numbers: &mut Numbers,
@@ -101,7 +103,8 @@ fn fill(
     Ok(add_discs(bytes, numbers, &mut scene, &ids)?.map(|()| scene))
 }
 
-/// Read after all else, so that the same bytes make the same other parts as before there were discs.
+/// Adds discs. They are read after all other parts, so that the bytes of older inputs still make the
+/// same other parts.
 fn add_discs(
     bytes: &mut Unstructured,
     numbers: &mut Numbers,

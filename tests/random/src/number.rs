@@ -1,16 +1,16 @@
-//! Numbers made of bytes.
+//! Makes numbers from random bytes.
 
 use arbitrary::{Result, Unstructured};
 
-/// The lengths of one scene: all in one unit, many of them alike.
+/// Makes the lengths of one scene. They share one unit, and many of them are equal.
 pub struct Numbers {
-    /// What the scene's lengths are about as large as.
+    /// Typical size of the scene's lengths.
     pub unit: f64,
     before: f64,
 }
 
 impl Numbers {
-    /// Chooses the unit: 2^-30 to 2^28.
+    /// Chooses the unit: a power of two from 2^-30 to 2^28, most often 1.
     pub fn read(bytes: &mut Unstructured) -> Result<Self> {
         let unit = match bytes.int_in_range(0..=3)? {
             0 => 2f64.powi(bytes.int_in_range(-30..=28)?),
@@ -34,18 +34,18 @@ impl Numbers {
         Ok(number)
     }
 
-    /// A position.
+    /// Makes a position.
     pub fn place(&mut self, bytes: &mut Unstructured) -> Result<[f64; 3]> {
         let mut coordinate = || self.coordinate(bytes);
         Ok([coordinate()?, coordinate()?, coordinate()?])
     }
 
-    /// A radius, a height or an epsilon.
+    /// Makes a radius, a height or an epsilon.
     pub fn size(&mut self, bytes: &mut Unstructured) -> Result<f64> {
         Ok(self.coordinate(bytes)?.abs())
     }
 
-    /// A normal, an axis or what is up: of any length.
+    /// Makes a normal, an axis or an up vector, of any length.
     pub fn way(&mut self, bytes: &mut Unstructured) -> Result<[f64; 3]> {
         let mut part = || -> Result<f64> {
             Ok(match bytes.int_in_range(0..=3)? {
@@ -59,14 +59,14 @@ impl Numbers {
     }
 }
 
-/// A number of any size from 2^-24 to 2^8, of either sign.
+/// Makes a number with a magnitude from 2^-24 to 2^9 and either sign.
 pub fn any_size(bytes: &mut Unstructured) -> Result<f64> {
     let mantissa = 1.0 + f64::from(bytes.arbitrary::<u32>()?) / 2f64.powi(32);
     let size = mantissa * 2f64.powi(bytes.int_in_range(-24..=8)?);
     Ok(if bytes.arbitrary()? { size } else { -size })
 }
 
-/// 0 to 1, both often.
+/// Makes a number from 0 to 1. 0 and 1 are frequent.
 pub fn share(bytes: &mut Unstructured) -> Result<f64> {
     Ok(match bytes.int_in_range(0..=3)? {
         0 => 0.0,
@@ -75,7 +75,7 @@ pub fn share(bytes: &mut Unstructured) -> Result<f64> {
     })
 }
 
-/// A colour or a coefficient: 0 to 1, and in one of four cases up to 16.
+/// Makes a colour channel or a coefficient: 0 to 1, in one of four cases up to 16.
 pub fn brightness(bytes: &mut Unstructured) -> Result<f64> {
     Ok(match bytes.int_in_range(0..=3)? {
         0 => 16.0 * share(bytes)?,
@@ -83,7 +83,7 @@ pub fn brightness(bytes: &mut Unstructured) -> Result<f64> {
     })
 }
 
-/// A shininess of any size, often none or a whole number.
+/// Makes a shininess of any size, often 0 or a whole number.
 pub fn shininess(bytes: &mut Unstructured) -> Result<f64> {
     Ok(match bytes.int_in_range(0..=3)? {
         0 => 0.0,
@@ -93,7 +93,7 @@ pub fn shininess(bytes: &mut Unstructured) -> Result<f64> {
     })
 }
 
-/// Any field of view that is accepted, and some that are not.
+/// Makes a field of view: any that is accepted, and some that are not.
 pub fn field_of_view(bytes: &mut Unstructured) -> Result<f64> {
     let part = f64::from(bytes.arbitrary::<u16>()?) / 65535.0;
     Ok(match bytes.int_in_range(0..=3)? {

@@ -1,5 +1,5 @@
-//! Displays with few levels: what a dot is, that it depends on its place alone, and that the display
-//! is asked as it was without dithering.
+//! Tests dithering for displays with few levels: the colour of each dot, that it depends only on
+//! colour and position, and that the display gets the same calls as without dithering.
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::{DrawTarget, DrawTargetExt};
@@ -16,7 +16,7 @@ use reflet::scenes::{BuiltIn, Castle, Empty, Mirror1};
 use reflet::Rows;
 use reflet::display::{Ditherable, Dithered, Threshold, dither};
 
-/// The matrix as it is printed: a dot is lit where the picture is brighter than its number.
+/// Bayer's matrix as it is printed. A dot is lit if the picture is brighter than its number there.
 const BAYER: [[u32; 8]; 8] = [
     [0, 32, 8, 40, 2, 34, 10, 42],
     [48, 16, 56, 24, 50, 18, 58, 26],
@@ -39,7 +39,7 @@ fn grey(value: u8) -> Rgb888 {
     Rgb888::new(value, value, value)
 }
 
-/// A picture with every kind of light, row by row.
+/// Returns a picture with light, shadows and mirrors.
 fn picture() -> Picture<Static<Mirror1>> {
     Mirror1::frame(&Mirror1::CAMERA).sized(Size::new(WIDTH, HEIGHT))
 }
@@ -76,13 +76,14 @@ fn every_level_is_beside_its_value_and_never_falls() {
     }
 }
 
-/// Half a 64th of a level, in 255ths of a level over 64 points.
+/// Half a 64th of a level, in 255ths of a level summed over 64 points.
 const HALF: i64 = 255 / 2;
 
-/// The channels of a colour with their largest levels, as they are dithered and as they were.
+/// Checks that the mean of a dithered tile is close to the colour. `channels` splits a dot into its
+/// channels, each with its largest level.
 fn assert_mean<C: Ditherable>(channels: impl Fn(C) -> Vec<(u8, u8)>) {
     for value in 0..=255 {
-        // Channels that differ, but for a grey.
+        // A colour with different channels; the other one is grey.
         let turned = Rgb888::new(value, 255 - value, value.rotate_left(4));
         for color in [grey(value), turned] {
             let dots = Vec::from_iter(tile().points().map(|at| channels(dither(color, at))));
@@ -129,7 +130,8 @@ fn mean_of_a_tile_is_within_half_a_64th_of_a_level() {
     assert_mean(|dot: BinaryColor| vec![(dot.is_on().into(), 1)]);
 }
 
-/// Black, white and whatever else has a level of its own keep it at every place.
+/// Checks that black, white and every other colour with its own level stay the same at every
+/// position.
 fn assert_levels_stay<C: Ditherable + From<Rgb888> + Into<Rgb888> + std::fmt::Debug>() {
     let colors = (0..=255).map(grey);
     let colors = colors.chain([Rgb888::RED, Rgb888::GREEN, Rgb888::BLUE]);
@@ -144,7 +146,8 @@ fn assert_levels_stay<C: Ditherable + From<Rgb888> + Into<Rgb888> + std::fmt::De
 
 #[test]
 fn colour_that_is_a_level_stays_as_it_is() {
-    // Levels that are whole in 8 bits, too; of the others, 5 and 6 bits have the ends.
+    // Levels that are whole numbers in 8 bits. Of 5 and 6 bits only the first and the last level
+    // are, tested below.
     for (largest, step) in [(1, 255), (3, 85), (5, 51), (15, 17), (255, 1)] {
         for level in 0..=largest {
             for at in tile().points() {
@@ -166,8 +169,7 @@ fn colour_that_is_a_level_stays_as_it_is() {
     }
 }
 
-/// A display that remembers the calls it gets, shows nothing outside of it, and fails at the call it
-/// is told to.
+/// A display that records its calls, and fails at the call `fails_at`.
 #[derive(Default)]
 struct Recorder<C: PixelColor> {
     calls: Vec<Call<C>>,
@@ -301,7 +303,7 @@ fn error_of_the_display_comes_back() {
         ];
         let (before, from) = results.split_at(fails_at);
         assert!(before.iter().all(Result::is_ok));
-        // It stays broken, as nothing more is counted.
+        // It keeps failing, because failed calls are not recorded.
         assert!(from.iter().all(|it| *it == Err(CableLost(fails_at))));
     }
 }
@@ -352,11 +354,12 @@ fn castle_in_black_and_white_is_as_bright_as_the_castle() {
     let luma: u32 = luma.sum();
     let lit = points().filter(|&at| dots.get_pixel(at).is_on()).count();
     let (wanted, shown) = (f64::from(luma) / 255.0 / pixels, lit as f64 / pixels);
-    // A tile of one luma is off by up to half a 64th either way; many tiles, by less than one.
+    // One tile of one luma can be off by half a 64th in either direction; the mean of many tiles by
+    // less.
     assert!((shown - wanted).abs() < 1.0 / 256.0, "{shown} of {wanted}");
 }
 
-/// Any rectangle on the display, partly on it, or beside it.
+/// Returns any rectangle: on the display, partly on it, or beside it.
 fn area() -> impl Strategy<Value = Rectangle> {
     let corner = (-20..50_i32, -20..50_i32).prop_map(|(x, y)| Point::new(x, y));
     let size = (0..40_u32, 0..40_u32).prop_map(|(width, height)| Size::new(width, height));
@@ -402,7 +405,7 @@ proptest! {
         for display in shown {
             prop_assert!(display == by_hand);
         }
-        // Fewer colours than the area has places leave the last places as they are.
+        // With fewer colours than the area has points, the last points stay as they are.
         let count = pixels().count().saturating_sub(missing);
         let mut fewer = [display::<Rgb555>(), display()];
         let [one, two] = &mut fewer;

@@ -1,5 +1,5 @@
-//! Pictures in which pixels between traced ones are taken from their colours: what is the same as
-//! with every pixel traced, and what cannot be lost.
+//! Tests pictures in which untraced pixels are interpolated: which pixels equal those with every
+//! pixel traced, and what cannot be lost.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::Size;
@@ -10,7 +10,7 @@ use reflet::scenes::{BuiltIn, Corner1, Floor, NAMES, Visitor, visit};
 use reflet::{room, Camera, Material, RuntimeScene, Unit};
 use reflet::quality::{Exact, Fast, Fine, Quality};
 
-/// Traces every fourth pixel, and takes the others from any curve.
+/// A quality that traces every fourth pixel and accepts any interpolation between them.
 struct Coarse;
 
 impl Quality for Coarse {
@@ -19,7 +19,8 @@ impl Quality for Coarse {
     const TOLERANCE: Unit = Unit::ONE;
 }
 
-/// The same with every pixel traced: [`Exact`] rounds more finely.
+/// A quality like [`Coarse`] that traces every pixel. [`Exact`] would not do, because it rounds more
+/// finely.
 struct All;
 
 impl Quality for All {
@@ -28,14 +29,14 @@ impl Quality for All {
     const TOLERANCE: Unit = Unit::ZERO;
 }
 
-/// Compares the pixels that are traced in any quality.
+/// Compares the pixels that are traced in both qualities.
 struct Traced;
 
 impl Visitor for Traced {
     type Output = ();
 
     fn visit<S: BuiltIn>(self) {
-        // Both end inside of a stretch; in the second nothing beyond the edge is traced.
+        // Both widths end inside a stretch. In the second picture nothing beyond the edge is traced.
         for size in [Size::new(61, 40), Size::new(7, 9)] {
             let frame = S::frame(&S::CAMERA);
             let all = painted(&frame.quality::<All>().sized(size));
@@ -59,7 +60,7 @@ fn every_fourth_pixel_is_traced_whatever_lies_between() {
     }
 }
 
-/// The share of pixels within 1 of those of a picture with every pixel traced.
+/// Returns the share of the pixels that are within 1 of the picture with every pixel traced.
 fn share<S: BuiltIn + StaticFrame, Q: Quality>(size: Size) -> f64 {
     let frame = S::frame(&S::CAMERA);
     let exact = painted(&frame.quality::<Exact>().sized(size));
@@ -79,10 +80,10 @@ fn scene_of_planes_loses_nothing() {
 
 type Ball = RuntimeScene<room!(spheres: 2, planes: 1, lights: 1, materials: 2)>;
 
-/// Thirty balls at most, more than a row has room for, and the one behind the camera.
+/// A scene with at most thirty balls, more than an active list holds, and one behind the camera.
 type Balls = RuntimeScene<room!(spheres: 31, lights: 1, materials: 1)>;
 
-/// A ball that is white all over, and one behind the camera.
+/// Returns a scene with a white ball, and another ball behind the camera.
 fn ball(center: [f64; 3], radius: f64) -> Ball {
     let mut scene = Ball::new();
     let white = Material::from_numbers([1; 3], 1, 0, (0, 0), 0).unwrap();
@@ -92,7 +93,7 @@ fn ball(center: [f64; 3], radius: f64) -> Ball {
     scene
 }
 
-/// Where two pictures differ.
+/// Returns the row and column of each pixel in which two pictures differ.
 fn differences(one: &reference::Picture, other: &reference::Picture) -> Vec<(u32, u32)> {
     let pixels = one.pixels.iter().zip(&other.pixels).enumerate();
     let different = pixels.filter(|(_, (one, other))| one != other);
@@ -100,8 +101,8 @@ fn differences(one: &reference::Picture, other: &reference::Picture) -> Vec<(u32
     different.map(|(index, _)| place(index)).collect()
 }
 
-/// Balls beside each other, none in front of another, at some distances; so wide is what they take
-/// of what is seen, which is 9 wide at a distance of 10.
+/// Returns balls beside each other at some distances. None hides another. Together they are `width`
+/// wide, where the view is 9 wide at a distance of 10.
 fn balls(places: &[(f64, f64, f64)], width: f64) -> Balls {
     let mut scene = Balls::new();
     let white = Material::from_numbers([1; 3], 1, 0, (0, 0), 0).unwrap();
@@ -126,7 +127,7 @@ fn painted_with<Q: Quality>(scene: &Ball, camera: &Camera) -> reference::Picture
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// However small it is, and wherever its first row lies between two columns that are traced.
+    /// For spheres of any size and position, even smaller than a stride.
     #[test]
     fn no_part_of_a_sphere_is_lost(
         x in -5.0..5.0,
@@ -140,7 +141,7 @@ proptest! {
         prop_assert_eq!(differences(&painted_with::<Fine>(&scene, &camera), &exact), []);
     }
 
-    /// The same in a mirror below it.
+    /// For spheres that are visible in a mirror below them.
     #[test]
     fn no_part_of_a_mirrored_sphere_is_lost(
         x in -5.0..5.0,
@@ -156,7 +157,7 @@ proptest! {
         prop_assert_eq!(differences(&painted_with::<Fast>(&scene, &camera), &exact), []);
     }
 
-    /// Nor of several, whichever is in front, nor where there are too many for a row.
+    /// For several spheres at different distances, also if there are more than an active list holds.
     #[test]
     fn no_part_of_one_of_many_spheres_is_lost(
         few in prop::collection::vec((-1.0..1.0, 0.05..1.0, 0.5..4.0), 7),
@@ -174,7 +175,7 @@ proptest! {
         }
     }
 
-    /// Also where there are too many shapes for a row.
+    /// Also if there are more shapes than an active list holds.
     #[test]
     fn part_of_a_row_has_the_colors_of_the_whole(
         places in prop::collection::vec((-1.0..1.0, 0.3..1.0, 0.5..4.0), 30),

@@ -1,4 +1,4 @@
-//! What a scene does not need is left out, and nothing else: pictures are the same as with
+//! Tests that leaving out what a scene does not need changes nothing: pictures are the same as with
 //! everything.
 
 use std::cell::Cell;
@@ -14,13 +14,13 @@ use reflet::needs::{Mirrors, Needs, NeedsLimit, Shininess};
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
 
-/// The size of the built-in scenes' pictures.
+/// Size of the built-in scenes' pictures in these tests.
 const SIZE: Size = Size::new(80, 60);
 
-/// Room for every built-in scene.
+/// A scene type with enough room for every built-in scene.
 type Largest = RuntimeScene<room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16)>;
 
-/// A run-time scene filled from a description.
+/// Returns a run-time scene filled from a description.
 fn refilled(description: &Description<'_>) -> Largest {
     let mut scene = Largest::new();
     let materials = description.materials.iter().map(|material: &Material| {
@@ -56,8 +56,8 @@ fn refilled(description: &Description<'_>) -> Largest {
     scene
 }
 
-/// Holds a scene in flash, of which only what it needs is linked, against the same filled at run time
-/// in a type that has room for everything.
+/// Compares a constant scene, of which only the needed parts are linked, with the same scene filled
+/// at run time in a type that has room for everything.
 struct Twice;
 
 impl Visitor for Twice {
@@ -94,7 +94,7 @@ fn scene_in_flash_and_scene_filled_at_run_time_give_the_same_picture() {
     }
 }
 
-/// Holds reflections that are known when the program is compiled against the same number of others.
+/// Compares a number of reflections known at compile time with the same number set at run time.
 struct Known;
 
 impl Visitor for Known {
@@ -126,14 +126,14 @@ fn reflections_may_be_known_when_the_program_is_compiled() {
     }
 }
 
-/// What the castle needs at most.
+/// A bound with the needs of the castle.
 struct Like;
 
 impl Bound for Like {
     const NEEDS: Needs = Needs::of::<Castle>();
 }
 
-/// No more than a bare floor.
+/// A bound with the needs of a bare floor.
 struct Bare;
 
 impl Bound for Bare {
@@ -200,7 +200,7 @@ prop_compose! {
 type Few = RuntimeScene<room!(spheres: 2, planes: 2, cylinders: 1, discs: 2, lights: 2, materials: 2)>;
 
 prop_compose! {
-    /// A scene of few shapes, so that each need is often missing.
+    /// Makes a scene with few shapes, so that each need is often missing.
     fn few()(
         materials in [material(), material()],
         one_material in any::<bool>(),
@@ -217,7 +217,8 @@ prop_compose! {
             scene.add_sphere(at, 0.7, id(index)).unwrap();
         }
         for (index, at) in planes.into_iter().enumerate() {
-            // Beyond the camera at most by their tilt.
+            // The planes are below and behind the shapes. The camera is always on the same side of
+            // them.
             let point = [at[0], 3.0 + at[1].abs(), at[2] - 4.0];
             let normal = if index == 0 { [0.1, 0.2, 1.0] } else { [0.0, -1.0, 0.3] };
             scene.add_plane(point, normal, id(index + 1)).unwrap();
@@ -235,13 +236,13 @@ prop_compose! {
     }
 }
 
-/// As fast as everything else, and small beside it.
+/// Returns the number of pixels that differ by more than 1 in any channel.
 fn within_a_step(a: &[[u8; 3]], b: &[[u8; 3]]) -> usize {
     let off = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|it| a[it].abs_diff(b[it]) > 1);
     a.iter().zip(b).filter(|(a, b)| off(a, b)).count()
 }
 
-/// Bounds that leave out one thing each.
+/// Bounds that each leave out one thing: number `I` of [`OFF`].
 struct Off<const I: usize>;
 
 const OFF: [Needs; 10] = [
@@ -261,7 +262,8 @@ impl<const I: usize> Bound for Off<I> {
     const NEEDS: Needs = OFF[I];
 }
 
-/// Whether a scene is within a bound; if so, its pictures are held against those with no bound.
+/// Tests whether a scene is within a bound. If so, checks that its pictures equal those without a
+/// bound.
 fn is_held<const I: usize>(scene: &Scene<room!(spheres: 2, planes: 2, cylinders: 1, discs: 2, lights: 2, materials: 2)>) -> bool {
     if scene.frame_within::<Off<I>>(&FRONT).is_err() {
         return false;
@@ -307,7 +309,8 @@ fn what_a_bound_leaves_out_is_missed_by_no_scene_within_it() {
     assert!(counts.iter().all(|count| *count >= 10), "{counts:?}");
 }
 
-/// Paths off such a plane, which is the first of the shapes, meet nothing else, as those beside it do.
+/// Paths off this plane, which is the first shape, hit nothing else; paths beside it hit nothing at
+/// all. They must not be taken for equal paths.
 #[test]
 fn dark_plane_is_told_from_nothing() {
     let mut scene = Few::new();
@@ -335,7 +338,8 @@ fn reflections_beyond_a_bound_are_cut_off() {
     assert!(painted(&most.reflections(4).sized(size)) == once);
 }
 
-/// A ball between a light and a floor a million times as far away, looked at from as far.
+/// A ball between a light and a floor that is a million times as far away. The camera is as far
+/// away, too.
 #[test]
 fn shadow_falls_on_what_is_far_from_what_throws_it() {
     let mut scene = Few::new();
@@ -364,8 +368,8 @@ fn shadow_falls_on_what_is_far_from_what_throws_it() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
 
-    /// The general ways, which `Small` goes, meet what the fast ones meet: but for pixels at edges, where
-    /// rounding decides, no channel differs by more than a step.
+    /// `Small` traces rays in the general way. Except for a few pixels at edges, where rounding
+    /// decides, no channel differs by more than 1 from the quality with culling.
     #[test]
     fn small_code_shows_what_fast_code_shows(scene in few()) {
         let Ok(scene) = scene.build() else { return Ok(()) };

@@ -1,4 +1,5 @@
-//! Any valid scene is painted as double precision paints it, and nothing overflows on the way.
+//! Tests that any valid scene is drawn like the double-precision reference draws it, and that
+//! nothing overflows.
 
 use std::cell::{Cell, RefCell};
 
@@ -17,15 +18,15 @@ use reflet::shading::{Normals, Phong};
 
 const SIDE: u32 = 48;
 
-/// Shares of pixels that must be within 8 and within 1 of the reference in every scene. They are
-/// below 1 because a pixel on a rim may see past it; in most scenes no pixel differs.
+/// Smallest share of the pixels within 8 of the reference in every scene; `WITHIN_1` is that within
+/// 1. They are below 1 because a ray at a rim may miss the shape. In most scenes no pixel differs.
 const WITHIN_8: f64 = 0.99;
 const WITHIN_1: f64 = 0.98;
 
 type Triple = [f64; 3];
 type Scenery = RuntimeScene<room!(spheres: 16, planes: 4, cylinders: 6, discs: 4, lights: 4, materials: 4)>;
 
-/// A scene in a cube of ±1, how large that cube is, and where it stands.
+/// A scene in a cube of ±1, and the size and position to which the cube is scaled and moved.
 #[derive(Clone, Debug)]
 struct Recipe {
     materials: Vec<Surface>,
@@ -54,14 +55,14 @@ struct Surface {
     mirror: f64,
 }
 
-/// Where the camera stands, in the scene's cube, and its field of view.
+/// Position of the camera relative to the scene's cube, and its field of view in degrees.
 #[derive(Clone, Debug)]
 enum Eye {
     /// Somewhere among the shapes.
     Within(Triple, f64),
-    /// In the sphere of this number, if there is one, else in the middle.
+    /// In the sphere of this number, or at a fixed point if there are no spheres.
     InSphere(usize, f64),
-    /// So many sizes of the scene away in this direction.
+    /// In this direction, at this distance in sizes of the scene.
     Away(Triple, f64, f64),
 }
 
@@ -106,7 +107,7 @@ fn recipe() -> impl Strategy<Value = Recipe> {
     let sizes = (0.02..0.3, 0.05..2.0);
     let cylinders = prop::collection::vec((any(), any(), sizes, 0..4_usize), 0..6);
     let discs = prop::collection::vec((any(), any(), 0.05..0.6, 0..4_usize), 0..4);
-    // Near and far ones.
+    // Near lights and far lights.
     let away = prop_oneof![4 => 0.5..3.0, 1 => 10.0..1000.0, 1 => Just(5e3)];
     let lights = prop::collection::vec((any(), away, triple(0.0..1.0)), 1..4);
     // 10^-3 to 10^5
@@ -144,7 +145,7 @@ fn recipe() -> impl Strategy<Value = Recipe> {
 }
 
 impl Recipe {
-    /// From the cube to the scene.
+    /// Converts a point of the cube to a point of the scene.
     fn placed(&self, at: Triple) -> Triple {
         ((Vector(at) + Vector(self.offset)) * self.scale).0
     }
@@ -179,8 +180,8 @@ impl Recipe {
         Ok(scene)
     }
 
-    /// The scene, seen through its own camera. While a failure is made smaller, what is left may be
-    /// no scene any more.
+    /// Returns the scene with its own camera. While proptest shrinks a failure, the recipe may
+    /// become invalid; then the case is rejected.
     fn seen(&self) -> Result<(Scenery, Camera), TestCaseError> {
         let (scene, camera) = (self.scene(), self.camera());
         let mut scene = scene.map_err(|error| TestCaseError::reject(error.to_string()))?;
@@ -207,7 +208,7 @@ impl Recipe {
     }
 }
 
-/// Tries the same cases every time.
+/// Returns a test runner that tries the same cases every time.
 fn runner(cases: u32) -> TestRunner {
     let mut config = Config::with_cases(cases);
     config.failure_persistence = None;
@@ -248,7 +249,7 @@ fn any_valid_scene_is_painted_as_double_precision_paints_it() {
     println!("{close} of {seen} pictures are within 1 everywhere");
     println!("the worst is within 8 on {within8:.4}, within 1 on {within1:.4} of its pixels");
     outcome.unwrap_or_else(|error| panic!("{error}"));
-    // What is compared must be worth it.
+    // The pictures must show enough for the comparison to be useful.
     let colorful = colors.iter().filter(|count| **count > 50).count();
     assert!(
         2 * colorful > seen,
@@ -258,17 +259,18 @@ fn any_valid_scene_is_painted_as_double_precision_paints_it() {
 
 #[test]
 fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
-    /// Of a picture.
+    /// Width and height of a picture in pixels.
     const SIDE: u32 = 32;
-    /// As many as leave nothing of a path whose mirrors do not keep everything.
+    /// Number of reflections after which nothing is left of a path, unless its mirrors reflect all
+    /// light.
     const ALL: usize = 200;
-    // Of each quality: pixels, those of which something is promised, those decided otherwise.
+    // For each quality: the number of pixels, of sure pixels, and of pixels that exceed their bound.
     let counts = Cell::new([[0_usize; 3]; 2]);
     let outcome = runner(400).run(&recipe(), |recipe| {
         let (scene, camera) = recipe.seen()?;
         let built = scene.build();
         let built = built.map_err(|error| TestCaseError::reject(error.to_string()))?;
-        // Normals are no light.
+        // Normals are not light, so they have no bound.
         let shading = match recipe.shading {
             reference::Shading::Phong => reference::Shading::Phong,
             _ => reference::Shading::BlinnPhong,
@@ -291,7 +293,7 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
                 let truth = paths.path(x, y).ended(ALL, 0.0).color;
                 let truth = truth.map(|channel| 255.0 * channel.clamp(0.0, 1.0));
                 let apart = (0..3).map(|axis| (f64::from(found[axis]) - truth[axis]).abs());
-                // One of the two is not rounded to 8 bits.
+                // Only one of the two is rounded to 8 bits.
                 let is_further = apart.fold(0.0, f64::max) > 255.0 * bound.share() + 0.5;
                 let is_held = bound.is_unsure || !is_further;
                 prop_assert!(is_held, "{x} {y} is {found:?}, not {truth:?}: {bound:?}");
@@ -311,10 +313,10 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
     }
 }
 
-/// One pixel of so many may be decided otherwise, at most.
+/// Only one in this many pixels may exceed its bound, because rounding changed what its path hits.
 const MOST_DECIDED: usize = 10_000;
 
-/// A picture with light, of a kind of highlights.
+/// Draws a lit picture with the highlights of one shading.
 fn lit<W: World + Copy, Q: Quality>(
     frame: Frame<'_, W, Q>,
     side: u32,
@@ -336,18 +338,18 @@ fn ending<Q: Quality>(reflections: usize) -> Ending {
     }
 }
 
-/// A number of any size from 10^-7 to 10, of either sign.
+/// Makes a number with a magnitude from 10^-7 to 10 and either sign.
 fn any_size() -> impl Strategy<Value = f64> {
     let sizes = (-7.0..1.0).prop_map(|it: f64| 10f64.powf(it));
     (sizes, any::<bool>()).prop_map(|(size, sign)| if sign { size } else { -size })
 }
 
-/// Three numbers of sizes that have nothing to do with each other.
+/// Makes three numbers of independent magnitudes.
 fn any_triple() -> impl Strategy<Value = Triple> {
     [any_size(), any_size(), any_size()]
 }
 
-/// The surface, the shapes and the lights of a scene, with all lengths in some unit.
+/// A random scene: its surface, shapes and lights, with all lengths in one unit.
 #[derive(Clone, Debug)]
 struct Wild {
     surface: (f64, f64, f64, f64),

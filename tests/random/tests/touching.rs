@@ -1,5 +1,5 @@
-//! Crowds of spheres and cylinders that touch or cut each other: `Exact` tells shadows by tangents,
-//! and must not lose what `Small`, which asks every shape, gets right.
+//! Tests groups of spheres and cylinders that touch or intersect. `Exact` decides shadows by
+//! tangents, and must not lose pixels that `Small`, which tests every shape, gets right.
 
 use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
@@ -18,15 +18,16 @@ const HEIGHT: u32 = 48;
 const REFLECTIONS: u8 = 2;
 const CROWDS: u32 = 200;
 
-/// A shape beside or in the one before it.
+/// A shape beside or inside the one before it.
 #[derive(Clone, Debug)]
 struct Neighbour {
-    /// Towards its centre.
+    /// Direction from the shape before to this one's centre.
     way: Triple,
     radius: f64,
-    /// How far away its centre is: at 1 spheres touch, below they cut each other, at 0 they coincide.
+    /// Distance of the centres, divided by the sum of the radii: at 1 spheres touch, below 1 they
+    /// intersect, at 0 their centres coincide.
     apart: f64,
-    /// Of a cylinder: its axis and height.
+    /// Axis and height of a cylinder; `None` for a sphere.
     wall: Option<(Triple, f64)>,
 }
 
@@ -74,7 +75,7 @@ fn crowd() -> impl Strategy<Value = Crowd> {
     )
 }
 
-/// Of this length.
+/// Returns the vector scaled to a length.
 fn scaled([x, y, z]: Triple, length: f64) -> Triple {
     let factor = length / (x * x + y * y + z * z).sqrt();
     [x * factor, y * factor, z * factor]
@@ -136,13 +137,14 @@ fn apart(one: [u8; 3], other: [u8; 3]) -> u8 {
         .unwrap()
 }
 
-/// The colours of the rays around a pixel's own, a 32nd of a pixel to either side.
+/// Returns the reference's colours of four rays around that of a pixel, a 32nd of a pixel to each
+/// side.
 fn beside(
     scene: &reference::Scene,
     camera: &reference::Camera,
     (x, y): (u32, u32),
 ) -> [[u8; 3]; 4] {
-    // In a picture 16 times as large the four pixels in the middle of this one.
+    // In a picture 16 times as large, these are the four pixels in the middle of this one.
     let size = (16 * WIDTH, 16 * HEIGHT);
     [(7, 7), (7, 8), (8, 7), (8, 8)].map(|(right, down)| {
         let at = (16 * x + right, 16 * y + down);
@@ -152,8 +154,8 @@ fn beside(
     })
 }
 
-/// The pixels that `Exact` loses: off by more than 8 where `Small` is within 1, and where rays beside
-/// do not decide otherwise.
+/// Returns the pixels that `Exact` loses: off by more than 8 where `Small` is within 1, except where
+/// rays beside the pixel have another colour.
 fn lost(crowd: &Crowd) -> Vec<(u32, u32)> {
     let (scene, camera) = (crowd.scene(), crowd.camera());
     let exact = rendered::<Exact>(&scene, &camera);
@@ -175,7 +177,7 @@ fn lost(crowd: &Crowd) -> Vec<(u32, u32)> {
     lost.map(|(_, at)| at).collect()
 }
 
-/// A crowd that loses pixels.
+/// A group of shapes in which pixels are lost.
 #[derive(Debug)]
 #[expect(dead_code, reason = "for the message")]
 struct Loser {
@@ -183,7 +185,7 @@ struct Loser {
     pixels: Vec<(u32, u32)>,
 }
 
-/// The crowds that lose a pixel.
+/// Returns the groups of shapes in which `Exact` loses a pixel.
 fn losers() -> Vec<Loser> {
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[1; 32]);
     let mut runner = TestRunner::new_with_rng(Config::default(), rng);

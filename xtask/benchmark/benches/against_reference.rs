@@ -1,11 +1,13 @@
-//! How many times as long the double-precision reference takes for a picture as the library does.
+//! Measures how many times as long as the library the double-precision reference takes for a
+//! picture.
 //!
-//! Both draw the same scene through the same camera, with the same size, reflections and shading,
-//! to 8 bits a channel, with every pixel traced, on one and the same thread. They take turns, a frame
-//! each, so that whatever else the machine does holds up both: a quotient tells more than the times it
-//! is made of.
+//! Both draw the same scene with the same camera, size, reflections and shading, to 8 bits a
+//! channel. Both trace every pixel, on the same single thread. They take turns, a frame each, so
+//! that other work of the machine slows both down alike: the quotient is more reliable than the two
+//! times.
 //!
-//! `cargo bench --package benchmark` prints what a frame takes and, at the end, a table of the quotients.
+//! `cargo bench --package benchmark` prints the time of a frame and, at the end, a table of the
+//! quotients.
 
 use std::cell::RefCell;
 use std::error::Error;
@@ -28,11 +30,11 @@ use reflet::quality::Exact;
 const SIDE: u32 = 128;
 const REFLECTIONS: u8 = 4;
 
-/// The reference is to take at least this many times as long.
+/// The reference should take at least this many times as long as the library.
 const BAR: f64 = 3.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // The reference draws on all threads of the pool it is called in.
+    // The reference uses all threads of the pool that it is called in.
     let pool = ThreadPoolBuilder::new().num_threads(1).build()?;
     pool.install(|| run().map_err(|error| error.to_string()))?;
     Ok(())
@@ -71,7 +73,7 @@ fn castle() -> Result<Pair, Box<dyn Error>> {
     )
 }
 
-/// The scene with this number of spheres that `cargo xtask scale` measures, too.
+/// Returns the scene with this number of spheres, which `cargo xtask scale` also measures.
 fn spheres(count: usize) -> Result<Pair, Box<dyn Error>> {
     let file = SceneFile::parse(&benchmark::scene(count, Order::Spiral), None)?;
     let (built, (_, camera)) = (file.build()?, file.runtime()?);
@@ -83,7 +85,7 @@ fn spheres(count: usize) -> Result<Pair, Box<dyn Error>> {
     )
 }
 
-/// The library's whole frame, its preparation included.
+/// Draws a frame with the library, including its preparation.
 fn by_library<W: World + Copy>(frame: Frame<'_, W>) -> Picture {
     let frame = frame.quality::<Exact>().reflections(REFLECTIONS);
     painted(&frame.sized(Size::new_equal(SIDE)))
@@ -100,12 +102,12 @@ struct Pair {
     name: String,
     library: Draw,
     reference: Draw,
-    /// The quotients so far, each over some frames in turns.
+    /// Measured quotients reference / library. Each is over some frames in turns.
     quotients: RefCell<Vec<f64>>,
 }
 
 impl Pair {
-    /// Fails where the two do not draw the same picture: then their times say nothing.
+    /// Fails if the two pictures differ: then their times could not be compared.
     fn new(
         name: String,
         library: impl Fn() -> Picture + 'static,
@@ -134,7 +136,7 @@ impl Pair {
         group.finish();
     }
 
-    /// Draws so many frames with each; returns what the reference's took and what the library's.
+    /// Draws `frames` frames with each. Returns the time of the reference and that of the library.
     fn in_turns(&self, frames: u64) -> (Duration, Duration) {
         let (mut reference, mut library) = (Duration::ZERO, Duration::ZERO);
         for _ in 0..frames {
@@ -146,7 +148,7 @@ impl Pair {
         (reference, library)
     }
 
-    /// The row of the table, unless the command line has left this scene out.
+    /// Returns the row of the table, or `None` if the command line left out this scene.
     fn line(&self) -> Option<String> {
         let mut all = self.quotients.borrow().clone();
         all.sort_by(f64::total_cmp);

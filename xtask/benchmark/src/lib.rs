@@ -1,51 +1,51 @@
-//! Scenes of any number of spheres that are alike but for the number, so that what they cost tells
-//! what a shape costs.
+//! Scenes that differ only in the number and size of their spheres, so that their costs show what a
+//! shape costs.
 //!
-//! Beads hang over a mirroring floor along a spiral that faces the camera, before one light. The
-//! turns of the spiral are as far apart as the beads along it. The more beads, the smaller they
-//! are, so that they fill the same share of the picture; camera, floor and light stay as they are.
-//! Every other bead, the first one among them, is a mirror.
+//! Beads hang over a mirroring floor along a spiral that faces the camera, with one light. The turns
+//! of the spiral are as far apart as the beads along it. The more beads there are, the smaller they
+//! are, so that they always fill the same share of the picture. Camera, floor and light never
+//! change. Every other bead is a mirror, beginning with the first.
 //!
-//! A scene is handed out as the text of a scene file, which the library and its reference read
-//! alike.
+//! Each scene is the text of a scene file, which the library and its reference both read.
 
 use std::f64::consts::PI;
 
 use serde_json::{Value, json};
 
-/// In which order a scene lists its spheres; the picture is the same.
+/// Order in which a scene lists its spheres. The picture does not depend on it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// As they follow each other along the spiral: neighbours in the list are neighbours in space,
-    /// as in a scene that somebody writes down thing by thing.
+    /// In their order along the spiral. Neighbours in the list are neighbours in space, as in a
+    /// scene that a person writes.
     Spiral,
-    /// At random: the place in the list says nothing about the place in space.
+    /// In random order: the position in the list says nothing about the position in space.
     Shuffled,
 }
 
-/// The radius of a single bead: n of them with a radius of this over √n fill the same area.
+/// Radius of a single bead. n beads with this radius divided by √n fill the same area.
 const RADIUS: f64 = 6.0;
 
-/// The middle of the spiral, over the middle of the floor.
+/// Centre of the spiral, above the middle of the floor.
 const MIDDLE: [f64; 3] = [0.0, 0.0, 8.0];
 
-/// The spiral's second direction, the first being the x axis.
+/// Second direction of the spiral's plane. The first is the x axis.
 const UP: [f64; 3] = [0.0, 0.6, 0.8];
 
-/// Before the middle of the spiral, at a right angle to it.
+/// Position of the camera: in front of the spiral's centre, at right angles to its plane.
 const CAMERA: [f64; 3] = [0.0, -24.0, 26.0];
 
-/// So narrow, in degrees, that the spiral fills the picture, and wide enough for all of it.
+/// Field of view in degrees: the spiral just fits into the picture.
 const FOV: f64 = 35.0;
 
-/// Beads are this many radii apart, along the spiral and from turn to turn.
+/// Distance between the centres of beads, in radii, along the spiral and from turn to turn.
 const APART: f64 = 2.25;
 
-/// By how many beads the turns begin later than a spiral that starts in the middle: there the turns
-/// are too narrow for beads, so only the first of them lies in the middle.
+/// Number of beads that the spiral leaves free at its start. The turns there are too narrow for
+/// beads, so only the first bead is at the centre.
 const SKIPPED: f64 = 1.75;
 
-/// Name, colour, highlight and mirror of the beads' materials, in turns, and of the floor's.
+/// Name, colour, specular coefficient and mirror share: four materials of the beads, in turns, and
+/// that of the floor.
 const MATERIALS: [(&str, [f64; 3], f64, f64); 5] = [
     ("silver", [0.8, 0.8, 0.8], 0.6, 0.7),
     ("ruby", [0.8, 0.2, 0.2], 0.3, 0.0),
@@ -54,7 +54,7 @@ const MATERIALS: [(&str, [f64; 3], f64, f64); 5] = [
     ("floor", [0.5, 0.5, 0.6], 0.0, 0.3),
 ];
 
-/// The text of the scene file with this many spheres.
+/// Returns the text of the scene file with this many spheres.
 ///
 /// ```
 /// use reflet::host::file::SceneFile;
@@ -97,7 +97,7 @@ pub fn scene(count: usize, order: Order) -> String {
     scene.to_string()
 }
 
-/// The beads, from the middle on.
+/// Returns the beads as JSON, from the centre outwards.
 fn beads(count: usize) -> Vec<Value> {
     let radius = RADIUS / (count as f64).sqrt();
     let places: Vec<_> = (0..count)
@@ -116,10 +116,10 @@ fn beads(count: usize) -> Vec<Value> {
     places.iter().enumerate().map(bead).collect()
 }
 
-/// Where a bead lies if beads are a `step` apart.
+/// Returns the position of a bead in the spiral's plane, if beads are a `step` apart.
 ///
-/// A spiral of which n steps lie within √(n / π) steps from its middle, at an angle of √(4 π n),
-/// has turns that are a step apart.
+/// A spiral has turns one step apart if n steps along it end √(n / π) steps from its centre, at an
+/// angle of √(4 π n).
 fn place(index: usize, step: f64) -> [f64; 2] {
     let steps = match index {
         0 => 0.0,
@@ -129,19 +129,20 @@ fn place(index: usize, step: f64) -> [f64; 2] {
     [away * angle.cos(), away * angle.sin()]
 }
 
-/// Half-way between the least and the largest.
+/// Returns the middle between the smallest and the largest value.
 fn middle(values: impl Iterator<Item = f64> + Clone) -> f64 {
     let least = values.clone().fold(f64::INFINITY, f64::min);
     let largest = values.fold(f64::NEG_INFINITY, f64::max);
     (least + largest) / 2.0
 }
 
-/// To three decimals, so that the scene does not depend on the last digit of a machine's cosine.
+/// Rounds to three decimals, so that the scene does not depend on the last digit of a machine's
+/// cosine.
 fn short(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
 }
 
-/// Fisher and Yates's shuffle, with numbers that are the same each time (Marsaglia, "Xorshift
+/// Shuffles by Fisher and Yates, with the same pseudo-random numbers each time (Marsaglia, "Xorshift
 /// RNGs", 2003).
 fn shuffle<T>(items: &mut [T]) {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
@@ -210,7 +211,7 @@ mod tests {
             for bead in &scene.spheres {
                 let way = Vector(bead.center) - Vector(camera.position);
                 for side in [way.dot(right), way.dot(up)] {
-                    // How far the middle is from the edge of what is seen.
+                    // Distance of the bead's centre from the edge of the view.
                     let inside = way.dot(ahead) * sine - side.abs() * cosine;
                     assert!(inside > bead.radius, "{count}: {bead:?}");
                 }
@@ -222,7 +223,7 @@ mod tests {
     fn neighbours_on_the_spiral_are_neighbours_in_space() {
         let (scene, _) = read(256, Order::Spiral);
         for pair in scene.spheres.windows(2) {
-            // The places are rounded to a thousandth.
+            // Coordinates are rounded to a thousandth.
             assert!(distance(&pair[0], &pair[1]) < APART * pair[0].radius + 2e-3);
         }
     }

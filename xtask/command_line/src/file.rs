@@ -1,5 +1,5 @@
-//! Where bytes go: files that never replace another, streams and standard output. It never knows
-//! what the bytes are.
+//! Writes bytes to new files, to streams and to standard output. Never replaces a file. This module
+//! never knows what the bytes are.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 
 use crate::{Failure, one_line};
 
-/// The path that stands for standard output.
+/// Path that stands for standard output.
 const STANDARD_OUTPUT: &str = "-";
 
-/// A place that can be written to, as was found before the work began.
+/// A destination that was tested to be writable before the work began.
 #[derive(Debug)]
 pub struct NewFile {
     path: PathBuf,
@@ -21,27 +21,27 @@ pub struct NewFile {
 #[derive(Debug)]
 enum Kind {
     StandardOutput,
-    /// A device or a pipe. What is sent to it replaces nothing.
+    /// A device or a pipe. Writing to it replaces nothing.
     Stream,
     /// A file that does not exist yet.
     File,
-    /// The same, with a number in its name if another has taken it by then.
+    /// A file that does not exist yet. Its name gets a number if another file has the name by then.
     Numbered,
 }
 
 impl NewFile {
-    /// The file at `path`, or standard output if `path` is `-`.
+    /// Tests that a new file can be written at `path`, or standard output if `path` is `-`.
     ///
     /// # Errors
     ///
-    /// Something is there that would be replaced, or nothing can be written there.
+    /// Fails if something at `path` would be replaced, or if nothing can be written there.
     pub fn at(path: &Path) -> Result<Self, Failure> {
         let shown = shown(path);
         let failed = |error| not_written(path, &error);
         let kind = if is_standard_output(path) {
             Kind::StandardOutput
         } else if is_stream(path) {
-            // Opening a pipe waits for whoever reads it, who may not wait for us yet.
+            // Opening a pipe waits for its reader, which may not be ready yet.
             if !is_pipe(path) {
                 open_stream(path).map_err(failed)?;
             }
@@ -59,11 +59,11 @@ impl NewFile {
         Ok(Self { path, kind })
     }
 
-    /// The same for a picture, which is written as PNG.
+    /// Tests that a new PNG file can be written at `path`, or standard output if `path` is `-`.
     ///
     /// # Errors
     ///
-    /// Those of [`NewFile::at`], and a name that promises another format.
+    /// Fails like [`NewFile::at`], and if the name has the extension of another format.
     pub fn png_at(path: &Path) -> Result<Self, Failure> {
         let extension = path.extension().unwrap_or("png".as_ref());
         match extension.eq_ignore_ascii_case("png") {
@@ -75,12 +75,12 @@ impl NewFile {
         }
     }
 
-    /// `NAME.png` at `path`, or the first of `NAME-2.png`, `NAME-3.png` that is free when it is
-    /// written.
+    /// Tests that a PNG file can be written. `write` takes the first free name of `NAME.png`,
+    /// `NAME-2.png`, `NAME-3.png` and so on.
     ///
     /// # Errors
     ///
-    /// No file can be made there.
+    /// Fails if no file can be created there.
     pub fn free_png(path: &Path) -> Result<Self, Failure> {
         let failed = |error| not_written(path, &error);
         let (_, tried) = create_numbered(path).map_err(failed)?;
@@ -89,8 +89,8 @@ impl NewFile {
         Ok(Self { path, kind })
     }
 
-    /// Writes all of it and returns where it is, or leaves nothing behind. That nobody reads
-    /// standard output any more is no error.
+    /// Writes all bytes and returns the path. Removes the file if that fails. If standard output has
+    /// no reader any more, this is no error.
     pub fn write(self, bytes: &[u8]) -> Result<PathBuf, Failure> {
         let Self { path, kind } = self;
         let failed = |error| not_written(&path, &error);
@@ -108,7 +108,7 @@ impl NewFile {
             Kind::Numbered => create_numbered(&path).map_err(failed)?,
         };
         if let Err(error) = file.write_all(bytes) {
-            // The first error is the one to report.
+            // Only the first error is reported.
             let _ = fs::remove_file(&path);
             return Err(not_written(&path, &error));
         }
@@ -116,26 +116,26 @@ impl NewFile {
     }
 }
 
-/// The path in words for a person, in one line.
+/// Returns the path as text for a person, in one line.
 pub fn shown(path: &Path) -> String {
     one_line(&path.to_string_lossy())
 }
 
-/// Whether the path stands for standard output.
+/// Tests whether the path stands for standard output.
 pub fn is_standard_output(path: &Path) -> bool {
     path == Path::new(STANDARD_OUTPUT)
 }
 
-/// Whether two paths lead to the same file, which need not exist yet.
+/// Tests whether two paths lead to the same file. The file need not exist yet.
 pub fn are_same_file(one: &Path, other: &Path) -> bool {
     one == other || location(one).is_some_and(|it| Some(it) == location(other))
 }
 
-/// Prints the bytes on standard output. That nobody reads them any more is no error.
+/// Prints the bytes on standard output. A closed pipe is no error.
 ///
 /// # Errors
 ///
-/// Standard output cannot be written.
+/// Fails if standard output cannot be written for another reason.
 pub fn print(bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
     let mut output = io::stdout().lock();
     let printed = output
@@ -181,7 +181,8 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// The path of a file without links and without `..`; only its last part need not exist.
+/// Returns the path of a file without links and without `..`. Its last part need not exist. `None`
+/// for standard output.
 fn location(path: &Path) -> Option<PathBuf> {
     if is_standard_output(path) {
         return None;
@@ -193,13 +194,13 @@ fn location(path: &Path) -> Option<PathBuf> {
     })
 }
 
-/// Makes a file and removes it. Nothing else says for sure that it can be made.
+/// Creates a file and removes it: the only sure test that the file can be created.
 fn try_out(path: &Path) -> io::Result<()> {
     File::create_new(path)?;
     fs::remove_file(path)
 }
 
-/// Makes `NAME.png`, or the first of `NAME-2.png`, `NAME-3.png` that nobody else has made.
+/// Creates the file with the first free name of `NAME.png`, `NAME-2.png`, `NAME-3.png` and so on.
 fn create_numbered(path: &Path) -> io::Result<(File, PathBuf)> {
     let stem = path.file_stem().unwrap_or(path.as_os_str());
     let mut next = path.to_owned();

@@ -1,6 +1,6 @@
-//! What the commands of the repository have in common: how a scene, a size, a quality and a shading
-//! are named, where their output goes, and how a mistake is told in one line. Only [`print()`] prints,
-//! and [`parse`] where help is asked for.
+//! Code that the commands of the repository share: names of scenes, sizes, qualities and shadings on
+//! the command line, where output goes, and error messages of one line. Only [`print()`] prints, and
+//! [`parse`] if the command line asks for help.
 
 mod file;
 mod mistake;
@@ -13,5 +13,5 @@ pub use reflet::host::line::one_line;
 pub use setting::{Quality, Shading, size};
 pub use source::{Chosen, Kind, Named, Source, with_advice};
 
-/// What goes wrong in a command, in words for the person who typed it.
+/// An error of a command, in words for the person who typed it.
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;

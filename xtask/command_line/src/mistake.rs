@@ -1,14 +1,14 @@
-//! Reading the command line, and lines about what is wrong with it.
+//! Parses the command line, and writes its errors in one line.
 
 use reflet::host::line::escaped;
 
 use crate::Failure;
 
-/// Reads the command line. Prints the help and ends the program where that is what was asked for.
+/// Parses the command line. If it asks for help, prints the help and exits.
 ///
 /// # Errors
 ///
-/// What is wrong with the command line, in one line.
+/// Returns what is wrong with the command line, in one line.
 pub fn parse<A: clap::Parser>() -> Result<A, Failure> {
     A::try_parse().map_err(|error| {
         if !error.use_stderr() {
@@ -18,8 +18,7 @@ pub fn parse<A: clap::Parser>() -> Result<A, Failure> {
     })
 }
 
-/// The message of the command line's parser, which spans several lines, in one line. Its advice to
-/// read the help is left out.
+/// Joins the lines of clap's error message into one line. Leaves out the advice to read the help.
 pub fn in_one_line(error: &clap::Error) -> String {
     let text = error.render().to_string();
     let is_end = |line: &&str| line.starts_with("Usage:") || line.starts_with("For more info");
@@ -29,8 +28,8 @@ pub fn in_one_line(error: &clap::Error) -> String {
     lines.join("; ").trim_start_matches("error: ").to_owned()
 }
 
-/// A line of JSON with every control character and line separator in its strings escaped, also those
-/// that JSON allows.
+/// Returns a line of JSON in which every control character and line separator inside strings is
+/// escaped, also those that JSON allows.
 pub fn json_line(json: &str) -> String {
     escaped(json, |letter| format!("\\u{:04x}", u32::from(letter)))
 }

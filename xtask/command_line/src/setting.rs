@@ -1,14 +1,14 @@
-//! Sizes, qualities and shadings as words of the command line.
+//! Sizes, qualities and shadings as the command line names them.
 
 use clap::ValueEnum;
 use embedded_graphics::geometry::Size;
 use reflet::host::reference;
 
-/// Width and height of a picture, such as `320x240`.
+/// Parses the width and height of a picture, such as `320x240`.
 ///
 /// # Errors
 ///
-/// The text is not two numbers from 1 to 65535 with an `x` between them.
+/// Fails if the text is not two numbers from 1 to 65535 with an `x` between them.
 pub fn size(text: &str) -> Result<Size, &'static str> {
     let side = |digits: &str| match digits.bytes().all(|digit| digit.is_ascii_digit()) {
         true => digits.parse::<u16>().ok().filter(|&side| side > 0),
@@ -23,7 +23,7 @@ pub fn size(text: &str) -> Result<Size, &'static str> {
     }
 }
 
-/// A shading of the library, as a value.
+/// A shading of the library as a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, ValueEnum)]
 pub enum Shading {
     BlinnPhong,
@@ -32,7 +32,7 @@ pub enum Shading {
 }
 
 impl Shading {
-    /// The word on the command line.
+    /// Returns the name of the shading on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::BlinnPhong => "blinn-phong",
@@ -41,7 +41,7 @@ impl Shading {
         }
     }
 
-    /// The name of the type in the library, and of the variant elsewhere.
+    /// Returns the name of the library's type, which is also the variant's name.
     pub fn type_name(self) -> String {
         format!("{self:?}")
     }
@@ -57,7 +57,7 @@ impl From<Shading> for reference::Shading {
     }
 }
 
-/// A quality of the library, as a value.
+/// A quality of the library as a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, ValueEnum)]
 pub enum Quality {
     Fast,
@@ -67,7 +67,7 @@ pub enum Quality {
 }
 
 impl Quality {
-    /// The word on the command line.
+    /// Returns the name of the quality on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fast => "fast",
@@ -77,7 +77,7 @@ impl Quality {
         }
     }
 
-    /// The name of the type in the library.
+    /// Returns the name of the library's type.
     pub fn type_name(self) -> String {
         format!("{self:?}")
     }

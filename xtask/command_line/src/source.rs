@@ -1,4 +1,4 @@
-//! What can be drawn: a built-in scene or a scene file, behind the same calls.
+//! Scenes that commands can draw: built-in scenes and scene files, with the same functions.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use reflet::scenes::{self, BuiltIn, Visitor};
 
 use crate::Failure;
 
-/// The option that takes one scene from a file.
+/// The option `--scene NAME`, which selects one scene of a file.
 #[derive(Args, Clone, Debug, Default)]
 pub struct Chosen {
     /// The scene to take from a file that holds several
@@ -17,20 +17,21 @@ pub struct Chosen {
     pub name: Option<String>,
 }
 
-/// What a command line calls a scene.
+/// How the command line names a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Named {
     BuiltIn(&'static str),
-    /// A scene file; its path is the name.
+    /// A scene file; its name is the path.
     File,
 }
 
 impl Named {
-    /// A name with a dot or a slash in it is a file.
+    /// Decides whether `scene` names a built-in scene or a file. A name with a dot or a slash is a
+    /// file.
     ///
     /// # Errors
     ///
-    /// There is no such built-in scene, or one is to be taken from a built-in scene.
+    /// Fails if there is no such built-in scene, or if `chosen` is given with a built-in scene.
     pub fn of(scene: &Path, chosen: &Chosen) -> Result<Self, Failure> {
         let text = scene.to_string_lossy();
         let built_in = scenes::NAMES.into_iter().find(|&name| name == text);
@@ -50,20 +51,20 @@ impl Named {
     }
 }
 
-/// A scene and the view it was made for.
+/// A scene, its name and the camera it was made for.
 pub struct Source {
     name: String,
     pub kind: Kind,
 }
 
-/// Where a scene comes from.
+/// Whether a scene is built in or comes from a file.
 pub enum Kind {
     BuiltIn,
     File(Box<SceneFile>, Box<FileScene>),
 }
 
 impl Source {
-    /// The scene that the command line names.
+    /// Opens the scene that the command line names.
     pub fn open(scene: &Path, chosen: &Chosen) -> Result<Self, Failure> {
         match Named::of(scene, chosen)? {
             Named::BuiltIn(name) => Ok(Self::known(name)),
@@ -71,7 +72,7 @@ impl Source {
         }
     }
 
-    /// The built-in scene of this name.
+    /// Returns the built-in scene of this name, or `None` if there is none.
     pub fn built_in(name: &str) -> Option<Self> {
         let known = scenes::NAMES.contains(&name);
         known.then(|| Self::known(name))
@@ -100,12 +101,12 @@ impl Source {
         })
     }
 
-    /// What the scene is called.
+    /// Returns the name of the scene.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The scene and the camera in double precision.
+    /// Returns the scene and its camera in double precision.
     pub fn reference(&self) -> (reference::Scene, reference::Camera) {
         match &self.kind {
             Kind::BuiltIn => self.visit(Describe),
@@ -113,13 +114,14 @@ impl Source {
         }
     }
 
-    /// Visits a built-in scene.
+    /// Calls the visitor with the type of a built-in scene. Panics for a scene from a file.
     pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
         scenes::visit(&self.name, visitor).expect("the name was found in the list of names")
     }
 }
 
-/// The error with the option that chooses from a file, which the file does not know.
+/// Adds the option `--scene` to an error that a file has several scenes. The file's error does not
+/// know the option.
 pub fn with_advice(error: FileError) -> Failure {
     match error.problem() {
         Problem::Undecided { .. } => format!("{error} (--scene NAME)").into(),

@@ -1,4 +1,4 @@
-// What is wired to the Raspberry Pi Pico of examples/pico: the display and the keys.
+// The parts that are wired to the Raspberry Pi Pico of examples/pico: the display and the keys.
 
 import { GPIOPinState } from "rp2040js";
 
@@ -12,8 +12,8 @@ const KEYS = { up: 2, select: 3, left: 16, down: 18, right: 20 };
 
 export class Board {
   /**
-   * How many rows of the picture have been drawn in the light, counted from the top. A press of a
-   * key makes it begin again.
+   * Number of rows of the picture that were drawn while the backlight was on, counted from the top.
+   * A key press sets it to 0.
    */
   rows = 0;
 

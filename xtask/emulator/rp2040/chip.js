@@ -1,6 +1,6 @@
-// An RP2040 with both cores. rp2040js brings one; the second shares its memory and peripherals
-// and has a SIO, a PPB and a cycle count of its own. The cores take turns of a few cycles, so a
-// run is the same every time.
+// An RP2040 with both cores. rp2040js emulates one core. The second shares its memory and
+// peripherals, and has its own SIO, PPB and cycle count. The cores take turns of a few cycles, so a
+// run gives the same result every time.
 
 import { RP2040 } from "rp2040js";
 
@@ -11,24 +11,24 @@ const FLASH = 0x10000000;
 const RAM = 0x20000000;
 const NANOSECONDS_A_CYCLE = 8;
 
-/** Where the vectors are behind the second stage of the boot loader. */
+/** Address of the vectors: after the second stage of the boot loader. */
 const VECTORS = FLASH + 0x100;
 
-/** How many cycles one core runs before the other has its turn. */
+/** Cycles that one core runs before the other has its turn. */
 const TURN = 64;
 
-/** The registers of the memory protection unit, in the PPB. */
+/** Offsets of the memory protection unit's registers in the PPB. */
 const PROTECTION = { first: 0xd94, last: 0xda0 };
 
 export class Chip {
-  /** What stopped the run, and in which function, once something has. */
+  /** Reason why the run stopped, and the function in which it did; null while it runs. */
   fault = null;
-  /** Executed by both cores. */
+  /** Number of executed instructions of both cores. */
   instructions = 0;
-  /** Called with the core and the number of a breakpoint; returns whether it was expected. */
+  /** Called at a breakpoint, with the core and its number. Returns whether it was expected. */
   onBreakpoint = () => false;
 
-  /** Firmware linked to address 0 is for measuring; its timer counts cycles or instructions. */
+  /** Firmware linked to address 0 is measurement firmware: its timer counts cycles or instructions. */
   constructor(elf, cores, counts = "cycles") {
     this.elf = elf;
     this.rp2040 = new RP2040();
@@ -47,12 +47,12 @@ export class Chip {
     return this.elf.segments.some(({ address }) => address === 0);
   }
 
-  /** Cycles since the reset. */
+  /** Number of cycles since the reset. */
   get cycles() {
     return this.first.cycles;
   }
 
-  /** Runs for at least so many cycles, less where there is a fault. */
+  /** Runs for at least this many cycles, or until a fault. */
   run(cycles) {
     const end = this.cycles + cycles;
     while (this.cycles < end && this.fault === null) {
@@ -60,23 +60,23 @@ export class Chip {
     }
   }
 
-  /** Ends the run, with the reason and where the core was. */
+  /** Ends the run, and keeps the reason and the function in which the core was. */
   stop(core, reason) {
     this.fault ??= { reason, function: this.elf.functionAt(core.PC) };
   }
 
-  /** A word of memory, wherever it is. */
+  /** Returns a word of any memory. */
   word(address) {
     return this.rp2040.readUint32(address) >>> 0;
   }
 
-  /** Bytes of memory as text. */
+  /** Returns bytes of memory as text. */
   text(address, length) {
     const bytes = Array.from({ length }, (_, index) => this.rp2040.readUint8(address + index));
     return Buffer.from(bytes).toString("utf8");
   }
 
-  /** A turn of each core; time passes after it. */
+  /** Runs a turn of each core, then advances the time. */
   #turn() {
     const { first, second, mailboxes } = this;
     const start = first.cycles;
@@ -113,7 +113,10 @@ export class Chip {
     }
   }
 
-  /** The same chip as the second core sees it. Of one class and shape, so that both are fast. */
+  /**
+   * Returns a view of the chip for the second core: its own core, SIO and PPB, all else shared. It has
+   * the class and the fields of the first, so that the JavaScript engine runs both fast.
+   */
   #twin() {
     const twin = new RP2040(this.rp2040.clock);
     const { core, sio, ppb } = twin;
@@ -123,7 +126,7 @@ export class Chip {
     return twin;
   }
 
-  /** What the real chip would take a fault on, rp2040js only remarks. */
+  /** Stops at warnings of rp2040js: on the real chip they would be faults. */
   #listen(view) {
     const remark = (component, message) => {
       if (component === "RP2040" || component === "CortexM0Core") {
@@ -139,7 +142,7 @@ export class Chip {
     };
   }
 
-  /** Does what the boot ROM and the second stage of the boot loader do for the first core. */
+  /** Starts the first core as the boot ROM and the second stage of the boot loader do. */
   #boot() {
     const vectors = this.#isMeasuring ? 0 : VECTORS;
     this.first.VTOR = vectors;
@@ -148,7 +151,10 @@ export class Chip {
   }
 }
 
-/** rp2040js has no memory protection; what guards the second core's stack is taken and ignored. */
+/**
+ * Ignores writes to the memory protection unit, which rp2040js does not have. The firmware guards the
+ * second core's stack with it.
+ */
 function acceptMemoryProtection(ppb) {
   const isProtection = (offset) => offset >= PROTECTION.first && offset <= PROTECTION.last;
   const read = ppb.readUint32.bind(ppb);

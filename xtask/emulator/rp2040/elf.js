@@ -1,4 +1,4 @@
-// A 32-bit little-endian ELF file: what is loaded where, and which function an address lies in.
+// Reads a 32-bit little-endian ELF file: its segments with their addresses, and its functions.
 
 import { readFileSync } from "node:fs";
 
@@ -22,19 +22,19 @@ export class Elf {
     this.symbols = this.#symbols();
   }
 
-  /** The address of the symbol of this name, if there is one. */
+  /** Returns the address of the symbol of this name, if there is one. */
   address(name) {
     return this.symbols.find((symbol) => symbol.name === name)?.address;
   }
 
-  /** The name of the function an address lies in, as the linker knows it. */
+  /** Returns the linker's name of the function that contains an address, else the address as text. */
   functionAt(address) {
     const holds = ({ type, address: start, size }) =>
       type === FUNCTION && address >= (start & ~1) && address < (start & ~1) + size;
     return this.symbols.find(holds)?.name ?? `0x${address.toString(16)}`;
   }
 
-  /** The offsets of a table of headers, found by where the file's header names its place. */
+  /** Returns the offsets of a table's headers. The arguments are offsets in the file header. */
   #headers(offsetAt, sizeAt) {
     const start = this.bytes.readUInt32LE(offsetAt);
     const size = this.bytes.readUInt16LE(sizeAt);

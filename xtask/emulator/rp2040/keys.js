@@ -1,8 +1,8 @@
-// A person at the keys: presses one after the other, in the chip's own time.
+// Presses keys one after another, as a person would, in the chip's emulated time.
 
 const CYCLES_A_MILLISECOND = 125_000;
 
-/** How long a key is held, and how long the hand then rests. */
+/** Cycles for which a key is held, and cycles of the pause after it. */
 const HELD = 100 * CYCLES_A_MILLISECOND;
 
 export class Keys {
@@ -14,7 +14,7 @@ export class Keys {
   #until = 0;
   #held = null;
 
-  /** `pins` names the pin of each key; a pressed one is low. */
+  /** `pins` has the pin of each key. A pressed key pulls its pin low. */
   constructor(rp2040, pins) {
     this.#pins = Object.fromEntries(
       Object.entries(pins).map(([name, pin]) => [name, rp2040.gpio[pin]]),
@@ -22,7 +22,7 @@ export class Keys {
     Object.values(this.#pins).forEach((pin) => pin.setInputValue(true));
   }
 
-  /** Whether every press has been seen through. */
+  /** Whether all presses are finished. */
   get areAtRest() {
     return this.#held === null && this.#presses.length === 0;
   }
@@ -36,7 +36,7 @@ export class Keys {
     this.#presses.push(...names);
   }
 
-  /** Moves the hand on to this time. */
+  /** Presses and releases keys up to this time. */
   tick(cycles) {
     if (cycles < this.#until) {
       return;

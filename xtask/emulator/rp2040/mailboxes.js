@@ -1,5 +1,5 @@
-// What lies between the cores: their numbers, the two FIFOs, and the boot ROM by which the first
-// core starts the second. rp2040js has none of it.
+// The connection between the cores: their numbers, the two FIFOs, and the boot ROM code through which
+// the first core starts the second. rp2040js has none of these.
 
 const CORE_NUMBER = 0x000;
 const FIFO_STATUS = 0x050;
@@ -14,7 +14,7 @@ const POWER_MANAGER = 0x40010;
 const FORCE_OFF = 0x4;
 const SECOND_CORE = 1 << 16;
 
-/** Registers of the SIO that both cores share: pins and spin locks. */
+/** Tests whether both cores share a register of the SIO: those of pins and spin locks. */
 function isShared(offset) {
   return (offset >= 0x004 && offset < 0x050) || offset === 0x05c || offset >= 0x100;
 }
@@ -84,7 +84,7 @@ export class Mailboxes {
     core.waiting = false;
   }
 
-  /** The boot ROM of the second core: repeats each word; 1, vectors, stack, entry start it. */
+  /** The second core's boot ROM: echoes each word, and starts at 1, vectors, stack and entry. */
   #hear(word) {
     if (this.#isOff) {
       return;
@@ -99,7 +99,7 @@ export class Mailboxes {
     }
   }
 
-  /** When the second core is let out of its reset, its boot ROM greets the first with a 0. */
+  /** When the second core leaves its reset, its boot ROM sends a 0 to the first. */
   #watchPower(manager) {
     const write = manager.writeUint32.bind(manager);
     manager.writeUint32 = (offset, value) => {

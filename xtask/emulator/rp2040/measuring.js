@@ -1,17 +1,17 @@
-// What the measurement firmware needs of its board, an MPS2 with the AN385 image: flash at 0, RAM,
-// and a timer. Its core here is the M0+ of the RP2040, whose cycles are known.
+// Emulates what the measurement firmware needs of its board, an MPS2 with the AN385 image: flash at
+// 0, RAM, and a timer. The core here is the M0+ of the RP2040, whose cycles are known.
 //
-// The firmware takes the timer for one that ticks 128 ns in 40 ns steps for every instruction; here
-// it does so for every cycle, so what the firmware reports as instructions are cycles.
+// The firmware expects a timer of 40 ns ticks that advances 128 ns with every instruction. Here it
+// advances 128 ns with every cycle, so the instructions that the firmware reports are cycles.
 
-/** Of flash and of RAM. */
+/** Size of the flash and of the RAM, in bytes. */
 const SIZE = 4 * 1024 * 1024;
 
 const TIMER = 0x40000;
 const VALUE = 4;
 const TICKS_A_CYCLE = 128 / 40;
 
-/** Makes the chip look like that board from where the firmware stands. */
+/** Replaces memory and timer of the chip by those of the MPS2. `clock` returns the timer's count. */
 export function measure(rp2040, clock) {
   rp2040.bootrom = new Uint32Array(SIZE / 4);
   rp2040.sram = new Uint8Array(SIZE);

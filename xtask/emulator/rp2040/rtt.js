@@ -1,8 +1,8 @@
-// What firmware says by RTT: text in a ring buffer in its memory, found by its symbol.
+// Reads the firmware's output by RTT: text in a ring buffer in its memory, found by its symbol.
 
 const CONTROL_BLOCK = "_SEGGER_RTT";
 
-/** Where in the control block the first buffer to the debugger is described. */
+/** Offset of the description of the first buffer to the debugger, in the control block. */
 const BUFFER = 0x18;
 
 export class Rtt {
@@ -15,7 +15,7 @@ export class Rtt {
     this.#control = chip.elf.address(CONTROL_BLOCK);
   }
 
-  /** The lines said so far. */
+  /** Lines that the firmware has printed so far. */
   get lines() {
     this.#collect();
     return this.#text.split("\n").filter((line) => line !== "");

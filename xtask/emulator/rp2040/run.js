@@ -1,16 +1,16 @@
 // Runs firmware for the RP2040, or the measurement firmware for thumbv6m, and prints one line of
-// JSON: how it ended, what it said, and how many cycles and instructions it took.
+// JSON: how it ended, what it printed, and how many cycles and instructions it took.
 //
 //   node run.js FIRMWARE.elf [--limit CYCLES] [--cores 1|2] [--counts cycles|instructions]
 //                            [--frames LIST [--rows ROWS] [--pictures PREFIX]]
 //
-// Without --frames the run ends when the firmware ends itself, by semihosting. --counts is what the
+// Without --frames the run ends when the firmware ends itself, by semihosting. --counts says what the
 // timer of the measurement firmware counts: see measuring.js.
 //
-// --frames waits for that many pictures on the display and then ends the run. Its list has one part
-// a picture: the keys pressed before it, as in `-,select,right+up`. The keys of the first part are
-// pressed while the first picture is being drawn. A picture is done when its first ROWS rows are,
-// all of them unless it is said, and is then written to PREFIX-I.rgb565.
+// --frames waits for pictures on the display and then ends the run. Its list has one part for each
+// picture: the keys pressed before it, as in `-,select,right+up`. The keys of the first part are
+// pressed while the first picture is being drawn. A picture is finished when its first ROWS rows are
+// drawn (default: all rows), and is then written to PREFIX-I.rgb565.
 
 import { writeFileSync } from "node:fs";
 import { parseArgs } from "node:util";
@@ -21,10 +21,10 @@ import { Elf } from "./elf.js";
 import { Rtt } from "./rtt.js";
 import { Semihosting } from "./semihosting.js";
 
-/** How long the firmware may say what it has to say about the last picture, in cycles. */
+/** Cycles that the firmware gets after the last picture to print its report of it. */
 const LAST_WORDS = 125_000;
 
-/** How often the hand moves and the run may end, in cycles. */
+/** Cycles between two steps, in which keys change and the run may end. */
 const SLICE = 1000;
 
 const { positionals, values } = parseArgs({
@@ -46,7 +46,7 @@ const board = new Board(chip);
 const wanted = (values.frames ?? "").split(",").filter((part) => part !== "");
 const frames = [];
 
-/** Whether the keys of the picture that is waited for have been handed over. */
+/** Whether the keys of the next picture have been given to the board. */
 let isAsked = false;
 
 while (!isOver()) {
@@ -70,7 +70,7 @@ function isOver() {
   );
 }
 
-/** Presses the keys of the next picture, waits for it and keeps it. */
+/** Presses the keys of the next picture, and saves the picture when it is finished. */
 function watch() {
   if (!isAsked) {
     isAsked = board.isLit;

@@ -1,4 +1,5 @@
-// What firmware says by semihosting: a breakpoint with a question in the first two registers.
+// Answers the firmware's semihosting calls: a breakpoint with the call and its argument in the first
+// two registers.
 
 const BREAKPOINT = 0xab;
 
@@ -13,9 +14,9 @@ const EXIT_EXTENDED = 0x20;
 const WENT_WELL = 0x20026;
 
 export class Semihosting {
-  /** Each line, with the counts at the time it was begun. */
+  /** Lines that the firmware printed, each with the counts at the time when it began. */
   lines = [];
-  /** Whether the firmware has ended itself. */
+  /** Whether the firmware has ended itself with success. */
   hasExited = false;
 
   #chip;

@@ -1,5 +1,5 @@
-// The controller of the display, as far as the firmware uses it: bytes in, picture out. It is
-// strict: what a real one might forgive is an error here.
+// Emulates the display's controller, as far as the firmware uses it: takes bytes, and holds the
+// picture. It is strict: errors that a real controller might ignore end the run.
 
 const SOFT_RESET = 0x01;
 const SLEEP_OUT = 0x11;
@@ -19,14 +19,14 @@ export class St7789 {
   constructor(width, height) {
     this.width = width;
     this.height = height;
-    /** The picture, row by row, two bytes a pixel, the high one first: as sent. */
+    /** The picture as it was sent: row by row, two bytes a pixel, the high byte first. */
     this.picture = Buffer.alloc(width * height * 2);
     /** Called with the number of a row when its last pixel has been sent. */
     this.onRow = () => {};
     this.reset();
   }
 
-  /** What a low level at the reset pin does; the picture stays. */
+  /** Resets all settings, as a low level at the reset pin does. The picture stays. */
   reset() {
     this.isAwake = false;
     this.isOn = false;
@@ -39,7 +39,7 @@ export class St7789 {
     this.parameters = [];
   }
 
-  /** A byte sent while the data/command pin is low. */
+  /** Takes a byte that was sent while the data/command pin is low. */
   takeCommand(byte) {
     this.command = byte;
     this.parameters = [];
@@ -71,7 +71,7 @@ export class St7789 {
     }
   }
 
-  /** A byte sent while the data/command pin is high. */
+  /** Takes a byte that was sent while the data/command pin is high. */
   takeData(byte) {
     if (this.command === WRITE) {
       this.#takePixelByte(byte);

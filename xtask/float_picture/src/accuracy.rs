@@ -1,4 +1,4 @@
-//! How far every quality, and single precision, is from the double-precision reference.
+//! Measures how far every quality and single precision are from the double-precision reference.
 
 use std::marker::PhantomData;
 
@@ -10,32 +10,33 @@ use reflet::scenes::{BuiltIn, Visitor, visit};
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 use reflet::shading::{BlinnPhong, Phong, Shading};
 
-/// The names of what is measured, in the order of [`Row::differences`].
+/// Names of the measured qualities and of single precision, in the order of [`Row::differences`].
 pub const NAMES: [&str; 5] = ["fast", "fine", "small", "exact", "f32"];
 
-/// One scene in one shading.
+/// Accuracy of one scene in one shading.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// The scene's name.
+    /// Name of the scene.
     pub scene: &'static str,
-    /// From the reference: of each quality, then of the float port in `f32`.
+    /// Differences from the reference: those of each quality, then that of the float port in `f32`.
     pub differences: [Difference; NAMES.len()],
 }
 
-/// What counts as the same as the reference: at most one pixel in ten thousand differs.
+/// Share of pixels equal to the reference's that counts as all of them: one in ten thousand may
+/// differ.
 const ALL: f64 = 0.9999;
 
 impl Row {
-    /// Whether a quality has the reference's value on as many pixels as single precision, or on all
-    /// but one in ten thousand. Qualities are in the order of [`NAMES`].
+    /// Tests whether a quality equals the reference in at least as many pixels as single precision
+    /// does, or in all but one of ten thousand. `quality` is an index into [`NAMES`].
     pub fn is_as_near_as_single_precision(&self, quality: usize) -> bool {
         let [.., single] = self.differences.map(|it| it.same);
         self.differences[quality].same >= single.min(ALL)
     }
 }
 
-/// Renders a built-in scene `side` by `side` pixels large. `None` without a scene of that name, and
-/// for [`reference::Shading::Normals`].
+/// Draws a built-in scene `side` by `side` pixels large and measures its accuracy. `None` if there
+/// is no scene of that name, or for [`reference::Shading::Normals`].
 pub fn measure(
     scene: &str,
     side: u32,

@@ -1,7 +1,7 @@
-//! Pictures in single precision, in the form that the reference's are compared in: of the float port,
-//! as a program on a board would be written, and of the reference's own formulas.
+//! Draws pictures in single precision, in the form of the reference's pictures: with the float port,
+//! which is how a program on a board would be written, and with the reference's own formulas.
 #![deny(missing_docs)]
-// Scenes are made ready for two models: that of the port and that with the reference's own settings.
+// `prepared.rs` is compiled twice: for the float port's model and for the reference's own settings.
 #![allow(clippy::duplicate_mod)]
 
 #[macro_use]
@@ -20,7 +20,7 @@ pub use reflet::host::reference::Shading;
 
 use reflet::host::reference::Picture;
 
-/// The picture of these pixels.
+/// Returns the picture with these pixels.
 fn picture((width, height): (u32, u32), pixel: impl Fn(u32, u32) -> [u8; 3]) -> Picture {
     let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     Picture {

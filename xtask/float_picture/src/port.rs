@@ -1,4 +1,4 @@
-//! The float port: a program on a board in single precision.
+//! Draws pictures with the float port: the program of a board in single precision.
 
 #[path = "../../../src/host/reference/prepared.rs"]
 mod prepared;
@@ -8,10 +8,10 @@ use reflet::host::reference::*;
 
 pub use self::prepared::{Prepared, camera};
 
-/// What is computed in.
+/// Number type of all computations.
 type Real = f32;
 
-/// The picture of a scene, every number of which is the nearest `f32`.
+/// Draws a scene whose numbers are rounded to the nearest `f32`.
 pub fn render(
     scene: &Scene,
     eye: &Camera,

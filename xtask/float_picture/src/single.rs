@@ -1,9 +1,10 @@
-//! The double-precision reference's own formulas, in single precision: its files, compiled once more.
+//! The double-precision reference's own formulas in single precision: its files are compiled once
+//! more.
 //!
-//! Every direction and normal is brought back to length one, and half chords are taken from the
-//! distance of a centre from the ray: as good as a picture in `f32` can be without cleverness.
+//! Every direction and normal is normalised, and half chords are computed from the distance of a
+//! centre from the ray. A picture in `f32` cannot be much better without special techniques.
 
-// Only what follows a ray is called.
+// Only the functions that follow a ray are called.
 #![allow(dead_code, unused_imports)]
 
 #[path = "../../../src/host/reference/model/mod.rs"]
@@ -19,10 +20,10 @@ use reflet::host::reference::*;
 
 use self::prepared::{Prepared, camera};
 
-/// What is computed in.
+/// Number type of all computations.
 type Real = f32;
 
-/// The picture of a scene, every number of which is the nearest `f32`.
+/// Draws a scene whose numbers are rounded to the nearest `f32`.
 pub fn render(
     scene: &Scene,
     eye: &Camera,

@@ -1,4 +1,4 @@
-//! `Exact` beside single precision, on every built-in scene.
+//! Compares `Exact` with single precision, on every built-in scene.
 
 use float_picture::Shading;
 use float_picture::accuracy::{NAMES as QUALITIES, measure};

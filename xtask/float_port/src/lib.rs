@@ -1,10 +1,10 @@
 //! The model of `reflet` in `f32`, as one would write it without `reflet`: the float side of the
 //! comparison in `docs/boards.md`.
 //!
-//! A fair competitor: the textbook's formulas, no allocation, no recursion, the scene a constant
-//! that the optimiser sees through, the core's own instruction for roots where there is one. It
-//! uses no trick of `reflet`'s, and nothing is checked. The formulas are in files of the reference,
-//! compiled once more; only the sum along a path is written here.
+//! It is a fair competitor: textbook formulas, no allocation, no recursion, a constant scene that
+//! the optimiser can use, and the core's own instruction for square roots if there is one. It uses
+//! none of `reflet`'s techniques, and checks nothing. The formulas are in files of the reference,
+//! which are compiled once more. Only the sum along a path is written here.
 #![no_std]
 #![deny(missing_docs)]
 
@@ -24,8 +24,7 @@ mod shading;
 pub use model::*;
 pub use shading::Shading;
 
-/// Red, green and blue of what comes along a ray of a [`View`], after at most `reflections`
-/// reflections.
+/// Returns the red, green and blue of a ray of a [`View`], after at most `reflections` reflections.
 #[inline]
 pub fn pixel(scene: &Scene, shading: Shading, ray: &Ray, reflections: u32) -> [u8; 3] {
     quantised(match shading {
@@ -34,7 +33,8 @@ pub fn pixel(scene: &Scene, shading: Shading, ray: &Ray, reflections: u32) -> [u
     })
 }
 
-/// Follows a ray for at most `reflections` reflections and adds up what it meets by its weight.
+/// Follows a ray for at most `reflections` reflections and adds up the colours of its hits by their
+/// weights.
 #[inline]
 fn color(scene: &Scene, shading: Shading, mut ray: Ray, reflections: u32) -> Vector {
     let mut color = Vector::ZERO;

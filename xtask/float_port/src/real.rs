@@ -1,19 +1,19 @@
-//! The numbers of a board: `f32`, and what `core` lacks of it.
+//! Number type of the float port, and the functions on it that `core` does not have.
 
-/// What is computed in.
+/// Number type of all computations.
 pub type Real = f32;
 
-/// No: the textbook's discriminant takes fewer instructions than the reference's, and a rival that is
-/// slower than need be would flatter the library.
+/// Whether shapes use the reference's careful formulas. No: those of the textbook take fewer
+/// instructions, and a slower competitor would flatter the library.
 pub const IS_CAREFUL: bool = false;
 
-/// The square root: the core's own instruction.
+/// Returns the square root, by the core's own instruction.
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 #[inline]
 pub fn square_root(value: f32) -> f32 {
     unsafe extern "C" {
-        // C's own. The compiler knows it: it becomes `vsqrt.f32`, and a call behind a branch that
-        // is never taken, for what is negative.
+        // C's own function. The compiler knows it and emits `vsqrt.f32`, and for negative numbers a
+        // call behind a branch that is never taken.
         safe fn sqrtf(value: f32) -> f32;
     }
     sqrtf(value)

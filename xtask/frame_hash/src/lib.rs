@@ -1,18 +1,17 @@
-//! The hash by which frames of different machines are compared: FNV-1a, 64 bits, over the RGB8
+//! Hash by which frames of different machines are compared: FNV-1a with 64 bits, over the RGB8
 //! bytes, row by row from the top.
 //!
-//! Small and without tables, so that it runs on every core; it tells pictures apart and protects
-//! nothing.
+//! It is small and has no tables, so that it runs on every core. It is no cryptographic hash.
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
-/// A hash to which bytes are added.
+/// FNV-1a hash of a frame, to which pixels are added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FrameHash(u64);
 
 impl FrameHash {
-    /// Of nothing.
+    /// The hash of no bytes.
     pub const NONE: Self = Self(0xcbf2_9ce4_8422_2325);
 
     /// Adds the bytes of one pixel.
@@ -31,7 +30,7 @@ impl FrameHash {
         }
     }
 
-    /// The hash of all that was added.
+    /// Returns the hash of all bytes added so far.
     pub const fn value(self) -> u64 {
         self.0
     }

@@ -1,5 +1,5 @@
-//! Draws in every way there is, and links only if nothing of it can panic: the panic handler calls
-//! a function that nobody wrote.
+//! Draws with every function that draws, and links only if none of them can panic: the panic handler
+//! calls a function that does not exist.
 #![no_std]
 #![no_main]
 
@@ -22,7 +22,8 @@ use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 
 #[entry]
 fn main() -> ! {
-    // A constant scene leaves out what it does not need; a filled one needs everything.
+    // A constant scene leaves out what it does not need; a scene filled at run time needs
+    // everything.
     let camera = black_box(Castle::CAMERA);
     draw::<Fast, BlinnPhong, _>(Castle::frame(&camera).most_reflections::<0>());
     draw::<Small, BlinnPhong, _>(Castle::frame(&camera));
@@ -49,14 +50,15 @@ fn main() -> ! {
     }
 }
 
-/// Nothing mirrors.
+/// A bound for scenes without mirrors.
 struct Matte;
 
 impl Bound for Matte {
     const NEEDS: Needs = Needs::ALL.without_mirrors();
 }
 
-/// All numbers are hidden from the compiler, as if they came from outside.
+/// Draws a frame in every way. All numbers are hidden from the compiler, as if they came from
+/// outside.
 fn draw<Q: Quality, K: Shading, W: World + Copy>(frame: Frame<'_, W>) {
     let frame = frame.reflections(black_box(4));
     let frame = frame.quality::<Q>().shading::<K>();
@@ -77,7 +79,7 @@ fn draw<Q: Quality, K: Shading, W: World + Copy>(frame: Frame<'_, W>) {
     ));
 }
 
-/// A frame with a budget.
+/// Draws a frame with a budget.
 fn draw_within() {
     const POINT: FrontPoint = FrontPoint {
         prepare: 1000,
@@ -103,7 +105,7 @@ fn draw_within() {
     let _ = black_box(frame.draw_within(front, budget, || black_box(false), &mut Display));
 }
 
-/// A scene that is filled, and a camera that is made and moved, while the program runs.
+/// Fills a scene, and makes and moves a camera, at run time.
 fn fill() -> Option<(Scene<room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>, Camera)> {
     let number = || Number::from(black_box(1.5_f32));
     let point = || black_box([0.5_f64, 1.5, 2.5]);
@@ -132,7 +134,7 @@ fn seen(report: Result<Report, Infallible>) {
     let _ = black_box(report);
 }
 
-/// Takes any picture and shows none.
+/// A display that ignores all pixels.
 struct Display;
 
 impl OriginDimensions for Display {

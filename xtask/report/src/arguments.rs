@@ -1,4 +1,4 @@
-//! The command line; it never opens a file.
+//! Parses the command line of the report. Never opens a file.
 
 use std::path::{Path, PathBuf};
 
@@ -59,7 +59,8 @@ impl Core {
         }
     }
 
-    /// Where the float port runs: on a core with hardware for it.
+    /// Returns the core on which the float port runs: one with a floating-point unit, or this
+    /// machine.
     pub fn of_float(self) -> Self {
         match self {
             Self::Host => Self::Host,
@@ -67,7 +68,7 @@ impl Core {
         }
     }
 
-    /// The word on the command line.
+    /// Returns the name of the core on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Host => "host",
@@ -75,7 +76,7 @@ impl Core {
         }
     }
 
-    /// Its name in prose.
+    /// Returns the name of the core in prose.
     pub fn title(self) -> &'static str {
         match self {
             Self::Host => "this machine",
@@ -83,7 +84,7 @@ impl Core {
         }
     }
 
-    /// What is counted on it.
+    /// Returns the unit of the costs on this core.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Host => "% of the reference's time",
@@ -93,9 +94,9 @@ impl Core {
 }
 
 impl Arguments {
-    /// What the command line says, or the line that says what is wrong with it.
+    /// Parses the command line. Without scenes, takes all built-in ones.
     ///
-    /// Prints the help and ends the program where that is what was asked for.
+    /// If the command line asks for help, prints the help and exits. An error is one line.
     pub fn read() -> Result<Self> {
         let mut arguments: Self = parse().map_err(|failure| anyhow!(failure))?;
         if arguments.scenes.is_empty() {
@@ -104,7 +105,7 @@ impl Arguments {
         Ok(arguments)
     }
 
-    /// The command that makes the same report, wherever it was written to.
+    /// Returns the command that makes the same report. Leaves out the output folder.
     pub fn command(&self) -> String {
         let mut command = "cargo run --release --package report --".to_owned();
         let all = scenes::NAMES.map(Path::new);
@@ -121,7 +122,7 @@ impl Arguments {
         command.replace(char::is_control, " ")
     }
 
-    /// The size as it is written on the command line.
+    /// Returns the size as it is written on the command line: `128x128`.
     pub fn size_words(&self) -> String {
         format!("{}x{}", self.size.width, self.size.height)
     }

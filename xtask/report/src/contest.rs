@@ -1,4 +1,5 @@
-//! Fixed point against float for the same cost: who has less error, and why float has where it has.
+//! Compares the error of fixed point with that of float at the same cost, and says why float has
+//! less error where it has.
 
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
@@ -8,26 +9,26 @@ use crate::page::{cost, decibels};
 use crate::point::Point;
 use crate::scene::Measured;
 
-/// Where fixed point has to stand against float, in instructions a pixel.
+/// Costs at which fixed point is compared with float, in instructions a pixel.
 const RANGE: RangeInclusive<f64> = 300.0..=5000.0;
 
-/// So many of the points at which float has less error are explained.
+/// Largest number of points with less error in float that are explained.
 const MOST_LOST: usize = 4;
 
-/// The points of a scene's front that are compared with float. Fixed point has less error at all that
-/// are not counted in another field.
+/// Comparison of the points of a scene's Pareto front with float. Each point is counted in one of
+/// the fields below; fixed point has less error at the points that are left.
 pub struct Contest<'a> {
     name: &'a str,
     compared: usize,
-    /// With as much error as float.
+    /// Points where float has the same error.
     same: usize,
-    /// No setting of float is as cheap.
+    /// Points at which every setting of float costs more.
     alone: usize,
-    /// Float has less error: why.
+    /// Reasons of the points where float has less error, one text for each.
     lost: Vec<String>,
 }
 
-/// The verdict over all scenes, in one sentence.
+/// Returns the verdict over all scenes, in one sentence.
 pub fn verdict(contests: &[Contest], core: Core) -> String {
     let compared: usize = contests.iter().map(|it| it.compared).sum();
     let less: usize = contests.iter().map(Contest::less).sum();

@@ -1,4 +1,5 @@
-//! What a picture is off by, what it may be off by, and where that comes from; it draws nothing.
+//! Measures how far a picture is off, what its bound promises, and where the error comes from. Draws
+//! nothing.
 
 use anyhow::Result;
 use embedded_graphics::geometry::Size;
@@ -10,53 +11,55 @@ use xtask::sweep::{Contestant, Level, Setting};
 
 use crate::paint::Painter;
 
-/// How many reflections stand for all of them: what is left of a path then is less than a display
-/// shows, unless its mirrors keep nearly everything for ever.
+/// Number of reflections that stands for all of them. The rest of a path is then darker than a
+/// display can show, unless its mirrors reflect nearly all light.
 const ALL: u32 = 2000;
 
-/// As many as a setting can have, and one.
+/// Number of reflections that paths are followed: the most that a setting can have, plus one.
 const FOLLOWED: usize = 256;
 
-/// What a scene's pictures are measured by.
+/// Reference picture and paths of a scene, against which its pictures are measured.
 pub struct Truth {
-    /// With all reflections.
+    /// Picture of the double-precision reference with all reflections.
     pub picture: Picture,
     paths: Paths,
 }
 
 #[derive(Clone, Debug)]
 pub struct Errors {
-    /// Of all pixels, in decibels; infinite where nothing differs.
+    /// PSNR of all pixels in decibels; infinite if no pixel differs.
     pub psnr: f64,
-    /// The largest difference of a channel.
+    /// Largest difference of a channel, in levels of 255.
     pub largest: u8,
-    /// Shares of the pixels that are the same and within 1.
+    /// Share of the pixels that are the same as the reference's.
     pub same: f64,
     pub within1: f64,
-    /// Where something is promised: in fixed point, with shadows, at full resolution.
+    /// Promised bounds. `None` except for fixed point with shadows at full resolution.
     pub promised: Option<Promised>,
-    /// Where the error comes from: the root of the mean square in 255ths, of each part alone.
+    /// Sources of the error. Each is the root of the mean square of that source alone, in 255ths.
     pub parts: Parts,
 }
 
-/// What is promised of a picture, and how it is kept.
+/// Bounds that are promised for a picture, and the measured errors that they are compared with.
 #[derive(Clone, Copy, Debug)]
 pub struct Promised {
-    /// The share of the pixels that are sure: 0 to 1.
+    /// Share of the pixels that are sure, 0 to 1: rounding cannot change what their paths hit.
     pub sure: f64,
-    /// How many pixels that are not sure are further than 1 from what their ending comes to.
+    /// Number of unsure pixels that differ by more than 1 level from the exact path that ends at the
+    /// same reflection.
     pub decided: usize,
-    /// How many were further off although they were sure: none.
+    /// Number of sure pixels whose error is larger than their bound; must be 0.
     pub broken: usize,
-    /// The largest difference of a channel, and the largest bound, of those that are sure.
+    /// Largest difference of a channel among the sure pixels, in levels of 255.
     pub largest: u8,
     pub bound: f64,
-    /// The PSNR of those that are sure, and the least that their bounds allow.
+    /// PSNR of the sure pixels, in decibels.
     pub psnr: f64,
     pub bound_psnr: f64,
-    /// Π αₖ · max |c| with what is left out, in 255ths, at its largest.
+    /// Largest truncation bound of the sure pixels, in 255ths: Π αₖ · max |c|, for the reflections
+    /// that are left out or cut off.
     pub truncation: f64,
-    /// What rounding may do, in 255ths, at its largest.
+    /// Largest rounding bound of the sure pixels, in 255ths.
     pub rounding: f64,
 }
 
@@ -64,13 +67,13 @@ pub struct Promised {
 pub struct Parts {
     pub truncation: f64,
     pub cut_off: f64,
-    /// From pixels that are taken from those beside them.
+    /// Error of pixels that are interpolated between traced ones.
     pub between: f64,
-    /// From the formats.
+    /// Error of the fixed-point formats.
     pub rounding: f64,
-    /// From pixels where rounding decided otherwise what is met.
+    /// Error of pixels in which rounding changed what the path hits.
     pub decided: f64,
-    /// From shadows that are left out, and from larger pixels.
+    /// Error of shadows that are left out, and of larger pixels.
     pub simplified: f64,
 }
 
@@ -140,7 +143,8 @@ impl Truth {
         apart(picture, &self.picture, |_| true)
     }
 
-    /// Of a picture with shadows and at full resolution.
+    /// Measures the sources of the error and the promised bounds of a picture with shadows at full
+    /// resolution.
     fn parts(
         &self,
         painter: &Painter,
@@ -156,7 +160,8 @@ impl Truth {
         });
         let traced = painter.paint_traced(level, reflections);
         let is_sure = |pixel: usize| !bounds[pixel].is_unsure;
-        // Against the same ending, so that what was cut off hides no wrong decision.
+        // Compares with the exact picture of the same ending. Otherwise truncated reflections could
+        // hide a path that took another way.
         let decided = (0..bounds.len())
             .map(|pixel| bounds[pixel].is_unsure && difference(picture, &exact, pixel) > 1);
         let decided: Vec<bool> = decided.collect();
@@ -191,7 +196,7 @@ impl Truth {
     }
 }
 
-/// Where the paths of a level end, and which of them are traced.
+/// Returns where the paths of a level end, and which pixels are traced.
 fn ending(painter: &Painter, level: Level, reflections: u8) -> Ending {
     let numbers = level.numbers();
     let is_of_planes = painter.scene.shapes().all(|it| it.kind == "plane");
@@ -215,13 +220,14 @@ fn difference(a: &Picture, b: &Picture, pixel: usize) -> u8 {
     pairs.map(|(a, b)| a.abs_diff(b)).max().unwrap_or(0)
 }
 
-/// The root of the mean square, over all pixels, of how far apart those are that are asked for.
+/// Returns the root of the mean square of the differences of the pixels for which `is_asked` holds,
+/// divided by the number of all pixels.
 fn apart(a: &Picture, b: &Picture, is_asked: impl Fn(usize) -> bool) -> f64 {
     let pixels = a.pixels.iter().zip(&b.pixels).enumerate();
     let asked = pixels.filter(|(index, _)| is_asked(*index));
     let channels = asked.flat_map(|(_, (a, b))| a.iter().zip(b));
     let squares = channels.map(|(a, b)| f64::from(a.abs_diff(*b)).powi(2));
-    // Not -0, which an empty sum is.
+    // Starts with +0, because the sum of an empty iterator is -0.
     let sum = squares.fold(0.0, |sum, it| sum + it);
     (sum / (3 * a.pixels.len()) as f64).sqrt()
 }

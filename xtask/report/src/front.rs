@@ -1,4 +1,4 @@
-//! The front as Rust source, for the library's budget; it measures nothing.
+//! Writes the Pareto front as Rust source, for the library's budget. Measures nothing.
 
 use xtask::sweep::{Contestant, Level};
 
@@ -26,7 +26,8 @@ pub fn source(command: &str, scenes: &[Measured]) -> String {
     source
 }
 
-/// What the library has a value for: the qualities of `Grade`, with shadows; the best of these.
+/// Returns the front of the points that the library's `Grade` can name: `Fast` and `Fine` with
+/// shadows.
 fn points(points: &[Point]) -> Vec<&Point> {
     let is_known = |point: &&Point| match point.setting.contestant {
         Contestant::Fixed { level, shadows } => {
@@ -53,7 +54,7 @@ fn points(points: &[Point]) -> Vec<&Point> {
     front
 }
 
-/// Instructions a pixel beyond those of the preparation, rounded up.
+/// Returns the instructions a pixel without those of the preparation, rounded up.
 fn rounded(point: &Point) -> u32 {
     let pixels = point.pixels as f64;
     let whole = (point.cost.middle * pixels).round() as u64;

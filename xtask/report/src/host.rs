@@ -1,4 +1,4 @@
-//! Measures time on this machine: all settings in turn, against the double-precision reference.
+//! Measures time on this machine: all settings in turn, relative to the double-precision reference.
 
 use std::collections::HashMap;
 use std::hint::black_box;
@@ -12,12 +12,14 @@ use xtask::sweep::Setting;
 use crate::paint::{Painter, hash};
 use crate::point::Cost;
 
+/// Number of times that each setting is measured.
 pub const ROUNDS: usize = 9;
 
-/// What each setting takes, in percents of the time that the reference takes with as many
-/// reflections, at full resolution and on one thread. Calls `done` after each round of a setting.
+/// Measures the time of each setting, in percent of the time that the reference takes with the same
+/// number of reflections. Both run at full resolution and on one thread. Calls `done` after each
+/// round of a setting.
 ///
-/// The settings take turns, so that whatever else the machine does meets all alike.
+/// The settings take turns, so that other work of the machine affects all of them alike.
 pub fn time(painter: &Painter, settings: &[Setting], done: &dyn Fn()) -> Result<Vec<Cost>> {
     let pool = ThreadPoolBuilder::new().num_threads(1).build()?;
     let reference = |reflections: u8| {

@@ -1,4 +1,4 @@
-//! Measures what a scene costs and loses under many settings, and writes a report of it.
+//! Measures cost and error of a scene under many settings, and writes a report.
 //!
 //! `cargo run --release --package report -- --help`
 
@@ -30,7 +30,7 @@ fn main() -> ExitCode {
     match Arguments::read().and_then(|arguments| scene::report(&arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            // Nothing is left to be done if even this cannot be said.
+            // If standard error cannot be written either, nothing is left to do.
             let _ = writeln!(io::stderr(), "error: {}", one_line(&format!("{failure:#}")));
             ExitCode::from(2)
         }

@@ -1,5 +1,5 @@
-//! Counts instructions. What was counted before is kept in a file for each scene, contestant, core and
-//! size, and is not counted again.
+//! Counts instructions. Keeps the counts in a file for each scene, contestant, core and size, so
+//! that nothing is counted twice.
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -14,17 +14,17 @@ use xtask::sweep::{Count, Sweep};
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 struct Kept {
-    /// Hashes of the settings and of all sources of the firmware.
+    /// Hash of the settings.
     settings: u64,
     sources: u64,
-    /// The program that counted all settings.
+    /// Fingerprint of the program that counted all settings.
     program: Option<u64>,
-    /// Of the first settings.
+    /// Counts of the first settings of the sweep.
     counts: Vec<Count>,
 }
 
-/// Counts all settings of a sweep that are not known from the file. Calls `done` after each setting.
-/// `scene` is what the command line calls the scene.
+/// Counts all settings of a sweep whose counts are not in the file yet. Calls `done` after each
+/// setting. `scene` is the scene's name on the command line.
 pub fn count(mut sweep: Sweep, scene: &Path, file: &Path, done: &dyn Fn()) -> Result<Vec<Count>> {
     let (mut kept, old) = Kept::read(file, hash(sweep.settings), sources(scene)?);
     sweep.known = kept.counts.len();
@@ -44,14 +44,15 @@ pub fn count(mut sweep: Sweep, scene: &Path, file: &Path, done: &dyn Fn()) -> Re
             kept.write(file)
         })?;
     }
-    // A program that skips what is known is another one.
+    // A program that skips known settings has another fingerprint.
     kept.program = fingerprint.filter(|_| sweep.known == 0);
     kept.write(file)?;
     Ok(kept.counts)
 }
 
 impl Kept {
-    /// What is known with these sources, and what was known with others.
+    /// Returns the counts in the file if its settings and sources are these. If only the sources
+    /// differ, returns no counts, and those of the file as the second value.
     fn read(file: &Path, settings: u64, sources: u64) -> (Self, Option<Self>) {
         let text = fs::read_to_string(file).unwrap_or_default();
         let found = serde_json::from_str(&text).ok();
@@ -70,7 +71,7 @@ impl Kept {
         }
     }
 
-    /// Replaces the file as a whole, so that it is whole whenever the program ends.
+    /// Replaces the file in one step, so that it is complete even if the program is interrupted.
     fn write(&self, file: &Path) -> Result<()> {
         let folder = file.parent().unwrap_or(Path::new("."));
         let written = || -> Result<()> {
@@ -90,7 +91,8 @@ fn hash(value: impl Hash) -> u64 {
     hasher.finish()
 }
 
-/// A hash of what a firmware is made of, and of a scene's file if it comes from one.
+/// Returns a hash of the sources that a firmware is made from, including the scene file if there is
+/// one.
 fn sources(scene: &Path) -> Result<u64> {
     let mut hasher = DefaultHasher::new();
     measure::sources()?.hash(&mut hasher);

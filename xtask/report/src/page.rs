@@ -1,4 +1,5 @@
-//! The page of the report, index.md: pictures and the verdict first, then each scene, then the method.
+//! Writes the page of the report, index.md: pictures and the verdict first, then each scene, then
+//! the method.
 
 use xtask::table::filled;
 
@@ -12,7 +13,7 @@ use crate::write::DIFFERENCE_GAIN;
 pub struct Page<'a> {
     pub arguments: &'a Arguments,
     pub sections: Vec<Section<'a>>,
-    /// The furthest that any level in the room of mirrors is from the formula.
+    /// Largest difference of a pixel's level from the formula, in the room of mirrors.
     pub furthest: f64,
 }
 
@@ -23,9 +24,9 @@ pub struct Section<'a> {
     pub samples: Vec<Sample>,
 }
 
-/// A picture at a point of the front, and its difference.
+/// The picture of a point on the front, and the picture of its differences.
 pub struct Sample {
-    /// Of the point.
+    /// Index of the point in the front.
     pub index: usize,
     pub files: [String; 2],
 }
@@ -101,7 +102,7 @@ impl Section<'_> {
         )
     }
 
-    /// A table of its pictures, with their differences if there are two rows.
+    /// Returns a table of the sample pictures; with two rows also their differences.
     fn pictures(&self, core: Core, rows: usize) -> String {
         let line = |cell: &dyn Fn(&Sample) -> String| {
             let cells: Vec<_> = self.samples.iter().map(cell).collect();
@@ -116,7 +117,7 @@ impl Section<'_> {
         head + &line(&|_| ":-:".to_owned()) + &rows.collect::<String>()
     }
 
-    /// What to use for a budget, for each budget that changes it.
+    /// Returns the best setting for each cost budget, if it differs from that of the budget before.
     fn recommendations(&self, core: Core) -> Vec<String> {
         let budgets: &[f64] = match core.name() {
             "host" => &[1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0],
@@ -183,7 +184,7 @@ fn row(number: String, point: &Point) -> [String; 14] {
         cost(point),
         decibels(point.psnr()),
         errors.largest.to_string(),
-        // Rounded down, so that 100 are all.
+        // Rounded down, so that 100 means all.
         of_promise(|it| format!("{:.1}", (1000.0 * it.sure).floor() / 10.0)),
         of_promise(|it| it.largest.to_string()),
         of_promise(|it| format!("{:.1}", it.bound)),
@@ -196,7 +197,7 @@ fn row(number: String, point: &Point) -> [String; 14] {
     ]
 }
 
-/// The cost of a point, with its quartiles if it was timed.
+/// Returns the cost of a point as text, with its quartiles if it was timed.
 pub fn cost(point: &Point) -> String {
     match point.cost.quartiles {
         Some((lower, upper)) => format!("{:.2} ({lower:.2} to {upper:.2})", point.cost.middle),

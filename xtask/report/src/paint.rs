@@ -1,4 +1,5 @@
-//! Pictures of a scene under a setting, drawn here: the same to the bit as on every core.
+//! Draws the pictures of a scene under a setting on this machine. They are the same to the bit on
+//! every core.
 
 use std::marker::PhantomData;
 
@@ -15,15 +16,15 @@ use reflet::quality::Quality;
 use reflet::shading::{BlinnPhong, Unshadowed};
 use xtask::sweep::{Contestant, Level, Setting, Visitor};
 
-/// A scene ready to be painted.
+/// A scene that is ready to be drawn under any setting.
 ///
-/// Constant scenes are filled at run time here, and their pictures are the same to the bit; so one
-/// type stands for all scenes.
+/// Constant scenes are filled at run time here. Their pictures are the same to the bit, so one type
+/// is enough for all scenes.
 pub struct Painter {
     pub name: String,
     pub world: Box<FileScene>,
     camera: Camera,
-    /// The same in double precision.
+    /// The scene in double precision.
     pub scene: reference::Scene,
     pub exact_camera: reference::Camera,
     pub size: Size,
@@ -50,7 +51,8 @@ impl Painter {
         self.draw(setting, false)
     }
 
-    /// The picture under a setting of fixed point with shadows and every pixel traced.
+    /// Returns the picture in fixed point with shadows, where every pixel is traced instead of
+    /// interpolated.
     pub fn paint_traced(&self, level: Level, reflections: u8) -> Picture {
         self.draw(&Setting::fixed(level, reflections), true)
     }
@@ -83,13 +85,14 @@ impl Painter {
     }
 }
 
-/// The hash that a firmware reports of the same picture.
+/// Returns the hash that a firmware reports for the same picture.
 pub fn hash(picture: &Picture) -> u64 {
     let mut hash = FrameHash::NONE;
     picture.pixels.iter().for_each(|pixel| hash.add(*pixel));
     hash.value()
 }
 
+/// A quality like `Q`, but with stride 1: every pixel is traced.
 struct Traced<Q>(PhantomData<Q>);
 
 impl<Q: Quality> Quality for Traced<Q> {

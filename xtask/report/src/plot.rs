@@ -1,5 +1,5 @@
-//! Error against run time, in colours that everybody can tell apart and with a shape for each, so that
-//! they need not be; it measures nothing.
+//! Plots error against cost. Every series has a colour that colour-blind people can tell apart, and
+//! also its own shape, so that the plot works without colours. Measures nothing.
 
 use std::ops::Range;
 
@@ -22,7 +22,7 @@ impl Upright {
         }
     }
 
-    /// The worst that theory allows it.
+    /// Returns the bound of this error for a point, if one is promised.
     fn bound(self, point: &Point) -> Option<f64> {
         let promised = point.errors.promised?;
         Some(match self {
@@ -38,18 +38,18 @@ impl Upright {
         }
     }
 
-    /// The axis, and the range that points are brought into.
+    /// Returns the vertical axis, and the range to which the points' values are clamped.
     fn axis(self, scene: &Measured) -> (Axis, Range<f64>) {
         if self == Self::Largest {
             let title = "largest difference of a channel, of 255";
-            // No difference stands at one half.
+            // A difference of 0 is drawn at one half, because the axis is logarithmic.
             return (Axis::logarithmic(title, 0.4..400.0), 0.5..255.0);
         }
         let all = scene.points.iter().chain(&scene.float);
         let psnr = all.map(Point::psnr).filter(|it| it.is_finite());
         let most = psnr.clone().fold(30.0, f64::max);
         let least = (psnr.fold(most, f64::min) / 5.0).floor() * 5.0;
-        // What differs nowhere stands at the top.
+        // Pictures without any difference are drawn at the top.
         let top = (most / 10.0).ceil() * 10.0 + 10.0;
         let mut axis = Axis::linear("PSNR in dB", least..top, 10.0);
         axis.ticks.push((top, "same".to_owned()));
@@ -100,7 +100,8 @@ pub fn scene(scene: &Measured, core: Core, upright: Upright) -> String {
     let points = shown.iter().map(|it| at(it));
     chart.marks(svg::DOT, svg::BLUE, points, "fixed point, front");
     for (index, point) in shown.iter().enumerate() {
-        // In turn to the left and to the right, as neighbours are often near.
+        // The labels alternate between left and right, because neighbours are often close to each
+        // other.
         let is_right = index % 2 == 1;
         let is_below = is_right == (upright == Upright::Psnr);
         chart.label(at(point), is_right, is_below, &(index + 1).to_string());
@@ -111,7 +112,7 @@ pub fn scene(scene: &Measured, core: Core, upright: Upright) -> String {
     chart.finish(&list)
 }
 
-/// From the cheapest to the dearest of what is shown.
+/// Returns the range of the cost axis: from the cheapest to the most expensive point, with a margin.
 fn costs(scene: &Measured) -> Range<f64> {
     let costs = scene.points.iter().chain(&scene.float);
     let costs = costs.map(|it| it.cost.middle);
@@ -120,7 +121,7 @@ fn costs(scene: &Measured) -> Range<f64> {
     least.max(1e-6) / 1.3..most * 1.3
 }
 
-/// A front as a line that goes on level until the next point.
+/// Returns a front as a staircase: the line stays level until the next point.
 fn stairs(front: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let mut line: Vec<(f64, f64)> = Vec::new();
     for (x, y) in front {

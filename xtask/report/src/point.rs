@@ -1,4 +1,4 @@
-//! What is known of one setting: what it costs, what it loses, and why.
+//! What is known of one setting: its cost, its error, and the sources of the error.
 
 use xtask::sweep::Setting;
 
@@ -9,33 +9,34 @@ pub struct Point {
     pub setting: Setting,
     pub core: &'static str,
     pub cost: Cost,
-    /// Of the picture.
+    /// Number of pixels of the picture.
     pub pixels: u64,
     pub errors: Errors,
-    /// Whether no other setting of its contestant is cheaper and has less error.
+    /// Whether no other setting of the same contestant is cheaper and has less error.
     pub is_on_front: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cost {
-    /// Instructions a pixel, or percents of the reference's time: the median.
+    /// Instructions a pixel, or percent of the reference's time: the median.
     pub middle: f64,
-    /// Its quartiles, where it was not counted.
+    /// Lower and upper quartile of the time; `None` if instructions were counted.
     pub quartiles: Option<(f64, f64)>,
-    /// Instructions of the preparation, where they were counted.
+    /// Instructions of the preparation, if instructions were counted.
     pub prepare: Option<u64>,
-    /// Of the picture, as the core drew it.
+    /// Hash of the picture that the core drew.
     pub hash: u64,
 }
 
 impl Point {
-    /// The number that fronts are made by: the peak signal-to-noise ratio.
+    /// Returns the peak signal-to-noise ratio in decibels. The front compares points by it.
     pub fn psnr(&self) -> f64 {
         self.errors.psnr
     }
 }
 
-/// Marks the points that no other one is cheaper than and has less error.
+/// Sets `is_on_front` of every point: no other point is at least as good in cost and PSNR and better
+/// in one of them.
 pub fn mark_front(points: &mut [Point]) {
     for index in 0..points.len() {
         let (cost, psnr) = (points[index].cost.middle, points[index].psnr());
@@ -47,11 +48,11 @@ pub fn mark_front(points: &mut [Point]) {
     }
 }
 
-/// A shown point of a front is this many decibels better than the last.
+/// Smallest gain in decibels from one shown point of a front to the next.
 pub const GAIN: f64 = 0.25;
 
-/// The points of a front, the cheapest first; each is at least `gain` decibels better than the last.
-/// The best is always among them.
+/// Returns the points of a front, the cheapest first. Each is at least `gain` decibels better than
+/// the one before. The best point is always included.
 pub fn front(points: &[Point], gain: f64) -> Vec<&Point> {
     let mut front: Vec<&Point> = points.iter().filter(|it| it.is_on_front).collect();
     front.sort_by(|a, b| a.cost.middle.total_cmp(&b.cost.middle));

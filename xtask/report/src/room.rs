@@ -1,5 +1,5 @@
-//! A closed room of mirrors, where theory says exactly what every number of reflections shows:
-//! c (1 − α^(N+1)).
+//! Measures a closed room of mirrors, for which theory gives the exact level after N reflections: c
+//! (1 − α^(N+1)).
 
 use anyhow::Result;
 use embedded_graphics::geometry::Size;
@@ -9,18 +9,20 @@ use reflet::quality::Exact;
 
 use crate::svg::{self, Axis, Chart};
 
+/// Shares of light that the mirrors of the rooms reflect.
 const ALPHAS: [f64; 4] = [0.5, 0.9, 0.99, 0.999];
 
-/// One room with one number of reflections.
+/// One room drawn with one number of reflections.
 pub struct Seen {
     alpha: f64,
     reflections: u8,
-    /// The channel of the picture that is furthest from the formula, of 255.
+    /// The channel of the picture that is furthest from the formula, in levels of 255.
     measured: f64,
     expected: f64,
 }
 
-/// All rooms with all numbers. The walls glow with c = 1 in all channels.
+/// Measures all rooms with all numbers of reflections. The walls have the colour c = 1 in all
+/// channels.
 pub fn measure() -> Result<Vec<Seen>> {
     let camera = Camera::new([0.3, -0.4, 0.2], [1.0, 1.3, 0.7], [0, 0, 1], 80)?;
     let mut seen = Vec::new();
@@ -53,7 +55,7 @@ pub fn measure() -> Result<Vec<Seen>> {
     Ok(seen)
 }
 
-/// The furthest that any is from the formula, of 255.
+/// Returns the largest difference between a measured level and the formula, in levels of 255.
 pub fn furthest(seen: &[Seen]) -> f64 {
     let far = seen.iter().map(|it| (it.measured - it.expected).abs());
     far.fold(0.0, f64::max)
@@ -71,7 +73,7 @@ pub fn plot(seen: &[Seen]) -> String {
     ];
     for (alpha, (mark, color)) in ALPHAS.into_iter().zip(styles) {
         let steps = |it: &Seen| f64::from(it.reflections) + 1.0;
-        // 2, 3, 4, 6, 8, 12 and so on.
+        // Marks the values 2, 3, 4, 6, 8, 12 and so on.
         let is_marked = |it: &&Seen| {
             let next = u32::from(it.reflections) + 1;
             next.is_power_of_two() || next % 3 == 0 && (next / 3).is_power_of_two()

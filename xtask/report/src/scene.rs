@@ -1,4 +1,4 @@
-//! The report as a whole: every scene measured, then everything written.
+//! Makes the whole report: measures every scene, then writes all files.
 
 use std::path::Path;
 use std::time::Duration;
@@ -18,21 +18,21 @@ use crate::paint::{Painter, hash};
 use crate::point::{Cost, Point, mark_front};
 use crate::{host, meter, settings, write};
 
-/// A scene with all that was measured of it.
+/// A scene and everything that was measured of it.
 pub struct Measured {
     pub painter: Painter,
     pub truth: Truth,
-    /// The last number of reflections that changes the picture.
+    /// Largest number of reflections that changes the picture.
     pub last: u8,
-    /// Fixed point on the report's core.
+    /// Points of fixed point on the report's core.
     pub points: Vec<Point>,
-    /// The float port where there is hardware for it.
+    /// Points of the float port, on a core with a floating-point unit.
     pub float: Vec<Point>,
-    /// The float port in software on the report's core.
+    /// Point of the float port in software floating point on the report's core, if it was counted.
     pub soft: Option<Point>,
 }
 
-/// A scene and what is to be tried with it.
+/// A scene and the settings to measure with it.
 struct Plan<'a> {
     path: &'a Path,
     painter: Painter,
@@ -40,16 +40,16 @@ struct Plan<'a> {
     jobs: [Job; 3],
 }
 
-/// Settings of one contestant on one core.
+/// Settings of one contestant, fixed point or float, on one core.
 struct Job {
     settings: Vec<Setting>,
     core: Core,
 }
 
-/// What the jobs of a scene cost.
+/// Costs of the three jobs of a scene: fixed point, float, and float in software.
 type Costs = [Vec<Cost>; 3];
 
-/// Measures and writes all that the command line asks for.
+/// Measures all scenes of the command line and writes the report.
 pub fn report(arguments: &Arguments) -> Result<()> {
     let painters = painters(arguments)?;
     write::make(&arguments.out)?;
@@ -102,7 +102,7 @@ impl<'a> Plan<'a> {
         let core = arguments.core;
         let last = last_that_matters(&painter, arguments.reflections);
         let numbers = settings::numbers(last);
-        // In software it takes minutes for a frame, so once is enough.
+        // A frame in software floating point takes minutes, so one setting is enough.
         let soft = match core.name() {
             "m3" | "rv32" => vec![Setting::float(last.min(4), 1)],
             _ => Vec::new(),
@@ -120,7 +120,7 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// On this machine.
+    /// Measures the times of the settings on this machine.
     fn time(&self, bar: &ProgressBar) -> Result<Costs> {
         bar.set_message(one_line(&self.painter.name));
         let [fixed, float, _] = self.jobs.each_ref().map(|job| job.settings.as_slice());
@@ -171,7 +171,7 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// The last number of reflections, up to `most`, that changes the picture.
+/// Returns the largest number of reflections, up to `most`, that changes the picture.
 fn last_that_matters(painter: &Painter, most: u8) -> u8 {
     let painted = |number| painter.paint(&Setting::fixed(Level::EXACT, number));
     let whole = painted(most);
@@ -179,7 +179,8 @@ fn last_that_matters(painter: &Painter, most: u8) -> u8 {
     same.unwrap_or(most)
 }
 
-/// Counts what all scenes take, two jobs at a time: builds for one core wait for each other.
+/// Counts the instructions of all scenes, two jobs at a time. Builds for the same core run one after
+/// another.
 fn count(plans: &[Plan], arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Costs>> {
     let jobs = plans.par_iter().flat_map(|plan| {
         let jobs = plan.jobs.par_iter();

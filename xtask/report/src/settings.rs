@@ -1,11 +1,11 @@
-//! Which settings are tried.
+//! Lists the settings that the report measures.
 
 use xtask::sweep::{Level, Setting};
 
-/// Resolutions that are tried.
+/// Widths of a drawn pixel, in pixels of the picture.
 const SCALES: [u8; 3] = [1, 2, 4];
 
-/// All that is tried in fixed point with these numbers of reflections.
+/// Returns all settings of fixed point for these numbers of reflections.
 pub fn fixed(numbers: &[u8]) -> Vec<Setting> {
     let most = numbers.last().copied().unwrap_or(0);
     let plain = |level| {
@@ -30,15 +30,15 @@ pub fn fixed(numbers: &[u8]) -> Vec<Setting> {
         .collect()
 }
 
-/// All that is tried with the float port.
+/// Returns all settings of the float port for these numbers of reflections.
 pub fn float(numbers: &[u8]) -> Vec<Setting> {
     let numbers = |scale| numbers.iter().map(move |&it| Setting::float(it, scale));
     SCALES.into_iter().flat_map(numbers).collect()
 }
 
-/// The numbers of reflections that are tried up to the last that matters.
+/// Returns the measured numbers of reflections, up to the last one that changes the picture.
 pub fn numbers(last: u8) -> Vec<u8> {
-    /// From here on every one is not worth the time.
+    /// Up to this number every number is measured; beyond it, only some.
     const DENSE: u8 = 8;
     let steps = [10, 12, 16, 24, 32, 48, 64, 96, 128, 192];
     let some = (0..=DENSE).chain(steps).filter(|number| *number < last);

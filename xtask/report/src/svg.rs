@@ -1,30 +1,31 @@
-//! A chart as SVG, in few bytes: each series is one path, whatever the number of its points. It knows
-//! nothing of what it shows.
+//! Draws a chart as a small SVG file: each series is one path, whatever its number of points. This
+//! module does not know what the chart shows.
 
 use std::ops::Range;
 
-/// Colours that everybody can tell apart (Okabe and Ito).
+/// Blue of a series. These colours can be told apart by colour-blind people (Okabe and Ito).
 pub const BLUE: &str = "#0072b2";
 pub const VERMILLION: &str = "#d55e00";
 pub const GREEN: &str = "#009e73";
 pub const PURPLE: &str = "#cc79a7";
 pub const GREY: &str = "#999";
 
-/// Height of a chart; the width of its plot and of the list beside it.
+/// Height of a chart in pixels. `WIDTH` is the width of its plot, `LIST` that of the list beside it.
 const HEIGHT: i32 = 440;
 const WIDTH: i32 = 640;
 const LIST: i32 = 300;
 
-/// The plot without its axes and title.
+/// Left edge of the plot without axes and title, in pixels. `RIGHT`, `TOP` and `BOTTOM` are the
+/// other edges.
 const LEFT: i32 = 64;
 const RIGHT: i32 = WIDTH - 10;
 const TOP: i32 = 34;
 const BOTTOM: i32 = HEIGHT - 52;
 
-/// From a line of text to the next.
+/// Distance from one line of text to the next, in pixels.
 const LINE: i32 = 18;
 
-/// An axis: its title, its range, and the places that have a line and a label.
+/// An axis: its title, its range, and the values that have a grid line and a label.
 pub struct Axis {
     pub title: String,
     pub range: Range<f64>,
@@ -33,13 +34,13 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// A logarithmic axis with lines at 1, 2 and 5 of each decade.
+    /// Returns a logarithmic axis with grid lines at 1, 2 and 5 of each decade.
     pub fn logarithmic(title: &str, range: Range<f64>) -> Self {
         let decades = range.start.log10().floor() as i32..=range.end.log10().ceil() as i32;
         let ticks = decades.flat_map(|decade| [1.0, 2.0, 5.0].map(|it| it * 10_f64.powi(decade)));
         let label = |value: f64| match value {
             10_000.0.. => format!("{}k", value / 1000.0),
-            // Without what binary fractions add.
+            // Rounded to thousandths, without the extra digits of binary fractions.
             _ => format!("{}", (1000.0 * value).round() / 1000.0),
         };
         Self {
@@ -53,7 +54,7 @@ impl Axis {
         }
     }
 
-    /// An axis with a line at each multiple of a step.
+    /// Returns an axis with a grid line at each multiple of `step`.
     pub fn linear(title: &str, range: Range<f64>, step: f64) -> Self {
         let first = (range.start / step).ceil() as i32;
         let ticks = (first..).map(|it| f64::from(it) * step);
@@ -66,7 +67,7 @@ impl Axis {
         }
     }
 
-    /// Where a value is between two pixels.
+    /// Returns the pixel of a value on an axis that runs from pixel `from` to pixel `to`.
     fn place(&self, value: f64, from: i32, to: i32) -> i32 {
         let scale = |it: f64| if self.is_logarithmic { it.log10() } else { it };
         let Range { start, end } = self.range;
@@ -75,7 +76,7 @@ impl Axis {
     }
 }
 
-/// How a point is marked: a path that begins there, and the width of its stroke.
+/// How a point is marked: an SVG path relative to the point, and the width of its stroke.
 pub struct Mark(&'static str, u8);
 
 pub const DOT: Mark = Mark("h0", 10);
@@ -137,8 +138,8 @@ impl Chart {
         self.text((14, height), &turned, &y);
     }
 
-    /// Marks points, all in one colour. Those in the same place are marked once. The legend says
-    /// `label`.
+    /// Marks points in one colour. Points on the same pixel are marked once. `label` is the text in
+    /// the legend.
     pub fn marks(
         &mut self,
         mark: Mark,
@@ -171,7 +172,7 @@ impl Chart {
         }
     }
 
-    /// Writes to the left or to the right of a point, above or below it.
+    /// Writes text to the left or right of a point, above or below it.
     pub fn label(&mut self, point: (f64, f64), is_right: bool, is_below: bool, words: &str) {
         let (x, y) = self.at(point);
         let (right, anchor) = [(-6, "end"), (7, "start")][usize::from(is_right)];

@@ -1,4 +1,4 @@
-//! points.csv: a row for every setting.
+//! Writes points.csv: one row for each setting.
 
 use anyhow::Result;
 use reflet::Unit;
@@ -89,7 +89,7 @@ fn text(number: Unit) -> String {
     number.to_num::<f64>().to_string()
 }
 
-/// With so many digits behind the point, but no zeros at the end.
+/// Formats a number with at most this many digits after the point, without zeros at the end.
 fn digits(value: f64, behind: usize) -> String {
     let text = format!("{value:.behind$}");
     match text.contains('.') {

@@ -1,4 +1,4 @@
-//! The files of a report; it measures nothing.
+//! Writes the files of a report. Measures nothing.
 
 use std::fs;
 use std::io::Cursor;
@@ -22,7 +22,7 @@ pub fn make(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| format!("--out {} cannot be made", folder.display()))
 }
 
-/// How much the differences in the pictures are made larger.
+/// Factor by which the pictures of the differences are brightened.
 pub const DIFFERENCE_GAIN: u8 = 16;
 
 pub fn all(arguments: &Arguments, scenes: &[Measured]) -> Result<()> {
@@ -71,13 +71,13 @@ fn section<'a>(arguments: &Arguments, scene: &'a Measured, folder: &Folder) -> R
         folder.write(&format!("{file}-{name}.svg"), plot.as_bytes())?;
     }
     let front = front(&scene.points, GAIN);
-    // Named by their place, so that a later report with other points replaces them.
+    // Named by their position on the front, so that a later report with other points replaces them.
     let mut chosen = vec![
         ("first", 0),
         ("middle", front.len() / 2),
         ("last", front.len().saturating_sub(1)),
     ];
-    // A front of one or two points has no more to show.
+    // A front of one or two points has fewer pictures.
     chosen.dedup_by_key(|it| it.1);
     let sample = |(place, index): (&str, usize)| -> Result<Sample> {
         let picture = scene.painter.paint(&front[index].setting);

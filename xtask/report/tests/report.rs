@@ -1,4 +1,5 @@
-//! The report of error against run time: one scene made small, and what is kept in the repository.
+//! Tests the report of error against run time: makes it for one small scene, and checks the one in
+//! the repository.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -10,7 +11,7 @@ use std::time::SystemTime;
 use reflet::scenes::NAMES;
 use tempfile::TempDir;
 
-/// A row of points.csv by the names of its columns.
+/// A row of points.csv: values by the names of their columns.
 type Row = BTreeMap<String, String>;
 
 const REPORT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/error-time");
@@ -45,7 +46,7 @@ fn number(row: &Row, column: &str) -> f64 {
         .unwrap_or_else(|_| panic!("{column} of {row:?} is a number"))
 }
 
-/// A folder's files, and when each was written.
+/// Returns the files of a folder, and when each was written.
 fn written(folder: &Path) -> BTreeMap<OsString, SystemTime> {
     let entries = fs::read_dir(folder).expect("the folder can be read");
     let entries = entries.map(|entry| entry.expect("an entry"));
@@ -53,7 +54,7 @@ fn written(folder: &Path) -> BTreeMap<OsString, SystemTime> {
     entries.map(|it| (it.file_name(), time(&it))).collect()
 }
 
-/// What holds in every table, scene by scene.
+/// Checks what must hold in every table, scene by scene.
 fn assert_is_sound(rows: &[Row], scenes: &[&str], cost: &str) {
     for scene in scenes {
         let of = |contestant: &str| -> Vec<&Row> {
@@ -80,7 +81,7 @@ fn assert_is_sound(rows: &[Row], scenes: &[&str], cost: &str) {
             promised += 1;
         }
         assert!(promised >= 5, "{scene}");
-        // The finest quality with all reflections: nothing but rounding is left.
+        // In the finest quality with all reflections, only rounding errors are left.
         let finest = fixed.iter().filter(|row| row["quality"] == "exact");
         let finest = finest.max_by_key(|row| row["reflections"].parse::<u8>().unwrap());
         let finest = finest.expect("exact is tried, too");
@@ -89,7 +90,8 @@ fn assert_is_sound(rows: &[Row], scenes: &[&str], cost: &str) {
     }
 }
 
-/// Whoever pays more on the front has less error, and nobody else has less for as much.
+/// Checks that on the front a higher cost never has a lower PSNR, and that no other point beats one
+/// of the front.
 fn assert_front_is_monotone(fixed: &[&Row], cost: &str) {
     let mut front: Vec<_> = fixed
         .iter()
@@ -107,7 +109,7 @@ fn assert_front_is_monotone(fixed: &[&Row], cost: &str) {
         );
     }
     for row in fixed {
-        // The numbers in the table are rounded.
+        // The table's numbers are rounded.
         let beats = |point: &&Row| {
             number(row, cost) < number(point, cost) - 0.1
                 && number(row, "psnr") > number(point, "psnr") + 0.001
@@ -130,7 +132,8 @@ fn kept_report_is_sound() {
     assert_page_is_whole(Path::new(REPORT), &NAMES);
 }
 
-/// The page has the plots and pictures of every scene, and names no file that is not there.
+/// Checks that the page has the plots and pictures of every scene, and that every file it names
+/// exists.
 fn assert_page_is_whole(folder: &Path, scenes: &[&str]) {
     let page = fs::read_to_string(folder.join("index.md")).unwrap();
     let links = page.split("](").skip(1);
@@ -155,7 +158,7 @@ fn assert_page_is_whole(folder: &Path, scenes: &[&str]) {
             assert!(files.contains(&file.as_str()), "{file}");
         }
     }
-    // Pictures and the verdict come first, everything else after them.
+    // Pictures and the verdict come first, all other text after them.
     let place = |words: &str| page.find(words).unwrap_or_else(|| panic!("{words}"));
     assert!(place(".png)") < place("**") && place("**") < place("<details>"));
 }
@@ -172,15 +175,15 @@ fn scene_is_counted_once_and_its_table_has_the_columns_of_the_kept_one() {
     assert!(rows[0].keys().eq(kept[0].keys()));
     let cores: Vec<_> = rows.iter().map(|row| row["core"].as_str()).collect();
     assert!(cores.contains(&"m3") && cores.contains(&"m4f"));
-    // Nothing has changed since, so nothing is counted, or it would be written again: the table is
-    // the same.
+    // The second run changes nothing: counts would be written again if they were counted again, and
+    // the table is the same.
     let table = fs::read(made.join("points.csv")).unwrap();
     let kept = written(&folder.path().join("kept"));
     assert!(kept.len() >= 2, "{kept:?}");
     reported(&folder, arguments);
     assert_eq!(written(&folder.path().join("kept")), kept);
     assert_eq!(fs::read(made.join("points.csv")).unwrap(), table);
-    // What was interrupted goes on: counts that are there are not made again.
+    // An interrupted run continues: counts in the file are not counted again.
     let file = folder.path().join("kept/corner1-float-m4f-16x16.json");
     let whole = fs::read_to_string(&file).unwrap();
     let mut counts: serde_json::Value = serde_json::from_str(&whole).unwrap();

@@ -1,4 +1,4 @@
-//! What the instructions of a program are, as far as their timing depends on it.
+//! Decodes Arm Thumb instructions, as far as their timing depends on them.
 
 use anyhow::{Context, Result};
 use capstone::arch::arm::ArmReg::*;
@@ -11,28 +11,29 @@ use super::timing::Step;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Instruction {
-    /// In bytes.
+    /// Size in bytes: 2 or 4.
     pub size: u32,
     pub kind: Kind,
-    /// The registers it writes, a bit each.
+    /// Registers that the instruction writes: bit n is register n.
     pub sets: u16,
-    /// The registers it makes an address of.
+    /// Registers that the instruction uses in an address: bit n is register n.
     pub address: u16,
 }
 
 impl Instruction {
-    /// Whether it writes the program counter other than by branching.
+    /// Tests whether the instruction writes the program counter as a register, not by branching.
     pub fn sets_counter(&self) -> bool {
         self.sets & COUNTER != 0
     }
 }
 
+/// Bit of the program counter in a register set.
 const COUNTER: u16 = 1 << 15;
 
-/// Kinds of instructions that take different times on some core.
+/// Kinds of instructions that take different times on at least one core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// One operation on data, or none.
+    /// One operation on data, or a no-operation.
     Plain,
     Multiply,
     MultiplyAdd,
@@ -40,47 +41,47 @@ pub enum Kind {
     LongMultiplyAdd,
     Divide,
     Load,
-    /// Of so many words.
+    /// Load of this many words.
     LoadMany(u32),
-    /// With an immediate offset.
+    /// Store with an immediate offset.
     Store,
-    /// With an offset from a register.
+    /// Store with an offset from a register.
     StoreIndexed,
-    /// Of so many words.
+    /// Store of this many words.
     StoreMany(u32),
-    /// To a fixed address, always or on a condition.
+    /// Branch to a fixed address, with or without a condition.
     Branch,
-    /// To a fixed address, to return.
+    /// Call of a fixed address.
     Call,
-    /// To an address in a register.
+    /// Branch or call to an address in a register.
     Jump,
-    /// By a table of offsets.
+    /// Branch by a table of offsets (TBB, TBH).
     TableJump,
-    /// To or from a special register.
+    /// Read or write of a special register.
     Special,
     Barrier,
     Float,
     FloatMultiplyAdd,
     FloatDivideOrRoot,
-    /// Of two words between the register files.
+    /// Move of two words between core registers and float registers.
     FloatMovePair,
-    /// Of so many words.
+    /// Load of this many words into float registers.
     FloatLoad(u32),
-    /// Of so many words.
+    /// Store of this many words from float registers.
     FloatStore(u32),
-    /// Of so many words.
+    /// Load or store of this many words, from a list of float registers.
     FloatMany(u32),
 }
 
 pub struct Code {
     start: u32,
     bytes: Vec<u8>,
-    /// What has been decoded, by half words.
+    /// Instructions that have been decoded so far; one entry for each half word.
     decoded: Vec<Option<Instruction>>,
 }
 
 impl Code {
-    /// The code of an Arm program in Thumb instructions.
+    /// Reads the code of an Arm program. All its instructions must be Thumb instructions.
     pub fn of(program: &object::File) -> Result<Self> {
         let text = program
             .sections()
@@ -103,7 +104,7 @@ impl Code {
         }
     }
 
-    /// Whether the instruction at an address calls a function: BL, or BLX with a register.
+    /// Tests whether the instruction at an address calls a function: BL, or BLX with a register.
     pub fn calls(&self, address: u32) -> bool {
         let offset = address.wrapping_sub(self.start) as usize;
         let mut half_words = self.bytes.get(offset..).unwrap_or(&[]).chunks_exact(2);
@@ -116,7 +117,8 @@ impl Code {
         }
     }
 
-    /// What is executed at `now`, after what is at `before` and before what is at `next`.
+    /// Returns the instruction executed at `now`, with the instruction before it and whether it
+    /// jumps. `next` is the address executed after it.
     pub fn step(&mut self, before: Option<u32>, now: u32, next: u32) -> Result<Step> {
         let previous = before.map(|before| self.at(before)).transpose()?;
         let instruction = self.at(now)?;
@@ -141,8 +143,8 @@ impl Code {
 }
 
 fn decode(code: &[u8]) -> Result<Instruction> {
-    // A new one every time: it remembers the condition of one instruction for the next ones, and
-    // what comes next is anywhere.
+    // Each instruction needs a new decoder: Capstone remembers the condition of an IT instruction
+    // for the instructions that follow, and the next address to decode can be anywhere.
     let decoder = Capstone::new()
         .arm()
         .mode(ArchMode::Thumb)
@@ -175,7 +177,7 @@ fn decode(code: &[u8]) -> Result<Instruction> {
     })
 }
 
-/// The kind of an instruction, whose name has neither a condition nor a suffix.
+/// Returns the kind of an instruction. `name` has neither a condition nor a suffix.
 fn kind(name: &str, operands: &[ArmOperand]) -> Kind {
     let listed = (operands.len() - bases(name)) as u32;
     match name {
@@ -207,19 +209,19 @@ fn kind(name: &str, operands: &[ArmOperand]) -> Kind {
         "vmla" | "vmls" | "vnmla" | "vnmls" => Kind::FloatMultiplyAdd,
         "vfma" | "vfms" | "vfnma" | "vfnms" => Kind::FloatMultiplyAdd,
         "vmov" if operands.len() > 2 => Kind::FloatMovePair,
-        // What the decoder calls VMRS, and VMOV of a constant or of half a register.
+        // Capstone's names for VMRS, and for VMOV of a constant or of half a register.
         "fmstat" | "fconsts" | "fconstd" | "fmdhr" | "fmdlr" => Kind::Float,
         _ if name.starts_with('v') => Kind::Float,
         _ => Kind::Plain,
     }
 }
 
-/// How many operands stand before the list of those that are loaded or stored.
+/// Returns the number of operands that come before the register list: 1 for LDM and STM, else 0.
 fn bases(name: &str) -> usize {
     usize::from(matches!(name, "ldm" | "ldmdb" | "stm" | "stmdb"))
 }
 
-/// The core's registers among operands, a bit each.
+/// Returns the core registers among the operands: bit n is register n.
 fn registers<'a>(operands: impl IntoIterator<Item = &'a ArmOperand>) -> u16 {
     let bits = operands.into_iter().map(|operand| match operand.op_type {
         ArmOperandType::Reg(register) => bit(register),
@@ -228,7 +230,7 @@ fn registers<'a>(operands: impl IntoIterator<Item = &'a ArmOperand>) -> u16 {
     bits.fold(0, |set, bit| set | bit)
 }
 
-/// The core's registers in the addresses among operands.
+/// Returns the core registers that the operands' addresses use: bit n is register n.
 fn addressed(operands: &[ArmOperand]) -> u16 {
     let bits = operands.iter().map(|operand| match operand.op_type {
         ArmOperandType::Mem(memory) => bit(memory.base()) | bit(memory.index()),
@@ -237,7 +239,7 @@ fn addressed(operands: &[ArmOperand]) -> u16 {
     bits.fold(0, |set, bits| set | bits)
 }
 
-/// The bit of a register of the core; none for any other.
+/// Returns the bit of a core register in a register set, or 0 for any other register.
 fn bit(register: RegId) -> u16 {
     match register.0.into() {
         ARM_REG_SP => 1 << 13,
@@ -248,7 +250,7 @@ fn bit(register: RegId) -> u16 {
     }
 }
 
-/// The words in registers of the float unit.
+/// Returns the number of words in the float registers among the operands.
 fn words(operands: &[ArmOperand]) -> u32 {
     let words = operands.iter().map(|operand| match operand.op_type {
         ArmOperandType::Reg(RegId(register)) => match register.into() {
@@ -265,7 +267,8 @@ fn words(operands: &[ArmOperand]) -> u32 {
 mod tests {
     use super::*;
 
-    /// An instruction of two bytes, or of four with the half word first that lies first.
+    /// Decodes an instruction. `code` is a half word, or two half words of which the upper one is
+    /// first in memory.
     fn instruction(code: u32) -> Instruction {
         let [second, first] = [code as u16, (code >> 16) as u16].map(u16::to_le_bytes);
         let bytes = match code >> 16 {

@@ -1,9 +1,9 @@
-//! An estimate of the cycles that a program takes, from the instructions it executes and the
-//! timings that Arm publishes.
+//! Estimates the cycles that a program takes, from the instructions it executes and the timings that
+//! Arm publishes.
 //!
-//! [`trace`] finds out which instructions are executed, [`decode`] what they are, and [`timing`]
-//! what they take. Memory is taken to be as fast as the core; where Arm gives a range, its middle
-//! is taken. A real chip waits for its flash, too.
+//! [`trace`] selects the executed instructions that are counted, [`decode`] decodes them, and
+//! [`timing`] gives their cycles. The estimate assumes memory without wait states. Where Arm gives a
+//! range, it takes the middle. A real chip also waits for its flash.
 
 mod decode;
 mod timing;
@@ -29,8 +29,8 @@ impl Estimate {
     }
 }
 
-/// Runs a program and adds up the instructions of the functions whose symbols are `wanted`, with
-/// all that they call.
+/// Runs a program and estimates the cycles of the functions whose symbols are `wanted`, with all
+/// functions that they call.
 pub fn estimate(
     emulator: Qemu,
     program: &Path,
@@ -47,8 +47,8 @@ pub fn estimate(
     Ok(sum)
 }
 
-/// An executed instruction: the addresses of what came before it in what is watched, of itself,
-/// and of what comes next.
+/// Addresses of an executed instruction, of the counted one before it, and of the next one. `before`
+/// is `None` for the first instruction of a counted function that uncounted code called.
 #[derive(Clone, Copy, Debug)]
 pub struct Executed {
     pub before: Option<u32>,
@@ -56,8 +56,8 @@ pub struct Executed {
     pub next: u32,
 }
 
-/// Runs a program and shows `see` every instruction of the functions whose symbols are `wanted`,
-/// and of all that they call.
+/// Runs a program and calls `see` for every executed instruction of the functions whose symbols are
+/// `wanted`, and of all functions that they call.
 pub fn watch(
     emulator: Qemu,
     program: &Path,
@@ -70,7 +70,7 @@ pub fn watch(
     let mut code = Code::of(&file)?;
     let mut watch = Watch::over(trace::functions(&file, wanted));
     let (mut is_seen, mut broken) = (false, None);
-    // The last two addresses of the part that is watched.
+    // The last two executed addresses, while the watched functions run.
     let mut past: [Option<u32>; 2] = [None; 2];
     emulator.trace(program, |next| {
         if let [before, Some(now)] = past {

@@ -1,4 +1,4 @@
-//! How many cycles an instruction takes, as Arm publishes it.
+//! Gives the cycles of an instruction, as Arm publishes them.
 //!
 //! | core | source |
 //! |---|---|
@@ -6,34 +6,35 @@
 //! | M3 | Cortex-M3 Technical Reference Manual, ARM DDI 0337I, table 3-1 and section 3.3.2 |
 //! | M4 | Cortex-M4 Technical Reference Manual, ARM DDI 0439D, table 3-1, section 3.3.2, table 7-1 |
 //!
-//! All of them are for memory without wait states.
+//! All three tables assume memory without wait states.
 
 use super::decode::{Instruction, Kind};
 
-/// An executed instruction and what lies around it.
+/// An executed instruction and its context: the instruction before it and whether it jumps.
 #[derive(Clone, Copy, Debug)]
 pub struct Step {
     pub instruction: Instruction,
     pub previous: Option<Instruction>,
-    /// Whether something else than the following instruction comes next.
+    /// Whether the next executed instruction is not the following one in memory.
     pub jumps: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Timing {
-    /// With the multiplier that takes one cycle.
+    /// Cortex-M0+ with the single-cycle multiplier.
     M0Plus,
     M3,
     M4,
 }
 
-/// The cycles in which an M3 or an M4 fills its pipeline again: 1 to 3.
+/// Cycles in which a Cortex-M3 or M4 refills its pipeline. Arm says 1 to 3.
 const REFILL: f64 = 2.0;
 
-/// A division, by its operands: 2 to 12.
+/// Cycles of a division. Arm says 2 to 12, depending on the operands.
 const DIVIDE: f64 = 7.0;
 
-/// A long multiplication of an M3, by its operands: 3 to 5, with an addition 4 to 7.
+/// Cycles of a long multiplication on a Cortex-M3, without and with an addition. Arm says 3 to 5,
+/// and 4 to 7 with an addition, depending on the operands.
 const M3_LONG_MULTIPLY: [f64; 2] = [4.0, 5.5];
 
 impl Timing {
@@ -53,17 +54,18 @@ fn m0_plus(step: &Step) -> u32 {
         Kind::LoadMany(words) if instruction.sets_counter() => 3 + words,
         Kind::LoadMany(words) | Kind::StoreMany(words) => 1 + words,
         Kind::Call | Kind::Special | Kind::Barrier => 3,
-        // A branch not taken takes one.
+        // A branch that is not taken takes 1 cycle.
         _ if step.jumps => 2,
         _ => 1,
     }
 }
 
-/// `long` are the cycles of a long multiplication, without and with an addition.
+/// Returns the cycles of a step on a Cortex-M3 or M4. `long` has the cycles of a long
+/// multiplication, without and with an addition.
 fn m3_or_m4(step: &Step, long: [f64; 2]) -> f64 {
     let instruction = &step.instruction;
     let refill = match instruction.kind {
-        // Three are part of what it takes.
+        // The 6 cycles of a table jump include the refill.
         Kind::TableJump => 0.0,
         _ if step.jumps => REFILL,
         _ => 0.0,
@@ -85,8 +87,8 @@ fn m3_or_m4(step: &Step, long: [f64; 2]) -> f64 {
     own + refill + late_address(step)
 }
 
-/// The cycle that a load or a store shares with the load before it, unless it waits for what is
-/// loaded.
+/// Returns the cycle that a load or a store saves directly after a load: 1 if the two overlap, else
+/// 0. They do not overlap if the address needs the loaded value.
 fn overlap(step: &Step) -> f64 {
     let shares = step.previous.is_some_and(|previous| {
         previous.kind == Kind::Load && previous.sets & step.instruction.address == 0
@@ -94,7 +96,8 @@ fn overlap(step: &Step) -> f64 {
     if shares { 1.0 } else { 0.0 }
 }
 
-/// The cycle that a load or a store waits for an address that has just been computed.
+/// Returns the cycle that a load or a store waits for an address that the instruction before
+/// computed: 1 if it waits, else 0.
 fn late_address(step: &Step) -> f64 {
     let waits = step.previous.is_some_and(|previous| {
         let is_loaded = matches!(previous.kind, Kind::Load | Kind::LoadMany(_));

@@ -1,28 +1,29 @@
-//! Which part of what a core executes is looked at: some functions, with all that they call.
+//! Selects the executed instructions to count: those of some functions, and of all functions they
+//! call.
 
 use object::{Object, ObjectSymbol};
 
 use super::decode::Code;
 
-/// The addresses of the functions with symbols that are `wanted`.
+/// Returns the addresses of the functions whose symbols are `wanted`.
 pub fn functions(program: &object::File, wanted: impl Fn(&str) -> bool) -> Vec<u32> {
     let symbols = program.symbols();
     let found = symbols.filter(|symbol| symbol.name().is_ok_and(&wanted));
-    // The lowest bit of an address says Thumb.
+    // The lowest bit of a symbol's address marks Thumb code.
     found.map(|symbol| symbol.address() as u32 & !1).collect()
 }
 
-/// Looks at a stream of executed addresses.
+/// Follows the stream of executed addresses, and tells which belong to the watched functions.
 #[derive(Default)]
 pub struct Watch {
     functions: Vec<u32>,
     last: u32,
-    /// Where the function that is looked at returns to.
+    /// Return address of the watched function that is running; `None` outside of watched functions.
     back: Option<u32>,
 }
 
 impl Watch {
-    /// Over functions that are called from elsewhere.
+    /// Watches some functions. Code outside of this list must call them.
     pub fn over(functions: Vec<u32>) -> Self {
         Self {
             functions,
@@ -30,7 +31,8 @@ impl Watch {
         }
     }
 
-    /// Takes the next address; whether it belongs to what is looked at.
+    /// Takes the next executed address, and tests whether it belongs to a watched function or its
+    /// callees.
     pub fn sees(&mut self, address: u32, code: &Code) -> bool {
         match self.back {
             Some(back) if back == address => self.back = None,

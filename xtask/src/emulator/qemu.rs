@@ -1,8 +1,9 @@
-//! QEMU: boots a firmware on an emulated board, hears what it says by semihosting, presses its
-//! keys and looks at its display.
+//! QEMU: boots a firmware on an emulated board, collects its semihosting output, presses its keys
+//! and captures its display.
 //!
-//! Every run has a time limit, and nothing outlives it. A firmware that ends badly, or hangs in a
-//! fault, is a [`Failure`] that repeats its words and names the fault. It knows no firmware.
+//! Every run has a time limit, and no process is left behind. A firmware that ends with an error, or
+//! hangs in a fault, is a [`Failure`] that repeats the firmware's last output and names the fault.
+//! This module knows no particular firmware.
 
 use std::{env, ffi::OsStr, ops::ControlFlow, path::Path, process::ExitStatus, time::Duration};
 
@@ -14,7 +15,7 @@ use tempfile::TempDir;
 use super::qmp::{self, Monitor};
 use crate::command::{self, Program, after};
 
-/// An emulated board about to boot a firmware, and for how long it may run.
+/// An emulated board before it boots: the emulator's command line and the time limit.
 #[derive(Debug)]
 pub struct Qemu {
     name: &'static str,
@@ -26,7 +27,7 @@ impl Qemu {
         Self::new("qemu-system-arm").args(["-M", machine])
     }
 
-    /// QEMU's 32-bit RISC-V board, with no firmware but ours.
+    /// Emulates QEMU's 32-bit RISC-V board (`virt`) without a BIOS: only our firmware runs.
     pub fn riscv32() -> Self {
         Self::new("qemu-system-riscv32").args(["-M", "virt", "-bios", "none"])
     }
@@ -43,25 +44,25 @@ impl Qemu {
         Self { program, ..self }
     }
 
-    /// Lets every instruction take 2^`shift` ns of the board's time, so that its timers count
+    /// Makes every instruction take 2^`shift` ns of emulated time. So the board's timers count
     /// instructions.
     pub fn counting_instructions(self, shift: u8) -> Self {
         self.args(["-icount", &format!("shift={shift}")])
     }
 
-    /// The time after which the firmware is ended; a minute unless it is named.
+    /// Sets the time limit. After it, the firmware is ended. Default: one minute.
     pub fn limit(self, limit: Duration) -> Self {
         let program = self.program.limit(limit);
         Self { program, ..self }
     }
 
-    /// Runs a firmware until it ends by itself and returns what it said.
+    /// Runs a firmware until it ends by itself, and returns its output.
     pub fn run(self, firmware: &Path) -> Result<String, Failure> {
         self.boot(firmware)?.end()
     }
 
-    /// Runs a firmware one instruction at a time and shows `see` the address of each, until the
-    /// firmware ends by itself or `see` has seen enough.
+    /// Runs a firmware one instruction at a time and calls `see` with the address of each. Stops
+    /// when the firmware ends by itself or `see` returns `Break`.
     pub fn trace(
         self,
         firmware: &Path,
@@ -80,7 +81,7 @@ impl Qemu {
         running.end().map(|_| ())
     }
 
-    /// Boots a firmware and returns while it runs, its display unseen.
+    /// Boots a firmware without a window, and returns while it runs.
     pub fn boot(self, firmware: &Path) -> Result<Running, Failure> {
         let folder = TempDir::with_prefix("reflet-").map_err(|error| command::Failure::Start {
             program: self.name.to_owned(),
@@ -97,8 +98,9 @@ impl Qemu {
         })
     }
 
-    /// Shows a firmware to a person until they or it end it: without a limit, its words where ours
-    /// go, and its display in a window if this machine has a screen.
+    /// Runs a firmware for a person until they or the firmware end it. There is no time limit, the
+    /// output goes to our standard output, and the display opens in a window if this machine has a
+    /// screen.
     pub fn show(self, firmware: &Path) -> Result<(), Failure> {
         let unseen = ["-display", "none"].into_iter().filter(|_| !has_screen());
         let program = self.kernel(firmware).args(unseen).limit(Duration::MAX);
@@ -110,15 +112,16 @@ impl Qemu {
     }
 }
 
+/// Name of the monitor's socket, in the folder of the run.
 const MONITOR: &str = "monitor";
 
-/// Whether a window can be opened: elsewhere than on X and Wayland there is always a screen.
+/// Tests whether a window can be opened: on macOS always, elsewhere if X or Wayland is running.
 fn has_screen() -> bool {
     let is_named = |variable| env::var_os(variable).is_some_and(|value| !value.is_empty());
     cfg!(target_os = "macos") || ["DISPLAY", "WAYLAND_DISPLAY"].into_iter().any(is_named)
 }
 
-/// A key of the machine QEMU runs on; a board makes of it what it will.
+/// A key of the keyboard that QEMU emulates. Each board's firmware gives the keys their meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Key {
@@ -130,7 +133,7 @@ pub enum Key {
     Control,
 }
 
-/// A firmware that runs; dropping it ends it.
+/// A running firmware. Dropping it ends the firmware.
 #[derive(Debug)]
 pub struct Running {
     program: command::Running,
@@ -140,9 +143,9 @@ pub struct Running {
 }
 
 impl Running {
-    /// Waits until the firmware says a line that is `wanted`, and returns it.
+    /// Waits until the firmware prints a line that is `wanted`, and returns this line.
     ///
-    /// That it ends before it does is a failure.
+    /// Fails if the firmware ends before it prints such a line.
     pub fn line(&mut self, wanted: impl Fn(&str) -> bool) -> Result<String, Failure> {
         while let Some(line) = self.next_line()? {
             if wanted(&line) {
@@ -153,7 +156,7 @@ impl Running {
         Err(Failure::Silence { said })
     }
 
-    /// Waits until the firmware ends by itself, and returns all it has said.
+    /// Waits until the firmware ends by itself, and returns its output.
     pub fn end(mut self) -> Result<String, Failure> {
         while self.next_line()?.is_some() {}
         self.judged()
@@ -174,20 +177,21 @@ impl Running {
         Ok(image::open(file).map_err(Failure::Screen)?.to_rgb8())
     }
 
-    /// `None` once the firmware has ended.
+    /// Reads the next line and adds it to the firmware's output. Returns `None` after the firmware
+    /// ended.
     fn next_line(&mut self) -> Result<Option<String>, Failure> {
         let line = self.receive()?;
         self.said.extend(line.clone());
         Ok(line)
     }
 
-    /// The next line, which is not taken for the firmware's words.
+    /// Reads the next line without adding it to the firmware's output. Returns `None` after the end.
     fn receive(&mut self) -> Result<Option<String>, Failure> {
         let line = self.program.line();
         line.map_err(|failure| self.named(failure))
     }
 
-    /// All that the firmware has said, if it has ended well.
+    /// Returns the firmware's output if it ended with success.
     fn judged(&mut self) -> Result<String, Failure> {
         let status = self.program.status();
         let status = status.map_err(|failure| self.named(failure))?;
@@ -200,12 +204,13 @@ impl Running {
         }
     }
 
-    /// The failure of the program as one of the firmware: it did not end in time.
+    /// Converts a failure of the emulator into a failure of the firmware. A timeout also gets the
+    /// place where the core is.
     fn named(&mut self, failure: command::Failure) -> Failure {
         let command::Failure::TimeOut { limit, .. } = failure else {
             return failure.into();
         };
-        // A monitor that does not answer either leaves the rest of the message to say it.
+        // If the monitor does not answer either, the message just has no place.
         let arguments = json!({ "command-line": "info registers" });
         let registers = self.ask("human-monitor-command", arguments);
         let registers = registers.unwrap_or_default();
@@ -225,7 +230,8 @@ impl Running {
     }
 }
 
-/// The options by which QEMU executes one instruction at a time: they changed in version 8.1.
+/// Returns the options that make QEMU execute one instruction at a time. They changed in version
+/// 8.1.
 fn one_by_one(program: &str) -> &'static [&'static str] {
     let printed = Program::new(program).args(["--version"]).read();
     match printed.ok().as_deref().and_then(version) {
@@ -234,22 +240,22 @@ fn one_by_one(program: &str) -> &'static [&'static str] {
     }
 }
 
-/// Reads `QEMU emulator version 7.2.22 (Debian ...)`.
+/// Parses the version from `QEMU emulator version 7.2.22 (Debian ...)`: here (7, 2).
 fn version(printed: &str) -> Option<(u32, u32)> {
     let (_, numbers) = printed.split_once(" version ")?;
     let mut numbers = numbers.split(|letter: char| !letter.is_ascii_digit());
     Some((numbers.next()?.parse().ok()?, numbers.next()?.parse().ok()?))
 }
 
-/// The address in a line of QEMU's log of what it executes:
+/// Parses the address of an executed instruction from a line of QEMU's log:
 /// `Trace 0: 0x7f65b0004940 [00800400/00002f44/00000110/ff000201] function`.
 fn executed(line: &str) -> Option<u32> {
     let (_, state) = line.strip_prefix("Trace ")?.split_once('[')?;
     u32::from_str_radix(state.split('/').nth(1)?, 16).ok()
 }
 
-/// Where a Cortex-M is, from QEMU's list of its registers: the exception it handles, and the
-/// program counter.
+/// Describes where a Cortex-M is, from QEMU's list of its registers: the exception that it handles,
+/// if any, and the program counter.
 fn whereabouts(registers: &str) -> Option<String> {
     let register = |name: &str| {
         let start = registers.find(name)? + name.len();
@@ -263,7 +269,7 @@ fn whereabouts(registers: &str) -> Option<String> {
     })
 }
 
-/// ARMv7-M Architecture Reference Manual, B1.5.2.
+/// Returns the name of an exception. ARMv7-M Architecture Reference Manual, B1.5.2.
 fn exception_name(number: u32) -> String {
     match number {
         2 => "NMI".into(),
@@ -278,7 +284,8 @@ fn exception_name(number: u32) -> String {
     }
 }
 
-/// The last words, with room for a panic's message or QEMU's list of registers.
+/// Returns the last 20 lines of the output: enough for a panic's message or QEMU's list of
+/// registers.
 fn tail(said: &[String]) -> String {
     said[said.len().saturating_sub(20)..].join("\n")
 }
@@ -287,10 +294,11 @@ fn tail(said: &[String]) -> String {
 pub enum Failure {
     #[error("{failure}{}", advice(failure))]
     Start { failure: command::Failure },
-    /// The firmware ended, and not well: by a panic, a fault, or its own exit status.
+    /// The firmware ended with an error: a panic, a fault, or its own exit status.
     #[error("the firmware failed ({status}){}", quote(said))]
     Fault { status: ExitStatus, said: String },
-    /// The firmware did not end, or did not say what was waited for, in time.
+    /// The firmware did not end, or did not print the line that was waited for, within the time
+    /// limit.
     #[error(
         "the firmware was ended after {} s{}{}",
         .limit.as_secs_f64(),
@@ -329,7 +337,7 @@ fn advice(failure: &command::Failure) -> &'static str {
     }
 }
 
-/// Repeats the firmware's words, if it had any.
+/// Returns the firmware's output as the end of an error message; empty if there was no output.
 pub(super) fn quote(said: &str) -> String {
     after("; it said:\n", said)
 }

@@ -1,6 +1,6 @@
 //! QEMU's monitor protocol: one command and one answer at a time, each a line of JSON.
 //!
-//! It knows the protocol and no board. Written after the QEMU Machine Protocol Specification.
+//! This module knows the protocol, but no board. It follows the QEMU Machine Protocol Specification.
 
 use std::io;
 use std::io::{BufRead, BufReader, Write};
@@ -16,16 +16,17 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Takes up the conversation with the monitor that listens at a socket.
+    /// Connects to the monitor that listens at a socket.
     pub fn connect(socket: &Path) -> Result<Self, Error> {
-        /// The monitor answers in milliseconds, on a busy machine in some more.
+        /// Time limit for an answer. The monitor answers in milliseconds, on a busy machine in some
+        /// more.
         const PATIENCE: Duration = Duration::from_secs(10);
         let stream = UnixStream::connect(socket)?;
         stream.set_read_timeout(Some(PATIENCE))?;
         Self::new(stream)
     }
 
-    /// Reads the greeting and asks for no extra capabilities.
+    /// Reads the greeting and enables no extra capabilities.
     fn new(stream: UnixStream) -> Result<Self, Error> {
         let stream = BufReader::new(stream);
         let mut monitor = Self { stream };
@@ -37,7 +38,7 @@ impl Monitor {
         Ok(monitor)
     }
 
-    /// Has one command carried out and returns what it returns.
+    /// Executes one command and returns its result.
     pub fn execute(&mut self, command: &str, arguments: Value) -> Result<Value, Error> {
         let request = json!({ "execute": command, "arguments": arguments });
         writeln!(self.stream.get_mut(), "{request}")?;
@@ -52,7 +53,7 @@ impl Monitor {
                     reason: reason.to_owned(),
                 });
             }
-            // What else happens on the machine is told in between.
+            // Between the command and its answer the monitor reports other events.
             if message.get("event").is_none() {
                 return Err(Error::Protocol(message));
             }
@@ -84,7 +85,8 @@ mod tests {
 
     use super::*;
 
-    /// A monitor that has its answers ready, and the stream that it is asked by.
+    /// Creates a monitor whose answers are already written. Returns it with the stream of its
+    /// requests.
     fn monitor(answers: &str) -> (Result<Monitor, Error>, UnixStream) {
         let (stream, mut asked) = UnixStream::pair().unwrap();
         asked.write_all(answers.as_bytes()).unwrap();

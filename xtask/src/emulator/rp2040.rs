@@ -1,9 +1,9 @@
-//! The RP2040: runs a firmware of `examples/pico` on both cores, presses its keys and looks at its
-//! display; or runs the measurement firmware for thumbv6m and counts its cycles.
+//! The RP2040: runs a firmware of `examples/pico` on both cores, presses its keys and captures its
+//! display. Or runs the measurement firmware for thumbv6m and counts its cycles.
 //!
-//! The emulator is rp2040js, driven by the script in `xtask/emulator/rp2040`. A run is the same
-//! every time, and ends after a number of cycles if not before. A firmware that ends badly is a
-//! [`Failure`] that repeats its words and names the fault.
+//! The emulator is rp2040js, controlled by the script in `xtask/emulator/rp2040`. A run gives the
+//! same result every time, and ends after a limited number of cycles at the latest. A firmware that
+//! ends with an error is a [`Failure`] that repeats the firmware's output and names the fault.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -17,13 +17,13 @@ use super::qemu::quote;
 use crate::command::{Program, after};
 use crate::{command, root};
 
-/// The pixels of a side of the display.
+/// Width and height of the display in pixels.
 pub const SIDE: u32 = 240;
 
-/// Longer than any run takes that ends by itself, on a machine that has other work to do.
+/// Time limit of the emulator: longer than any run that ends by itself takes on a busy machine.
 const LIMIT: Duration = Duration::from_secs(20 * 60);
 
-/// A minute of the chip's time.
+/// Default limit of a run in cycles: one minute at 125 MHz.
 const CYCLES: u64 = 60 * 125_000_000;
 
 pub fn folder() -> PathBuf {
@@ -55,30 +55,31 @@ pub enum Key {
     Select,
 }
 
-/// An RP2040 about to be switched on, and what is to be done with it.
+/// An RP2040 before it is switched on: the options of the run and the pictures to wait for.
 #[derive(Clone, Debug, Default)]
 pub struct Rp2040 {
-    /// The script's; of two with one name, the later counts.
+    /// Options of the script. If a name occurs twice, the script takes the later one.
     options: Vec<String>,
     frames: Vec<String>,
 }
 
 impl Rp2040 {
-    /// With a second core that does not answer, as most emulators have it.
+    /// Emulates a chip whose second core does not answer, as most emulators do.
     pub fn with_one_core(self) -> Self {
         self.option("cores", 1)
     }
 
-    /// The cycles after which the firmware is ended, and has failed; a minute's worth
-    /// unless they are named.
+    /// Sets the limit of the run in cycles. A firmware that reaches it has failed. Default: one
+    /// minute at 125 MHz.
     pub fn limit(self, cycles: u64) -> Self {
         self.option("limit", cycles)
     }
 
-    /// Waits for one more picture after these keys have been pressed, one after the other; those of
-    /// the first picture are pressed while it is being drawn. The last picture ends the run.
+    /// Waits for one more picture after these keys have been pressed one after another. The keys of
+    /// the first picture are pressed while that picture is drawn. The run ends with the last
+    /// picture.
     pub fn picture(mut self, keys: &[Key]) -> Self {
-        // The script's names for them.
+        // The script expects the names in lower case.
         let names = keys.iter().map(|key| format!("{key:?}").to_lowercase());
         let names: Vec<_> = names.collect();
         self.frames.push(match names[..] {
@@ -88,12 +89,13 @@ impl Rp2040 {
         self
     }
 
-    /// Takes a picture as soon as so many rows of it are drawn, counted from the top.
+    /// Captures each picture as soon as this many of its rows are drawn, counted from the top.
     pub fn rows(self, rows: u32) -> Self {
         self.option("rows", rows)
     }
 
-    /// Lets the timer of the measurement firmware count instructions as QEMU's does, not cycles.
+    /// Makes the timer of the measurement firmware count instructions, as QEMU's does, instead of
+    /// cycles.
     pub fn counting_instructions(self) -> Self {
         self.option("counts", "instructions")
     }
@@ -103,7 +105,7 @@ impl Rp2040 {
         self
     }
 
-    /// Runs a firmware until its last picture is drawn, or else until it ends itself.
+    /// Runs a firmware until its last picture is drawn, or until the firmware ends itself.
     pub fn run(&self, firmware: &Path) -> Result<Run, Failure> {
         if !is_installed() {
             return Err(Failure::NotInstalled);
@@ -114,7 +116,7 @@ impl Rp2040 {
             .args([folder().join("run.js"), firmware.to_owned()])
             .args([format!("--limit={CYCLES}")])
             .args(&self.options)
-            // A list that begins with a hyphen is not an option.
+            // With `=`, a list that begins with a hyphen is not taken for an option.
             .args([format!("--frames={}", self.frames.join(","))])
             .args(["--pictures".as_ref(), prefix.as_os_str()])
             .limit(LIMIT)
@@ -151,27 +153,27 @@ struct Line {
     text: String,
 }
 
-/// How far a run had come.
+/// Cycles and instructions from the reset to a point of a run.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 pub struct Counts {
     pub cycles: u64,
-    /// Instructions since the reset, of both cores together.
+    /// Instructions since the reset; the sum of both cores.
     pub instructions: u64,
 }
 
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "camelCase")]
 pub struct Display {
-    /// Whether it inverts the colours, as in-plane switching panels want it.
+    /// Whether the firmware made the display invert its colours, as in-plane switching panels need.
     pub inverted: bool,
-    /// Which way it fills its memory: MADCTL in the data sheet.
+    /// Direction in which the display fills its memory: MADCTL in the data sheet.
     pub address_mode: u8,
 }
 
 #[derive(Debug)]
 pub struct Run {
     pub pictures: Vec<Picture>,
-    /// What the firmware said, by RTT and then by semihosting.
+    /// Lines that the firmware printed: first those by RTT, then those by semihosting.
     pub said: Vec<String>,
     pub display: Display,
     pub counts: Counts,
@@ -180,12 +182,13 @@ pub struct Run {
 #[derive(Debug)]
 pub struct Picture {
     pub counts: Counts,
-    /// Row by row from the top, as RGB565.
+    /// Pixels in RGB565, row by row from the top.
     pub pixels: Vec<u16>,
 }
 
 impl Report {
-    /// Reads the pictures from `PREFIX-0.rgb565` and so on, if all went well.
+    /// Returns the run with its pictures, or the fault. Reads the pictures from `PREFIX-0.rgb565`
+    /// and so on.
     fn judge(self, prefix: &Path) -> Result<Run, Failure> {
         let mut said = self.said.rtt;
         said.extend(self.said.semihosting.into_iter().map(|line| line.text));

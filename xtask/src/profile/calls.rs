@@ -1,18 +1,19 @@
-//! Which calls an executed instruction was reached by: a shadow of the call stack, kept from the
-//! addresses alone.
+//! Reconstructs the call stack of a traced program from the executed addresses alone, and counts its
+//! calls.
 
 use std::collections::HashMap;
 
-/// A way of calls from what is watched to a function, by its place in [`Calls`].
+/// A chain of calls from the watched code to a function: an index into [`Calls`], plus one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Way(usize);
 
 impl Way {
-    /// Of what is not called by anything that is watched.
+    /// The empty chain: a function that no watched code calls.
     pub const ROOT: Self = Self(0);
 }
 
-/// A function's call in a certain way.
+/// One call: the chain of calls that leads to the caller, the address of the call, and the function
+/// it calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Call {
     pub way: Way,
@@ -20,48 +21,50 @@ pub struct Call {
     pub callee: u32,
 }
 
-/// All ways there have been, and where on them the program is.
+/// All call chains that have occurred, and the chain that the program is in now.
 #[derive(Debug, Default)]
 pub struct Calls {
-    /// What leads to each way but the root, and how often it was taken.
+    /// The last call of each chain but the root, and how often it was made.
     calls: Vec<(Call, u64)>,
     index: HashMap<Call, Way>,
-    /// The ways that are open, and the addresses they return to.
+    /// The current call stack: chains and their return addresses, the outermost first.
     open: Vec<(Way, u32)>,
 }
 
 impl Calls {
-    /// The way to what is executed now.
+    /// Returns the chain of calls to the function that runs now.
     pub fn way(&self) -> Way {
         self.open.last().map_or(Way::ROOT, |&(way, _)| way)
     }
 
-    /// The call that leads to a way; `None` for the root.
+    /// Returns the last call of a chain, or `None` for the root.
     pub fn call(&self, way: Way) -> Option<Call> {
         Some(self.calls.get(way.0.checked_sub(1)?)?.0)
     }
 
+    /// Returns every call that has occurred, and how often it was made.
     pub fn all(&self) -> impl Iterator<Item = (Call, u64)> {
         self.calls.iter().copied()
     }
 
-    /// Takes a function that is called at `site` and will return to `back`.
+    /// Records a call at `site` that will return to `back`.
     pub fn enter(&mut self, site: u32, callee: u32, back: u32) {
         let way = self.take(site, callee);
         self.open.push((way, back));
     }
 
-    /// Takes a function that is jumped to at `site` and returns for the one it was reached from.
+    /// Records a tail call: a jump at `site` to a function that returns in place of the one that jumped.
     pub fn replace(&mut self, site: u32, callee: u32) {
         let way = self.take(site, callee);
         match self.open.last_mut() {
             Some(last) => last.0 = way,
-            // The root returns to what is not watched.
+            // The root returns to code that is not watched.
             None => self.open.push((way, 0)),
         }
     }
 
-    /// Takes a jump; whether it was a return.
+    /// Records a jump to `to`, and tests whether it is a return. A return removes all calls above
+    /// it, too.
     pub fn leave(&mut self, to: u32) -> bool {
         let returned = self.open.iter().rposition(|&(_, back)| back == to);
         if let Some(depth) = returned {
@@ -70,7 +73,7 @@ impl Calls {
         returned.is_some()
     }
 
-    /// Takes the end of what is watched.
+    /// Records that the watched code has ended.
     pub fn end(&mut self) {
         self.open.clear();
     }
@@ -94,7 +97,7 @@ impl Calls {
 mod tests {
     use super::*;
 
-    /// The sites of the calls that lead to where the program is, the latest first.
+    /// Returns the addresses of the calls on the current stack, the latest first.
     fn sites(calls: &Calls) -> Vec<u32> {
         let mut way = calls.way();
         let mut sites = Vec::new();

@@ -1,10 +1,9 @@
-//! `cargo xtask profile`: where the instructions of a frame go, by stage and by function.
+//! `cargo xtask profile`: counts the instructions of a frame, by stage and by function.
 //!
-//! [`record`] counts every executed instruction with the [`calls`] it was reached by, on the trace
-//! that [`crate::cycles`] estimates cycles from; [`names`] finds the functions that stand at an
-//! address, inlined ones too; [`stages`] says which stage a function belongs to; [`sums`] adds up
-//! and [`print`] prints. Nothing is sampled and nothing left out, so the stages add up to the
-//! total.
+//! [`record`] counts every executed instruction with the [`calls`] that led to it, from the trace
+//! that [`crate::cycles`] estimates cycles from. [`names`] finds the functions at an address,
+//! inlined ones too. [`stages`] gives each function its stage. [`sums`] adds up, and [`print`]
+//! prints. No instruction is left out or estimated from samples, so the stages add up to the total.
 
 mod calls;
 pub mod names;
@@ -54,10 +53,10 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     crate::print(text)
 }
 
-/// Counts the instructions of one frame.
+/// Counts the instructions of one frame, by stage and by function.
 ///
 /// # Errors
-/// [`Misuse`] for a core or a quality whose stages are not known.
+/// [`Misuse`] for a core or a quality that cannot be profiled.
 pub fn profile(task: &Task) -> Result<Sums> {
     if task.core.name == "rv32" {
         bail!(Misuse::new(

@@ -1,5 +1,4 @@
-//! The functions that stand at an address of a program, inlined ones too, by its debug
-//! information.
+//! Finds the functions at an address of a program, inlined ones too, from its debug information.
 
 use std::{collections::BTreeSet, fs, ops::Range, path::Path};
 
@@ -11,15 +10,15 @@ use crate::root;
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Frame {
-    /// Its path, without the hash.
+    /// Path of the function, without the hash of its symbol.
     pub name: String,
-    /// The file and line in it, where the debug information says them.
+    /// File and line of the instruction, `FILE:LINE`, if the debug information has them.
     pub line: Option<String>,
 }
 
 pub struct Names {
     debug: Loader,
-    /// First address and size of each function, in order.
+    /// The linked functions, sorted by address: first address, size in bytes, and name.
     functions: Vec<(u32, u32, String)>,
     pub code: Range<u32>,
 }
@@ -34,7 +33,7 @@ impl Names {
             .filter(|symbol| symbol.kind() == SymbolKind::Text && symbol.size() > 0);
         let function = |symbol: object::Symbol| {
             let name = demangled(symbol.name().ok()?);
-            // The lowest bit of an address says Thumb.
+            // The lowest bit of a symbol's address marks Thumb code.
             Some((symbol.address() as u32 & !1, symbol.size() as u32, name))
         };
         let mut functions: Vec<_> = symbols.filter_map(function).collect();
@@ -51,7 +50,7 @@ impl Names {
         })
     }
 
-    /// The linked function that an address lies in: where it starts and what it is called.
+    /// Returns the linked function that contains an address: its first address and its name.
     pub fn function(&self, address: u32) -> Option<(u32, &str)> {
         let after = self
             .functions
@@ -60,10 +59,10 @@ impl Names {
         (address - start < *size).then_some((*start, name.as_str()))
     }
 
-    /// All functions of which anything is left in the program, inlined ones too.
+    /// Returns the names of all functions that have instructions in the program, inlined ones too.
     ///
     /// # Errors
-    /// Debug information that cannot be read.
+    /// Fails if the debug information cannot be read.
     pub fn all(&self) -> Result<BTreeSet<String>> {
         let mut names = BTreeSet::new();
         for address in self.code.clone().step_by(2) {
@@ -74,7 +73,7 @@ impl Names {
         Ok(names)
     }
 
-    /// The functions that stand at an address, the innermost first, the linked one last.
+    /// Returns the functions at an address: the innermost first, the linked function last.
     pub fn frames(&self, address: u32) -> Result<Vec<Frame>> {
         let unknown = || format!("the debug information of {address:#x} is broken");
         let found = self.debug.find_frames(u64::from(address));
@@ -95,7 +94,8 @@ impl Names {
             frames.push(Frame { name, line });
         }
         if frames.is_empty() {
-            // Assembly, and what the compiler brings, have nothing but a symbol.
+            // Assembly, and functions that the compiler adds, have a symbol but no debug
+            // information.
             frames.extend(self.function(address).map(|(_, name)| Frame {
                 name: name.to_owned(),
                 line: None,
@@ -105,7 +105,7 @@ impl Names {
     }
 }
 
-/// A symbol as Rust spells it, without the hash.
+/// Converts a symbol to Rust's spelling, without the hash.
 fn demangled(symbol: &str) -> String {
     format!("{:#}", rustc_demangle::demangle(symbol))
 }

@@ -1,4 +1,4 @@
-//! The sums as tables for people, and as lines of JSON for programs.
+//! Prints the counted instructions as tables for people, or as lines of JSON for programs.
 
 use std::{collections::HashMap, fmt::Write as _};
 
@@ -7,7 +7,8 @@ use serde_json::{Value, json};
 use super::stages::{STAGES, Stage};
 use super::sums::Sums;
 
-/// The stages; and where there are `rows` to print, the hottest functions.
+/// Returns the table of the stages and, if `rows` is given, the tables of the hottest functions,
+/// each with at most this many rows.
 pub fn tables(sums: &Sums, pixels: u64, rows: Option<usize>) -> String {
     let total = sums.total();
     let mut text = format!("{:<12}{:>12}{:>8}\n", "stage", "instr/pixel", "share");
@@ -67,7 +68,7 @@ fn stages(sums: &Sums) -> impl Iterator<Item = (String, u64)> {
 struct Table {
     key: &'static str,
     title: &'static str,
-    /// What stands beside the instructions of its own.
+    /// Name of the second number of a row, next to its own instructions: `all` or `calls`.
     second: Option<&'static str>,
     rows: Vec<Row>,
 }
@@ -155,7 +156,8 @@ fn functions(sums: &Sums, rows: usize) -> [Table; 4] {
     ]
 }
 
-/// The rows with the most, the most first; always in the same order.
+/// Returns the `count` rows with the most instructions, largest first. Equal rows are sorted by
+/// stage and name, so that the order is always the same.
 fn hottest(mut rows: Vec<Row>, count: usize) -> Vec<Row> {
     rows.retain(|row| row.own > 0);
     rows.sort_unstable_by(|a, b| {

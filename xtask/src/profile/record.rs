@@ -1,4 +1,5 @@
-//! Counts what is executed, by address, by the calls it was reached by, and by the ray it serves.
+//! Counts the executed instructions by address, by the calls that led to them, and by the ray that
+//! they serve.
 
 use std::{collections::HashMap, ops::Range, path::Path};
 
@@ -14,9 +15,9 @@ use crate::{cycles, measure};
 #[derive(Debug)]
 struct Known {
     frames: Vec<Frame>,
-    /// The rule of the innermost function that has one.
+    /// Rule of the innermost function that has one.
     rule: Option<Rule>,
-    /// Where the linked function starts that it lies in.
+    /// First address of the linked function that contains the instruction.
     function: Option<u32>,
 }
 
@@ -24,15 +25,17 @@ struct Known {
 pub struct Record {
     pub calls: Calls,
     start: u32,
-    /// By half words from there, for what has been executed.
+    /// What is known of each executed instruction, by half words from `start`; `None` before it is
+    /// executed.
     known: Vec<Option<Known>>,
-    /// How often it was, by half words, for every way and ray there was.
+    /// How often each instruction was executed, by half words from `start`; one list for each pair
+    /// of call chain and ray.
     counts: Vec<Vec<u64>>,
     places: HashMap<(Way, Ray), usize>,
 }
 
 impl Record {
-    /// Of the part of a measurement firmware that is counted.
+    /// Runs a measurement firmware and counts the instructions of its measured part.
     pub fn of(emulator: Qemu, program: &Path, names: &Names) -> Result<Self> {
         let emulator = emulator.limit(measure::RUN_LIMIT);
         let mut record = Self::empty(names);
@@ -62,7 +65,8 @@ impl Record {
         Ok(record)
     }
 
-    /// Everything that was executed: by which way, for which ray, at which address, how often.
+    /// Returns every executed instruction: its call chain, its ray, its address, and how often it
+    /// was executed.
     pub fn all(&self) -> impl Iterator<Item = (Way, Ray, u32, u64)> {
         self.places.iter().flat_map(|(&(way, ray), &place)| {
             let counts = self.counts[place].iter().zip((self.start..).step_by(2));
@@ -71,8 +75,8 @@ impl Record {
         })
     }
 
-    /// The functions an instruction belongs to, the innermost first: those at its address, those
-    /// at the call that led there, and so on.
+    /// Returns the functions that an instruction belongs to, the innermost first: those at its
+    /// address, then those at the call that led there, and so on.
     pub fn frames(&self, mut way: Way, address: u32) -> Vec<&Frame> {
         let at = |address| self.at(address).map_or(&[][..], |known| &known.frames);
         let mut frames: Vec<_> = at(address).iter().collect();
@@ -95,8 +99,9 @@ impl Record {
         }
     }
 
-    /// Takes a jump; `back` is where a call returns to. A call that stays in its function is a jump
-    /// too long for a branch, as a Cortex-M0 has it.
+    /// Records a jump as a call, a return or a tail call. `back` is the return address if the jump
+    /// is a call instruction. A call instruction whose target is inside the same function is only a
+    /// long jump: a Cortex-M0 has no other way to jump so far.
     fn jump(&mut self, from: u32, to: u32, back: Option<u32>) {
         let function = |address| self.at(address).and_then(|known| known.function);
         let (left, entered) = (function(from), function(to));
@@ -114,7 +119,8 @@ impl Record {
         self.known.get(index as usize)?.as_ref()
     }
 
-    /// Looks an address up, the first time that it is seen; its place among the half words.
+    /// Returns the index of an address in `known`. Looks the address up in the debug information the
+    /// first time.
     fn know(&mut self, address: u32, names: &Names) -> Result<usize> {
         let index = (address.wrapping_sub(self.start) / 2) as usize;
         let known = self.known.get_mut(index);

@@ -1,26 +1,26 @@
-//! Which stage of a frame a function belongs to.
+//! Decides which stage of a frame each function belongs to.
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Stage {
-    /// Once a frame.
+    /// Work that is done once a frame.
     Preparation,
-    /// What the rays of a row can meet.
+    /// Screen bounds and active lists: which shapes the rays of a row can hit.
     Spans,
-    /// The ray of a pixel, and what it meets first.
+    /// The ray of a pixel, and its first hit.
     Primary,
     /// Normals, cosines, highlights and colours.
     Shading,
-    /// Whether a light is blocked, and the choice of what may block it.
+    /// Shadow rays: whether a light is occluded, and which shapes can occlude it.
     Shadow,
-    /// The mirrored rays, and what they meet.
+    /// The mirrored rays, and their hits.
     Reflection,
-    /// From the sum of a path to the pixel.
+    /// From the sum of a path to the pixel on the display.
     Output,
-    /// What no rule names, nor any of its callers.
+    /// Functions that have no rule and no caller with a rule, and the loop over the reflections.
     Other,
 }
 
-/// All of them, in the order of a frame.
+/// All stages, in the order of a frame.
 pub const STAGES: [Stage; 8] = [
     Stage::Preparation,
     Stage::Spans,
@@ -38,23 +38,24 @@ impl Stage {
     }
 }
 
-/// What a function says about the stage of its instructions and of all that it calls.
+/// Says which stage the instructions of a function belong to, and those of the functions it calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// They belong to this stage, unless something called says otherwise.
+    /// The instructions belong to this stage, unless a called function has its own rule.
     Is(Stage),
-    /// They all belong to this stage, whatever is called.
+    /// The instructions belong to this stage, with those of all called functions, whatever their
+    /// rules.
     AllIs(Stage),
-    /// They make the first ray of a pixel.
+    /// The function makes the first ray of a pixel.
     MakesRay,
-    /// They make the ray that goes on from a surface.
+    /// The function makes the mirrored ray at a surface.
     MirrorsRay,
-    /// They find what the latest ray meets.
+    /// The function finds the hit of the latest ray.
     Meets,
 }
 
-/// The rules, by the beginning of a function's [`path`]; the first that fits counts. A function that
-/// none fits belongs to its caller's stage.
+/// The rules of functions, by the beginning of the function's [`path`]. The first rule that matches
+/// counts. A function without a rule belongs to its caller's stage.
 const RULES: [(&str, Rule); 34] = [
     (
         "firmware::contestant::Fixed::prepare",
@@ -105,7 +106,7 @@ const RULES: [(&str, Rule); 34] = [
 ];
 
 impl Rule {
-    /// Of a function.
+    /// Returns the rule of a function, if it has one.
     pub fn of(name: &str) -> Option<Self> {
         let path = path(name);
         let mut rules = RULES.iter();
@@ -114,8 +115,8 @@ impl Rule {
     }
 }
 
-/// The modules, type and name of a function, without generics and traits:
-/// `<scene::Static<T> as scene::World>::parts` is `scene::Static::parts`.
+/// Returns the modules, the type and the name of a function, without generics and traits:
+/// `<scene::Static<T> as scene::World>::parts` becomes `scene::Static::parts`.
 pub fn path(name: &str) -> String {
     let Some(inside) = name.strip_prefix('<') else {
         let plain: String = outside(name).map(|(_, letter)| letter).collect();
@@ -131,15 +132,15 @@ pub fn path(name: &str) -> String {
     path(of.trim_start_matches('&')) + &path(rest)
 }
 
-/// The letters of a text that stand outside of all brackets, and where they do; a bracket that
-/// closes what the text does not open is outside.
+/// Returns the letters of a text that are outside of all angle brackets, with their byte positions.
+/// A closing bracket without an opening one counts as outside.
 fn outside(text: &str) -> impl Iterator<Item = (usize, char)> {
     let (mut depth, mut before) = (0, ' ');
     text.char_indices().filter(move |&(_, letter)| {
         let is_inside = depth > 0;
         match letter {
             '<' => depth += 1,
-            // An arrow's is none.
+            // The `>` of an arrow `->` is no bracket.
             '>' if before != '-' && depth > 0 => depth -= 1,
             _ => {}
         }
@@ -148,20 +149,21 @@ fn outside(text: &str) -> impl Iterator<Item = (usize, char)> {
     })
 }
 
-/// Which ray of a pixel is the latest.
+/// Says which ray of a pixel's path is the latest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Ray {
-    /// The pixel's own, that has not been followed yet.
+    /// The pixel's first ray, not followed yet.
     #[default]
     New,
-    /// The pixel's own.
+    /// The pixel's first ray.
     First,
+    /// A ray after the first reflection.
     Mirrored,
 }
 
 impl Ray {
-    /// After an instruction of a function with this rule. An instruction of the mirrored ray that
-    /// the compiler has moved before the first one is followed changes nothing.
+    /// Returns the latest ray after an instruction of a function with this rule. The compiler may
+    /// move instructions of the mirrored ray before the first hit; these change nothing.
     pub fn after(self, rule: Option<Rule>) -> Self {
         match (self, rule) {
             (_, Some(Rule::MakesRay)) => Self::New,
@@ -172,7 +174,7 @@ impl Ray {
     }
 }
 
-/// The stage of an instruction, by the rules of the functions it belongs to, the innermost first.
+/// Returns the stage of an instruction from the rules of its functions, the innermost first.
 pub fn stage(rules: impl Iterator<Item = Rule>, ray: Ray) -> Stage {
     let (mut found, mut all) = (None, None);
     for rule in rules {
@@ -232,8 +234,8 @@ mod tests {
         }
     }
 
-    /// The library's functions are renamed now and then: a rule that names none would only move
-    /// instructions to another stage in silence.
+    /// The library's functions are renamed now and then. A rule that matches no function would move
+    /// instructions to another stage without an error.
     #[test]
     fn rules_name_what_there_is() {
         for (rule, _) in RULES {
@@ -273,7 +275,7 @@ mod tests {
         let shades = Rule::Is(Stage::Shading);
         assert_eq!(after(&[MakesRay]), Ray::New);
         assert_eq!(after(&[MakesRay, Meets, shades]), Ray::First);
-        // What the compiler has moved up.
+        // The compiler has moved the mirrored ray up.
         assert_eq!(after(&[MakesRay, MirrorsRay, Meets]), Ray::First);
         assert_eq!(after(&[MakesRay, Meets, MirrorsRay, Meets]), Ray::Mirrored);
         assert_eq!(after(&[MakesRay, Meets, MirrorsRay, MakesRay]), Ray::New);

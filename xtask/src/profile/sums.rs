@@ -1,4 +1,4 @@
-//! Adds up what was executed, by stage and by function.
+//! Adds up the executed instructions, by stage and by function.
 
 use std::collections::HashMap;
 
@@ -9,20 +9,21 @@ use super::stages::{Rule, STAGES, Stage, path, stage};
 #[derive(Debug, Default)]
 pub struct Sums {
     stages: HashMap<Stage, u64>,
-    /// Of the library's functions, with the foreign ones in them.
+    /// Instructions of each library function, with foreign functions inlined in it or called by it.
     pub(super) library: HashMap<(Stage, String), Library>,
-    /// Of the functions at the bottom of all inlining.
+    /// Instructions of each innermost function after inlining.
     pub(super) innermost: HashMap<(Stage, String), u64>,
-    /// Of the library's lines, with the foreign functions in them.
+    /// Instructions of each source line of the library, with foreign functions inlined in it or
+    /// called by it.
     pub(super) lines: HashMap<(Stage, String), u64>,
-    /// Of the functions that are linked.
+    /// Instructions and calls of each linked function.
     pub(super) linked: HashMap<String, Linked>,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Library {
     pub own: u64,
-    /// With all that it calls.
+    /// Own instructions and those of all functions that it calls.
     pub all: u64,
 }
 
@@ -65,7 +66,7 @@ impl Sums {
                     let line = line.unwrap_or_else(|| format!("no line in {}", frame.name));
                     *sums.lines.entry((stage, line)).or_default() += count;
                 }
-                // A closure may stand in its own function again.
+                // A closure may occur again inside its own function.
                 if !seen.contains(&&frame.name) {
                     row.all += count;
                     seen.push(&frame.name);

@@ -1,8 +1,8 @@
-//! `cargo xtask scale`: what a frame takes with more and more spheres.
+//! `cargo xtask scale`: measures how the cost of a frame grows with the number of spheres.
 //!
-//! The scenes are [`benchmark`]'s, alike but for the number of their spheres; each becomes a
-//! constant scene and is measured as any other ([`crate::measure`]). `page.md` is the frame of
-//! `docs/scale.md`.
+//! The scenes come from [`benchmark`] and differ only in the number and size of their spheres. Each
+//! becomes a constant scene and is measured like any other ([`crate::measure`]). `page.md` is the
+//! template of `docs/scale.md`.
 
 use anyhow::{Context, Result};
 use benchmark::Order;
@@ -32,44 +32,44 @@ pub struct Arguments {
     json: bool,
 }
 
+/// Numbers of spheres of the measured scenes.
 pub const COUNTS: [usize; 9] = [1, 2, 4, 8, 16, 32, 64, 128, 256];
 
-/// The scenes that are held against each other.
+/// Number of spheres of the smaller of the two scenes that are compared with each other.
 pub const FEW: usize = 16;
-/// See [`FEW`].
+/// Number of spheres of the larger of the two compared scenes; see [`FEW`].
 pub const MANY: usize = 256;
 
-/// [`MANY`] spheres have to cost less than this times what [`FEW`] cost. A kernel that asks every
-/// sphere costs [`MANY`] / [`FEW`] times as much.
+/// Upper limit of the quotient: [`MANY`] spheres have to cost less than this times the cost of
+/// [`FEW`] spheres. A kernel that tests every sphere costs [`MANY`] / [`FEW`] times as much.
 pub const BAR: f64 = 6.0;
 
-/// How everything is measured unless the command line says otherwise.
+/// Default size of the measured pictures, in pixels.
 pub const SIZE: Size = Size::new(64, 64);
 
-/// What the scene with one number of spheres comes to. In JSON the keys are the names of the
-/// fields.
+/// Figures of the scene with one number of spheres. The JSON keys are the names of the fields.
 #[derive(Clone, Debug, Serialize)]
 struct Member {
     spheres: usize,
     instructions_per_pixel: f64,
-    /// The quotient to the member before.
+    /// Instructions per pixel divided by those of the member before; `None` for the first.
     times: Option<f64>,
-    /// With the spheres listed in random order.
+    /// Instructions per pixel with the spheres listed in random order.
     shuffled_instructions_per_pixel: f64,
     prepare_instructions: u64,
     flash: u64,
     seen: f64,
 }
 
-/// All that is measured. In JSON the keys are the names of the fields.
+/// All figures of the command. The JSON keys are the names of the fields.
 #[derive(Debug, Serialize)]
 struct Scale {
     core: &'static str,
     size: String,
     members: Vec<Member>,
-    /// What [`MANY`] spheres cost over what [`FEW`] cost.
+    /// Instructions per pixel with [`MANY`] spheres, divided by those with [`FEW`].
     times: f64,
-    /// The same with the spheres listed in random order.
+    /// The quotient of [`MANY`] and [`FEW`] with the spheres listed in random order.
     shuffled_times: f64,
     bar: f64,
 }
@@ -132,7 +132,7 @@ impl Member {
         })
     }
 
-    /// The figures in the order of [`head`].
+    /// Returns the figures as table cells, in the order of [`head`].
     fn cells(&self) -> Vec<String> {
         let times = self.times.map(|times| format!("{times:.2}"));
         vec![
@@ -147,7 +147,7 @@ impl Member {
     }
 }
 
-/// A line of the printed table, which is printed while it is measured.
+/// Formats a row of the printed table. Each row is printed as soon as it is measured.
 fn line(cells: &[String]) -> String {
     let width = head().iter().map(String::len).max().unwrap_or(0);
     let cells: Vec<_> = cells.iter().map(|cell| format!("{cell:>width$}")).collect();
@@ -194,13 +194,14 @@ impl Scale {
     }
 }
 
+/// Returns the share of the pixels that show a sphere directly: 0 to 1.
 fn seen(size: Size, spheres: usize) -> Result<f64> {
     let file = SceneFile::parse(&benchmark::scene(spheres, Order::Spiral), None)?;
     let (mut scene, camera) = file.reference();
     scene.planes.clear();
     let shading = reference::Shading::Normals;
     let picture = reference::render(&scene, &camera, size.width, size.height, 0, shading);
-    // What that shading shows where nothing is met; no normal looks so.
+    // The colour that this shading gives a ray that hits nothing; no normal has this colour.
     let is_sphere = |pixel: &&[u8; 3]| **pixel != [0, 0, 255];
     let shown = picture.pixels.iter().filter(is_sphere).count();
     Ok(shown as f64 / picture.pixels.len() as f64)
@@ -212,7 +213,7 @@ mod tests {
 
     use super::*;
 
-    /// As if the instructions were the spheres' number, and in random order its square.
+    /// Returns made-up figures: as many instructions as spheres, and their square in random order.
     fn scale() -> Scale {
         let member = |spheres: usize| Member {
             spheres,

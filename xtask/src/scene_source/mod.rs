@@ -1,8 +1,8 @@
-//! `cargo xtask scene`: a scene file as the Rust source of a constant scene.
+//! `cargo xtask scene`: converts a scene file to the Rust source of a constant scene.
 //!
-//! The numbers are the file's own, to the last digit, and what the library would refuse is
-//! refused before a line is written. [`names`] makes identifiers of the file's names, [`write`]
-//! writes the source, rustfmt lays it out.
+//! The numbers are those of the file, to the last digit. A scene that the library would refuse is
+//! refused before anything is written. [`names`] turns the file's names into identifiers, [`write`]
+//! writes the source, and rustfmt formats it.
 
 mod names;
 mod write;
@@ -19,20 +19,20 @@ use crate::{command::Program, misuse::Misuse, print};
 pub struct Source {
     pub name: String,
     pub type_name: String,
-    /// The source, as rustfmt lays it out.
+    /// The source, formatted by rustfmt.
     pub text: String,
 }
 
-/// Prints the source of the file's scene, or of the one called `chosen`.
+/// Prints the source of the file's scene, or of its scene with the name `chosen`.
 pub fn run(path: &Path, chosen: &Chosen) -> Result<()> {
     let (_, source) = read(path, chosen)?;
     print(source.text)
 }
 
-/// Reads the file's scene, or the one called `chosen`, and writes its source.
+/// Reads the file's scene, or its scene with the name `chosen`, and returns it with its source.
 ///
 /// # Errors
-/// [`Misuse`] where the file cannot be used.
+/// [`Misuse`] if the file cannot be used.
 pub fn read(path: &Path, chosen: &Chosen) -> Result<(SceneFile, Source)> {
     let file = SceneFile::read(path, chosen.name.as_deref())
         .map_err(|error| Misuse::new(with_advice(error)))?;
@@ -41,17 +41,17 @@ pub fn read(path: &Path, chosen: &Chosen) -> Result<(SceneFile, Source)> {
     Ok((file, source))
 }
 
-/// Writes the source of a scene that is given as the text of a file.
+/// Returns the scene in the text of a scene file, with its source.
 ///
 /// # Errors
-/// [`Misuse`] where the text cannot be used.
+/// [`Misuse`] if the text cannot be used.
 pub fn parse(text: &str) -> Result<(SceneFile, Source)> {
     let file = SceneFile::parse(text, None).map_err(Misuse::new)?;
     let source = source(&file, "scene")?;
     Ok((file, source))
 }
 
-/// The source of the file's scene; `unnamed` is what a scene without a name is called.
+/// Returns the source of the file's scene. `unnamed` is the name for a scene that has none.
 fn source(file: &SceneFile, unnamed: &str) -> Result<Source> {
     file.build().map_err(Misuse::new)?;
     let name = file.name().unwrap_or(unnamed).to_owned();
@@ -67,12 +67,12 @@ fn source(file: &SceneFile, unnamed: &str) -> Result<Source> {
     })
 }
 
-/// The text as rustfmt's defaults have it.
+/// Formats the text with rustfmt's default settings.
 fn laid_out(text: &str) -> Result<String> {
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("scene.rs");
     fs::write(&file, text)?;
-    // A folder of its own holds no configuration, and edition 2024 is what reflet is written in.
+    // In this new folder rustfmt finds no configuration. Edition 2024 is reflet's own.
     Program::new("rustfmt")
         .args(["--edition", "2024"])
         .args([&file])

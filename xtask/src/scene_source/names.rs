@@ -1,11 +1,11 @@
-//! Identifiers from names that may be anything.
+//! Makes Rust identifiers from names, which may be any text.
 
 use std::collections::HashSet;
 
-/// What the source imports or defines; a scene's type must be called otherwise.
+/// Names that the source imports or defines: a scene's type must have another one.
 const TAKEN: &str = "CAMERA Camera Material Scene Self StaticScene";
 
-/// The name of a scene's type: `shading_lights` becomes `ShadingLights`.
+/// Returns the name of a scene's type: `shading_lights` becomes `ShadingLights`.
 pub fn type_name(name: &str) -> String {
     let capitalised = |word: &str| {
         let (first, rest) = word.split_at(1);
@@ -20,8 +20,8 @@ pub fn type_name(name: &str) -> String {
     }
 }
 
-/// The names of the materials' constants: `old gold` becomes `OLD_GOLD`. All are different, and
-/// none is that of the scene's type or its camera.
+/// Returns the names of the materials' constants: `old gold` becomes `OLD_GOLD`. All names are
+/// different, and differ from the scene's type and its camera.
 pub fn constants(names: &[String], type_name: &str) -> Vec<String> {
     let mut taken = HashSet::from(["CAMERA".to_owned(), type_name.to_owned()]);
     let unique = |name: String| {
@@ -46,7 +46,7 @@ fn constant(name: &str) -> String {
     }
 }
 
-/// The runs of letters and digits that an identifier may hold.
+/// Splits a name into its runs of ASCII letters and digits, which an identifier may contain.
 fn words(name: &str) -> Vec<&str> {
     let words = name.split(|letter: char| !letter.is_ascii_alphanumeric());
     words.filter(|word| !word.is_empty()).collect()

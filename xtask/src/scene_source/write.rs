@@ -1,13 +1,13 @@
-//! The source text, before it is laid out.
+//! Writes the Rust source of a scene, before rustfmt formats it.
 
 use std::collections::BTreeSet;
 
 use reflet::host::reference::{Camera, Light, Material, PARAMETERS, Scene, Shape};
 
-/// How far rays are lifted off surfaces unless the scene says otherwise.
+/// Default of a scene's epsilon, the distance by which rays are lifted off surfaces.
 const EPSILON: f64 = 1e-3;
 
-/// The source of a constant scene; `materials` are the names of the materials' constants.
+/// Returns the source of a constant scene. `materials` are the names of the materials' constants.
 pub fn source(
     name: &str,
     type_name: &str,
@@ -51,8 +51,8 @@ fn used_materials(scene: &Scene) -> BTreeSet<usize> {
     scene.shapes().map(|shape| shape.material).collect()
 }
 
-/// The lists that the numbers of the scene's type count, and the numbers. Those behind the materials are
-/// 0 unless they are written.
+/// Returns the parameters of the scene's type: the name of each list and its length. Zeros at the
+/// end are left out down to the materials: the type's defaults are 0.
 fn room(scene: &Scene, materials: usize) -> Vec<(&'static str, String)> {
     let count = |list: &str| match list {
         "lights" => scene.lights.len(),
@@ -107,7 +107,7 @@ fn vector([x, y, z]: [f64; 3]) -> String {
     format!("[{}, {}, {}]", number(x), number(y), number(z))
 }
 
-/// The shortest digits that are read as the same number again.
+/// Returns the shortest digits that parse to the same number.
 fn number(value: f64) -> String {
     format!("{value:?}")
 }

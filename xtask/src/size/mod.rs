@@ -1,8 +1,9 @@
-//! `cargo xtask size`: what a scene takes of flash and RAM, and what is left out of it.
+//! `cargo xtask size`: measures the flash and RAM of every built-in scene, and lists what is left
+//! out of its firmware.
 //!
-//! Every built-in scene in every quality, with four reflections and, where it mirrors, with none, on
-//! the smallest cores: [`Figures`] are a line in docs/measured/sizes.jsonl, which is the budget that
-//! the tests hold scenes to as well, and [`page`] makes docs/sizes.md of them.
+//! It builds every scene in every quality for the smallest cores: with four reflections and, if the
+//! scene has mirrors, also with none. [`Figures`] is one line in docs/measured/sizes.jsonl, which is
+//! also the budget in the tests. [`page`] writes docs/sizes.md from these lines.
 
 mod page;
 
@@ -37,38 +38,39 @@ pub struct Arguments {
     json: bool,
 }
 
-/// What the smallest chips are, and the core that runs them.
+/// Targets of the smallest chips, each with the core that runs it.
 const TARGETS: [(&str, &str); 2] = [("thumbv6m-none-eabi", "m0"), ("thumbv7m-none-eabi", "m3")];
 
-/// All but the float port.
+/// The measured qualities: all but the float port.
 pub const QUALITIES: [Quality; 4] = [Quality::FAST, Quality::FINE, Quality::SMALL, Quality::EXACT];
 
-/// Reflections where a scene has mirrors; the others have none to follow.
+/// Numbers of reflections of a scene with mirrors. A scene without mirrors is built with the first
+/// only.
 const REFLECTIONS: [u8; 2] = [4, 0];
 
-/// The stack does not hang on it.
+/// Size of the picture in pixels. The use of stack does not depend on it.
 const SIZE: Size = Size::new(64, 16);
 
-/// The whole firmware of the default board with nothing but the castle.
+/// Example that is the whole firmware of the default board, with the castle as its only scene.
 pub const BOARD: &str = "board_castle";
 
-/// One line. In JSON the keys are the names of the fields.
+/// Sizes of one firmware: a line of the file. The JSON keys are the names of the fields.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Figures {
-    /// What the compiler calls the core.
+    /// Target triple of the core.
     pub target: String,
     pub scene: String,
     pub quality: String,
     pub reflections: u8,
     pub code: u64,
     pub constants: u64,
-    /// Both.
+    /// Flash in bytes: code and constants.
     pub flash: u64,
     pub ram: u64,
     /// Most bytes of stack in use at a time.
     pub stack: u64,
-    /// The [`Needs`] that the scene does not have.
+    /// Names of the [`Needs`] that the scene does not have.
     pub left_out: Vec<String>,
 }
 
@@ -120,7 +122,8 @@ pub fn tasks() -> Vec<Task> {
     tasks
 }
 
-/// The figures of tasks, in their order. Those for different targets do not wait for each other.
+/// Returns the figures of all tasks, in their order. Tasks for different targets run at the same
+/// time.
 fn weighed(tasks: &[Task]) -> Result<Vec<Figures>> {
     let of_target = |target: &str| -> Result<Vec<_>> {
         let tasks = tasks.iter().filter(|task| task.core.target == target);
@@ -139,7 +142,7 @@ impl Figures {
         let outcome = outcome(task)?;
         let (reflections, quality) = (task.settings.reflections, task.settings.quality);
         let left_out = needs(task.scene.name(), reflections).list();
-        // Small code asks every shape.
+        // The quality `Small` tests every shape, so it has no code for candidate sets.
         let is_out = |name| quality == Quality::SMALL && name == "sets";
         let left_out = left_out
             .iter()
@@ -168,7 +171,8 @@ impl Figures {
             && self.reflections == task.settings.reflections
     }
 
-    /// What a task weighs more than these, if that is too much: more than 2 %.
+    /// Returns a message if the task needs more than 1.02 times the flash of these figures, else
+    /// `None`.
     pub fn excess(&self, task: &Task) -> Result<Option<String>> {
         let flash = weight(task)?.flash;
         let is_within = flash * 100 <= self.flash * 102;
@@ -181,7 +185,7 @@ impl Figures {
     }
 }
 
-/// What a built-in scene needs with so many reflections at most.
+/// Returns what a built-in scene needs with at most this many reflections.
 fn needs(name: &str, reflections: u8) -> Needs {
     struct Derive;
 

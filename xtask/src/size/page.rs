@@ -1,10 +1,10 @@
-//! `docs/sizes.md`, from what was weighed.
+//! Writes `docs/sizes.md` from the measured figures.
 
 use super::{Figures, QUALITIES};
 use crate::measure::Weight;
 use crate::table::{filled, markdown};
 
-/// The page. The figures lie in the order of [`tasks`](super::tasks).
+/// Returns the text of the page. The figures must be in the order of [`tasks`](super::tasks).
 pub(super) fn write(figures: &[Figures], board: Weight) -> String {
     let by_target = |level: &str, table: fn(&[Figures]) -> String| -> String {
         let targets = figures.chunk_by(|one, other| one.target == other.target);
@@ -20,8 +20,8 @@ pub(super) fn write(figures: &[Figures], board: Weight) -> String {
     filled(include_str!("page.md"), &values)
 }
 
-/// A table with a row for each scene and number of reflections, of the figures of one target.
-/// A table with a row a group of figures: the cells of `before`, then `cells` for each quality.
+/// Returns a table with one row for each scene and number of reflections: the cells of `before`,
+/// then those of `cells` for each quality.
 fn by_quality<const B: usize, const N: usize>(
     figures: &[Figures],
     head: [&str; B],
@@ -59,7 +59,7 @@ fn rest(figures: &[Figures]) -> String {
     by_quality(figures, head, before, ["stack"], |it| [it.stack])
 }
 
-/// A table of everything, for people at a terminal.
+/// Returns the head and the rows of a table of all figures, for the terminal.
 pub(super) fn table(figures: &[Figures]) -> (Vec<String>, Vec<Vec<String>>) {
     let head = "target,scene,quality,left out,N,code,constants,flash,RAM,stack".split(',');
     let rows = figures.iter().map(|it| {

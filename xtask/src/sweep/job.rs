@@ -1,11 +1,12 @@
-//! The firmware's source for a sweep.
+//! Writes the firmware's source for a sweep.
 
 use std::{collections::BTreeMap, path::Path};
 
 use super::{Contestant, Level, Setting, Sweep};
 use crate::measure::{Shading, float_source};
 
-/// The source that the firmware includes. `file` is where the source of a file's scene lies.
+/// Returns the source that the firmware includes. `file` is the path of the source of a scene file's
+/// scene.
 pub fn source(sweep: &Sweep, file: &Path, ticket: u64) -> String {
     let (width, height) = sweep.size;
     let mut source = format!(
@@ -35,7 +36,7 @@ pub fn source(sweep: &Sweep, file: &Path, ticket: u64) -> String {
     source + "];\n"
 }
 
-/// The level of a setting, if it is none of the library's.
+/// Returns the level of a setting if it is none of the library's qualities.
 fn own_level(setting: &Setting) -> Option<Level> {
     match setting.contestant {
         Contestant::Fixed { level, .. } => Some(level).filter(|it| !matches!(it, Level::Named(_))),
@@ -58,7 +59,7 @@ fn type_name(setting: &Setting) -> String {
     format!("firmware::Varied<Scene, Seen, {quality}, {shading}>")
 }
 
-/// The name and the source of a level that the library does not have.
+/// Returns the type name and the source of a level that the library does not have.
 fn quality(level: Level) -> (String, String) {
     let numbers = level.numbers();
     let (stride, tolerance) = (numbers.stride, numbers.tolerance.to_bits());

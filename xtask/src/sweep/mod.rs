@@ -1,7 +1,8 @@
-//! What many settings of one scene take on a core: one firmware draws them all, one after the other.
+//! Counts the instructions of many settings of one scene on a core: one firmware draws them one
+//! after another.
 //!
-//! [`setting`] says what can be varied, [`job`] writes the firmware's source. It keeps no counts; the
-//! report does.
+//! [`setting`] says what can be varied, [`job`] writes the firmware's source. This module does not
+//! store the counts; the report does.
 
 mod job;
 mod setting;
@@ -17,7 +18,7 @@ pub use self::setting::{Contestant, Level, Numbers, Setting, Visitor};
 use crate::measure::firmware::Report;
 use crate::measure::{Core, Scene, firmware};
 
-/// Soft floating point takes minutes for a frame.
+/// Time limit of a run. With soft floating point a frame takes minutes.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
 pub struct Sweep<'a> {
@@ -25,7 +26,8 @@ pub struct Sweep<'a> {
     pub scene: &'a Scene,
     pub size: (u32, u32),
     pub settings: &'a [Setting],
-    /// So many of the first settings are part of the program, and not drawn.
+    /// Number of settings at the start of the list whose counts are known: the program contains
+    /// them, but does not draw them.
     pub known: usize,
 }
 
@@ -33,9 +35,9 @@ pub struct Sweep<'a> {
 pub struct Count {
     /// Instructions of the whole frame.
     pub instructions: u64,
-    /// Those of its preparation.
+    /// Instructions of the preparation, which are part of `instructions`.
     pub prepare: u64,
-    /// Of the frame, by the package `frame_hash`.
+    /// Hash of the picture, by the package `frame_hash`.
     pub hash: u64,
 }
 
@@ -46,7 +48,7 @@ pub struct Program<'a> {
 }
 
 impl Sweep<'_> {
-    /// Builds the firmware. Builds for one target wait for each other.
+    /// Builds the firmware. Builds for the same target run one after another.
     pub fn build(&self) -> Result<Program<'_>> {
         let ticket = self.ticket();
         let file = firmware::build_sweep(self.core, self.scene, |file| {
@@ -59,7 +61,7 @@ impl Sweep<'_> {
         })
     }
 
-    /// Comes back with every report.
+    /// Returns a number that identifies the task. The firmware sends it with every report.
     fn ticket(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
         (self.core.name, self.size, self.settings).hash(&mut hasher);
@@ -72,7 +74,8 @@ impl Program<'_> {
         firmware::fingerprint(&self.file)
     }
 
-    /// Runs it; calls `counted` after each setting that is not known, in their order.
+    /// Runs the firmware. Calls `counted` for each setting that is not known, in the order of the
+    /// settings.
     pub fn run(&self, mut counted: impl FnMut(Count) -> Result<()>) -> Result<()> {
         let emulator = self.sweep.core.counting_emulator().limit(LIMIT);
         let mut running = emulator.boot(&self.file)?;

@@ -1,4 +1,4 @@
-//! One setting, as a value: what draws, how exactly, with how many reflections and how large pixels.
+//! A setting of a sweep as a value: fixed point or float, quality, reflections and pixel size.
 
 use command_line::Quality as Named;
 use reflet::Unit;
@@ -7,9 +7,9 @@ use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Setting {
     pub contestant: Contestant,
-    /// At most this many reflections.
+    /// Largest number of reflections.
     pub reflections: u8,
-    /// A drawn pixel covers so many by so many of the picture; at least 1.
+    /// Width and height of a drawn pixel, in pixels of the picture; at least 1.
     pub scale: u8,
 }
 
@@ -19,23 +19,24 @@ pub enum Contestant {
     Fixed { level: Level, shadows: bool },
 }
 
-/// A quality, as a value: one of the library's, or [`Fast`] with one number changed.
+/// A quality as a value: one of the library's, or [`Fast`] with one constant changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Level {
     Named(Named),
-    /// A smallest weight of 2⁻²
+    /// [`Fast`] with a smallest weight of 2⁻²: paths stop below it.
     Cut4,
-    /// 2⁻⁴
+    /// [`Fast`] with a smallest weight of 2⁻⁴.
     Cut16,
-    /// 2⁻⁶
+    /// [`Fast`] with a smallest weight of 2⁻⁶.
     Cut64,
-    /// Four times the tolerance between traced pixels
+    /// [`Fast`] with 4 times the tolerance of interpolation between traced pixels.
     Rough4,
-    /// 16 times
+    /// [`Fast`] with 16 times the tolerance of interpolation between traced pixels.
     Rough16,
 }
 
-/// [`Fast`] with another smallest weight, in steps of 2⁻³⁰, and so many times its tolerance.
+/// [`Fast`] with another smallest weight, in steps of 2⁻³⁰, and with its tolerance multiplied by
+/// `TOLERANCES`.
 struct Own<const WEIGHT: i32, const TOLERANCES: i32>;
 
 impl<const WEIGHT: i32, const TOLERANCES: i32> Quality for Own<WEIGHT, TOLERANCES> {
@@ -46,7 +47,7 @@ impl<const WEIGHT: i32, const TOLERANCES: i32> Quality for Own<WEIGHT, TOLERANCE
 
 const FAST_WEIGHT: i32 = Fast::SMALLEST_WEIGHT.to_bits();
 
-/// What is done with the type of a level.
+/// Code that runs for the type of a level; [`Level::visit`] calls it.
 pub trait Visitor {
     type Output;
 
@@ -110,7 +111,7 @@ impl Level {
 }
 
 impl Setting {
-    /// In fixed point with shadows, at full resolution.
+    /// Returns a setting of fixed point with shadows and at full resolution.
     pub fn fixed(level: Level, reflections: u8) -> Self {
         let shadows = true;
         Self {
@@ -128,7 +129,7 @@ impl Setting {
         }
     }
 
-    /// The same without shadows. The float port always draws them.
+    /// Turns shadows off. Has no effect on the float port, which always draws them.
     pub fn unshadowed(mut self) -> Self {
         if let Contestant::Fixed { shadows, .. } = &mut self.contestant {
             *shadows = false;

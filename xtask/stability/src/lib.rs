@@ -1,5 +1,5 @@
-//! Stiff and extreme cases, each with its bar, beside the reference's own formulas in single
-//! precision; and the page that says what came of them. It opens no file.
+//! The catalogue of stiff and extreme cases, each with its bar and compared with the reference's own
+//! formulas in single precision; and the page with the results. Opens no file.
 
 pub mod catalogue;
 pub mod page;

@@ -1,4 +1,4 @@
-//! The long run: random scenes, with every overflow checked.
+//! Draws random scenes for a long time, with every overflow checked.
 
 use std::time::Instant;
 
@@ -10,13 +10,13 @@ use wild::Wild;
 
 use crate::{Failure, print};
 
-/// How many bytes make a scene.
+/// Number of random bytes from which a scene is made.
 const BYTES: usize = 600;
 
-/// How many times as wide and as high as the fuzzer's a picture is: rays are wanted, not scenes.
+/// Factor on width and height of the fuzzer's pictures, because rays are wanted more than scenes.
 const LARGER: u32 = 8;
 
-/// Draws random scenes until so many rays have been followed.
+/// Draws random scenes until this many rays have been followed. Fails without overflow checks.
 pub fn run(rays: u64, seed: u64) -> Result<bool, Failure> {
     if !cfg!(debug_assertions) {
         let call = "cargo run --profile checked --package stability -- --rays N";

@@ -1,4 +1,4 @@
-//! Tries the catalogue of cases that are hard, and writes `docs/stability.md`.
+//! Tries the catalogue of hard cases and writes `docs/stability.md`.
 //!
 //! `cargo run --release --package stability -- --help`
 
@@ -19,14 +19,15 @@ fn main() -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::FAILURE,
         Err(failure) => {
-            // Nothing is left to be done if even this cannot be said.
+            // If standard error cannot be written either, nothing is left to do.
             let _ = writeln!(io::stderr(), "error: {failure}");
             ExitCode::from(2)
         }
     }
 }
 
-/// Whether everything has met its bar, and the aim of all is met.
+/// Tries all cases. Returns whether every case met its bar or has a reason, and whether the aim is
+/// met.
 fn run(arguments: &Arguments) -> Result<bool, Failure> {
     if let Some(rays) = arguments.rays {
         return long::run(rays, arguments.seed);
@@ -53,7 +54,7 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
     Ok(failures.is_empty() && report::Compared::of(&tried).is_aim_met())
 }
 
-/// That nobody reads any more is no error.
+/// Prints a line on standard output. A closed pipe is no error.
 fn print(text: &str) {
     let _ = writeln!(io::stdout(), "{text}");
 }

@@ -1,11 +1,11 @@
-//! `docs/stability.md`: the catalogue and what came of it; it never opens a file.
+//! Writes `docs/stability.md`: the catalogue and its results. Never opens a file.
 
 use std::fmt::Write as _;
 
 use super::catalogue::judge::{MANY, SHORT_SIDE, SIDE, UNSEEN};
 use super::report::{self, Compared, Tried, number, percent};
 
-/// The text of the page.
+/// Returns the text of the page.
 pub fn page(tried: &[Tried]) -> String {
     let mut page = head(tried);
     for chapter in tried.chunk_by(|a, b| a.chapter == b.chapter) {

@@ -1,26 +1,26 @@
-//! What came of the cases, as lines; it never tries one.
+//! Formats the results of the cases as lines. Never tries a case.
 
 use serde_json::{Value, json};
 
 use super::catalogue::Case;
 use super::catalogue::judge::{Verdict, judge};
 
-/// A case and what came of it.
+/// A case that was tried, and its verdict.
 pub struct Tried {
-    /// The chapter's title.
+    /// Title of the chapter.
     pub chapter: &'static str,
-    /// The case's name.
+    /// Name of the case.
     pub name: String,
-    /// Why it is hard.
+    /// Why the case is hard.
     pub why: &'static str,
     /// Why single precision may be better.
     pub exception: Option<&'static str>,
-    /// What came of it.
+    /// The outcome of the case.
     pub verdict: Verdict,
 }
 
 impl Tried {
-    /// Tries a case.
+    /// Tries a case of a chapter.
     pub fn new(chapter: &'static str, case: &Case) -> Self {
         Self {
             chapter,
@@ -31,7 +31,7 @@ impl Tried {
         }
     }
 
-    /// One line, for programs or for people.
+    /// Returns one line about the case: JSON for programs, or text for people.
     pub fn line(&self, is_json: bool) -> String {
         match is_json {
             true => self.json().to_string(),
@@ -39,7 +39,7 @@ impl Tried {
         }
     }
 
-    /// One word for what came of it.
+    /// Returns the verdict in a few words: `fails`, `met`, or `met, worse than f32`.
     pub fn word(&self) -> &'static str {
         match (self.verdict.is_met, self.verdict.no_worse) {
             (false, _) => "fails",
@@ -48,7 +48,7 @@ impl Tried {
         }
     }
 
-    /// Why single precision is better, and what of a picture is off.
+    /// Returns why single precision may be better, and how many pixels of the picture are off.
     pub fn reason(&self) -> Option<String> {
         let why = self.exception?;
         Some(match &self.verdict.off {
@@ -113,7 +113,7 @@ impl Tried {
     }
 }
 
-/// A figure in as many digits as say something.
+/// Formats a figure with as many digits as are significant.
 pub fn number(value: f64) -> String {
     match value {
         0.0 => "0".to_owned(),
@@ -123,30 +123,32 @@ pub fn number(value: f64) -> String {
     }
 }
 
-/// A share in percent.
+/// Formats a share in percent.
 pub fn percent(share: f64) -> String {
     format!("{:.2} %", 100.0 * share)
 }
 
-/// The share of cases in which fixed point should be no worse than single precision.
+/// Smallest share of the cases in which fixed point should be no worse than single precision.
 pub const AIM: f64 = 0.9;
 
-/// How many cases are compared with single precision, and how many of them are no worse.
+/// Numbers of cases that are compared with single precision, and of those that are no worse.
 pub struct Compared {
-    /// All.
+    /// Number of compared cases.
     pub all: usize,
-    /// No worse by the rule of the page: `Exact`, `Fine` and `Fast`.
+    /// Cases that are no worse by the rule of the page, in `Exact`, `Fine` and `Fast`.
     pub no_worse: [usize; 3],
-    /// A smaller error, whatever is seen of it, and the same.
+    /// Cases in which the error of fixed point is smaller, even if invisibly. `same`: cases with
+    /// equal errors.
     pub smaller: usize,
     pub same: usize,
-    /// Pixels that `Fine` has off by more than 8 and `Exact` has not, and those of them at an edge.
+    /// Pixels that are off by more than 8 in `Fine` but not in `Exact`. `lost_at_edges`: those at an
+    /// edge.
     pub lost: usize,
     pub lost_at_edges: usize,
 }
 
 impl Compared {
-    /// Counts them.
+    /// Counts the compared cases.
     pub fn of(tried: &[Tried]) -> Self {
         let verdicts = || tried.iter().map(|it| &it.verdict);
         let compared = || verdicts().filter_map(|it| it.no_worse);
@@ -162,7 +164,7 @@ impl Compared {
         }
     }
 
-    /// A count and its share.
+    /// Formats a count of cases and its share.
     pub fn share(&self, count: usize) -> String {
         format!(
             "{count} of {} ({})",
@@ -171,13 +173,14 @@ impl Compared {
         )
     }
 
-    /// Whether enough are no worse.
+    /// Tests whether enough cases are no worse in `Exact`.
     pub fn is_aim_met(&self) -> bool {
         self.no_worse[0] as f64 >= AIM * self.all as f64
     }
 }
 
-/// What has missed a bar, or is worse than single precision for no reason, a line each.
+/// Returns a line for each case that missed its bar, or is worse than single precision without a
+/// reason.
 pub fn failures(tried: &[Tried]) -> Vec<String> {
     let missed = tried.iter().filter(|it| !it.verdict.is_met);
     let mut lines: Vec<_> = missed
@@ -196,14 +199,14 @@ pub fn failures(tried: &[Tried]) -> Vec<String> {
     lines
 }
 
-/// The cases in which single precision is better.
+/// Returns the cases in which single precision is better than `Exact`.
 pub fn worse(tried: &[Tried]) -> impl Iterator<Item = &Tried> {
     tried
         .iter()
         .filter(|it| matches!(it.verdict.no_worse, Some([false, ..])))
 }
 
-/// One line about all.
+/// Returns one line that sums up all cases.
 pub fn summary(tried: &[Tried]) -> String {
     let compared = Compared::of(tried);
     let met = tried.iter().filter(|it| it.verdict.is_met).count();

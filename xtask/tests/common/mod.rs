@@ -1,4 +1,4 @@
-//! `cargo xtask` as a user calls it.
+//! Runs `cargo xtask` as a user would.
 
 use std::{path::Path, process::Command};
 
@@ -21,8 +21,8 @@ pub fn xtask(folder: &Path, arguments: &str) -> Done {
     }
 }
 
-/// Calls the command with each of the mistakes, a line each: `arguments => words`. It ends with exit
-/// code 2 and one line that has the words.
+/// Runs the command with each of the mistakes, one a line: `arguments => words`. Checks that it ends
+/// with exit code 2 and prints one line that contains the words.
 #[allow(dead_code, reason = "not every test of a command makes mistakes")]
 pub fn assert_mistakes(folder: &Path, mistakes: &str) {
     for mistake in mistakes.trim().lines() {

@@ -1,10 +1,10 @@
-//! Random scene files: well-formed ones, and what mistakes make of them. It never reads one.
+//! Makes random scene files: well-formed ones, and ones with mistakes. Never reads a file.
 
 use arbitrary::{Result, Unstructured};
 use reflet::host::file as limits;
 use serde_json::{Map, Value, json};
 
-/// The lists of a scene, and how many parts each may have.
+/// The lists of a scene file, and the largest number of parts in each.
 pub const LISTS: [(&str, usize); 6] = [
     ("spheres", limits::MAX_SPHERES),
     ("planes", limits::MAX_PLANES),
@@ -14,7 +14,7 @@ pub const LISTS: [(&str, usize); 6] = [
     ("materials", limits::MAX_MATERIALS),
 ];
 
-/// Numbers at the edges of a range, or beside them. None is below 2^-65 but zero: the library
+/// Numbers at the edges of a range, or close to them. Except zero, none is below 2^-65: the library
 /// rounds such a number to zero, and the schema does not.
 pub const EDGES: [f64; 26] = [
     -1e300,
@@ -45,7 +45,7 @@ pub const EDGES: [f64; 26] = [
     1e300,
 ];
 
-/// A file: a scene or an array of scenes, with some mistakes.
+/// Makes a file: a scene or an array of scenes, with some mistakes.
 pub fn file(bytes: &mut Unstructured) -> Result<Value> {
     let is_array = bytes.ratio(1, 4)?;
     let count = if is_array {
@@ -67,7 +67,7 @@ pub fn file(bytes: &mut Unstructured) -> Result<Value> {
     }
 }
 
-/// A well-formed scene; most are accepted. Keys that may be left out are, half of the time.
+/// Makes a well-formed scene; most are accepted. Each optional key is often left out.
 pub fn scene(bytes: &mut Unstructured) -> Result<Value> {
     let names = ["clay", "gold", "sea", "gold\n\u{1f600}"];
     let names = &names[..bytes.int_in_range(1..=names.len())?];
@@ -145,7 +145,7 @@ fn color(bytes: &mut Unstructured) -> Result<[f64; 3]> {
     Ok([level()?, level()?, level()?])
 }
 
-/// One mistake, or a change that is none.
+/// Changes a scene at a random place. Most changes are mistakes.
 fn spoil(bytes: &mut Unstructured, scene: &mut Value) -> Result<()> {
     let places = places(scene);
     let place = bytes.choose(&places)?;
@@ -176,7 +176,7 @@ fn spoil(bytes: &mut Unstructured, scene: &mut Value) -> Result<()> {
     Ok(())
 }
 
-/// A value that is rarely meant. No array is as long as an object has keys.
+/// Makes a value that is wrong at most places. No array is as long as an object has keys.
 fn wrong(bytes: &mut Unstructured) -> Result<Value> {
     let values = [
         json!(null),
@@ -192,7 +192,7 @@ fn wrong(bytes: &mut Unstructured) -> Result<Value> {
     bytes.choose(&values).cloned()
 }
 
-/// Leaves out a key or an item.
+/// Removes a key or an item.
 fn drop_from(bytes: &mut Unstructured, at: &mut Value) -> Result<()> {
     match at {
         Value::Object(fields) if !fields.is_empty() => {
@@ -205,8 +205,8 @@ fn drop_from(bytes: &mut Unstructured, at: &mut Value) -> Result<()> {
     Ok(())
 }
 
-/// Repeats the first part of a list until the list has `count` parts. An empty list stays empty, and
-/// every repeated material gets a name of its own.
+/// Repeats the first part of a list until the list has `count` parts. An empty list stays empty.
+/// Every repeated material gets its own name.
 pub fn fill(scene: &mut Value, list: &str, count: usize) {
     let Some(parts) = scene.get_mut(list).and_then(Value::as_array_mut) else {
         return;
@@ -223,7 +223,7 @@ pub fn fill(scene: &mut Value, list: &str, count: usize) {
     }
 }
 
-/// Pointers to a value and to all that is in it.
+/// Returns JSON pointers to a value and to all values inside it.
 pub fn places(value: &Value) -> Vec<String> {
     let inner: Vec<(String, &Value)> = match value {
         Value::Object(fields) => fields.iter().map(|(key, it)| (key.clone(), it)).collect(),

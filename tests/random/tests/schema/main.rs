@@ -1,4 +1,5 @@
-//! The schema of scene files says what their parser says, wherever a schema can.
+//! Tests that the schema of scene files accepts and refuses the same files as their parser, as far
+//! as a schema can.
 
 mod document;
 
@@ -11,13 +12,13 @@ use reflet::Error;
 use reflet::host::file::{FileError, Problem, SceneFile};
 use serde_json::{Map, Value, json};
 
-/// What the parser says of a file.
+/// The parser's verdict on a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Verdict {
     Accepted,
-    /// Parts that do not fit each other: no schema can say so.
+    /// Refused because parts do not fit each other, which a schema cannot express.
     Meaning,
-    /// A type, a key, a number of parts or the range of a number.
+    /// Refused for a type, a key, a number of parts or the range of a number.
     Form,
 }
 
@@ -34,7 +35,7 @@ fn validator() -> Validator {
     jsonschema::draft202012::new(&schema()).unwrap()
 }
 
-/// A file of several scenes is as good as the worst of them.
+/// Returns the parser's verdict. A file of several scenes gets the verdict of the worst one.
 fn verdict(file: &Value) -> Verdict {
     match (SceneFile::parse(&file.to_string(), None), file) {
         (Err(error), Value::Array(scenes)) if is_undecided(&error) => {
@@ -45,7 +46,7 @@ fn verdict(file: &Value) -> Verdict {
             if let Err(error) = scene.runtime() {
                 return kind(&error);
             }
-            // Each part is well formed, so what is wrong lies between them.
+            // Each part is well formed, so an error is about how the parts fit each other.
             scene
                 .build()
                 .map_or(Verdict::Meaning, |_| Verdict::Accepted)
@@ -68,8 +69,8 @@ fn kind(error: &FileError) -> Verdict {
     }
 }
 
-/// What the schema refuses the parser refuses, and what the parser refuses for its form the schema
-/// refuses.
+/// Returns a message if schema and parser disagree. The parser must refuse what the schema refuses,
+/// and the schema must refuse what the parser refuses for its form.
 fn disagreement(validator: &Validator, file: &Value) -> Option<String> {
     let (verdict, is_valid) = (verdict(file), validator.is_valid(file));
     let agree = match verdict {
@@ -80,7 +81,7 @@ fn disagreement(validator: &Validator, file: &Value) -> Option<String> {
     (!agree).then(|| format!("{verdict:?} by the parser, valid by the schema: {is_valid}: {file}"))
 }
 
-/// One of everything.
+/// Returns a scene file with one of everything.
 fn still_life() -> Value {
     json!({
         "name": "still life",
@@ -206,7 +207,7 @@ fn random_files_are_judged_alike() {
     assert!(counts.iter().all(|&it| it > CASES / 40), "{counts:?}");
 }
 
-/// As many bytes as a file is made of, by the generator SplitMix64.
+/// Returns as many bytes as a file needs, by the generator SplitMix64.
 fn random_bytes(seed: u64) -> Vec<u8> {
     let mut state = seed << 32;
     let next = || {
@@ -218,7 +219,7 @@ fn random_bytes(seed: u64) -> Vec<u8> {
     iter::repeat_with(next).take(256).flatten().collect()
 }
 
-/// The parser is laxer than the schema in two ways that no file should use.
+/// In two ways the parser accepts more than the schema; no file should use them.
 #[test]
 fn parser_alone_takes_objects_as_arrays_and_numbers_that_round_to_zero() {
     let validator = validator();
@@ -234,8 +235,8 @@ fn parser_alone_takes_objects_as_arrays_and_numbers_that_round_to_zero() {
     }
 }
 
-/// Scenes that are looked for where `REFLET_COURSE` points and beside it, else beside the
-/// repository; the files of the repository; the example of the library's documentation.
+/// Checks the scenes in the folder `REFLET_COURSE` and next to it, or else next to the repository;
+/// the files of the repository; and the example in the library's documentation.
 #[test]
 fn every_sample_is_valid() {
     let validator = validator();
@@ -261,7 +262,7 @@ fn every_sample_is_valid() {
     println!("{samples} samples");
 }
 
-/// The scene files of a folder; none if it is not there.
+/// Returns the scene files of a folder, or none if the folder does not exist.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten();
     let paths = entries.map(|entry| entry.unwrap().path());
@@ -272,7 +273,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
     paths.filter(is_scene).collect()
 }
 
-/// The file that the library's documentation shows.
+/// Returns the scene file in the library's documentation.
 fn documented() -> String {
     let source = fs::read_to_string(repository().join("src/host/file/mod.rs")).unwrap();
     let lines = source.lines().skip_while(|line| !line.ends_with("```json"));

@@ -1,4 +1,4 @@
-//! Executes what is no instruction; the board's own handler names the fault.
+//! Firmware that executes an undefined instruction. The board's own fault handler prints the fault.
 #![no_std]
 #![no_main]
 

@@ -1,4 +1,4 @@
-//! Panics.
+//! Firmware that panics.
 #![no_std]
 #![no_main]
 

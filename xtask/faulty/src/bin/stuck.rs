@@ -1,4 +1,5 @@
-//! Executes what is no instruction, and stays in a handler that says nothing.
+//! Firmware that executes an undefined instruction, and then hangs in a fault handler that prints
+//! nothing.
 #![no_std]
 #![no_main]
 

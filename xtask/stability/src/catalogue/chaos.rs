@@ -1,4 +1,4 @@
-//! Chaotic geometry: errors that grow with every bounce.
+//! Cases of chaotic geometry: errors grow with every bounce.
 
 use reflet::host::file::SceneFile;
 use reflet::host::path::follow;
@@ -12,7 +12,7 @@ use super::{Case, Measured, Picture, Trial, measured, reflected};
 const EPSILON: f64 = 1e-3;
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// Three spheres of radius 1 that touch each other, around the origin.
+/// Returns three spheres of radius 1 around the origin that touch each other.
 fn three() -> Vec<Ball> {
     let far = 2.0 / 3f64.sqrt();
     let around = |turn: f64| {
@@ -22,7 +22,7 @@ fn three() -> Vec<Ball> {
     [0.0, 1.0, 2.0].map(around).to_vec()
 }
 
-/// Four that touch each other.
+/// Returns four spheres of radius √2 around the origin that touch each other.
 fn four() -> Vec<Ball> {
     let corners = [
         [1.0, 1.0, 1.0],
@@ -39,14 +39,15 @@ fn balls(draft: Draft, balls: &[Ball]) -> Draft {
     })
 }
 
-/// The same in a mirrored hall, from which no ray escapes, with lamps of eight colours in its corners:
-/// what a pixel shows is the lamp that its path ends at.
+/// Adds the spheres and a mirroring hall around them, which no ray can leave. Lamps of eight colours
+/// are in its corners: a pixel shows the lamp that its path ends at.
 fn hall(draft: Draft, set: &[Ball]) -> Draft {
     let draft = balls(draft, set).sphere([0.0; 3], 4.2, "mirror");
     (0..8).fold(draft, |draft, bits| {
         let (of, name) = (|bit| f64::from(bits >> bit & 1), bits.to_string());
         let color = [0, 1, 2].map(|bit| 0.1 + 0.8 * of(bit));
-        // Four of these corners are behind the spheres of a tetrahedron, and four are before its gaps.
+        // Four of these corners are behind the spheres of a tetrahedron, the other four in front of
+        // its gaps.
         let at = [0, 1, 2].map(|bit| 2.15 * (2.0 * of(bit) - 1.0));
         draft
             .material(&name, color, [1.0, 0.0, 0.0, 1.0, 0.0])
@@ -66,26 +67,29 @@ fn chaotic(name: &str, draft: Draft) -> Case {
     Case::new(name, why, Trial::Picture(picture))
 }
 
-/// Errors after each bounce of rays that are caught between spheres, and what theory says of them.
+/// Growth of errors along rays that bounce between spheres, measured and in theory.
 struct Growth {
-    /// log(error / first error) over log(growth by theory), all bounces of all rays together.
+    /// Quotient log(error / first error) / log(growth by theory), over all bounces of all rays.
+    /// `single` and `double` are the same quotient in these precisions.
     fixed: f64,
     single: f64,
     double: f64,
-    /// Of the growth by theory a bounce, the geometric mean.
+    /// Geometric mean of the theory's growth for one bounce.
     a_bounce: f64,
     rays: usize,
-    /// Rays whose paths are known, and yet end before or after the true one, by precision.
+    /// Number of rays that end before or after the true one although their error is small: in fixed
+    /// point, single and double precision.
     lost: [usize; 3],
 }
 
 const SIDE: u32 = 24;
 const MOST: usize = 9;
 
-/// Up to this error a ray is still known.
+/// Largest error, in scene units, at which a ray still counts as known.
 const KNOWN: f64 = 1e-2;
 
-/// Follows the rays of a small picture in four precisions: fixed, single, double and quadruple.
+/// Follows the rays of a small picture in four precisions: fixed point, single, double and
+/// quadruple.
 fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3]) -> Growth {
     let draft = balls(Draft::through(eye, target, UP, 60.0), set).epsilon(EPSILON);
     let file = SceneFile::parse(&draft.text(), None).expect("the scene is well formed");
@@ -95,7 +99,7 @@ fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3]) -> Growth {
     let (mut theory, mut steps, mut rays, mut lost) = (0.0, 0, 0, [0; 3]);
     for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
         let core = follow(&*built, &camera, (SIDE, SIDE), (x, y), MOST as u32);
-        // All start with the direction that fixed point has, so that only bounces differ.
+        // All precisions start with the direction of fixed point, so that only the bounces differ.
         let way = core[0].direction;
         let truth = bounces::<TwoFloat>(set, core[0].origin, way, EPSILON, MOST);
         if truth.len() < 4 {
@@ -117,7 +121,7 @@ fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3]) -> Growth {
             let is_known = errors.iter().all(|error| *error <= KNOWN);
             lost[precision] += usize::from(is_known && found.len() != truth.len());
             for (bounce, error) in errors.iter().enumerate().skip(1) {
-                // Past this an error is as large as the spheres, and grows no more.
+                // A larger error is as large as the spheres, and grows no more.
                 if *error > KNOWN || errors[bounce - 1] == 0.0 || *error == 0.0 {
                     break;
                 }
@@ -160,29 +164,30 @@ fn judged(growth: &Growth) -> Measured {
     }
 }
 
-/// How far the exponent of growth may be off: new rounding errors join those that have grown, and
-/// theory follows the plane of incidence alone, where errors grow most.
+/// Largest error of the exponent of growth. It is not 0, because new rounding errors join those that
+/// have grown, and because the theory follows the plane of incidence only, where errors grow most.
 const BAR: f64 = 0.2;
 
-/// Where the gaps between the spheres are seen from.
+/// Camera position in front of the gap between three spheres. `EYE_OF_FOUR` and `AIM_OF_FOUR` are
+/// the position and target between four.
 const EYE_OF_THREE: [f64; 3] = [0.03, -1.3, 0.02];
 const EYE_OF_FOUR: [f64; 3] = [0.03, 0.05, 0.02];
 const AIM_OF_FOUR: [f64; 3] = [1.0, 0.7, -1.0];
 
-/// Three directions at right angles, none of them along an axis.
+/// Three directions at right angles to each other, none along an axis.
 const TURNED: [[f64; 3]; 3] = [
     [2.0 / 3.0, -1.0 / 3.0, 2.0 / 3.0],
     [2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0],
     [-1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0],
 ];
 
-/// A place by its coordinates along [`TURNED`].
+/// Returns the point with these coordinates along [`TURNED`].
 fn turned(at: [f64; 3]) -> [f64; 3] {
     let [x, y, z] = TURNED.map(Vector);
     (x * at[0] + y * at[1] + z * at[2]).0
 }
 
-/// Three mirrors at right angles.
+/// Returns a scene of three mirrors at right angles: a corner cube.
 fn corner(alpha: f64) -> Draft {
     let (eye, up) = (turned([1.0, 1.2, 0.9]), turned(UP));
     let draft = Draft::through(eye, [0.0; 3], up, 60.0)
@@ -193,7 +198,8 @@ fn corner(alpha: f64) -> Draft {
         .fold(draft, |draft, axis| draft.plane([0.0; 3], axis, "wall"))
 }
 
-/// Three bounces send a ray back the way it came: the largest angle by which it is not.
+/// Measures the largest angle by which a ray is not parallel to itself after three bounces in a
+/// corner cube.
 fn returned() -> Measured {
     let file = SceneFile::parse(&corner(1.0).text(), None).expect("the scene is well formed");
     let built = file.build().expect("the scene is accepted");
@@ -206,7 +212,7 @@ fn returned() -> Measured {
         };
         rays += 1;
         fixed = fixed.max(apart(first.direction.map(|it| -it), last.direction));
-        // Mirrored three times by d - 2 (d · n) n in single precision.
+        // Three reflections by d - 2 (d · n) n in single precision.
         let start = first.direction.map(|it| it as f32);
         let end = TURNED.into_iter().fold(start, |way, normal| {
             let normal = normal.map(|it| it as f32);
@@ -215,7 +221,7 @@ fn returned() -> Measured {
         });
         single = single.max(apart(start.map(|it| -f64::from(it)), end.map(f64::from)));
     }
-    // Those beside an edge, whose start epsilon lifts over the next mirror, do not meet all three.
+    // Rays close to an edge miss a mirror: epsilon lifts their start over it.
     assert!(rays > 64 * 64 * 9 / 10, "{rays} rays met three mirrors");
     Measured {
         reference: "closed form",
@@ -235,7 +241,7 @@ fn inside(draft: Draft) -> Draft {
         .sphere([0.3, 0.6, -0.3], 0.2, "chalk")
 }
 
-/// The cases of the chapter.
+/// Returns the cases of the chapter "Chaotic geometry".
 pub fn cases() -> Vec<Case> {
     let three_seen = hall(Draft::through(EYE_OF_THREE, [0.0; 3], UP, 60.0), &three());
     let four_seen = hall(Draft::through(EYE_OF_FOUR, AIM_OF_FOUR, UP, 60.0), &four());

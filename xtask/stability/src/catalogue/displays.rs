@@ -1,4 +1,4 @@
-//! Displays: as narrow, as wide and as far aside as they come.
+//! Cases of displays: the narrowest, the widest, and pictures partly outside of them.
 
 use embedded_graphics::geometry::{Point, Size};
 use embedded_graphics::pixelcolor::Rgb888;
@@ -21,7 +21,7 @@ fn still_life() -> (SceneFile, Box<FileScene>, Camera) {
     (file, built, camera)
 }
 
-/// The share of pixels of some rows that are within 8 of the reference.
+/// Returns the share of the pixels in some rows that are within 8 of 255 of the reference.
 fn within8(size: (u32, u32), rows: &[u32]) -> f64 {
     let (file, built, camera) = still_life();
     let (scene, eye) = file.reference();
@@ -29,7 +29,7 @@ fn within8(size: (u32, u32), rows: &[u32]) -> f64 {
     let picture = frame.sized(Size::new(size.0, size.1));
     let mut row = vec![Rgb888::BLACK; size.0 as usize];
     let (mut near, mut all) = (0, 0);
-    // Of very many columns these are enough.
+    // For a very wide display, 512 to 1023 columns are enough.
     let stride = (size.0 / 512).max(1);
     for &y in rows {
         picture.row(y, 0, &mut row);
@@ -78,7 +78,7 @@ fn wide() -> Result<String, String> {
     Ok(found.join(", "))
 }
 
-/// Parts of a picture are the whole's, wherever they are put.
+/// Checks that every part of a picture equals the same part of the whole, wherever it is drawn.
 fn aside() -> Result<String, String> {
     let (_, built, camera) = still_life();
     let picture = built.frame(&camera).sized(Size::new(40, 30));
@@ -111,7 +111,7 @@ fn aside() -> Result<String, String> {
     Ok("moved to six places, three of them outside: what is seen is the same".to_owned())
 }
 
-/// Nothing is drawn, and nothing worked out, where there is no area.
+/// Checks that no ray is traced for displays and areas without a pixel.
 fn nothing() -> Result<String, String> {
     let (_, built, camera) = still_life();
     let frame = built.frame(&camera);
@@ -139,7 +139,7 @@ fn nothing() -> Result<String, String> {
     }
 }
 
-/// The cases of the chapter.
+/// Returns the cases of the chapter "Displays".
 pub fn cases() -> Vec<Case> {
     let small =
         "there may be no pixel beside the first, and angles between rows are as wide as the view";

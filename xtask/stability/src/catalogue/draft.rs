@@ -1,9 +1,9 @@
-//! A scene file, put together part by part; it never judges a number.
+//! Builds a scene file part by part. Never judges a number.
 
 use reflet::host::reference::Vector;
 use serde_json::{Value, json};
 
-/// A scene file as it grows.
+/// A scene file that is being built.
 #[derive(Clone)]
 pub struct Draft {
     camera: Value,
@@ -15,13 +15,13 @@ pub struct Draft {
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 impl Draft {
-    /// What a camera sees with `up` along z, 50 degrees wide.
+    /// Starts a scene with a camera 50 degrees wide whose `up` is along z.
     pub fn seen_from(position: [f64; 3], target: [f64; 3]) -> Self {
         Self::through(position, target, UP, 50.0)
     }
 
-    /// What a camera of any kind sees. The materials of [`Draft::material`] are there: chalk, gold,
-    /// water, red, black, white and mirror.
+    /// Starts a scene with any camera. It has these materials: chalk, gold, water, red, black, white
+    /// and mirror.
     pub fn through(position: [f64; 3], target: [f64; 3], up: [f64; 3], fov: f64) -> Self {
         let empty = [
             "materials",
@@ -34,7 +34,8 @@ impl Draft {
         let draft = Self {
             camera: json!({"position": position, "target": target, "up": up, "fov": fov}),
             parts: empty.map(|name| (name, Vec::new())),
-            // None of these is half way between two levels of 255.
+            // No channel is half way between two levels of 255, so rounding errors cannot change a
+            // level.
             background: [0.21, 0.29, 0.52],
             epsilon: None,
         };
@@ -54,8 +55,8 @@ impl Draft {
         self
     }
 
-    /// With another material: its colour, and its ambient, diffuse and specular coefficient,
-    /// shininess and mirror share.
+    /// Adds a material: its colour, then its ambient, diffuse and specular coefficient, shininess
+    /// and mirror share.
     pub fn material(self, name: &str, color: [f64; 3], coefficients: [f64; 5]) -> Self {
         let [ambient, diffuse, specular, shininess, mirror] = coefficients;
         let material = json!({
@@ -65,29 +66,29 @@ impl Draft {
         self.part("materials", material)
     }
 
-    /// With a white light.
+    /// Adds a white light.
     pub fn light(self, position: [f64; 3]) -> Self {
         self.shining(position, [1.0; 3])
     }
 
-    /// With a light of a colour.
+    /// Adds a light with a colour.
     pub fn shining(self, position: [f64; 3], color: [f64; 3]) -> Self {
         self.part("lights", json!({"position": position, "color": color}))
     }
 
-    /// With a sphere.
+    /// Adds a sphere.
     pub fn sphere(self, center: [f64; 3], radius: f64, material: &str) -> Self {
         let sphere = json!({"center": center, "radius": radius, "material": material});
         self.part("spheres", sphere)
     }
 
-    /// With a plane.
+    /// Adds a plane.
     pub fn plane(self, center: [f64; 3], normal: [f64; 3], material: &str) -> Self {
         let plane = json!({"center": center, "normal": normal, "material": material});
         self.part("planes", plane)
     }
 
-    /// With a cylinder: its middle, axis, radius and height.
+    /// Adds a cylinder: its centre, axis, radius and height.
     pub fn cylinder(
         self,
         center: [f64; 3],
@@ -102,7 +103,7 @@ impl Draft {
         self.part("cylinders", cylinder)
     }
 
-    /// With a disc: its middle, normal and radius.
+    /// Adds a disc: its centre, normal and radius.
     pub fn disc(self, center: [f64; 3], normal: [f64; 3], radius: f64, material: &str) -> Self {
         let disc = json!({
             "center": center, "normal": normal, "radius": radius, "material": material,
@@ -110,18 +111,18 @@ impl Draft {
         self.part("discs", disc)
     }
 
-    /// Before another background.
+    /// Sets the background colour.
     pub fn before(self, background: [f64; 3]) -> Self {
         Self { background, ..self }
     }
 
-    /// With rays that leave a surface so far above it.
+    /// Sets epsilon: the distance by which rays are lifted off surfaces.
     pub fn epsilon(self, epsilon: f64) -> Self {
         let epsilon = Some(epsilon);
         Self { epsilon, ..self }
     }
 
-    /// The file.
+    /// Returns the scene file's text.
     pub fn text(&self) -> String {
         let mut scene = json!({"camera": self.camera, "background": self.background});
         for (name, parts) in &self.parts {
@@ -134,34 +135,34 @@ impl Draft {
     }
 }
 
-/// Lengths and places of a still life on a floor, moved and made larger or smaller.
+/// Position and size of a still life on a floor: its points are moved, then scaled.
 #[derive(Clone, Copy)]
 pub struct Setting {
-    /// Where its middle stands.
+    /// Offset of its middle, before scaling.
     pub offset: [f64; 3],
-    /// How large it is made.
+    /// Scale factor of all its lengths and points.
     pub scale: f64,
 }
 
 impl Setting {
-    /// As it is.
+    /// The still life at the origin, in its own size.
     pub const HERE: Self = Self {
         offset: [0.0; 3],
         scale: 1.0,
     };
 
-    /// A place of the still life.
+    /// Returns a point of the still life after moving and scaling.
     pub fn at(&self, at: [f64; 3]) -> [f64; 3] {
         ((Vector(at) + Vector(self.offset)) * self.scale).0
     }
 
-    /// Three spheres and a leaning cylinder on water, without lights and camera.
+    /// Adds three spheres and a leaning cylinder on a plane of water, without lights.
     pub fn furnish(&self, draft: Draft) -> Draft {
         self.furnish_air(draft)
             .plane(self.at([0.0; 3]), UP, "water")
     }
 
-    /// The same without the water.
+    /// Adds three spheres and a leaning cylinder, without the water and without lights.
     pub fn furnish_air(&self, draft: Draft) -> Draft {
         let (at, scale) = (|it| self.at(it), self.scale);
         draft
@@ -177,27 +178,27 @@ impl Setting {
             .epsilon(1e-3 * scale)
     }
 
-    /// Two lights for it.
+    /// Adds the two lights of the still life.
     pub fn lit(&self, draft: Draft) -> Draft {
         draft
             .shining(self.at([3.0, -5.0, 4.0]), [0.8, 0.8, 0.7])
             .shining(self.at([-2.0, -6.0, 1.5]), [0.3, 0.3, 0.4])
     }
 
-    /// All of it, as one would look at it.
+    /// Returns the still life with its water, its lights and its usual camera.
     pub fn still_life(&self) -> Draft {
         let (eye, target) = (self.at([0.5, -4.0, 1.5]), self.at([0.0, 0.0, 0.5]));
         self.lit(self.furnish(Draft::seen_from(eye, target)))
     }
 }
 
-/// The still life, lit, on its water, through a camera of one's own.
+/// Returns the still life with its water and lights, for any camera.
 pub fn still_life(position: [f64; 3], target: [f64; 3], fov: f64) -> Draft {
     let here = Setting::HERE;
     here.lit(here.furnish(Draft::through(position, target, UP, fov)))
 }
 
-/// The still life on its water, through the usual camera, by one light alone.
+/// Returns the still life with its water and usual camera, lit by this light only.
 pub fn lit_by(light: [f64; 3]) -> Draft {
     let here = Setting::HERE;
     here.furnish(Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5]))

@@ -1,12 +1,12 @@
-//! A ray among mirroring spheres in any precision, by the textbook: what the growth of errors is
-//! measured with. The references of it are in quadruple precision.
+//! Follows a ray among mirroring spheres in any precision, with textbook formulas. The growth of
+//! errors is measured with it; its quadruple precision is the reference.
 
 use std::ops::{Add, Div, Mul, Sub};
 
 use reflet::host::reference::Vector;
 use twofloat::TwoFloat;
 
-/// What a precision must know.
+/// A number type in which a ray is followed: `f32`, `f64` or quadruple precision.
 pub trait Real:
     Copy
     + Into<f64>
@@ -16,9 +16,9 @@ pub trait Real:
     + Mul<Output = Self>
     + Div<Output = Self>
 {
-    /// From a double, rounded.
+    /// Converts a double, rounded.
     fn of(value: f64) -> Self;
-    /// The square root.
+    /// Returns the square root.
     fn root(self) -> Self;
 }
 
@@ -42,7 +42,7 @@ impl Real for f64 {
     }
 }
 
-/// Two doubles: 106 bits.
+/// Quadruple precision: the sum of two doubles, 106 bits.
 impl Real for TwoFloat {
     fn of(value: f64) -> Self {
         value.into()
@@ -63,23 +63,24 @@ fn along<R: Real>(start: Triple<R>, way: Triple<R>, length: R) -> Triple<R> {
     [0, 1, 2].map(|axis| start[axis] + way[axis] * length)
 }
 
-/// A sphere: its centre and radius.
+/// A sphere: its centre and its radius.
 pub type Ball = ([f64; 3], f64);
 
-/// One bounce.
+/// One reflection of a ray off a sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounce {
-    /// Where the mirrored ray starts, epsilon above the sphere.
+    /// Start of the mirrored ray, epsilon above the sphere.
     pub origin: [f64; 3],
-    /// How far it came.
+    /// Length of the ray before this reflection.
     pub flight: f64,
-    /// The cosine between ray and normal.
+    /// Cosine of the angle between ray and normal; positive.
     pub cosine: f64,
-    /// The radius of the sphere.
+    /// Radius of the sphere.
     pub radius: f64,
 }
 
-/// Follows a ray from the outside of spheres to the outside of spheres, which all mirror.
+/// Follows a ray that stays outside of the spheres, which are all mirrors, for at most `most`
+/// reflections.
 pub fn bounces<R: Real>(
     balls: &[Ball],
     origin: [f64; 3],
@@ -122,11 +123,11 @@ pub fn bounces<R: Real>(
     found
 }
 
-/// How many times larger an error is after each bounce than at the start, by the theory of
-/// dispersing billiards: a front of curvature κ flies L, and then has κ / (1 + L κ); a mirror of
-/// radius r under the cosine c adds 2 / (r c); a flight makes an error 1 + L κ times as large
-/// (Chernov, Markarian, "Chaotic Billiards", AMS 2006, section 3.8). It starts at a point, as the
-/// rays of a camera do.
+/// Returns, for each bounce, the factor by which an error has grown from the start. The theory is
+/// that of dispersing billiards: a front of curvature κ that flies the distance L then has κ / (1 +
+/// L κ). A mirror of radius r at the cosine c adds 2 / (r c). The flight makes an error 1 + L κ
+/// times as large (Chernov, Markarian, "Chaotic Billiards", AMS 2006, section 3.8). The front starts
+/// at a point, like the rays of a camera.
 pub fn growth(bounces: &[Bounce]) -> Vec<f64> {
     let mut factor = 1.0;
     let mut curvature = None;
@@ -144,7 +145,7 @@ pub fn growth(bounces: &[Bounce]) -> Vec<f64> {
     bounces.iter().map(step).collect()
 }
 
-/// The distance of two points.
+/// Returns the distance between two points.
 pub fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
     (Vector(a) - Vector(b)).length()
 }

@@ -1,4 +1,4 @@
-//! Tries a case and says what came of it; it never prints.
+//! Tries a case of the catalogue and returns the verdict. Never prints.
 
 use embedded_graphics::geometry::Size;
 use float_picture::single;
@@ -12,55 +12,57 @@ use reflet::quality::{Exact, Fine, Quality};
 
 use super::{Case, Measured, Trial};
 
-/// Pixels a side, and where paths are long.
+/// Width and height of a picture in pixels. `SHORT_SIDE` is used if paths are long.
 pub const SIDE: u32 = 96;
 pub const SHORT_SIDE: u32 = 32;
 
-/// More reflections than this are many.
+/// Largest number of reflections of a picture with the full size.
 pub const MANY: u8 = 20;
 
-/// A picture with as many pixels within 8 as single precision's is no worse than it where its mean
-/// error is below this, in 255ths.
+/// Largest mean error, in 255ths, that counts as no worse than single precision if at least as many
+/// pixels are within 8.
 pub const UNSEEN: f64 = 0.05;
 
-/// How far a pixel may be off and not be counted as off, in 255ths.
+/// Largest difference of a channel, in 255ths, at which a pixel still counts as right.
 const VISIBLE: u8 = 8;
 
-/// How far a picture of one colour may be off, in 255ths.
+/// Largest error of a picture of one colour, in 255ths, without the rounding of the display level.
 const ONE_LEVEL: f64 = 1.0;
 
-/// At most this share of a chaotic picture's pixels is within 8.
+/// Largest share of pixels within 8 of 255 at which a picture counts as chaotic.
 const CHAOTIC: f64 = 0.9;
 
-/// How far the eye is moved for other references of a chaotic picture, in scene units.
+/// Distances by which the eye is moved for further references of a chaotic picture, in scene units.
 const NUDGES: [f64; 4] = [1e-7, -1e-7, 2e-7, -2e-7];
 
-/// How many times as far as the furthest of those a chaotic picture may be off.
+/// Factor on the largest difference between those references: a chaotic picture may be off by that
+/// much.
 const TIMES_NOISE: f64 = 1.5;
 
-/// What came of a case.
+/// The outcome of a case: its errors, its bar, and the comparison with single precision.
 pub struct Verdict {
-    /// What it was compared with.
+    /// What the result was compared with.
     pub reference: &'static str,
-    /// What the errors are errors of.
+    /// Unit of the errors.
     pub unit: &'static str,
-    /// The errors of fixed point and of single precision; none of what has no number.
+    /// Errors of fixed point and of single precision; `None` for a case without numbers.
     pub errors: Option<[f64; 2]>,
-    /// The shares of pixels within 8 of 255, of a picture: `Exact`, `Fine`, `Fast` and single precision.
+    /// Shares of the pixels within 8 of 255 in `Exact`, `Fine`, `Fast` and single precision; `None`
+    /// if the case is no picture.
     pub within8: Option<[f64; 4]>,
-    /// The pixels of `Exact` that are not within 8, of a picture.
+    /// The pixels of `Exact` that are not within 8 of 255; `None` if the case is no picture.
     pub off: Option<Off>,
-    /// Whether the bar is met.
+    /// Whether the case meets its bar.
     pub is_met: bool,
-    /// Whether fixed point is no worse than single precision: `Exact`, `Fine` and `Fast`. What is no
-    /// picture is the same in all.
+    /// Whether `Exact`, `Fine` and `Fast` are no worse than single precision. For a case that is no
+    /// picture all three are the same.
     pub no_worse: Option<[bool; 3]>,
-    /// The bar, and what else is to be said.
+    /// Text of the bar, and further remarks.
     pub words: String,
 }
 
 impl Verdict {
-    /// Of what is refused before it is compared with anything.
+    /// Verdict of a case that was refused before it could be compared.
     const NONE: Self = Self {
         reference: "none",
         unit: "",
@@ -72,26 +74,27 @@ impl Verdict {
         words: String::new(),
     };
 
-    /// Whether the error of fixed point is not larger than that of single precision, whatever is seen.
+    /// Tests whether the error of fixed point is not larger than that of single precision, even if
+    /// the difference is invisible.
     pub fn is_strictly_no_worse(&self) -> Option<bool> {
         self.errors.map(|[fixed, single]| fixed <= single)
     }
 }
 
-/// Pixels that are not within 8, and where they are.
+/// Numbers of pixels that are not within 8 of 255, by where they are.
 #[derive(Clone, Copy, Debug)]
 pub struct Off {
-    /// All of them.
+    /// All pixels of `Exact` that are off.
     pub pixels: usize,
-    /// Those at an edge: in the reference a pixel beside it differs by more than 8.
+    /// Those at an edge: in the reference, one of the eight pixels around differs by more than 8.
     pub at_edges: usize,
-    /// Those of `Fine` that are right in `Exact`.
+    /// Pixels that are off in `Fine` and right in `Exact`.
     pub lost: usize,
-    /// Those of them at an edge.
+    /// Pixels at an edge that are off in `Fine` and right in `Exact`.
     pub lost_at_edges: usize,
 }
 
-/// Tries a case.
+/// Tries a case and returns its verdict.
 pub fn judge(case: &Case) -> Verdict {
     match &case.trial {
         Trial::Picture(it) => {
@@ -145,18 +148,18 @@ fn judge_measured(it: Measured) -> Verdict {
     }
 }
 
-/// One scene, painted in every way.
+/// Pictures of one scene: by the reference, by three qualities and in single precision.
 pub struct Pictures {
     truth: reference::Picture,
     exact: reference::Picture,
     fine: reference::Picture,
     fast: reference::Picture,
     single: reference::Picture,
-    /// The reference from other eyes hardly aside; none unless statistics are wanted.
+    /// Reference pictures from slightly moved eyes; empty unless the picture is chaotic.
     nudged: Vec<reference::Picture>,
 }
 
-/// A picture by the core.
+/// Draws a frame with the library.
 pub fn painted<W: World + Copy, Q: Quality>(
     frame: Frame<'_, W, Q>,
     (width, height): (u32, u32),
@@ -165,7 +168,8 @@ pub fn painted<W: World + Copy, Q: Quality>(
 }
 
 impl Pictures {
-    /// Of a scene file; of a chaotic one all that statistics need.
+    /// Draws all pictures of a scene file. For a chaotic scene also draws the references that
+    /// statistics need.
     pub fn of(text: &str, reflections: u8, is_chaotic: bool) -> Result<Self, String> {
         let file = SceneFile::parse(text, None).map_err(|error| error.to_string())?;
         let built = file.build().map_err(|error| error.to_string())?;
@@ -192,12 +196,12 @@ impl Pictures {
         })
     }
 
-    /// By fixed point: `Exact`, `Fine` and `Fast`.
+    /// Returns the pictures of fixed point: `Exact`, `Fine` and `Fast`.
     fn fixed(&self) -> [&reference::Picture; 3] {
         [&self.exact, &self.fine, &self.fast]
     }
 
-    /// By these and by single precision.
+    /// Returns the pictures of `Exact`, `Fine`, `Fast` and single precision.
     fn all(&self) -> [&reference::Picture; 4] {
         [&self.exact, &self.fine, &self.fast, &self.single]
     }
@@ -206,7 +210,7 @@ impl Pictures {
         self.all().map(|picture| within8_of(picture, &self.truth))
     }
 
-    /// How many pixels of all qualities are not the same in another's.
+    /// Returns the number of pixels, over all three qualities, that differ from those of `other`.
     pub fn differing(&self, other: &Self) -> usize {
         let pixels = |it: &Self| it.fixed().map(|picture| picture.pixels.clone()).concat();
         let (all, others) = (pixels(self), pixels(other));
@@ -284,13 +288,14 @@ impl Pictures {
         };
         let [exact, fine, fast, single] = self.all().map(apart);
         let histogram = largest(self.fixed().map(|it| histogram_error(it, &self.truth)));
-        // What pictures by the same chaos differ by.
+        // Differences between references of the same chaos.
         let nudged = || self.nudged.iter();
         let noise = largest(nudged().map(apart));
         let bins = largest(nudged().map(|it| histogram_error(it, &self.truth)));
         let furthest = exact.max(fine).max(fast);
         let are_close = furthest <= TIMES_NOISE * noise && histogram <= TIMES_NOISE * bins;
-        // By the reference alone: whose eye is moved by less than a pixel can show sees another picture.
+        // Tested with the reference alone: if the eye is moved by less than a pixel can show, the
+        // picture is another one.
         let alike = largest(nudged().map(|it| within8_of(it, &self.truth)));
         let is_chaotic = alike <= CHAOTIC;
         Verdict {
@@ -298,7 +303,7 @@ impl Pictures {
             unit: "mean colour, 255ths",
             errors: Some([exact, single]),
             within8: Some(within8),
-            // No pixel is expected to be right.
+            // In a chaotic picture no single pixel is expected to be right.
             off: None,
             is_met: are_close && is_chaotic,
             no_worse: Some([exact, fine, fast].map(|error| error <= single.max(noise))),
@@ -316,22 +321,22 @@ impl Pictures {
     }
 }
 
-/// The largest of some numbers; 0 if all are below it.
+/// Returns the largest number, or 0 if all are negative.
 fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     numbers.into_iter().fold(0.0, f64::max)
 }
 
-/// The share of pixels within 8.
+/// Returns the share of the pixels that are within 8 of 255.
 fn within8_of(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
     compare(picture, truth).expect("one size").within8
 }
 
-/// Whether two pixels are not within 8.
+/// Tests whether two pixels are not within 8 of 255.
 fn differ(a: &[u8; 3], b: &[u8; 3]) -> bool {
     a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > VISIBLE)
 }
 
-/// Whether a pixel differs from one of the eight around it.
+/// Tests whether a pixel differs by more than 8 from one of the eight around it.
 fn is_edge(picture: &reference::Picture, index: usize) -> bool {
     let (width, height) = (picture.width as usize, picture.height as usize);
     let (x, y) = (index % width, index / width);
@@ -355,7 +360,8 @@ fn mean_color(picture: &reference::Picture) -> [f64; 3] {
     })
 }
 
-/// The share of channels that lie in another of 16 bins, those that have changed places apart.
+/// Returns the share of the channels that are in another of 16 bins. Values that only exchange their
+/// pixels do not count.
 fn histogram_error(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
     let mut bins = [0_i64; 48];
     for (pictures, sign) in [(picture, 1), (truth, -1)] {

@@ -1,5 +1,5 @@
-//! The catalogue of cases that are hard: what makes each hard, what it is compared with, and how
-//! much it may be off. One file a chapter.
+//! The catalogue of hard cases. Each says why it is hard, what it is compared with, and how far it
+//! may be off. Each chapter is one file.
 
 mod chaos;
 mod displays;
@@ -14,25 +14,25 @@ mod tangency;
 
 use self::draft::Draft;
 
-/// A case before it is judged.
+/// A case of the catalogue, before it is judged.
 pub struct Case {
-    /// Short, and the only one of its name.
+    /// Short name; no other case has it.
     pub name: String,
-    /// Why it is hard.
+    /// Why the case is hard.
     pub why: &'static str,
-    /// What is done.
+    /// How the case is tried.
     pub trial: Trial,
-    /// Why single precision may be better; without a reason it may not.
+    /// Why single precision may be better here. `None` if it may not.
     pub exception: Option<&'static str>,
 }
 
-/// Why single precision may be better at an edge.
+/// Reason why single precision may be better at an edge.
 const LAST_BIT: &str = "An edge passes close to the middles of these pixels, and the last bit of a \
     place or direction decides on which side. All places share one step, 2^-28 of the scene's extent, \
     while a float has smaller ones near zero.";
 
 impl Case {
-    /// A case that is hard for a reason.
+    /// Creates a case. `why` says why it is hard.
     pub fn new(name: impl Into<String>, why: &'static str, trial: Trial) -> Self {
         Self {
             name: name.into(),
@@ -42,7 +42,7 @@ impl Case {
         }
     }
 
-    /// The same case, in which single precision may be better for a reason.
+    /// Allows single precision to be better in this case, for a reason.
     fn unlike_single_precision(self, exception: &'static str) -> Self {
         Self {
             exception: Some(exception),
@@ -51,64 +51,65 @@ impl Case {
     }
 }
 
-/// How a case is tried.
+/// How a case is tried and compared.
 pub enum Trial {
-    /// A picture, compared with the double-precision reference's.
+    /// A picture, compared with that of the double-precision reference.
     Picture(Picture),
-    /// A picture of one colour that is known in closed form.
+    /// A picture of one colour, which a closed form gives.
     Closed {
         /// The scene.
         draft: Draft,
-        /// Reflections.
+        /// Largest number of reflections.
         reflections: u8,
-        /// The colour, not clamped.
+        /// The colour by the closed form, not clamped.
         color: [f64; 3],
     },
-    /// Something else that is measured, in both number formats.
+    /// A quantity that is measured in fixed point and in single precision.
     Measured(fn() -> Measured),
-    /// Something that holds or not, in words; single precision has no part in it.
+    /// A claim that holds or not, with a text. It is not compared with single precision.
     Claim(fn() -> Result<String, String>),
 }
 
-/// A picture and its bar.
+/// A picture to draw, and the bar that it has to meet.
 pub struct Picture {
     /// The scene.
     pub draft: Draft,
-    /// Reflections.
+    /// Largest number of reflections.
     pub reflections: u8,
-    /// The share of pixels that must be within 8 of 255.
+    /// Smallest share of the pixels that must be within 8 of 255.
     pub bar: f64,
-    /// Whether statistics are compared and not pixels: errors grow exponentially there.
+    /// Whether statistics are compared instead of pixels, because errors grow exponentially.
     pub is_chaotic: bool,
 }
 
 /// The errors of a case that is no picture.
 pub struct Measured {
-    /// What it is compared with.
+    /// What the result is compared with.
     pub reference: &'static str,
-    /// What the errors are errors of.
+    /// Unit of the errors.
     pub unit: &'static str,
-    /// Of fixed point.
+    /// Error of fixed point.
     pub fixed: f64,
-    /// Of single precision.
+    /// Error of single precision.
     pub single: f64,
-    /// How large the error of fixed point may be.
+    /// Largest error of fixed point that meets the bar.
     pub bar: f64,
-    /// Below this the two errors cannot be told apart.
+    /// Uncertainty of the errors. If that of fixed point is not larger than this, it counts as no
+    /// worse.
     pub uncertain: f64,
-    /// What else was seen.
+    /// Further observations, as text.
     pub note: String,
 }
 
-/// The bar of every scene that is accepted: the share of pixels within 8 of 255.
+/// Bar of every scene that is accepted: the share of the pixels that must be within 8 of 255.
 pub const BAR: f64 = 0.99;
 
-/// A picture with four reflections that must meet the bar.
+/// Returns a case with a picture of four reflections that must meet [`BAR`].
 pub fn picture(name: impl Into<String>, why: &'static str, draft: Draft) -> Case {
     reflected(name, why, draft, 4)
 }
 
-/// The same with so many reflections.
+/// Returns a case with a picture of `reflections` reflections that must meet [`BAR`].
 pub fn reflected(
     name: impl Into<String>,
     why: &'static str,
@@ -124,20 +125,20 @@ pub fn reflected(
     Case::new(name, why, Trial::Picture(picture))
 }
 
-/// Something that holds or not.
+/// Returns a case with a claim that holds or not.
 pub fn claim(name: &str, why: &'static str, trial: fn() -> Result<String, String>) -> Case {
     Case::new(name, why, Trial::Claim(trial))
 }
 
-/// Something that is measured.
+/// Returns a case with a measured quantity.
 pub fn measured(name: &str, why: &'static str, trial: fn() -> Measured) -> Case {
     Case::new(name, why, Trial::Measured(trial))
 }
 
-/// A chapter: its title and its cases.
+/// A chapter of the catalogue: its title and its cases.
 pub type Chapter = (&'static str, Vec<Case>);
 
-/// All chapters, in the order of the page.
+/// Returns all chapters, in the order of the page.
 pub fn chapters() -> Vec<Chapter> {
     vec![
         ("Stiff accumulation", stiff::cases()),

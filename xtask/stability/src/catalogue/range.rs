@@ -1,4 +1,4 @@
-//! Range: the largest and the smallest numbers that are taken, and what is refused beyond.
+//! Cases of range: the largest and smallest accepted numbers, and the errors beyond them.
 
 use reflet::{room, Camera, Error, ErrorKind, Material, MaterialId, RuntimeScene};
 
@@ -7,9 +7,10 @@ use super::{Case, claim, picture};
 
 type Room = RuntimeScene<room!(spheres: 2, planes: 1, cylinders: 1, lights: 1, materials: 1)>;
 
+/// Largest coordinate, radius or length of a description: 2³⁰.
 const MOST: f64 = (1 << 30) as f64;
 
-/// The smallest length that a number of a description may be: 2⁻⁶⁴.
+/// Smallest length that a direction of a description may have: 2⁻⁶⁴.
 const SHORTEST: f64 = 1.0 / (1_u128 << 64) as f64;
 
 type Triple = [f64; 3];
@@ -18,10 +19,11 @@ type Added = Result<(), SceneError>;
 const ORIGIN: Triple = [0.0; 3];
 const UP: Triple = [0.0, 0.0, 1.0];
 
-/// A number, and what a constructor is to say of it.
+/// A number, and the error that a constructor must return for it; `None` if it must accept the
+/// number.
 type Limit<E> = (f64, Option<E>);
 
-/// Whether each number is taken, or refused for the fault that is named.
+/// Checks for each number that it is accepted, or refused with the given fault.
 fn held<E: PartialEq + std::fmt::Debug + std::fmt::Display>(
     what: &str,
     limits: &[Limit<E>],
@@ -41,7 +43,7 @@ fn held<E: PartialEq + std::fmt::Debug + std::fmt::Display>(
     Ok(format!("{what}: {}", words.join("; ")))
 }
 
-/// Adds something to an empty scene.
+/// Returns a scene with one material to which `add` adds something.
 fn alone(add: impl FnOnce(&mut Room, MaterialId) -> Added) -> Result<Room, SceneError> {
     let mut scene = Room::new();
     let id = scene.add_material(Material::new([0.9; 3]))?;
@@ -49,7 +51,7 @@ fn alone(add: impl FnOnce(&mut Room, MaterialId) -> Added) -> Result<Room, Scene
     Ok(scene)
 }
 
-/// The same, and builds the scene.
+/// Returns the error of adding something to an empty scene, or of building the scene.
 fn built(add: impl FnOnce(&mut Room, MaterialId) -> Added) -> Added {
     alone(add)?.build().map(|_| ())
 }
@@ -129,7 +131,8 @@ fn sizes() -> Result<String, String> {
 }
 
 fn ratio() -> Result<String, String> {
-    // A planet of 2^20 fills the ball of 2^28 steps: 64 of them are a quarter.
+    // The planet of radius 2^20 fills the ball of 2^28 steps, so the smallest radius, 64 steps, is a
+    // quarter.
     let (planet, beside) = (f64::from(1 << 20), [1.0, 2.0, 3.0]);
     let tiny = Some(SceneError::Sphere(1, Fault::Tiny));
     let radii = [(0.25, None), (0.248, tiny)];
@@ -322,7 +325,7 @@ fn up() -> Result<String, String> {
     })
 }
 
-/// The cases of the chapter.
+/// Returns the cases of the chapter "Range".
 pub fn cases() -> Vec<Case> {
     let edge = "the last number that is taken must be drawn truly, and the next be refused by name";
     vec![
@@ -344,8 +347,8 @@ pub fn cases() -> Vec<Case> {
     ]
 }
 
-/// A sphere and a light of its size, seen from as near as one may look at it. The eye of the largest
-/// stands at the largest coordinate.
+/// Returns a sphere with a light and a camera at distances of about its radius. For the largest
+/// sphere, the eye is at the largest coordinate.
 fn lonely(radius: f64) -> Draft {
     let at = |at: [f64; 3]| at.map(|it| it * radius);
     Draft::seen_from(at([1.0, -1.0, 0.5]), [0.0; 3])
@@ -354,7 +357,8 @@ fn lonely(radius: f64) -> Draft {
         .epsilon(1e-3 * radius)
 }
 
-/// A background and a material of 16, under the brightest light that the material white may have.
+/// Returns a scene with a background and a material of 16, under the brightest light that the
+/// material "white" allows.
 fn glaring() -> Draft {
     Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
         .material("dim", [0.1, 0.05, 0.08], [16.0, 0.8, 0.0, 1.0, 0.0])

@@ -1,4 +1,4 @@
-//! Scale: very large beside very small, very far, very thin, very narrow and very wide.
+//! Cases of scale: very large beside very small, very far, very thin, very narrow and very wide.
 
 use float_picture::single;
 use reflet::host::file::SceneFile;
@@ -28,7 +28,7 @@ fn whole_planet(ratio: f64) -> Draft {
         .sphere([0.0, 0.0, 1.0], 1.0, "gold")
 }
 
-/// How many channels of the still life differ when it is made 2^-20 to 2^20 times as large.
+/// Counts the pixels of the still life that differ when it is scaled by 2^-20 to 2^20.
 fn scaled_by_powers() -> Measured {
     let drawn = |power: i32| {
         let mut setting = Setting::HERE;
@@ -64,7 +64,7 @@ fn scaled_by_powers() -> Measured {
     }
 }
 
-/// A ratio that is out of reach is refused.
+/// Checks that a ratio of sizes that is too large is refused.
 fn beyond_reach() -> Result<String, String> {
     let filled = || {
         let mut scene = RuntimeScene::<room!(spheres: 2, materials: 1)>::new();
@@ -91,7 +91,7 @@ fn ratios() -> Vec<Case> {
             planet_of("chalk", ratio),
         );
         cases.push(near);
-        // One further away is seen in less than 0.001 degrees.
+        // A planet further away would need a field of view below 0.001 degrees.
         if power <= 5 {
             let afar = picture(
                 format!("planet and pebble from afar, 10^{power}"),
@@ -230,7 +230,7 @@ fn views() -> Vec<Case> {
     cases
 }
 
-/// The cases of the chapter.
+/// Returns the cases of the chapter "Scale".
 pub fn cases() -> Vec<Case> {
     let mut cases = ratios();
     cases.push(picture(

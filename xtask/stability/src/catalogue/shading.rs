@@ -1,4 +1,4 @@
-//! Shading: exponents, grazing light, too much light and none.
+//! Cases of shading: exponents, grazing light, too much light and no light.
 
 use super::draft::{Draft, Setting, lit_by};
 use super::{Case, LAST_BIT, picture};
@@ -23,7 +23,8 @@ fn lonely(light: [f64; 3]) -> Draft {
         .sphere([1.7, -0.6, 0.0], 0.3, "gold")
 }
 
-/// 16 lights, together far brighter than white, and as bright as white may be lit.
+/// Returns a scene with 16 lights. Together they are far brighter than white, and as bright as the
+/// material "white" allows.
 fn bright() -> Draft {
     let here = Setting::HERE;
     let draft = here.furnish(Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5]));
@@ -36,7 +37,7 @@ fn bright() -> Draft {
     })
 }
 
-/// The cases of the chapter.
+/// Returns the cases of the chapter "Shading".
 pub fn cases() -> Vec<Case> {
     let mut cases: Vec<_> = [0.0, 1.0, 2.5, 128.0, 1000.0, 1e5, f64::from(1 << 20)]
         .into_iter()

@@ -1,19 +1,19 @@
-//! Stiff accumulation: weights that hardly fall, or alternate, and very many terms.
+//! Cases of stiff accumulation: throughputs that hardly fall or that alternate, and very many terms.
 
 use super::draft::Draft;
 use super::{Case, Trial, reflected};
 
 const OWN: [f64; 3] = [0.75, 0.5, 0.25];
 
-/// A room that glows and mirrors by the share α; in it any ray that is cut off after N reflections
-/// shows c (1 - α^(N + 1)).
+/// Returns a camera inside a scene of the material "wall", which glows and mirrors by the share α.
+/// In a closed room of it, each ray that stops after N reflections shows c (1 - α^(N + 1)).
 fn glowing(alpha: f64) -> Draft {
     Draft::through([0.1, -0.3, 0.2], [0.3, 1.0, 0.1], [0.0, 0.0, 1.0], 90.0)
         .material("wall", OWN, [1.0, 0.0, 0.0, 1.0, alpha])
         .before([1.0; 3])
 }
 
-/// A room with pairs of walls of these materials.
+/// Adds a box of six walls, with these pairs of materials along the three axes.
 fn boxed(draft: Draft, walls: [[&str; 2]; 3]) -> Draft {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let pairs = axes.into_iter().zip(walls);
@@ -43,7 +43,7 @@ fn parallel(alpha: f64) -> Draft {
         .light([0.0, 0.5, 2.0])
 }
 
-/// A room whose walls are mirrors and chalk by turns: α is 1 and 0.
+/// Returns a room whose walls are mirror and chalk in turns, so that α is 1 or 0.
 fn alternating() -> Draft {
     let (eye, target) = ([0.1, -0.9, 0.1], [0.2, 0.6, 0.05]);
     let (odd, even) = (["mirror", "chalk"], ["chalk", "mirror"]);
@@ -51,7 +51,7 @@ fn alternating() -> Draft {
     boxed(room, [odd, even, odd])
 }
 
-/// 256 surfaces, 16 lights each: 4096 terms of about a ten-thousandth.
+/// Returns a scene of 256 hits with 16 lights each: 4096 terms of about a ten-thousandth.
 fn many_terms() -> Draft {
     let room = Draft::through([0.1, -0.3, 0.2], [0.3, 1.0, 0.1], [0.0, 0.0, 1.0], 90.0)
         .material("wall", [0.9, 0.7, 0.5], [0.2, 0.2, 0.0, 1.0, 0.9999])
@@ -63,7 +63,7 @@ fn many_terms() -> Draft {
     })
 }
 
-/// The cases of the chapter.
+/// Returns the cases of the chapter "Stiff accumulation".
 pub fn cases() -> Vec<Case> {
     let mut cases = Vec::new();
     for alpha in [0.9, 0.99, 0.999, 0.9999, 1.0] {

@@ -1,4 +1,4 @@
-//! Tangency and grazing: where a last bit decides what is met.
+//! Cases of tangency and grazing: the last bit decides what a ray hits.
 
 use super::draft::{Draft, Setting, lit_by, still_life};
 use super::judge::Pictures;
@@ -23,7 +23,8 @@ fn pipe(eye: [f64; 3], target: [f64; 3]) -> Draft {
         .cylinder([0.0; 3], [0.0, 1.0, 0.0], (0.5, 2.0), "gold")
 }
 
-/// A mirror level with the eye, but for a slope, and one beside the view, between balls.
+/// Returns a scene with two mirror discs that are seen edge-on but for a slope: one level with the
+/// eye, one beside the view, between spheres.
 fn edge_on(slope: f64) -> Draft {
     ahead()
         .sphere([0.0, 0.5, 0.6], 0.5, "gold")
@@ -32,7 +33,7 @@ fn edge_on(slope: f64) -> Draft {
         .disc([-1.0, 0.0, 0.0], [5.0, -1.0 + slope, 0.0], 0.8, "mirror")
 }
 
-/// A cylinder that is closed at both ends, over a floor.
+/// Returns a cylinder that is closed by discs at both ends, over a floor.
 fn closed() -> Draft {
     Draft::seen_from([1.0, -5.0, 2.5], [0.0, 0.0, 0.5])
         .light(LAMP)
@@ -161,7 +162,8 @@ fn touching() -> Vec<Case> {
     ]
 }
 
-/// Pictures with one shape, and with another in the same place behind it in the list.
+/// Returns pairs of scenes: one with one shape, the other also with a second shape in the same
+/// place, behind it in the list. Each pair has a name.
 fn twins() -> Vec<(&'static str, Draft, Draft)> {
     let ball = ahead().sphere([0.0; 3], 1.0, "chalk");
     let tube = |draft: Draft, name| draft.cylinder([0.0; 3], [0.2, 0.0, 1.0], (1.0, 2.0), name);
@@ -231,7 +233,7 @@ fn eyes() -> Vec<Case> {
     let here = Setting::HERE;
     let seen = |eye, target| here.lit(here.furnish(Draft::through(eye, target, UP, 90.0)));
     let column = |draft: Draft| draft.cylinder([-1.6, -1.0, 0.6], UP, (0.5, 1.2), "red");
-    // Outside by less than a pixel can show, so that the reference is defined.
+    // Outside by less than a pixel can show, so that the reference's result is defined.
     let aside = 0.6 + 1e-6;
     let in_a_sphere = still_life([-1.0, 0.0, 0.6], [0.0, 0.0, 0.5], 50.0);
     let by_a_light = still_life([-1.2, 0.0, 0.6], [0.0, 0.0, 0.5], 100.0).light([-1.0, 0.1, 0.6]);
@@ -264,7 +266,7 @@ fn eyes() -> Vec<Case> {
     ]
 }
 
-/// The cases of the chapter.
+/// Returns the cases of the chapter "Tangency and grazing".
 pub fn cases() -> Vec<Case> {
     let mut cases = rays();
     cases.extend(touching());

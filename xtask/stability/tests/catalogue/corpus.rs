@@ -1,5 +1,5 @@
-//! What the fuzzer has kept is drawn again, every overflow checked, without the fuzzer, which needs a
-//! C++ compiler.
+//! Tests that the inputs that the fuzzer kept are drawn without an overflow. Needs neither the
+//! fuzzer nor its C++ compiler.
 
 use std::fs;
 
@@ -7,13 +7,13 @@ use wild::Wild;
 
 const KEPT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fuzz/corpus/scene");
 
-/// Some are kept because the library refuses them in a way of its own; most are drawn.
+/// Some inputs are kept because the library refuses them for a reason of their own; most are drawn.
 #[test]
 fn corpus_of_the_fuzzer_is_drawn() {
     let (mut files, mut drawn, mut rays) = (0, 0, 0);
     for entry in fs::read_dir(KEPT).unwrap() {
         let path = entry.unwrap().path();
-        // Named before it is drawn, so that a panic tells which file it is.
+        // Printed before it is drawn, so that a panic shows which file caused it.
         println!("{}", path.display());
         let bytes = fs::read(&path).unwrap();
         files += 1;

@@ -1,5 +1,5 @@
-//! What every picture keeps: no more light than there is, and no jump where the camera moves by a
-//! step.
+//! Tests what every picture preserves: it has no more light than the scene, and changes little if
+//! the camera moves by a step.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
@@ -16,7 +16,7 @@ fn runner(cases: u32) -> TestRunner {
     TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))
 }
 
-/// Shapes of one material in front of a background, lit by nothing.
+/// Returns shapes of one glowing material in front of a background, without lights.
 fn unlit(color: f64, mirror: f64, background: f64, spheres: &[([f64; 3], f64)]) -> Draft {
     let draft = Draft::through([0.1, -3.0, 0.3], [0.0; 3], [0.0, 0.0, 1.0], 80.0)
         .material("own", [color; 3], [1.0, 0.0, 0.0, 1.0, mirror])
@@ -27,8 +27,7 @@ fn unlit(color: f64, mirror: f64, background: f64, spheres: &[([f64; 3], f64)]) 
     spheres.fold(draft, |draft, it| draft.sphere(it.0, it.1, "own"))
 }
 
-/// Fails if a channel of a scene's picture after so many reflections is brighter than this, in any
-/// quality.
+/// Fails if a channel of the scene's picture is brighter than `most`, in any quality.
 fn none_is_brighter(draft: &Draft, reflections: u8, most: u8) -> Result<(), TestCaseError> {
     let file = SceneFile::parse(&draft.text(), None).unwrap();
     let (built, (_, camera)) = (file.build().unwrap(), file.runtime().unwrap());
@@ -47,7 +46,8 @@ fn none_is_brighter(draft: &Draft, reflections: u8, most: u8) -> Result<(), Test
 
 const EYE: [f64; 3] = [0.5, -4.0, 1.5];
 
-/// A sphere and a cylinder on a floor, of one material of this colour, before a black background.
+/// Returns a sphere and a cylinder on a floor, of one material with this colour, with a black
+/// background.
 fn set(color: f64, coefficients: [f64; 5]) -> Draft {
     Draft::seen_from(EYE, [0.0, 0.0, 0.5])
         .material("own", [color; 3], coefficients)
@@ -70,9 +70,9 @@ fn no_pixel_is_brighter_than_the_brightest_surface() {
 
 #[test]
 fn lit_pixel_is_no_brighter_than_its_material_may_shine() {
-    // Coefficients that add up to 1 under a light of 1.
+    // The coefficients add up to 1 under a light of 1.
     let coefficients = (0.0..1.0, 0.0..1.0, 0.0..=1.0, 0.0..300.0);
-    // A light in the eye makes both terms as large as they can be in one point.
+    // A light at the camera makes diffuse and specular term as large as they can be in one point.
     let scenes = (coefficients, 0.05..1.0, any::<u8>(), any::<bool>());
     let outcome = runner(200).run(&scenes, |(coefficients, color, n, is_beside)| {
         let (ambient, part, mirror, shininess) = coefficients;
@@ -91,8 +91,8 @@ fn black_absorbs_everything() {
     none_is_brighter(&Setting::HERE.lit(soot), 4, 0).unwrap();
 }
 
-/// A camera that is moved by a step or two of the grid sees what it saw: no pixel changes by more than
-/// two levels but at edges, where something else may come to lie in a pixel's middle.
+/// Moving the camera by a step or two of the grid changes no pixel by more than two levels, except
+/// at edges, where the pixel's ray may hit another surface.
 #[test]
 fn camera_moved_by_a_step_changes_edges_alone() {
     let eyes = [[0.5, -4.0, 1.5], [-3.0, -2.5, 0.7], [1.0, -0.9, 0.1]];
@@ -100,7 +100,7 @@ fn camera_moved_by_a_step_changes_edges_alone() {
     for [x, y, z] in eyes {
         let at = |x, y, z| still_life([x, y, z], [0.0, 0.0, 0.5], 60.0).text();
         let before = drawn(&at(x, y, z));
-        // The still life is laid on steps of 2^-23 to 2^-22.
+        // The grid of the still life has steps of 2^-23 to 2^-22.
         let step = 2f64.powi(-22);
         for moved in [[x + step, y, z], [x, y + step, z], [x, y, z - step]] {
             let after = drawn(&at(moved[0], moved[1], moved[2]));
@@ -115,7 +115,7 @@ fn camera_moved_by_a_step_changes_edges_alone() {
     assert!(changed < 9 * SIDE * SIDE / 100, "{changed} pixels");
 }
 
-/// Whether a pixel differs from one beside it.
+/// Tests whether a pixel differs by more than 4 from one of the eight around it.
 fn is_edge(pixels: &[[u8; 3]], index: usize) -> bool {
     let side = SIDE as usize;
     let (x, y) = (index % side, index / side);

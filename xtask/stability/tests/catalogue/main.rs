@@ -1,5 +1,5 @@
-//! Stiff and extreme cases: every case of the catalogue meets its bar, the page says what came of
-//! them, and what a picture must keep is kept: energy, symmetry, continuity.
+//! Tests of stiff and extreme cases: every case of the catalogue meets its bar, the page is up to
+//! date, and pictures preserve energy, symmetry and continuity.
 
 mod corpus;
 mod kept;
@@ -59,7 +59,7 @@ fn verdicts_can_fail() {
     };
     assert!(judge(&picture(scene(), BAR)).is_met);
     assert!(!judge(&picture(scene(), 1.01)).is_met);
-    // A scene that is refused is no scene that is drawn well.
+    // A scene that the library refuses must not count as drawn well.
     let refused = scene().sphere([0.0; 3], -1.0, "gold");
     assert!(!judge(&picture(refused, 0.0)).is_met);
     let of_one_color = Trial::Closed {
@@ -78,7 +78,7 @@ fn verdicts_can_fail() {
     };
     assert_eq!(report::failures(&[measured(false, false)]).len(), 0);
     assert_eq!(report::failures(&[measured(true, false)]).len(), 1);
-    // Worse for no reason, and none of one is too few.
+    // Worse without a reason, and 0 of 1 cases misses the aim.
     let worse = [measured(false, true)];
     assert_eq!(report::failures(&worse).len(), 1);
     assert!(!report::Compared::of(&worse).is_aim_met());
@@ -97,7 +97,7 @@ fn found(fixed: f64, single: f64) -> Measured {
     }
 }
 
-/// The tests are compiled with every overflow checked; `stability --rays` goes on from here.
+/// Runs with every overflow checked, like all tests. `stability --rays` follows more rays.
 #[test]
 fn random_scenes_overflow_nowhere() {
     let mut random = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);

@@ -1,5 +1,5 @@
-//! A scene that is mirrored, turned by a right angle, moved or made larger shows the same picture,
-//! mirrored where it is.
+//! Tests that a scene that is mirrored, turned by a right angle, moved or enlarged gives the same
+//! picture; mirrored if the scene is.
 
 use reflet::host::compare::{Difference, compare};
 use reflet::host::file::SceneFile;
@@ -12,7 +12,7 @@ use stability::catalogue::judge::painted;
 
 pub const SIDE: u32 = 96;
 
-/// The picture of a scene file.
+/// Returns the picture of a scene file in `Exact`.
 pub fn drawn(text: &str) -> Picture {
     drawn_in::<Exact>(text)
 }
@@ -23,7 +23,8 @@ fn drawn_in<Q: Quality>(text: &str) -> Picture {
     painted(built.frame(&camera).quality::<Q>(), (SIDE, SIDE))
 }
 
-/// A scene file with every place and direction changed.
+/// Returns a scene file in which `change` was applied to every point and direction. Its second
+/// argument is whether the triple is a point.
 fn changed(text: &str, change: impl Fn([f64; 3], bool) -> [f64; 3] + Copy) -> String {
     let mut scene: Value = serde_json::from_str(text).unwrap();
     change_fields(&mut scene, &|name, field| {
@@ -48,20 +49,21 @@ fn change_fields(value: &mut Value, change: &impl Fn(&str, &mut Value)) {
     }
 }
 
-/// Scenes with all kinds of shapes, mirrors and shadows.
+/// Returns scenes with all kinds of shapes, mirrors and shadows.
 fn scenes() -> Vec<Draft> {
     vec![
         Setting::HERE.still_life(),
         still_life([-3.0, -2.5, 0.7], [0.0, 0.0, 0.4], 70.0),
-        // From inside of the golden sphere, which nothing but a light in it makes visible.
+        // From inside of the golden sphere; only a light inside makes its wall visible.
         still_life([-1.2, 0.1, 0.7], [0.0, 0.0, 0.5], 100.0)
             .shining([-0.9, -0.2, 0.8], [0.5, 0.6, 0.7]),
         lit_by([-2.0, 1.5, 3.0]),
     ]
 }
 
-/// Rounding is downwards, so a mirrored ray is not the mirrored one to the last bit: colours differ by
-/// a level where they are half way between two, and rims by a pixel.
+/// Checks that two pictures are the same except for rounding. Numbers round down, so mirroring a
+/// scene changes last bits: colours half way between two levels differ by one level, and rims by a
+/// pixel.
 fn assert_same(found: &Picture, expected: &Picture, what: &str) {
     let Difference { within1, same, .. } = compare(found, expected).unwrap();
     println!("{what}: same {same:.4}, within 1 {within1:.4}");
@@ -78,7 +80,8 @@ fn mirrored_scene_shows_the_mirrored_picture() {
                 at
             };
             let mut mirrored = drawn(&changed(&scene.text(), mirror));
-            // Right is forward x up, so every mirrored scene is seen with left and right exchanged.
+            // Right is forward x up, so the picture of every mirrored scene has left and right
+            // exchanged.
             let rows = mirrored.pixels.chunks_exact_mut(SIDE as usize);
             rows.for_each(<[_]>::reverse);
             assert_same(&mirrored, &picture, &format!("scene {number}, axis {axis}"));
@@ -101,14 +104,14 @@ fn turned_scene_shows_the_same_picture() {
     }
 }
 
-/// A whole number of steps, from which every place is a whole number of steps away as before.
+/// An offset of a whole number of grid steps: all points keep their distances in whole steps.
 const WHOLE: [f64; 3] = [3.0, -5.0, 7.0];
 
 #[test]
 fn moved_scene_shows_the_same_picture() {
     for (number, scene) in scenes().iter().enumerate() {
         let picture = drawn(&scene.text());
-        // A whole number of steps, and then any number.
+        // First a whole number of steps, then two others.
         for offset in [WHOLE, [1234.567, -0.001, 99.9], [1e6, 2e6, -3e6]] {
             let shift = |at: [f64; 3], is_place: bool| match is_place {
                 true => (Vector(at) + Vector(offset)).0,
@@ -141,7 +144,7 @@ fn directions_of_any_length_show_the_same_picture() {
     }
 }
 
-/// A scene file with every place and length so many times as large.
+/// Returns a scene file with every point and length multiplied by a factor.
 fn enlarged(text: &str, factor: f64) -> String {
     let places = changed(text, |at, is_place| match is_place {
         true => at.map(|it| it * factor),
@@ -153,14 +156,14 @@ fn enlarged(text: &str, factor: f64) -> String {
             *field = json!(field.as_f64().unwrap() * factor);
         }
     });
-    // One that is not said is a thousandth of a unit, whatever the scene's lengths are.
+    // Without this field epsilon would be a thousandth of a unit, whatever the scene's lengths are.
     assert!(scene["epsilon"].is_number());
     scene.to_string()
 }
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// Scenes of other kinds than a still life.
+/// Returns scenes that are no still life.
 fn other_scenes() -> Vec<(&'static str, Draft)> {
     let pebbles = Draft::seen_from([0.5, -6.0, 2.0], [0.0, 0.0, 0.8])
         .sphere([0.0, 0.0, -1e3], 1e3, "chalk")
@@ -212,7 +215,8 @@ fn other_scenes() -> Vec<(&'static str, Draft)> {
         .collect()
 }
 
-/// A power of two moves the binary point of every number and changes no digit: not a pixel differs.
+/// Scaling by a power of two moves the binary point of every number and changes no digit, so no
+/// pixel differs.
 #[test]
 fn scene_made_larger_by_a_power_of_two_shows_the_same_picture() {
     let still_lifes = scenes().into_iter().map(|scene| ("still life", scene));
