@@ -2,7 +2,7 @@
 
 use embedded_graphics::{geometry::Size, pixelcolor::Rgb565};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
-use reflet::{room, Camera, Material, Scene};
+use reflet::{Camera, Material, Scene, room};
 
 const GOLD: Material = Material::new([0.7, 0.6, 0.0])
     .ambient(0.2)

@@ -8,7 +8,7 @@ use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::reference::{self, render};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
-use reflet::{room, Camera, Material, Scene, SceneBuilder};
+use reflet::{Camera, Material, Scene, SceneBuilder, room};
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
 

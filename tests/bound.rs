@@ -7,7 +7,7 @@ use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
-use reflet::{room, Camera, Material, RuntimeScene, Unit};
+use reflet::{Camera, Material, RuntimeScene, Unit, room};
 use reflet::quality::{Exact, Fast, Fine, Quality};
 use reflet::shading::{BlinnPhong, Phong, Shading};
 

@@ -6,7 +6,7 @@ use reflet::host::compare::compare;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture, render};
 use reflet::host::{painted, precision};
-use reflet::{room, Camera, FrameBuilder, Material, MaterialId, RuntimeScene};
+use reflet::{Camera, FrameBuilder, Material, MaterialId, RuntimeScene, room};
 use reflet::__private::Drawable;
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 use reflet::shading::{BlinnPhong, Phong, Shading};

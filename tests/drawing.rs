@@ -12,7 +12,7 @@ use embedded_graphics::prelude::{Point, PointsIter, Size};
 use embedded_graphics::primitives::Rectangle;
 use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Mirror1, Primitives};
-use reflet::{room, Material, Number, Report, Rows, RuntimeScene};
+use reflet::{Material, Number, Report, Rows, RuntimeScene, room};
 use reflet::quality::{Exact, Fast, Quality};
 
 /// A display that records its calls in order, and fails at the call `fails_at`.

@@ -6,7 +6,7 @@ use embedded_graphics::prelude::Size;
 use micromath::F32;
 use micromath::vector::F32x3;
 use reflet::host::painted;
-use reflet::{room, Camera, Error, ErrorKind, Material, Number, Position, RuntimeScene};
+use reflet::{Camera, Error, ErrorKind, Material, Number, Position, RuntimeScene, room};
 
 fn vector([x, y, z]: [f32; 3]) -> F32x3 {
     F32x3 { x, y, z }

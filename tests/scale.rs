@@ -4,7 +4,7 @@
 use embedded_graphics::prelude::Size;
 use reflet::host::painted;
 use reflet::host::reference::{Picture, Vector};
-use reflet::{room, Camera, Material, RuntimeScene};
+use reflet::{Camera, Material, RuntimeScene, room};
 use reflet::quality::Fine;
 
 /// Scale (a power of two) and offset of the scene, and the distance of its camera.

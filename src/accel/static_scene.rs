@@ -24,7 +24,8 @@ pub trait StaticScene: Sized + 'static {
     /// The value of the type, which has no fields.
     const INSTANCE: &'static Self;
 
-    /// Lends the numbers that the scene was written with.
+    /// Calls `read` with the description of the scene: the numbers it was written with. A frame does not
+    /// need them; checks of a frame do.
     fn with_description<R>(read: impl FnOnce(Description<'_>) -> R) -> R;
 }
 

@@ -38,11 +38,11 @@ const CAMERA: Camera = Camera::look_at(
 .fov(50.0);
 
 scene! {
-    // The island.
+    /// The scene `castle`: three towers with golden domes around a keep, on an island in a reflecting lake.
     pub struct Castle {
-    // Golden domes.
+        // The island.
         sphere([0.0, 0.0, -21.682], 23.973, GRASS);
-    // Hills around the lake.
+        // Golden domes.
         sphere([-1.002, 1.805, 11.07], 2.039, GOLD);
         sphere([-1.002, 1.805, 13.068], 1.349, GOLD);
         sphere([-1.002, 1.805, 14.636], 0.836, GOLD);
@@ -50,13 +50,13 @@ scene! {
         sphere([3.601, -2.688, 12.907], 1.349, GOLD);
         sphere([3.601, -2.688, 10.908], 2.039, GOLD);
         sphere([5.703, 3.276, 6.737], 2.63, GOLD);
-    // The last dome.
+        // Hills around the lake.
         sphere([17.552, 30.95, -21.236], 21.337, GRASS);
         sphere([-30.014, -18.202, -21.937], 21.337, GRASS);
         sphere([24.793, -17.593, -21.636], 21.337, GRASS);
-    // Clouds.
+        // The last dome.
         sphere([5.641, 3.409, 9.028], 1.349, GOLD);
-    // A far hill.
+        // Clouds.
         sphere([-11.228, -2.638, 25.215], 1.922, CLOUD);
         sphere([-12.143, -3.811, 23.235], 2.309, CLOUD);
         sphere([-13.484, -2.399, 26.174], 2.086, CLOUD);
@@ -75,9 +75,9 @@ scene! {
         sphere([-2.997, 14.757, 24.082], 2.556, CLOUD);
         sphere([4.947, 19.405, 26.02], 2.83, CLOUD);
         sphere([7.271, 21.35, 26.198], 2.355, CLOUD);
-    // Far clouds.
+        // A far hill.
         sphere([-36.502, 109.578, -75.372], 99.621, GRASS);
-    // The lake and the sky.
+        // Far clouds.
         sphere([-34.709, 42.001, 43.469], 3.682, CLOUD);
         sphere([-38.342, 38.96, 43.191], 4.424, CLOUD);
         sphere([-50.761, 31.694, 40.16], 3.996, CLOUD);
@@ -87,10 +87,10 @@ scene! {
         sphere([-38.748, 42.497, 38.692], 4.424, CLOUD);
         sphere([-52.766, 35.019, 48.34], 6.676, CLOUD);
         sphere([-57.347, 32.455, 52.575], 2.658, CLOUD);
-    // The towers.
+        // The lake and the sky.
         plane([0.0, 0.0, -1.033], [0.0, 0.0, 1.0], WATER);
         plane([-33.708, 150.082, 43.878], [0.299, -0.79, -0.535], SKY);
-/// The scene `castle`: three towers with golden domes around a keep, on an island in a reflecting lake.
+        // The towers.
         cylinder([-1.002, 1.805, 6.025], [0.0, 0.0, 1.0], 1.556, 9.192, WALL);
         cylinder([2.889, 1.183, 1.254], [0.0, 0.0, 1.0], 5.08, 6.552, WALL);
         cylinder([3.517, -2.667, 4.98], [0.0, 0.0, 1.0], 1.556, 9.192, WALL);

@@ -18,11 +18,11 @@ const CAMERA: Camera =
     Camera::look_at([0.0, -8.0, 6.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(70.0);
 
 scene! {
-    // The columns stand on a circle of radius 3, an eighth of a turn apart.
+    /// The scene `columns`: eight columns in a circle on a reflecting floor. One light is inside the circle,
+    /// and one is far away to the side.
     pub struct Columns {
         plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR);
-/// The scene `columns`: eight columns in a circle on a reflecting floor. One light is inside the circle,
-/// and one is far away to the side.
+        // On a circle of radius 3, an eighth of a turn apart.
         cylinder([2.9773350964055805, 0.368070270072946, 0.0], [0.0, 0.0, 1.0], 0.25, 4.0, SHINY);
         cylinder([1.8450288526113454, 2.3655588204548335, 0.0], [0.0, 0.0, 1.0], 0.25, 4.0, SHINY);
         cylinder([-0.3680702700729458, 2.9773350964055805, 0.0], [0.0, 0.0, 1.0], 0.25, 4.0, SHINY);

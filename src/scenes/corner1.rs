@@ -11,8 +11,8 @@ const GREEN: Material = Material::new([0.3, 1.0, 0.4])
 const CAMERA: Camera = Camera::look_at([0.0, 0.5, 0.0], [0.0, 0.5, 1.0], [0.0, 1.0, 0.0]).fov(75.0);
 
 scene! {
-/// The scene `corner1`: three planes, and a light that lies in two of them. Which surfaces are lit
-/// depends on the distance from a surface at which shadow rays start.
+    /// The scene `corner1`: three planes, and a light that lies in two of them. Which surfaces are lit
+    /// depends on the distance from a surface at which shadow rays start.
     pub struct Corner1 {
         plane([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], GREEN);
         plane([0.0, 0.0, 0.0], [0.0, 1.0, 0.0], GREEN);

@@ -12,7 +12,7 @@ const WHITE: Material = Material::new([0.9, 0.9, 0.9])
 const CAMERA: Camera = Camera::look_at([0.0, 3.0, 8.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]).fov(45.0);
 
 scene! {
-/// The scene `cylinders`: three open cylinders with slanting axes under three coloured lights.
+    /// The scene `cylinders`: three open cylinders with slanting axes under three coloured lights.
     pub struct Cylinders {
         cylinder([-1.5, 1.0, 0.0], [-1.0, 1.0, 1.0], 0.5, 1.5, WHITE);
         cylinder([0.0, 1.0, 0.0], [0.0, 1.0, 1.0], 0.5, 1.5, WHITE);

@@ -33,14 +33,14 @@ const CAMERA: Camera =
     Camera::look_at([0.5, -2.0, 0.4], [0.5, 0.0, 0.4], [0.0, 0.0, 1.0]).fov(65.0);
 
 scene! {
-    // The rods that join the particles.
+    /// The scene `mirror1`: three spheres joined by rods, beside a cylinder that is a mirror.
     pub struct Mirror1 {
         sphere([2.0, 2.0, 0.1], 0.5, RED_PARTICLE);
         sphere([2.0, 4.0, 0.1], 0.5, BLUE_PARTICLE);
         sphere([2.0, 4.0, 2.1], 0.5, RED_PARTICLE);
         plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR);
         cylinder([-2.0, 4.0, 0.0], [0.0, 0.0, 1.0], 2.0, 4.0, MIRROR);
-/// The scene `mirror1`: three spheres joined by rods, beside a cylinder that is a mirror.
+        // The rods between the particles.
         cylinder([2.0, 3.0, 0.1], [0.0, 1.0, 0.0], 0.1, 2.0, WHITE);
         cylinder([2.0, 4.0, 1.1], [0.0, 0.0, 1.0], 0.1, 2.0, WHITE);
         light([2.5, 2.5, 4.0], [1.0, 0.8, 0.5]);

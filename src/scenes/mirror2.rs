@@ -33,7 +33,7 @@ const CAMERA: Camera =
     Camera::look_at([0.5, -2.0, 0.4], [0.5, 0.0, 0.4], [0.0, 0.0, 1.0]).fov(65.0);
 
 scene! {
-    // The rods that join the particles.
+    /// The scene `mirror2`: the three particles of [`Mirror1`](super::Mirror1) between two plane mirrors.
     pub struct Mirror2 {
         sphere([2.0, 2.0, 0.1], 0.5, RED_PARTICLE);
         sphere([2.0, 4.0, 0.1], 0.5, BLUE_PARTICLE);
@@ -41,7 +41,7 @@ scene! {
         plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR);
         plane([-5.0, 5.0, 0.0], [-2.0, 1.0, 0.0], MIRROR);
         plane([5.0, 5.0, 0.0], [2.0, 1.0, 0.0], MIRROR);
-/// The scene `mirror2`: the three particles of [`Mirror1`](super::Mirror1) between two plane mirrors.
+        // The rods between the particles.
         cylinder([2.0, 3.0, 0.1], [0.0, 1.0, 0.0], 0.1, 2.0, WHITE);
         cylinder([2.0, 4.0, 1.1], [0.0, 0.0, 1.0], 0.1, 2.0, WHITE);
         light([2.5, 2.5, 4.0], [1.0, 0.8, 0.5]);

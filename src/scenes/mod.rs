@@ -71,8 +71,7 @@ pub trait BuiltIn: Apart {
     /// Camera that the scene was designed for.
     const CAMERA: Camera;
 
-    /// Calls `read` with the description of the scene: the numbers it was written with. A frame does not
-    /// need them; checks of a frame do.
+    /// Views the scene through a camera: 4 reflections, quality `Fast`, shading `BlinnPhong`.
     fn frame(camera: &Camera) -> FrameBuilder<'_, Self> {
         FrameBuilder::new(Self::INSTANCE, camera)
     }

@@ -21,17 +21,17 @@ const MIRROR: Material = Material::new([0.9, 0.9, 0.9])
 const CAMERA: Camera = Camera::look_at([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]).fov(75.0);
 
 scene! {
-    // The floor, two slanting walls and the far end.
+    /// The scene `primitives`: a room with a mirroring sphere above a low open cylinder. The camera is at
+    /// the origin.
     pub struct Primitives {
         sphere([0.0, 1.5, 4.0], 1.0, MIRROR);
-    // A red light from behind the camera, and a blue one from the left.
+        // The floor, two slanting walls and the far end.
         plane([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], WHITE);
         plane([-2.0, -1.0, 0.0], [0.3939193, 0.91914503, 0.0], GREEN);
         plane([2.0, -1.0, 0.0], [0.3939193, -0.91914503, 0.0], GREEN);
         plane([0.0, 0.0, 50.0], [0.0, 0.0, -1.0], GREEN);
         cylinder([0.0, -0.8, 4.0], [0.0, 1.0, 0.0], 1.0, 0.4, GREEN);
-/// The scene `primitives`: a room with a mirroring sphere above a low open cylinder. The camera is at
-/// the origin.
+        // Red from behind the camera, blue from the left.
         light([3.0, 0.0, -0.5], [1.0, 0.4, 0.2]);
         light([-3.0, -0.8, 3.0], [0.2, 0.4, 0.9]);
         camera(CAMERA);

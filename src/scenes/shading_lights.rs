@@ -17,12 +17,12 @@ const CAMERA: Camera =
     Camera::look_at([0.0, -4.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(70.0);
 
 scene! {
-    // A green light from the right, and a red one from the left.
+    /// The scene `shading_lights`: one matte sphere between a red and a green light.
     pub struct ShadingLights {
         sphere([0.0, 0.0, 0.0], 1.0, WHITE);
         plane([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], WHITE);
         plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR);
-/// The scene `shading_lights`: one matte sphere between a red and a green light.
+        // Green from the right, red from the left.
         light([3.0, 0.0, 3.0], [0.0, 1.0, 0.0]);
         light([-3.0, 0.0, 3.0], [1.0, 0.0, 0.0]);
         camera(CAMERA);

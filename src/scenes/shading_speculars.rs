@@ -22,13 +22,13 @@ const CAMERA: Camera =
     Camera::look_at([0.0, -4.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(70.0);
 
 scene! {
-    // Two cylinders along x, above the spheres.
+    /// The scene `shading_speculars`: matte and shiny spheres and cylinders around one light.
     pub struct ShadingSpeculars {
         sphere([2.0, 0.0, 0.1], 0.6, WHITE);
         sphere([-2.0, 0.0, 0.1], 0.6, SHINY);
         plane([0.0, 4.0, 0.0], [0.0, -1.0, 0.0], WHITE);
         plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0], FLOOR);
-/// The scene `shading_speculars`: matte and shiny spheres and cylinders around one light.
+        // Two pipes along x, above the spheres.
         cylinder([2.0, 0.0, 2.0], [1.0, 0.0, 0.0], 0.5, 4.0, SHINY);
         cylinder([-2.0, 0.0, 2.0], [1.0, 0.0, 0.0], 0.6, 4.0, WHITE);
         light([0.0, 0.0, 0.0], [1.0, 0.9, 0.5]);

@@ -127,7 +127,7 @@ fn program(constant: &str) -> String {
     };
     format!(
         "#![allow(unused)]
-use reflet::{room, Camera, Material, Scene};
+use reflet::{Camera, Material, Scene, room};
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const WHITE: Material = Material::new([1.0; 3]);
 const TRIED: {kind} = {value};

@@ -13,7 +13,7 @@ mod number;
 use arbitrary::{Result, Unstructured};
 use embedded_graphics::geometry::Size;
 use number::Numbers;
-use reflet::{room, Camera, Error, Material, MaterialId, RuntimeScene};
+use reflet::{Camera, Error, Material, MaterialId, RuntimeScene, room};
 
 pub use draw::Drawn;
 

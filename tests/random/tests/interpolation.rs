@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use reflet::host::painted;
 use reflet::host::{compare::compare, reference};
 use reflet::scenes::{BuiltIn, Corner1, Floor, NAMES, Visitor, visit};
-use reflet::{room, Camera, Material, RuntimeScene, Unit};
+use reflet::{Camera, Material, RuntimeScene, Unit, room};
 use reflet::quality::{Exact, Fast, Fine, Quality};
 
 /// A quality that traces every fourth pixel and accepts any interpolation between them.

@@ -7,7 +7,7 @@ use embedded_graphics::prelude::Size;
 use proptest::{prelude::*, test_runner::TestRunner};
 use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Visitor, visit};
-use reflet::{room, Camera, FrameBuilder, Material, RuntimeScene, Scene};
+use reflet::{Camera, FrameBuilder, Material, RuntimeScene, Scene, room};
 use reflet::__private::Drawable;
 use reflet::description::Description;
 use reflet::needs::{Mirrors, Needs, NeedsLimit, Shininess};

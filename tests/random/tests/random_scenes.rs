@@ -11,7 +11,7 @@ use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Vector, render};
-use reflet::{room, Camera, Error, FrameBuilder, Material, MaterialId, RuntimeScene};
+use reflet::{Camera, Error, FrameBuilder, Material, MaterialId, RuntimeScene, room};
 use reflet::__private::Drawable;
 use reflet::quality::{Fast, Fine, Quality};
 use reflet::shading::{Normals, Phong};

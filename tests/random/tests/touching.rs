@@ -7,7 +7,7 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, Shading};
-use reflet::{room, Camera, Material, RuntimeScene};
+use reflet::{Camera, Material, RuntimeScene, room};
 use reflet::quality::{Exact, Quality, Small};
 
 type Triple = [f64; 3];

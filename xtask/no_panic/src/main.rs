@@ -11,7 +11,7 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{Gray4, Rgb565};
 use embedded_graphics::primitives::Rectangle;
-use reflet::{room, Camera, FrameBuilder, Material, Number, Report, RuntimeScene, Scene};
+use reflet::{Camera, FrameBuilder, Material, Number, Report, RuntimeScene, Scene, room};
 use reflet::scenes::{BuiltIn, Castle, Floor};
 use reflet::__private::Drawable;
 use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};

@@ -4,7 +4,7 @@
 use anyhow::Result;
 use embedded_graphics::geometry::Size;
 use reflet::host::painted;
-use reflet::{room, Camera, Material, RuntimeScene};
+use reflet::{Camera, Material, RuntimeScene, room};
 use reflet::quality::Exact;
 
 use crate::svg::{self, Axis, Chart};

@@ -28,7 +28,8 @@ pub fn source(
     let name = name.escape_debug();
     format!(
         "//! The scene `{name}`, written from a scene file by `cargo xtask scene`.\n\n\
-         use reflet::{Camera, {import}Scene, StaticScene};\n\n\
+         use reflet::Camera;
+         use reflet::{import}Scene;\n\n\
          {constants}\n\
          /// The view the scene was made for.\n\
          pub const CAMERA: Camera = Camera::look_at({}, {}, {}).fov({});\n\n\

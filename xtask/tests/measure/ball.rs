@@ -1,6 +1,6 @@
 //! The scene `ball`, written from a scene file by `cargo xtask scene`.
 
-use reflet::{room, Camera, Material, Scene};
+use reflet::{Camera, Material, Scene, room};
 
 const GOLD: Material = Material::new([0.7, 0.6, 0.0])
     .ambient(0.2)

@@ -1,6 +1,6 @@
 //! Cases of range: the largest and smallest accepted numbers, and the errors beyond them.
 
-use reflet::{room, Camera, Error, ErrorKind, Material, MaterialId, RuntimeScene};
+use reflet::{Camera, Error, ErrorKind, Material, MaterialId, RuntimeScene, room};
 
 use super::draft::Draft;
 use super::{Case, claim, picture};

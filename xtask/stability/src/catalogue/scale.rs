@@ -3,7 +3,7 @@
 use float_picture::single;
 use reflet::host::file::SceneFile;
 use reflet::host::reference;
-use reflet::{room, Error, Material, RuntimeScene};
+use reflet::{Error, Material, RuntimeScene, room};
 use reflet::quality::Exact;
 
 use super::draft::{Draft, Setting, lit_by, still_life};
