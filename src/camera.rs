@@ -134,7 +134,10 @@ impl Camera {
             up,
             ..
         } = self.description;
-        let offset = position.minus(target).leading().ok_or(Error::of("camera", Fault::View))?;
+        let offset = position
+            .minus(target)
+            .leading()
+            .ok_or(Error::of("camera", Fault::View))?;
         let axis = up.direction().ok_or(Error::of("camera", Fault::Up))?;
         let raised = self
             .forward

@@ -7,13 +7,13 @@ use crate::fault::Fault;
 /// What is wrong with a scene, a camera, or a call: the part and the fix.
 ///
 /// ```
-/// use reflet::{Fault, Material, RuntimeScene, room};
+/// use reflet::{ErrorKind, Material, RuntimeScene, room};
 ///
 /// let mut scene = RuntimeScene::<room!(spheres: 1)>::new();
 /// let chalk = scene.add_material(Material::new([0.9, 0.9, 0.8]))?;
 /// let error = scene.add_sphere([0, 0, 0], -1, chalk).unwrap_err();
 /// assert_eq!((error.part(), error.index()), ("sphere", Some(0)));
-/// assert_eq!(error.kind(), Fault::Radius);
+/// assert_eq!(error.kind(), ErrorKind::Radius);
 /// assert_eq!(error.to_string(), "sphere 0: radius must be greater than 0");
 /// # Ok::<(), reflet::Error>(())
 /// ```
@@ -154,7 +154,10 @@ mod tests {
             Error::at("material", 0, Fault::Brightness),
         ] {
             let stopped = std::panic::catch_unwind(|| error.stop()).unwrap_err();
-            assert_eq!(*stopped.downcast::<std::string::String>().unwrap(), error.to_string());
+            assert_eq!(
+                *stopped.downcast::<std::string::String>().unwrap(),
+                error.to_string()
+            );
         }
     }
 }

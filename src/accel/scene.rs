@@ -1,14 +1,14 @@
 //! A scene made ready for the kernels, with the shapes as its lights see them.
 
-use super::light_occluders::LightOccluders;
 use super::fingerprint::Fingerprint;
+use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::MirrorTables;
 use super::{ActiveRoom, Tables, World};
 use crate::camera::Camera;
-use crate::scene::access::SceneAccess;
 use crate::error::Error;
 use crate::fault::Fault;
+use crate::scene::access::SceneAccess;
 use crate::scene::{
     Array, Capacity, Description, Needs, Parts, PlainScene, Room, RuntimeScene, SceneBuilder, used,
 };
@@ -132,7 +132,7 @@ impl<R: Capacity> Scene<R> {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
-    /// use reflet::{Camera, Material, RuntimeScene};
+    /// use reflet::{Camera, Material, RuntimeScene, room};
     ///
     /// const CAMERA: Camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
     ///

@@ -3,11 +3,11 @@
 use core::marker::PhantomData;
 
 use super::{Colors, Report};
+use crate::accel::CullingQuality;
+use crate::accel::drawable::Drawable;
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
-use crate::accel::CullingQuality;
-use crate::accel::drawable::Drawable;
 use crate::camera::{Camera, RayGenerator};
 use crate::color::Sum;
 use crate::error::Error;
@@ -244,6 +244,11 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
             true => ScreenCulling::new::<false>(bounds, from, y, true),
             false => ScreenCulling::new::<true>(bounds, from, y, !Q::CULLING.screen_bounds),
         };
-        Tracer::new(&self.world, &self.frame.lights, culling, self.frame.reflections)
+        Tracer::new(
+            &self.world,
+            &self.frame.lights,
+            culling,
+            self.frame.reflections,
+        )
     }
 }

@@ -12,7 +12,8 @@ use crate::trace::PathQuality;
 /// [`Fast`] and [`Fine`] are those that most need. A quality of one's own may be more exact, or less:
 ///
 /// ```
-/// use reflet::{Fast, Quality, Unit};
+/// use reflet::Unit;
+/// use reflet::quality::{Fast, Quality};
 ///
 /// /// As [`Fast`], but that every second pixel is traced, and no mirror is followed for less than a
 /// /// sixteenth.

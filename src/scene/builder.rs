@@ -51,7 +51,10 @@ impl<R: Capacity> SceneBuilder<R> {
     /// What a ray that meets nothing adds, 0 to 16 a component; black unless it is named.
     pub const fn background(mut self, color: [f64; 3]) -> Self {
         self.described.background = numbers(color);
-        Error::refuse("scene", prepare::background_fault(self.described.background));
+        Error::refuse(
+            "scene",
+            prepare::background_fault(self.described.background),
+        );
         self
     }
 

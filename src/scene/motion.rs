@@ -84,7 +84,11 @@ impl<R: Capacity> PlainScene<R> {
             return Err(error(Fault::Coordinate));
         }
         let known = self.counts.lights;
-        let light = self.lights.as_mut().get_mut(index).filter(|_| index < known);
+        let light = self
+            .lights
+            .as_mut()
+            .get_mut(index)
+            .filter(|_| index < known);
         let light = light.ok_or(error(Fault::UnknownHandle))?;
         *light = PreparedLight {
             place: self.grid.place(position),

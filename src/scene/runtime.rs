@@ -82,7 +82,9 @@ impl<R: Capacity> RuntimeScene<R> {
         };
         let fault = light.fault();
         let lights = &mut self.0.lights;
-        lights.add(light, fault, "light", Fault::TooManyLights).map(Handle::new)
+        lights
+            .add(light, fault, "light", Fault::TooManyLights)
+            .map(Handle::new)
     }
 
     /// Sets what a ray that meets nothing adds, 0 to 16 a component.

@@ -1,9 +1,9 @@
-use crate::scene::Room;
 use super::*;
 use crate::accel::Scene;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::{BALL, NEAR, ScaledPoint, ScaledRay};
+use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::occluded;
 use crate::scene::{Needs, RuntimeScene};

@@ -1,12 +1,12 @@
-use crate::scene::Room;
 use super::*;
 use crate::accel::{Scene, Static, StaticScene, World};
 use crate::material::Material;
 use crate::number::scaled_by_unit;
 use crate::number::sweep::Sweep;
 use crate::ray::{REACH, Ray};
-use crate::scene::RuntimeScene;
+use crate::scene::Room;
 use crate::scene::access::SceneAccess;
+use crate::scene::{Description, RuntimeScene, SceneBuilder};
 use crate::shape::{PreparedCylinder, PreparedSphere};
 use crate::vector::Direction;
 
@@ -192,7 +192,7 @@ impl<const N: usize> StaticScene for Row<N> {
     }
 }
 
-scene! {
+crate::scene! {
     /// The floor alone mirrors.
     struct Floor {
         sphere([0.0, 0.0, 0.0], 1.0, Material::new([0.5; 3]));

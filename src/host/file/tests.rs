@@ -5,9 +5,9 @@ use std::vec::Vec;
 use serde_json::{Value, json};
 
 use super::*;
+use crate::error::Error;
 use crate::fault::Fault;
 use crate::host::reference;
-use crate::error::Error;
 
 /// A scene with one part of every kind, in which all numbers differ.
 fn scene() -> Value {
@@ -280,7 +280,7 @@ fn repeated_material_is_named_with_both_places() {
 
 #[test]
 fn what_the_core_refuses_is_reported_with_its_place() {
-    let camera = Fault::FieldOfView.message();
+    let camera = &format!("camera: {}", Fault::FieldOfView);
     let cases = [
         (
             "/spheres/0/radius",
@@ -346,7 +346,7 @@ fn what_the_core_refuses_is_reported_with_its_place() {
         (
             "/camera/up",
             json!([1e300, 0, 0]),
-            Fault::Coordinate.message(),
+            &format!("camera: {}", Fault::Coordinate),
         ),
         (
             "/spheres/0/center/1",

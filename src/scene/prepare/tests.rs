@@ -1,15 +1,15 @@
-use crate::scene::Room;
 use super::*;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::BALL;
+use crate::scene::Room;
 use crate::scene::RuntimeScene;
 use crate::vector::Position;
 
 type Scenery = RuntimeScene<Room<4, 4, 4, 4, 4>>;
 
 /// A scene that a function has filled with shapes of one white material.
-fn scenery(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId)) -> Scenery {
+fn scenery<T>(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId) -> T) -> Scenery {
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
     fill(&mut scene, white);
@@ -17,7 +17,7 @@ fn scenery(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId)) -> Scenery
 }
 
 /// One sphere of radius 1 around the origin, and what a function adds.
-fn marble(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId)) -> Scenery {
+fn marble<T>(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId) -> T) -> Scenery {
     scenery(|scene, white| {
         scene.add_sphere([0, 0, 0], 1, white).unwrap();
         fill(scene, white);
@@ -180,7 +180,10 @@ fn size_below_64_steps_is_too_tiny() {
         scene.plain().map(|_| ())
     };
     assert_eq!(with(64.0 / 256.0), Ok(()));
-    assert_eq!(with(63.49 / 256.0), Err(Error::at("sphere", 1, Fault::Tiny)));
+    assert_eq!(
+        with(63.49 / 256.0),
+        Err(Error::at("sphere", 1, Fault::Tiny))
+    );
     let with = |radius: f64, height: f64| {
         let scene = scenery(|scene, white| {
             scene.add_sphere([0, 0, 0], 1 << 20, white).unwrap();
@@ -394,7 +397,9 @@ fn sphere_touches_what_epsilon_may_lift_points_from() {
     for (gap, is_touching) in [(-0.5, true), (0.001, true), (0.01, false), (1.0, false)] {
         let far = 2.0 + gap;
         assert_eq!(
-            touches(&|scene, white| scene.add_sphere([far, 0.0, 0.0], 1, white).unwrap()),
+            touches(&|scene, white| {
+                scene.add_sphere([far, 0.0, 0.0], 1, white).unwrap();
+            }),
             is_touching,
             "{gap}"
         );

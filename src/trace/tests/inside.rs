@@ -1,9 +1,9 @@
 //! Tests: rays that leave the inside of a curved surface go on to the next wall, not to the one
 //! they have left, and not through it.
 
-use crate::scene::Room;
 use super::light::colors;
 use super::*;
+use crate::scene::Room;
 use crate::vector::Point;
 
 type Scenery = RuntimeScene<Room<2, 0, 1, 1, 1>>;
@@ -69,8 +69,10 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
         let axis = sweep.triple(1000).map(|it| f64::from(it) + 0.5);
         let height = (radius * f64::from(sweep.within(2, 60))).min(0.8);
         match is_sphere {
-            true => scene.add_sphere(end, radius, mirror),
-            false => scene.add_cylinder(end, axis, radius, height, mirror),
+            true => scene.add_sphere(end, radius, mirror).map(drop),
+            false => scene
+                .add_cylinder(end, axis, radius, height, mirror)
+                .map(drop),
         }
         .unwrap();
         scene.add_sphere([0.0; 3], 0.999, mirror).unwrap();

@@ -1,10 +1,10 @@
 //! Tests: rays that leave a surface from outside do not meet it again, at any angle, and have length
 //! one.
 
-use crate::scene::Room;
 use super::light::colors;
 use super::*;
 use crate::number::Brightness;
+use crate::scene::Room;
 use crate::shape::MaterialId;
 
 type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
@@ -112,8 +112,10 @@ impl Shaped {
     fn add_to(&self, scene: &mut Scenery, material: MaterialId) {
         let (axis, height) = (self.axis, 2.0 * self.half_height);
         match self.kind {
-            Kind::Sphere => scene.add_sphere(MIDDLE, self.radius, material),
-            Kind::Cylinder => scene.add_cylinder(MIDDLE, axis, self.radius, height, material),
+            Kind::Sphere => scene.add_sphere(MIDDLE, self.radius, material).map(drop),
+            Kind::Cylinder => scene
+                .add_cylinder(MIDDLE, axis, self.radius, height, material)
+                .map(drop),
             Kind::Plane => scene.add_plane(MIDDLE, axis, material),
         }
         .unwrap();

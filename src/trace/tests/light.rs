@@ -1,8 +1,8 @@
 //! Tests: the light at one hit, by both ways to find whether a light is visible.
 
-use crate::scene::Room;
 use super::*;
 use crate::color::Color;
+use crate::scene::Room;
 
 type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
 type Built = Scene<Room<2, 2, 1, 4, 2>>;
@@ -22,7 +22,7 @@ const LENGTH: f64 = 4.0 / (1 << 24) as f64;
 /// the normal.
 const STRAIGHT: f64 = 2.0 * TINT + 0.5 * LENGTH;
 
-fn scenery(material: Material, fill: impl FnOnce(&mut Scenery)) -> Built {
+fn scenery<T>(material: Material, fill: impl FnOnce(&mut Scenery) -> T) -> Built {
     let mut scene = Scenery::new();
     let made = scene.add_material(material).unwrap();
     scene.add_sphere([0, 0, 0], 1, made).unwrap();
@@ -190,7 +190,7 @@ fn surface_sends_out_no_more_than_its_share_of_the_light() {
 }
 
 /// How bright a white floor of z = 0 is at the origin, seen from (0, 3, 4).
-fn floor_lit_from(light: [f64; 3], fill: impl FnOnce(&mut Scenery)) -> f64 {
+fn floor_lit_from<T>(light: [f64; 3], fill: impl FnOnce(&mut Scenery) -> T) -> f64 {
     let mut scene = Scenery::new();
     let white = Material::new([1.0; 3]).ambient(0.0).diffuse(1.0);
     let white = scene.add_material(white).unwrap();
