@@ -68,7 +68,7 @@ impl<K: Bounded> ActiveShape<'_, K> {
 
 /// The memory of an active list. Its capacity may be fixed.
 pub trait Storage<T>: Default + Debug + AsRef<[T]> + AsMut<[T]> {
-    /// Adds an item; `None` where there is no room.
+    /// Adds an item. Returns `None` if there is no room.
     fn add(&mut self, item: T) -> Option<()>;
 
     /// Keeps the items for which `stays` is true.

@@ -22,7 +22,7 @@ macro_rules! active_lists {
         /// The capacity of a scene, with the memory for the active lists of each kind of shape.
         pub trait ActiveRoom: Capacity {
             $(
-                #[doc = concat!("The active ", stringify!($list), ".")]
+                #[doc = concat!("Memory for the active list of ", stringify!($list), ".")]
                 type $active_list<'a>: Storage<ActiveShape<'a, crate::shape::$prepared>>;
             )*
         }

@@ -52,9 +52,9 @@ pub(super) const fn cell<const SIDE: usize>(x: i32, y: i32, z: i32) -> usize {
 /// A cap of directions: all directions within an angle φ of `direction`.
 pub(super) struct Cap {
     direction: Direction,
-    /// sin φ
+    /// Sine of the cap's angle φ, Q2.30.
     sine: Unit,
-    /// cos φ
+    /// Cosine of the cap's angle φ, Q2.30.
     cosine: Unit,
 }
 

@@ -26,11 +26,11 @@ pub(crate) struct ScreenCulling<'a, W: World> {
     y: u16,
     /// Whether the rays of all columns test every shape.
     is_full: bool,
-    /// The shapes that rays of the camera can hit.
+    /// The active list of the camera's rays.
     direct: ActiveLists<'a, W::Room>,
-    /// The plane that mirrors the rays of `mirrored`: that of the latest mirrored ray.
+    /// The plane that mirrors the rays of the second list: that of the latest mirrored ray.
     plane: ShapeId,
-    /// The shapes that rays can hit after a reflection in that plane.
+    /// The active list of rays that the latest plane has mirrored.
     mirrored: ActiveLists<'a, W::Room>,
 }
 

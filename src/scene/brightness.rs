@@ -7,8 +7,8 @@ use crate::number::{
     Brightness, Unit, narrowed, narrowed_unsigned, narrowed_unsigned_128, signed, unsigned,
 };
 
-/// Returns the largest component of any colour that a path can meet: the background's, or the brightest
-/// of a material. Rounded up.
+/// Returns the largest component of any colour that a path can hit: the background's, or a material's
+/// at its brightest. Rounded up.
 pub(super) const fn brightest(
     materials: &[PreparedMaterial],
     lights: &[PreparedLight],

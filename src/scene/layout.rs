@@ -18,13 +18,13 @@ const FINE_EPSILON: u32 = 6;
 /// Distance within which a light, camera or plane is near, in radii of the shapes. Rays to near points
 /// are short.
 ///
-/// What is further out is a far point, so a distant sun costs the shapes no bits. Near companions cost
-/// at most 5 bits, and none that small shapes or epsilon need. A scene of planes alone uses the
-/// distance of the nearest plane instead of the radius.
+/// A light or camera further out becomes a far point, so a distant sun costs the shapes no bits. Near
+/// ones cost at most 5 bits, and none that small shapes or epsilon need. A scene of planes alone uses
+/// the distance of the nearest plane instead of the radius.
 const COMPANIONS: u128 = 32;
 
 /// Factor by which the ball of a scene with planes is larger than the shapes need: 8, so 3 bits. Most
-/// of what is seen of the planes is then near. Small shapes and epsilon keep the bits they need.
+/// visible parts of the planes are then near. Small shapes and epsilon keep the bits they need.
 const EXPANSE: u128 = 8;
 
 /// Factor by which the ball of a scene of planes alone is larger than needed. There is no shape that
@@ -42,6 +42,7 @@ struct Bounds {
 }
 
 impl Bounds {
+    /// The box without any ball.
     const EMPTY: Self = Self {
         low: [0; 3],
         high: [0; 3],
@@ -92,8 +93,8 @@ const fn distance(from: Position, to: Position) -> u128 {
     }
 }
 
-/// Chooses the grid of a scene. Its middle is the middle of the shapes; its step is the finest that
-/// holds the shapes and what stands near them.
+/// Chooses the grid of a scene: its middle is the middle of the shapes, and its step is the finest that
+/// holds the shapes, what stands near them and, in a scene with planes, the enlarged ball.
 pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
     let middle = middle_of(scene);
     let is_bounded = scene.extent(0).is_some();

@@ -6,7 +6,7 @@ use crate::number::{Unit, absolute};
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::vector::Direction;
 
-/// The surface at a hit, as rays leave it.
+/// The surface at a hit: its normal, its material, and the point where rays leave it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Surface<'a> {
     /// Point where rays leave: epsilon above the surface, on the viewer's side.

@@ -120,7 +120,7 @@ pub(crate) struct Cosines {
 
 /// A highlight: the power of a cosine that says how near the viewer is to the mirrored light.
 pub(crate) trait Highlight {
-    /// Whether shapes throw shadows.
+    /// Whether shapes cast shadows in this shading.
     const SHADOWS: bool = true;
 
     /// Returns the strength of a highlight, 0 to 1. `kind` says which powers occur in the scene.

@@ -117,7 +117,7 @@ fn lit_color_by<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool
 /// The light that a surface receives and sends on to the viewer, without the colour of its material.
 struct Received<const PRECISE: bool> {
     light: Lighting<PRECISE>,
-    /// [`Lit::lights`]
+    /// One bit for each light that shines on the surface, as in [`Lit::lights`].
     lights: u32,
 }
 
