@@ -6,7 +6,7 @@ use crate::shape::MaterialId;
 
 type Scenery = RuntimeScene<Room<1, 0, 1, 1, 1>>;
 
-/// One sphere of radius 1 around the origin, and what a function adds.
+/// Returns a scene with a sphere of radius 1 at the origin, and what `fill` adds.
 fn marble<T>(fill: impl FnOnce(&mut Scenery, MaterialId) -> T) -> Scenery {
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
