@@ -56,6 +56,8 @@ macro_rules! faults {
             TooManyMaterials,
             /// A material that was never added to this scene.
             UnknownMaterial,
+            /// A text that is not a decimal number.
+            Number,
         }
 
         impl Fault {
@@ -95,6 +97,10 @@ macro_rules! faults {
                     Self::TooManyLights => "too many lights: raise the scene type's fourth bound",
                     Self::TooManyMaterials => "too many materials: raise the scene type's fifth bound",
                     Self::UnknownMaterial => "material does not exist in this scene: add it first",
+                    Self::Number => {
+                        "number must be decimal digits with an optional sign, point and exponent, \
+                         such as -1.5 or 2e-3"
+                    }
                 }
             }
         }
