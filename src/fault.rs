@@ -56,6 +56,7 @@ macro_rules! faults {
             TooManyMaterials,
             /// A material that was never added to this scene.
             UnknownMaterial,
+HAND<<<
             /// A handle of a part that this scene does not have.
             UnknownHandle,
             /// Room for more parts than a constant scene has, which takes flash.
@@ -78,6 +79,10 @@ macro_rules! faults {
             Limit,
             /// A scene that has changed since its frame was prepared.
             Changed,
+=====
+            /// A text that is not a decimal number.
+            Number,
+>>>
         }
 
         impl Fault {

@@ -23,6 +23,7 @@ mod decimal;
     )
 )]
 mod narrow;
+mod parse;
 mod power;
 mod product;
 mod root;

@@ -108,6 +108,7 @@ fn draw_within() {
 /// Fills a scene, and makes and moves a camera, at run time.
 fn fill() -> Option<(Scene<room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>, Camera)> {
     let number = || Number::from(black_box(1.5_f32));
+    let read = black_box("1.5e0").parse::<Number>().ok()?;
     let point = || black_box([0.5_f64, 1.5, 2.5]);
     let mut scene = black_box(RuntimeScene::<room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>::new());
     let made = Material::from_numbers(
@@ -124,7 +125,7 @@ fn fill() -> Option<(Scene<room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, 
     let _ = black_box(scene.add_disc(point(), point(), number(), material));
     let _ = black_box(scene.add_light(point(), [number(); 3]));
     let _ = black_box(scene.set_background([number(); 3]));
-    let _ = black_box(scene.set_epsilon(number()));
+    let _ = black_box(scene.set_epsilon(read));
     let camera = Camera::new(point(), point(), point(), number());
     let camera = camera.and_then(|camera| camera.orbited(number(), number()));
     Some((black_box(scene.build().ok()?), camera.ok()?))
