@@ -56,7 +56,6 @@ macro_rules! faults {
             TooManyMaterials,
             /// A material that was never added to this scene.
             UnknownMaterial,
-HAND<<<
             /// A handle of a part that this scene does not have.
             UnknownHandle,
             /// Room for more parts than a constant scene has, which takes flash.
@@ -79,10 +78,8 @@ HAND<<<
             Limit,
             /// A scene that has changed since its frame was prepared.
             Changed,
-=====
             /// A text that is not a decimal number.
             Number,
->>>
         }
 
         impl Fault {

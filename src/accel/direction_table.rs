@@ -80,19 +80,15 @@ impl<const SIDE: usize, const CELLS: usize> CellSets<SIDE, CELLS> {
     /// All cells empty.
     pub(super) const NONE: Self = Self([ShapeSet::NONE; CELLS]);
 
-HAND<<<
     /// Adds a shape to all cells.
     pub(super) const fn add_everywhere(&mut self, shape: ShapeSet) {
         self.add_ball(Vector::ZERO, 1, shape);
     }
 
-    /// Adds a ball, whose middle lies so far from the point, to the cells that it reaches.
-=====
     /// Adds a shape inside of a ball to all cells that the ball reaches.
     ///
     /// `way` is the vector from the table's point to the ball's centre. The radius is widened by 2⁻¹²
     /// of it and 16 steps. If the ball holds the point, the shape is added to all cells.
->>>
     pub(super) const fn add_ball(&mut self, way: Vector, radius: i32, shape: ShapeSet) {
         let (direction, distance) = way.direction_and_length();
         let radius = radius + (radius >> 12) + 16;

@@ -60,7 +60,6 @@ macro_rules! light_occluders {
             }
         }
 
-HAND<<<
         impl<R: Capacity> LightOccluders<R> {
             $(
                 #[doc = concat!("Prepares the view of a ", stringify!($kind), " that has changed.")]
@@ -92,11 +91,8 @@ HAND<<<
             }
         }
 
-        /// Whether a shape of a set occludes the end of a light's ray on a surface.
-=====
         /// Tests whether a shape of `set` lies between a light and the point on `surface` where `ray`
         /// ends.
->>>
         #[inline(always)]
         fn any_occludes<W: World, const PRECISE: bool>(
             world: &W,

@@ -194,12 +194,8 @@ const fn add(
     let both = from as i64 + radius as i64;
     let distance = square_root(way.square()) as i64;
     if distance <= both {
-HAND<<<
-        return cells.add_everywhere(shape);
-=====
         // The balls overlap: rays in all directions can hit the shape.
-        return cells.add_ball(Vector::ZERO, 1, shape);
->>>
+        return cells.add_everywhere(shape);
     }
     cells.add_ball(way, narrowed(both), shape);
     // A ray away from the shape passes by it for sure if the distance is more than √2 times the sum of

@@ -146,7 +146,6 @@ const fn radius_around(middle: Position, scene: &Description<'_>) -> u128 {
     radius
 }
 
-HAND<<<
 /// Returns one of the eight corners of a box.
 const fn corner_of(motion: &[Position; 2], corner: usize) -> Position {
     let mut position = motion[0];
@@ -158,11 +157,8 @@ const fn corner_of(motion: &[Position; 2], corner: usize) -> Position {
     position
 }
 
-/// `radius` enlarged for the lights, the camera and the planes, as far as [`accompanied`] allows.
-=====
 /// Returns `radius` enlarged so that the ball holds the lights, the camera and the planes, as far as
 /// [`accompanied`] allows.
->>>
 const fn with_companions(
     scene: &Description<'_>,
     middle: Position,

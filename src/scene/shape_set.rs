@@ -28,16 +28,12 @@ impl ShapeSet {
         Self(self.0 | other.0)
     }
 
-HAND<<<
     /// Tests whether both sets have a run in common.
     pub(crate) const fn meets(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }
 
-    /// How many runs are in only one of two sets.
-=====
     /// Returns how many runs are in only one of two sets.
->>>
     pub(crate) const fn difference(self, other: Self) -> u32 {
         (self.0 ^ other.0).count_ones()
     }
