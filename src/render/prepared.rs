@@ -65,8 +65,11 @@ pub struct PreparedFrame<S: Drawable, Q = Fast, K = BlinnPhong> {
     reflections: u8,
     /// Of the scene that the frame was prepared for.
     stamp: u32,
-    kinds: PhantomData<fn() -> (S, Q, K)>,
+    kinds: PhantomData<Kinds<S, Q, K>>,
 }
+
+/// Scene, quality and shading of a frame. It makes the frame `Send` and `Sync`, whatever they are.
+type Kinds<S, Q, K> = fn() -> (S, Q, K);
 
 impl<S: Drawable, Q, K> Clone for PreparedFrame<S, Q, K> {
     fn clone(&self) -> Self {

@@ -11,7 +11,7 @@ use crate::number::{
 use crate::scene::access::SceneAccess;
 use crate::scene::{Shininess, Surface};
 
-/// A shading model. Choose one with [`crate::Frame::shading`].
+/// A shading model. Choose one with [`crate::FrameBuilder::shading`].
 pub trait Shading: sealed::Shading {}
 
 impl<T: sealed::Shading> Shading for T {}
