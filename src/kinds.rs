@@ -14,7 +14,7 @@
 /// - the name of its list and its own, which is its module's too; its type as it is described, and as it
 ///   is prepared;
 /// - its parameter, the type of its list in a `Capacity`, what its active list is called and how many it holds, and which of the parameters it is, in words;
-/// - the `Fault` where there are too many, and the method of `Needs` that leaves the kind out;
+/// - the `ErrorKind` where there are too many, and the method of `Needs` that leaves the kind out;
 /// - what the methods that add one say they do, the name of the run-time scene's, and the fields of the
 ///   description without the material.
 ///

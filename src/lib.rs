@@ -177,7 +177,7 @@ mod camera;
 mod color;
 pub mod display;
 mod error;
-mod fault;
+mod error_kind;
 mod grid;
 #[cfg(feature = "host")]
 #[allow(
@@ -209,7 +209,7 @@ mod vector;
 pub use accel::{MovingScene, Scene};
 pub use camera::Camera;
 pub use error::Error;
-pub use fault::Fault as ErrorKind;
+pub use error_kind::ErrorKind;
 pub use material::Material;
 pub use number::{Number, Unit};
 pub use render::{FrameBuilder, PreparedFrame, Report, Rows};

@@ -1,7 +1,7 @@
 //! Floor 2: point lights.
 
 use crate::color::Color;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::material::is_color;
 use crate::number::Number;
@@ -25,11 +25,11 @@ impl Light {
     };
 
     /// What is wrong with it.
-    pub(crate) const fn fault(&self) -> Option<Fault> {
+    pub(crate) const fn fault(&self) -> Option<ErrorKind> {
         if !self.position.is_in_range() {
-            Some(Fault::Coordinate)
+            Some(ErrorKind::Coordinate)
         } else if !is_color(self.color) {
-            Some(Fault::Color)
+            Some(ErrorKind::Color)
         } else {
             None
         }

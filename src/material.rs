@@ -2,7 +2,7 @@
 
 use crate::color::{Color, brightness};
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::number::{Brightness, Exponent, Number, Unit};
 
 /// A material as it is described: colour, Phong coefficients, and how mirror-like it is.
@@ -120,19 +120,19 @@ impl Material {
         self
     }
 
-    const fn fault(&self) -> Option<Fault> {
+    const fn fault(&self) -> Option<ErrorKind> {
         if !is_color(self.color) {
-            Some(Fault::Color)
+            Some(ErrorKind::Color)
         } else if !self.ambient.is_within(0, Color::MAX) {
-            Some(Fault::Ambient)
+            Some(ErrorKind::Ambient)
         } else if !self.diffuse.is_within(0, Color::MAX) {
-            Some(Fault::Diffuse)
+            Some(ErrorKind::Diffuse)
         } else if !self.specular.is_within(0, Color::MAX) {
-            Some(Fault::Specular)
+            Some(ErrorKind::Specular)
         } else if !self.shininess.is_within(0, Exponent::MAX) {
-            Some(Fault::Shininess)
+            Some(ErrorKind::Shininess)
         } else if !self.mirror.is_within(0, 1) {
-            Some(Fault::Mirror)
+            Some(ErrorKind::Mirror)
         } else {
             None
         }
@@ -237,14 +237,14 @@ mod tests {
         let good = [0.5, 0.5, 0.5, 0.2, 0.8, 0.1, 4.0, 0.3];
         assert!(made(good).is_ok());
         let faults = [
-            Fault::Color,
-            Fault::Color,
-            Fault::Color,
-            Fault::Ambient,
-            Fault::Diffuse,
-            Fault::Specular,
-            Fault::Shininess,
-            Fault::Mirror,
+            ErrorKind::Color,
+            ErrorKind::Color,
+            ErrorKind::Color,
+            ErrorKind::Ambient,
+            ErrorKind::Diffuse,
+            ErrorKind::Specular,
+            ErrorKind::Shininess,
+            ErrorKind::Mirror,
         ];
         for (field, fault) in faults.into_iter().enumerate() {
             for wrong in [-0.001, 1.1e6, f64::NAN, f64::INFINITY] {

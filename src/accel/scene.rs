@@ -7,7 +7,7 @@ use super::mirror_table::MirrorTables;
 use super::{ActiveRoom, Tables, World};
 use crate::camera::Camera;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::scene::access::SceneAccess;
 use crate::scene::{
     Array, Capacity, Description, Needs, Parts, PlainScene, Room, RuntimeScene, SceneBuilder, used,
@@ -85,7 +85,7 @@ macro_rules! scene {
                     Err(error) => error.stop(),
                 };
                 if plain.constant_parts().lacks_light() {
-                    Error::of("scene", Fault::NoLight).stop();
+                    Error::of("scene", ErrorKind::NoLight).stop();
                 }
                 Scene::of(plain)
             }
@@ -95,14 +95,14 @@ macro_rules! scene {
                 let (counts, room) = (self.counts(), Room::<$($arguments)*>::COUNTS);
                 $(
                     if counts.$list < room.$list {
-                        Error::of(stringify!($list), Fault::UnusedRoom).stop();
+                        Error::of(stringify!($list), ErrorKind::UnusedRoom).stop();
                     }
                 )*
                 if counts.planes < room.planes {
-                    Error::of("planes", Fault::UnusedRoom).stop();
+                    Error::of("planes", ErrorKind::UnusedRoom).stop();
                 }
                 if counts.lights < room.lights {
-                    Error::of("lights", Fault::UnusedRoom).stop();
+                    Error::of("lights", ErrorKind::UnusedRoom).stop();
                 }
             }
         }
@@ -111,8 +111,8 @@ macro_rules! scene {
             /// Chooses the binary point and prepares the scene for the kernels, with integers only.
             ///
             /// # Errors
-            /// What can only be seen in the scene as a whole: [`Fault::Tiny`], [`Fault::Extent`],
-            /// [`Fault::Epsilon`], [`Fault::Brightness`].
+            /// What can only be seen in the scene as a whole: [`ErrorKind::Tiny`], [`ErrorKind::Extent`],
+            /// [`ErrorKind::Epsilon`], [`ErrorKind::Brightness`].
             pub fn build(&self) -> Result<Scene<Room<$($arguments)*>>, Error> {
                 let description = self.description();
                 let mut scene = Scene::prepare(&description)?;

@@ -3,7 +3,7 @@
 use core::str::FromStr;
 
 use super::Number;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 
 /// Reads a decimal number, without float arithmetic and without allocation.
 ///
@@ -23,20 +23,20 @@ use crate::fault::Fault;
 /// digits and at most 40 steps more.
 ///
 /// ```
-/// use reflet::{Fault, Number};
+/// use reflet::{ErrorKind, Number};
 /// assert_eq!("-1.5".parse(), Ok(Number::new(-1.5)));
 /// assert_eq!("25e-2".parse(), Ok(Number::new(0.25)));
 /// assert_eq!("1e999".parse(), Ok(Number::OUT_OF_RANGE));
-/// assert_eq!("1,5".parse::<Number>(), Err(Fault::Number));
+/// assert_eq!("1,5".parse::<Number>(), Err(ErrorKind::Number));
 /// ```
 ///
 /// # Errors
-/// [`Fault::Number`] if the text is no such number.
+/// [`ErrorKind::Number`] if the text is no such number.
 impl FromStr for Number {
-    type Err = Fault;
+    type Err = ErrorKind;
 
-    fn from_str(text: &str) -> Result<Self, Fault> {
-        let decimal = Decimal::read(text.as_bytes()).ok_or(Fault::Number)?;
+    fn from_str(text: &str) -> Result<Self, ErrorKind> {
+        let decimal = Decimal::read(text.as_bytes()).ok_or(ErrorKind::Number)?;
         Ok(decimal.rounded())
     }
 }

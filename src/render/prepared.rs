@@ -11,7 +11,7 @@ use crate::accel::screen_culling::ScreenCulling;
 use crate::camera::{Camera, RayGenerator};
 use crate::color::Sum;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::ray::ScaledPoint;
 use crate::render::{Fast, Quality};
 use crate::scene::access::SceneAccess;
@@ -119,7 +119,7 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
     #[inline(always)]
     pub fn on<'a>(&'a self, scene: &'a S) -> Result<Rows<'a, S, Q, K>, Error> {
         match S::CHANGES && scene.stamp() != self.stamp {
-            true => Err(Error::of("scene", Fault::Changed)),
+            true => Err(Error::of("scene", ErrorKind::Changed)),
             false => Ok(self.unchanged(scene)),
         }
     }

@@ -2,7 +2,7 @@
 //! time or run time.
 
 use super::Description;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Number, unsigned, unsigned_128};
 use crate::shape::plane::Plane;
@@ -95,7 +95,7 @@ const fn distance(from: Position, to: Position) -> u128 {
 
 /// Chooses the grid of a scene: its middle is the middle of the shapes, and its step is the finest that
 /// holds the shapes, what stands near them and, in a scene with planes, the enlarged ball.
-pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
+pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, ErrorKind> {
     let middle = middle_of(scene);
     let is_bounded = scene.extent(0).is_some();
     let shapes = match is_bounded {
@@ -121,7 +121,7 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> 
         radius = larger(radius, smaller(radius * expanse, room));
     }
     if radius < 1 << 34 {
-        Err(Fault::Extent)
+        Err(ErrorKind::Extent)
     } else {
         Ok(Grid::new(middle, radius))
     }

@@ -11,7 +11,7 @@ pub(crate) use from_point::{CylinderFromLight, CylinderFromPoint};
 
 use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Length, Number, narrowed, scaled_by_unit, square_root, unsigned_wide, wide};
 use crate::ray::Ray;
@@ -42,15 +42,15 @@ impl Cylinder {
     };
 
     /// What is wrong with it.
-    pub(crate) const fn fault(&self) -> Option<Fault> {
+    pub(crate) const fn fault(&self) -> Option<ErrorKind> {
         if !(self.center.is_in_range() && self.axis.is_in_range()) {
-            Some(Fault::Coordinate)
+            Some(ErrorKind::Coordinate)
         } else if self.axis.magnitude() == 0 {
-            Some(Fault::Axis)
-        } else if let Some(fault) = size_fault(self.radius, Fault::Radius) {
+            Some(ErrorKind::Axis)
+        } else if let Some(fault) = size_fault(self.radius, ErrorKind::Radius) {
             Some(fault)
         } else {
-            size_fault(self.height, Fault::Height)
+            size_fault(self.height, ErrorKind::Height)
         }
     }
 
@@ -102,14 +102,14 @@ impl PreparedCylinder {
     pub(crate) const SMALLEST_INSIDE: i32 = 16;
 
     /// Lays a cylinder without a fault on the grid.
-    pub(crate) const fn prepare(cylinder: &Cylinder, grid: &Grid) -> Result<Self, Fault> {
+    pub(crate) const fn prepare(cylinder: &Cylinder, grid: &Grid) -> Result<Self, ErrorKind> {
         let radius = grid.length(cylinder.radius);
         let half_height = grid.length(cylinder.half_height());
         if radius.to_bits() < SMALLEST || half_height.to_bits() < SMALLEST {
-            return Err(Fault::Tiny);
+            return Err(ErrorKind::Tiny);
         }
         let Some(axis) = cylinder.axis.direction() else {
-            return Err(Fault::Axis);
+            return Err(ErrorKind::Axis);
         };
         let center = grid.place(cylinder.center).point;
         let material = cylinder.material;

@@ -5,7 +5,7 @@
 
 use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, SMALLEST, size_fault};
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Length, Number, high, ratio, unsigned, wide_unsigned};
 use crate::ray::Ray;
@@ -33,13 +33,13 @@ impl Disc {
     };
 
     /// What is wrong with it.
-    pub(crate) const fn fault(&self) -> Option<Fault> {
+    pub(crate) const fn fault(&self) -> Option<ErrorKind> {
         if !(self.center.is_in_range() && self.normal.is_in_range()) {
-            Some(Fault::Coordinate)
+            Some(ErrorKind::Coordinate)
         } else if self.normal.magnitude() == 0 {
-            Some(Fault::Normal)
+            Some(ErrorKind::Normal)
         } else {
-            size_fault(self.radius, Fault::Radius)
+            size_fault(self.radius, ErrorKind::Radius)
         }
     }
 
@@ -105,13 +105,13 @@ impl PreparedDisc {
     }
 
     /// Lays a disc without a fault on the grid.
-    pub(crate) const fn prepare(disc: &Disc, grid: &Grid) -> Result<Self, Fault> {
+    pub(crate) const fn prepare(disc: &Disc, grid: &Grid) -> Result<Self, ErrorKind> {
         let radius = grid.length(disc.radius);
         if radius.to_bits() < SMALLEST {
-            return Err(Fault::Tiny);
+            return Err(ErrorKind::Tiny);
         }
         let Some(normal) = disc.normal.direction() else {
-            return Err(Fault::Normal);
+            return Err(ErrorKind::Normal);
         };
         Ok(Self {
             center: grid.place(disc.center).point,

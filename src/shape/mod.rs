@@ -10,7 +10,7 @@ mod fixture;
 pub mod plane;
 pub mod sphere;
 
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::number::{Length, Number, Unit, divide, high, narrowed, unsigned};
 use crate::vector::{Direction, Position, Vector};
 
@@ -52,11 +52,11 @@ pub(crate) struct Extent {
 const SMALLEST: i32 = 64;
 
 /// A size must be greater than 0 and within the range of a coordinate.
-pub(crate) const fn size_fault(size: Number, fault: Fault) -> Option<Fault> {
+pub(crate) const fn size_fault(size: Number, fault: ErrorKind) -> Option<ErrorKind> {
     if size.to_bits() <= 0 {
         Some(fault)
     } else if !size.is_within(0, Position::MAX_COORDINATE) {
-        Some(Fault::Coordinate)
+        Some(ErrorKind::Coordinate)
     } else {
         None
     }

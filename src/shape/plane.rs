@@ -7,7 +7,7 @@ pub(crate) use approach::{Approach, Bearing};
 pub(crate) use far::{NOT_MET, Side};
 
 use super::MaterialId;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Length, Unit, narrowed, narrowed_128, word_and_sign};
 use crate::ray::{Ray, ScaledPoint};
@@ -32,11 +32,11 @@ impl Plane {
     };
 
     /// What is wrong with it.
-    pub(crate) const fn fault(&self) -> Option<Fault> {
+    pub(crate) const fn fault(&self) -> Option<ErrorKind> {
         if !(self.point.is_in_range() && self.normal.is_in_range()) {
-            Some(Fault::Coordinate)
+            Some(ErrorKind::Coordinate)
         } else if self.normal.magnitude() == 0 {
-            Some(Fault::Normal)
+            Some(ErrorKind::Normal)
         } else {
             None
         }
@@ -112,9 +112,9 @@ impl PreparedPlane {
     pub(crate) const NONE: Self = Self::new(Direction::X, 0, 0, MaterialId(0));
 
     /// Lays a plane without a fault on the grid.
-    pub(crate) const fn prepare(plane: &Plane, grid: &Grid) -> Result<Self, Fault> {
+    pub(crate) const fn prepare(plane: &Plane, grid: &Grid) -> Result<Self, ErrorKind> {
         let Some(normal) = plane.normal.direction() else {
-            return Err(Fault::Normal);
+            return Err(ErrorKind::Normal);
         };
         // Of the rounded normal, so that the plane goes through its point exactly.
         let steps = grid.height_of(plane.point, normal);

@@ -12,7 +12,7 @@ pub(crate) use from_point::SphereFromPoint;
 
 use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Length, Number, signed_wide, square_root, unsigned_wide, wide};
 use crate::ray::Ray;
@@ -37,11 +37,11 @@ impl Sphere {
     };
 
     /// What is wrong with it.
-    pub(crate) const fn fault(&self) -> Option<Fault> {
+    pub(crate) const fn fault(&self) -> Option<ErrorKind> {
         if !self.center.is_in_range() {
-            return Some(Fault::Coordinate);
+            return Some(ErrorKind::Coordinate);
         }
-        size_fault(self.radius, Fault::Radius)
+        size_fault(self.radius, ErrorKind::Radius)
     }
 
     /// A ball around it: itself.
@@ -80,10 +80,10 @@ impl PreparedSphere {
     pub(crate) const SMALLEST_INSIDE: i32 = 8;
 
     /// Lays a sphere without a fault on the grid.
-    pub(crate) const fn prepare(sphere: &Sphere, grid: &Grid) -> Result<Self, Fault> {
+    pub(crate) const fn prepare(sphere: &Sphere, grid: &Grid) -> Result<Self, ErrorKind> {
         let radius = grid.length(sphere.radius);
         if radius.to_bits() < SMALLEST {
-            return Err(Fault::Tiny);
+            return Err(ErrorKind::Tiny);
         }
         let center = grid.place(sphere.center).point;
         Ok(Self::new(center, radius, sphere.material))

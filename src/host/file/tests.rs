@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::*;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::host::reference;
 
 /// A scene with one part of every kind, in which all numbers differ.
@@ -280,7 +280,7 @@ fn repeated_material_is_named_with_both_places() {
 
 #[test]
 fn what_the_core_refuses_is_reported_with_its_place() {
-    let camera = &format!("camera: {}", Fault::FieldOfView);
+    let camera = &format!("camera: {}", ErrorKind::FieldOfView);
     let cases = [
         (
             "/spheres/0/radius",
@@ -346,17 +346,17 @@ fn what_the_core_refuses_is_reported_with_its_place() {
         (
             "/camera/up",
             json!([1e300, 0, 0]),
-            &format!("camera: {}", Fault::Coordinate),
+            &format!("camera: {}", ErrorKind::Coordinate),
         ),
         (
             "/spheres/0/center/1",
             json!(1e300),
-            &format!("spheres[0]: {}", Fault::Coordinate),
+            &format!("spheres[0]: {}", ErrorKind::Coordinate),
         ),
         (
             "/spheres/0/radius",
             json!(1e-12),
-            &format!("spheres[0]: {}", Fault::Tiny),
+            &format!("spheres[0]: {}", ErrorKind::Tiny),
         ),
     ];
     for (pointer, value, expected) in cases {
@@ -436,7 +436,7 @@ fn error_keeps_what_it_says_as_values() {
         .runtime()
         .unwrap_err();
     assert_eq!((error.file(), error.scene()), (None, Some("still life")));
-    let expected = Error::at("sphere", 0, Fault::Radius);
+    let expected = Error::at("sphere", 0, ErrorKind::Radius);
     assert!(
         matches!(error.problem(), Problem::Scene(found) if *found == expected),
         "{error:?}"

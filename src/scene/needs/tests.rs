@@ -1,6 +1,6 @@
 use super::*;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::material::Material;
 use crate::scene::{Capacity, Room, RuntimeScene};
 
@@ -120,7 +120,7 @@ fn bound_names_the_first_need_beyond_it() {
         (all.without_colors(), "colors"),
     ] {
         let excess = all.within(&bound).unwrap_err();
-        assert_eq!((excess.part(), excess.kind()), (need, Fault::Limit));
+        assert_eq!((excess.part(), excess.kind()), (need, ErrorKind::Limit));
         assert!(format!("{excess}").starts_with(&format!("{need}: ")));
         assert_eq!(bound.within(&all), Ok(()));
         assert_eq!(all.both(&bound), bound);

@@ -182,7 +182,7 @@ fn size_below_64_steps_is_too_tiny() {
     assert_eq!(with(64.0 / 256.0), Ok(()));
     assert_eq!(
         with(63.49 / 256.0),
-        Err(Error::at("sphere", 1, Fault::Tiny))
+        Err(Error::at("sphere", 1, ErrorKind::Tiny))
     );
     let with = |radius: f64, height: f64| {
         let scene = scenery(|scene, white| {
@@ -197,11 +197,11 @@ fn size_below_64_steps_is_too_tiny() {
     assert_eq!(with(64.0 / 256.0, 128.0 / 256.0), Ok(()));
     assert_eq!(
         with(63.49 / 256.0, 1.0),
-        Err(Error::at("cylinder", 0, Fault::Tiny))
+        Err(Error::at("cylinder", 0, ErrorKind::Tiny))
     );
     assert_eq!(
         with(1.0, 126.9 / 256.0),
-        Err(Error::at("cylinder", 0, Fault::Tiny))
+        Err(Error::at("cylinder", 0, ErrorKind::Tiny))
     );
 }
 
@@ -217,7 +217,7 @@ fn scene_smaller_than_the_format_is_refused() {
     assert_eq!(with(2f64.powi(-30)), Ok(58));
     assert_eq!(
         with(2f64.powi(-30) * 0.99),
-        Err(Error::of("scene", Fault::Extent))
+        Err(Error::of("scene", ErrorKind::Extent))
     );
 }
 
@@ -235,8 +235,8 @@ fn epsilon_is_at_least_what_a_hit_may_be_off() {
     let more = SMALLEST_EPSILON + 1;
     assert_eq!(with(f64::from(more) * step), Ok(more));
     assert_eq!(with(1.0 - step), Ok(BALL - 1));
-    assert_eq!(with(1.0), Err(Error::of("scene", Fault::Epsilon)));
-    assert_eq!(with(1e9), Err(Error::of("scene", Fault::Epsilon)));
+    assert_eq!(with(1.0), Err(Error::of("scene", ErrorKind::Epsilon)));
+    assert_eq!(with(1e9), Err(Error::of("scene", ErrorKind::Epsilon)));
 }
 
 #[test]
@@ -269,7 +269,7 @@ fn scene_of_planes_alone_takes_any_epsilon() {
         let steps = scene.plain().unwrap().epsilon.to_bits();
         assert!((SMALLEST_EPSILON..BALL).contains(&steps), "{steps}");
         let too_much = scene.set_epsilon(2f64.powi(30) * 1.01);
-        assert_eq!(too_much, Err(Error::of("scene", Fault::Epsilon)));
+        assert_eq!(too_much, Err(Error::of("scene", ErrorKind::Epsilon)));
     }
 }
 
@@ -297,7 +297,7 @@ fn material_may_shine_up_to_thirty() {
         }
         scene.plain().map(|_| ())
     };
-    let too_bright = Err(Error::at("material", 0, Fault::Brightness));
+    let too_bright = Err(Error::at("material", 0, ErrorKind::Brightness));
     assert_eq!(with(1.0, 16.0, 14.0, 0.0, &[1.0]), Ok(()));
     assert_eq!(with(1.0, 16.0, 13.0, 1.0, &[1.0]), Ok(()));
     assert_eq!(with(1.0, 16.0, 13.0, 1.1, &[1.0]), too_bright);

@@ -158,7 +158,7 @@ fn disc_that_is_laid_on_the_grid_is_a_few_steps_wider() {
         };
         let laid = PreparedDisc::prepare(&described, &grid);
         match is_laid {
-            false => assert_eq!(laid.unwrap_err(), Fault::Tiny),
+            false => assert_eq!(laid.unwrap_err(), ErrorKind::Tiny),
             true => {
                 let laid = laid.unwrap();
                 assert_eq!(laid.ball(), (point([1, 2, 3]), radius + RIM));

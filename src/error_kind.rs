@@ -11,7 +11,7 @@ macro_rules! faults {
         /// What is wrong with one part of a scene, with a camera, or with a call.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[non_exhaustive]
-        pub enum Fault {
+        pub enum ErrorKind {
             /// A radius that is zero or negative.
             Radius,
             /// A height that is zero or negative.
@@ -82,7 +82,7 @@ macro_rules! faults {
             Number,
         }
 
-        impl Fault {
+        impl ErrorKind {
             /// Returns one sentence that names the field and the fix.
             pub const fn message(self) -> &'static str {
                 match self {
@@ -147,7 +147,7 @@ macro_rules! faults {
 }
 kinds!(faults);
 
-impl fmt::Display for Fault {
+impl fmt::Display for ErrorKind {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(self.message())
     }
