@@ -21,9 +21,9 @@ use crate::scene::{
 ///
 /// | room | scene | its description | tables |
 /// |---|--:|--:|--:|
-/// | `room!(spheres: 1, lights: 1, materials: 1)` | 480 | 624 | not needed |
-/// | `room!(spheres: 8, planes: 2, cylinders: 4, lights: 2, materials: 4)` | 1736 | 2360 | 2056 |
-/// | `room!(spheres: 32, planes: 4, cylinders: 16, lights: 2, materials: 8)` | 5096 | 6440 | 2056 |
+/// | `room!(spheres: 1, lights: 1, materials: 1)` | 528 | 728 | not needed |
+/// | `room!(spheres: 8, planes: 2, cylinders: 4, lights: 2, materials: 4)` | 1776 | 2464 | 2056 |
+/// | `room!(spheres: 32, planes: 4, cylinders: 16, lights: 2, materials: 8)` | 5136 | 6544 | 2056 |
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<R: Capacity> {
     pub(super) plain: PlainScene<R>,
