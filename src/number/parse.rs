@@ -19,8 +19,8 @@ use crate::error_kind::ErrorKind;
 ///
 /// The value is rounded once, to the nearest multiple of 2⁻⁶⁴; halves are rounded away from zero, as
 /// [`Number::new`] does. What lies beyond ±2⁶³ is [`Number::OUT_OF_RANGE`], which is refused by name
-/// where it is used. Digits and exponents may be of any length: every text takes one pass over its
-/// digits and at most 40 steps more.
+/// where it is used. Digits and exponents may be of any length: the time grows with the length of the
+/// text, and not with its exponent.
 ///
 /// ```
 /// use reflet::{ErrorKind, Number};
