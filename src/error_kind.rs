@@ -136,7 +136,7 @@ macro_rules! faults {
                     Self::FieldOfView => "fov must be between 0.001 and 179.999 degrees",
                     Self::Limit => "the scene needs this, but its NeedsLimit leaves it out: allow it there",
                     Self::Number => {
-                        "number must be decimal digits with an optional sign, point and exponent, \
+                        "text must be decimal digits with an optional sign, point and exponent, \
                          such as -1.5 or 2e-3"
                     }
                     Self::Changed => "changed since the frame was prepared: prepare the frame again",

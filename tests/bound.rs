@@ -6,10 +6,10 @@ use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture};
-use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
-use reflet::{Camera, Material, RuntimeScene, Unit, room};
 use reflet::quality::{Exact, Fast, Fine, Quality};
+use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
 use reflet::shading::{BlinnPhong, Phong, Shading};
+use reflet::{Camera, Material, RuntimeScene, Unit, room};
 
 const SIDE: u32 = 96;
 
@@ -156,7 +156,10 @@ fn no_pixel_of_a_scene_is_further_off_than_its_bound() {
 
 /// Returns a closed room that mirrors and glows: every hit of a path has the same α and the same
 /// colour.
-fn room(alpha: f64, is_round: bool) -> RuntimeScene<room!(spheres: 1, planes: 6, lights: 1, materials: 1)> {
+fn room(
+    alpha: f64,
+    is_round: bool,
+) -> RuntimeScene<room!(spheres: 1, planes: 6, lights: 1, materials: 1)> {
     let mut room = RuntimeScene::new();
     let glass = Material::from_numbers(COLOR, 1, 0, (0, 1), alpha).unwrap();
     let glass = room.add_material(glass).unwrap();

@@ -7,15 +7,15 @@ use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use embedded_graphics_simulator::SimulatorDisplay;
+use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
+use reflet::display::Enlarged;
 use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, pixel};
-use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES, Visitor, visit};
-use reflet::{Report, Unit};
-use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
-use reflet::display::Enlarged;
 use reflet::quality::{Fast, Fine};
+use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES, Visitor, visit};
 use reflet::shading::{BlinnPhong, Phong, Unshadowed};
+use reflet::{Report, Unit};
 
 const FRONT: Front = Front::new(&[
     point(40, 0, Grade::Fast, 4, 2000),

@@ -11,9 +11,9 @@ use embedded_graphics::pixelcolor::{
 use embedded_graphics::prelude::{Point, PointsIter, Size};
 use embedded_graphics::primitives::Rectangle;
 use reflet::host::painted;
+use reflet::quality::{Exact, Fast, Quality};
 use reflet::scenes::{BuiltIn, Mirror1, Primitives};
 use reflet::{Material, Number, Report, Rows, RuntimeScene, room};
-use reflet::quality::{Exact, Fast, Quality};
 
 /// A display that records its calls in order, and fails at the call `fails_at`.
 struct Recorder<C> {

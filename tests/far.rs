@@ -4,8 +4,8 @@ use embedded_graphics::prelude::Size;
 use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, Shading};
-use reflet::{Camera, Material, RuntimeScene, room};
 use reflet::quality::Fine;
+use reflet::{Camera, Material, RuntimeScene, room};
 
 type Room = RuntimeScene<room!(spheres: 1, planes: 2, lights: 1, materials: 1)>;
 

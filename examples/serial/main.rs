@@ -34,10 +34,10 @@ pub fn main() {
             scene = new;
             "ok".to_owned()
         }
-        Err((line, words)) => format!("line {line}: {words}"),
+        Err((line, wrong)) => format!("line {line}: {wrong}"),
     };
     println!("{answer}");
-    assert_eq!(answer, "line 2: radius must be greater than 0");
+    assert_eq!(answer, "line 2: sphere 0: radius must be greater than 0");
     assert_eq!(serial.next(), None, "the wrong scene is read to its end");
     assert!(picture(&scene) == first, "the old scene stays");
 }

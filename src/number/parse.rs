@@ -3,6 +3,7 @@
 use core::str::FromStr;
 
 use super::Number;
+use crate::error::Error;
 use crate::error_kind::ErrorKind;
 
 /// Reads a decimal number, without float arithmetic and without allocation.
@@ -27,16 +28,18 @@ use crate::error_kind::ErrorKind;
 /// assert_eq!("-1.5".parse(), Ok(Number::new(-1.5)));
 /// assert_eq!("25e-2".parse(), Ok(Number::new(0.25)));
 /// assert_eq!("1e999".parse(), Ok(Number::OUT_OF_RANGE));
-/// assert_eq!("1,5".parse::<Number>(), Err(ErrorKind::Number));
+/// let error = "1,5".parse::<Number>().unwrap_err();
+/// assert_eq!(error.kind(), ErrorKind::Number);
 /// ```
 ///
 /// # Errors
 /// [`ErrorKind::Number`] if the text is no such number.
 impl FromStr for Number {
-    type Err = ErrorKind;
+    type Err = Error;
 
-    fn from_str(text: &str) -> Result<Self, ErrorKind> {
-        let decimal = Decimal::read(text.as_bytes()).ok_or(ErrorKind::Number)?;
+    fn from_str(text: &str) -> Result<Self, Error> {
+        let decimal =
+            Decimal::read(text.as_bytes()).ok_or(Error::of("number", ErrorKind::Number))?;
         Ok(decimal.rounded())
     }
 }

@@ -2,10 +2,10 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
-use reflet::{FrameBuilder, Report, Unit};
 use reflet::__private::Drawable;
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
+use reflet::{FrameBuilder, Report, Unit};
 
 use crate::Wild;
 

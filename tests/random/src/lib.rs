@@ -18,7 +18,8 @@ use reflet::{Camera, Error, Material, MaterialId, RuntimeScene, room};
 pub use draw::Drawn;
 
 /// A scene with enough room for what a few hundred bytes describe.
-pub type Scenery = RuntimeScene<room!(spheres: 6, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>;
+pub type Scenery =
+    RuntimeScene<room!(spheres: 6, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>;
 
 /// A described scene, and how to draw it.
 #[derive(Clone, Debug)]

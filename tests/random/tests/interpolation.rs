@@ -6,9 +6,9 @@ use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use reflet::host::painted;
 use reflet::host::{compare::compare, reference};
+use reflet::quality::{Exact, Fast, Fine, Quality};
 use reflet::scenes::{BuiltIn, Corner1, Floor, NAMES, Visitor, visit};
 use reflet::{Camera, Material, RuntimeScene, Unit, room};
-use reflet::quality::{Exact, Fast, Fine, Quality};
 
 /// A quality that traces every fourth pixel and accepts any interpolation between them.
 struct Coarse;

@@ -6,15 +6,15 @@ use std::cell::{Cell, RefCell};
 use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
+use reflet::__private::Drawable;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Vector, render};
-use reflet::{Camera, Error, FrameBuilder, Material, MaterialId, RuntimeScene, room};
-use reflet::__private::Drawable;
 use reflet::quality::{Fast, Fine, Quality};
 use reflet::shading::{Normals, Phong};
+use reflet::{Camera, Error, FrameBuilder, Material, MaterialId, RuntimeScene, room};
 
 const SIDE: u32 = 48;
 
@@ -24,7 +24,8 @@ const WITHIN_8: f64 = 0.99;
 const WITHIN_1: f64 = 0.98;
 
 type Triple = [f64; 3];
-type Scenery = RuntimeScene<room!(spheres: 16, planes: 4, cylinders: 6, discs: 4, lights: 4, materials: 4)>;
+type Scenery =
+    RuntimeScene<room!(spheres: 16, planes: 4, cylinders: 6, discs: 4, lights: 4, materials: 4)>;
 
 /// A scene in a cube of ±1, and the size and position to which the cube is scaled and moved.
 #[derive(Clone, Debug)]

@@ -7,8 +7,8 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, Shading};
-use reflet::{Camera, Material, RuntimeScene, room};
 use reflet::quality::{Exact, Quality, Small};
+use reflet::{Camera, Material, RuntimeScene, room};
 
 type Triple = [f64; 3];
 type Scenery = RuntimeScene<room!(spheres: 12, planes: 1, cylinders: 12, lights: 2, materials: 2)>;
