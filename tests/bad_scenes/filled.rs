@@ -3,9 +3,12 @@
 use std::error::Error;
 
 use reflet::SceneError::{Cylinder, Disc, Light, Plane, Scene, Sphere};
-use reflet::{Camera, Error, ErrorKind, Material, MaterialId, Number, Position, RuntimeScene, room};
+use reflet::{
+    Camera, Error, ErrorKind, Material, MaterialId, Number, Position, RuntimeScene, room,
+};
 
-type Scenery = RuntimeScene<room!(spheres: 2, planes: 2, cylinders: 2, discs: 2, lights: 2, materials: 2)>;
+type Scenery =
+    RuntimeScene<room!(spheres: 2, planes: 2, cylinders: 2, discs: 2, lights: 2, materials: 2)>;
 type Triple = [f64; 3];
 
 const NAN: f64 = f64::NAN;
