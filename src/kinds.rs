@@ -71,7 +71,7 @@ macro_rules! __room {
     };
 }
 
-/// Writes the described type of a kind.
+/// Writes the described type of a part.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __described {
@@ -83,5 +83,12 @@ macro_rules! __described {
     };
     (disc) => {
         $crate::description::Disc
+    };
+    // These cannot move: `SceneBuilder` says so.
+    (plane) => {
+        $crate::description::Plane
+    };
+    (light) => {
+        $crate::description::Light
     };
 }

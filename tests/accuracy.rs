@@ -84,15 +84,11 @@ struct Check<K> {
     kind: std::marker::PhantomData<K>,
 }
 
-fn difference<S: BuiltIn + StaticFrame, Q: Quality, K: Shading>(
-    truth: &reference::Picture,
-) -> Difference {
+fn difference<S: BuiltIn, Q: Quality, K: Shading>(truth: &reference::Picture) -> Difference {
     let frame = S::frame(&S::CAMERA).reflections(REFLECTIONS);
-    let picture = frame
-        .quality::<Q>()
-        .shading::<K>()
-        .sized(Size::new(SIDE, SIDE));
-    compare(&painted(&picture), truth).unwrap()
+    let frame = frame.quality::<Q>().shading::<K>();
+    let prepared = frame.prepare(Size::new(SIDE, SIDE));
+    compare(&painted(&prepared.on(S::INSTANCE).unwrap()), truth).unwrap()
 }
 
 impl<K: Shading> Visitor for Check<K> {
@@ -217,8 +213,20 @@ fn reflection_of_something_bright_is_not_cut_off() {
     };
     let size = Size::new(SIDE, SIDE);
     for picture in [
-        painted(&frame().quality::<Fast>().sized(size)),
-        painted(&frame().quality::<Small>().sized(size)),
+        painted(
+            &frame()
+                .quality::<Fast>()
+                .prepare(size)
+                .on(&LAMPLIGHT_SCENE)
+                .unwrap(),
+        ),
+        painted(
+            &frame()
+                .quality::<Small>()
+                .prepare(size)
+                .on(&LAMPLIGHT_SCENE)
+                .unwrap(),
+        ),
     ] {
         let found = compare(&picture, &truth).unwrap();
         assert!(found.within1 >= 0.999, "{found:?}");
@@ -242,9 +250,18 @@ fn telephoto_view_does_not_hurt_fixed_point() {
     let size = Size::new(SIDE, SIDE);
     let n = u32::from(REFLECTIONS);
     let pairs = [
-        (painted(&frame.sized(size)), reference::Shading::BlinnPhong),
         (
-            painted(&frame.shading::<Phong>().sized(size)),
+            painted(&frame.prepare(size).on(&TELEPHOTO_SCENE).unwrap()),
+            reference::Shading::BlinnPhong,
+        ),
+        (
+            painted(
+                &frame
+                    .shading::<Phong>()
+                    .prepare(size)
+                    .on(&TELEPHOTO_SCENE)
+                    .unwrap(),
+            ),
             reference::Shading::Phong,
         ),
     ];

@@ -16,7 +16,9 @@ fn exact(scene: &Room, camera: &Camera) -> Picture {
         &built
             .frame(camera)
             .quality::<Fine>()
-            .sized(Size::new(33, 33)),
+            .prepare(Size::new(33, 33))
+            .on(&built)
+            .unwrap(),
     );
     let truth = reference::render(
         &reference::Scene::from(&scene.description()),

@@ -85,7 +85,7 @@ impl Setting {
         scene.set_camera(camera);
         let built = scene.build().unwrap();
         let frame = built.frame(&camera).reflections(6).quality::<Fine>();
-        painted(&frame.sized(Size::new(64, 48)))
+        painted(&frame.prepare(Size::new(64, 48)).on(&built).unwrap())
     }
 }
 

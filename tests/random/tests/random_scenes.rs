@@ -151,7 +151,7 @@ impl Recipe {
         ((Vector(at) + Vector(self.offset)) * self.scale).0
     }
 
-    fn scene(&self) -> Result<Scenery, SceneError> {
+    fn scene(&self) -> Result<Scenery, Error> {
         let mut scene = Scenery::new();
         let made = self.materials.iter().map(|it| {
             let highlight = (it.specular, it.shininess);
@@ -191,7 +191,7 @@ impl Recipe {
         Ok((scene, camera))
     }
 
-    fn camera(&self) -> Result<Camera, CameraError> {
+    fn camera(&self) -> Result<Camera, Error> {
         let (position, fov) = match self.eye {
             Eye::Within(at, fov) => (at, fov),
             Eye::InSphere(index, fov) if !self.spheres.is_empty() => {
@@ -226,9 +226,13 @@ fn any_valid_scene_is_painted_as_double_precision_paints_it() {
         let frame = built.frame(&camera).reflections(recipe.reflections);
         let (frame, size) = (frame.quality::<Fine>(), Size::new(SIDE, SIDE));
         let picture = match recipe.shading {
-            reference::Shading::BlinnPhong => painted(&frame.sized(size)),
-            reference::Shading::Phong => painted(&frame.shading::<Phong>().sized(size)),
-            reference::Shading::Normals => painted(&frame.shading::<Normals>().sized(size)),
+            reference::Shading::BlinnPhong => painted(&frame.prepare(size).on(&built).unwrap()),
+            reference::Shading::Phong => {
+                painted(&frame.shading::<Phong>().prepare(size).on(&built).unwrap())
+            }
+            reference::Shading::Normals => {
+                painted(&frame.shading::<Normals>().prepare(size).on(&built).unwrap())
+            }
         };
         let (truth, camera) = ((&scene.description()).into(), (&camera).into());
         let n = u32::from(recipe.reflections);
@@ -279,8 +283,8 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
         let frame = || built.frame(&camera).reflections(recipe.reflections);
         let reflections = recipe.reflections.into();
         let pictures = [
-            lit(frame().quality::<Fast>(), SIDE, shading),
-            lit(frame().quality::<Fine>(), SIDE, shading),
+            lit(&built, frame().quality::<Fast>(), SIDE, shading),
+            lit(&built, frame().quality::<Fine>(), SIDE, shading),
         ];
         let endings = [ending::<Fast>(reflections), ending::<Fine>(reflections)];
         let (exact, camera) = ((&scene.description()).into(), (&camera).into());
@@ -318,15 +322,18 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
 const MOST_DECIDED: usize = 10_000;
 
 /// Draws a lit picture with the highlights of one shading.
-fn lit<W: World + Copy, Q: Quality>(
-    frame: Frame<'_, W, Q>,
+fn lit<S: Drawable, Q: Quality>(
+    scene: &S,
+    frame: FrameBuilder<'_, S, Q>,
     side: u32,
     shading: reference::Shading,
 ) -> reference::Picture {
     let size = Size::new(side, side);
     match shading {
-        reference::Shading::Phong => painted(&frame.shading::<Phong>().sized(size)),
-        _ => painted(&frame.sized(size)),
+        reference::Shading::Phong => {
+            painted(&frame.shading::<Phong>().prepare(size).on(scene).unwrap())
+        }
+        _ => painted(&frame.prepare(size).on(scene).unwrap()),
     }
 }
 
@@ -393,7 +400,7 @@ impl Wild {
         at.map(|it| it * self.unit)
     }
 
-    fn scene(&self) -> Result<Scenery, SceneError> {
+    fn scene(&self) -> Result<Scenery, Error> {
         let (diffuse, specular, shininess, mirror) = self.surface;
         let (color, highlight) = ([2.0, 1.0, 0.1], (specular, shininess));
         let made = Material::from_numbers(color, 0.1, diffuse, highlight, mirror);
@@ -444,9 +451,22 @@ fn no_scene_that_is_accepted_overflows() {
         let (reflections, width, height) = frame;
         let size = Size::new(width, height);
         let frame = || built.frame(&camera).reflections(reflections);
-        painted(&frame().sized(size));
-        painted(&frame().shading::<Phong>().quality::<Fine>().sized(size));
-        painted(&frame().shading::<Normals>().sized(size));
+        painted(&frame().prepare(size).on(&built).unwrap());
+        painted(
+            &frame()
+                .shading::<Phong>()
+                .quality::<Fine>()
+                .prepare(size)
+                .on(&built)
+                .unwrap(),
+        );
+        painted(
+            &frame()
+                .shading::<Normals>()
+                .prepare(size)
+                .on(&built)
+                .unwrap(),
+        );
         Ok(())
     });
     outcome.unwrap_or_else(|error| panic!("{error}"));
