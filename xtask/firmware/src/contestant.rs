@@ -5,10 +5,13 @@ use core::marker::PhantomData;
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
-use reflet::{Camera, Rows, Whole, Within};
-use reflet::needs::MostReflections;
+use reflet::__private::{Apart, Everything as Whole};
+use reflet::needs::{Limited, MostReflections};
 use reflet::quality::Quality;
 use reflet::shading::Shading;
+use reflet::{Camera, PreparedFrame};
+
+use crate::report;
 
 /// A renderer, ready to be measured. What a program may learn only while it runs (camera, size,
 /// reflections) is hidden from the optimiser, for all contestants alike.
@@ -32,47 +35,55 @@ pub trait View {
 /// The library, with scene `S`, view `V`, quality `Q`, shading `K` and at most `N` reflections.
 pub struct Fixed<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
 
-impl<S: StaticFrame, V: View, Q: Quality, K: Shading, const N: u8> Contestant
-    for Fixed<S, V, Q, K, N>
-{
-    type Picture = Picture<Within<Static<S>, MostReflections<N>>, Q, K>;
+/// A constant scene, of which mirrors are linked for at most `N` reflections.
+type Once<S, const N: u8> = Limited<'static, S, MostReflections<N>>;
+
+impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant for Fixed<S, V, Q, K, N> {
+    type Picture = (Once<S, N>, PreparedFrame<Once<S, N>, Q, K>);
 
     #[inline(never)]
     fn prepare((width, height): (u32, u32)) -> Self::Picture {
-        S::frame(black_box(&V::CAMERA))
-            .most_reflections::<N>()
+        let scene = Limited::new(S::INSTANCE).unwrap_or_else(|_| report::stop("limit"));
+        let frame = scene
+            .frame(black_box(&V::CAMERA))
+            .reflections(N)
             .quality::<Q>()
             .shading::<K>()
-            .sized(Size::new(width, height))
+            .prepare(Size::new(width, height));
+        (scene, frame)
     }
 
     #[inline(never)]
-    fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]) {
-        picture.row(y, 0, row);
+    fn row((scene, frame): &Self::Picture, y: u32, row: &mut [Rgb888]) {
+        if let Ok(rows) = frame.on(scene) {
+            rows.row(y, 0, row);
+        }
     }
 }
 
 /// The same with everything linked that any scene needs.
 pub struct Everything<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
 
-impl<S: StaticFrame, V: View, Q: Quality, K: Shading, const N: u8> Contestant
+impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant
     for Everything<S, V, Q, K, N>
 {
-    type Picture = Picture<Whole<Static<S>>, Q, K>;
+    type Picture = PreparedFrame<Whole<'static, S>, Q, K>;
 
     #[inline(never)]
     fn prepare((width, height): (u32, u32)) -> Self::Picture {
-        S::frame(black_box(&V::CAMERA))
+        Whole(S::INSTANCE)
+            .frame(black_box(&V::CAMERA))
             .reflections(N)
             .quality::<Q>()
             .shading::<K>()
-            .whole()
-            .sized(Size::new(width, height))
+            .prepare(Size::new(width, height))
     }
 
     #[inline(never)]
-    fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]) {
-        picture.row(y, 0, row);
+    fn row(frame: &Self::Picture, y: u32, row: &mut [Rgb888]) {
+        if let Ok(rows) = frame.on(&Whole(S::INSTANCE)) {
+            rows.row(y, 0, row);
+        }
     }
 }
 

@@ -167,7 +167,8 @@ impl Task {
             "{module}\
              pub struct Seen;\n\n\
              {view}pub type Job =\n    \
-                 firmware::{contestant}<{scene}, Seen, reflet::{quality}, reflet::{shading}, {reflections}>;\n"
+                 firmware::{contestant}<{scene}, Seen, reflet::quality::{quality}, \
+                 reflet::shading::{shading}, {reflections}>;\n"
         )
     }
 
