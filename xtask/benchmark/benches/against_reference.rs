@@ -18,7 +18,7 @@ use benchmark::Order;
 use criterion::Criterion;
 use embedded_graphics::prelude::Size;
 use rayon::ThreadPoolBuilder;
-use reflet::__private::Drawable;
+use reflet::__private::{Drawable, StaticScene};
 use reflet::FrameBuilder;
 use reflet::host::compare::compare;
 use reflet::host::file::SceneFile;
@@ -80,7 +80,7 @@ fn spheres(count: usize) -> Result<Pair, Box<dyn Error>> {
     let (scene, reference_camera) = file.reference();
     Pair::new(
         format!("{count} spheres"),
-        move || by_library(&built, built.frame(&camera)),
+        move || by_library(&*built, built.frame(&camera)),
         move || by_reference(&scene, &reference_camera),
     )
 }

@@ -125,17 +125,14 @@ impl Visitor for Draw<'_> {
 
 impl Draw<'_> {
     fn pixels<Q: Quality>(self) -> Vec<[u8; 3]> {
-        let frame = self.frame.quality::<Q>();
         match self.shadows {
-            true => self.shaded(&frame.shading::<BlinnPhong>()),
-            false => self.shaded(&frame.shading::<Unshadowed>()),
+            true => self.shaded::<Q, BlinnPhong>(),
+            false => self.shaded::<Q, Unshadowed>(),
         }
     }
 
-    fn shaded<Q: Quality, K: shading::Shading>(
-        &self,
-        frame: &FrameBuilder<'_, FileScene, Q, K>,
-    ) -> Vec<[u8; 3]> {
+    fn shaded<Q: Quality, K: shading::Shading>(self) -> Vec<[u8; 3]> {
+        let frame = self.frame.quality::<Q>().shading::<K>();
         let frame = frame.prepare(self.size);
         let rows = frame.on(self.scene).expect("the frame is this scene's");
         painted(&rows).pixels
