@@ -16,14 +16,24 @@ use crate::report;
 /// A renderer, ready to be measured. What a program may learn only while it runs (camera, size,
 /// reflections) is hidden from the optimiser, for all contestants alike.
 pub trait Contestant {
+    /// What is drawn.
+    type Scene;
     /// A frame made ready for one size.
     type Picture;
 
+    /// All that is done once a program. It is not counted.
+    fn scene() -> Self::Scene;
+
+    /// Moves what moves in the scene; `false` if nothing does.
+    fn moved(_: &mut Self::Scene) -> bool {
+        false
+    }
+
     /// All that is done once a frame.
-    fn prepare(size: (u32, u32)) -> Self::Picture;
+    fn prepare(scene: &Self::Scene, size: (u32, u32)) -> Self::Picture;
 
     /// Fills the row `y`.
-    fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]);
+    fn row(seen: (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]);
 }
 
 /// How the library's scene is seen.
@@ -39,22 +49,25 @@ pub struct Fixed<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
 type Once<S, const N: u8> = Limited<'static, S, MostReflections<N>>;
 
 impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant for Fixed<S, V, Q, K, N> {
-    type Picture = (Once<S, N>, PreparedFrame<Once<S, N>, Q, K>);
+    type Scene = Once<S, N>;
+    type Picture = PreparedFrame<Once<S, N>, Q, K>;
+
+    fn scene() -> Self::Scene {
+        Limited::new(S::INSTANCE).unwrap_or_else(|_| report::stop("the limit"))
+    }
 
     #[inline(never)]
-    fn prepare((width, height): (u32, u32)) -> Self::Picture {
-        let scene = Limited::new(S::INSTANCE).unwrap_or_else(|_| report::stop("limit"));
-        let frame = scene
+    fn prepare(scene: &Self::Scene, (width, height): (u32, u32)) -> Self::Picture {
+        scene
             .frame(black_box(&V::CAMERA))
             .reflections(N)
             .quality::<Q>()
             .shading::<K>()
-            .prepare(Size::new(width, height));
-        (scene, frame)
+            .prepare(Size::new(width, height))
     }
 
     #[inline(never)]
-    fn row((scene, frame): &Self::Picture, y: u32, row: &mut [Rgb888]) {
+    fn row((scene, frame): (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]) {
         if let Ok(rows) = frame.on(scene) {
             rows.row(y, 0, row);
         }
@@ -67,11 +80,16 @@ pub struct Everything<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
 impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant
     for Everything<S, V, Q, K, N>
 {
+    type Scene = Whole<'static, S>;
     type Picture = PreparedFrame<Whole<'static, S>, Q, K>;
 
-    #[inline(never)]
-    fn prepare((width, height): (u32, u32)) -> Self::Picture {
+    fn scene() -> Self::Scene {
         Whole(S::INSTANCE)
+    }
+
+    #[inline(never)]
+    fn prepare(scene: &Self::Scene, (width, height): (u32, u32)) -> Self::Picture {
+        scene
             .frame(black_box(&V::CAMERA))
             .reflections(N)
             .quality::<Q>()
@@ -80,8 +98,8 @@ impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant
     }
 
     #[inline(never)]
-    fn row(frame: &Self::Picture, y: u32, row: &mut [Rgb888]) {
-        if let Ok(rows) = frame.on(&Whole(S::INSTANCE)) {
+    fn row((scene, frame): (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]) {
+        if let Ok(rows) = frame.on(scene) {
             rows.row(y, 0, row);
         }
     }
@@ -103,15 +121,18 @@ pub trait FloatView {
 pub struct Float<V>(PhantomData<V>);
 
 impl<V: FloatView> Contestant for Float<V> {
+    type Scene = ();
     type Picture = float_port::View;
 
+    fn scene() {}
+
     #[inline(never)]
-    fn prepare(size: (u32, u32)) -> Self::Picture {
+    fn prepare(_: &(), size: (u32, u32)) -> Self::Picture {
         float_port::View::new(black_box(&V::CAMERA), size)
     }
 
     #[inline(never)]
-    fn row(view: &Self::Picture, y: u32, row: &mut [Rgb888]) {
+    fn row((_, view): (&(), &Self::Picture), y: u32, row: &mut [Rgb888]) {
         let reflections = black_box(V::REFLECTIONS);
         for (x, pixel) in (0..).zip(row) {
             let [red, green, blue] =
@@ -125,11 +146,14 @@ impl<V: FloatView> Contestant for Float<V> {
 pub struct Nothing;
 
 impl Contestant for Nothing {
+    type Scene = ();
     type Picture = ();
 
-    #[inline(never)]
-    fn prepare(_: (u32, u32)) {}
+    fn scene() {}
 
     #[inline(never)]
-    fn row(_: &(), _: u32, _: &mut [Rgb888]) {}
+    fn prepare(_: &(), _: (u32, u32)) {}
+
+    #[inline(never)]
+    fn row(_: (&(), &()), _: u32, _: &mut [Rgb888]) {}
 }

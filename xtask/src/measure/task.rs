@@ -159,10 +159,7 @@ impl Task {
     fn fixed(&self, quality: &str, scene: &Path) -> String {
         let (reflections, shading) = (self.settings.reflections, self.settings.shading.type_name());
         let (module, scene, view) = self.scene.names(scene);
-        let contestant = match self.settings.is_whole {
-            true => "Everything",
-            false => "Fixed",
-        };
+        let contestant = self.scene.contestant(self.settings.is_whole);
         format!(
             "{module}\
              pub struct Seen;\n\n\

@@ -12,7 +12,7 @@ pub struct Moving {
     /// Name of its kind, such as `sphere`.
     pub kind: &'static str,
     /// Its numbers as Rust source: the arguments of `set_sphere`, without the handle.
-    pub fields: String,
+    fields: Vec<String>,
     center: [f64; 3],
     /// Radius of the ball around it.
     radius: f64,
@@ -34,7 +34,7 @@ impl Moving {
         let shape = scene.shapes().find(|it| it.kind == kind)?;
         Some(Self {
             kind,
-            fields: fields(&shape),
+            fields: fields(&shape).collect(),
             center,
             radius,
         })
@@ -44,6 +44,27 @@ impl Moving {
     pub fn motion(&self) -> String {
         let corner = |side: f64| vector(self.center.map(|middle| middle + side * self.radius));
         format!("motion({}, {})", corner(-ROOM), corner(ROOM))
+    }
+
+    /// Returns the `firmware::Moves` of the scene, of which `scene` is the type: the shape is moved to
+    /// where it is. The compiler does not know that.
+    pub fn moves(&self, scene: &str) -> String {
+        let kind = self.kind;
+        let field = |field: &String| match field.starts_with('[') {
+            true => format!("reflet::Position::new({field})"),
+            false => format!("reflet::Number::new({field})"),
+        };
+        let fields: Vec<_> = self.fields.iter().map(field).collect();
+        let (fields, names) = (fields.join(", "), ["a", "b", "c", "d"]);
+        let names = names[..self.fields.len()].join(", ");
+        format!(
+            "impl firmware::Moves for {scene} {{\n    \
+                 fn move_shape(scene: &mut reflet::MovingScene<Self>) -> Result<(), reflet::Error> {{\n        \
+                     let ({names}) = core::hint::black_box(const {{ ({fields}) }});\n        \
+                     scene.set_{kind}(Self::MOVING, {names})\n    \
+                 }}\n\
+             }}\n\n"
+        )
     }
 }
 
@@ -67,7 +88,10 @@ mod tests {
         scene.cylinders.push(cylinder);
         let moving = Moving::of(&scene).unwrap();
         assert_eq!((moving.kind, moving.radius), ("cylinder", 5.0));
-        assert_eq!(moving.fields, "[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], 3.0, 8.0");
+        assert_eq!(
+            moving.fields.join(" "),
+            "[0.0, 0.0, 0.0] [0.0, 0.0, 1.0] 3.0 8.0"
+        );
         scene.spheres.push(Sphere {
             center: [1.0, 2.0, 3.0],
             radius: 8.0,

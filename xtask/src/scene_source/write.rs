@@ -72,7 +72,8 @@ fn parts(scene: &Scene, materials: &[String], moving: Option<&Moving>) -> String
         let moves = is_first && moving.is_some_and(|moving| moving.kind == it.kind);
         is_first &= !moves;
         let handle = if moves { " MOVING" } else { "" };
-        let (fields, material) = (fields(&it), &materials[it.material]);
+        let fields: Vec<_> = fields(&it).collect();
+        let (fields, material) = (fields.join(", "), &materials[it.material]);
         format!("{}{handle}({fields}, {material})", it.kind)
     };
     let light = |it: &Light| format!("light({}, {})", vector(it.position), vector(it.color));
@@ -91,9 +92,8 @@ fn parts(scene: &Scene, materials: &[String], moving: Option<&Moving>) -> String
 }
 
 /// Returns the arguments of a shape's line without the material.
-pub(super) fn fields(shape: &Shape<'_>) -> String {
-    let fields = shape.fields.iter().map(|field| format!("{field:?}"));
-    fields.collect::<Vec<_>>().join(", ")
+pub(super) fn fields(shape: &Shape<'_>) -> impl Iterator<Item = String> {
+    shape.fields.iter().map(|field| format!("{field:?}"))
 }
 
 pub(super) fn vector([x, y, z]: [f64; 3]) -> String {
