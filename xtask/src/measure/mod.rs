@@ -2,7 +2,8 @@
 //!
 //! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds and runs it, and
 //! `images` keeps what was built; [`figures`] is what comes out, [`record`] keeps it, and [`page`]
-//! makes `docs/boards.md` of it. [`profiles`] measures the same code in several build profiles.
+//! makes `docs/boards.md` of it. [`moving`] compares a scene of which a shape moves with a constant
+//! one. [`profiles`] measures the same code in several build profiles.
 
 pub mod arguments;
 mod boards;
@@ -12,6 +13,7 @@ pub mod figures;
 pub(crate) mod firmware;
 pub(crate) mod float_source;
 mod images;
+pub mod moving;
 mod page;
 pub mod profiles;
 pub mod record;
@@ -38,6 +40,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     if arguments.all {
         return record::renew(arguments.choice.core);
+    }
+    if arguments.moving {
+        return moving::run(&arguments.choice.task()?, arguments.json);
     }
     let figures = measure(&arguments.choice.task()?)?;
     let text = match arguments.json {

@@ -132,19 +132,25 @@ mod ball;
 
 #[test]
 fn source_describes_the_scene_of_the_file() {
+    use reflet::__private::StaticScene;
     use reflet::host::file::SceneFile;
 
     let file = SceneFile::parse(SCENES, Some("ball")).unwrap();
     let (scene, camera) = file.runtime().unwrap();
     assert_eq!(camera, ball::CAMERA);
-    assert_eq!(ball::Ball::SCENE.camera(), Some(&camera));
+    let described = ball::Ball::with_description(|scene| scene.camera);
+    assert_eq!(described, Some(camera));
     let size = embedded_graphics::geometry::Size::new(40, 30);
     let black = <embedded_graphics::pixelcolor::Rgb888 as Default>::default();
     let (mut one, mut other) = (vec![black; 40], vec![black; 40]);
     let scene = Box::new(scene.build().unwrap());
+    let fixed = ball::Ball::frame(&camera).prepare(size);
+    let fixed = fixed.on(&ball::Ball).unwrap();
+    let filled = scene.frame(&camera).prepare(size);
+    let filled = filled.on(&scene).unwrap();
     for y in 0..30 {
-        ball::Ball::frame(&camera).sized(size).row(y, 0, &mut one);
-        scene.frame(&camera).sized(size).row(y, 0, &mut other);
+        fixed.row(y, 0, &mut one);
+        filled.row(y, 0, &mut other);
         assert_eq!(one, other, "row {y}");
     }
 }
