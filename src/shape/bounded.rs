@@ -34,31 +34,27 @@ pub trait Bounded: Copy + Debug + 'static {
     fn seen_from_eye(&self, eye: Point) -> Self::FromPoint;
 
     /// Tests whether shape `_one` is nearer to the common point than shape `_other`, or about as near.
-    /// Called
-    /// for balls only; the default is `false`.
+    /// Called for balls only; the default is `false`.
     #[inline(always)]
     fn is_in_front_of(_one: &Self::FromPoint, _other: &Self::FromPoint) -> bool {
         false
     }
 
-    /// Tests whether part of the shape may be nearer to the point than `_distance`. Called for balls
-    /// only;
-    /// the default is `true`.
+    /// Tests whether the shape's outline, as visible from the point, may be nearer than `_distance`.
+    /// Called for balls only; the default is `true`.
     #[inline(always)]
     fn may_be_nearer(_from: &Self::FromPoint, _distance: Length) -> bool {
         true
     }
 
     /// Tests whether a near point lies inside the shape. The shape is closed, so every ray from such a
-    /// point
-    /// hits it. Defaults to `false`, for shapes that enclose no space.
+    /// point hits it. Defaults to `false`, for shapes that enclose no space.
     fn holds(&self, _point: Point) -> bool {
         false
     }
 
     /// Returns the distance from the ray's origin to the first hit within `range`. Sets `side` if the
-    /// ray
-    /// misses the shape on the negative side of its axis.
+    /// ray misses the shape on the negative side of its axis.
     fn intersect(&self, ray: &Ray, range: Range, side: &mut bool) -> Option<Length>;
 
     /// Returns the distance to the first hit within `range` of a ray that starts at the point for which
@@ -75,8 +71,7 @@ pub trait Bounded: Copy + Debug + 'static {
     fn blocks(&self, ray: &Ray, reach: Length) -> bool;
 
     /// Tests whether the shape hides the end of `ray` from the light for which `from` was prepared.
-    /// `own`
-    /// says whether the end lies on the surface of this shape.
+    /// `own` says whether the end lies on the surface of this shape.
     fn occludes<const PRECISE: bool>(
         &self,
         from: &Self::FromLight,

@@ -42,9 +42,7 @@ impl Cylinder {
         material: MaterialId(0),
     };
 
-    /// Checks the cylinder. Returns the first fault, or `None` if coordinates, axis, radius and height
-    /// are
-    /// allowed.
+    /// Checks the cylinder. Returns its first fault, or `None` if all fields are allowed.
     pub(crate) const fn fault(&self) -> Option<Fault> {
         if !(self.center.is_in_range() && self.axis.is_in_range()) {
             Some(Fault::Coordinate)
@@ -57,9 +55,7 @@ impl Cylinder {
         }
     }
 
-    /// Returns a bounding ball of the cylinder. Its radius is the sum of radius and half height, which
-    /// is
-    /// somewhat too large.
+    /// Returns a bounding ball of the cylinder, somewhat too large: its radius is radius + half height.
     pub(crate) const fn extent(&self) -> Extent {
         let (radius, half_height) = (self.radius.to_bits(), self.half_height().to_bits());
         Extent {
@@ -104,13 +100,11 @@ impl PreparedCylinder {
     );
 
     /// Smallest epsilon, in steps, of a ray that starts inside a cylinder and may hit the same cylinder
-    /// next.
-    /// A hit is within this distance of the cylinder's wall.
+    /// next. A hit is within this distance of the cylinder's wall.
     pub(crate) const SMALLEST_INSIDE: i32 = 16;
 
     /// Converts a checked cylinder to steps of the scene's grid. Fails with [`Fault::Tiny`] if the
-    /// radius or
-    /// the half height is below [`SMALLEST`] steps.
+    /// radius or the half height is below [`SMALLEST`] steps.
     pub(crate) const fn prepare(cylinder: &Cylinder, grid: &Grid) -> Result<Self, Fault> {
         let radius = grid.length(cylinder.radius);
         let half_height = grid.length(cylinder.half_height());
@@ -136,8 +130,7 @@ impl PreparedCylinder {
     };
 
     /// Creates a cylinder from raw steps. It lies inside the ball of all bounded shapes; its radius is
-    /// at
-    /// least 4 steps.
+    /// at least 4 steps.
     pub(crate) const fn new(
         center: Point,
         axis: Direction,
@@ -160,9 +153,7 @@ impl PreparedCylinder {
         }
     }
 
-    /// Returns the cylinder's centre, the vector from the centre to one end of the axis, and the radius,
-    /// in
-    /// steps.
+    /// Returns the centre, the vector from there to one end of the axis, and the radius, in steps.
     pub(crate) const fn capsule(&self) -> (Point, Vector, i32) {
         let half = self.half_height;
         let [x, y, z] = self.axis.components();
@@ -192,8 +183,7 @@ impl PreparedCylinder {
     pub(crate) const LINKS: i32 = 8;
 
     /// Returns centre and radius, in steps, of one ball of a chain along the axis. All [`Self::LINKS`]
-    /// balls
-    /// together cover the cylinder's wall. `number` counts from 0.
+    /// balls together cover the cylinder's wall. `number` counts from 0.
     pub(crate) const fn link(&self, number: i32) -> (Point, i32) {
         let (center, half_axis, radius) = self.capsule();
         let step = Vector::new(
@@ -220,8 +210,7 @@ impl PreparedCylinder {
     }
 
     /// Tests whether the prepared values decide which points the cylinder hides from a light. They
-    /// always
-    /// do, so the result is `true`.
+    /// always do, so the result is `true`.
     pub(crate) const fn is_told(&self, _: &CylinderFromLight) -> bool {
         true
     }

@@ -1,8 +1,7 @@
 //! Flat discs, which are visible from both sides.
 //!
 //! A ray hits the disc's plane where its height above the plane becomes 0. That point lies on the disc
-//! if
-//! its distance from the centre, computed as a vector, is not larger than the radius.
+//! if its distance from the centre, computed as a vector, is not larger than the radius.
 
 use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, SMALLEST, size_fault};
@@ -94,8 +93,7 @@ impl PreparedDisc {
     };
 
     /// Smallest epsilon of a ray that leaves a disc, in steps. A disc has no inside, so this is the
-    /// smallest
-    /// epsilon of any surface.
+    /// smallest epsilon of any surface.
     pub(crate) const SMALLEST_INSIDE: i32 = 2;
 
     /// Whether the hit test of a disc reports on which side a ray passes. It does not.
@@ -153,19 +151,16 @@ impl PreparedDisc {
     }
 
     /// Tests whether the prepared values decide which points the disc hides from a light. They always
-    /// do,
-    /// so the result is `true`.
+    /// do, so the result is `true`.
     pub(crate) const fn is_told(&self, _: &DiscFromPoint) -> bool {
         true
     }
 
     /// Returns the distance at which a ray hits the disc, within `range`. `from` was prepared for the
-    /// ray's
-    /// origin.
+    /// ray's origin.
     ///
     /// The height above the disc's plane is known to one step. So the error of the distance is the
-    /// distance
-    /// in which the ray loses one step of height, as for a plane.
+    /// distance in which the ray loses one step of height, as for a plane.
     #[inline(never)]
     fn met(&self, from: &DiscFromPoint, direction: &Direction, range: Range) -> Option<Length> {
         let climb = direction.dot(self.normal).to_bits();

@@ -8,8 +8,7 @@ use crate::ray::{NEAR, REACH, Ray};
 use crate::vector::{Direction, Point, Vector};
 
 /// Largest error of a hit along its ray, in steps, for shapes within 2²⁹·⁵ steps of the ray's origin.
-/// The
-/// direction's length is within 2⁻²⁷ of one.
+/// The direction's length is within 2⁻²⁷ of one.
 pub(super) const SLACK: f64 = 8.0;
 
 /// Creates a point from raw steps.
@@ -85,8 +84,7 @@ pub(super) fn unit(a: Triple) -> Triple {
 }
 
 /// Returns the distances at which a line crosses a surface, in order: `middle` minus and plus half a
-/// chord.
-/// Empty if the square of half the chord is negative, because the line misses.
+/// chord. Empty if the square of half the chord is negative, because the line misses.
 pub(super) fn roots(middle: f64, half_chord_square: f64) -> Vec<f64> {
     if half_chord_square < 0.0 {
         return Vec::new();

@@ -45,13 +45,12 @@ pub(crate) struct Extent {
 }
 
 /// Smallest radius and half height that a shape may have, in steps. Hits are known to about two steps,
-/// so
-/// normals are known to about 1/32.
+/// so normals are known to about 1/32.
 const SMALLEST: i32 = 64;
 
 /// Checks a size of a shape. Returns `fault` if the size is not greater than 0, and
-/// [`Fault::Coordinate`]
-/// if it is larger than a coordinate may be. Returns `None` if the size is allowed.
+/// [`Fault::Coordinate`] if it is larger than a coordinate may be. Returns `None` if the size is
+/// allowed.
 pub(crate) const fn size_fault(size: Number, fault: Fault) -> Option<Fault> {
     if size.to_bits() <= 0 {
         Some(fault)
@@ -73,9 +72,8 @@ struct Normaliser {
 }
 
 /// Largest shift for which [`Normaliser`] uses the stored reciprocal. Lengths below 2¹⁸ steps need a
-/// larger
-/// shift. Such a vector is divided by its own length, because rounding to whole steps changes the length
-/// of a short vector too much.
+/// larger shift. Such a vector is divided by its own length, because rounding to whole steps changes the
+/// length of a short vector too much.
 const LIFT: u32 = 11;
 
 impl Normaliser {
@@ -101,8 +99,7 @@ impl Normaliser {
 
     /// Returns the direction of `vector`, whose length is within a few steps of the stored length. The
     /// result's length is within 2⁻¹⁶ of one. A hit on a cylinder 2²⁹ steps away is about a dozen steps
-    /// off;
-    /// its normal's length is within about 2⁻¹⁴ of one.
+    /// off; its normal's length is within about 2⁻¹⁴ of one.
     #[inline(always)]
     const fn direction(&self, vector: Vector) -> Direction {
         if self.lift > LIFT {

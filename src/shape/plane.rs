@@ -49,14 +49,13 @@ impl Plane {
 pub struct PreparedPlane {
     pub(crate) normal: Direction,
     /// Distance of the plane from the middle of the scene along the normal, in steps with 30 fraction
-    /// bits.
-    /// Limited to ±2⁶¹: near rays do not reach planes that are further away.
+    /// bits. Limited to ±2⁶¹: near rays do not reach planes that are further away.
     offset: i64,
     /// Distance of the plane without a limit: `far_offset` · 2^`far_scale`, in steps with 30 fraction
     /// bits.
     far_offset: i64,
     far_scale: u32,
-    /// Coordinate to use for heights of near points instead of products.
+    /// Shortcut for heights of near points if the plane is perpendicular to a coordinate axis.
     upright: Upright,
     pub(crate) material: MaterialId,
 }
@@ -133,8 +132,7 @@ impl PreparedPlane {
     }
 
     /// Creates a plane at the distance `far_offset` · 2^`far_scale` from the middle of the scene along
-    /// its
-    /// normal, in steps with 30 fraction bits. |`far_offset`| is at most 2⁶¹.
+    /// its normal, in steps with 30 fraction bits. |`far_offset`| is at most 2⁶¹.
     pub(crate) const fn new(
         normal: Direction,
         far_offset: i64,
@@ -165,10 +163,8 @@ impl PreparedPlane {
     }
 
     /// Returns the mirror image of a near point in the plane, moved by epsilon towards the side of the
-    /// point.
-    /// Rays from the point that the plane reflects seem to start there. Returns `None` unless the image
-    /// is
-    /// surely near.
+    /// point. Rays from the point that the plane reflects seem to start there. Returns `None` unless the
+    /// image is surely near.
     pub(crate) fn mirrored(&self, origin: Point, epsilon: Length) -> Option<Point> {
         let height = i32::try_from(self.height(origin) >> 30).ok()?;
         if height.unsigned_abs() > 1 << 28 {
@@ -180,7 +176,7 @@ impl PreparedPlane {
         place.is_near().then_some(place.point)
     }
 
-    /// Returns the height of a near ray's origin above the plane, and how much height the ray gains a
+    /// Returns the height of a near ray's origin above the plane, and the height that the ray gains per
     /// step.
     #[inline(always)]
     pub(crate) fn bearing(&self, ray: &Ray) -> Bearing {
@@ -225,9 +221,8 @@ impl PreparedPlane {
     }
 }
 
-/// Returns the magnitudes of a ray's height above a plane and of the height that it loses a step.
-/// Returns
-/// `None` if the ray does not approach the plane.
+/// Returns the magnitudes of a ray's height above a plane and of the height that it loses per step.
+/// Returns `None` if the ray does not approach the plane.
 fn descent(height: i64, climb: i32) -> Option<(u64, u32)> {
     let descends = (height > 0 && climb < 0) || (height < 0 && climb > 0);
     descends.then_some((height.unsigned_abs(), climb.unsigned_abs()))

@@ -77,13 +77,11 @@ impl PreparedSphere {
     pub(crate) const NONE: Self = Self::new(Point::ORIGIN, Length::from_bits(4), MaterialId(0));
 
     /// Smallest epsilon, in steps, of a ray that starts inside a sphere and may hit the same sphere
-    /// next. A
-    /// hit is within this distance of the sphere's surface.
+    /// next. A hit is within this distance of the sphere's surface.
     pub(crate) const SMALLEST_INSIDE: i32 = 8;
 
     /// Converts a checked sphere to steps of the scene's grid. Fails with [`Fault::Tiny`] if the radius
-    /// is
-    /// below [`SMALLEST`] steps.
+    /// is below [`SMALLEST`] steps.
     pub(crate) const fn prepare(sphere: &Sphere, grid: &Grid) -> Result<Self, Fault> {
         let radius = grid.length(sphere.radius);
         if radius.to_bits() < SMALLEST {
@@ -114,7 +112,7 @@ impl PreparedSphere {
         }
     }
 
-    /// Returns the sphere with the note whether it touches or cuts another shape.
+    /// Returns the sphere with its flag set: whether it touches or cuts another shape.
     pub(crate) const fn touching(mut self, touches: bool) -> Self {
         self.touches = touches;
         self

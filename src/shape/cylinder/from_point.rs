@@ -10,8 +10,7 @@ pub struct CylinderFromPoint {
     /// Vector from the point to the cylinder's centre, in steps.
     pub(super) way: Vector,
     /// Cross product axis × `way`, in steps. Its dot product with a ray's direction is the distance
-    /// between
-    /// the lines of ray and axis, times the sine of the angle between them.
+    /// between the lines of ray and axis, times the sine of the angle between them.
     pub(super) across: Vector,
     /// Dot product `way` · axis: height of the cylinder's centre above the point along the axis, in
     /// steps.
@@ -28,8 +27,7 @@ pub struct CylinderFromLight {
 
 impl CylinderFromPoint {
     /// Returns the distance between the lines of a ray and of the cylinder's axis, in steps, times the
-    /// sine
-    /// of the angle between them. The sign says on which side of the axis the ray passes.
+    /// sine of the angle between them. The sign says on which side of the axis the ray passes.
     #[inline(always)]
     pub(crate) const fn sideways(&self, direction: Direction) -> i32 {
         self.across.dot(direction)

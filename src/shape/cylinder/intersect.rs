@@ -14,8 +14,7 @@ pub(super) const STEEP: i32 = 1 << 26;
 
 impl PreparedCylinder {
     /// Returns the distance at which a ray first hits the wall, from outside or from inside, above
-    /// `start`
-    /// and below `reach`. `seen` was prepared for the ray's origin.
+    /// `start` and below `reach`. `seen` was prepared for the ray's origin.
     #[inline(always)]
     pub(crate) fn met(
         &self,
@@ -40,8 +39,8 @@ impl PreparedCylinder {
     }
 
     /// Returns the distance at which a ray first hits the wall, above `start` and below `reach`.
-    /// `sideways`
-    /// is the distance between the lines of ray and axis, times the sine of the angle between them.
+    /// `sideways` is the distance between the lines of ray and axis, times the sine of the angle between
+    /// them.
     ///
     /// With d the direction and s the square of the sine between d and the axis, the distances t are the
     /// roots of s t² - 2 t way · (d - (d · axis) axis) + .... The discriminant is r² s - (across · d)².
@@ -91,9 +90,8 @@ impl PreparedCylinder {
     }
 
     /// Returns the distance at which a ray first hits the wall, above `start` and below `reach`. Rays
-    /// almost
-    /// parallel to the axis get the same precision as others. It works for all rays but costs more than
-    /// [`PreparedCylinder::met_beside`].
+    /// almost parallel to the axis get the same precision as others. It works for all rays but costs
+    /// more than [`PreparedCylinder::met_beside`].
     ///
     /// The direction across, d × axis, is computed exactly and normalised, which keeps all bits (Cychosz
     /// and Waggenspack, "Intersecting a ray with a cylinder", Graphics Gems IV).
@@ -145,7 +143,6 @@ pub(super) fn root_of_lifted(square: u32, lift: u32) -> i32 {
     // √mantissa · 2¹⁴
     let root = high_unsigned(mantissa, unsigned(reciprocal_root(mantissa)));
     // `root` has the scale 2¹⁴ and the result 2¹⁶, so two shifts fewer are needed; a square below 2²⁸
-    // has
-    // that many. A ray that grazes a narrow cylinder would need more shifts than the root has bits.
+    // has that many. A ray that grazes a narrow cylinder would need more shifts than the root has bits.
     signed(root >> (zeros / 2 + lift - 2).min(31))
 }

@@ -1,6 +1,5 @@
 //! Distances from near rays to planes as fractions. They are compared without a division; only the
-//! distance
-//! to the nearest plane is divided out.
+//! distance to the nearest plane takes one.
 
 use crate::number::{Length, magnitude, ratio, unsigned, wide_unsigned};
 
@@ -9,7 +8,7 @@ use crate::number::{Length, magnitude, ratio, unsigned, wide_unsigned};
 pub(crate) struct Approach {
     /// Height of the ray's origin above the plane, in steps.
     height: u32,
-    /// Height that the ray loses a step, Q4.28.
+    /// Height that the ray loses per step, Q4.28.
     descent: u32,
 }
 
@@ -29,7 +28,7 @@ impl Approach {
         wide_unsigned(self.height, other.descent) < wide_unsigned(other.height, self.descent)
     }
 
-    /// Divides the fraction out. Returns the distance to the plane in steps, which is below 2³⁰.
+    /// Returns the distance to the plane in steps, which is below 2³⁰. Takes the division.
     #[inline(always)]
     pub(crate) const fn distance(&self) -> Length {
         let distance = ratio(self.height, self.descent << 2);
@@ -39,18 +38,17 @@ impl Approach {
     }
 }
 
-/// Height of a ray's origin above a plane, and how much height the ray gains a step.
+/// Height of a ray's origin above a plane, and the height that the ray gains per step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bearing {
     /// Low 32 bits of the height above the plane, in steps. The height is within ±2³², so at most the
-    /// sign is
-    /// missing.
+    /// sign is missing.
     pub(super) steps: i32,
     /// Sign of the height, in every bit: 0 or -1.
     pub(super) sign: i32,
-    /// Height that the ray gains a step, Q4.28: the raw cosine between ray and normal, Q2.30, divided by
-    /// 4 and
-    /// rounded down.
+    /// Height that the ray gains per step, Q4.28: the raw cosine between ray and normal, Q2.30, divided
+    /// by
+    /// 4 and rounded down.
     pub(super) climb: i32,
 }
 

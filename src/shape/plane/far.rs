@@ -27,9 +27,8 @@ impl PreparedPlane {
     pub(crate) fn intersect_far(&self, path: &ScaledRay) -> u64 {
         let (height, scale) = self.height_far(path.from());
         let climb = path.direction().dot(self.normal).to_bits();
-        // A climb that becomes 0 when it is rounded down to 2⁻²⁸ counts as 0. Near rays round it so and
-        // do
-        // not hit the plane from below; the surface would count as hit from above.
+        // A cosine that becomes 0 when it is rounded down to 2⁻²⁸ counts as 0. Near rays do the same, so
+        // they do not hit the plane from below. If this ray did, the surface would be shaded from above.
         let climb = if climb >> 2 == 0 { 0 } else { climb };
         let Some((height, descent)) = descent(height, climb) else {
             return NOT_MET;

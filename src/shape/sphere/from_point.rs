@@ -24,24 +24,22 @@ impl SphereFromPoint {
 
     /// Tests whether a ray may hit the sphere. `nearest_approach` comes from
     /// [`SphereFromPoint::nearest_approach`]. A ray that touches the sphere is nearest to the centre at
-    /// the
-    /// tangents' length. A ray that goes through the sphere is nearest further on.
+    /// the tangents' length. A ray that goes through the sphere is nearest further on.
     #[inline(always)]
     pub(crate) const fn may_be_met(&self, nearest_approach: i32) -> bool {
         nearest_approach >= self.tangent >> 2
     }
 
     /// Tests whether the tangents to this sphere are shorter than those to `other`. This sphere is then
-    /// in
-    /// front of the other one, or about as far away.
+    /// in front of the other one, or about as far away.
     #[inline(always)]
     pub(crate) const fn is_in_front_of(&self, other: &Self) -> bool {
         self.tangent < other.tangent
     }
 
-    /// Tests whether the tangents to the sphere are shorter than `distance`. If not, no visible part of
-    /// the
-    /// sphere is nearer than that, except from inside.
+    /// Tests whether the tangents to the sphere are shorter than `distance`: whether the sphere's
+    /// outline,
+    /// as visible from the point, is nearer.
     #[inline(always)]
     pub(crate) const fn is_nearer_than(&self, distance: Length) -> bool {
         self.tangent < distance.to_bits()
@@ -60,7 +58,7 @@ impl SphereFromPoint {
 
     /// Tests whether a ray hits the sphere before `reach`. The ray starts outside of the sphere and ends
     /// at
-    /// `reach` on another shape, outside of the sphere.
+    /// `reach` on a surface that is not inside the sphere.
     ///
     /// Takes no root: a ray enters the sphere before the length of the tangents and leaves it after.
     #[inline(always)]

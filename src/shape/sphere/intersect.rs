@@ -6,16 +6,14 @@ use crate::ray::Ray;
 use crate::vector::{Direction, Vector};
 
 /// Depth below a sphere's surface, in steps, down to which a ray counts as starting on the surface. A
-/// ray
-/// starts at least two steps above a surface, and each coordinate of a hit is rounded by up to two
+/// ray starts at least two steps above a surface, and each coordinate of a hit is rounded by up to two
 /// steps.
 const ON_SURFACE: i64 = 4;
 
 impl PreparedSphere {
     /// Returns the distance of a ray's first hit above `start` and below `reach`. If the ray enters the
     /// sphere before `start`, the hit is where it leaves. `way` is the vector from the ray's origin to
-    /// the
-    /// centre.
+    /// the centre.
     #[inline(always)]
     pub(crate) fn met(
         &self,
@@ -57,8 +55,7 @@ impl PreparedSphere {
     }
 
     /// Tests whether the ray hits the sphere at a distance above 0 and below `reach`. Takes no root. A
-    /// ray
-    /// that starts on the surface, within rounding, and goes outwards does not hit it.
+    /// ray that starts on the surface, within rounding, and goes outwards does not hit it.
     pub(super) fn is_on(&self, ray: &Ray, reach: Length) -> bool {
         let way = ray.origin.to(self.center);
         let distance = way.dot(ray.direction);
@@ -75,7 +72,7 @@ impl PreparedSphere {
         if entry_is_ahead {
             past < 0 || wide(past, past) < half_chord_square
         } else {
-            // r² minus the square of the distance to the centre. At a depth below the surface this is
+            // r² minus the square of the distance to the centre. At a depth below the surface it is
             // r² - (r - depth)², which is 2 r depth or less.
             let inside = half_chord_square - wide(distance, distance);
             let exit_is_ahead = distance > 0 || inside > ON_SURFACE * 2 * self.radius as i64;
