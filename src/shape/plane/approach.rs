@@ -47,8 +47,7 @@ pub(crate) struct Bearing {
     /// Sign of the height, in every bit: 0 or -1.
     pub(super) sign: i32,
     /// Height that the ray gains per step, Q4.28: the raw cosine between ray and normal, Q2.30, divided
-    /// by
-    /// 4 and rounded down.
+    /// by 4 and rounded down.
     pub(super) climb: i32,
 }
 

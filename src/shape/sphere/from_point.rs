@@ -38,8 +38,7 @@ impl SphereFromPoint {
     }
 
     /// Tests whether the tangents to the sphere are shorter than `distance`: whether the sphere's
-    /// outline,
-    /// as visible from the point, is nearer.
+    /// outline, as visible from the point, is nearer.
     #[inline(always)]
     pub(crate) const fn is_nearer_than(&self, distance: Length) -> bool {
         self.tangent < distance.to_bits()
@@ -57,8 +56,7 @@ impl SphereFromPoint {
     }
 
     /// Tests whether a ray hits the sphere before `reach`. The ray starts outside of the sphere and ends
-    /// at
-    /// `reach` on a surface that is not inside the sphere.
+    /// at `reach` on a surface that is not inside the sphere.
     ///
     /// Takes no root: a ray enters the sphere before the length of the tangents and leaves it after.
     #[inline(always)]
