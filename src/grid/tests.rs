@@ -2,7 +2,7 @@ use super::*;
 use crate::number::sweep::Sweep;
 use crate::ray::{BALL, NEAR};
 
-/// A grid with `radius` scene units to the ball, around `middle`.
+/// Creates a grid around `middle` with a ball of `radius` scene units.
 fn grid(middle: [f64; 3], radius: f64) -> Grid {
     Grid::new(Position::new(middle), Number::new(radius).to_bits() as u128)
 }
@@ -104,7 +104,7 @@ fn far_place_is_right_to_a_step_of_its_scale() {
         let middle = [0.25, -0.5, 0.125];
         for axis in 0..3 {
             let found = f64::from(raw(place)[axis]) * step + middle[axis];
-            // Rounded to nearest, and down when a last shift makes it normal.
+            // Rounded to nearest; rounded down if a last shift brings the point to normal form.
             assert!(
                 (found - position[axis]).abs() <= 1.5 * step,
                 "{position:?}: {place:?}"
