@@ -219,9 +219,8 @@ impl PathSignature {
     #[inline(always)]
     pub(crate) fn note(&mut self, met: u32) {
         // Multiplies by 1025, in one instruction. Modulo 2³², 4 · 1024³ and 1024⁴ are 0. So different
-        // paths
-        // can have the same signature if their notes differ by at least four times (1, -3, 3, -1), or by
-        // (1, -4, 6, -4, 1). They cannot if they differ in only one shape or one light.
+        // paths can have the same signature if their notes differ by at least four times (1, -3, 3, -1),
+        // or by (1, -4, 6, -4, 1). They cannot if they differ in only one shape or one light.
         self.0 = sum_modulo_2_32(sum_modulo_2_32(self.0, self.0 << 10), met);
     }
 
