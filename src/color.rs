@@ -136,7 +136,7 @@ impl Sum {
     pub fn add(&mut self, weight: Unit, color: Color) {
         let ([r, g, b], [red, green, blue]) = (self.0, color.0);
         let share = |color: Brightness| high_positive(weight.to_bits(), color.to_bits());
-        // Red last: the compiler moves fewer registers then.
+        // Red comes last, because the compiler then moves fewer registers.
         let green = g + share(green);
         let blue = b + share(blue);
         let red = r + share(red);

@@ -36,7 +36,7 @@ pub struct ScaledPoint {
 }
 
 impl ScaledPoint {
-    /// The middle of the scene.
+    /// Middle of the scene: all coordinates are 0.
     pub const ORIGIN: Self = Self {
         point: Point::ORIGIN,
         scale: 0,

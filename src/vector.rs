@@ -17,16 +17,16 @@ use crate::number::{
 /// Point of the scene, in raw scene steps from the middle of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Point {
-/// Coordinate along the x axis, in raw steps.
+    /// Coordinate along the x axis, in raw steps.
     pub x: i32,
-/// Coordinate along the y axis, in raw steps.
+    /// Coordinate along the y axis, in raw steps.
     pub y: i32,
-/// Coordinate along the z axis, in raw steps.
+    /// Coordinate along the z axis, in raw steps.
     pub z: i32,
 }
 
 impl Point {
-    /// The middle of the scene.
+    /// Middle of the scene: all coordinates are 0.
     pub const ORIGIN: Self = Self { x: 0, y: 0, z: 0 };
 
     /// Creates a point from its coordinates in raw steps.
@@ -76,11 +76,11 @@ impl Point {
 /// Difference of two points, in raw scene steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Vector {
-/// Component along the x axis, in raw steps.
+    /// Component along the x axis, in raw steps.
     pub x: i32,
-/// Component along the y axis, in raw steps.
+    /// Component along the y axis, in raw steps.
     pub y: i32,
-/// Component along the z axis, in raw steps.
+    /// Component along the z axis, in raw steps.
     pub z: i32,
 }
 

@@ -42,7 +42,7 @@ fn middle_of_the_scene_is_the_origin() {
 
 #[test]
 fn lengths_and_places_are_rounded_to_the_nearest_step() {
-    let grid = grid([0.0; 3], 2f64.powi(28)); // A step is one unit.
+    let grid = grid([0.0; 3], 2f64.powi(28)); // A step is one scene unit.
     for (value, steps) in [
         (0.0, 0),
         (0.49, 0),

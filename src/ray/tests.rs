@@ -13,7 +13,7 @@ fn wide(place: ScaledPoint) -> [i64; 3] {
 fn is_normal(place: ScaledPoint) -> bool {
     let Point { x, y, z } = place.point;
     let largest = x.abs().max(y.abs()).max(z.abs());
-    // Rounding down may take one step off a coordinate that was too far by less than two.
+    // A coordinate that is too large by less than two may lose one step when it is rounded down.
     largest <= NEAR && (place.scale == 0 || 2 * largest + 2 > NEAR)
 }
 

@@ -166,7 +166,7 @@ impl Direction {
     /// if the directions are parallel.
     pub const fn cross(self, other: Self) -> Option<(Vector, u32)> {
         let (a, b) = (self.raw(), other.raw());
-        // Exact in Q60.
+        // The exact cross product, in Q60.
         let x = wide(a.y, b.z) - wide(a.z, b.y);
         let y = wide(a.z, b.x) - wide(a.x, b.z);
         let z = wide(a.x, b.y) - wide(a.y, b.x);

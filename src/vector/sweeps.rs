@@ -194,7 +194,7 @@ fn cross_product_is_perpendicular_to_both() {
         assert!((1..=32).contains(&shift), "{shift}");
         let perpendicular = components(a.perpendicular(b).unwrap());
         let unit = exact.map(|coordinate| coordinate / length(exact));
-        // The largest coordinate of the product has 29 bits.
+        // The product was scaled so that its largest coordinate has 29 bits.
         assert!(apart(perpendicular, unit) <= 6.0 * ULP, "{a:?} {b:?}");
     }
 }

@@ -103,7 +103,7 @@ fn disc_is_met_from_both_sides() {
         ([0, 0, 4 * RADIUS], [0, 0, -1], 4 * RADIUS),
         ([0, 0, -4 * RADIUS], [0, 0, 1], 4 * RADIUS),
         ([RADIUS / 2, RADIUS / 2, 16], [0, 0, -1], 16),
-        // Three across and four down.
+        // The ray goes three across and four down.
         ([-3 * RADIUS, 0, 4 * RADIUS], [3, 0, -4], 5 * RADIUS),
         ([-3 * RADIUS, 0, -4 * RADIUS], [3, 0, 4], 5 * RADIUS),
     ] {
