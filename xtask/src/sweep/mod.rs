@@ -14,7 +14,7 @@ use anyhow::{Result, ensure};
 use serde::{Deserialize, Serialize};
 
 pub use self::setting::{Contestant, Level, Numbers, Setting, Visitor};
-use crate::measure::firmware::Report;
+use crate::measure::outcome::Report;
 use crate::measure::{Core, Scene, firmware};
 
 /// Soft floating point takes minutes for a frame.
