@@ -16,7 +16,7 @@
 ///   prepared type;
 /// - its const parameter; the type of its list in a `Capacity`; the name and the capacity of its active
 ///   list; the position of the parameter, as a word;
-/// - the `Fault` for too many shapes; the method of `Needs` that leaves the kind out;
+/// - the `ErrorKind` for too many shapes; the method of `Needs` that leaves the kind out;
 /// - the documentation of the methods that add a shape; the name of the method of a run-time scene; the
 ///   fields of the description without the material.
 ///

@@ -123,12 +123,8 @@ impl Material {
         self
     }
 
-HAND<<<
-    const fn fault(&self) -> Option<ErrorKind> {
-=====
     /// Returns the fault of the first field that is out of range, or `None`.
-    const fn fault(&self) -> Option<Fault> {
->>>
+    const fn fault(&self) -> Option<ErrorKind> {
         if !is_color(self.color) {
             Some(ErrorKind::Color)
         } else if !self.ambient.is_within(0, Color::MAX) {

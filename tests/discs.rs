@@ -2,21 +2,21 @@
 //! cylinder.
 
 use embedded_graphics::prelude::Size;
-use reflet::__private::Drawable;
 use reflet::host::compare::compare;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture, render};
 use reflet::host::{painted, precision};
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 use reflet::shading::{BlinnPhong, Phong, Shading};
-use reflet::{Camera, FrameBuilder, Material, MaterialId, RuntimeScene, room};
+use reflet::{Camera, Material, MaterialId, RuntimeScene, Scene, room};
 
 const SIDE: u32 = 160;
 const REFLECTIONS: u8 = 4;
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-type Scenery =
-    RuntimeScene<room!(spheres: 1, planes: 1, cylinders: 1, discs: 6, lights: 2, materials: 4)>;
+type Room = room!(spheres: 1, planes: 1, cylinders: 1, discs: 6, lights: 2, materials: 4);
+type Scenery = RuntimeScene<Room>;
+type Built = Scene<Room>;
 
 fn materials(scene: &mut Scenery) -> [MaterialId; 4] {
     let red = Material::new([0.9, 0.2, 0.1]).ambient(0.2).diffuse(0.6);

@@ -13,7 +13,8 @@ use embedded_graphics::primitives::Rectangle;
 use reflet::host::painted;
 use reflet::quality::{Exact, Fast, Quality};
 use reflet::scenes::{BuiltIn, Mirror1, Primitives};
-use reflet::{Material, Number, Report, Rows, RuntimeScene, room};
+use reflet::shading::Normals;
+use reflet::{Material, Number, PreparedFrame, Report, Rows, RuntimeScene, Scene, room};
 
 /// A display that records its calls in order, and fails at the call `fails_at`.
 struct Recorder<C> {

@@ -103,7 +103,7 @@ impl PreparedCylinder {
     /// next. A hit is within this distance of the cylinder's wall.
     pub(crate) const SMALLEST_INSIDE: i32 = 16;
 
-    /// Converts a checked cylinder to steps of the scene's grid. Fails with [`Fault::Tiny`] if the
+    /// Converts a checked cylinder to steps of the scene's grid. Fails with [`ErrorKind::Tiny`] if the
     /// radius or the half height is below [`SMALLEST`] steps.
     pub(crate) const fn prepare(cylinder: &Cylinder, grid: &Grid) -> Result<Self, ErrorKind> {
         let radius = grid.length(cylinder.radius);

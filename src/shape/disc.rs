@@ -107,7 +107,7 @@ impl PreparedDisc {
         self.ball()
     }
 
-    /// Converts a checked disc to steps of the scene's grid. Fails with [`Fault::Tiny`] if the radius is
+    /// Converts a checked disc to steps of the scene's grid. Fails with [`ErrorKind::Tiny`] if the radius is
     /// below [`SMALLEST`] steps.
     pub(crate) const fn prepare(disc: &Disc, grid: &Grid) -> Result<Self, ErrorKind> {
         let radius = grid.length(disc.radius);

@@ -24,24 +24,15 @@ macro_rules! exports {
 }
 kinds!(exports);
 
-HAND<<<
-/// Names a material of one scene.
+/// Identifier of a material of one scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MaterialId(pub(crate) u16);
 
 impl MaterialId {
-    /// The material that was added first.
+    /// Identifier of the material that was added first.
     pub(crate) const FIRST: Self = Self(0);
 
-    /// Its place in the scene's list of materials.
-=====
-/// Identifier of a material of one scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct MaterialId(pub(crate) u16);
-
-impl MaterialId {
     /// Returns the index of the material in the scene's list of materials.
->>>
     pub const fn index(self) -> usize {
         self.0 as usize
     }
@@ -61,7 +52,7 @@ pub(crate) struct Extent {
 const SMALLEST: i32 = 64;
 
 /// Checks a size of a shape. Returns `fault` if the size is not greater than 0, and
-/// [`Fault::Coordinate`] if it is larger than a coordinate may be. Returns `None` if the size is
+/// [`ErrorKind::Coordinate`] if it is larger than a coordinate may be. Returns `None` if the size is
 /// allowed.
 pub(crate) const fn size_fault(size: Number, fault: ErrorKind) -> Option<ErrorKind> {
     if size.to_bits() <= 0 {

@@ -80,7 +80,7 @@ impl PreparedSphere {
     /// next. A hit is within this distance of the sphere's surface.
     pub(crate) const SMALLEST_INSIDE: i32 = 8;
 
-    /// Converts a checked sphere to steps of the scene's grid. Fails with [`Fault::Tiny`] if the radius
+    /// Converts a checked sphere to steps of the scene's grid. Fails with [`ErrorKind::Tiny`] if the radius
     /// is below [`SMALLEST`] steps.
     pub(crate) const fn prepare(sphere: &Sphere, grid: &Grid) -> Result<Self, ErrorKind> {
         let radius = grid.length(sphere.radius);

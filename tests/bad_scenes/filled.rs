@@ -4,11 +4,6 @@ use reflet::{
     Camera, Error, ErrorKind, Material, MaterialId, Number, Position, RuntimeScene, room,
 };
 
-use reflet::SceneError::{Cylinder, Disc, Light, Plane, Scene, Sphere};
-use reflet::{
-    Camera, Error, ErrorKind, Material, MaterialId, Number, Position, RuntimeScene, room,
-};
-
 type Scenery =
     RuntimeScene<room!(spheres: 2, planes: 2, cylinders: 2, discs: 2, lights: 2, materials: 2)>;
 type Triple = [f64; 3];

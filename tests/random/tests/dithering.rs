@@ -12,9 +12,9 @@ use embedded_graphics::prelude::{Point, PointsIter, Size, Transform};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use proptest::prelude::*;
-use reflet::Rows;
 use reflet::display::{Ditherable, Dithered, Threshold, dither};
 use reflet::scenes::{BuiltIn, Castle, Empty, Mirror1};
+use reflet::{PreparedFrame, Report};
 
 /// Bayer's matrix as it is printed. A dot is lit if the picture is brighter than its number there.
 const BAYER: [[u32; 8]; 8] = [

@@ -5,21 +5,21 @@ use std::cell::Cell;
 
 use embedded_graphics::prelude::Size;
 use proptest::{prelude::*, test_runner::TestRunner};
-use reflet::__private::Drawable;
+use reflet::__private::{Drawable, Everything, StaticScene};
 use reflet::description::Description;
-use reflet::host::painted;
-use reflet::needs::{Mirrors, Needs, NeedsLimit, Shininess};
+use reflet::host::{painted, reference::Picture};
+use reflet::needs::{Limited, Mirrors, MostReflections, Needs, NeedsLimit, Shininess};
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Visitor, visit};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
-use reflet::{Camera, FrameBuilder, Material, RuntimeScene, Scene, room};
+use reflet::{Camera, ErrorKind, FrameBuilder, Material, RuntimeScene, Scene, room};
 
 /// Size of the built-in scenes' pictures in these tests.
 const SIZE: Size = Size::new(80, 60);
 
 /// A scene type with enough room for every built-in scene.
-type Largest =
-    RuntimeScene<room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16)>;
+type Largest = RuntimeScene<Much>;
+type Much = room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16);
 
 /// Returns a run-time scene filled from a description.
 fn refilled(description: &Description<'_>) -> Largest {
@@ -159,13 +159,14 @@ fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
     assert_alike::<Fast, BlinnPhong>("castle", view, &castle, &limited);
 
     let floor = Floor::with_description(|it| refilled(&it).build().unwrap());
-    let free = floor.frame(&Floor::CAMERA);
-    let bound = floor.frame_within::<Bare>(&Floor::CAMERA).ok().unwrap();
-    assert_alike::<Fast, BlinnPhong, _, _>(SIZE, "floor", free, bound);
-    let excess = |scene: &Scene<
-        room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16),
-    >| scene.frame_within::<Bare>(camera).err();
-    assert_eq!(excess(&castle).unwrap().need, "spheres");
+    let limited = Limited::<_, Bare>::new(&floor).unwrap();
+    assert_alike::<Fast, BlinnPhong>("floor", (&Floor::CAMERA, SIZE), &floor, &limited);
+    let excess = |scene: &Scene<Much>| {
+        let error = Limited::<_, Bare>::new(scene).err()?;
+        assert_eq!((error.kind(), error.index()), (ErrorKind::Limit, None));
+        Some(error.part())
+    };
+    assert_eq!(excess(&castle), Some("spheres"));
     assert_eq!(excess(&floor), None);
     let mut two_floors = Largest::new();
     let glass = Material::new([0.5; 3]).mirror(0.5);
@@ -210,8 +211,8 @@ prop_compose! {
     }
 }
 
-type Few =
-    RuntimeScene<room!(spheres: 2, planes: 2, cylinders: 1, discs: 2, lights: 2, materials: 2)>;
+type Few = RuntimeScene<Little>;
+type Little = room!(spheres: 2, planes: 2, cylinders: 1, discs: 2, lights: 2, materials: 2);
 
 prop_compose! {
     /// Makes a scene with few shapes, so that each need is often missing.
@@ -278,10 +279,8 @@ impl<const I: usize> NeedsLimit for Off<I> {
 
 /// Tests whether a scene is within a bound. If so, checks that its pictures equal those without a
 /// bound.
-fn is_held<const I: usize>(
-    scene: &Scene<room!(spheres: 2, planes: 2, cylinders: 1, discs: 2, lights: 2, materials: 2)>,
-) -> bool {
-    if scene.frame_within::<Off<I>>(&FRONT).is_err() {
+fn is_held<const I: usize>(scene: &Scene<Little>) -> bool {
+    let Ok(bound) = Limited::<_, Off<I>>::new(scene) else {
         return false;
     };
     let view = (&FRONT, Size::new(24, 20));
