@@ -5,9 +5,9 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use embedded_graphics_simulator::SimulatorDisplay;
+use reflet::Camera;
 use reflet::host::file::{FileScene, SceneFile};
 use reflet::host::reference::{self, Shading};
-use reflet::Camera;
 use reflet::quality::Fine;
 
 use super::draft::Setting;

@@ -2,12 +2,12 @@
 
 use embedded_graphics::geometry::Size;
 use float_picture::single;
+use reflet::__private::Drawable;
+use reflet::FrameBuilder;
 use reflet::host;
 use reflet::host::compare::compare;
 use reflet::host::file::SceneFile;
 use reflet::host::reference::{self, Shading, render};
-use reflet::FrameBuilder;
-use reflet::__private::Drawable;
 use reflet::quality::{Exact, Fine, Quality};
 
 use super::{Case, Measured, Trial};

@@ -73,7 +73,11 @@ fn plane(point: Triple, normal: Triple) -> Added {
 }
 
 fn cylinder(center: Triple, axis: Triple, radius: f64, height: f64) -> Added {
-    let add = |scene: &mut Room, id| scene.add_cylinder(center, axis, radius, height, id).map(drop);
+    let add = |scene: &mut Room, id| {
+        scene
+            .add_cylinder(center, axis, radius, height, id)
+            .map(drop)
+    };
     alone(add).map(drop)
 }
 
@@ -104,7 +108,10 @@ fn coordinates() -> Result<String, String> {
     held("light position", &limits("light"), |x| {
         Room::new().add_light([x, 0.0, 0.0], [1.0; 3])
     })?;
-    let cameras = [(MOST, None), (MOST + 1.0, Some(("camera", None, ErrorKind::Coordinate)))];
+    let cameras = [
+        (MOST, None),
+        (MOST + 1.0, Some(("camera", None, ErrorKind::Coordinate))),
+    ];
     held("camera position", &cameras, |x| {
         camera([x, 1.0, 0.0], ORIGIN, UP, 50.0)
     })?;
