@@ -8,7 +8,7 @@ use crate::vector::Direction;
 
 /// A point on a surface, seen along a ray, from which rays may leave.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Surface<'a> {
+pub struct Surface<'a> {
     /// Where rays leave: epsilon above the surface, on the side of the viewer.
     pub(crate) place: ScaledPoint,
     /// The normal on the side of the viewer.

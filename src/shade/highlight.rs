@@ -27,7 +27,6 @@ pub(crate) mod sealed {
         const REFLECTS: bool;
 
         /// The colour of a surface without reflections, and the lights it is lit by.
-        #[allow(private_bounds, private_interfaces)]
         fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
             world: &W,
             surface: &Surface<'_>,
@@ -72,7 +71,6 @@ impl<K: Highlight> Highlight for Unshadowed<K> {
 impl<H: Highlight> sealed::Shading for H {
     const REFLECTS: bool = true;
 
-    #[allow(private_bounds, private_interfaces)]
     #[inline(always)]
     fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
         world: &W,
@@ -90,7 +88,6 @@ impl<H: Highlight> sealed::Shading for H {
 impl sealed::Shading for Normals {
     const REFLECTS: bool = false;
 
-    #[allow(private_bounds, private_interfaces)]
     fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
         _: &W,
         surface: &Surface<'_>,

@@ -23,7 +23,7 @@ pub trait LightQuality {
 }
 
 /// The answer whether a light is visible from a surface.
-pub(crate) trait Visibility {
+pub trait Visibility {
     /// A light, with what is known about it.
     type Light;
 
@@ -60,7 +60,7 @@ pub(crate) trait Visibility {
 }
 
 /// The colour of a surface without reflections.
-pub(crate) struct Lit {
+pub struct Lit {
     pub(crate) color: Color,
     /// A bit for each light that shines on it, of 32; one of them may be two lights.
     pub(crate) lights: u32,
