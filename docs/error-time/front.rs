@@ -1,6 +1,6 @@
 // Written by `cargo run --release --package report -- --core m3 --size 128x128`:
-// what is best for a frame of so many instructions. Include it where `ParetoFront`, `FrontPoint` and `QualityLevel`
-// are in scope.
+// what is best for a frame of so many instructions. Include it where `ParetoFront`, `FrontPoint` and
+// `QualityLevel` are in scope.
 /// castle
 pub const CASTLE: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 120449, instructions: 56, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1309, largest: 231 },
