@@ -18,7 +18,7 @@ use source::{paths, tokens};
 const FLOORS: [(&str, u8); 18] = [
     ("number", 0),
     ("error", 0),
-    ("fault", 0),
+    ("error_kind", 0),
     ("kinds", 0),
     ("vector", 1),
     ("ray", 1),
