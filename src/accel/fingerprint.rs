@@ -31,8 +31,8 @@ impl Hasher for Fingerprint {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::Room;
-    use crate::{Material, RuntimeScene};
+    use crate::scene::{Room, RuntimeScene};
+    use crate::material::Material;
 
     #[test]
     fn stamp_tells_scenes_apart() {

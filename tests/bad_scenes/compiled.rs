@@ -251,13 +251,13 @@ const CONSTANTS: &[(&str, &str, ErrorKind)] = &[
     ),
 ];
 
-/// What the compiler itself refuses: items of a program, the first line of the message, and a line of it
-/// that shows the mistake.
+/// What the compiler itself refuses: items of a program, the first line of the message, and lines of it
+/// that show the mistake.
 const REFUSED: &[(&str, &str, &str)] = &[
     (
         "scene! { struct Tried { sphere([0, 0, 1], 1, WHITE); } }",
         "error[E0308]: mismatched types",
-        "expected `f64`, found integer",
+        "sphere([0, 0, 1], 1, WHITE); } }\n  |                                 ^ expected `f64`, found integer",
     ),
     (
         "scene! { struct Tried { spere([0.0; 3], 1.0, WHITE); } }",

@@ -1,6 +1,7 @@
 //! Tests the render example as its users call it: the files it writes, its output, and its errors.
 
 mod dithering;
+mod examples;
 mod output;
 mod program;
 
