@@ -8,7 +8,7 @@ pub(crate) use rays::{RayGenerator, RowDirections};
 use core::hash::{Hash, Hasher};
 
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of};
 use crate::vector::{Direction, Position};
 
@@ -113,8 +113,8 @@ impl Camera {
     /// No float instruction is executed.
     ///
     /// # Errors
-    /// [`Fault::Up`] where the camera would look along `up`, and
-    /// [`Fault::Coordinate`] where an angle or the new position is out of range.
+    /// [`ErrorKind::Up`] where the camera would look along `up`, and
+    /// [`ErrorKind::Coordinate`] where an angle or the new position is out of range.
     pub fn orbited(
         &self,
         azimuth: impl Into<Number>,
@@ -126,7 +126,7 @@ impl Camera {
     #[inline(never)]
     fn turned(&self, azimuth: Number, elevation: Number) -> Result<Self, Error> {
         if !Position([azimuth, elevation, Number::ZERO]).is_in_range() {
-            return Err(Error::of("camera", Fault::Coordinate));
+            return Err(Error::of("camera", ErrorKind::Coordinate));
         }
         let CameraDescription {
             position,
@@ -134,8 +134,11 @@ impl Camera {
             up,
             ..
         } = self.description;
-        let offset = position.minus(target).leading().ok_or(Error::of("camera", Fault::View))?;
-        let axis = up.direction().ok_or(Error::of("camera", Fault::Up))?;
+        let offset = position
+            .minus(target)
+            .leading()
+            .ok_or(Error::of("camera", ErrorKind::View))?;
+        let axis = up.direction().ok_or(Error::of("camera", ErrorKind::Up))?;
         let raised = self
             .forward
             .reversed()
@@ -180,24 +183,24 @@ impl Camera {
             ..
         } = description;
         if !(position.is_in_range() && target.is_in_range() && up.is_in_range()) {
-            return Err(Error::of("camera", Fault::Coordinate));
+            return Err(Error::of("camera", ErrorKind::Coordinate));
         }
         let Some(forward) = target.minus(position).direction() else {
-            return Err(Error::of("camera", Fault::View));
+            return Err(Error::of("camera", ErrorKind::View));
         };
         let Some(upward) = up.direction() else {
-            return Err(Error::of("camera", Fault::Up));
+            return Err(Error::of("camera", ErrorKind::Up));
         };
         // Closer to parallel than 2⁻²⁴, rounding alone would say where right is.
         let right = match forward.cross(upward) {
             Some((vector, shift)) if shift >= 8 => vector.precise_direction(),
-            _ => return Err(Error::of("camera", Fault::Up)),
+            _ => return Err(Error::of("camera", ErrorKind::Up)),
         };
         let Some(up) = right.perpendicular(forward) else {
-            return Err(Error::of("camera", Fault::Up));
+            return Err(Error::of("camera", ErrorKind::Up));
         };
         let Some(cotangent) = cotangent else {
-            return Err(Error::of("camera", Fault::FieldOfView));
+            return Err(Error::of("camera", ErrorKind::FieldOfView));
         };
         Ok(Self {
             description,

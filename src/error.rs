@@ -2,18 +2,18 @@
 
 use core::fmt;
 
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 
 /// What is wrong with a scene, a camera, or a call: the part and the fix.
 ///
 /// ```
-/// use reflet::{Fault, Material, RuntimeScene, room};
+/// use reflet::{ErrorKind, Material, RuntimeScene, room};
 ///
 /// let mut scene = RuntimeScene::<room!(spheres: 1)>::new();
 /// let chalk = scene.add_material(Material::new([0.9, 0.9, 0.8]))?;
 /// let error = scene.add_sphere([0, 0, 0], -1, chalk).unwrap_err();
 /// assert_eq!((error.part(), error.index()), ("sphere", Some(0)));
-/// assert_eq!(error.kind(), Fault::Radius);
+/// assert_eq!(error.kind(), ErrorKind::Radius);
 /// assert_eq!(error.to_string(), "sphere 0: radius must be greater than 0");
 /// # Ok::<(), reflet::Error>(())
 /// ```
@@ -22,12 +22,12 @@ use crate::fault::Fault;
 pub struct Error {
     part: &'static str,
     index: Option<usize>,
-    kind: Fault,
+    kind: ErrorKind,
 }
 
 impl Error {
     /// An error of the only part of its name, such as the camera.
-    pub(crate) const fn of(part: &'static str, kind: Fault) -> Self {
+    pub(crate) const fn of(part: &'static str, kind: ErrorKind) -> Self {
         Self {
             part,
             index: None,
@@ -36,7 +36,7 @@ impl Error {
     }
 
     /// An error of one of several parts of a name, counted from 0.
-    pub(crate) const fn at(part: &'static str, index: usize, kind: Fault) -> Self {
+    pub(crate) const fn at(part: &'static str, index: usize, kind: ErrorKind) -> Self {
         Self {
             part,
             index: Some(index),
@@ -56,7 +56,7 @@ impl Error {
     }
 
     /// Returns what is wrong with the part.
-    pub const fn kind(&self) -> Fault {
+    pub const fn kind(&self) -> ErrorKind {
         self.kind
     }
 
@@ -74,14 +74,14 @@ impl Error {
     }
 
     /// Stops the compiler if there is an error; for constants.
-    pub(crate) const fn refuse(part: &'static str, fault: Option<Fault>) {
+    pub(crate) const fn refuse(part: &'static str, fault: Option<ErrorKind>) {
         if let Some(kind) = fault {
             Self::of(part, kind).stop();
         }
     }
 
     /// Stops the compiler if there is an error in one of several parts; for constants.
-    pub(crate) const fn refuse_at(part: &'static str, index: usize, fault: Option<Fault>) {
+    pub(crate) const fn refuse_at(part: &'static str, index: usize, fault: Option<ErrorKind>) {
         if let Some(kind) = fault {
             Self::at(part, index, kind).stop();
         }
@@ -149,12 +149,15 @@ mod tests {
     #[test]
     fn compiler_and_program_say_the_same() {
         for error in [
-            Error::at("sphere", 120, Fault::Radius),
-            Error::of("camera", Fault::Up),
-            Error::at("material", 0, Fault::Brightness),
+            Error::at("sphere", 120, ErrorKind::Radius),
+            Error::of("camera", ErrorKind::Up),
+            Error::at("material", 0, ErrorKind::Brightness),
         ] {
             let stopped = std::panic::catch_unwind(|| error.stop()).unwrap_err();
-            assert_eq!(*stopped.downcast::<std::string::String>().unwrap(), error.to_string());
+            assert_eq!(
+                *stopped.downcast::<std::string::String>().unwrap(),
+                error.to_string()
+            );
         }
     }
 }

@@ -1,24 +1,26 @@
-//! Floor 0: the list of bounded kinds of shapes. It is tokens only and knows no type.
+//! Floor 0: the list of the kinds of bounded shapes. It contains only tokens and knows no type.
 //!
-//! Whatever exists once a kind is written from this list by a small macro beside its other parts: the
-//! list hands itself to that macro. Planes are no bounded kind; they are written by hand.
+//! Code that is needed once for each kind is written by small macros, which stand in the files that need
+//! the code. The list passes itself to such a macro. Planes are not bounded; their code is written by
+//! hand.
 
-/// Calls a macro with the list of bounded kinds. A second name comes first in what that macro is given:
-/// of the macro it hands the list on to.
+/// Calls the macro `$write` with the list of the kinds of bounded shapes. If `$next` is given, it is
+/// passed before the list: the macro to which `$write` passes the list on.
 ///
-/// In front stand the const parameters of a scene's type, in three spellings: declared with the
-/// defaults, declared, and named. The parameter of a new kind is the last and 0 unless it is given, so
-/// that the types which are written without it stay what they are.
+/// The list begins with the const parameters of a scene's type, in three forms: declared with defaults,
+/// declared, and named. A new kind adds its parameter at the end, with the default 0, so that types
+/// written without it stay the same.
 ///
-/// A kind has, in this order:
-/// - the name of its list and its own, which is its module's too; its type as it is described, and as it
-///   is prepared;
-/// - its parameter, the type of its list in a `Capacity`, what its active list is called and how many it holds, and which of the parameters it is, in words;
-/// - the `Fault` where there are too many, and the method of `Needs` that leaves the kind out;
-/// - what the methods that add one say they do, the name of the run-time scene's, and the fields of the
-///   description without the material.
+/// Each kind has these tokens, in this order:
+/// - the name of its list; its own name, which is also its module's; the type of its description; its
+///   prepared type;
+/// - its const parameter; the type of its list in a `Capacity`; the name and the capacity of its active
+///   list; the position of the parameter, as a word;
+/// - the `ErrorKind` for too many shapes; the method of `Needs` that leaves the kind out;
+/// - the documentation of the methods that add a shape; the name of the method of a run-time scene; the
+///   fields of the description without the material.
 ///
-/// The order of the kinds is the order in which a ray asks them, and so that of their numbers.
+/// Rays test the kinds in this order, and the numbers of the shapes follow it.
 macro_rules! kinds {
     ($write:ident $(, $next:ident)?) => {
         $write! {
@@ -39,16 +41,16 @@ macro_rules! kinds {
                 cylinders cylinder Cylinder PreparedCylinder
                 C Cylinders [ActiveCylinders 8] set_cylinder
                 TooManyCylinders without_cylinders
-                /// Adds an open cylinder around its `center`; the axis may have any length but 0, radius and
-                /// height are greater than 0.
+                /// Adds an open cylinder around its `center`. The axis may have any length except 0.
+                /// Radius and height are greater than 0.
                 add_cylinder(center: Position, axis: Position, radius: Number, height: Number)
             }
             {
                 discs disc Disc PreparedDisc
                 D Discs [ActiveDiscs D] set_disc
                 TooManyDiscs without_discs
-                /// Adds a flat disc, which is seen from both sides; the normal may have any length but 0, the
-                /// radius is greater than 0.
+                /// Adds a flat disc, which is visible from both sides. The normal may have any length
+                /// except 0. The radius is greater than 0.
                 add_disc(center: Position, normal: Position, radius: Number)
             }
         }
@@ -71,7 +73,7 @@ macro_rules! __room {
     };
 }
 
-/// Writes the described type of a kind.
+/// Writes the described type of a part.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __described {
@@ -83,5 +85,12 @@ macro_rules! __described {
     };
     (disc) => {
         $crate::description::Disc
+    };
+    // These cannot move: `SceneBuilder` says so.
+    (plane) => {
+        $crate::description::Plane
+    };
+    (light) => {
+        $crate::description::Light
     };
 }

@@ -1,52 +1,97 @@
 //! Ray-traced mirrors on microcontrollers.
 //!
-//! A bounded scene (spheres, planes, open cylinders, discs, point lights) is rendered in fixed point, a
-//! row at a time and without a frame buffer, into any [embedded-graphics] `DrawTarget`. A pixel is
+//! A scene of spheres, planes, open cylinders, discs and point lights is rendered in fixed point, row by
+//! row and without a frame buffer, into any [embedded-graphics] `DrawTarget`. Each pixel is
 //!
 //! > c = Σᵢ (1 − αᵢ) · (Π over k < i of αₖ) · cᵢ
 //!
-//! where αᵢ is how mirror-like the i-th surface met is, and cᵢ its colour by Phong or Blinn-Phong
-//! without reflections. A ray that meets nothing adds the background, black unless it is named.
+//! αᵢ is how mirror-like the i-th surface hit is. cᵢ is its colour by Phong or Blinn-Phong, without
+//! reflections. A ray that hits nothing adds the background, which is black unless the scene names it.
 //!
-//! # The smallest picture
+//! # A picture on a desk
+//!
+//! [`scene!`] declares a constant scene. The compiler checks and prepares it; a wrong one does not compile.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
-//! use reflet::{Camera, Material, Scene, StaticFrame, StaticScene};
+//! use reflet::{Camera, Material, scene};
 //!
-//! const CHALK: Material = Material::new([0.9, 0.9, 0.8]);
+//! const GOLD: Material = Material::new([0.7, 0.6, 0.0]).specular(0.8, 4.0).mirror(0.4);
+//! const WATER: Material = Material::new([0.6, 0.8, 1.0]).diffuse(0.1).mirror(0.7);
 //!
-//! struct Ball;
-//! impl StaticScene for Ball {
-//!     type Scene = Scene<room!(spheres: 1, lights: 1)>; // spheres, planes, cylinders, lights
-//!     const SCENE: &'static Self::Scene = &Scene::builder()
-//!         .sphere([0.0, 0.0, 0.0], 1.0, CHALK)
-//!         .light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0])
-//!         .build();
+//! scene! {
+//!     /// A golden ball over water.
+//!     struct Harbour {
+//!         sphere([0.0, 0.0, 1.0], 1.0, GOLD);
+//!         plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], WATER);
+//!         light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0]);
+//!         background([0.3, 0.4, 0.6]);
+//!     }
 //! }
 //!
-//! const CAMERA: Camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
+//! const CAMERA: Camera = Camera::look_at([0.0, -5.0, 2.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]);
 //!
-//! let mut display = MockDisplay::<Rgb888>::new(); // 64 by 64
-//! let report = Ball::frame(&CAMERA).draw(&mut display).unwrap();
-//! assert!(report.rays < 64 * 64 / 2); // the other pixels lie between some that were traced
+//! let mut display = MockDisplay::<Rgb888>::new(); // any display of embedded-graphics
+//! let report = Harbour::frame(&CAMERA).reflections(4).draw(&mut display)?;
+//! assert!(report.rays > 0);
+//! # Ok::<(), core::convert::Infallible>(())
 //! ```
 //!
-//! # Two ways to a scene
+//! # An animation
 //!
-//! - [`Scene::builder`] in a constant: plain decimal numbers, checked and prepared by the
-//!   compiler, in flash. A bad scene does not compile. [`StaticScene`] makes it a type.
-//! - [`RuntimeScene`]: filled while the program runs, up to the bounds of its type. A bad part is
-//!   refused with a [`SceneError`].
+//! A shape with a name moves, inside of a box that the scene declares. Only what moves is prepared again.
+//! The numbers may be integers or fixed-point numbers: no float instruction is executed.
 //!
-//! Both are drawn by the same kernels and give the same picture, to the bit, on every machine: no
-//! float instruction is executed for a frame.
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
+//! use reflet::{Camera, Material, MovingScene, scene};
 //!
-//! # What is linked
+//! scene! {
+//!     struct Bounce {
+//!         motion([-1.0, -1.0, 0.0], [1.0, 1.0, 6.0]);
+//!         sphere BALL([0.0, 0.0, 1.0], 1.0, Material::new([0.9, 0.1, 0.1]).mirror(0.3));
+//!         plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], Material::new([0.8, 0.8, 0.8]).mirror(0.3));
+//!         light([3.0, -4.0, 9.0], [1.0, 1.0, 1.0]);
+//!     }
+//! }
 //!
-//! What a scene does not need is not in the program: it is derived from a constant scene, or from the
-//! room in the type of one filled at run time; [`Needs`] says it in words. Where flash is scarcer than
-//! time, the quality [`Small`] leaves out the tables and the code that make a frame fast.
+//! const CAMERA: Camera = Camera::look_at([0.0, -9.0, 3.0], [0.0, 0.0, 1.5], [0.0, 0.0, 1.0]);
+//!
+//! let mut display = MockDisplay::<Rgb888>::new();
+//! # display.set_allow_overdraw(true);
+//! let mut scene = MovingScene::<Bounce>::new();
+//! for (height, angle) in [(1, 0), (2, 10), (3, 20)] {
+//!     scene.set_sphere(Bounce::BALL, [0, 0, height], 1)?;
+//!     let camera = CAMERA.orbited(angle, 0)?;
+//!     scene.frame(&camera).draw(&mut display).unwrap();
+//! }
+//! # Ok::<(), reflet::Error>(())
+//! ```
+//!
+//! # A board
+//!
+//! The same calls draw on a board: its display driver is the target. Rows can also be computed one by one,
+//! in any order and on any core: [`FrameBuilder::prepare`]. `examples/pico` and `examples/board` in the
+//! repository are complete programs for a Raspberry Pi Pico and an LM3S6965. A scene that arrives while the
+//! program runs, such as text over a serial line, goes into a [`RuntimeScene`].
+//!
+//! # What is not supported
+//!
+//! Refraction, textures, soft shadows, anti-aliasing, triangles, light that falls off with distance.
+//!
+//! # Where things are
+//!
+//! | what | where |
+//! |---|---|
+//! | how exact a picture is: `Fast`, `Fine`, `Exact`, `Small` | [`quality`] |
+//! | Phong, Blinn-Phong | [`shading`] |
+//! | displays with few levels, larger pixels | [`display`] |
+//! | a frame for so many instructions or so much time | [`budget`] |
+//! | what a scene needs of the library | [`needs`] |
+//! | the numbers of a scene as it was described | [`description`] |
+//!
+//! Every way draws the same picture on every machine, to the bit. What a scene does not need is not linked:
+//! it is derived from a constant scene, or from the room in the type of one that is filled at run time.
 //!
 //! # The build profile of a firmware
 //!
@@ -70,26 +115,8 @@
 //! | lto = true, codegen-units = 1, opt-level = "z" | 28324 | 2215 | 12140 | 369 |
 //! | Cargo's default dev (debug) | 259972 | 23351 | 231312 | 5005 |
 //!
-//! Every profile draws the same picture. Where flash is scarce, the quality [`Small`] saves more than an
+//! Every profile draws the same picture. Where flash is scarce, the quality [`Small`](quality::Small) saves more than an
 //! `opt-level`.
-//!
-//! # The floors
-//!
-//! | floor | modules | what lives there |
-//! |---|---|---|
-//! | 8 | `display` | rows into a display, dithered if it has few levels |
-//! | 7 | `render` | a frame made ready, its quality; a row's colours, most between traced ones |
-//! | 6 | `trace` | one ray to one colour: the accumulation |
-//! | 5 | `accel` | what only makes it faster: which shapes a ray need ask |
-//! | 4 | `shade` | the light at one hit |
-//! | 3 | `scene` | the checked scene; what a ray meets, whether it is blocked |
-//! | 2 | `shape`, `camera`, `material`, `light` | intersections; a pixel's ray; plain data |
-//! | 1 | `vector`, `ray`, `grid`, `color` | points, directions, rays, the scene's grid, linear colour |
-//! | 0 | `number`, `fault`, `kinds` | the formats, shifts, roots; the words for what is wrong; the list of bounded kinds |
-//!
-//! A file uses only floors below its own. Beside them stand `scenes` (behind a feature of that
-//! name) and `host` (likewise: the double-precision reference, image comparison and scene files;
-//! needs `std`).
 //!
 //! # Numbers and their limits
 //!
@@ -113,11 +140,6 @@
 //! 2²⁵ where there are planes, fewer where lights, camera or planes stand up to 32 times as far; but
 //! what the smallest shape and epsilon need of these bits stays theirs). So a scene in millimetres and
 //! the same scene in kilometres give the same picture.
-//!
-//! # What is not supported
-//!
-//! Refraction, textures, soft shadows, anti-aliasing, triangles, light that falls
-//! off with distance.
 //!
 //! # Features
 //!
@@ -155,7 +177,7 @@ mod camera;
 mod color;
 pub mod display;
 mod error;
-mod fault;
+mod error_kind;
 mod grid;
 #[cfg(feature = "host")]
 #[allow(
@@ -187,7 +209,7 @@ mod vector;
 pub use accel::{MovingScene, Scene};
 pub use camera::Camera;
 pub use error::Error;
-pub use fault::Fault as ErrorKind;
+pub use error_kind::ErrorKind;
 pub use material::Material;
 pub use number::{Number, Unit};
 pub use render::{FrameBuilder, PreparedFrame, Report, Rows};

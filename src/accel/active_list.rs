@@ -1,7 +1,8 @@
-//! The active list of a row: the shapes of one kind whose rectangles ([`super::screen_bounds`]) the row
-//! cuts in the columns it has come to, from left to right.
+//! The active list of a row for one kind of shape: the shapes whose rectangles
+//! ([`super::screen_bounds`]) the row cuts in its present columns. A row advances from left to right.
 //!
-//! Bound: a list holds what the rectangles name. A row that has too many for the room asks every shape.
+//! Bound: a list holds at least all shapes whose rectangles are cut. If a list has no room for them,
+//! rays test every shape.
 
 use core::fmt::Debug;
 use core::hint::black_box;
@@ -18,51 +19,56 @@ use crate::scene::nearest::Nearest;
 use crate::shape::bounded::Bounded;
 use crate::vector::{Direction, Point};
 
-/// The columns that a row has advanced to, the last one included.
+/// The range of columns that a row has advanced to, the last one included. A ray is traced only through
+/// a column of such a range.
 #[derive(Debug, Default)]
 pub(crate) struct Window {
     pub(super) first: u32,
     pub(super) last: u32,
 }
 
-/// A shape that can be met in the columns a row has come to, as its rays see it.
+/// A shape in an active list, prepared for the rays of the row.
 #[derive(Clone, Copy, Debug)]
 pub struct ActiveShape<'a, K: Bounded> {
+    /// The shape, prepared for rays from the eye.
     from: K::FromPoint,
     shape: &'a K,
-    /// Which of its kind it is.
+    /// Index of the shape among its kind.
     index: u16,
-    /// Its columns, the last one included.
+    /// First column of the shape's rectangle.
     left: u16,
+    /// Last column of the shape's rectangle.
     right: u16,
-    /// The one in the middle of what is thin in this row; beyond all columns for any other.
+    /// Centre column if the shape is thin in this row, else `u16::MAX`.
     middle: u16,
 }
 
 impl<K: Bounded> ActiveShape<'_, K> {
-    /// Whether the shape can be met in a column.
+    /// Tests whether rays through a column can hit the shape.
     #[inline(always)]
     fn has_column(&self, column: u32) -> bool {
         let left = u32::from(self.left);
         difference_modulo_2_32(column, left) <= difference_modulo_2_32(self.right.into(), left)
     }
 
-    /// Whether it is thin here, and the rays of a column pass it on its right.
+    /// Tests whether the shape is thin in this row and the rays of a column pass to the right of its
+    /// centre.
     #[inline(always)]
     fn is_left_of(&self, column: u32) -> bool {
         column > u32::from(self.middle)
     }
 
-    /// Whether it has ended before the first pixel left of a column that is traced for sure.
+    /// Tests whether the shape ends more than [`LONGEST_STRIDE`] columns before a column. At least one
+    /// traced pixel then lies between them.
     #[inline(always)]
     fn has_ended_before(&self, column: u32) -> bool {
         column > u32::from(self.right) + LONGEST_STRIDE
     }
 }
 
-/// The memory of an active list.
+/// The memory of an active list. Its capacity may be fixed.
 pub trait Storage<T>: Default + Debug + AsRef<[T]> + AsMut<[T]> {
-    /// Adds an item; `None` where there is no room.
+    /// Adds an item. Returns `None` if there is no room.
     fn add(&mut self, item: T) -> Option<()>;
 
     /// Keeps the items for which `stays` is true.
@@ -89,24 +95,26 @@ impl<T: Debug, const N: usize> Storage<T> for Vec<T, N> {
     }
 }
 
-/// The active shapes of one kind, in some storage.
+/// The active list of one kind of shape.
 #[derive(Debug)]
 pub(super) struct ActiveList<'a, K: Bounded, V> {
+    /// The active shapes; balls are sorted from front to back.
     active: V,
-    /// The first rectangle that has not been looked at.
+    /// Index of the first rectangle that `advance` has not yet reached.
     next: usize,
-    /// What all rays have noted that pass on the right of the thin balls that have been closed.
+    /// Sum (XOR) of the notes of all thin balls that were dropped. All further rays pass on their
+    /// right.
     passed: u32,
     kind: PhantomData<&'a K>,
 }
 
 impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
-    /// An empty list. `USED` is false where the list is never read, so that nothing is stored.
+    /// Returns an empty list. If the list is never read, `USED` is false and nothing is stored.
     #[inline(always)]
     pub(super) fn new<const USED: bool>() -> Self {
         Self {
             active: V::default(),
-            // Hidden from the compiler, or it clears the whole list along with this.
+            // Hidden from the compiler, which otherwise clears the whole list together with this field.
             next: match USED && size_of::<V>() > size_of::<usize>() {
                 true => black_box(0),
                 false => 0,
@@ -116,20 +124,23 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         }
     }
 
-    /// Goes back to the row's first column.
+    /// Empties the list and goes back to the first column of the row.
     pub(super) fn restart(&mut self) {
         (self.next, self.passed) = (0, 0);
         self.active.empty();
     }
 
-    /// Whether no shape reaches a column or those after it.
+    /// Tests whether all active shapes end before a column.
     pub(super) fn has_ended_before(&self, column: u32) -> bool {
         let mut active = self.active.as_ref().iter();
         active.all(|it| u32::from(it.right) < column)
     }
 
-    /// Drops what has ended before the first column, and takes in what begins up to the last; balls from
-    /// front to back. Says up to which column that will not change, or `None` where there is no room.
+    /// Advances to the columns from `first` to `last`: drops shapes that end before, adds shapes that
+    /// begin.
+    ///
+    /// Balls are kept sorted from front to back. Returns the smallest `first` for which the list must
+    /// advance again, or `None` if there is no room.
     #[inline(always)]
     pub(super) fn advance(
         &mut self,
@@ -150,7 +161,7 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         while let Some(rect) = rects.get(self.next) {
             if rect.has_row(y) {
                 if u32::from(rect.left) > last {
-                    // As many columns are asked for each time.
+                    // All windows of a row have the same number of columns.
                     until = u32::from(rect.left) - (last - first);
                     break;
                 }
@@ -172,7 +183,8 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         Some(until)
     }
 
-    /// Puts a shape where it belongs among the others; `None` where there is no room.
+    /// Inserts a shape: a ball behind all balls in front of it, any other shape at the end. Returns
+    /// `None` if there is no room.
     #[inline(always)]
     fn insert(&mut self, shape: ActiveShape<'a, K>) -> Option<()> {
         self.active.add(shape)?;
@@ -190,7 +202,10 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         Some(())
     }
 
-    /// Asks the shapes that can be met in a column. Notes on which side of thin ones the ray passes.
+    /// Intersects a ray with the active shapes of its column, and keeps the nearest hit in `nearest`.
+    ///
+    /// Notes on which side of thin shapes the ray passes. `first` is the number of the first shape of
+    /// this kind.
     #[inline(always)]
     pub(super) fn ask(
         &self,
@@ -204,6 +219,9 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         }
     }
 
+    /// Intersects a ray with the active balls of its column, front to back.
+    ///
+    /// Notes the thin balls that the ray passes on their right.
     #[inline(always)]
     fn ask_balls(
         &self,
@@ -218,8 +236,8 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
             {
                 continue;
             }
-            // Whether it may be seen matters beside it only, so that it does not matter further on
-            // when it is dropped.
+            // Whether something nearer hides the ball counts only close to it. So dropping the ball
+            // later changes nothing.
             if it.is_left_of(column)
                 && (it.has_ended_before(column) || nearest.may_see::<K>(&it.from))
             {
@@ -228,6 +246,7 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         }
     }
 
+    /// Intersects a ray with the active shapes of its column, for kinds that are not balls.
     #[inline(always)]
     fn ask_others(
         &self,
@@ -241,7 +260,8 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
                 let is_thin = it.middle < u16::MAX;
                 let is_hit = nearest.ask_from(it.shape, &it.from, direction, (id, is_thin));
                 if K::IS_FLAT && is_thin && !is_hit {
-                    // On which side of it the ray passes is not known: no other ray has been alike.
+                    // It is unknown on which side the ray passes, so the signature equals no other
+                    // ray's.
                     nearest.pass(spread(column + 1));
                 }
             }

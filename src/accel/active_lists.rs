@@ -1,4 +1,5 @@
-//! The active lists of all kinds, for rays from one eye: the camera or its image in a plane.
+//! The active lists of all kinds of bounded shapes, for rays from one eye: the camera, or its image in
+//! a plane.
 
 use heapless::Vec;
 
@@ -18,10 +19,10 @@ macro_rules! active_lists {
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident
             [$active_list:ident $active:tt] $($more:tt)* })*
     ) => {
-        /// How much memory a scene's active lists take.
+        /// The capacity of a scene, with the memory for the active lists of each kind of shape.
         pub trait ActiveRoom: Capacity {
             $(
-                #[doc = concat!("The active ", stringify!($list), ".")]
+                #[doc = concat!("Memory for the active list of ", stringify!($list), ".")]
                 type $active_list<'a>: Storage<ActiveShape<'a, crate::shape::$prepared>>;
             )*
         }
@@ -32,23 +33,24 @@ macro_rules! active_lists {
             )*
         }
 
-        /// The shapes that can be met in the columns that a row has come to.
+        /// The active lists of a row: all bounded shapes that rays through the row's present columns
+        /// can hit.
         ///
-        /// Where there are too many for the room, every ray asks every shape.
+        /// If a list has no room for all of them, every ray tests every shape.
         #[derive(Debug)]
         pub(super) struct ActiveLists<'a, R: ActiveRoom> {
-            /// Where the rays come from.
+            /// Origin of the rays.
             eye: Point,
-            /// The lists stay the same for columns that begin before this one.
+            /// The lists stay valid for windows whose first column is below this one.
             until: u32,
             $($list: ActiveList<'a, crate::shape::$prepared, R::$active_list<'a>>,)*
-            /// Whether every shape is asked in every column.
+            /// Whether the rays of all columns test every shape.
             is_full: bool,
         }
 
         impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
-            /// Empty lists, or every shape in every column if `is_full`. `USED` is false where the lists are
-            /// never read.
+            /// Returns empty lists. If `is_full`, the rays of all columns test every shape. If the
+            /// lists are never read, `USED` is false.
             #[inline(always)]
             pub(super) fn new<const USED: bool>(eye: Point, is_full: bool) -> Self {
                 Self {
@@ -59,22 +61,23 @@ macro_rules! active_lists {
                 }
             }
 
-            /// Goes back to the row's first column, seen from an eye.
+            /// Empties the lists and goes back to the row's first column, for rays from another eye.
             pub(super) fn restart(&mut self, eye: Point, is_full: bool) {
                 self.eye = eye;
                 (self.is_full, self.until) = (is_full, if is_full { u32::MAX } else { 0 });
                 $(self.$list.restart();)*
             }
 
-            /// If no shape reaches the window's first column or those after it, the first that is not
-            /// known of.
+            /// Returns the column before which no ray of the row hits a bounded shape, from the
+            /// window's first column on. Returns `None` if a shape reaches the window's first column or
+            /// a column after it.
             pub(super) fn clear_until<W: SceneAccess>(&self, window: &Window) -> Option<u32> {
                 let is_clear = !self.is_full
                     $(&& (!W::NEEDS.$list || self.$list.has_ended_before(window.first)))*;
                 is_clear.then_some(self.until)
             }
 
-            /// Looks for the shapes of the columns of a window.
+            /// Advances the lists of all kinds to the columns of a window.
             #[inline(never)]
             fn look<W: SceneAccess>(
                 &mut self,
@@ -96,13 +99,16 @@ macro_rules! active_lists {
                 match until {
                     Some(until) => (self.is_full, self.until) = (false, until),
                     None => {
-                        // All anew for the next columns: the lists must not depend on where a row began.
+                        // Rebuild the lists for the next columns: they must not depend on where a row
+                        // began.
                         self.restart(eye, false);
                         (self.is_full, self.until) = (true, columns.0 + 1);
                     }
                 }
             }
 
+            /// Returns the nearest hit of a ray among the active shapes, beyond `start`. The distance
+            /// counts from there.
             #[inline(never)]
             fn nearest_of_active<W: SceneAccess>(
                 &self,
@@ -129,7 +135,7 @@ macro_rules! active_lists {
 kinds!(active_lists);
 
 impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
-    /// Advances to a window, whose first column is not before the last one's.
+    /// Advances the lists to a window if necessary. The window's first column never decreases.
     #[inline(always)]
     pub(super) fn advance<W: SceneAccess>(
         &mut self,
@@ -143,15 +149,18 @@ impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
         }
     }
 
-    /// How far along a ray its start lies from the eye; a few steps off, and below zero by as many where
-    /// both are one.
+    /// Returns the distance from the eye to the start of a ray, measured along the ray. It is off by a
+    /// few steps, so it may be slightly negative where both points are the same.
     #[inline(always)]
     pub(super) fn distance(&self, ray: &Ray) -> Length {
         Length::from_bits(self.eye.to(ray.origin).dot(ray.direction))
     }
 
-    /// The nearest shape further than `start` along a ray of the column; the distance is from there.
-    /// Notes on which side of thin shapes the ray passes.
+    /// Returns the nearest hit of a ray among the bounded shapes, beyond `start`. The distance counts
+    /// from there.
+    ///
+    /// The ray starts at the eye and goes through a column of the latest window. Notes on which side of
+    /// thin shapes the ray passes.
     #[inline(always)]
     pub(super) fn nearest<W: SceneAccess>(
         &self,
@@ -166,6 +175,7 @@ impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
         self.nearest_of_active(world, column, (direction, start), signature)
     }
 
+    /// Returns the nearest hit of a ray among all bounded shapes. Used when a list had no room.
     #[cold]
     #[inline(never)]
     fn nearest_of_all<W: SceneAccess>(
@@ -175,7 +185,7 @@ impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
         (direction, start): (&Direction, Length),
         signature: &mut PathSignature,
     ) -> Hit {
-        // It is not known what is thin: no other ray has been alike.
+        // It is unknown which shapes are thin, so the signature must equal no other ray's.
         signature.note(column);
         let ray = Ray {
             origin: self.eye,
@@ -191,7 +201,7 @@ impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
     }
 }
 
-/// The earlier of two columns, if both are known.
+/// Returns the smaller of two columns, `None` if one of them is.
 #[inline(always)]
 fn earlier(one: Option<u32>, other: Option<u32>) -> Option<u32> {
     Some(one?.min(other?))

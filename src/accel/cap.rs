@@ -1,19 +1,22 @@
 //! Cells of directions, and caps of directions with bounds on the cells that they reach.
 //!
-//! Each coordinate of a direction is cut into equal parts of its range, so that a direction belongs to
-//! one of SIDE x SIDE x SIDE cells without a comparison of coordinates; those that the sphere of
-//! directions does not pass through stay empty. A ball is seen as a cap of angle φ around a direction
-//! c, the coordinates of a cap are bounded by cos(θ ± φ) where θ is the angle from c to the axis, and a
-//! cell is left out as well where all of its points have a smaller cosine to c than cos φ. Bounds are
-//! widened by 2⁻¹⁶, more than rounding can be wrong.
+//! Each coordinate of a direction is divided into `SIDE` equal parts of its range. So a direction
+//! belongs to one of SIDE x SIDE x SIDE cells, and no coordinates need to be compared. Cells that the
+//! unit sphere does not cross stay empty.
+//!
+//! A ball is seen as a cap: all directions within an angle φ of a direction c. A coordinate of a
+//! direction in the cap lies between cos(θ + φ) and cos(θ - φ), where θ is the angle from c to the
+//! axis. A cell is also left out if all of its points have a smaller cosine to c than cos φ. Bounds are
+//! widened by 2⁻¹⁶, which is more than the rounding error.
 
 use crate::number::{Unit, divide, narrowed, signed, square_root, to_u32, unsigned, unsigned_wide};
 use crate::vector::{Direction, Vector};
 
-/// What a bound of a coordinate is widened by: 2⁻¹⁶.
+/// Margin that widens the bounds of a coordinate: 2⁻¹⁶ in Q2.30.
 const MARGIN: i32 = 1 << 14;
 
-/// The cell that a direction lies in, of `SIDE` along each axis: a power of two.
+/// Returns the index of the cell of a direction. `SIDE`, the number of cells along each axis, is a
+/// power of two.
 #[inline(always)]
 pub(super) const fn cell_of<const SIDE: usize>(direction: Direction) -> usize {
     let Vector { x, y, z } = direction.raw();
@@ -24,18 +27,21 @@ pub(super) const fn cell_of<const SIDE: usize>(direction: Direction) -> usize {
     )
 }
 
-/// The bits of a coordinate of Q2.30 below the number of its cell, which is -SIDE / 2 to SIDE / 2 - 1.
+/// Returns how many low bits of a Q2.30 coordinate do not belong to its cell's number, which is -SIDE /
+/// 2 to SIDE / 2 - 1.
 const fn cell_bits<const SIDE: usize>() -> u32 {
     31 - SIDE.trailing_zeros()
 }
 
-/// The number of the cell that a coordinate lies in.
+/// Returns the number of the cell that a Q2.30 coordinate lies in: -SIDE / 2 to SIDE / 2 - 1.
 #[inline(always)]
 const fn cell_number<const SIDE: usize>(coordinate: i32) -> i32 {
-    // One beyond ±1 by a few last places, for which there is no cell, is drawn in; less than the margin.
+    // A coordinate may exceed ±1 by a few last places, where there is no cell. The shift moves it
+    // inside; it moves a coordinate by less than the margin.
     (coordinate - (coordinate >> 25)) >> cell_bits::<SIDE>()
 }
 
+/// Returns the index of a cell from its numbers along the three axes, each -SIDE / 2 to SIDE / 2 - 1.
 #[inline(always)]
 pub(super) const fn cell<const SIDE: usize>(x: i32, y: i32, z: i32) -> usize {
     let sides = signed(to_u32(SIDE));
@@ -43,15 +49,17 @@ pub(super) const fn cell<const SIDE: usize>(x: i32, y: i32, z: i32) -> usize {
     unsigned((x * sides + y) * sides + z + middle) as usize
 }
 
-/// A cap of directions: everything within an angle φ of one direction.
+/// A cap of directions: all directions within an angle φ of `direction`.
 pub(super) struct Cap {
     direction: Direction,
+    /// Sine of the cap's angle φ, Q2.30.
     sine: Unit,
+    /// Cosine of the cap's angle φ, Q2.30.
     cosine: Unit,
 }
 
 impl Cap {
-    /// Of a ball of this radius at this distance.
+    /// Returns the directions that hit a ball of this radius at this distance.
     pub(super) const fn new(direction: Direction, radius: i32, distance: i32) -> Self {
         let quotient = divide((unsigned(radius) as u64) << 30, unsigned(distance));
         let sine = (quotient.mantissa >> -quotient.exponent) as i64 + 64;
@@ -64,13 +72,13 @@ impl Cap {
         }
     }
 
-    /// Whether a point of a cell has as large a cosine to the middle as the cap.
+    /// Tests whether a cell has a point whose cosine to the middle of the cap is at least cos φ.
     pub(super) const fn reaches<const SIDE: usize>(&self, cell: [i32; 3]) -> bool {
         let coordinates = self.direction.components();
         let mut largest = 0_i64;
         let mut axis = 0;
         while axis < 3 {
-            // From 2⁻¹⁶ below the cell to as much above it.
+            // The cell, widened by the margin on both sides.
             let low = ((cell[axis] as i64) << cell_bits::<SIDE>()) - MARGIN as i64;
             let high = ((cell[axis] as i64 + 1) << cell_bits::<SIDE>()) + MARGIN as i64;
             let coordinate = coordinates[axis].to_bits() as i64;
@@ -80,13 +88,14 @@ impl Cap {
         largest >> 30 >= (self.cosine.to_bits() - MARGIN) as i64
     }
 
-    /// The first and the last cell along an axis.
+    /// Returns the numbers of the first and the last cell that the cap reaches along an axis.
     pub(super) const fn cells<const SIDE: usize>(&self, axis: usize) -> (i32, i32) {
         let (low, high) = self.bounds(self.direction.components()[axis].to_bits());
         (cell_number::<SIDE>(low), cell_number::<SIDE>(high))
     }
 
-    /// The least and the largest value of a coordinate whose value in the middle is `middle`.
+    /// Returns the least and the largest value of a coordinate in the cap. `middle` is its value in the
+    /// middle.
     const fn bounds(&self, middle: i32) -> (i32, i32) {
         let middle = if middle > 1 << 30 {
             1 << 30
@@ -98,7 +107,7 @@ impl Cap {
         let across = square_root(unsigned_wide((1 << 60) - middle as i64 * middle as i64)) as i64;
         let along = (middle as i64 * self.cosine.to_bits() as i64) >> 30;
         let spread = (across * self.sine.to_bits() as i64) >> 30;
-        // Where the cap holds the axis itself, its end is the axis.
+        // If the cap holds the axis itself, the bound is the end of the axis.
         let cosine = self.cosine.to_bits();
         let low = if -middle >= cosine - MARGIN {
             -(1 << 30)

@@ -1,52 +1,58 @@
-//! Which shapes can be met in which direction from one point, or from a ball around it.
+//! A table of the shapes that rays can hit in each direction from one point, or from a ball around it.
 //!
-//! Directions are cut into [cells](super::cap). A cell has the number of a set of shapes that reach into
-//! it; cells next to each other mostly share one, so the sets are kept apart from the cells.
+//! Directions are divided into [cells](super::cap). A cell stores the number of a set of shapes: all
+//! shapes that reach into the cell. Neighbouring cells mostly have equal sets, so each different set is
+//! stored once.
 
 use super::cap::{Cap, cell, cell_of};
 use crate::number::{signed, to_u8, to_u32};
 use crate::scene::shape_set::ShapeSet;
 use crate::vector::{Direction, Vector};
 
-/// A set of shapes for each of `CELLS` = `SIDE`³ cells, `SETS` different ones at most.
+/// Table from a direction to a set of shapes. It has `CELLS` = `SIDE`³ cells and at most `SETS`
+/// different sets.
 #[derive(Clone, Copy, Debug)]
 pub struct DirectionTable<const SIDE: usize, const CELLS: usize, const SETS: usize> {
-    /// Which set a cell has.
+    /// For each cell, the index of its set in `sets`.
     numbers: [u8; CELLS],
     sets: [ShapeSet; SETS],
 }
 
 impl<const SIDE: usize, const CELLS: usize, const SETS: usize> DirectionTable<SIDE, CELLS, SETS> {
-    /// Every shape in every direction.
+    /// The table that holds every shape in every direction.
     pub(crate) const ALL: Self = Self {
         numbers: [0; CELLS],
         sets: [*ShapeSet::ALL; SETS],
     };
 
-    /// The shapes that can be met in a direction.
+    /// Returns the shapes that a ray in this direction can hit.
     #[inline(always)]
     pub(crate) fn at(&self, direction: Direction) -> &ShapeSet {
-        // Never out of range; said so, it need not be asked.
+        // The cell is always in range. The remainder tells the compiler, so that it makes no check.
         let cell = cell_of::<SIDE>(direction) % CELLS;
         let number = self.numbers.get(cell).copied().unwrap_or(0);
         let set = self.sets.get(usize::from(number) % SETS);
         set.unwrap_or(ShapeSet::ALL)
     }
 
-    /// One set for all cells that have the same; where there are too many, the most alike become one.
+    /// Makes a table from the sets of all cells. Equal sets are stored once.
+    ///
+    /// If there are more than `SETS` different sets, a cell's set is merged into the stored one that
+    /// differs least from it.
     pub(super) const fn of(cells: &CellSets<SIDE, CELLS>) -> Self {
         let mut table = Self {
             numbers: [0; CELLS],
             sets: [ShapeSet::NONE; SETS],
         };
-        // No shape is the first set.
+        // The first set is empty.
         let mut used = 1;
         let mut index = 0;
         while index < CELLS {
             let set = cells.0[index];
             let mut nearest = 0;
             let mut number = 1;
-            // More are never used; said so, nothing can panic.
+            // `number < SETS` always holds here. The condition tells the compiler that nothing can
+            // panic.
             while number < used && number < SETS {
                 if table.sets[number].difference(set) < table.sets[nearest].difference(set) {
                     nearest = number;
@@ -58,7 +64,7 @@ impl<const SIDE: usize, const CELLS: usize, const SETS: usize> DirectionTable<SI
                 nearest = used;
                 used += 1;
             }
-            // What the set held already stays in it: other cells may have it.
+            // The stored set keeps its shapes: other cells may use it.
             table.sets[nearest] = table.sets[nearest].with(set);
             table.numbers[index] = to_u8(to_u32(nearest));
             index += 1;
@@ -67,11 +73,11 @@ impl<const SIDE: usize, const CELLS: usize, const SETS: usize> DirectionTable<SI
     }
 }
 
-/// The shapes in each cell, while a table is made.
+/// The sets of shapes of all cells while a [`DirectionTable`] is made.
 pub(super) struct CellSets<const SIDE: usize, const CELLS: usize>([ShapeSet; CELLS]);
 
 impl<const SIDE: usize, const CELLS: usize> CellSets<SIDE, CELLS> {
-    /// No shape in any.
+    /// All cells empty.
     pub(super) const NONE: Self = Self([ShapeSet::NONE; CELLS]);
 
     /// Adds a shape to all cells.
@@ -79,7 +85,10 @@ impl<const SIDE: usize, const CELLS: usize> CellSets<SIDE, CELLS> {
         self.add_ball(Vector::ZERO, 1, shape);
     }
 
-    /// Adds a ball, whose middle lies so far from the point, to the cells that it reaches.
+    /// Adds a shape inside of a ball to all cells that the ball reaches.
+    ///
+    /// `way` is the vector from the table's point to the ball's centre. The radius is widened by 2⁻¹²
+    /// of it and 16 steps. If the ball holds the point, the shape is added to all cells.
     pub(super) const fn add_ball(&mut self, way: Vector, radius: i32, shape: ShapeSet) {
         let (direction, distance) = way.direction_and_length();
         let radius = radius + (radius >> 12) + 16;
@@ -109,7 +118,8 @@ impl<const SIDE: usize, const CELLS: usize> CellSets<SIDE, CELLS> {
                         None => true,
                     };
                     let index = cell::<SIDE>(at[0], at[1], at[2]);
-                    // It always is; said so, nothing can panic.
+                    // The index is always in range. The condition tells the compiler that nothing can
+                    // panic.
                     if reaches && index < self.0.len() {
                         self.0[index] = self.0[index].with(shape);
                     }

@@ -31,12 +31,13 @@ impl Hasher for Fingerprint {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Material, RuntimeScene, room};
+    use crate::scene::Room;
+    use crate::{Material, RuntimeScene};
 
     #[test]
     fn stamp_tells_scenes_apart() {
         let stamp = |x: f64, shade: f64| {
-            let mut scene = RuntimeScene::<room!(spheres: 1)>::new();
+            let mut scene = RuntimeScene::<Room<1, 0, 0, 0>>::new();
             let chalk = scene.add_material(Material::new([shade; 3])).unwrap();
             scene.add_sphere([x, 0.0, 0.0], 1, chalk).unwrap();
             scene.build().unwrap().stamp

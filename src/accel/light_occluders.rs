@@ -1,9 +1,10 @@
-//! The shapes of a scene as a light sees them, and the shadow test from the light.
+//! The bounded shapes of a scene, prepared for rays from one light, and the shadow test from the light.
 //!
-//! Bound: used for lights that are near, outside of all spheres, and see so much of each sphere that the
-//! length of its tangents tells what it hides ([`PreparedLight::is_plain`]). A sphere's shadow then needs
-//! no root. It differs from the plain test where rounding decides, by a few steps of the grid: the ray
-//! runs from the light to the surface and not back.
+//! Bound: used for a light that is near, outside of all spheres, and not too far from any sphere for
+//! its size: the length of the tangents must tell what the sphere hides ([`PreparedLight::is_plain`]).
+//! The shadow test of a sphere then needs no root. The result differs from the plain test only where
+//! rounding decides, by a few steps of the grid: the ray runs from the light to the surface, not from
+//! the surface to the light.
 
 use super::light_table::light_set;
 use super::{CullingQuality, World};
@@ -21,7 +22,7 @@ macro_rules! light_occluders {
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
-        /// A light and the shapes of a scene as it sees them.
+        /// A light, and all bounded shapes of a scene prepared for rays that start at the light.
         #[derive(Clone, Copy, Debug)]
         pub struct LightOccluders<R: Capacity> {
             light: PreparedLight,
@@ -29,13 +30,16 @@ macro_rules! light_occluders {
         }
 
         impl<$($header)*> LightOccluders<Room<$($arguments)*>> {
-            /// Fills the room of a light that a scene's type allows but the scene does not use.
+            /// Placeholder for a light that a scene's type has room for but the scene does not use.
             pub(super) const NONE: Self = Self {
                 light: PreparedLight::NONE,
                 $($list: [crate::shape::$prepared::NOT_SEEN; $room],)*
             };
 
-            /// Of a light and the shapes of a scene.
+            /// Prepares a light and the shapes of a scene for shadow tests from the light.
+            ///
+            /// Sets [`PreparedLight::is_plain`]: the light is near, and each shape can be tested from
+            /// it.
             pub(super) const fn new(mut light: PreparedLight, parts: &Parts<'_>) -> Self {
                 let mut occluders = Self::NONE;
                 let ScaledPoint { point, scale } = light.place;
@@ -87,7 +91,8 @@ macro_rules! light_occluders {
             }
         }
 
-        /// Whether a shape of a set occludes the end of a light's ray on a surface.
+        /// Tests whether a shape of `set` lies between a light and the point on `surface` where `ray`
+        /// ends.
         #[inline(always)]
         fn any_occludes<W: World, const PRECISE: bool>(
             world: &W,
@@ -122,18 +127,21 @@ macro_rules! light_occluders {
 kinds!(light_occluders);
 
 impl<R: Capacity> LightOccluders<R> {
-    /// The light itself.
+    /// Returns the light without the shapes around it.
     #[inline(always)]
     pub(crate) const fn light(&self) -> &PreparedLight {
         &self.light
     }
 }
 
-/// Whether a shape hides a near surface from a light that no plane hides, and that has a number.
+/// Tests whether a bounded shape hides a near surface from a light. Uses the tangents from the light.
+///
+/// The light must be plain, and no plane may hide it. `index` is its place in the list of lights.
 /// `direction` and `distance` lead from the light to the surface.
 ///
-/// Where `PRECISE`, a point that epsilon lifts into a sphere is in its shadow. A shape does not occlude
-/// a point on its own surface: hits are known to a few steps, so the ray ends that much earlier.
+/// If `PRECISE`, a point that epsilon lifts into a sphere is in the sphere's shadow. The ray then ends
+/// a few steps before the surface, because hits are known only to a few steps. So a shape does not
+/// occlude a point on its own surface.
 #[inline(always)]
 pub(crate) fn occluded<W: World, Q: CullingQuality, const PRECISE: bool>(
     world: &W,

@@ -1,7 +1,7 @@
-//! Which shapes lie in which direction from a light.
+//! The bounded shapes in each direction from a light: a [`DirectionTable`] for each light.
 //!
-//! 8 x 8 x 8 cells and 64 sets: 1 KB a light. A ball is widened by 2⁻¹² of its radius and 16 steps. A
-//! cylinder's wall is a chain of balls.
+//! A table has 8 x 8 x 8 cells and at most 64 different sets: 1 KB a light. Bound: the radius of each
+//! ball is widened by 2⁻¹² of it and 16 steps. A cylinder's wall is covered by a chain of balls.
 
 use super::direction_table::{CellSets, DirectionTable};
 use super::{CullingQuality, World};
@@ -10,7 +10,7 @@ use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::vector::{Direction, Point};
 
-/// The shapes around a light.
+/// Table of the bounded shapes in each direction from one light.
 pub type LightTable = DirectionTable<8, 512, 64>;
 
 macro_rules! light_table {
@@ -19,7 +19,7 @@ macro_rules! light_table {
         $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
     ) => {
         impl LightTable {
-            /// Of a light at a near point.
+            /// Makes the table of a light at a near point.
             pub(crate) const fn around(light: Point, parts: &Parts<'_>) -> Self {
                 let layout = SetLayout::new(parts.lengths());
                 let mut cells = CellSets::NONE;
@@ -50,7 +50,7 @@ macro_rules! light_table {
 kinds!(light_table);
 
 impl LightTable {
-    /// Of a light; every shape in every direction if it is far.
+    /// Makes the table of a light. If the light is far, every direction holds every shape.
     pub(super) const fn of_light(light: &PreparedLight, parts: &Parts<'_>) -> Self {
         match light.place.is_near() {
             true => Self::around(light.place.point, parts),
@@ -58,7 +58,7 @@ impl LightTable {
         }
     }
 
-    /// Of each light of a scene.
+    /// Makes the tables of all lights of a scene, in their order. Unused places hold every shape.
     pub(super) const fn of_lights<const L: usize>(parts: &Parts<'_>) -> [Self; L] {
         let mut tables = [Self::ALL; L];
         let mut index = 0;
@@ -70,7 +70,8 @@ impl LightTable {
     }
 }
 
-/// The shapes in a direction from the light with a number; all where it has no table.
+/// Returns the bounded shapes in a direction from a light, by the light's index. Returns all shapes if
+/// the light has no table or `Q` does not use tables.
 #[inline(always)]
 pub(crate) fn light_set<W: World, Q: CullingQuality>(
     world: &W,

@@ -1,8 +1,8 @@
-//! Which lights are visible from all that a frame shows, and which from nothing, as far as planes go.
+//! Lights that a plane hides from all surfaces of a frame, and lights that no plane hides from any.
 //!
-//! No ray crosses a plane. So all surfaces that a frame's rays come to lie on the camera's side of
-//! every plane, and a light on the other side of one is hidden from all of them; planes in front of
-//! which camera and light both stand hide it from none.
+//! No ray crosses a plane. So all surfaces that a frame's rays hit lie on the camera's side of every
+//! plane. A light on the other side of a plane is hidden from all of them. A plane in front of which
+//! both camera and light stand hides the light from none of them.
 
 use super::World;
 use super::light_occluders::LightOccluders;
@@ -10,20 +10,21 @@ use crate::number::bit_modulo_32;
 use crate::ray::ScaledPoint;
 use crate::shape::plane::Side;
 
-/// The camera's place, and which lights are visible from all that its rays hit.
+/// The camera's position, and which lights the planes hide in this frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LightVisibility {
-    /// Where the rays come from.
+    /// Position of the camera.
     pub(crate) from: ScaledPoint,
-    /// A bit for each light that a plane hides from everything.
+    /// One bit for each light that a plane hides from all surfaces.
     hidden: u32,
-    /// A bit for each light of which it depends on the ray: the light is far away, or the light or the
-    /// camera stands inside of a sphere or within epsilon of a plane.
+    /// One bit for each light for which each ray must be tested. The light is far, stands inside of a
+    /// sphere or too far from a small sphere, or the light or the camera is within epsilon of a plane.
+    /// If the camera is inside of a sphere, or there are more than 32 lights, every bit is set.
     unclear: u32,
 }
 
 impl LightVisibility {
-    /// The view from a place, with nothing known about the lights.
+    /// Returns a visibility that knows nothing about the lights, for a camera at `from`.
     pub(crate) const fn unclear(from: ScaledPoint) -> Self {
         Self {
             from,
@@ -32,7 +33,7 @@ impl LightVisibility {
         }
     }
 
-    /// The view from a place.
+    /// Computes which lights the planes hide from all surfaces that a camera at `from` can show.
     pub(crate) fn new<W: World>(world: &W, from: ScaledPoint) -> Self {
         let parts = world.parts();
         let mut view = Self {
@@ -40,7 +41,7 @@ impl LightVisibility {
             hidden: 0,
             unclear: 0,
         };
-        // Rays from inside of a sphere stay there.
+        // Rays that start inside of a sphere stay there.
         if from.is_near() && parts.hold(from.point) {
             view.unclear = u32::MAX;
         }
@@ -59,7 +60,7 @@ impl LightVisibility {
                     plane.side(light.place, parts.epsilon),
                 );
                 match (viewer, light) {
-                    // What ends in a plane does not go through it.
+                    // A ray that ends in a plane does not cross it.
                     (_, Side::In) => {}
                     (Side::In | Side::Close, _) | (_, Side::Close) => view.unclear |= 1 << index,
                     _ if viewer == light => {}
@@ -70,15 +71,15 @@ impl LightVisibility {
         view
     }
 
-    /// Whether no plane hides the light with a number, and what bounded shapes hide can be told by how it
-    /// sees them.
+    /// Tests whether no plane hides a light, and the light's own tables tell what bounded shapes hide.
+    /// `light` is the light's index.
     #[inline(always)]
     pub(crate) fn is_clear(&self, light: usize) -> bool {
-        // Of more than 32 lights every bit is set.
+        // With more than 32 lights every bit is set.
         (self.hidden | self.unclear) & bit_modulo_32(light) == 0
     }
 
-    /// Whether a plane hides the light with a number from everything.
+    /// Tests whether a plane hides a light from all surfaces. `light` is the light's index.
     #[inline(always)]
     pub(crate) fn is_hidden(&self, light: usize) -> bool {
         self.hidden & bit_modulo_32(light) != 0

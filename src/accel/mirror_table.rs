@@ -1,12 +1,16 @@
-//! Which shapes can lie ahead of a ray that leaves a round mirror, by its direction.
+//! The bounded shapes that can lie ahead of a ray that leaves a bounded mirror, by the ray's direction.
 //!
-//! Rays leave a mirror from within balls around it: those of a ball that meet another ball are the
-//! rays from its middle that meet one as large as both together. So each mirror has a table as a light
-//! has, of 4 x 4 x 4 cells and 16 sets: 192 bytes of flash. A shape is left out only where it is missed,
-//! or, if a ray may note on which side it passes, where the ball around it is passed by
-//! ([`passes_by`](crate::vector::Vector::passes_by)). So path signatures stay the same, too.
+//! Rays leave a mirror from points inside of balls around it. A ray from any point of a ball can hit a
+//! second ball only if the ray from the first ball's centre, in the same direction, hits a ball as
+//! large as both together. So each mirror has a [`DirectionTable`], as each light has. It has 4 x 4 x 4
+//! cells and 16 sets: 192 bytes of flash.
 //!
-//! Made by the compiler for constant scenes with such mirrors and 4 to [`MOST`] bounded shapes.
+//! Bound: a shape is left out of a cell only if every such ray misses it. If rays note on which side
+//! they pass the shape, it is left out only if they pass by the ball around it
+//! ([`passes_by`](crate::vector::Vector::passes_by)). So path signatures do not change either.
+//!
+//! The compiler makes these tables for constant scenes that have bounded mirrors and 4 to [`MOST`]
+//! bounded shapes.
 
 use super::direction_table::{CellSets, DirectionTable};
 use crate::number::{narrowed, square_root, unsigned_wide, wide};
@@ -15,30 +19,33 @@ use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::scene::{FEW, Parts};
 use crate::vector::{Direction, Point, Vector};
 
-/// How many bounded shapes a scene with mirror tables has at most.
+/// Largest number of bounded shapes in a scene with mirror tables.
 pub(super) const MOST: usize = 16;
 
-/// The shapes ahead of the rays that leave one mirror.
+/// Table of the shapes ahead of rays that leave one mirror, by the ray's direction.
 pub type MirrorTable = DirectionTable<4, 64, 16>;
 
+/// The sets of all cells of a [`MirrorTable`] while it is made.
 type Cells = CellSets<4, 64>;
 
-/// The tables of a scene's round mirrors.
+/// The mirror tables of all bounded shapes of a scene that mirror.
 #[derive(Clone, Copy, Debug)]
 pub struct MirrorTables {
-    /// Which table each bounded shape has.
+    /// For each bounded shape, the index of its table in `tables`; `u8::MAX` if it has none.
     pub(super) numbers: [u8; MOST],
+    /// One table for each mirror. The list may be longer; unused tables hold all shapes.
     pub(super) tables: &'static [MirrorTable],
 }
 
 impl MirrorTables {
-    /// Of a scene without such tables.
+    /// The tables of a scene without mirror tables.
     pub(super) const NONE: &'static Self = &Self {
         numbers: [u8::MAX; MOST],
         tables: &[],
     };
 
-    /// The shapes that a ray can meet that leaves a mirror in a direction.
+    /// Returns the shapes that a ray can hit when it leaves `mirror` in a direction; all shapes if
+    /// `mirror` has no table.
     #[inline(always)]
     pub(super) fn ahead(&self, mirror: ShapeId, direction: Direction) -> &ShapeSet {
         let number = self.numbers.get(mirror.index()).copied();
@@ -46,7 +53,10 @@ impl MirrorTables {
         table.map_or(ShapeSet::ALL, |table| table.at(direction))
     }
 
-    /// Which table each bounded shape has, and for how many there is to be room.
+    /// Numbers the bounded shapes of a scene that mirror.
+    ///
+    /// Returns the index of each bounded shape's table, and the length of the list of tables. Returns
+    /// no tables for a scene with too few or too many bounded shapes.
     pub(super) const fn numbered(parts: &Parts<'_>) -> ([u8; MOST], usize) {
         let mut numbers = [u8::MAX; MOST];
         let bounded = parts.bounded();
@@ -64,8 +74,8 @@ impl MirrorTables {
         (numbers, room_for(used as usize))
     }
 
-    /// The tables, where `N` is the room for so many: of all sizes that the compiler works out, one is
-    /// used.
+    /// Makes the mirror tables of a scene if `N` is the length that [`MirrorTables::numbered`] returns.
+    /// For any other `N` the tables hold all shapes, and nothing reads them.
     pub(super) const fn tables<const N: usize>(parts: &Parts<'_>) -> [MirrorTable; N] {
         let mut tables = [MirrorTable::ALL; N];
         if Self::numbered(parts).1 != N {
@@ -83,7 +93,8 @@ impl MirrorTables {
     }
 }
 
-/// The length of the list that holds so many tables: the compiler makes lists of nine lengths.
+/// Returns the length of the list that stores this many tables. The compiler makes lists of nine
+/// lengths only.
 const fn room_for(tables: usize) -> usize {
     match tables {
         0..=4 => tables,
@@ -94,8 +105,7 @@ const fn room_for(tables: usize) -> usize {
     }
 }
 
-/// Whether the bounded shape that stands there among them mirrors, and does not move. There are at most
-/// 64, so its index is its bit in a set.
+/// Tests whether the bounded shape at `index` among all bounded shapes has a mirroring material.
 const fn is_mirror(parts: &Parts<'_>, index: usize) -> bool {
     match parts.ball(index) {
         Some((_, material)) => {
@@ -112,7 +122,8 @@ macro_rules! mirror_table {
         $header:tt
         $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
     ) => {
-        /// What lies ahead of rays that leave a bounded shape, by where it stands among them.
+        /// Returns the cells of the rays that leave the bounded shape at `index`: the shapes that they
+        /// can hit.
         const fn ahead_of(parts: &Parts<'_>, index: usize) -> Cells {
             let mut cells = Cells::NONE;
             $(
@@ -130,7 +141,8 @@ macro_rules! mirror_table {
             cells
         }
 
-        /// Adds all that rays from the surface of this ball, or epsilon beside it, can meet.
+        /// Adds all shapes that rays can hit when they start on the surface of a ball, or epsilon
+        /// beside it.
         const fn add_all(cells: &mut Cells, parts: &Parts<'_>, (origin, radius): (Point, i32)) {
             let layout = SetLayout::new(parts.lengths());
             let (outer, inner) = (parts.epsilon.to_bits(), parts.inner_epsilon.to_bits());
@@ -156,17 +168,21 @@ macro_rules! mirror_table {
 }
 kinds!(mirror_table);
 
-/// How far beyond a shape rays may start, apart from epsilon: a hit is known to a few steps, on a
-/// cylinder that is met along its axis to some hundred.
+/// Largest distance in steps between a mirror's surface and the start of a ray, in addition to epsilon.
+/// A hit is known to a few steps; on a cylinder that is hit along its axis to some hundred.
 const SLACK: i32 = 1 << 10;
 
-/// More than the squares in `passes_by` may be off by. In units of 2³²: the length of a direction and
-/// what is taken off for it, 2⁻²⁴ and 2⁻²⁵ of a square below 2⁶⁰, are 24; what it adds for products
-/// rounded down 4, and those one each.
+/// Upper bound on the rounding error of the squares in `passes_by`.
+///
+/// In units of 2³², the parts are: 24 for the length of a direction and the term that corrects it (2⁻²⁴
+/// and 2⁻²⁵ of a square below 2⁶⁰), 4 for the constant that `passes_by` adds because products are
+/// rounded down, and one for each of these products.
 const UNSURE: u64 = 32 << 32;
 
-/// Adds a shape in a ball to the directions of the rays from another that can meet it, or note on which
-/// side they pass it.
+/// Adds a shape to the cells of all rays that start in one ball and can hit the shape's ball.
+///
+/// `from` is the radius of the first ball, `origin` its centre. If `is_noted`, also adds the shape to
+/// the cells of rays that may note on which side they pass it.
 const fn add(
     cells: &mut Cells,
     (origin, from): (Point, i32),
@@ -178,11 +194,13 @@ const fn add(
     let both = from as i64 + radius as i64;
     let distance = square_root(way.square()) as i64;
     if distance <= both {
+        // The balls overlap: rays in all directions can hit the shape.
         return cells.add_everywhere(shape);
     }
     cells.add_ball(way, narrowed(both), shape);
-    // What is this far away, √2 times the sum of the radii, lies further behind a ray that goes away
-    // from it than its radius, and is passed by so.
+    // A ray away from the shape passes by it for sure if the distance is more than √2 times the sum of
+    // the radii: the shape then lies further behind the ray than its radius. If it is nearer, add the
+    // shape.
     if is_noted && 2 * distance <= 3 * both {
         cells.add_ball(Vector::ZERO.minus(way), narrowed(both), shape);
     }

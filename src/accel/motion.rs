@@ -6,7 +6,7 @@
 use super::static_scene::{Apart, StaticScene};
 use super::{Scene, Tables, World};
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::light::Light;
 use crate::number::Number;
 use crate::ray::spread;
@@ -85,7 +85,7 @@ macro_rules! motion {
                 )]
                 ///
                 /// # Errors
-                #[doc = concat!("What is wrong with the ", stringify!($kind), "; [`Fault::Motion`] unless the")]
+                #[doc = concat!("What is wrong with the ", stringify!($kind), "; [`ErrorKind::Motion`] unless the")]
                 /// ball around it lies inside of the motion box. The scene is as it was.
                 pub fn $set(
                     &mut self,
@@ -122,7 +122,7 @@ macro_rules! motion {
                 /// it keeps its material.
                 ///
                 /// # Errors
-                #[doc = concat!("What is wrong with the ", stringify!($kind), "; [`Fault::Motion`] unless the")]
+                #[doc = concat!("What is wrong with the ", stringify!($kind), "; [`ErrorKind::Motion`] unless the")]
                 /// ball around it lies inside of the motion box. The scene is as it was.
                 pub fn $set(
                     &mut self,
@@ -132,7 +132,7 @@ macro_rules! motion {
                     let index = $kind.index();
                     match Self::moves(stringify!($kind), index) {
                         true => self.0.$set($kind, $($field),*),
-                        false => Err(Error::at(stringify!($kind), index, Fault::UnknownHandle)),
+                        false => Err(Error::at(stringify!($kind), index, ErrorKind::UnknownHandle)),
                     }
                 }
             )*
@@ -179,7 +179,7 @@ impl<R: Capacity> Scene<R> {
     /// shapes is prepared again.
     ///
     /// # Errors
-    /// [`Fault::Coordinate`]. The scene is as it was.
+    /// [`ErrorKind::Coordinate`]. The scene is as it was.
     pub fn set_light(
         &mut self,
         light: Handle<Light>,

@@ -1,14 +1,14 @@
 //! A scene made ready for the kernels, with the shapes as its lights see them.
 
-use super::light_occluders::LightOccluders;
 use super::fingerprint::Fingerprint;
+use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::MirrorTables;
 use super::{ActiveRoom, Tables, World};
 use crate::camera::Camera;
-use crate::scene::access::SceneAccess;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
+use crate::scene::access::SceneAccess;
 use crate::scene::{
     Array, Capacity, Description, Needs, Parts, PlainScene, Room, RuntimeScene, SceneBuilder, used,
 };
@@ -21,9 +21,9 @@ use crate::scene::{
 ///
 /// | room | scene | its description | tables |
 /// |---|--:|--:|--:|
-/// | `room!(spheres: 1, lights: 1, materials: 1)` | 480 | 624 | not needed |
-/// | `room!(spheres: 8, planes: 2, cylinders: 4, lights: 2, materials: 4)` | 1736 | 2360 | 2056 |
-/// | `room!(spheres: 32, planes: 4, cylinders: 16, lights: 2, materials: 8)` | 5096 | 6440 | 2056 |
+/// | `room!(spheres: 1, lights: 1, materials: 1)` | 528 | 728 | not needed |
+/// | `room!(spheres: 8, planes: 2, cylinders: 4, lights: 2, materials: 4)` | 1776 | 2464 | 2056 |
+/// | `room!(spheres: 32, planes: 4, cylinders: 16, lights: 2, materials: 8)` | 5136 | 6544 | 2056 |
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<R: Capacity> {
     pub(super) plain: PlainScene<R>,
@@ -85,7 +85,7 @@ macro_rules! scene {
                     Err(error) => error.stop(),
                 };
                 if plain.constant_parts().lacks_light() {
-                    Error::of("scene", Fault::NoLight).stop();
+                    Error::of("scene", ErrorKind::NoLight).stop();
                 }
                 Scene::of(plain)
             }
@@ -95,14 +95,14 @@ macro_rules! scene {
                 let (counts, room) = (self.counts(), Room::<$($arguments)*>::COUNTS);
                 $(
                     if counts.$list < room.$list {
-                        Error::of(stringify!($list), Fault::UnusedRoom).stop();
+                        Error::of(stringify!($list), ErrorKind::UnusedRoom).stop();
                     }
                 )*
                 if counts.planes < room.planes {
-                    Error::of("planes", Fault::UnusedRoom).stop();
+                    Error::of("planes", ErrorKind::UnusedRoom).stop();
                 }
                 if counts.lights < room.lights {
-                    Error::of("lights", Fault::UnusedRoom).stop();
+                    Error::of("lights", ErrorKind::UnusedRoom).stop();
                 }
             }
         }
@@ -111,8 +111,8 @@ macro_rules! scene {
             /// Chooses the binary point and prepares the scene for the kernels, with integers only.
             ///
             /// # Errors
-            /// What can only be seen in the scene as a whole: [`Fault::Tiny`], [`Fault::Extent`],
-            /// [`Fault::Epsilon`], [`Fault::Brightness`].
+            /// What can only be seen in the scene as a whole: [`ErrorKind::Tiny`], [`ErrorKind::Extent`],
+            /// [`ErrorKind::Epsilon`], [`ErrorKind::Brightness`].
             pub fn build(&self) -> Result<Scene<Room<$($arguments)*>>, Error> {
                 let description = self.description();
                 let mut scene = Scene::prepare(&description)?;
@@ -132,7 +132,7 @@ impl<R: Capacity> Scene<R> {
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
-    /// use reflet::{Camera, Material, RuntimeScene};
+    /// use reflet::{Camera, Material, RuntimeScene, room};
     ///
     /// const CAMERA: Camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
     ///

@@ -1,8 +1,8 @@
-//! Which pixels each bounded shape can be seen in: rectangles, worked out once a frame.
+//! The rectangles of pixels that the bounded shapes cover. They are worked out once a frame.
 //!
-//! What a mirroring plane shows first are the shapes mirrored in it, as the camera sees them. Bound:
-//! radii are widened by 2⁻¹⁰ and 64 steps, mirrored ones by two epsilon, rectangles by one or two
-//! pixels.
+//! There is one list of rectangles for the shapes themselves, and one for each mirroring plane: the
+//! shapes mirrored in it, as the camera sees them there. Bound: a radius is widened by 2⁻¹⁰ of it and
+//! 64 steps, and by two epsilon more if mirrored. A rectangle is widened by one or two pixels.
 
 use super::screen_axis::{Columns, THIN, widened};
 use super::screen_rect::{ScreenRect, THIN_SHAPE, insert};
@@ -19,20 +19,21 @@ macro_rules! rects {
         $header:tt
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
-        /// The rectangles of the shapes of a scene, in rising order of their left columns.
+        /// The rectangles of all bounded shapes, one list for each kind. Each list is sorted by the
+        /// left columns.
         #[derive(Clone, Copy, Debug)]
         pub(crate) struct Rects<R: Capacity> {
             $(pub(super) $list: R::$lists<ScreenRect>,)*
         }
 
         impl<R: Capacity> Rects<R> {
-            /// Room for rectangles.
+            /// Returns lists that are filled with placeholders.
             #[inline(always)]
             fn empty() -> Self {
                 Self { $($list: Array::filled(ScreenRect::NONE),)* }
             }
 
-            /// Finds the rectangles of all shapes.
+            /// Computes the rectangles of all bounded shapes of a scene, as seen from `eye`.
             #[inline(never)]
             fn look<W: SceneAccess>(&mut self, world: &W, eye: &Eye<'_>) {
                 const {
@@ -42,7 +43,7 @@ macro_rules! rects {
                     );
                 }
                 let parts = world.parts();
-                // Said so, nothing of planes is linked where there are none.
+                // This tells the compiler to link no code for planes if the scene has none.
                 let plane = if W::NEEDS.planes { eye.plane } else { None };
                 let eye = Eye { plane, ..*eye };
                 $(eye.look_at(parts.$list, self.$list.as_mut());)*
@@ -52,7 +53,7 @@ macro_rules! rects {
 }
 kinds!(rects);
 
-/// The rectangles of the shapes of a scene, themselves and mirrored in each plane.
+/// The rectangles of all bounded shapes of a scene: seen directly, and mirrored in each plane.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScreenBounds<R: Capacity> {
     direct: Rects<R>,
@@ -60,7 +61,7 @@ pub(crate) struct ScreenBounds<R: Capacity> {
 }
 
 impl<R: Capacity> ScreenBounds<R> {
-    /// Room for the rectangles of a frame.
+    /// Returns screen bounds that are filled with placeholders.
     #[inline(always)]
     pub(crate) fn empty() -> Self {
         Self {
@@ -69,8 +70,10 @@ impl<R: Capacity> ScreenBounds<R> {
         }
     }
 
-    /// Finds the rectangles of a scene as the rays through the columns and those through the rows of
-    /// a picture see it; mirrored only where a plane mirrors.
+    /// Computes the rectangles of all bounded shapes for one frame.
+    ///
+    /// `axes` describe the rays through the columns and those through the rows of the picture.
+    /// Rectangles of mirrored shapes are computed only for planes that mirror.
     pub(crate) fn look<W: SceneAccess>(&mut self, world: &W, axes: &[ScreenAxis; 2]) {
         let parts = world.parts();
         let mut eye = Eye {
@@ -87,18 +90,18 @@ impl<R: Capacity> ScreenBounds<R> {
         }
     }
 
-    /// Of the shapes themselves.
+    /// Returns the rectangles of the shapes as the camera sees them directly.
     pub(super) fn direct(&self) -> &Rects<R> {
         &self.direct
     }
 
-    /// Of the shapes mirrored in a plane.
+    /// Returns the rectangles of the shapes mirrored in a plane. `plane` is the plane's index.
     pub(super) fn mirrored(&self, plane: usize) -> Option<&Rects<R>> {
         self.mirrored.as_ref().get(plane)
     }
 }
 
-/// The camera, and the plane that it looks into if there is one.
+/// The camera, and the plane in which the shapes are mirrored, if there is one.
 struct Eye<'a> {
     axes: &'a [ScreenAxis; 2],
     plane: Option<&'a PreparedPlane>,
@@ -106,7 +109,7 @@ struct Eye<'a> {
 }
 
 impl Eye<'_> {
-    /// Finds the rectangles of the shapes of one kind.
+    /// Computes the rectangles of all shapes of one kind, and sorts them by their left columns.
     #[inline(always)]
     fn look_at<K: Bounded>(&self, shapes: &[K], rects: &mut [ScreenRect]) {
         for (index, shape) in shapes.iter().enumerate() {
@@ -121,11 +124,13 @@ impl Eye<'_> {
         }
     }
 
-    /// Rays leave epsilon above a plane: as good as shapes that much larger.
+    /// Returns what the radii of mirrored shapes are enlarged by: two epsilon. A mirrored ray starts
+    /// epsilon above the plane; a larger shape has the same effect. Returns 0 without a plane.
     fn lift(&self) -> i32 {
         self.plane.map_or(0, |_| 2 * self.epsilon.to_bits())
     }
 
+    /// Returns the rectangle of a ball. `way` is the vector from the camera to its centre.
     fn ball(&self, index: usize, way: Vector, radius: i32) -> ScreenRect {
         let lift = self.lift();
         let [columns, rows] = self
@@ -135,19 +140,22 @@ impl Eye<'_> {
         let (Some(mut columns), Some(rows)) = (columns, rows) else {
             return ScreenRect::of_nothing(index);
         };
-        // If it is half a pixel and more, its bounds do not say where the tips are.
+        // If `lift` is half a pixel or more, the bounds do not tell where the tips are: thin in all
+        // rows.
         let height = i64::from(rows.last) - i64::from(rows.first);
         columns.is_thin |= i64::from(lift) * height >= i64::from(radius);
         let tips = self.axes[0].tips(&self.axes[1], way, radius);
         ScreenRect::new(index, columns, rows, tips)
     }
 
+    /// Returns the rectangle of a disc. `way` is the vector from the camera to its centre, and `normal`
+    /// its normal, as long as the radius.
     fn flat(&self, index: usize, (way, normal): (Vector, Vector), radius: i32) -> ScreenRect {
         let rect = self.capsule_columns((way, Vector::ZERO), radius);
         let Some((mut columns, rows)) = rect else {
             return ScreenRect::of_nothing(index);
         };
-        // Seen edge-on it is thinner than its columns say.
+        // A disc that is seen edge-on is narrower than its columns.
         let (direction, _) = way.direction_and_length();
         let width = i64::from(columns.last) - i64::from(columns.first);
         let thickness = width * i64::from(normal.dot(direction).abs());
@@ -155,6 +163,7 @@ impl Eye<'_> {
         ScreenRect::new(index, columns.with_neighbours(), rows, None)
     }
 
+    /// Returns the rectangle of a capsule: the vector from the camera to its middle, and its half axis.
     fn capsule(&self, index: usize, capsule: (Vector, Vector), radius: i32) -> ScreenRect {
         match self.capsule_columns(capsule, radius) {
             Some((columns, rows)) => ScreenRect::new(index, columns.with_neighbours(), rows, None),
@@ -162,7 +171,7 @@ impl Eye<'_> {
         }
     }
 
-    /// The columns and rows of a capsule, if it can be seen.
+    /// Returns the columns and the rows that a capsule covers, `None` if the picture does not show it.
     fn capsule_columns(
         &self,
         (way, half): (Vector, Vector),
@@ -176,8 +185,9 @@ impl Eye<'_> {
         columns.zip(rows)
     }
 
-    /// The way to a shape's middle and its half axis, mirrored if there is a plane; `None` where that is
-    /// too far away to be told.
+    /// Returns the vector from the camera to a shape's middle, and the shape's half axis. Both are
+    /// mirrored if there is a plane. Returns `None` if the shape is too far from the plane to be
+    /// mirrored.
     fn seen(&self, center: Point, half_axis: Vector) -> Option<(Vector, Vector)> {
         let way = self.axes[0].origin.to(center);
         let Some(plane) = self.plane else {

@@ -1,7 +1,9 @@
-//! What the rays of one row of pixels can meet: directly, and after the first mirroring plane.
+//! The candidates for the rays of one row of pixels: for rays of the camera, and for their first
+//! reflection in a plane.
 //!
 //! Bound: [`super::screen_bounds`]. Rays that a plane has mirrored are followed from the camera's image
-//! in it; they differ from the plain ones by the rounding of that image, a few steps of the grid.
+//! in the plane. They differ from the plain rays by the rounding of that image, a few steps of the
+//! grid.
 
 use super::World;
 use super::active_list::Window;
@@ -14,25 +16,29 @@ use crate::scene::shape_set::ShapeSet;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::Point;
 
-/// What the rays of a row can meet.
+/// The active lists of one row: for the camera's rays, and for rays that a plane has mirrored.
 pub(crate) struct ScreenCulling<'a, W: World> {
-    /// What the shapes cover, if that is known.
+    /// The rectangles that the shapes cover, if they are known.
     bounds: Option<&'a ScreenBounds<W::Room>>,
-    /// Where the camera is, if it is near.
+    /// Position of the camera, `None` if it is far.
     camera: Option<Point>,
+    /// The row, counted from the top.
     y: u16,
-    /// Whether every shape is asked in every column.
+    /// Whether the rays of all columns test every shape.
     is_full: bool,
+    /// The active list of the camera's rays.
     direct: ActiveLists<'a, W::Room>,
-    /// The plane into which `mirrored` looks: that of the latest mirrored ray.
+    /// The plane that mirrors the rays of the second list: that of the latest mirrored ray.
     plane: ShapeId,
-    /// The shapes that rays can meet after that plane.
+    /// The active list of rays that the latest plane has mirrored.
     mirrored: ActiveLists<'a, W::Room>,
 }
 
 impl<'a, W: World> ScreenCulling<'a, W> {
-    /// Of the row `y`, below 2¹⁶, seen from the camera; every shape in every column where it `is_full`.
-    /// `USED` is false where it is never asked.
+    /// Makes the culling of row `y`, below 2¹⁶, for rays from a camera at `from`.
+    ///
+    /// If `is_full`, the rays of all columns test every shape. If the culling is never used, `USED` is
+    /// false.
     #[inline(always)]
     pub(crate) fn new<const USED: bool>(
         bounds: Option<&'a ScreenBounds<W::Room>>,
@@ -43,7 +49,7 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         Self {
             bounds,
             camera: from.is_near().then_some(from.point),
-            // `to_u16` would change what the compiler puts in line: `RayGenerator::row` asserts the range.
+            // `to_u16` would change what the compiler inlines. `RayGenerator::row` asserts the range.
             y: (y & 0xffff) as u16,
             is_full,
             direct: ActiveLists::new::<USED>(from.point, is_full || !from.is_near()),
@@ -62,8 +68,8 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         window
     }
 
-    /// If no ray of a window meets anything, the column up to which it is known that none does; not known
-    /// where there are planes.
+    /// Returns the column before which no ray of the row hits a shape, if no ray of the window hits
+    /// one. Returns `None` if one may hit a shape, or if the scene has planes.
     #[inline(always)]
     pub(crate) fn clear_until(&self, world: &W, window: &Window) -> Option<u32> {
         match world.parts().planes.is_empty() {
@@ -72,7 +78,8 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         }
     }
 
-    /// The nearest bounded shape that a ray of the camera meets, through a column of the latest window.
+    /// Returns the nearest bounded shape that a ray of the camera hits. The ray goes through a column
+    /// of the latest window.
     #[inline(always)]
     pub(crate) fn direct(
         &self,
@@ -94,7 +101,10 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         self.direct.nearest(world, column, ray, signature)
     }
 
-    /// The nearest that such a ray meets once a plane has mirrored it.
+    /// Returns the nearest bounded shape that a ray of the camera hits after its first reflection in a
+    /// plane.
+    ///
+    /// `ray` is the mirrored ray; `column` is the column of the camera's ray and lies in `window`.
     #[inline(always)]
     pub(crate) fn mirrored(
         &mut self,
@@ -109,7 +119,7 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         let rects = bounds.and_then(|(bounds, index)| bounds.mirrored(index));
         let is_known = self.plane == id || self.look_into(world, id, plane).is_some();
         let (Some(rects), true) = (rects, is_known) else {
-            // It is not known what is thin: no other ray has been alike.
+            // It is unknown which shapes are thin, so the signature must equal no other ray's.
             signature.note(column);
             return nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), id, signature);
         };
@@ -118,8 +128,8 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         self.mirrored.nearest(world, column, ray, signature)
     }
 
-    /// Turns to what the row's rays can meet once a plane has mirrored them; `None` where that is
-    /// not known.
+    /// Prepares the active list for rays mirrored in another plane. Returns `None` if the camera or its
+    /// image in the plane is far.
     #[inline(never)]
     fn look_into(&mut self, world: &W, id: ShapeId, plane: &PreparedPlane) -> Option<()> {
         let eye = plane.mirrored(self.camera?, world.parts().epsilon)?;

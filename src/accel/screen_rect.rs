@@ -1,35 +1,40 @@
-//! The rectangle of pixels in which a shape can be seen.
+//! The rectangle of pixels that a shape covers, and the columns of its tips.
 
 use super::screen_axis::Columns;
 use crate::number::{difference_modulo_2_16, to_u16, to_u32, unsigned};
 
-/// A rectangle of pixels in which a shape can be seen, the last row and column included.
+/// A rectangle of pixels outside of which no ray hits a shape. The last row and column are included.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScreenRect {
+    /// First column.
     pub(super) left: u16,
+    /// Last column.
     pub(super) right: u16,
-    /// The first and the last row, less [`BESIDE`].
+    /// First row plus [`BESIDE`].
     top: u16,
+    /// Last row minus [`BESIDE`].
     bottom: u16,
-    /// The columns of what is highest and of what is lowest.
+    /// Columns of the highest and of the lowest point of the shape.
     tips: [u16; 2],
-    /// Which of its kind it is, and [`THIN_SHAPE`].
+    /// Index of the shape among its kind, with the bit [`THIN_SHAPE`].
     shape: u16,
 }
 
-/// How many rows lie between the first in which a shape is looked for and the first in which its tip
-/// may be seen, and as many at the other end.
+/// Number of rows from the first row of a rectangle to the first row that can show the shape's highest
+/// point. As many lie between the last row that can show its lowest point and the rectangle's last row.
 const BESIDE: u16 = 2;
 
-/// In how many rows from there on a round shape may be thin; in further ones it is wider than
-/// [`LONGEST_STRIDE`] or thin all over.
+/// Number of rows at each end of a ball in which only its tip may be visible, so that it may be thin
+/// there. In the rows between, a ball is wider than [`LONGEST_STRIDE`](super::LONGEST_STRIDE), or
+/// marked as thin in all rows.
 const TIP_ROWS: u16 = 2;
 
-/// Marks a shape that is so thin that it may lie between two pixels that are traced in a row.
+/// Bit that marks a shape so thin that it may lie between two traced pixels of a row.
 pub(super) const THIN_SHAPE: u16 = 1 << 15;
 
 impl ScreenRect {
-    /// Fills the room of a rectangle that is not known; all zeros, which need no constant in flash.
+    /// Placeholder for a rectangle that is not known. It is all zeros, so it needs no constant in
+    /// flash.
     pub(super) const NONE: Self = Self {
         left: 0,
         right: 0,
@@ -39,7 +44,8 @@ impl ScreenRect {
         shape: 0,
     };
 
-    /// Of the shape with a number, where it is not seen.
+    /// Returns the rectangle of a shape that the picture does not show. `shape` is its index. The left
+    /// column is the largest number, so no row reaches it.
     pub(super) fn of_nothing(shape: usize) -> Self {
         Self {
             left: u16::MAX,
@@ -49,7 +55,8 @@ impl ScreenRect {
         }
     }
 
-    /// Of the shape with a number; the columns of its tips matter only where a ray passes it.
+    /// Returns the rectangle of the shape with index `shape`. `tips` are the columns of its highest and
+    /// lowest point; they matter only where a ray passes beside the shape.
     pub(super) fn new(
         shape: usize,
         columns: Columns,
@@ -60,11 +67,11 @@ impl ScreenRect {
         let shape = to_u16(to_u32(shape)) % THIN_SHAPE;
         let [highest, lowest] = tips.unwrap_or_default();
         let tips = match rows.first + i32::from(BESIDE) < 0 {
-            // The highest point lies above the picture, not in the row that stands for it.
+            // The highest point lies above the picture, so row 0 does not show it.
             true => [lowest; 2],
             false => [highest, lowest],
         };
-        // At most one less than beyond all columns.
+        // Below `u16::MAX`, which means "not thin".
         let tip = |column: i32| to_u16(unsigned(column.clamp(0, 0xfffe)));
         Self {
             left: held(columns.first),
@@ -79,18 +86,19 @@ impl ScreenRect {
         }
     }
 
-    /// Which of its kind the shape is.
+    /// Returns the shape's index among its kind.
     #[inline(always)]
     pub(super) fn shape(&self) -> usize {
         usize::from(self.shape % THIN_SHAPE)
     }
 
-    /// The column in the middle of a shape that is thin, or of which only the tip may be seen in
-    /// row `y`; beyond all columns for any other.
+    /// Returns the shape's centre column if the shape is thin in row `y`, else `u16::MAX`.
+    ///
+    /// A ball may be thin near its tips only. In these rows the result is the column of the tip.
     #[inline(always)]
     pub(super) fn middle(&self, y: u16) -> u16 {
         let [highest, lowest] = self.tips;
-        // A row above the first one, or below the last, wraps to one that is far away.
+        // A row above the first tip row, or below the last, wraps to a large number.
         if difference_modulo_2_16(y, self.top) < TIP_ROWS {
             highest
         } else if difference_modulo_2_16(self.bottom, y) < TIP_ROWS {
@@ -102,7 +110,7 @@ impl ScreenRect {
         }
     }
 
-    /// Whether the shape can be seen in a row of pixels.
+    /// Tests whether row `y` cuts the rectangle.
     #[inline(always)]
     pub(super) fn has_row(&self, y: u16) -> bool {
         let (y, beside) = (u32::from(y), u32::from(BESIDE));
@@ -110,8 +118,9 @@ impl ScreenRect {
     }
 }
 
-/// Puts a rectangle behind the first `count`, which are in rising order of their left columns, and
-/// then where it belongs among them.
+/// Inserts a rectangle into the first `count` rectangles, which are sorted by their left columns.
+///
+/// `rects[count]` is overwritten.
 pub(super) fn insert(rects: &mut [ScreenRect], count: usize, rect: ScreenRect) {
     let mut rest = rects.get_mut(..=count).unwrap_or_default();
     while let [sorted @ .., place] = rest {

@@ -168,9 +168,12 @@ fn orbit_to_the_right_shows_the_right_side() {
 #[test]
 fn orbit_over_the_pole_is_refused() {
     let camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
-    assert_eq!(camera.orbited(0, 90).unwrap_err(), Error::of("camera", Fault::Up));
+    assert_eq!(
+        camera.orbited(0, 90).unwrap_err(),
+        Error::of("camera", ErrorKind::Up)
+    );
     assert_eq!(
         camera.orbited(f64::NAN, 0).unwrap_err(),
-        Error::of("camera", Fault::Coordinate)
+        Error::of("camera", ErrorKind::Coordinate)
     );
 }

@@ -14,7 +14,7 @@ impl<S: Drawable, Q, K> Rows<'_, S, Q, K> {
     /// report's. In integers; rounded up to 2⁻³⁰, and 1 where it is more: a display shows nothing above
     /// white. Materials that no shape has count, too.
     ///
-    /// Of the pixels between traced ones (see [`crate::Quality::STRIDE`]) it says nothing; what they
+    /// Of the pixels between traced ones (see [`crate::quality::Quality::STRIDE`]) it says nothing; what they
     /// and rounding add does not depend on the number of reflections alone: `docs/error-time` has it
     /// for every built-in scene.
     ///

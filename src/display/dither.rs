@@ -24,15 +24,14 @@ use crate::number::{to_u8, unsigned};
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
 /// use embedded_graphics::pixelcolor::BinaryColor;
-/// use reflet::{Camera, Dithered, Material, Scene, StaticFrame, StaticScene};
+/// use reflet::{Camera, Material, scene};
+/// use reflet::display::Dithered;
 ///
-/// struct Ball;
-/// impl StaticScene for Ball {
-///     type Scene = Scene<room!(spheres: 1, lights: 1)>;
-///     const SCENE: &'static Self::Scene = &Scene::builder()
-///         .sphere([0.0, 0.0, 0.0], 1.0, Material::new([0.9, 0.9, 0.8]))
-///         .light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0])
-///         .build();
+/// scene! {
+///     struct Ball {
+///         sphere([0.0, 0.0, 0.0], 1.0, Material::new([0.9, 0.9, 0.8]));
+///         light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0]);
+///     }
 /// }
 /// const CAMERA: Camera = Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
 ///
@@ -101,7 +100,7 @@ where
 
 /// The dot that a display of few levels shows for `color` at the point `at` of it.
 ///
-/// This is for rows from [`crate::Picture::row`]; for a display there is [`Dithered`]. Each channel
+/// This is for rows from [`Rows::row`](crate::Rows::row); for a display there is [`Dithered`]. Each channel
 /// becomes one of the two levels beside it: over any 8 x 8 points, equal colours have a mean within
 /// half a 64th of a level of the colour's own, and a colour that is a level stays as it is. The
 /// pattern repeats every 8 points, through negative coordinates, too. Nothing is corrected for the
@@ -110,7 +109,7 @@ where
 /// ```
 /// use embedded_graphics::geometry::Point;
 /// use embedded_graphics::pixelcolor::{Gray2, GrayColor, Rgb888};
-/// use reflet::dither;
+/// use reflet::display::dither;
 ///
 /// // Half way between the levels 1 and 2 of 0 to 3.
 /// let row = [Rgb888::new(128, 128, 128); 4];
@@ -133,7 +132,7 @@ pub fn dither<C: Ditherable>(color: Rgb888, at: Point) -> C {
 /// ```
 /// use embedded_graphics::geometry::Point;
 /// use embedded_graphics::pixelcolor::{PixelColor, Rgb888, RgbColor, raw::RawU8};
-/// use reflet::{Ditherable, Threshold, dither};
+/// use reflet::display::{Ditherable, Threshold, dither};
 ///
 /// #[derive(Clone, Copy, Debug, PartialEq)]
 /// struct Rgb332(u8);

@@ -17,7 +17,8 @@ use crate::number::signed;
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
 /// use embedded_graphics::prelude::*;
-/// use reflet::{Enlarged, StaticFrame, scenes::{BuiltIn, Floor}};
+/// use reflet::scenes::{BuiltIn, Floor};
+/// use reflet::display::Enlarged;
 ///
 /// let mut display = MockDisplay::<Rgb888>::new(); // 64 by 64
 /// Floor::frame(&Floor::CAMERA).draw(&mut Enlarged::new(&mut display, 4)).unwrap();

@@ -44,7 +44,9 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
         }
         let frame = self.prepare(area.size);
         let whole = Rectangle::new(Point::zero(), frame.size());
-        frame.unchanged(self.scene()).draw_area(whole, area.top_left, target)
+        frame
+            .unchanged(self.scene())
+            .draw_area(whole, area.top_left, target)
     }
 }
 

@@ -3,6 +3,7 @@
 
 use std::vec::Vec;
 
+use crate::accel::drawable::Drawable;
 use crate::camera::Camera;
 use crate::number::Number;
 use crate::ray::PathSignature;
@@ -29,26 +30,30 @@ pub struct Ray {
 ///
 /// ```
 /// use reflet::host::path::follow;
-/// use reflet::{Camera, Material, Scene};
+/// use reflet::{Camera, Material, scene};
 ///
 /// const GLASS: Material = Material::new([1.0; 3]).mirror(1.0);
-/// const FLOOR: Scene<room!(planes: 1)> =
-///     Scene::builder().plane([0.0; 3], [0.0, 0.0, 1.0], GLASS).build();
+/// scene! {
+///     struct Floor {
+///         plane([0.0; 3], [0.0, 0.0, 1.0], GLASS);
+///     }
+/// }
 ///
 /// let camera = Camera::look_at([0.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
-/// let rays = follow(&FLOOR, &camera, (1, 1), (0, 0), 9);
+/// let rays = follow(&Floor, &camera, (1, 1), (0, 0), 9);
 /// assert_eq!(rays.len(), 2);
 /// assert_eq!(rays[1].direction, [0.0, 0.0, 1.0]);
 /// // Two steps of the scene's grid, 2^-20 each.
 /// assert!((rays[1].origin[2] - 1e-3).abs() <= 2.0 / f64::from(1 << 20));
 /// ```
-pub fn follow<W: SceneAccess>(
-    world: &W,
+pub fn follow<S: Drawable>(
+    scene: &S,
     camera: &Camera,
     (width, height): (u32, u32),
     (x, y): (u32, u32),
     reflections: u32,
 ) -> Vec<Ray> {
+    let world = &scene.world();
     let grid = world.parts().grid;
     let from = grid.place(camera.description().position);
     let direction = camera.generator(width, height).row(y).of(x);

@@ -5,7 +5,7 @@
 //! with one group of tokens for each kind:
 //! - the name of its list (`spheres`), its own name (`sphere`) and its type (`Sphere`);
 //! - the run-time scene's method that adds such a shape, with the fields of the description;
-//! - its const parameter, and the `Fault` for too many shapes of this kind;
+//! - its const parameter, and the `ErrorKind` for too many shapes of this kind;
 //! - the fields with the names that a scene file uses.
 
 macro_rules! shapes {

@@ -1,14 +1,15 @@
-//! Floor 7: the colours of a row of pixels, most of them between two that were traced.
+//! Floor 7: the colours of a row of pixels. Some pixels are traced, most are interpolated.
 //!
-//! Every second or fourth pixel of a row is traced. Where the paths of two that follow each other
-//! met the same shapes in the same order, each lit by the same lights, what lies between them is taken
-//! from their colours (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer Graphics
-//! and Applications 11(4), 1991): from the cubic through them and the two beside, if their paths went
-//! alike, too. Where that is not exact to the quality's tolerance, or may not be, the pixel half way
-//! is traced, and then the others. Stretches in which nothing can be met are not traced at all.
+//! Every second or fourth pixel of a row is traced. If the paths of two traced neighbours hit the same
+//! shapes in the same order, each lit by the same lights, the colours between them are interpolated
+//! (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer Graphics and Applications
+//! 11(4), 1991). The cubic goes through the two and the traced pixels beside them, if their paths have
+//! the same signature, too. If the cubic may be further off than the quality's tolerance, the pixel
+//! half way is traced, and then the others if necessary. Stretches in which no path hits anything are
+//! not traced.
 //!
-//! Which pixels are traced depends on their columns alone, so a part of a row has the colours that it
-//! has in the whole.
+//! Which pixels are traced depends on their columns alone. So a part of a row has the colours that it
+//! has in the whole row.
 
 mod output;
 
@@ -20,31 +21,35 @@ use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Traced, Tracer};
 
-/// The colours of a row from one column on, in the order they are asked for.
+/// The colours of a row of pixels, computed from one column on to the right.
 pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     tracer: &'s mut Tracer<'a, W, K, Q>,
     directions: RowDirections,
-    /// The columns that the tracer has advanced to.
+    /// The columns that the tracer has advanced to. Rays are traced through these only.
     window: Window,
-    /// The column of the next colour.
+    /// Column of the next colour.
     column: u32,
-    /// The last column that may be traced: some beyond the picture, unless it is so narrow that their
-    /// rays would leave the formats.
+    /// Last column that may be traced. It lies up to a stride beyond the picture; in a picture narrower
+    /// than two strides it is the last column, because rays beyond it would exceed the formats.
     last: u32,
-    /// The colours of the stretch that the column lies in.
+    /// Colours of the stretch that `column` lies in. A stretch begins at a traced pixel and ends before
+    /// the next.
     stretch: [Sum; LONGEST_STRIDE as usize],
-    /// The first pixels of the next stretch and of the one behind it.
+    /// The traced pixels at the starts of the next two stretches.
     ends: [Traced; 2],
-    /// How much the colours bend at the first of them, if the paths around it went alike.
+    /// Second difference of the colours at the first of `ends`, if the three paths around it have equal
+    /// signatures.
     bend: Option<Bend>,
-    /// All of these are of paths that meet nothing, and so are all pixels before this column.
+    /// Column before which no path hits anything, if it is to the right of `column`. The colours in
+    /// `stretch` and `ends` then are those of such paths.
     clear_until: u32,
 }
 
 impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
-    /// How far colours may be from where they are expected, in steps of a [`Sum`].
+    /// Tolerance of interpolated colours, in steps of a [`Sum`].
     const TOLERANCE: i32 = Q::TOLERANCE.to_bits() >> 6;
 
+    /// Compile-time check of a quality: its stride is 1, 2 or 4, and its tolerance is 0 to 1.
     const IS_SOUND: () = {
         assert!(
             matches!(Q::STRIDE, 1 | 2 | 4),
@@ -56,11 +61,11 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         );
     };
 
-    /// How many columns lie from one pixel that is always traced to the next.
+    /// Returns the distance in columns between two pixels that are always traced: 1, 2 or 4.
     ///
-    /// What all planes together show is cut into convex parts, one for each sequence of planes that a
-    /// path can meet, and no plane throws a shadow. So nothing lies between two pixels whose paths
-    /// went alike.
+    /// A scene of planes alone uses the longest stride. All planes together show convex parts, one for
+    /// each sequence of planes that a path can hit, and no plane throws a shadow. So nothing lies
+    /// between two pixels whose paths have equal signatures.
     #[inline(always)]
     fn stride(tracer: &Tracer<'a, W, K, Q>) -> u32 {
         match Q::STRIDE > 1 && !tracer.has_bounded() {
@@ -69,7 +74,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         }
     }
 
-    /// From `column` on, in a picture so wide.
+    /// Starts at `column` of a row, in a picture of `width` columns.
     #[inline(always)]
     pub(crate) fn new(
         tracer: &'s mut Tracer<'a, W, K, Q>,
@@ -79,7 +84,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     ) -> Self {
         const { Self::IS_SOUND };
         let stride = Self::stride(tracer);
-        // As when the row begins before it; how much the colours bend is known from the stretch before.
+        // Begin three strides earlier, as a longer part of the row would: the second difference at the
+        // start comes from the stretch before.
         let window = (column - column % stride).saturating_sub(3 * stride);
         let mut colors = Self {
             window: tracer.advance(window, window + 2 * stride),
@@ -101,7 +107,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         colors
     }
 
-    /// Makes ready for a row that begins inside of a stretch.
+    /// Prepares the stretch that `column` lies in: traces its start, its end and the pixel a stride
+    /// before.
+    ///
+    /// The first column may lie inside of the stretch.
     #[inline(never)]
     fn start(&mut self) {
         let stride = Self::stride(self.tracer);
@@ -124,8 +133,9 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         }
     }
 
-    /// Takes all for clear if nothing is met in the columns that it has turned to, from the stretch
-    /// on that begins at the first of them.
+    /// Takes a stretch as clear if no path in the current window hits a shape. Returns whether it is.
+    ///
+    /// The stretch begins at `first`. Sets `clear_until`, and fills the stretch with the background.
     #[inline(always)]
     fn clear(&mut self, first: u32) -> bool {
         let Some(until) = self.tracer.clear_until(&self.window) else {
@@ -139,7 +149,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         true
     }
 
-    /// What lies at the end of a stretch; nothing beyond the last column.
+    /// Traces the end of a stretch. Returns [`Traced::BEYOND`] for a column after the last.
     #[inline(always)]
     fn end(&mut self, column: u32) -> Traced {
         match column <= self.last {
@@ -148,7 +158,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         }
     }
 
-    /// How much the colours bend from a pixel to the two ends after it, if the paths went alike.
+    /// Returns the second difference of the colours of `start` and the two ends after it, if the three
+    /// paths have equal signatures.
     #[inline(always)]
     fn bend_after(&self, start: &Traced) -> Option<Bend> {
         let [middle, end] = &self.ends;
@@ -156,7 +167,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         is_alike.then(|| Bend::of(start.sum, middle.sum, end.sum))
     }
 
-    /// Goes on to the stretch that begins at a column.
+    /// Computes the colours of the stretch that begins at column `first`.
     #[inline(never)]
     fn follow(&mut self, first: u32) {
         if first < self.clear_until {
@@ -197,14 +208,14 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             return;
         }
         self.stretch = start.sum.towards(end.sum, bends);
-        // Much is seen in a round mirror in little room.
+        // A round mirror shows a lot in a small area, so trace the middle in any case.
         if is_exact && !start.signature.is_bent() {
             return;
         }
         self.add_middle(first, &start, &end);
     }
 
-    /// Traces a stretch that no pixel is taken from another in, up to the last column.
+    /// Traces each pixel of a stretch up to the last column. Nothing is interpolated.
     #[inline(always)]
     fn trace_each(&mut self, first: u32, stride: u32) {
         for place in 0..stride {
@@ -214,16 +225,18 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         }
     }
 
-    /// Traces the pixel in the middle of a stretch of four, and those beside it if the colours that the
-    /// stretch has are not exact.
+    /// Traces the middle pixel of a stretch of four, and corrects the pixels beside it.
+    ///
+    /// If the middle pixel shows that the interpolated colours are exact enough, they are corrected by
+    /// its error. Otherwise they are traced or interpolated anew.
     #[inline(always)]
     fn add_middle(&mut self, first: u32, start: &Traced, end: &Traced) {
         let middle = self.trace(first + 2);
         if start.signature == end.signature && middle.signature == start.signature {
             let miss = middle.sum.less(self.stretch[2]);
             if miss.is_within(Self::TOLERANCE) {
-                // What misses a curve half way misses it by about three quarters of that at the
-                // quarters: a line by 3/4, a cubic by 35/48.
+                // A curve that is off by m half way is off by about 3/4 m at the quarters: a line by
+                // 3/4, a cubic by 35/48.
                 self.stretch[1] = self.stretch[1].with_most_of(miss);
                 self.stretch[2] = middle.sum;
                 self.stretch[3] = self.stretch[3].with_most_of(miss);
@@ -235,7 +248,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         self.stretch[3] = self.last(&middle, end, first + 3);
     }
 
-    /// The colour of the one pixel between two.
+    /// Returns the colour of the one pixel between two traced pixels.
+    ///
+    /// It is interpolated if the paths have equal signatures and the colours differ by at most three
+    /// times the tolerance; else it is traced.
     #[inline(always)]
     fn between(&mut self, start: &Traced, end: &Traced, column: u32) -> Sum {
         let way = end.sum.less(start.sum);
@@ -245,7 +261,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         self.trace(column).sum
     }
 
-    /// The colour of the one pixel between the middle and the end of a stretch, behind which another ends.
+    /// Returns the colour of the one pixel between the middle and the end of a stretch.
+    ///
+    /// The pixel one stride after the end helps: if all three paths have equal signatures, the second
+    /// difference of their colours tells how exact the interpolation is.
     #[inline(always)]
     fn last(&mut self, middle: &Traced, end: &Traced, column: u32) -> Sum {
         let beyond = &self.ends[1];
@@ -258,11 +277,13 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         self.between(middle, end, column)
     }
 
+    /// Traces the pixel of a column, out of line.
     #[inline(never)]
     fn trace(&mut self, column: u32) -> Traced {
         self.traced(column)
     }
 
+    /// Traces the pixel of a column, inlined into the caller.
     #[inline(always)]
     fn traced(&mut self, column: u32) -> Traced {
         let direction = self.directions.of(column);

@@ -3,15 +3,15 @@
 use core::marker::PhantomData;
 
 use super::{Colors, Report};
+use crate::accel::CullingQuality;
+use crate::accel::drawable::Drawable;
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
-use crate::accel::CullingQuality;
-use crate::accel::drawable::Drawable;
 use crate::camera::{Camera, RayGenerator};
 use crate::color::Sum;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::ray::ScaledPoint;
 use crate::render::{Fast, Quality};
 use crate::scene::access::SceneAccess;
@@ -65,8 +65,11 @@ pub struct PreparedFrame<S: Drawable, Q = Fast, K = BlinnPhong> {
     reflections: u8,
     /// Of the scene that the frame was prepared for.
     stamp: u32,
-    kinds: PhantomData<fn() -> (S, Q, K)>,
+    kinds: PhantomData<Kinds<S, Q, K>>,
 }
+
+/// Scene, quality and shading of a frame. It makes the frame `Send` and `Sync`, whatever they are.
+type Kinds<S, Q, K> = fn() -> (S, Q, K);
 
 impl<S: Drawable, Q, K> Clone for PreparedFrame<S, Q, K> {
     fn clone(&self) -> Self {
@@ -116,7 +119,7 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
     #[inline(always)]
     pub fn on<'a>(&'a self, scene: &'a S) -> Result<Rows<'a, S, Q, K>, Error> {
         match S::CHANGES && scene.stamp() != self.stamp {
-            true => Err(Error::of("scene", Fault::Changed)),
+            true => Err(Error::of("scene", ErrorKind::Changed)),
             false => Ok(self.unchanged(scene)),
         }
     }
@@ -244,6 +247,11 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
             true => ScreenCulling::new::<false>(bounds, from, y, true),
             false => ScreenCulling::new::<true>(bounds, from, y, !Q::CULLING.screen_bounds),
         };
-        Tracer::new(&self.world, &self.frame.lights, culling, self.frame.reflections)
+        Tracer::new(
+            &self.world,
+            &self.frame.lights,
+            culling,
+            self.frame.reflections,
+        )
     }
 }

@@ -7,12 +7,13 @@ use crate::number::Unit;
 use crate::shade::LightQuality;
 use crate::trace::PathQuality;
 
-/// What a frame may leave out. Choose with [`crate::Frame::quality`].
+/// What a frame may leave out. Choose with [`crate::FrameBuilder::quality`].
 ///
 /// [`Fast`] and [`Fine`] are those that most need. A quality of one's own may be more exact, or less:
 ///
 /// ```
-/// use reflet::{Fast, Quality, Unit};
+/// use reflet::Unit;
+/// use reflet::quality::{Fast, Quality};
 ///
 /// /// As [`Fast`], but that every second pixel is traced, and no mirror is followed for less than a
 /// /// sixteenth.

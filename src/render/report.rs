@@ -7,12 +7,12 @@ use crate::trace::Tracer;
 /// What is known about a picture, or a part of one, when it has been drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Report {
-    /// How many rays were followed: one for each pixel that was traced (with [`crate::Fast`], not all
+    /// How many rays were followed: one for each pixel that was traced (with [`crate::quality::Fast`], not all
     /// are) and one for each reflection; rays to lights not counted.
     pub rays: u64,
     /// The largest weight with which a path was ended by the number of reflections or by the
     /// quality. No colour of the pixels that were traced is wrong by more than this times the brightest
-    /// colour of the scene on account of it: [`crate::Picture::cut_off_bound`].
+    /// colour of the scene on account of it: [`crate::Rows::cut_off_bound`].
     pub cut_off: Unit,
 }
 

@@ -1,4 +1,4 @@
-//! How bright a scene can be: the bound on what follows where a path ends.
+//! An upper bound on the colours of a scene. It tells how much a path that is cut off can still lose.
 
 use super::access::Parts;
 use crate::color::Color;
@@ -8,8 +8,8 @@ use crate::number::{
     Brightness, Unit, narrowed, narrowed_unsigned, narrowed_unsigned_128, signed, unsigned,
 };
 
-/// The largest component of any colour that a path can meet: the background's, or a material's at
-/// its brightest. Rounded up.
+/// Returns the largest component of any colour that a path can hit: the background's, or a material's
+/// at its brightest. Rounded up.
 pub(super) const fn brightest(
     materials: &[PreparedMaterial],
     lights: &[PreparedLight],
@@ -28,11 +28,11 @@ pub(super) const fn brightest(
     Brightness::from_bits(signed(narrowed_unsigned(most)))
 }
 
-/// (ambient + Σ over the lights of (diffuse + specular) · light) · colour, its largest component in
-/// steps of 2⁻²⁶, rounded up.
+/// Returns the largest component of (ambient + Σ over the lights of (diffuse + specular) · light) ·
+/// colour, in steps of 2⁻²⁶. Rounded up.
 const fn brightest_of(material: &PreparedMaterial, lights: &[PreparedLight]) -> u64 {
     let strongest = bits(material.diffuse) + bits(material.specular);
-    // The kernels' cosines and powers may be above 1 by their rounding, by far less than 2⁻¹⁵.
+    // The cosines and powers of the kernels may exceed 1 by rounding, but by far less than 2⁻¹⁵.
     let strongest = strongest + strongest.div_ceil(1 << 15);
     let mut most = 0;
     let mut axis = 0;
@@ -57,18 +57,18 @@ const fn brightest_of(material: &PreparedMaterial, lights: &[PreparedLight]) -> 
     most
 }
 
-/// In steps of 2⁻²⁶; no brightness is below zero.
+/// Returns a brightness in steps of 2⁻²⁶. No brightness is negative.
 const fn bits(brightness: Brightness) -> u64 {
     unsigned(brightness.to_bits()) as u64
 }
 
-/// 1 / `brightest`, at most 1, rounded down to eight leading bits: Arm compares with such a number in
-/// one instruction.
+/// Returns 1 / `brightest`, at most 1, rounded down to eight leading bits. Arm compares with such a
+/// number in one instruction.
 pub(super) const fn dimness(brightest: Brightness) -> Unit {
     if brightest.to_bits() <= 1 << 26 {
         return Unit::ONE;
     }
-    // Q0.56 / Q6.26, and brightest is below 32: 2²⁵ to 2³⁰.
+    // Q0.56 / Q6.26. Since `brightest` is below 32, the result is 2²⁵ to 2³⁰.
     let inverse = narrowed((1_i64 << 56) / brightest.to_bits() as i64);
     let rest = 24 - inverse.leading_zeros();
     Unit::from_bits(inverse >> rest << rest)

@@ -5,7 +5,7 @@ use super::description::{Described, Description};
 use super::prepare;
 use crate::camera::Camera;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::light::Light;
 use crate::material::Material;
 use crate::number::Number;
@@ -51,7 +51,10 @@ impl<R: Capacity> SceneBuilder<R> {
     /// What a ray that meets nothing adds, 0 to 16 a component; black unless it is named.
     pub const fn background(mut self, color: [f64; 3]) -> Self {
         self.described.background = numbers(color);
-        Error::refuse("scene", prepare::background_fault(self.described.background));
+        Error::refuse(
+            "scene",
+            prepare::background_fault(self.described.background),
+        );
         self
     }
 
@@ -92,14 +95,14 @@ impl<R: Capacity> SceneBuilder<R> {
     #[doc(hidden)]
     pub const fn moves_as(mut self, name: &'static str) -> Self {
         let Some((part, index)) = self.last else {
-            Error::of(name, Fault::NothingMoves).stop();
+            Error::of(name, ErrorKind::NothingMoves).stop();
         };
         let mut free = 0;
         while free < MOST_MOVING && self.moving[free].is_some() {
             free += 1;
         }
         if free == MOST_MOVING {
-            Error::at(part, index, Fault::TooManyMoving).stop();
+            Error::at(part, index, ErrorKind::TooManyMoving).stop();
         }
         self.moving[free] = Some((part, index));
         self
@@ -149,7 +152,7 @@ macro_rules! builder {
                 $(#[$doc])*
                 pub const fn $kind(mut self, $($field: plain!($type),)* material: Material) -> Self {
                     let index = self.described.$list.len;
-                    self.described.$list.refuse_more(stringify!($kind), Fault::$too_many);
+                    self.described.$list.refuse_more(stringify!($kind), ErrorKind::$too_many);
                     let material = self.described.materials.id_of(material);
                     let $kind = crate::shape::$described {
                         $($field: $type::new($field),)*
@@ -165,7 +168,7 @@ macro_rules! builder {
             /// Adds an infinite plane through `point`; the normal may have any length but 0.
             pub const fn plane(mut self, point: [f64; 3], normal: [f64; 3], material: Material) -> Self {
                 let index = self.described.planes.len;
-                self.described.planes.refuse_more("plane", Fault::TooManyPlanes);
+                self.described.planes.refuse_more("plane", ErrorKind::TooManyPlanes);
                 let plane = Plane {
                     point: Position::new(point),
                     normal: Position::new(normal),
@@ -180,7 +183,7 @@ macro_rules! builder {
             /// Adds a point light; colour components are 0 to 16.
             pub const fn light(mut self, position: [f64; 3], color: [f64; 3]) -> Self {
                 let index = self.described.lights.len;
-                self.described.lights.refuse_more("light", Fault::TooManyLights);
+                self.described.lights.refuse_more("light", ErrorKind::TooManyLights);
                 let light = Light {
                     position: Position::new(position),
                     color: numbers(color),

@@ -1,17 +1,19 @@
-//! Rays that start or end beyond the near region: planes near the horizon, distant lights and
-//! cameras.
+//! Rays that start or end beyond the near region: planes near the horizon, distant lights and cameras.
 //!
-//! Planes are met with a distance of 62 bits. Bounded shapes lie in the ball, so a ray from far away is
-//! moved along itself to where it enters the ball and asks them from there.
+//! The distance to a plane has 62 bits. Bounded shapes lie in the ball, so a ray from far away is moved
+//! along itself to where it enters the ball. Shapes are tested from there.
 
 use crate::number::{Length, narrowed_unsigned, shifted, signed, square_root, unsigned, wide};
 use crate::ray::{BALL, REACH, Ray, ScaledPoint, ScaledRay};
 
-/// Places further out than this scale see the ball as a point and are not followed.
+/// Largest scale of a point from which rays are followed. From points of larger scale the whole ball is
+/// seen as a point.
 const FURTHEST_SCALE: u32 = 32;
 
-/// The part in the ball of a ray to a light that is `reach` · 2^`scale` steps away, one of both far: the
-/// near ray, and how far it goes.
+/// Returns the part of a shadow ray that lies in the ball: a near ray and its length. Returns `None` if
+/// the ray does not enter the ball before the light.
+///
+/// The light is `reach` · 2^`scale` steps away. The ray's start or the light, or both, are far.
 #[cold]
 #[inline(never)]
 pub(super) fn between(
@@ -23,14 +25,14 @@ pub(super) fn between(
         true => (ray.ray, 0),
         false => into_ball(ray)?,
     };
-    // The ball may begin behind the light.
+    // The light may stand before the ball.
     let total = u64::from(unsigned(reach.to_bits())) << scale.min(FURTHEST_SCALE);
     let rest = total.checked_sub(skipped)?;
     let rest = signed(narrowed_unsigned(
         rest.min(unsigned(REACH.to_bits()).into()),
     ));
     let reach = if light.is_near() {
-        // Finer than what is left of a far distance.
+        // The distance to a near light is more exact than the rest of a far distance.
         let (_, rest) = near.origin.to(light.point).direction_and_length();
         rest.to_bits() - epsilon.to_bits()
     } else {
@@ -39,8 +41,8 @@ pub(super) fn between(
     Some((near, Length::from_bits(reach.max(0))))
 }
 
-/// A path from a far place as a ray from where it enters the ball, and the steps skipped; `None`
-/// where it does not enter it.
+/// Moves a ray from a far point to where it enters the ball. Returns the near ray and the steps that
+/// were skipped; `None` if the ray does not enter the ball.
 pub(super) fn into_ball(path: &ScaledRay) -> Option<(Ray, u64)> {
     let ScaledPoint { point, scale } = path.from();
     if scale > FURTHEST_SCALE {
@@ -49,7 +51,7 @@ pub(super) fn into_ball(path: &ScaledRay) -> Option<(Ray, u64)> {
     let start = point.to_vector();
     let along = start.dot(path.direction());
     let nearest = start.without(path.direction(), along);
-    // A few steps more than the ball, for what rounding has moved.
+    // A few steps more than the ball, to cover rounding.
     let radius = u64::from((unsigned(BALL) >> scale.min(31)) + 4);
     let half_chord_square = (radius * radius).checked_sub(nearest.square())?;
     let entry = -along - square_root(half_chord_square);
@@ -67,7 +69,8 @@ pub(super) fn into_ball(path: &ScaledRay) -> Option<(Ray, u64)> {
     ))
 }
 
-/// The place `distance` (below 2⁶²) steps along a path.
+/// Returns the point `distance` steps along a ray. `distance` is below 2⁶². Returns `None` if the ray
+/// starts too far away.
 #[inline(never)]
 pub(super) fn place_along(path: &ScaledRay, distance: u64) -> Option<ScaledPoint> {
     let ScaledPoint { point, scale } = path.from();
@@ -85,7 +88,7 @@ pub(super) fn place_along(path: &ScaledRay, distance: u64) -> Option<ScaledPoint
     ]))
 }
 
-/// `start` · 2^`scale` + `way` · 2^`up`: below 2⁶¹ + 2⁶².
+/// Returns `start` · 2^`scale` + `way` · 2^`up`. The magnitude is below 2⁶¹ + 2⁶².
 #[inline(never)]
 fn sum((start, scale): (i32, u32), way: i64, up: i32) -> i64 {
     (i64::from(start) << scale) + shifted(way, up)

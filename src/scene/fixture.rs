@@ -2,7 +2,8 @@
 
 use super::access::SceneAccess;
 use super::capacity::{Capacity, Room};
-use super::{Needs, Parts, PlainScene, RuntimeScene, Error};
+use super::{Needs, Parts, PlainScene, RuntimeScene};
+use crate::error::Error;
 
 macro_rules! plain {
     (

@@ -61,6 +61,9 @@ mod tests {
             ("sphere", "BALL"),
         ];
         assert_eq!(Handle::<Sphere>::named(PARTS, "BALL").index(), 1);
-        assert_eq!(Handle::<crate::shape::disc::Disc>::named(PARTS, "LID").index(), 0);
+        assert_eq!(
+            Handle::<crate::shape::disc::Disc>::named(PARTS, "LID").index(),
+            0
+        );
     }
 }

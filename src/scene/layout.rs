@@ -1,35 +1,40 @@
-//! Chooses a scene's grid: where its middle is and how fine its steps are. Integers only, by the
-//! compiler or at run time.
+//! Chooses a scene's grid: its middle and the length of a step. Uses integers only; it runs at compile
+//! time or run time.
 
 use super::Description;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Number, unsigned, unsigned_128};
 use crate::shape::plane::Plane;
 use crate::vector::Position;
 
-/// The room that is left for companions and planes where it can be had, in steps: this much at least
-/// for the smallest radius or half height, and for epsilon.
+/// Number of bits that the smallest radius or half height keeps, in steps, when the ball is enlarged
+/// for lights, camera and planes: it stays at least 2¹⁴ steps.
 const FINE: u32 = 14;
+/// Number of bits that epsilon keeps, in steps, when the ball is enlarged for lights, camera and
+/// planes: it stays at least 2⁶ steps.
 const FINE_EPSILON: u32 = 6;
 
-/// A light, camera or plane within this many radii of the shapes is given its place in the ball:
-/// rays to what is near are short. What is further out is kept as a far place, so that a distant sun
-/// costs the shapes no bits; these at most 5, and none that small shapes or epsilon need. A scene of
-/// planes alone goes by the nearest plane.
+/// Distance within which a light, camera or plane is near, in radii of the shapes. Rays to near points
+/// are short.
+///
+/// A light or camera further out becomes a far point, so a distant sun costs the shapes no bits. Near
+/// ones cost at most 5 bits, and none that small shapes or epsilon need. A scene of planes alone uses
+/// the distance of the nearest plane instead of the radius.
 const COMPANIONS: u128 = 32;
 
-/// How many times larger than it need be the ball of a scene with planes is, so that most of what is
-/// seen of them is near: 3 bits, where small shapes or epsilon do not need them.
+/// Factor by which the ball of a scene with planes is larger than the shapes need: 8, so 3 bits. Most
+/// visible parts of the planes are then near. Small shapes and epsilon keep the bits they need.
 const EXPANSE: u128 = 8;
 
-/// The same for a scene of planes alone, which has no shape to see less exactly.
+/// Factor by which the ball of a scene of planes alone is larger than needed. There is no shape that
+/// would lose exactness.
 const EXPANSE_OF_PLANES: u128 = 256;
 
-/// How many times as large as epsilon a scene of planes alone is at least.
+/// Least radius of a scene of planes alone, in epsilons.
 const LEAST_EPSILONS: u128 = 1 << 9;
 
-/// The box around what has been added so far.
+/// An axis-aligned box around all balls added so far.
 struct Bounds {
     low: [i128; 3],
     high: [i128; 3],
@@ -37,12 +42,14 @@ struct Bounds {
 }
 
 impl Bounds {
+    /// The box without any ball.
     const EMPTY: Self = Self {
         low: [0; 3],
         high: [0; 3],
         is_empty: true,
     };
 
+    /// Enlarges the box to hold a cube with half side `size` around `center`.
     const fn add(&mut self, center: Position, size: i128) {
         let mut axis = 0;
         while axis < 3 {
@@ -59,6 +66,7 @@ impl Bounds {
         self.is_empty = false;
     }
 
+    /// Returns the middle of the box.
     const fn middle(&self) -> Position {
         let mut middle = Position::ORIGIN;
         let mut axis = 0;
@@ -70,7 +78,7 @@ impl Bounds {
     }
 }
 
-/// At least the distance of two positions, in the bits of a [`Number`].
+/// Returns the distance of two positions, or slightly more, in the bits of a [`Number`].
 const fn distance(from: Position, to: Position) -> u128 {
     match to.minus(from).leading() {
         None => 0,
@@ -85,9 +93,9 @@ const fn distance(from: Position, to: Position) -> u128 {
     }
 }
 
-/// Puts the middle of the scene in the middle of its shapes, and chooses the finest step that
-/// holds them and what stands near them.
-pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> {
+/// Chooses the grid of a scene: its middle is the middle of the shapes, and its step is the finest that
+/// holds the shapes, what stands near them and, in a scene with planes, the enlarged ball.
+pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, ErrorKind> {
     let middle = middle_of(scene);
     let is_bounded = scene.extent(0).is_some();
     let shapes = match is_bounded {
@@ -101,7 +109,7 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> 
         radius = 1 << 64;
     }
     if !is_bounded {
-        // Nothing but the camera's place tells its size: epsilon is small beside it.
+        // Only the camera's place tells the size of such a scene. Epsilon is small beside it.
         let epsilon = unsigned_128(scene.epsilon.to_bits());
         radius = larger(radius, epsilon * LEAST_EPSILONS);
     }
@@ -113,13 +121,13 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, Fault> 
         radius = larger(radius, smaller(radius * expanse, room));
     }
     if radius < 1 << 34 {
-        Err(Fault::Extent)
+        Err(ErrorKind::Extent)
     } else {
         Ok(Grid::new(middle, radius))
     }
 }
 
-/// The radius of a ball around `middle` that holds the bounded shapes.
+/// Returns the radius of a ball around `middle` that holds all bounded shapes.
 const fn radius_around(middle: Position, scene: &Description<'_>) -> u128 {
     let mut radius = 0;
     let mut index = 0;
@@ -149,7 +157,8 @@ const fn corner_of(motion: &[Position; 2], corner: usize) -> Position {
     position
 }
 
-/// `radius` enlarged for the lights, the camera and the planes, as far as [`accompanied`] allows.
+/// Returns `radius` enlarged so that the ball holds the lights, the camera and the planes, as far as
+/// [`accompanied`] allows.
 const fn with_companions(
     scene: &Description<'_>,
     middle: Position,
@@ -175,8 +184,8 @@ const fn with_companions(
     radius
 }
 
-/// The radius of the largest ball in which the smallest shape and epsilon have the steps that are
-/// wanted.
+/// Returns the radius of the largest ball in which the smallest shape and epsilon have at least
+/// 2^[`FINE`] and 2^[`FINE_EPSILON`] steps.
 const fn room_of(scene: &Description<'_>) -> u128 {
     let mut room = unsigned_128(scene.epsilon.to_bits()) << (28 - FINE_EPSILON);
     let mut index = 0;
@@ -188,7 +197,7 @@ const fn room_of(scene: &Description<'_>) -> u128 {
     room
 }
 
-/// The distance to the nearest plane that does not go through `middle`; 0 where there is none.
+/// Returns the distance to the nearest plane that does not go through `middle`; 0 if there is none.
 const fn nearest_plane(middle: Position, planes: &[Plane]) -> u128 {
     let mut nearest = 0;
     let mut index = 0;
@@ -202,8 +211,8 @@ const fn nearest_plane(middle: Position, planes: &[Plane]) -> u128 {
     nearest
 }
 
-/// The middle of the shapes; where there are none, the camera, and without one the middle of the
-/// lights.
+/// Returns the middle of the bounded shapes. Without shapes it is the camera, and without one the
+/// middle of the lights.
 const fn middle_of(scene: &Description<'_>) -> Position {
     let mut bounds = Bounds::EMPTY;
     let mut index = 0;
@@ -229,8 +238,11 @@ const fn middle_of(scene: &Description<'_>) -> Position {
     bounds.middle()
 }
 
-/// `radius` enlarged for something `away`, unless that is further away than what is `furthest`;
-/// where there are no shapes, that is 0, and nothing is too far.
+/// Returns `radius` enlarged to reach something at distance `away`, if that is not further than
+/// `furthest`.
+///
+/// `furthest` is 0 if the scene has neither shapes nor a plane beside its middle. Then nothing is too
+/// far.
 const fn accompanied(radius: u128, furthest: u128, away: u128) -> u128 {
     if furthest == 0 || away <= furthest {
         larger(radius, away)
@@ -239,15 +251,18 @@ const fn accompanied(radius: u128, furthest: u128, away: u128) -> u128 {
     }
 }
 
+/// Returns the larger of two numbers.
 const fn larger(a: u128, b: u128) -> u128 {
     if a > b { a } else { b }
 }
 
+/// Returns the smaller of two numbers.
 const fn smaller(a: u128, b: u128) -> u128 {
     if a < b { a } else { b }
 }
 
-/// The distance of a position to a plane, in the bits of a [`Number`], but for 2⁻³⁰ of it.
+/// Returns the distance of a position to a plane, in the bits of a [`Number`], up to a relative error
+/// of 2⁻³⁰.
 const fn distance_to_plane(position: Position, plane: &Plane) -> u128 {
     let Some(normal) = plane.normal.direction() else {
         return 0;

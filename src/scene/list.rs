@@ -3,7 +3,7 @@
 use super::capacity::Array;
 use super::used;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::material::Material;
 use crate::number::{to_u16, to_u32};
 use crate::shape::MaterialId;
@@ -29,7 +29,7 @@ impl<T: Copy, const N: usize> List<[T; N]> {
     }
 
     /// Stops the compiler unless there is room for another item.
-    pub(super) const fn refuse_more(&self, part: &'static str, too_many: Fault) {
+    pub(super) const fn refuse_more(&self, part: &'static str, too_many: ErrorKind) {
         if self.len == N {
             Error::at(part, self.len, too_many).stop();
         }
@@ -52,7 +52,7 @@ impl<const N: usize> List<[Material; N]> {
             }
             index += 1;
         }
-        self.refuse_more("material", Fault::TooManyMaterials);
+        self.refuse_more("material", ErrorKind::TooManyMaterials);
         self.push(material);
         id(index)
     }
@@ -63,9 +63,9 @@ impl<A> List<A> {
     pub(super) fn add<T>(
         &mut self,
         part: T,
-        fault: Option<Fault>,
+        fault: Option<ErrorKind>,
         name: &'static str,
-        too_many: Fault,
+        too_many: ErrorKind,
     ) -> Result<usize, Error>
     where
         A: Array<T>,

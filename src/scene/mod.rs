@@ -12,8 +12,8 @@ mod description;
 pub(crate) mod far;
 #[cfg(test)]
 mod fixture;
-mod layout;
 pub(crate) mod handle;
+mod layout;
 mod list;
 mod macros;
 mod motion;
@@ -27,13 +27,13 @@ pub(crate) mod shape_set;
 pub(crate) mod surface;
 
 pub(crate) use access::Parts;
+pub use builder::SceneBuilder;
 #[cfg(test)]
 pub(crate) use builder::tests as built;
-pub use builder::SceneBuilder;
 pub(crate) use capacity::Array;
 pub use capacity::{Capacity, Counts, Room};
-pub use handle::Handle;
 pub use description::Description;
+pub use handle::Handle;
 pub(crate) use needs::FEW;
 pub use needs::{Mirrors, MostReflections, Need, Needs, NeedsLimit, Shininess};
 pub(crate) use prepare::PlainScene;

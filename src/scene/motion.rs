@@ -7,7 +7,7 @@ use super::capacity::{Capacity, Room};
 use super::prepare::PlainScene;
 use super::shape_set::{SetLayout, ShapeSet};
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::light::PreparedLight;
 use crate::vector::{Point, Position};
 
@@ -33,11 +33,11 @@ macro_rules! motion {
                     }
                     let moved = crate::shape::$prepared::prepare($kind, &self.grid).map_err(error)?;
                     if !self.is_in_motion_box(moved.ball()) {
-                        return Err(error(Fault::Motion));
+                        return Err(error(ErrorKind::Motion));
                     }
                     let known = self.counts.$list;
                     let old = self.$list.as_mut().get_mut(index).filter(|_| index < known);
-                    let old = old.ok_or(error(Fault::UnknownHandle))?;
+                    let old = old.ok_or(error(ErrorKind::UnknownHandle))?;
                     let material = old.material;
                     *old = moved.touching(true);
                     old.material = material;
@@ -58,7 +58,7 @@ macro_rules! motion {
                         $(
                             if super::capacity::is_same(name, stringify!($kind)) && index < $room {
                                 if !self.is_in_motion_box(self.$list[index].ball()) {
-                                    Error::at(name, index, Fault::Motion).stop();
+                                    Error::at(name, index, ErrorKind::Motion).stop();
                                 }
                                 self.moving = self.moving.with(ShapeSet::of(layout.bit(kind, index)));
                             }
@@ -81,11 +81,15 @@ impl<R: Capacity> PlainScene<R> {
     pub(crate) fn light(&mut self, index: usize, position: Position) -> Result<(), Error> {
         let error = |fault| Error::at("light", index, fault);
         if !position.is_in_range() {
-            return Err(error(Fault::Coordinate));
+            return Err(error(ErrorKind::Coordinate));
         }
         let known = self.counts.lights;
-        let light = self.lights.as_mut().get_mut(index).filter(|_| index < known);
-        let light = light.ok_or(error(Fault::UnknownHandle))?;
+        let light = self
+            .lights
+            .as_mut()
+            .get_mut(index)
+            .filter(|_| index < known);
+        let light = light.ok_or(error(ErrorKind::UnknownHandle))?;
         *light = PreparedLight {
             place: self.grid.place(position),
             ..*light

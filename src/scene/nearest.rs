@@ -1,5 +1,5 @@
-//! The bounded shapes on a near ray: the nearest of them, or whether there is any. All are asked, or
-//! candidates.
+//! The bounded shapes on a near ray: finds the nearest hit, or whether any shape blocks the ray. Tests
+//! all shapes or a set of candidates.
 
 use super::access::{SceneAccess, ShapeId};
 use super::shape_set::ShapeSet;
@@ -8,10 +8,10 @@ use crate::ray::{PathSignature, REACH, Ray};
 use crate::shape::bounded::{Bounded, Range};
 use crate::vector::Direction;
 
-/// No distance.
+/// Distance zero: the start of a ray.
 pub(crate) const NOWHERE: Length = Length::from_bits(0);
 
-/// Where a near ray meets a shape first: [`ShapeId::NONE`] where it meets none.
+/// The first hit of a near ray: distance and shape. The shape is [`ShapeId::NONE`] if nothing is hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Hit {
     pub(crate) distance: Length,
@@ -19,13 +19,13 @@ pub(crate) struct Hit {
 }
 
 impl Hit {
-    /// Nothing as far as a near ray looks.
+    /// No hit up to [`REACH`], as far as a near ray is followed.
     pub(crate) const NONE: Self = Self {
         distance: REACH,
         shape: ShapeId::NONE,
     };
 
-    /// Not known to a near ray.
+    /// The near ray cannot tell: the first hit, if any, is beyond the near region.
     pub(crate) const BEYOND: Self = Self {
         distance: REACH,
         shape: ShapeId::BEYOND,
@@ -37,8 +37,11 @@ macro_rules! questions {
         $header:tt
         $({ $list:ident $($more:tt)* })*
     ) => {
-        /// The nearest candidate further than `start` along a ray; the distance is from there. Skips the
-        /// shape whose outside the ray leaves. Notes on which side of a shape the ray certainly passes.
+        /// Returns the nearest hit of a ray among the candidates, beyond `start`. The distance counts
+        /// from there.
+        ///
+        /// Skips the shape `skip`, which the ray leaves from outside. Notes in the path's signature on
+        /// which side the ray certainly passes a shape.
         #[inline(never)]
         pub(crate) fn nearest_of<W: SceneAccess>(
             world: &W,
@@ -61,7 +64,8 @@ macro_rules! questions {
             nearest.hit(signature)
         }
 
-        /// Whether a ray hits a candidate before `reach`. Skips the shape whose outside the ray leaves.
+        /// Tests whether a ray hits a candidate before `reach`. Skips the shape `skip`, which the ray
+        /// leaves from outside.
         #[inline(never)]
         pub(super) fn any_blocks<W: SceneAccess>(
             world: &W,
@@ -88,16 +92,18 @@ macro_rules! questions {
 }
 kinds!(questions);
 
-/// The nearest of the shapes that a ray has been held against.
+/// The nearest hit among the shapes that a ray has been tested against so far.
 pub(crate) struct Nearest {
+    /// Hits up to this distance do not count.
     start: Length,
+    /// The nearest hit so far; its distance counts from the ray's origin.
     hit: Hit,
-    /// On which sides of shapes the ray passes.
+    /// XOR of the notes of all shapes that the ray passes on their noted side.
     passed: u32,
 }
 
 impl Nearest {
-    /// Nothing yet, and nothing that is met before `start`.
+    /// Starts without a hit. Hits before `start` do not count.
     #[inline(always)]
     pub(crate) fn beyond(start: Length) -> Self {
         Self {
@@ -107,7 +113,8 @@ impl Nearest {
         }
     }
 
-    /// Asks a shape unless it is to be skipped; always goes on to the next.
+    /// Intersects a ray with a shape, unless the shape is `skip`. Always returns `false`, so that the
+    /// caller's loop goes on.
     #[inline(always)]
     fn ask<K: Bounded>(&mut self, shape: &K, ray: &Ray, id: ShapeId, skip: ShapeId) -> bool {
         if id != skip {
@@ -125,8 +132,10 @@ impl Nearest {
         false
     }
 
-    /// Asks a shape by how rays from one point meet it; whether it is the nearest up to now. Notes the
-    /// side on which the ray passes a shape that `is_thin`.
+    /// Intersects a ray with a shape that is prepared for rays from one point. Returns whether it is
+    /// the nearest hit so far.
+    ///
+    /// Notes the side on which the ray passes the shape if `is_thin`.
     #[inline(always)]
     pub(crate) fn ask_from<K: Bounded>(
         &mut self,
@@ -143,6 +152,7 @@ impl Nearest {
         self.take(distance, id)
     }
 
+    /// Returns the range of distances in which a hit is nearer than the one so far.
     #[inline(always)]
     fn range(&self) -> Range {
         Range {
@@ -151,6 +161,7 @@ impl Nearest {
         }
     }
 
+    /// Stores a hit of a shape. Returns whether there is one.
     #[inline(always)]
     fn take(&mut self, distance: Option<Length>, shape: ShapeId) -> bool {
         if let Some(distance) = distance {
@@ -159,19 +170,19 @@ impl Nearest {
         distance.is_some()
     }
 
-    /// Whether part of a shape may be nearer than what has been hit.
+    /// Tests whether part of a shape may be nearer than the hit so far.
     #[inline(always)]
     pub(crate) fn may_see<K: Bounded>(&self, from: &K::FromPoint) -> bool {
         K::may_be_nearer(from, self.hit.distance)
     }
 
-    /// Notes that the ray passes by something.
+    /// Adds to the notes that the ray passes a shape on one side.
     #[inline(always)]
     pub(crate) fn pass(&mut self, passed: u32) {
         self.passed ^= passed;
     }
 
-    /// The nearest, and how far behind `start` it is met.
+    /// Returns the nearest hit, with its distance from `start`. Adds the notes to the path's signature.
     #[inline(always)]
     pub(crate) fn hit(self, signature: &mut PathSignature) -> Hit {
         signature.note(self.passed);

@@ -1,5 +1,7 @@
-//! The planes of a scene: the nearest that a ray meets, and the planes that may block it. Heights over
-//! descents are compared as fractions; only the nearest is divided.
+//! The planes of a scene: the nearest that a ray hits, and those that may block it.
+//!
+//! The distance to a plane is a fraction: height over descent. Fractions are compared by products; only
+//! that of the nearest plane is divided.
 
 use super::access::{SceneAccess, ShapeId};
 use super::nearest::Hit;
@@ -7,19 +9,20 @@ use crate::number::to_u32;
 use crate::ray::Ray;
 use crate::shape::plane::{Approach, Bearing, PreparedPlane};
 
-/// The nearest hit of a near ray: a plane, or `bounded`, its nearest bounded shape. Skips the plane that
-/// the ray leaves.
+/// Returns the nearest hit of a near ray: a plane, or `bounded`, its nearest bounded shape. Skips the
+/// plane that the ray leaves.
 #[inline(always)]
 pub(crate) fn nearest<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId, bounded: Hit) -> Hit {
     let parts = world.parts();
-    // A ray that leaves a plane does not meet it again.
+    // A ray that leaves a plane does not hit it again.
     if parts.planes.is_empty() || (parts.planes.len() == 1 && parts.is_plane(skip)) {
         return bounded;
     }
     nearer(world, ray, skip, bounded)
 }
 
-/// Out of line: several planes in line take more registers than there are.
+/// Compares the planes with the nearest bounded hit. Out of line: inlined code for several planes needs
+/// more registers than there are.
 #[inline(never)]
 fn nearer<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId, bounded: Hit) -> Hit {
     let parts = world.parts();
@@ -29,9 +32,9 @@ fn nearer<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId, bounded: Hit) -> 
         is_met: false,
     };
     let number = |index: usize| ShapeId(parts.first_plane() + to_u32(index));
-    // One by one, so that the compiler can work with the planes of a constant scene; not by a closure,
-    // which is not always in line. All products first: a sign that is extended in another block makes
-    // three instructions of one.
+    // One by one, so that the compiler can use the constants of a constant scene's planes. A closure is
+    // not always inlined. All products come first: a sign that is extended in another block takes three
+    // instructions instead of one.
     let bearings = [
         bearing(parts.planes, 0, ray),
         bearing(parts.planes, 1, ray),
@@ -54,7 +57,7 @@ fn nearer<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId, bounded: Hit) -> 
     }
 }
 
-/// Where a ray begins and where it goes, as one of the planes sees it.
+/// Returns a ray's height over a plane and its rate of climb. `index` is the plane's index.
 #[inline(always)]
 fn bearing(planes: &[PreparedPlane], index: usize, ray: &Ray) -> Bearing {
     match planes.get(index) {
@@ -63,7 +66,8 @@ fn bearing(planes: &[PreparedPlane], index: usize, ray: &Ray) -> Bearing {
     }
 }
 
-/// Calls with each of the first four items by itself, so that each call is compiled for its item.
+/// Calls `call` for each of the first four items separately, so that each call is compiled for its
+/// item.
 #[inline(always)]
 pub(crate) fn for_first_four<'a, T>(items: &'a [T], mut call: impl FnMut(usize, &'a T)) {
     if let Some(item) = items.first() {
@@ -80,15 +84,18 @@ pub(crate) fn for_first_four<'a, T>(items: &'a [T], mut call: impl FnMut(usize, 
     }
 }
 
-/// The nearest of the planes that a ray has been held against, or what is nearer.
+/// The nearest hit among the planes that a ray has been tested against so far, or something nearer.
 struct NearestPlane {
+    /// Distance of the nearest hit, as a fraction.
     approach: Approach,
+    /// The shape that is hit; [`ShapeId::BEYOND`] if a plane is hit beyond the near region.
     shape: ShapeId,
-    /// Whether it is one of the planes.
+    /// Whether the nearest hit is a plane.
     is_met: bool,
 }
 
 impl NearestPlane {
+    /// Intersects the ray with a plane, and keeps the plane if it is nearer than the hit so far.
     #[inline(always)]
     fn meet(&mut self, bearing: &Bearing, number: ShapeId, skip: ShapeId) {
         if number == skip {
@@ -105,7 +112,7 @@ impl NearestPlane {
     }
 }
 
-/// All planes and their numbers, without the one that a ray leaves.
+/// Returns all planes and their ids, without the plane `skip` that a ray leaves.
 pub(super) fn others<W: SceneAccess>(
     world: &W,
     skip: ShapeId,

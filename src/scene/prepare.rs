@@ -9,7 +9,7 @@ use super::{Description, used};
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::light::{Light, PreparedLight};
 use crate::material::{PreparedMaterial, is_color};
@@ -18,30 +18,30 @@ use crate::shape::plane::PreparedPlane;
 use crate::shape::size_fault;
 use crate::vector::{Point, Position};
 
-pub(super) const fn background_fault(color: [Number; 3]) -> Option<Fault> {
+pub(super) const fn background_fault(color: [Number; 3]) -> Option<ErrorKind> {
     if is_color(color) {
         None
     } else {
-        Some(Fault::Background)
+        Some(ErrorKind::Background)
     }
 }
 
-pub(super) const fn epsilon_fault(epsilon: Number) -> Option<Fault> {
-    match size_fault(epsilon, Fault::Epsilon) {
-        Some(_) => Some(Fault::Epsilon),
+pub(super) const fn epsilon_fault(epsilon: Number) -> Option<ErrorKind> {
+    match size_fault(epsilon, ErrorKind::Epsilon) {
+        Some(_) => Some(ErrorKind::Epsilon),
         None => None,
     }
 }
 
 /// Tells what is wrong with two corners of a motion box: out of range, or not low and high.
-pub(super) const fn motion_fault([low, high]: [Position; 2]) -> Option<Fault> {
+pub(super) const fn motion_fault([low, high]: [Position; 2]) -> Option<ErrorKind> {
     if !(low.is_in_range() && high.is_in_range()) {
-        return Some(Fault::Coordinate);
+        return Some(ErrorKind::Coordinate);
     }
     let mut axis = 0;
     while axis < 3 {
         if low.0[axis].to_bits() > high.0[axis].to_bits() {
-            return Some(Fault::Motion);
+            return Some(ErrorKind::Motion);
         }
         axis += 1;
     }
@@ -206,14 +206,14 @@ const fn touches_another(parts: &Parts<'_>, number: usize) -> bool {
 }
 
 /// The grid of a scene, and its epsilon in steps.
-const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), Fault> {
+const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), ErrorKind> {
     let grid = match choose_grid(scene) {
         Ok(grid) => grid,
         Err(fault) => return Err(fault),
     };
     let epsilon = grid.length(scene.epsilon);
     if epsilon.to_bits() >= crate::ray::BALL {
-        return Err(Fault::Epsilon);
+        return Err(ErrorKind::Epsilon);
     }
     Ok((grid, epsilon))
 }
@@ -227,7 +227,7 @@ const fn prepare_materials(
     while index < scene.materials.len() && index < prepared.len() {
         let material = PreparedMaterial::new(&scene.materials[index]);
         if is_too_bright(&material, scene.lights) {
-            return Err(Error::at("material", index, Fault::Brightness));
+            return Err(Error::at("material", index, ErrorKind::Brightness));
         }
         prepared[index] = material;
         index += 1;

@@ -1,5 +1,5 @@
-//! The two questions that a ray asks a scene, in the plain way: what it hits first, and whether a
-//! light is occluded. Rays start and end anywhere.
+//! The two queries of a ray, answered without culling: what it hits first, and whether a light is
+//! occluded. Rays may start and end anywhere.
 
 use super::access::{SceneAccess, ShapeId};
 use super::far::{between, into_ball, place_along};
@@ -10,7 +10,8 @@ use crate::number::{Length, unsigned};
 use crate::ray::{PathSignature, ScaledPoint, ScaledRay};
 use crate::shape::plane::NOT_MET;
 
-/// Where a ray first hits a shape, and which. Skips the shape that the ray leaves.
+/// Returns the first hit of a ray: point and shape; `None` if nothing is hit. Skips the shape that the
+/// ray leaves.
 #[inline(always)]
 pub(crate) fn nearest_hit<W: SceneAccess>(
     world: &W,
@@ -45,7 +46,10 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
     Some((place_along(ray, distance)?, shape))
 }
 
-/// The same for a ray whose near hit is known; only a plane can be hit further out.
+/// Returns the first hit of a ray whose near hit `hit` is known: point and shape; `None` if nothing is
+/// hit. Beyond the near region only planes can be hit.
+///
+/// If `PRECISE`, the point is rounded to the nearest step.
 #[inline(always)]
 pub(crate) fn located<W: SceneAccess, const PRECISE: bool>(
     world: &W,
@@ -67,12 +71,12 @@ pub(crate) fn located<W: SceneAccess, const PRECISE: bool>(
             return Some((at, hit.shape));
         }
     }
-    // Taken apart, or what is near is kept in memory, too.
+    // Unpacked and packed again, or the compiler keeps near hits in memory, too.
     let (at, shape) = far_hit(world, ray, skip, signature)?;
     Some((at, shape))
 }
 
-/// Out of the way of near hits.
+/// Returns the first hit of a ray that hits nothing near. Out of line, away from the code of near hits.
 #[cold]
 #[inline(never)]
 fn far_hit<W: SceneAccess>(
@@ -84,8 +88,10 @@ fn far_hit<W: SceneAccess>(
     nearest_hit(world, ray, skip, signature)
 }
 
-/// Whether a ray hits anything more than epsilon before a light that is `distance` · 2^`scale` steps
-/// away. Planes are all asked, bounded shapes if they are `candidates`.
+/// Tests whether a shape occludes a light: whether the ray to it hits one more than epsilon before it.
+///
+/// Skips the shape that the ray leaves. The light is `distance` · 2^`scale` steps away. All planes are
+/// tested, and the bounded shapes among `candidates`; all bounded shapes if `scale` is not 0.
 pub(crate) fn occluded<W: SceneAccess>(
     world: &W,
     candidates: &ShapeSet,

@@ -5,7 +5,7 @@ use super::description::{Described, Description};
 use super::{Handle, list, prepare};
 use crate::camera::Camera;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::light::Light;
 use crate::material::Material;
 use crate::number::Number;
@@ -37,11 +37,11 @@ impl<R: Capacity> RuntimeScene<R> {
     /// Adds a material and returns the name that shapes use for it.
     ///
     /// # Errors
-    /// [`Fault::TooManyMaterials`].
+    /// [`ErrorKind::TooManyMaterials`].
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, Error> {
         let materials = &mut self.0.materials;
         let index = materials.len;
-        let too_many = Fault::TooManyMaterials;
+        let too_many = ErrorKind::TooManyMaterials;
         materials.add(material, None, "material", too_many)?;
         Ok(list::id(index))
     }
@@ -49,7 +49,7 @@ impl<R: Capacity> RuntimeScene<R> {
     /// Adds an infinite plane through `point`; the normal may have any length but 0.
     ///
     /// # Errors
-    /// What is wrong with the plane, or [`Fault::TooManyPlanes`]; the scene is as it was.
+    /// What is wrong with the plane, or [`ErrorKind::TooManyPlanes`]; the scene is as it was.
     pub fn add_plane(
         &mut self,
         point: impl Into<Position>,
@@ -63,14 +63,14 @@ impl<R: Capacity> RuntimeScene<R> {
         };
         let fault = plane.fault().or(self.unknown(material));
         let planes = &mut self.0.planes;
-        planes.add(plane, fault, "plane", Fault::TooManyPlanes)?;
+        planes.add(plane, fault, "plane", ErrorKind::TooManyPlanes)?;
         Ok(())
     }
 
     /// Adds a point light; colour components are 0 to 16.
     ///
     /// # Errors
-    /// What is wrong with the light, or [`Fault::TooManyLights`]; the scene is as it was.
+    /// What is wrong with the light, or [`ErrorKind::TooManyLights`]; the scene is as it was.
     pub fn add_light(
         &mut self,
         position: impl Into<Position>,
@@ -82,13 +82,15 @@ impl<R: Capacity> RuntimeScene<R> {
         };
         let fault = light.fault();
         let lights = &mut self.0.lights;
-        lights.add(light, fault, "light", Fault::TooManyLights).map(Handle::new)
+        lights
+            .add(light, fault, "light", ErrorKind::TooManyLights)
+            .map(Handle::new)
     }
 
     /// Sets what a ray that meets nothing adds, 0 to 16 a component.
     ///
     /// # Errors
-    /// [`Fault::Background`]; the scene is as it was.
+    /// [`ErrorKind::Background`]; the scene is as it was.
     pub fn set_background(&mut self, color: [impl Into<Number>; 3]) -> Result<(), Error> {
         let background = color.map(Into::into);
         if let Some(fault) = prepare::background_fault(background) {
@@ -103,7 +105,7 @@ impl<R: Capacity> RuntimeScene<R> {
     /// is rounded and what becomes of one that is too small or too large.
     ///
     /// # Errors
-    /// [`Fault::Epsilon`] if it is not above 0, or is above 2³⁰; the scene is as it was. That it is smaller
+    /// [`ErrorKind::Epsilon`] if it is not above 0, or is above 2³⁰; the scene is as it was. That it is smaller
     /// than the scene is checked by [`build`](RuntimeScene::build).
     pub fn set_epsilon(&mut self, epsilon: impl Into<Number>) -> Result<(), Error> {
         let epsilon = epsilon.into();
@@ -124,7 +126,7 @@ impl<R: Capacity> RuntimeScene<R> {
     /// [`SceneBuilder::motion`](crate::SceneBuilder::motion).
     ///
     /// # Errors
-    /// [`Fault::Coordinate`], or [`Fault::Motion`] if a coordinate of `low` is above that of `high`; the
+    /// [`ErrorKind::Coordinate`], or [`ErrorKind::Motion`] if a coordinate of `low` is above that of `high`; the
     /// scene is as it was.
     pub fn set_motion(
         &mut self,
@@ -139,8 +141,8 @@ impl<R: Capacity> RuntimeScene<R> {
         Ok(())
     }
 
-    fn unknown(&self, material: MaterialId) -> Option<Fault> {
-        (material.index() >= self.0.materials.len).then_some(Fault::UnknownMaterial)
+    fn unknown(&self, material: MaterialId) -> Option<ErrorKind> {
+        (material.index() >= self.0.materials.len).then_some(ErrorKind::UnknownMaterial)
     }
 }
 
@@ -157,7 +159,7 @@ macro_rules! runtime {
                 ///
                 /// # Errors
                 #[doc = concat!(
-                    "What is wrong with the ", stringify!($kind), ", or [`Fault::", stringify!($too_many),
+                    "What is wrong with the ", stringify!($kind), ", or [`ErrorKind::", stringify!($too_many),
                     "`]; the scene is as it was."
                 )]
                 pub fn $add(
@@ -171,7 +173,7 @@ macro_rules! runtime {
                     };
                     let fault = $kind.fault().or(self.unknown(material));
                     let $list = &mut self.0.$list;
-                    $list.add($kind, fault, stringify!($kind), Fault::$too_many).map(Handle::new)
+                    $list.add($kind, fault, stringify!($kind), ErrorKind::$too_many).map(Handle::new)
                 }
             )*
         }

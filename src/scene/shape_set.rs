@@ -1,29 +1,29 @@
-//! A set of bounded shapes in 64 bits: the candidates that a ray asks. The plain path asks the set of all;
-//! `accel` makes the others.
+//! A set of bounded shapes in 64 bits: the candidates of a ray. The plain path uses the set of all
+//! shapes; `accel` makes the others.
 //!
-//! Where a scene has more shapes than bits, a bit stands for a run of them. A set may hold more shapes
-//! than a ray can hit, never fewer: it changes the work, not the picture.
+//! If a scene has more shapes than bits, a bit stands for a run of consecutive shapes. A set may hold
+//! more shapes than a ray can hit, never fewer. So sets change the work, not the picture.
 
 use super::access::KINDS;
 use crate::number::{low_word, to_u32};
 
-/// A set of runs of shapes.
+/// A set of bounded shapes, one bit for each run of shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ShapeSet(u64);
 
 impl ShapeSet {
-    /// No shape.
+    /// The empty set.
     pub(crate) const NONE: Self = Self(0);
 
-    /// Every shape.
+    /// The set of all shapes.
     pub(crate) const ALL: &'static Self = &Self(u64::MAX);
 
-    /// The run with this bit.
+    /// Returns the set of the one run with this bit.
     pub(crate) const fn of(bit: usize) -> Self {
         Self(1 << (bit % 64))
     }
 
-    /// The runs of both sets.
+    /// Returns the union of two sets.
     pub(crate) const fn with(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
@@ -33,14 +33,16 @@ impl ShapeSet {
         self.0 & other.0 != 0
     }
 
-    /// How many runs are in only one of two sets.
+    /// Returns how many runs are in only one of two sets.
     pub(crate) const fn difference(self, other: Self) -> u32 {
         (self.0 ^ other.0).count_ones()
     }
 
-    /// Whether `ask` says yes to a shape of one kind in the set; in rising order. `lengths` are the numbers
-    /// of shapes of all kinds, `shapes` those of this one. Where nothing `is_chosen`, the set is that of
-    /// all.
+    /// Calls `ask` for each shape of one kind in the set, in ascending order, until it returns `true`.
+    /// Returns whether it did.
+    ///
+    /// `lengths` are the numbers of shapes of all kinds, `kind` is the index of this kind, `shapes` are
+    /// its shapes. If `is_chosen` is `false`, all shapes are tested and the set is ignored.
     #[inline(always)]
     pub(crate) fn any<'a, T>(
         &self,
@@ -59,17 +61,18 @@ impl ShapeSet {
     }
 }
 
-/// Which bits the shapes of a scene have: kind after kind from the lowest bit on, and the same number of
-/// shapes to a bit.
+/// Assigns bits of a [`ShapeSet`] to the shapes of a scene: kind after kind from the lowest bit on.
+/// Each bit stands for the same number of shapes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SetLayout {
+    /// Number of consecutive shapes that one bit stands for.
     run: usize,
-    /// The first bit of each kind, and the one after the last.
+    /// First bit of each kind, then the bit after the last.
     starts: [usize; KINDS + 1],
 }
 
 impl SetLayout {
-    /// Of a scene with so many shapes of each kind.
+    /// Returns the layout of a scene with these numbers of shapes of each kind.
     #[inline(always)]
     pub(crate) const fn new(lengths: [usize; KINDS]) -> Self {
         let (mut total, mut kind) = (0, 0);
@@ -77,7 +80,7 @@ impl SetLayout {
             total += lengths[kind];
             kind += 1;
         }
-        // Each kind may end with a run that is not full.
+        // The last run of each kind may have fewer shapes.
         let run = match total <= 64 {
             true => 1,
             false => total.div_ceil(65 - KINDS),
@@ -91,13 +94,13 @@ impl SetLayout {
         Self { run, starts }
     }
 
-    /// The bit of a shape of a kind.
+    /// Returns the bit of a shape. `index` counts the shapes of its kind.
     pub(crate) const fn bit(self, kind: usize, index: usize) -> usize {
         self.starts[kind] + index / self.run
     }
 
-    /// Whether a shape of a kind in a set is what is looked for; a word at a time. The last run of a kind
-    /// may name shapes that there are not.
+    /// Calls `is_it` for each shape of one kind in a set, until it returns `true`. Goes through the
+    /// bits a word at a time. The last run of a kind may give indices past the last shape.
     #[inline(always)]
     fn any(self, set: ShapeSet, kind: usize, mut is_it: impl FnMut(usize) -> bool) -> bool {
         let (start, end) = (self.starts[kind], self.starts[kind + 1]);
@@ -110,7 +113,8 @@ impl SetLayout {
             false => set.0,
         };
         let mut bits = all.checked_shr(to_u32(start)).unwrap_or(0);
-        // Bits after the last shape name none; in one word it takes less time to clear them than to ask.
+        // Bits after the last shape stand for none. In one word, clearing them takes less time than
+        // testing for it.
         if end < self.starts[KINDS] || is_one_word {
             let low = 1_u64.checked_shl(to_u32(end - start));
             bits &= low.map_or(u64::MAX, |end| end - 1);

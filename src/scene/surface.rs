@@ -1,4 +1,4 @@
-//! The surface that a ray hits: its normal, its material, and where rays leave it.
+//! The surface at a hit: its normal, its material, and the point where rays leave it.
 
 use super::access::{SceneAccess, ShapeId};
 use crate::material::PreparedMaterial;
@@ -6,29 +6,29 @@ use crate::number::{Unit, absolute};
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::vector::Direction;
 
-/// A point on a surface, seen along a ray, from which rays may leave.
+/// The surface at a hit: its normal, its material, and the point where rays leave it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Surface<'a> {
-    /// Where rays leave: epsilon above the surface, on the side of the viewer.
+    /// Point where rays leave: epsilon above the surface, on the viewer's side.
     pub(crate) place: ScaledPoint,
-    /// The normal on the side of the viewer.
+    /// The normal on the viewer's side.
     pub(crate) normal: Direction,
-    /// The direction the surface was seen along.
+    /// Direction of the ray that hit the surface.
     pub(crate) view: Direction,
-    /// The cosine between the normal and the way back to the viewer, 0 to 1.
+    /// Cosine between the normal and the direction back to the viewer, 0 to 1.
     pub(crate) facing: Unit,
-    /// The shape it belongs to.
+    /// The shape that was hit.
     pub(crate) shape: ShapeId,
-    /// Whether it is seen from the inside, or against a plane's normal.
+    /// Whether the ray hit the surface from inside, or a plane against its normal.
     pub(crate) is_inside: bool,
     material: &'a PreparedMaterial,
 }
 
-/// How far the cosine at a curved surface may be wrong: 2⁻¹⁶.
+/// Largest error of the cosine at a curved surface: 2⁻¹⁶.
 const RIM: Unit = Unit::from_bits(1 << 14);
 
 impl<'a> Surface<'a> {
-    /// The surface of a shape at a place that was seen along `view`; `None` where there is no such
+    /// Returns the surface of a shape at point `at`, hit along `view`; `None` if there is no such
     /// shape.
     #[inline(always)]
     pub(crate) fn new<W: SceneAccess>(
@@ -40,7 +40,7 @@ impl<'a> Surface<'a> {
         let parts = world.parts();
         let (outward, material) = parts.outside(shape, at.point)?;
         let climb = view.short_dot(outward);
-        // At the rim of a shape rounding must not turn its outside into its inside.
+        // At the rim of a shape, rounding must not make the outside an inside.
         let (is_inside, epsilon) = match parts.is_flat(shape) {
             true => (climb > Unit::ZERO, parts.epsilon),
             false if climb > RIM => (true, parts.inner_epsilon),
@@ -51,7 +51,7 @@ impl<'a> Surface<'a> {
             place: at.lifted(normal, epsilon),
             normal,
             view,
-            // Within ±1.0001.
+            // The cosine is at most 1.0001 in magnitude.
             facing: Unit::from_bits(absolute(climb.to_bits())),
             shape,
             is_inside,
@@ -59,7 +59,8 @@ impl<'a> Surface<'a> {
         })
     }
 
-    /// What it is made of: a constant in a constant scene of one material.
+    /// Returns the material of the surface. It is a constant if the scene is constant and has one
+    /// material.
     #[inline(always)]
     pub(crate) fn material<W: SceneAccess>(&self, world: &'a W) -> &'a PreparedMaterial {
         match world.parts().materials {
@@ -68,7 +69,8 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// The shape, unless a ray that leaves it here can hit it again: from inside of one that is not flat.
+    /// Returns the shape that rays from this point need not test: the surface's own. Returns
+    /// [`ShapeId::NONE`] if a ray can hit the shape again, from inside of one that is not flat.
     #[inline(always)]
     pub(crate) fn skip<W: SceneAccess>(&self, world: &W) -> ShapeId {
         match self.is_inside && !world.parts().is_flat(self.shape) {
@@ -77,13 +79,13 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// Turns a path that met the surface into the mirrored one.
+    /// Replaces a ray that hit the surface by the mirrored ray.
     #[inline(never)]
     pub(crate) fn reflect<W: SceneAccess>(&self, world: &W, path: &mut ScaledRay) {
         let cosine = Unit::from_bits(-self.facing.to_bits());
         let direction = self.view.reflected(self.normal, cosine);
-        // A curved surface's normal has a length of one but for 2⁻¹⁶, or 2⁻¹⁴ far away; four times as
-        // much is what the direction's is off by.
+        // A curved surface's normal differs from length one by up to 2⁻¹⁶, or 2⁻¹⁴ far away. The
+        // mirrored direction is off by four times as much, so it is normalised again.
         let direction = match world.parts().is_flat(self.shape) {
             true => direction,
             false => direction.renormalised(),

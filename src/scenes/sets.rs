@@ -1,6 +1,5 @@
 //! Tests that culling never changes a picture: candidate sets of shapes, and lights that planes hide.
 
-use crate::scene::Room;
 use super::{BuiltIn, NAMES, Visitor, visit};
 use crate::accel::light_occluders::{self, LightOccluders};
 use crate::accel::light_visibility::LightVisibility;
@@ -11,6 +10,7 @@ use crate::number::sweep::Sweep;
 use crate::number::{Length, Unit};
 use crate::ray::{PathSignature, REACH, ScaledPoint, ScaledRay};
 use crate::render::Fine;
+use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::{nearest_hit, occluded};
 use crate::scene::{RuntimeScene, Surface};

@@ -1,4 +1,4 @@
-//! The ways to shade: how the colour of a surface is found, and the shape of its highlights.
+//! The shading models: how the colour of a surface is found, and the shape of highlights.
 
 use core::marker::PhantomData;
 
@@ -11,7 +11,7 @@ use crate::number::{
 use crate::scene::access::SceneAccess;
 use crate::scene::{Shininess, Surface};
 
-/// How the colour of a surface is found. Choose with [`crate::Frame::shading`].
+/// A shading model. Choose one with [`crate::FrameBuilder::shading`].
 pub trait Shading: sealed::Shading {}
 
 impl<T: sealed::Shading> Shading for T {}
@@ -23,10 +23,10 @@ pub(crate) mod sealed {
     use crate::scene::access::SceneAccess;
 
     pub trait Shading {
-        /// Whether mirrors are followed.
+        /// Whether paths are reflected at mirrors.
         const REFLECTS: bool;
 
-        /// The colour of a surface without reflections, and the lights it is lit by.
+        /// Returns the colour of a surface without reflections, and the lights that shine on it.
         #[allow(private_bounds, private_interfaces)]
         fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
             world: &W,
@@ -34,29 +34,30 @@ pub(crate) mod sealed {
             visibility: &V,
         ) -> Lit;
 
-        /// What a ray that meets nothing adds.
+        /// Returns the colour of a ray that hits nothing.
         fn missed<W: SceneAccess>(world: &W) -> Color;
     }
 }
 
-/// The default: highlights by the half-way vector (Blinn, "Models of Light Reflection for Computer
-/// Synthesized Pictures", SIGGRAPH 1977).
+/// Blinn-Phong shading, the default: highlights by the half-way vector (Blinn, "Models of Light
+/// Reflection for Computer Synthesized Pictures", SIGGRAPH 1977).
 #[derive(Clone, Copy, Debug)]
 pub struct BlinnPhong;
 
-/// Highlights by the mirrored light direction (Phong, "Illumination for Computer Generated
-/// Pictures", CACM 18(6), 1975).
+/// Phong shading: highlights by the mirrored light direction (Phong, "Illumination for Computer
+/// Generated Pictures", CACM 18(6), 1975).
 #[derive(Clone, Copy, Debug)]
 pub struct Phong;
 
-/// Shows the first surface's normal as (n + 1) / 2, and blue where nothing is met.
+/// View of normals: the first surface's normal as the colour (n + 1) / 2, and blue where nothing is
+/// hit.
 #[derive(Clone, Copy, Debug)]
 pub struct Normals;
 
-/// Shaded by `K`, [`BlinnPhong`] or [`Phong`], but nothing throws a shadow: a light shines on every
-/// surface that faces it, whatever stands between them.
+/// Shading by `K`, [`BlinnPhong`] or [`Phong`], without shadows: a light shines on every surface that
+/// faces it, even if a shape lies between them.
 ///
-/// What a scene takes without its shadows, and what it loses, `xtask/report` shows.
+/// `xtask/report` shows what a scene costs without its shadows, and what is lost.
 #[derive(Clone, Copy, Debug)]
 pub struct Unshadowed<K = BlinnPhong>(PhantomData<K>);
 
@@ -107,28 +108,29 @@ impl sealed::Shading for Normals {
     }
 }
 
-/// The angles at a surface that a highlight depends on, as cosines.
+/// Cosines of the angles at a surface that a highlight depends on.
 pub(crate) struct Cosines {
-    /// normal · light
+    /// Cosine between the normal and the direction to the light.
     pub(super) light: Unit,
-    /// normal · viewer
+    /// Cosine between the normal and the direction to the viewer.
     pub(super) viewer: Unit,
-    /// light · viewer
+    /// Cosine between the directions to the light and to the viewer.
     pub(super) between: Unit,
 }
 
-/// A highlight: the power of a cosine that says how near the viewer is to the mirror direction.
+/// A highlight: the power of a cosine that says how near the viewer is to the mirrored light.
 pub(crate) trait Highlight {
-    /// Whether shapes throw shadows.
+    /// Whether shapes cast shadows in this shading.
     const SHADOWS: bool = true;
 
-    /// For a shininess of a kind that may occur in the scene.
+    /// Returns the strength of a highlight, 0 to 1. `kind` says which powers occur in the scene.
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit;
 }
 
-/// (h · n)ˢʰⁱⁿⁱⁿᵉˢˢ, where h is the unit vector half way between light and viewer. It is not built:
-/// the square of its length is 2 + 2 l·v, and the square of the cosine a quotient, which is all
-/// that an even shininess needs.
+/// The highlight (h · n)ˢʰⁱⁿⁱⁿᵉˢˢ, where h is the unit vector half way between light and viewer.
+///
+/// h is not computed. The square of the length of light + viewer is 2 + 2 l·v, so (h · n)² is a
+/// quotient. An even shininess needs only this square.
 impl Highlight for BlinnPhong {
     #[inline(always)]
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
@@ -141,12 +143,12 @@ impl Highlight for BlinnPhong {
     }
 }
 
-/// (r · v)ˢʰⁱⁿⁱⁿᵉˢˢ, where r is the light direction mirrored in the normal.
+/// The highlight (r · v)ˢʰⁱⁿⁱⁿᵉˢˢ, where r is the light direction mirrored in the normal.
 impl Highlight for Phong {
     #[inline(always)]
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
         let cosine = mirrored_cosine(cosines);
-        // Where the mirrored light points away from the viewer there is no highlight, not even one of
+        // If the mirrored light points away from the viewer, there is no highlight, not even for
         // shininess 0.
         if cosine == Unit::ZERO {
             return cosine;
@@ -155,7 +157,7 @@ impl Highlight for Phong {
     }
 }
 
-/// A power of a kind that may occur in the scene.
+/// Returns `base` to the power `shininess`. `kind` says which powers occur in the scene.
 #[inline(always)]
 fn power_of(base: Unit, shininess: Exponent, kind: Shininess) -> Unit {
     match kind {
@@ -164,13 +166,14 @@ fn power_of(base: Unit, shininess: Exponent, kind: Shininess) -> Unit {
     }
 }
 
-/// (h · n)² = ((n·l + n·v) / 2)² / ((1 + l·v) / 2)
+/// Returns the squared cosine of the half-way vector: (h · n)² = ((n·l + n·v) / 2)² / ((1 + l·v) / 2).
 #[inline(always)]
 fn half_way_square(cosines: &Cosines) -> Unit {
     let sum = unsigned(cosines.light.to_bits()) + unsigned(cosines.viewer.to_bits());
     // Q30: (2 Q30)² / 4
     let numerator = high_unsigned(sum, sum);
-    // 1 + l·v is 0 to 2 but for a last place: below zero, as one without a sign, it is a large one.
+    // 1 + l·v is 0 to 2, up to rounding in the last place. If rounding makes it negative, it becomes a
+    // large unsigned number here.
     let denominator = offset_modulo_2_32(cosines.between.to_bits(), 1 << 30) >> 1;
     if numerator >= denominator {
         return Unit::ONE;
@@ -178,7 +181,8 @@ fn half_way_square(cosines: &Cosines) -> Unit {
     Unit::from_bits(ratio(numerator, denominator))
 }
 
-/// r · v = 2 (n·l) (n·v) - l·v
+/// Returns the cosine between the mirrored light and the viewer: r · v = 2 (n·l) (n·v) - l·v, at least
+/// 0.
 fn mirrored_cosine(cosines: &Cosines) -> Unit {
     let product = scaled_by_unit(cosines.light.to_bits(), cosines.viewer);
     let cosine = 2 * i64::from(product) - i64::from(cosines.between.to_bits());

@@ -1,5 +1,5 @@
-//! Floor 4: the light at one hit: ambient, diffuse, specular. Knows no reflection, and not how a light
-//! is found to be visible.
+//! Floor 4: the light at one hit: ambient, diffuse, specular. It knows no reflection, and not how the
+//! visibility of a light is found.
 
 pub(crate) mod highlight;
 
@@ -16,31 +16,34 @@ use crate::scene::access::SceneAccess;
 use crate::scene::planes::for_first_four;
 use crate::vector::Direction;
 
-/// How exactly light is computed.
+/// The part of a quality that says how exactly light is computed.
 pub trait LightQuality {
-    /// Whether light is kept to 2⁻²⁶ of white, and shadows are told exactly where shapes touch.
+    /// Whether light is computed to 2⁻²⁶ of white, and shadows are exact where shapes touch.
     const IS_PRECISE: bool;
 }
 
-/// The answer whether a light is visible from a surface.
+/// Tells which lights are visible from a surface.
 pub(crate) trait Visibility {
-    /// A light, with what is known about it.
+    /// A light with the tables that belong to it.
     type Light;
 
-    /// The lights.
+    /// Returns all lights of the scene.
     fn lights(&self) -> &[Self::Light];
 
-    /// The light itself.
+    /// Returns the light without its tables.
     fn light(light: &Self::Light) -> &PreparedLight;
 
-    /// Whether the light with a number is hidden from all that the camera or a mirror shows.
+    /// Tests whether a light is hidden from all surfaces of the frame. `index` is the light's index.
     fn is_hidden(&self, index: usize) -> bool;
 
-    /// Whether [`Visibility::is_occluded_from`] can tell if the light with a number is occluded.
+    /// Tests whether [`Visibility::is_occluded_from`] may be used for a light. `index` is the light's
+    /// index.
     fn is_clear(&self, index: usize) -> bool;
 
-    /// Whether a shape lies between such a light and a near surface; `direction` and `distance` lead from
-    /// the light to the surface.
+    /// Tests whether a bounded shape occludes a near surface from a clear light. No plane does.
+    ///
+    /// `direction` and `distance` lead from the light to the surface. `light` is the light and its
+    /// index.
     fn is_occluded_from<const PRECISE: bool>(
         &self,
         surface: &Surface<'_>,
@@ -48,8 +51,10 @@ pub(crate) trait Visibility {
         ray: (Direction, Length),
     ) -> bool;
 
-    /// Whether anything lies between a surface and the light with a number, which stands at a point, so
-    /// far away in steps of 2ˢᶜᵃˡᵉ. The ray leads to the light.
+    /// Tests whether any shape lies between a surface and a light. `index` is the light's index.
+    ///
+    /// `ray` leads from the surface to the light. `light` is the light's position, its distance in
+    /// steps of 2ˢᶜᵃˡᵉ, and the scale.
     fn is_occluded(
         &self,
         surface: &Surface<'_>,
@@ -59,14 +64,15 @@ pub(crate) trait Visibility {
     ) -> bool;
 }
 
-/// The colour of a surface without reflections.
+/// The colour of a surface without reflections, and the lights that shine on it.
 pub(crate) struct Lit {
     pub(crate) color: Color,
-    /// A bit for each light that shines on it, of 32; one of them may be two lights.
+    /// One bit for each light that shines on the surface, of 32. With more lights, two may share a bit.
     pub(crate) lights: u32,
 }
 
-/// ambient + Σ (diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ) · light, all times the material's colour.
+/// Returns the light that a surface sends to the viewer: (ambient + Σ (diffuse n·l + specular
+/// sˢʰⁱⁿⁱⁿᵉˢˢ) · light) · colour of the material. The sum is over all visible lights.
 #[inline(always)]
 fn lit_color<W: SceneAccess, Q: LightQuality, V: Visibility, H: Highlight>(
     world: &W,
@@ -79,6 +85,7 @@ fn lit_color<W: SceneAccess, Q: LightQuality, V: Visibility, H: Highlight>(
     }
 }
 
+/// Computes [`lit_color`] with the precision as a constant, so that each variant is compiled by itself.
 #[inline(always)]
 fn lit_color_by<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool>(
     world: &W,
@@ -100,22 +107,22 @@ fn lit_color_by<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool
     Lit {
         color: match W::NEEDS.colors {
             true => color,
-            // Of the three channels, the compiler keeps one.
+            // Then the compiler computes one of the three channels.
             false => Color::grey(color.components()[0]),
         },
         lights: received.lights,
     }
 }
 
-/// The light that comes to a surface and is sent on.
+/// The light that a surface receives and sends on to the viewer, without the colour of its material.
 struct Received<const PRECISE: bool> {
     light: Lighting<PRECISE>,
-    /// [`Lit::lights`]
+    /// One bit for each light that shines on the surface, as in [`Lit::lights`].
     lights: u32,
 }
 
 impl<const PRECISE: bool> Received<PRECISE> {
-    /// Adds what is sent on of a light.
+    /// Adds the light that a surface sends on from one light. Adds nothing if the light is hidden.
     #[inline(always)]
     fn ask<W: SceneAccess, V: Visibility, H: Highlight>(
         &mut self,
@@ -138,7 +145,8 @@ impl<const PRECISE: bool> Received<PRECISE> {
     }
 }
 
-/// What a near surface sends on of a clear light; 0 where the light is behind it or occluded.
+/// Returns how much of a clear light a near surface sends to the viewer. Returns 0 if the light is
+/// behind the surface or occluded.
 #[inline(never)]
 fn near_strength<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool>(
     world: &W,
@@ -162,7 +170,8 @@ fn near_strength<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: boo
     sent_on::<W, H>(world, surface, back, cosine)
 }
 
-/// What a surface sends on of a light, wherever both are; rarely asked.
+/// Returns how much of a light a surface sends to the viewer, wherever both are. Rarely called, so it
+/// is out of line. Returns 0 if the light is behind the surface or occluded.
 #[cold]
 #[inline(never)]
 fn strength<W: SceneAccess, V: Visibility, H: Highlight>(
@@ -186,8 +195,8 @@ fn strength<W: SceneAccess, V: Visibility, H: Highlight>(
     sent_on::<W, H>(world, surface, direction.reversed(), cosine)
 }
 
-/// diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ, for light that comes along a direction from above the surface,
-/// and its n·l.
+/// Returns diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ for light that arrives above the surface along a
+/// direction. `cosine` is n·l.
 #[inline(always)]
 fn sent_on<W: SceneAccess, H: Highlight>(
     world: &W,

@@ -1,7 +1,9 @@
-//! Floor 6: one ray to one colour: the accumulation over reflections, its throughput and its stop.
+//! Floor 6: follows one path and returns its colour: the sum over reflections, the throughput, and when
+//! the path stops.
 //!
-//! c = Σᵢ (1 - αᵢ) (Π over k < i of αₖ) cᵢ, in a loop: the throughput Π αₖ is carried along, and the
-//! path ends where it is spent, where nothing is hit, or after the last reflection.
+//! The colour is c = Σᵢ (1 - αᵢ) (Π over k < i of αₖ) cᵢ, computed in a loop. The throughput Π αₖ is
+//! carried along. The path ends when the throughput is zero or too small, when nothing is hit, or after
+//! the last reflection.
 
 mod visibility;
 
@@ -23,14 +25,14 @@ use crate::shade::highlight::sealed::Shading;
 use crate::shade::{LightQuality, Lit};
 use crate::vector::Direction;
 
-/// How exactly paths are followed.
+/// The part of a quality that says how exactly paths are followed.
 pub trait PathQuality: CullingQuality + LightQuality {
-    /// A path ends when its throughput times the brightest colour of the scene falls below this share of
-    /// white.
+    /// Smallest brightness that a path still follows, as a share of white. A path ends when its
+    /// throughput times the brightest colour of the scene falls below it.
     const SMALLEST_WEIGHT: Unit;
 }
 
-/// The colour at the end of a path, and what it met.
+/// The result of a path: its colour, and its signature, a hash of what it hit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Traced {
     pub(crate) sum: Sum,
@@ -38,19 +40,19 @@ pub(crate) struct Traced {
 }
 
 impl Traced {
-    /// The start of a path: no light, nothing hit.
+    /// The state at the start of a path: no light, nothing hit.
     pub(crate) const NONE: Self = Self {
         sum: Sum::ZERO,
         signature: PathSignature::new(),
     };
 
-    /// Sentinel for a column beyond the picture: black; its signature equals no real one.
+    /// Sentinel for a column beyond the picture: black; its signature equals no real path's.
     pub(crate) const BEYOND: Self = Self {
         sum: Sum::ZERO,
         signature: PathSignature::of_none(),
     };
 
-    /// The result of a path that hits nothing and passes no thin shape.
+    /// Returns the result of a path that hits nothing and passes no thin shape: the background.
     pub(crate) fn missed<W: World, K: Shading>(world: &W) -> Self {
         let mut missed = Self::NONE;
         missed.sum.add(Unit::ONE, K::missed(world));
@@ -64,21 +66,24 @@ impl Traced {
 /// Follows the rays of one row of pixels.
 pub(crate) struct Tracer<'a, W: World, K, Q> {
     world: &'a W,
+    /// The camera's position, and the lights that planes hide in this frame.
     visibility: &'a LightVisibility,
+    /// The candidates for the rays of this row.
     culling: ScreenCulling<'a, W>,
-    /// How often a ray is reflected at most.
+    /// Largest number of reflections of a path.
     reflections: u32,
-    /// How many rays were followed, those to the lights apart.
+    /// Number of rays that were followed, without shadow rays.
     pub(crate) rays: u32,
-    /// The largest throughput with which a path would have gone on.
+    /// Largest throughput that a path had when it was cut off.
     pub(crate) cut_off: Unit,
     kinds: PhantomData<(K, Q)>,
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Whether every pixel is traced, and nothing is known before about what its ray may meet.
+    /// Whether no culling is used and every pixel is traced.
     pub(crate) const IS_PLAIN: bool = !Q::CULLING.is_any();
 
+    /// Makes the tracer of one row of pixels. `reflections` is limited to what the scene needs.
     #[inline(always)]
     pub(crate) fn new(
         world: &'a W,
@@ -97,7 +102,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         }
     }
 
-    /// Advances to the columns from `first` to `last`; `first` never decreases.
+    /// Advances to the columns from `first` to `last`, and returns them. `first` never decreases.
     #[inline(always)]
     pub(crate) fn advance(&mut self, first: u32, last: u32) -> Window {
         match Q::CULLING.is_any() {
@@ -106,32 +111,34 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         }
     }
 
-    /// If all paths that begin in a window are [`Tracer::missed`], the first column for which that is not
-    /// known.
+    /// Returns the column before which all paths of the row are [`Tracer::missed`], if those of the
+    /// window are. Returns `None` if that is not known.
     #[inline(always)]
     pub(crate) fn clear_until(&self, window: &Window) -> Option<u32> {
         self.culling.clear_until(self.world, window)
     }
 
-    /// Whether the scene has bounded shapes.
+    /// Tests whether the scene has bounded shapes.
     #[inline(always)]
     pub(crate) fn has_bounded(&self) -> bool {
         self.world.parts().has_bounded()
     }
 
-    /// What paths are that meet nothing.
+    /// Returns the result of a path that hits nothing.
     pub(crate) fn missed(&self) -> Traced {
         Traced::missed::<W, K>(self.world)
     }
 
-    /// Whether the signatures of the row tell on which side of something thin a path passes: not if the
-    /// camera is so far away that it is not known what is thin.
+    /// Tests whether signatures tell on which side a path passes a thin shape. They do not if the
+    /// camera is far: then it is not known which shapes are thin.
     #[inline(always)]
     pub(crate) fn notes_what_is_thin(&self) -> bool {
         self.visibility.from.is_near()
     }
 
-    /// Follows the path that begins in this direction, through the pixel of a column in a window.
+    /// Follows one path from the camera in `direction`, and returns its colour and signature.
+    ///
+    /// The path goes through the pixel of a column that lies in the window.
     #[inline(always)]
     pub(crate) fn trace(&mut self, pixel: (&Window, u32), direction: Direction) -> Traced {
         let world = self.world;
@@ -151,7 +158,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             };
             signature.note(surface.shape.side(surface.is_inside));
             let reflected = Self::reflected(world, &surface, throughput);
-            // A view of normals has none but the surface's own colour.
+            // A view of normals does not reflect: it shows the surface's own colour even of a mirror.
             let is_seen = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
             if is_seen && reflected < throughput {
                 let lit = self.shade(&surface);
@@ -176,7 +183,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         Traced { sum, signature }
     }
 
-    /// What is left of a path's throughput after a surface.
+    /// Returns the throughput of a path after a surface: `throughput` times the share that the surface
+    /// mirrors.
     #[inline(always)]
     fn reflected(world: &W, surface: &Surface<'_>, throughput: Unit) -> Unit {
         match K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
@@ -185,11 +193,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         }
     }
 
-    /// Whether a path ends with this throughput, after so many reflections; notes it if it does.
+    /// Tests whether a path ends with this throughput, after so many reflections. If so, updates
+    /// `cut_off`.
     #[inline(always)]
     fn is_cut_off(&mut self, throughput: Unit, reflections: u32) -> bool {
         let is_cut_off = throughput < self.world.parts().smallest_weight(Q::SMALLEST_WEIGHT)
-            // Known when compiled, so that what follows is not linked.
+            // Known at compile time, so that the code for reflections is not linked.
             || W::NEEDS.reflections == 0
             || reflections >= self.reflections;
         if is_cut_off {
@@ -198,7 +207,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         is_cut_off
     }
 
-    /// The colour of a surface without reflections.
+    /// Returns the colour of a surface without reflections, and the lights that shine on it.
     #[inline(always)]
     fn shade(&self, surface: &Surface<'_>) -> Lit {
         let world = self.world;
@@ -210,7 +219,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         }
     }
 
-    /// The surface that a ray hits first, if it hits one.
+    /// Returns the surface that a ray hits first, `None` if it hits nothing.
     #[inline(always)]
     fn surface(
         &mut self,
@@ -232,7 +241,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         Surface::new(world, at, shape, ray.direction())
     }
 
-    /// What a ray hits first if that is near.
+    /// Returns the first hit of a ray in the near region. Returns [`Hit::BEYOND`] for a ray that starts
+    /// far away.
     #[inline(always)]
     fn near_hit(
         &mut self,
@@ -264,17 +274,18 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     }
 }
 
-/// The latest reflection of a path.
+/// The latest reflection of a path, and the number of reflections.
 struct Bounce {
-    /// How many there were.
+    /// Number of reflections up to now.
     count: u32,
+    /// The shape that mirrored the ray.
     mirror: ShapeId,
-    /// The mirror, unless the ray can hit it again.
+    /// The shape that the ray skips: the mirror, or none if the ray can hit the mirror again.
     skip: ShapeId,
 }
 
 impl Bounce {
-    /// Of a ray from the camera.
+    /// No reflection: a ray from the camera.
     const NONE: Self = Self {
         count: 0,
         mirror: ShapeId::NONE,

@@ -21,11 +21,11 @@ use crate::scene::access::SceneAccess;
 use crate::shade::{BlinnPhong, Normals, Phong};
 use crate::vector::{Position, Vector};
 
-/// A last place of a weight.
+/// Step of a throughput: 2⁻³⁰.
 const ULP: f64 = 1.0 / (1 << 30) as f64;
 
-/// A closed sphere of radius 1 around the origin that shines evenly with `brightness` and
-/// reflects the share `alpha`.
+/// Returns a scene of a closed sphere of radius 1 around the origin. It shines evenly with `brightness`
+/// and reflects the share `alpha`.
 fn room(brightness: f64, alpha: f64) -> Scene<Room<1, 0, 0, 0, 1>> {
     let mut scene = RuntimeScene::<Room<1, 0, 0, 0, 1>>::new();
     let shining = Material::from_numbers([brightness; 3], 1, 0, (0, 1), alpha).unwrap();
@@ -34,17 +34,17 @@ fn room(brightness: f64, alpha: f64) -> Scene<Room<1, 0, 0, 0, 1>> {
     scene.build().unwrap()
 }
 
-/// The path from a place towards a point far off.
+/// Returns the ray from a point in a direction.
 fn path(from: ScaledPoint, towards: [f64; 3]) -> ScaledRay {
     ScaledRay::new(from, Position::new(towards).direction().unwrap())
 }
 
-/// Where a ray first hits a shape, and which, with every shape asked.
+/// Returns the first hit of a ray: point and shape. Tests every shape.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
     nearest_hit(world, ray, skip, &mut PathSignature::new())
 }
 
-/// What is known about one path.
+/// The result of one path.
 #[derive(Clone, Copy, Debug)]
 struct Followed {
     sum: Sum,
@@ -52,7 +52,7 @@ struct Followed {
     cut_off: Unit,
 }
 
-/// Follows one path, and asks every shape of the scene.
+/// Follows one path. Every ray tests every shape of the scene.
 fn followed_by<K: Shading, Q: PathQuality, W: World>(
     world: &W,
     path: ScaledRay,
@@ -70,7 +70,7 @@ fn followed_by<K: Shading, Q: PathQuality, W: World>(
     }
 }
 
-/// Follows paths from inside the room into many directions, one result each.
+/// Follows paths from inside of the room in many directions. Returns one result for each.
 fn followed<Q: PathQuality>(room: &Scene<Room<1, 0, 0, 0, 1>>, reflections: u8) -> Vec<Followed> {
     let parts = room.parts();
     let mut sweep = Sweep::new(u64::from(reflections));
@@ -98,7 +98,8 @@ fn closed_mirrored_room_shines_as_the_sum_of_its_series() {
                 let truth = brightness * (1.0 - alpha.powi(i32::from(reflections) + 1)) * 255.0;
                 for traced in followed::<Fine>(&room, reflections) {
                     for channel in traced.sum.to_rgb8() {
-                        // Rounded to an integer, which weights off by 2^-22 may tip over.
+                        // Rounded to an integer. Throughputs that are off by 2^-22 may change it by
+                        // one.
                         let off = f64::from(channel) - truth;
                         assert!(
                             off.abs() <= 0.501,
@@ -119,8 +120,8 @@ fn weight_cut_off_is_the_product_of_the_shares() {
         for reflections in REFLECTIONS {
             let steps = i32::from(reflections) + 1;
             for traced in followed::<Fine>(&room, reflections) {
-                // Every product is rounded down by less than a last place, and what was rounded
-                // off before is weakened by every α after it; α itself is rounded to half of one.
+                // Every product is rounded down by less than a last place. Each later α weakens what
+                // was rounded off. α itself is rounded to half a last place.
                 let lost = held.powi(steps) - traced.cut_off.to_num::<f64>();
                 let weakened: f64 = (0..steps).map(|step| held.powi(step)).sum();
                 let bound = weakened * ULP;
@@ -150,7 +151,7 @@ fn weight_of_half_mirrors_is_exact() {
 
 #[test]
 fn path_stops_where_its_weight_is_spent() {
-    // 2^-30 is the smallest weight, and half of it is none: the 31st ray is the last.
+    // 2^-30 is the smallest throughput, and half of it is 0: the 31st ray is the last.
     for (alpha, rays) in [
         (0.0, 1),
         (0.5, 31),
@@ -275,7 +276,7 @@ fn normals_are_seen_in_no_mirror() {
 
 #[test]
 fn path_between_facing_mirrors_stays_between_them() {
-    // Nobody leaves, and no plane is met twice in a row.
+    // No path leaves, and no plane is hit twice in a row.
     let mut scene = RuntimeScene::<Room<0, 2, 0, 0, 1>>::new();
     let shining = Material::from_numbers([1, 1, 1], 1, 0, (0, 1), 0.875).unwrap();
     let shining = scene.add_material(shining).unwrap();
@@ -296,9 +297,9 @@ fn path_between_facing_mirrors_stays_between_them() {
     }
 }
 
-/// A sloping mirror less than a step below the camera is met by the far kernels alone, where another
-/// plane is met so far out that they are asked: what it shows begins at the mirror, and not where the near
-/// ones met the other.
+/// A sloping mirror lies less than a step below the camera, so only the far kernels hit it. Another
+/// plane is hit so far out that the far kernels are called. The reflection must begin at the mirror,
+/// not where the near kernels hit the other plane.
 #[test]
 fn mirror_that_the_camera_almost_lies_in_shows_all_that_is_before_other_planes() {
     let mut scene = RuntimeScene::<Room<1, 2, 0, 0, 3>>::new();
@@ -333,8 +334,8 @@ fn mirror_that_the_camera_almost_lies_in_shows_all_that_is_before_other_planes()
     assert_eq!(followed(-0.277), (2, [255, 0, 0]));
 }
 
-/// A ray that climbs to a mirror by less than 2⁻²⁸ of its length does not meet it, however far it goes: to
-/// the surface that is no climb, and it would be seen from the other side.
+/// A ray that climbs to a mirror by less than 2⁻²⁸ of its length does not hit it, however long it is.
+/// The surface would take it for a ray that does not climb, and show its other side.
 #[test]
 fn mirror_is_met_from_below_only_by_rays_that_climb() {
     let mut scene = RuntimeScene::<Room<1, 1, 0, 0, 1>>::new();
@@ -353,8 +354,8 @@ fn mirror_is_met_from_below_only_by_rays_that_climb() {
     }
 }
 
-/// Four mirrors of any shares α before a background, all of the full brightness: whatever a path
-/// meets, the shares of its light add up to exactly one, so that every pixel is exactly white.
+/// Four mirrors with random shares α stand before a background. All have full brightness. Whatever a
+/// path hits, the shares of its light add up to exactly one, so every pixel is exactly white.
 #[test]
 fn weights_add_up_to_exactly_one() {
     let mut sweep = Sweep::new(3);
@@ -362,7 +363,7 @@ fn weights_add_up_to_exactly_one() {
     for number in 0..400 {
         let mut scene = RuntimeScene::<Room<4, 2, 1, 0, 7>>::new();
         let mut mirror = || {
-            // Anything from 0 to just below 1, and both ends often.
+            // A share from 0 to just below 1; both ends occur often.
             let bits = sweep.within(-(1 << 28), 5 << 28).clamp(0, (1 << 30) - 1);
             let mirror = f64::from(bits) / f64::from(1 << 30);
             scene
@@ -388,7 +389,7 @@ fn weights_add_up_to_exactly_one() {
             let towards = sweep.triple(1000).map(|it| f64::from(it) / 700.0);
             let path = path(from, [towards[0], 1.0, towards[2]]);
             let traced = followed_by::<Phong, Fine, _>(&scene, path, 255);
-            // What is cut off after 255 reflections is missing, and nothing else.
+            // Only what is cut off after 255 reflections may be missing.
             if traced.cut_off == Unit::ZERO {
                 assert_eq!(
                     traced.sum.to_rgb8(),

@@ -1,4 +1,4 @@
-//! The answers whether a light is visible: the plain one, and the one with culling.
+//! The two implementations of [`Visibility`]: whether a light is visible, without and with culling.
 
 use core::marker::PhantomData;
 
@@ -16,7 +16,7 @@ use crate::scene::shape_set::ShapeSet;
 use crate::shade::Visibility;
 use crate::vector::Direction;
 
-/// Each light is asked for at each hit, and every shape with it.
+/// Visibility without culling: each light gets a shadow ray at each hit, which tests every shape.
 pub(super) struct Plain<'a, W>(pub(super) &'a W);
 
 impl<W: SceneAccess> Visibility for Plain<'_, W> {
@@ -64,7 +64,8 @@ impl<W: SceneAccess> Visibility for Plain<'_, W> {
     }
 }
 
-/// What the planes hide is known for the whole frame, and lights know the shapes around them.
+/// Visibility with culling: lights that planes hide are known for the whole frame, and each light has
+/// tables of the shapes around it.
 pub(super) struct Culled<'a, W, Q> {
     world: &'a W,
     visibility: &'a LightVisibility,
@@ -72,6 +73,7 @@ pub(super) struct Culled<'a, W, Q> {
 }
 
 impl<'a, W, Q> Culled<'a, W, Q> {
+    /// Returns the visibility of the lights of a scene, with what is known for the frame.
     #[inline(always)]
     pub(super) const fn new(world: &'a W, visibility: &'a LightVisibility) -> Self {
         Self {

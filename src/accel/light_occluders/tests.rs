@@ -1,13 +1,13 @@
-use crate::scene::Room;
 use super::*;
 use crate::material::Material;
+use crate::scene::Room;
 use crate::scene::RuntimeScene;
 use crate::shape::MaterialId;
 
 type Scenery = RuntimeScene<Room<1, 0, 1, 1, 1>>;
 
-/// One sphere of radius 1 around the origin, and what a function adds.
-fn marble(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Scenery {
+/// Returns a scene with a sphere of radius 1 at the origin, and what `fill` adds.
+fn marble<T>(fill: impl FnOnce(&mut Scenery, MaterialId) -> T) -> Scenery {
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
     scene.add_sphere([0, 0, 0], 1, white).unwrap();

@@ -1,16 +1,17 @@
-use crate::scene::Room;
 use super::*;
 use crate::accel::Scene;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::{BALL, NEAR, ScaledPoint, ScaledRay};
+use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::occluded;
 use crate::scene::{Needs, RuntimeScene};
 
 type Built = Scene<Room<2, 2, 2, 1, 1>>;
 
-/// A sphere in the middle, a small one beside it, and tubes above and below it; a floor and a wall.
+/// Returns a scene with a sphere in the middle, a small sphere beside it, tubes above and below it, a
+/// floor and a wall.
 fn scene() -> Built {
     let mut scene = RuntimeScene::<Room<2, 2, 2, 1, 1>>::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
@@ -39,7 +40,7 @@ fn plain_shadow_rays_are_blocked_alike_with_a_table_and_without() {
     let parts = scene.parts();
     let (mut counts, mut left_out) = ([0; 2], 0);
     for round in 0..30_000 {
-        // Anywhere near, or about the shapes; every other light in the ball of the shapes.
+        // Every second start and every third light lie anywhere near, all others close to the shapes.
         let limit = |is_wide: bool| if is_wide { NEAR } else { BALL / 8 };
         let [from, light] = [round % 2 == 0, round % 3 == 0].map(|is_wide| {
             let [x, y, z] = sweep.triple(limit(is_wide));

@@ -1,20 +1,20 @@
-use crate::scene::Room;
 use super::*;
 use crate::accel::{Scene, Static, StaticScene, World};
 use crate::material::Material;
 use crate::number::scaled_by_unit;
 use crate::number::sweep::Sweep;
 use crate::ray::{REACH, Ray};
-use crate::scene::RuntimeScene;
+use crate::scene::Room;
 use crate::scene::access::SceneAccess;
+use crate::scene::{Description, RuntimeScene, SceneBuilder};
 use crate::shape::{PreparedCylinder, PreparedSphere};
 use crate::vector::Direction;
 
 type Scenery = RuntimeScene<Room<6, 1, 5, 1, 2>>;
 pub(crate) type Built = Scene<Room<6, 1, 5, 1, 2>>;
 
-/// Spheres and cylinders of all sizes, all of them mirrors; every other time with a plane, so that the
-/// ball of the scene is larger.
+/// Returns a scene of spheres and cylinders of all sizes, all of them mirrors. Every other scene has a
+/// plane too, so that its ball is larger.
 pub(crate) fn crowd(sweep: &mut Sweep, number: usize) -> Built {
     let mut scene = Scenery::new();
     let mirror = scene
@@ -42,7 +42,7 @@ pub(crate) fn crowd(sweep: &mut Sweep, number: usize) -> Built {
     scene.build().unwrap()
 }
 
-/// The tables that a scene would have as a constant.
+/// Returns the mirror tables that the scene would have as a constant. Leaks their memory.
 pub(crate) fn leaked(scene: &Built) -> MirrorTables {
     let parts = scene.parts();
     let tables = std::boxed::Box::new(MirrorTables::tables::<12>(&parts));
@@ -57,22 +57,22 @@ fn any_direction(sweep: &mut Sweep) -> Direction {
     Vector::new(x, y, z).direction_and_length().0
 }
 
-/// A point so far from another in a direction.
+/// Returns the point that lies `length` steps from another in a direction.
 fn beside(from: Point, direction: Direction, length: i32) -> Point {
     let [x, y, z] = direction.components().map(|it| scaled_by_unit(length, it));
     Point::new(from.x + x, from.y + y, from.z + z)
 }
 
-/// Every shape with a ball, a point from which a ray may leave it, and what is said to lie ahead.
+/// Returns, for each sphere and cylinder, a random point from which a ray may leave it, and its table.
 fn mirrors(scene: &Built, sweep: &mut Sweep) -> std::vec::Vec<(Point, MirrorTable)> {
     let parts = scene.parts();
     let epsilon = parts.inner_epsilon.to_bits();
     let mut mirrors = std::vec::Vec::new();
-    // All of the eleven shapes are.
+    // All eleven shapes are mirrors.
     let tables = MirrorTables::tables::<12>(&parts);
     for (sphere, ahead) in parts.spheres.iter().zip(tables) {
         let (center, radius) = sphere.ball();
-        // Inside or outside.
+        // The point lies inside or outside.
         let length = radius + sweep.within(-epsilon, epsilon);
         let from = beside(center, any_direction(sweep), length);
         mirrors.push((from, ahead));
@@ -92,7 +92,7 @@ fn mirrors(scene: &Built, sweep: &mut Sweep) -> std::vec::Vec<(Point, MirrorTabl
     mirrors
 }
 
-/// Towards anything, and mostly along the rim of a shape.
+/// Returns a random direction, mostly one that passes close to the rim of a shape.
 fn direction_from(origin: Point, scene: &Built, sweep: &mut Sweep) -> Direction {
     let parts = scene.parts();
     let balls = parts.spheres.iter().map(PreparedSphere::ball);
@@ -113,7 +113,7 @@ fn direction_from(origin: Point, scene: &Built, sweep: &mut Sweep) -> Direction 
     }
 }
 
-/// Whether a set has a shape of a scene with fewer shapes than bits.
+/// Tests whether a set holds a shape. The scene must have fewer shapes than the set has bits.
 fn has(set: &ShapeSet, shape: usize) -> bool {
     set.with(ShapeSet::of(shape)) == *set
 }
@@ -164,7 +164,7 @@ fn only_what_mirrors_has_a_table() {
     assert_eq!(&numbers[..4], [u8::MAX, 0, u8::MAX, u8::MAX]);
     assert_eq!(room, 1);
     let [ahead] = MirrorTables::tables(&scene.parts());
-    // Nothing lies above it but, of what it is not known, itself.
+    // No other shape lies above the mirror. Its table always holds the mirror itself.
     let up = Direction::from_raw(Vector::new(0, 0, 1 << 30));
     let shapes = |direction| core::array::from_fn(|shape| has(ahead.at(direction), shape));
     assert_eq!(shapes(up), [false, true, false, false]);
@@ -173,7 +173,7 @@ fn only_what_mirrors_has_a_table() {
 
 const MIRROR: Material = Material::new([0.5; 3]).mirror(0.5);
 
-/// So many mirrors in a row.
+/// A constant scene of `N` mirroring spheres in a row.
 struct Row<const N: usize>;
 impl<const N: usize> StaticScene for Row<N> {
     type Room = Room<N, 0, 0, 0>;
@@ -192,8 +192,8 @@ impl<const N: usize> StaticScene for Row<N> {
     }
 }
 
-scene! {
-    /// The floor alone mirrors.
+crate::scene! {
+/// A constant scene in which only the floor mirrors.
     struct Floor {
         sphere([0.0, 0.0, 0.0], 1.0, Material::new([0.5; 3]));
         sphere([4.0, 0.0, 0.0], 1.0, Material::new([0.5; 3]));

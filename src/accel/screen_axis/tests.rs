@@ -2,7 +2,7 @@ use super::*;
 use crate::number::sweep::Sweep;
 use crate::vector::{Direction, Point};
 
-/// Looks along x.
+/// Returns the axis of a camera at the origin that looks along x.
 fn screen_axis(aside: Direction) -> ScreenAxis {
     ScreenAxis {
         origin: Point::ORIGIN,
@@ -14,8 +14,8 @@ fn screen_axis(aside: Direction) -> ScreenAxis {
     }
 }
 
-/// The root that a tip is found by is rounded down. Where the sphere almost reaches the origin's plane
-/// and is as large as the ball, the difference that is left of it is least.
+/// The root in [`ScreenAxis::tips`] is rounded down. The difference that remains is smallest where the
+/// sphere almost reaches the plane through the eye and is as large as the ball.
 #[test]
 fn tips_of_a_sphere_that_is_just_ahead_lie_ahead() {
     let y = Direction::from_raw(Vector::new(0, 1 << 30, 0));
@@ -25,7 +25,7 @@ fn tips_of_a_sphere_that_is_just_ahead_lie_ahead() {
         let radius = sweep.octaves(25, 28);
         let [ahead, down] = [radius + sweep.within(1, 8), sweep.octaves(26, 30)];
         let way = Vector::new(ahead, down, sweep.octaves(3, 28));
-        // What is asserted on the way is that they do.
+        // The assertions inside of `tips` check that the points lie ahead.
         let [below, above] = [way, Vector::new(ahead, -down, way.z)].map(|way| {
             screen_axis(z)
                 .tips(&screen_axis(y), way, radius)

@@ -9,7 +9,7 @@ use std::vec::Vec;
 
 use super::FileRoom;
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 use crate::host::line::one_line;
 use crate::scene::Capacity;
 
@@ -206,9 +206,9 @@ macro_rules! refused {
             };
             let room = FileRoom::COUNTS;
             let most = match error.kind() {
-                $(Fault::$too_many => room.$list,)*
-                Fault::TooManyLights => room.lights,
-                Fault::TooManyMaterials => room.materials,
+                $(ErrorKind::$too_many => room.$list,)*
+                ErrorKind::TooManyLights => room.lights,
+                ErrorKind::TooManyMaterials => room.materials,
                 fault => return format!("{list}[{index}]: {fault}"),
             };
             format!("{list}[{index}]: a file holds {most} {list} at most")

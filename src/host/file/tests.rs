@@ -1,13 +1,13 @@
-use std::io::ErrorKind;
+use std::io;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
 use serde_json::{Value, json};
 
 use super::*;
-use crate::fault::Fault;
-use crate::host::reference;
 use crate::error::Error;
+use crate::error_kind::ErrorKind;
+use crate::host::reference;
 
 /// A scene with one part of every kind, in which all numbers differ.
 fn scene() -> Value {
@@ -280,7 +280,7 @@ fn repeated_material_is_named_with_both_places() {
 
 #[test]
 fn what_the_core_refuses_is_reported_with_its_place() {
-    let camera = Fault::FieldOfView.message();
+    let camera = &format!("camera: {}", ErrorKind::FieldOfView);
     let cases = [
         (
             "/spheres/0/radius",
@@ -346,17 +346,17 @@ fn what_the_core_refuses_is_reported_with_its_place() {
         (
             "/camera/up",
             json!([1e300, 0, 0]),
-            Fault::Coordinate.message(),
+            &format!("camera: {}", ErrorKind::Coordinate),
         ),
         (
             "/spheres/0/center/1",
             json!(1e300),
-            &format!("spheres[0]: {}", Fault::Coordinate),
+            &format!("spheres[0]: {}", ErrorKind::Coordinate),
         ),
         (
             "/spheres/0/radius",
             json!(1e-12),
-            &format!("spheres[0]: {}", Fault::Tiny),
+            &format!("spheres[0]: {}", ErrorKind::Tiny),
         ),
     ];
     for (pointer, value, expected) in cases {
@@ -427,7 +427,7 @@ fn file_that_cannot_be_read_is_named() {
     let Problem::Unreadable(reason) = error.problem() else {
         panic!("{error:?}");
     };
-    assert_eq!(reason.kind(), ErrorKind::NotFound);
+    assert_eq!(reason.kind(), io::ErrorKind::NotFound);
 }
 
 #[test]
@@ -436,7 +436,7 @@ fn error_keeps_what_it_says_as_values() {
         .runtime()
         .unwrap_err();
     assert_eq!((error.file(), error.scene()), (None, Some("still life")));
-    let expected = Error::at("sphere", 0, Fault::Radius);
+    let expected = Error::at("sphere", 0, ErrorKind::Radius);
     assert!(
         matches!(error.problem(), Problem::Scene(found) if *found == expected),
         "{error:?}"

@@ -26,7 +26,7 @@ macro_rules! convert {
         ///
         /// ```
         /// use reflet::host::reference::Scene;
-        /// use reflet::{Material, SceneBuilder};
+        /// use reflet::{Material, SceneBuilder, room};
         ///
         /// const SCENE: SceneBuilder<room!(spheres: 1)> = SceneBuilder::new()
         ///     .sphere([0.1, 0.2, 0.3], 0.7, Material::new([0.9; 3]).mirror(0.4))
@@ -105,7 +105,7 @@ fn triple(numbers: [Number; 3]) -> [f64; 3] {
 mod tests {
     use super::*;
     use crate::host::reference::{Cylinder, Disc, Plane, Sphere};
-    use crate::scene::RuntimeScene;
+    use crate::scene::{Room, RuntimeScene};
 
     #[test]
     fn every_number_of_a_description_arrives_in_its_place() {

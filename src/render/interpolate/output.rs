@@ -1,4 +1,5 @@
-//! Floor 7: hands the colours of a row on, one by one or into a slice. Knows not how they are found.
+//! Floor 7: hands out the colours of a row, one by one or into a slice. It does not know how they are
+//! found.
 
 use super::Colors;
 use crate::accel::World;
@@ -9,7 +10,7 @@ use crate::shade::highlight::sealed::Shading;
 use crate::trace::Tracer;
 
 impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
-    /// The colour of the next column, which lies inside of the picture.
+    /// Returns the colour of the next column, which must lie in the picture.
     #[inline(always)]
     pub(crate) fn next_color(&mut self) -> Sum {
         let column = self.column;
@@ -24,7 +25,8 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         self.stretch[place as usize]
     }
 
-    /// Fills pixels, which lie inside of the picture, with the next colours.
+    /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
+    /// picture.
     #[inline(always)]
     pub(crate) fn fill<C: Copy>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
         if Tracer::<W, K, Q>::IS_PLAIN {
@@ -55,7 +57,7 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
                     (2, later)
                 }
                 (_, pixels) => {
-                    // What is clear has one colour; else one pixel of a stretch.
+                    // All pixels of a clear part have one colour. Else write one pixel of a stretch.
                     let count = pixels.len().min(clear.max(1));
                     let (now, later) = pixels.split_at_mut(count);
                     now.fill(shown(self.stretch[place as usize]));

@@ -9,7 +9,7 @@ const BLUE: Material = Material::new([0.0, 0.1, 1.0]).specular(0.5, 7.5);
 pub(crate) const CAMERA: Camera =
     Camera::look_at([0.0, -9.0, 1.5], [0.0; 3], [0.0, 0.0, 1.0]).fov(33.0);
 
-pub(crate) const BUILT: SceneBuilder<Room<3, 1, 2, 1, 2>> = SceneBuilder::new()
+pub(crate) const BUILT: SceneBuilder<Room<3, 1, 1, 1, 2>> = SceneBuilder::new()
     .sphere([0.0, 0.1, 0.2], 1.5, RED)
     .sphere([3.0, 0.1, 0.2], 0.5, BLUE)
     .sphere([-3.0, 0.1, 0.2], 0.7, RED)
@@ -20,7 +20,7 @@ pub(crate) const BUILT: SceneBuilder<Room<3, 1, 2, 1, 2>> = SceneBuilder::new()
     .epsilon(0.002)
     .camera(CAMERA);
 
-pub(crate) fn filled() -> RuntimeScene<Room<3, 1, 2, 1, 2>> {
+pub(crate) fn filled() -> RuntimeScene<Room<3, 1, 1, 1, 2>> {
     let mut scene = RuntimeScene::new();
     let red = scene.add_material(RED).unwrap();
     let blue = scene.add_material(BLUE).unwrap();

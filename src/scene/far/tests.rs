@@ -12,11 +12,11 @@ use crate::vector::{Point, Position, Vector};
 
 type Built = PlainScene<Room<1, 2, 2, 0, 1>>;
 
-/// The radius of the ball that the shapes need, in steps: planes enlarge the one they are given.
+/// Radius in steps of the ball that the shapes need. The planes make the scene's ball larger.
 const SHAPES: i32 = BALL / 8;
 
-/// A sphere of half the shapes' radius in their middle, and small tubes above and below it; a floor
-/// and a wall far away.
+/// Returns a scene with a sphere of half the shapes' radius in the middle, small tubes above and below
+/// it, and a floor and a wall far away.
 fn scene() -> Built {
     let mut scene = RuntimeScene::<Room<1, 2, 2, 0, 1>>::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
@@ -35,7 +35,7 @@ fn scene() -> Built {
     scene
 }
 
-/// What a path meets first, by the near kernels where they can tell.
+/// Returns the first hit of a ray, by the near kernels where they can tell.
 fn first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
     let (skip, mut signature) = (ShapeId::NONE, PathSignature::new());
     let hit = match path.from().is_near() {
@@ -49,12 +49,12 @@ fn first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
     located::<_, false>(scene, path, skip, hit, &mut signature)
 }
 
-/// What a path meets first, by the plain query.
+/// Returns the first hit of a ray, by the plain query.
 fn far_first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
     nearest_hit(scene, path, ShapeId::NONE, &mut PathSignature::new())
 }
 
-/// A path from a place, aimed at a point among the shapes.
+/// Returns a ray from a point, aimed at a random point among the shapes.
 fn aimed(sweep: &mut Sweep, from: ScaledPoint) -> ScaledRay {
     let [x, y, z] = sweep.triple(SHAPES);
     let target = ScaledPoint::new(Point::new(x, y, z), 0);
@@ -62,7 +62,7 @@ fn aimed(sweep: &mut Sweep, from: ScaledPoint) -> ScaledRay {
     ScaledRay::new(from, direction)
 }
 
-/// A place some `octaves` beyond the near region.
+/// Returns a random point up to 2^`octaves` times further out than the near region.
 fn far_place(sweep: &mut Sweep, octaves: u32) -> ScaledPoint {
     let scale = sweep.within(1, octaves as i32);
     loop {
@@ -73,7 +73,7 @@ fn far_place(sweep: &mut Sweep, octaves: u32) -> ScaledPoint {
     }
 }
 
-/// A place in steps, and where a hit is, in double precision.
+/// Converts a point to double precision, in steps.
 fn wide(place: ScaledPoint) -> [f64; 3] {
     let Point { x, y, z } = place.point;
     [x, y, z].map(|it| f64::from(it) * 2f64.powi(place.scale as i32))
@@ -83,7 +83,7 @@ fn length(a: [f64; 3]) -> f64 {
     a.into_iter().map(|it| it * it).sum::<f64>().sqrt()
 }
 
-/// The name of what has been hit.
+/// Returns the name of the kind of shape that was hit.
 fn kind(scene: &Built, hit: Option<(ScaledPoint, ShapeId)>) -> &'static str {
     let parts = scene.parts();
     match hit.map(|(_, shape)| shape) {
@@ -99,7 +99,7 @@ fn path_from_outside_the_ball_meets_what_a_near_ray_meets() {
     let (scene, mut sweep) = (scene(), Sweep::new(1));
     let (mut checked, mut other, mut kinds) = (0, 0, [0; 4]);
     while checked < 100_000 {
-        // The same place in steps of one and, as if it were far, in steps of two.
+        // The same point in steps of one, and in steps of two as a far point.
         let [x, y, z] = sweep.triple(NEAR / 2);
         let coarse = ScaledPoint {
             point: Point::new(x, y, z),
@@ -119,7 +119,7 @@ fn path_from_outside_the_ball_meets_what_a_near_ray_meets() {
             .iter()
             .position(|it| *it == kind(&scene, near))
             .unwrap()] += 1;
-        // At a rim rounding decides what is met.
+        // At a rim, rounding decides which shape is hit.
         if near.map(|(_, shape)| shape) != far.map(|(_, shape)| shape) {
             other += 1;
             continue;
@@ -127,7 +127,7 @@ fn path_from_outside_the_ball_meets_what_a_near_ray_meets() {
         let (Some(near), Some(far)) = (near, far) else {
             continue;
         };
-        // A near ray knows its height over a plane to a step.
+        // A near ray knows its height over a plane to one step.
         let plane = scene.parts().plane(near.1);
         let climb = plane.map(|it| path.direction().dot(it.normal).to_num::<f64>());
         let along = climb.map_or(0.0, |climb| 1.0 / climb.abs());
@@ -172,7 +172,7 @@ fn path_to_a_near_light_is_blocked_alike_near_and_far() {
     let (scene, mut sweep) = (scene(), Sweep::new(3));
     let mut counts = [0; 2];
     for round in 0..100_000 {
-        // Anywhere near, or about the shapes.
+        // Points anywhere in the near region, or close to the shapes.
         let limit = if round % 2 == 0 { NEAR } else { NEAR / 8 };
         let [from, light] = [0; 2].map(|_| {
             let [x, y, z] = sweep.triple(limit);
@@ -222,7 +222,7 @@ fn far_light_is_blocked_by_what_a_near_light_in_the_same_direction_is() {
             (light, distance, scale),
         );
         counts[usize::from(far)] += 1;
-        // Three radii of the ball are past everything but the planes.
+        // Three radii of the ball reach past everything but the planes.
         let past_the_ball = Length::from_bits(3 << 28);
         let near = query::occluded(
             &scene,
@@ -237,7 +237,7 @@ fn far_light_is_blocked_by_what_a_near_light_in_the_same_direction_is() {
     assert!(counts.into_iter().all(|count| count > 5_000), "{counts:?}");
 }
 
-/// Whether a plane lies between a path and its light, in double precision.
+/// Tests whether a plane lies between a ray's start and its light, in double precision.
 fn far_plane(scene: &Built, path: &ScaledRay, light: ScaledPoint) -> bool {
     let unit = 2f64.powi(-scene.grid.fraction_bits());
     let [_, y, z] = wide(path.from());

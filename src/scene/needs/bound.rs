@@ -2,7 +2,7 @@
 
 use super::{Mirrors, Needs, Shininess};
 use crate::error::Error;
-use crate::fault::Fault;
+use crate::error_kind::ErrorKind;
 
 /// The most that a scene may need, as a type; see [`Limited`](crate::needs::Limited).
 ///
@@ -33,7 +33,7 @@ impl Needs {
         while index < needed.len() {
             let (need, level) = needed[index];
             if level > allowed[index].1 {
-                return Err(Error::of(need, Fault::Limit));
+                return Err(Error::of(need, ErrorKind::Limit));
             }
             index += 1;
         }

@@ -1,15 +1,15 @@
-use crate::scene::Room;
 use super::*;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::BALL;
+use crate::scene::Room;
 use crate::scene::RuntimeScene;
 use crate::vector::Position;
 
 type Scenery = RuntimeScene<Room<4, 4, 4, 4, 4>>;
 
 /// A scene that a function has filled with shapes of one white material.
-fn scenery(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId)) -> Scenery {
+fn scenery<T>(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId) -> T) -> Scenery {
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
     fill(&mut scene, white);
@@ -17,7 +17,7 @@ fn scenery(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId)) -> Scenery
 }
 
 /// One sphere of radius 1 around the origin, and what a function adds.
-fn marble(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId)) -> Scenery {
+fn marble<T>(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId) -> T) -> Scenery {
     scenery(|scene, white| {
         scene.add_sphere([0, 0, 0], 1, white).unwrap();
         fill(scene, white);
@@ -180,7 +180,10 @@ fn size_below_64_steps_is_too_tiny() {
         scene.plain().map(|_| ())
     };
     assert_eq!(with(64.0 / 256.0), Ok(()));
-    assert_eq!(with(63.49 / 256.0), Err(Error::at("sphere", 1, Fault::Tiny)));
+    assert_eq!(
+        with(63.49 / 256.0),
+        Err(Error::at("sphere", 1, ErrorKind::Tiny))
+    );
     let with = |radius: f64, height: f64| {
         let scene = scenery(|scene, white| {
             scene.add_sphere([0, 0, 0], 1 << 20, white).unwrap();
@@ -194,11 +197,11 @@ fn size_below_64_steps_is_too_tiny() {
     assert_eq!(with(64.0 / 256.0, 128.0 / 256.0), Ok(()));
     assert_eq!(
         with(63.49 / 256.0, 1.0),
-        Err(Error::at("cylinder", 0, Fault::Tiny))
+        Err(Error::at("cylinder", 0, ErrorKind::Tiny))
     );
     assert_eq!(
         with(1.0, 126.9 / 256.0),
-        Err(Error::at("cylinder", 0, Fault::Tiny))
+        Err(Error::at("cylinder", 0, ErrorKind::Tiny))
     );
 }
 
@@ -214,7 +217,7 @@ fn scene_smaller_than_the_format_is_refused() {
     assert_eq!(with(2f64.powi(-30)), Ok(58));
     assert_eq!(
         with(2f64.powi(-30) * 0.99),
-        Err(Error::of("scene", Fault::Extent))
+        Err(Error::of("scene", ErrorKind::Extent))
     );
 }
 
@@ -232,8 +235,8 @@ fn epsilon_is_at_least_what_a_hit_may_be_off() {
     let more = SMALLEST_EPSILON + 1;
     assert_eq!(with(f64::from(more) * step), Ok(more));
     assert_eq!(with(1.0 - step), Ok(BALL - 1));
-    assert_eq!(with(1.0), Err(Error::of("scene", Fault::Epsilon)));
-    assert_eq!(with(1e9), Err(Error::of("scene", Fault::Epsilon)));
+    assert_eq!(with(1.0), Err(Error::of("scene", ErrorKind::Epsilon)));
+    assert_eq!(with(1e9), Err(Error::of("scene", ErrorKind::Epsilon)));
 }
 
 #[test]
@@ -266,7 +269,7 @@ fn scene_of_planes_alone_takes_any_epsilon() {
         let steps = scene.plain().unwrap().epsilon.to_bits();
         assert!((SMALLEST_EPSILON..BALL).contains(&steps), "{steps}");
         let too_much = scene.set_epsilon(2f64.powi(30) * 1.01);
-        assert_eq!(too_much, Err(Error::of("scene", Fault::Epsilon)));
+        assert_eq!(too_much, Err(Error::of("scene", ErrorKind::Epsilon)));
     }
 }
 
@@ -294,7 +297,7 @@ fn material_may_shine_up_to_thirty() {
         }
         scene.plain().map(|_| ())
     };
-    let too_bright = Err(Error::at("material", 0, Fault::Brightness));
+    let too_bright = Err(Error::at("material", 0, ErrorKind::Brightness));
     assert_eq!(with(1.0, 16.0, 14.0, 0.0, &[1.0]), Ok(()));
     assert_eq!(with(1.0, 16.0, 13.0, 1.0, &[1.0]), Ok(()));
     assert_eq!(with(1.0, 16.0, 13.0, 1.1, &[1.0]), too_bright);
@@ -394,7 +397,9 @@ fn sphere_touches_what_epsilon_may_lift_points_from() {
     for (gap, is_touching) in [(-0.5, true), (0.001, true), (0.01, false), (1.0, false)] {
         let far = 2.0 + gap;
         assert_eq!(
-            touches(&|scene, white| scene.add_sphere([far, 0.0, 0.0], 1, white).unwrap()),
+            touches(&|scene, white| {
+                scene.add_sphere([far, 0.0, 0.0], 1, white).unwrap();
+            }),
             is_touching,
             "{gap}"
         );

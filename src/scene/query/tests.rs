@@ -9,12 +9,12 @@ use crate::vector::{Direction, Point, Position, Vector};
 type Scenery = RuntimeScene<Room<4, 3, 2, 2, 1>>;
 type Built = PlainScene<Room<4, 3, 2, 2, 1>>;
 
-/// A step of the scenes here, in their units: 1 is the radius of the ball that the shapes need, an
-/// eighth of the one they are given beside planes.
+/// A step of these scenes, in scene units. One unit is the radius of the ball that the shapes need,
+/// which is an eighth of the scene's ball because there are planes.
 const STEP: f64 = 1.0 / (1 << 25) as f64;
 
-/// A scene with planes on a grid of 2⁻²⁵ that a function has filled, with an epsilon of 1000 steps.
-/// Two small spheres out of the way give it its size.
+/// Returns a scene with planes on a grid of 2⁻²⁵, filled by `fill`, with an epsilon of 1000 steps. Two
+/// small spheres at its ends give it its size.
 fn scenery(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Built {
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
@@ -29,7 +29,7 @@ fn scenery(fill: impl FnOnce(&mut Scenery, MaterialId)) -> Built {
     built
 }
 
-/// A path from a point on the x axis along it.
+/// Returns a ray along the x axis, from a point on it.
 fn along_x(scene: &Built, x: f64) -> ScaledRay {
     let from = scene
         .grid
@@ -37,12 +37,12 @@ fn along_x(scene: &Built, x: f64) -> ScaledRay {
     ScaledRay::new(from, Direction::X)
 }
 
-/// The number of the plane that stands in this place among the planes.
+/// Returns the id of the plane with this index among the planes.
 fn plane_number(scene: &Built, index: u32) -> ShapeId {
     ShapeId(scene.parts().first_plane() + index)
 }
 
-/// Where on the x axis a path from `x` is ended, in scene units, and by what.
+/// Returns where a ray along the x axis from `x` hits a shape, in scene units, and which. Skips `left`.
 fn met_at(scene: &Built, x: f64, left: ShapeId) -> Option<(f64, ShapeId)> {
     let ray = along_x(scene, x);
     let (at, shape) = nearest_hit(scene, &ray, left, &mut PathSignature::new())?;
@@ -50,7 +50,7 @@ fn met_at(scene: &Built, x: f64, left: ShapeId) -> Option<(f64, ShapeId)> {
     Some((x, shape))
 }
 
-/// Planes at ±x.
+/// Returns a scene with planes at ±x.
 fn two_planes(x: f64) -> Built {
     scenery(|scene, white| {
         scene.add_plane([x, 0.0, 0.0], [1, 0, 0], white).unwrap();
@@ -137,7 +137,7 @@ fn numbers_name_spheres_then_cylinders_then_planes() {
         assert_eq!(parts.ball(number).unwrap().0, ball, "{number}");
     }
     assert!(parts.ball(5).is_none());
-    // Points of the shapes in the order of their numbers, and the normals there.
+    // Points on the shapes in the order of their numbers, with the normals there.
     let spheres = parts.spheres.iter().map(|sphere| {
         let (center, radius) = sphere.ball();
         let at = center.along(Direction::X, Length::from_bits(radius));
@@ -165,7 +165,7 @@ fn numbers_name_spheres_then_cylinders_then_planes() {
 
 #[test]
 fn plane_beyond_the_reach_of_near_rays_is_met() {
-    // Near rays look four radii of the ball far.
+    // Near rays are followed for four radii of the ball.
     for x in [40.0, 100.0, 1e6, 1e9] {
         let scene = scenery(|scene, white| {
             scene.add_plane([x, 0.0, 0.0], [1, 0, 0], white).unwrap();
@@ -180,7 +180,7 @@ fn plane_beyond_the_reach_of_near_rays_is_met() {
     }
 }
 
-/// Whether the way along x from 0 to a light at 0.75 is blocked, by a plane at `x`.
+/// Tests whether a plane at `x` blocks the ray along x from 0 to a light at 0.75.
 fn is_blocked_by_a_plane_at(x: f64) -> bool {
     let scene = scenery(|scene, white| {
         scene.add_plane([x, 0.0, 0.0], [1, 0, 0], white).unwrap();
@@ -199,7 +199,7 @@ fn is_blocked_by_a_plane_at(x: f64) -> bool {
 
 #[test]
 fn light_is_blocked_by_what_lies_more_than_epsilon_before_it() {
-    // Epsilon is 1000 steps; a plane is crossed where it lies, to the step.
+    // Epsilon is 1000 steps. The position of a plane is exact to the step.
     for (steps, is_blocked) in [(-2000, true), (-1001, true), (-1000, false), (-999, false)] {
         let x = 0.75 + f64::from(steps) * STEP;
         assert_eq!(

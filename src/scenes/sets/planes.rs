@@ -1,7 +1,7 @@
 //! Tests that the lights that a view knows to be clear or hidden agree with a test of every plane.
 
-use crate::scene::Room;
 use super::*;
+use crate::scene::Room;
 use crate::scene::access::SceneAccess;
 use crate::scene::shape_set::ShapeSet;
 

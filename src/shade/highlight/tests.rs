@@ -1,7 +1,7 @@
 use super::*;
 use crate::number::sweep::Sweep;
 
-/// Unit vectors to the light and to the viewer on the upper side of a surface, with their cosines.
+/// Returns random unit vectors to the light and to the viewer, above a surface, with their cosines.
 fn angles(seed: u64) -> impl Iterator<Item = ([f64; 3], [f64; 3], Cosines)> {
     let mut sweep = Sweep::new(seed);
     (0..200_000).map(move |_| {
@@ -31,10 +31,10 @@ fn half_way_cosine_is_the_one_of_the_half_way_vector() {
         let length = dot(sum, sum).sqrt();
         let truth = sum[2] / length;
         let square = half_way_square(&cosines);
-        // A quotient is known to 2^-26 of it and rounded to a last place. With s = n·l + n·v, known
-        // to two last places, and L the length of the sum of light and viewer, which is at least s:
-        // s² / 4 is known to s + 1 last places and L² / 4 to 3/2. Where light and viewer face each
-        // other, L is short, and what is rounded counts more.
+        // A quotient is known to 2^-26 of its value and rounded to a last place. Let s = n·l + n·v,
+        // known to two last places, and let L be the length of light + viewer, which is at least s.
+        // Then s² / 4 is known to s + 1 last places and L² / 4 to 3/2. If light and viewer face each
+        // other, L is short, and rounding counts more.
         let rounded = (length + 2.5) * 2f64.powi(-28) / (length * length);
         let bound = 2f64.powi(-26) + 2f64.powi(-30) + rounded;
         let off = (square.to_num::<f64>() - truth * truth).abs();

@@ -16,20 +16,20 @@ use crate::shade::BlinnPhong;
 use crate::trace::PathQuality;
 use crate::vector::Position;
 
-/// How many steps of a sum make white: 255 of 256 parts of 2²⁴.
+/// Number of steps of a sum that make white: 255/256 of 2²⁴.
 const WHITE: f64 = 65_536.0 * 255.0;
 
-/// What double precision may be off by, in steps of a sum.
+/// Largest error of double precision, in steps of a sum.
 const DOUBLE: f64 = 1e-3;
 
-/// What the loop has where it ends.
+/// The state of the loop at its end.
 struct Summed {
     sum: Sum,
     weight: Unit,
     reflections: usize,
 }
 
-/// The loop of `Tracer::trace` without its rays; it follows no weight below `smallest`.
+/// Runs the loop of `Tracer::trace` without its rays. Follows no throughput below `smallest`.
 fn looped(hits: &[PreparedMaterial], smallest: Unit) -> Summed {
     let (mut sum, mut weight) = (Sum::ZERO, Unit::ONE);
     for (reflections, hit) in hits.iter().enumerate() {
@@ -47,7 +47,7 @@ fn looped(hits: &[PreparedMaterial], smallest: Unit) -> Summed {
     unreachable!("a chain has a surface");
 }
 
-/// As the library holds it: α to 2⁻³⁰, the colour to 2⁻²⁶ and in levels.
+/// Returns a surface as the library stores it: α to 2⁻³⁰, the colour to 2⁻²⁶ and in levels.
 fn held(alpha: f64, own: f64) -> PreparedMaterial {
     let material = Material::from_numbers([own; 3], 1, 0, (0, 1), alpha).unwrap();
     PreparedMaterial::new(&material)
@@ -63,14 +63,14 @@ fn chains(seed: u64) -> impl Iterator<Item = Chain> {
     (0..20_000).map(move |_| Chain::random(&mut sweep))
 }
 
-/// By how many of its steps a sum may be too large, and too small.
+/// Returns by how many steps a sum may be too large, and by how many too small.
 fn bound(reflections: usize, brightest: f64) -> (f64, f64) {
     let count = reflections as f64;
     let weights = (3.0 * count + 1.0) * brightest / 128.0;
     (weights + 0.375, count + 1.0 + weights + 0.125)
 }
 
-/// By how many of its steps a sum is too small, apart from what its weight leaves out.
+/// Returns by how many steps a sum is too small, without what its throughput leaves out.
 fn missing(chain: &Chain, summed: &Summed) -> f64 {
     let (first, later) = chain.hits.split_at(summed.reflections + 1);
     let next = recursion(later, chain.end);
@@ -99,14 +99,14 @@ fn sum_is_within_its_bound() {
         }
     }
     println!("{most} steps at most, {nearest:?} of the bounds");
-    // The bounds are not idle: some chains come near them on either side.
+    // The bounds are tight: some chains come near them on either side.
     assert!(nearest.0 > 0.8 && nearest.1 > 0.9, "{nearest:?}");
 }
 
 #[test]
 fn level_is_the_exact_one_or_beside_an_edge() {
     for chain in chains(12) {
-        // A chain that ends at its last surface, whatever that mirrors.
+        // The chain ends at its last surface, whatever share that mirrors.
         let summed = looped(&held_all(&chain), Unit::DELTA);
         let exact = 255.0 * recursion(&chain.hits[..=summed.reflections], 0.0);
         let (above, below) = bound(summed.reflections, chain.brightest);
@@ -149,7 +149,8 @@ fn weight_is_within_its_bound() {
             exact *= hit.alpha;
             let off = (exact - weight.to_num::<f64>()) / f64::exp2(-30.0);
             let count = reflections as f64;
-            // Too large by half a step at each surface, too small by a whole one more but at the first.
+            // Too large by half a step at each surface, and too small by a whole step more at each but
+            // the first.
             let (above, below) = ((count + 1.0) / 2.0, (3.0 * count + 1.0) / 2.0);
             assert!(
                 (-above - 1e-3..=below + 1e-3).contains(&off),
@@ -191,8 +192,8 @@ fn path_that_is_cut_off_loses_no_more_than_its_weight_says() {
     }
 }
 
-/// A path straight up and down meets the floor and the ceiling in turn. Their colours are whole
-/// 4096ths, so that light of one on them is exact in every format.
+/// A path straight up and down hits the floor and the ceiling in turn. Their colours are whole 4096ths,
+/// so light of brightness 1 on them is exact in every format.
 #[test]
 fn traced_path_is_the_loop_bit_for_bit() {
     let mut sweep = Sweep::new(17);

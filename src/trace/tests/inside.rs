@@ -1,29 +1,29 @@
-//! Tests: rays that leave the inside of a curved surface go on to the next wall, not to the one
-//! they have left, and not through it.
+//! Tests: rays that leave the inside of a curved surface hit the next wall. They do not hit the wall
+//! they left, and do not pass through it.
 
-use crate::scene::Room;
 use super::light::colors;
 use super::*;
+use crate::scene::Room;
 use crate::vector::Point;
 
 type Scenery = RuntimeScene<Room<2, 0, 1, 1, 1>>;
 
-/// What happened to rays inside of a shape.
+/// Counts what happened to rays inside of a shape.
 #[derive(Debug, Default)]
 struct Fate {
-    /// How often a wall was met.
+    /// Rays that hit a wall.
     met: u64,
-    /// How often none was, though the ray had come to no open end; or one, but from outside.
+    /// Rays that hit no wall, or a wall from outside, without having come to an open end.
     lost: u64,
-    /// How often a ray had come to an open end.
+    /// Rays that came to an open end.
     left_by_end: u64,
-    /// How often it was met where the ray had left it.
+    /// Rays that hit the wall where they had left it.
     met_again: u64,
-    /// How often it lay in the dark, with a light inside.
+    /// Hits that were dark although a light is inside.
     dark: u64,
 }
 
-/// The cylinder that rays are inside of, in steps.
+/// The cylinder around the rays, in steps.
 struct Tube {
     center: Point,
     axis: [f64; 3],
@@ -32,7 +32,7 @@ struct Tube {
 }
 
 impl Tube {
-    /// Whether a ray from inside comes to the wall further from an end than rounding may tell.
+    /// Tests whether a ray from inside hits the wall further from an end than the rounding error.
     fn keeps(&self, path: &ScaledRay) -> bool {
         let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let Vector { x, y, z } = self.center.to(path.ray.origin);
@@ -44,14 +44,15 @@ impl Tube {
         let outside = dot(start, start) - rise * rise - self.radius * self.radius;
         let root = half * half - square * outside;
         let distance = (-half + root.max(0.0).sqrt()) / square;
-        // The distance is a quotient by the square of the sine, unless that is small.
+        // The distance is divided by the square of the sine, unless that is small.
         let sine = square.sqrt();
         let unsure = 8.0 / (sine * sine.max(0.25));
         (rise + distance * climb).abs() + unsure < self.half_height
     }
 }
 
-/// Mirrors rays inside of spheres or very long cylinders of any size in steps, anywhere in the ball.
+/// Follows mirrored rays inside of spheres or very long cylinders of any size in steps, anywhere in the
+/// ball.
 fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
     let mut sweep = Sweep::new(seed);
     let mut fate = Fate::default();
@@ -64,13 +65,15 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
             .diffuse(1.0)
             .mirror(1.0);
         let mirror = scene.add_material(mirror).unwrap();
-        // The two hold the ball at its size.
+        // Two shapes keep the ball at its size.
         let end = sweep.triple(1000).map(|it| f64::from(it) * 3.0e-4);
         let axis = sweep.triple(1000).map(|it| f64::from(it) + 0.5);
         let height = (radius * f64::from(sweep.within(2, 60))).min(0.8);
         match is_sphere {
-            true => scene.add_sphere(end, radius, mirror),
-            false => scene.add_cylinder(end, axis, radius, height, mirror),
+            true => scene.add_sphere(end, radius, mirror).map(drop),
+            false => scene
+                .add_cylinder(end, axis, radius, height, mirror)
+                .map(drop),
         }
         .unwrap();
         scene.add_sphere([0.0; 3], 0.999, mirror).unwrap();
@@ -85,7 +88,7 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
         let scene = scene.build().unwrap();
         let grid = scene.parts().grid;
         assert!((27..=28).contains(&grid.fraction_bits()));
-        // A ball that is hardly larger than 2²⁸ finer steps is half as many of these.
+        // A ball that is a little larger than 2²⁸ finer steps has half as many of these steps.
         let steps = steps >> (28 - grid.fraction_bits());
         let long = axis.iter().map(|it| it * it).sum::<f64>().sqrt();
         let tube = Tube {
@@ -118,7 +121,7 @@ fn followed_inside(rounds: u32, is_sphere: bool, seed: u64) -> Fate {
                 let surface = Surface::new(&scene, at, shape, path.direction()).unwrap();
                 fate.lost += u64::from(!surface.is_inside);
                 let gone = path.ray.origin.to(at.point).direction_and_length().1;
-                // A chord is as long as twice the radius times the cosine, and along a cylinder longer.
+                // A chord is as long as twice the radius times the cosine, and longer along a cylinder.
                 let cosine = surface.facing.to_num::<f64>();
                 let chord = 2.0 * f64::from(steps) * cosine;
                 if bounce > 0 && cosine > 0.05 && f64::from(gone.to_bits()) < 0.5 * chord {

@@ -1,15 +1,15 @@
-//! Tests: rays that leave a surface from outside do not meet it again, at any angle, and have length
-//! one.
+//! Tests: rays that leave a surface from outside do not hit it again at any angle, and their directions
+//! have length one.
 
-use crate::scene::Room;
 use super::light::colors;
 use super::*;
 use crate::number::Brightness;
+use crate::scene::Room;
 use crate::shape::MaterialId;
 
 type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
 
-/// What rays are sent at.
+/// The kind of shape that rays are sent at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Sphere,
@@ -17,39 +17,43 @@ enum Kind {
     Plane,
 }
 
-/// A hit is known to two steps and a radius to half a step, so the normal of a small shape may be wrong
-/// by this over the radius: where a ray meets it at a cosine below that, its outside may be taken for
-/// its inside.
+/// Largest error in steps of a hit and a radius together: a hit is known to two steps and a radius to
+/// half a step.
+///
+/// The normal of a small shape may be wrong by this over the radius. If a ray hits it at a smaller
+/// cosine, its outside may be taken for its inside.
 const FEW: f64 = 4.0;
 
-/// The radius in steps from which on [`RIM`] is wider than that.
+/// Radius in steps above which [`RIM`] covers the error of the normal.
 const SMALL: f64 = FEW * 65_536.0;
 
-/// Where a light stands less than a step above the tangent plane, or the point that it lights is less
-/// than a step nearer to it than where its rays touch the shape, rounding decides what is in the dark:
-/// the cosine is below one over the distance, or the radius, in steps.
+/// Largest difference in steps that rounding may hide: of a light's height over the tangent plane, and
+/// of a point's distance from the light compared with the light's tangents to the shape.
+///
+/// Rounding then decides whether the point is dark. Its cosine is below this over the distance, or over
+/// the radius, in steps.
 const LEVEL: f64 = 1.0;
 
-/// What happened to rays that left a shape from outside.
+/// Counts what happened to rays that left a shape from outside.
 #[derive(Debug, Default)]
 struct Fate {
-    /// How often the shape was seen.
+    /// Rays that hit the shape.
     seen: u64,
-    /// How often at an angle below 6 degrees to the surface.
+    /// Hits at an angle below 6 degrees to the surface.
     grazed: u64,
-    /// How often its outside was taken for its inside.
+    /// Hits whose outside was taken for the inside.
     turned: u64,
-    /// The same at the rim of a shape so small that it cannot be told.
+    /// Hits whose outside was taken for the inside at the rim of a shape too small to tell.
     unsure: u64,
-    /// How often it lay in the light.
+    /// Hits that must be lit: the light is above the surface.
     lit: u64,
-    /// How often at an angle below 6 degrees to the surface.
+    /// Lit hits where the light came at an angle below 6 degrees to the surface.
     grazed_by_light: u64,
-    /// How often in light that stands clear.
+    /// Hits that must be lit by a light that is clear to the culling.
     clear: u64,
-    /// How often it hid that light from itself.
+    /// Hits that must be lit but were black, with culling or without.
     dark: u64,
-    /// How often a mirrored ray met it.
+    /// Mirrored rays that hit the shape again.
     met_again: u64,
 }
 
@@ -59,7 +63,7 @@ fn dot(a: Triple, b: Triple) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// `a` + `b` times `factor`.
+/// Returns `a` + `b` times `factor`.
 fn plus(a: Triple, b: Triple, factor: f64) -> Triple {
     [0, 1, 2].map(|axis| a[axis] + b[axis] * factor)
 }
@@ -75,20 +79,20 @@ fn cross(a: Triple, b: Triple) -> Triple {
     })
 }
 
-/// A direction, any as likely as any other along an axis or across.
+/// Returns a random direction.
 fn any_direction(sweep: &mut Sweep) -> Triple {
     unit(sweep.triple(1000).map(|it| f64::from(it) + 0.5))
 }
 
-/// A number from 2^-`octaves` to 1, small ones often.
+/// Returns a number from 2^-`octaves` to 1. Small numbers are as frequent as large ones.
 fn small(sweep: &mut Sweep, octaves: u32) -> f64 {
     f64::from(sweep.octaves(0, octaves)) / 2f64.powi(octaves as i32)
 }
 
-/// The middle of the shape that is looked at.
+/// Middle of the tested shape.
 const MIDDLE: Triple = [-0.53, 0.53, -0.53];
 
-/// The shape that is looked at: a plane has a normal in place of an axis.
+/// The tested shape. A plane has a normal in place of an axis.
 struct Shaped {
     kind: Kind,
     radius: f64,
@@ -97,7 +101,7 @@ struct Shaped {
 }
 
 impl Shaped {
-    /// Of 64 steps or more.
+    /// Returns a shape of random size, 64 steps or more.
     fn any(kind: Kind, sweep: &mut Sweep) -> Self {
         let radius = f64::from(sweep.octaves(6, 26)) / f64::from(1 << 28);
         let height = radius * f64::from(sweep.within(2, 60));
@@ -112,8 +116,10 @@ impl Shaped {
     fn add_to(&self, scene: &mut Scenery, material: MaterialId) {
         let (axis, height) = (self.axis, 2.0 * self.half_height);
         match self.kind {
-            Kind::Sphere => scene.add_sphere(MIDDLE, self.radius, material),
-            Kind::Cylinder => scene.add_cylinder(MIDDLE, axis, self.radius, height, material),
+            Kind::Sphere => scene.add_sphere(MIDDLE, self.radius, material).map(drop),
+            Kind::Cylinder => scene
+                .add_cylinder(MIDDLE, axis, self.radius, height, material)
+                .map(drop),
             Kind::Plane => scene.add_plane(MIDDLE, axis, material),
         }
         .unwrap();
@@ -126,7 +132,8 @@ impl Shaped {
         }
     }
 
-    /// A place outside of it: as near as it is large, or as far as near rays start.
+    /// Returns a point outside of the shape, as near as the shape is large, or as far away as near rays
+    /// can start.
     fn beside(&self, sweep: &mut Sweep) -> Triple {
         let away = any_direction(sweep);
         match self.kind {
@@ -143,7 +150,7 @@ impl Shaped {
         }
     }
 
-    /// A place where rays from another place touch it, but not quite.
+    /// Returns a point where rays from another point almost touch the shape.
     fn touched(&self, from: Triple, sweep: &mut Sweep) -> Triple {
         let part = f64::from(sweep.within(-1000, 1000)) / 1000.0;
         let (base, way, aside) = match self.kind {
@@ -167,7 +174,7 @@ impl Shaped {
         plus(touched, unit(way), self.radius * small(sweep, 26))
     }
 
-    /// A place of it, or near it.
+    /// Returns a point to aim at, on the shape or near it.
     fn aim(&self, eye: Triple, light: Triple, sweep: &mut Sweep) -> Triple {
         if self.kind == Kind::Plane {
             let along = cross(self.axis, any_direction(sweep));
@@ -183,8 +190,8 @@ impl Shaped {
         }
     }
 
-    /// Whether a ray that meets it comes through the wall, and not by an open end of a cylinder; no,
-    /// where a few steps tell.
+    /// Tests whether a ray that hits the shape enters through the wall and not through an open end of a
+    /// cylinder. Returns `false` if a few steps decide.
     fn is_entered(&self, from: Triple, direction: Triple, step: f64) -> bool {
         if self.kind != Kind::Cylinder {
             return true;
@@ -195,7 +202,7 @@ impl Shaped {
         let (square, half) = (dot(flat, flat), dot(flat, start));
         let sine = square.sqrt();
         let least = self.half_height - 8.0 * step / sine;
-        // How far the ray passes from the axis is worked out times the sine, unless that is small.
+        // The distance from the axis is computed times the sine, unless that is small.
         let few = FEW * step / sine.max(0.25);
         [-few, few].into_iter().all(|wider| {
             let radius = self.radius + wider;
@@ -206,8 +213,8 @@ impl Shaped {
     }
 }
 
-/// Looks at shapes of any size in steps, with the smallest epsilon, from all sides and often so that
-/// the ray or the light grazes them.
+/// Sends rays at shapes of any size in steps, with the smallest epsilon, from all sides. The ray or the
+/// light often grazes the shape.
 fn left_outside(kind: Kind, rounds: u32, seed: u64) -> Fate {
     let mut sweep = Sweep::new(seed);
     let mut fate = Fate::default();
@@ -217,14 +224,14 @@ fn left_outside(kind: Kind, rounds: u32, seed: u64) -> Fate {
         let (to_eye, to_light) = (plus(eye, MIDDLE, -1.0), plus(light, MIDDLE, -1.0));
         let light = match round % 2 {
             0 => light,
-            // A sun.
+            // A distant light, as the sun is.
             _ => plus(MIDDLE, to_light, 1e4),
         };
         let mut scene = Scenery::new();
         let white = Material::new([1.0; 3]).ambient(0.0).diffuse(1.0);
         let white = scene.add_material(white).unwrap();
         shaped.add_to(&mut scene, white);
-        // The ball is large by what lies behind the shape, and in no way that is looked at.
+        // A sphere behind the shape, in no direction that is tested, makes the ball large.
         let behind = unit(plus(unit(to_eye), unit(to_light), 1.0));
         scene
             .add_sphere(plus(MIDDLE, behind, -1.5), 0.01, white)
@@ -233,7 +240,7 @@ fn left_outside(kind: Kind, rounds: u32, seed: u64) -> Fate {
             let below = plus(MIDDLE, shaped.axis, -0.02);
             scene.add_sphere(below, 0.01, white).unwrap();
         }
-        // So bright that what it sends along the surface is not rounded to nothing.
+        // So bright that its light along the surface is not rounded to zero.
         scene.add_light(light, [4, 4, 4]).unwrap();
         scene.set_epsilon(1e-15).unwrap();
         let scene = scene.build().unwrap();
@@ -265,7 +272,7 @@ fn left_outside(kind: Kind, rounds: u32, seed: u64) -> Fate {
 }
 
 impl Fate {
-    /// Sends rays from the outside of a shape whose radius is so many steps.
+    /// Counts what happens to rays that leave the outside of a shape. Its radius is given in steps.
     fn note<W: World>(
         &mut self,
         world: &W,
@@ -294,7 +301,8 @@ impl Fate {
             self.dark += u64::from(fast.largest().min(small.largest()) <= Brightness::ZERO);
         }
         surface.reflect(world, &mut path);
-        // What is left from outside is not asked, so that only what is turned can be met again.
+        // The ray skips the shape it leaves from outside. Only a shape whose outside was taken for its
+        // inside can be hit again.
         let met = first(world, &path, surface.skip(world));
         self.met_again += u64::from(met.is_some_and(|(_, it)| it == surface.shape));
     }
@@ -350,7 +358,7 @@ fn mirrored_direction_has_a_length_of_one() {
     let mut sweep = Sweep::new(5);
     let mut seen = 0;
     for round in 0..20_000 {
-        // Small and large, seen from far away, where a hit is rounded most.
+        // Small and large spheres, seen from far away, where a hit is rounded most.
         let radius = f64::from(sweep.octaves(6, 25)) / f64::from(1 << 28);
         let mut scene = Scenery::new();
         let white = scene.add_material(Material::new([1.0; 3])).unwrap();
@@ -380,7 +388,7 @@ fn mirrored_direction_has_a_length_of_one() {
             surface.reflect(&scene, &mut mirrored);
             let square = mirrored.direction().raw().square() as f64;
             let long = square.sqrt() / 2f64.powi(30) - 1.0;
-            // What every direction promises.
+            // The length that every direction promises.
             assert!(
                 long.abs() <= 2f64.powi(-26),
                 "{long:e}: {radius} {surface:?}"

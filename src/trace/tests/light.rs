@@ -1,28 +1,28 @@
-//! Tests: the light at one hit, by both ways to find whether a light is visible.
+//! Tests: the light at one hit, with and without culling.
 
-use crate::scene::Room;
 use super::*;
 use crate::color::Color;
+use crate::scene::Room;
 
 type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
 type Built = Scene<Room<2, 2, 1, 4, 2>>;
 
-/// A step of Q6.26.
+/// Step of a colour: Q6.26.
 const STEP: f64 = 1.0 / (1 << 26) as f64;
 
-/// What is lost where two colours are multiplied: the product is rounded down to this.
+/// Largest error of a product of two colours: it is rounded down to this.
 const TINT: f64 = 1.0 / (1 << 20) as f64;
 
-/// What the length of a normal is known to where a sphere with a radius of 2²⁴ steps is met head-on
-/// along an axis: a distance is known to a step or two, and a coordinate is rounded to an even one.
+/// Error of the length of a normal where a sphere with a radius of 2²⁴ steps is hit head-on along an
+/// axis. A distance is known to one or two steps, and a coordinate is rounded to an even one.
 const LENGTH: f64 = 4.0 / (1 << 24) as f64;
 
-/// What a colour is known to where the light comes from straight ahead and half of it is scattered:
-/// it is multiplied with the light and with the material, and the cosine is one but for the length of
-/// the normal.
+/// Largest error of a colour if the light comes from straight ahead and half of it is scattered. It is
+/// multiplied by the light and by the material. The cosine is one, apart from the error of the normal's
+/// length.
 const STRAIGHT: f64 = 2.0 * TINT + 0.5 * LENGTH;
 
-fn scenery(material: Material, fill: impl FnOnce(&mut Scenery)) -> Built {
+fn scenery<T>(material: Material, fill: impl FnOnce(&mut Scenery) -> T) -> Built {
     let mut scene = Scenery::new();
     let made = scene.add_material(material).unwrap();
     scene.add_sphere([0, 0, 0], 1, made).unwrap();
@@ -30,14 +30,14 @@ fn scenery(material: Material, fill: impl FnOnce(&mut Scenery)) -> Built {
     scene.build().unwrap()
 }
 
-/// What a colour is 255 parts of, of 256.
+/// Returns a colour divided by 255/256: the levels of a colour are 255 of 256 parts.
 fn whole(color: Color) -> [f64; 3] {
     color
         .components()
         .map(|it| it.to_num::<f64>() * 256.0 / 255.0)
 }
 
-/// The colour of a surface with culling, and by the plain path.
+/// Returns the colour of a surface, with culling and by the plain path.
 pub(super) fn colors<K: Shading, W: World>(
     world: &W,
     view: &LightVisibility,
@@ -49,7 +49,7 @@ pub(super) fn colors<K: Shading, W: World>(
     ]
 }
 
-/// The colour of what is seen from `from` towards `towards`.
+/// Returns the colour of the surface that a ray from `from` in direction `towards` hits.
 fn seen<K: Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) -> [f64; 3] {
     let parts = scene.parts();
     let from = parts.grid.place(Position::new(from));
@@ -65,7 +65,7 @@ fn seen<K: Shading>(scene: &Built, from: [f64; 3], towards: [f64; 3]) -> [f64; 3
     fast
 }
 
-/// The colour of the sphere's point that is nearest to (5, 0, 0), seen from there.
+/// Returns the colour of the sphere's point that is nearest to (5, 0, 0), seen from there.
 fn facing<K: Shading>(scene: &Built) -> [f64; 3] {
     seen::<K>(scene, [5.0, 0.0, 0.0], [-1.0, 0.0, 0.0])
 }
@@ -101,12 +101,12 @@ fn light_overhead_is_scattered_whole() {
 
 #[test]
 fn light_aside_is_scattered_by_its_cosine() {
-    // 60 degrees aside, far enough that the distance does not matter.
+    // 60 degrees aside, so far that the distance does not matter.
     let (x, y) = (1e6, 1e6 * 3f64.sqrt());
     let scene = scenery(RED, |scene| {
         scene.add_light([x, y, 0.0], [1, 1, 1]).unwrap()
     });
-    // The sphere's radius of one is 2^-21 of the way; the material's colour is multiplied, too.
+    // The sphere's radius of 1 is 2^-21 of the distance. The material's colour is multiplied, too.
     assert_color(
         facing::<Phong>(&scene),
         [0.375, 0.09375, 0.0],
@@ -135,7 +135,7 @@ fn lights_add_up() {
     let (none, one) = (lit(0), lit(1));
     for count in 2..=4 {
         let sum = [0, 1, 2].map(|it| none[it] + (one[it] - none[it]) * count as f64);
-        // Each is tinted by itself on one side.
+        // On one side, each light is multiplied by the colour separately.
         assert_color(lit(count), sum, (count + 1) as f64 * TINT);
     }
 }
@@ -189,8 +189,8 @@ fn surface_sends_out_no_more_than_its_share_of_the_light() {
     }
 }
 
-/// How bright a white floor of z = 0 is at the origin, seen from (0, 3, 4).
-fn floor_lit_from(light: [f64; 3], fill: impl FnOnce(&mut Scenery)) -> f64 {
+/// Returns how bright a white floor at z = 0 is at the origin, seen from (0, 3, 4).
+fn floor_lit_from<T>(light: [f64; 3], fill: impl FnOnce(&mut Scenery) -> T) -> f64 {
     let mut scene = Scenery::new();
     let white = Material::new([1.0; 3]).ambient(0.0).diffuse(1.0);
     let white = scene.add_material(white).unwrap();
@@ -203,15 +203,14 @@ fn floor_lit_from(light: [f64; 3], fill: impl FnOnce(&mut Scenery)) -> f64 {
 
 #[test]
 fn floor_darkens_evenly_to_black_where_the_light_sinks_into_it() {
-    // The way to the light starts epsilon above the floor, and its cosine is that of the rest.
+    // The ray to the light starts epsilon above the floor. Its cosine is that of the remaining height.
     for height in [4.0, 1.0, 0.5, 0.1, 0.01, 0.002, 0.0011] {
         let rest: f64 = height - 0.001;
         let cosine = rest / (16.0 + rest * rest).sqrt();
         let found = floor_lit_from([-4.0, 0.0, height], |_| {});
-        // The light's colour is multiplied and the material's, and what the light's is multiplied with
-        // rounded down to 2^-24.
-        // Epsilon and the light's height are rounded to half a step of 2^-21, which counts a quarter
-        // at a distance of 4.
+        // The colours of the light and of the material are multiplied, and the factor of the light's
+        // colour is rounded down to 2^-24. Epsilon and the light's height are rounded to half a step of
+        // 2^-21, which counts a quarter at a distance of 4.
         assert!(
             (found - cosine).abs() <= 2.0 * TINT + 3.0 * 2f64.powi(-24) + 2f64.powi(-28),
             "{found}, not {cosine}, at {height}"
@@ -272,7 +271,7 @@ fn light_in_the_plane_of_a_surface_makes_no_highlight() {
         let scene = scene.build().unwrap();
         seen::<BlinnPhong>(&scene, [0.0, 3.0, 4.0], [0.0, -3.0, -4.0])[0]
     };
-    // The way to the light starts an epsilon above the surface.
+    // The ray to the light starts epsilon above the surface.
     assert_eq!(lit(1.0 / 1024.0), 0.0);
     assert_eq!(lit(1.1 / 1024.0), 0.5);
 }
@@ -284,7 +283,7 @@ fn shape_nearer_to_a_surface_than_epsilon_casts_no_shadow_on_it() {
         let white = Material::new([1.0; 3]).ambient(0.0).diffuse(0.5);
         let white = scene.add_material(white).unwrap();
         scene.add_plane([0, 0, 0], [0, 0, 1], white).unwrap();
-        // On the way from the origin to the light, and below 0.04.
+        // Between the origin and the light, and below a height of 0.04.
         scene.add_sphere([0.02, 0.0, 0.02], 0.01, white).unwrap();
         scene.add_light([4, 0, 4], [1, 1, 1]).unwrap();
         scene.set_epsilon(epsilon).unwrap();
@@ -297,8 +296,8 @@ fn shape_nearer_to_a_surface_than_epsilon_casts_no_shadow_on_it() {
 
 #[test]
 fn sphere_does_not_shadow_itself_however_small_epsilon_is() {
-    // Seen from as far as near rays start, where a hit is rounded most, across a scene that is
-    // as large as two small spheres at its ends make it.
+    // Seen from the largest distance of near rays, where a hit is rounded most. The scene is as large
+    // as two small spheres at its ends make it.
     let mut scene = Scenery::new();
     let white = Material::new([1.0; 3]).ambient(0.0).diffuse(1.0);
     let white = scene.add_material(white).unwrap();
@@ -313,7 +312,7 @@ fn sphere_does_not_shadow_itself_however_small_epsilon_is() {
         let aim = sweep.triple(1000).map(|it| f64::from(it) * 1e-5 - 0.55);
         let towards = [0, 1, 2].map(|axis| aim[axis] - from[axis]);
         let [brightness, ..] = seen::<BlinnPhong>(&scene, from, towards);
-        // What is seen lies at most half a radius aside, and the light stands 2 degrees aside.
+        // The hit lies at most half a radius aside, and the light stands 2 degrees aside.
         assert!(brightness > 0.8, "{brightness}: {aim:?}");
     }
 }
@@ -371,8 +370,8 @@ fn highlight_is_whole_in_the_mirror_direction_and_for_all_kinds() {
         scene.add_light([9, 0, 0], [1, 1, 1]).unwrap()
     });
     assert_eq!(scene.parts().grid.fraction_bits(), 24);
-    // A cosine of one is known to 2^-27, and its power ten times worse; two products follow. What the
-    // normal is too short counts once in the half-way cosine, and four times in 2 (n·l) (n·v) - l·v.
+    // A cosine of 1 is known to 2^-27, and its power ten times worse. Two products follow. The error of
+    // the normal's length counts once in the half-way cosine, and four times in 2 (n·l) (n·v) - l·v.
     let bound = |times: f64| 16.0 * STEP + 2.0 * TINT + 0.5 * 9.5 * times * LENGTH;
     assert_color(facing::<BlinnPhong>(&scene), [0.5; 3], bound(1.0));
     assert_color(facing::<Phong>(&scene), [0.5; 3], bound(4.0));

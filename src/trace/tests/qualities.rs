@@ -1,5 +1,5 @@
-//! The qualities that paths are tested with: what `render` has by the same names, without what only it
-//! reads. A test there says that they are equal.
+//! The qualities of the path tests. They equal those of `render` with the same names, without the
+//! fields that only `render` reads. A test there checks that.
 
 use crate::accel::{Culling, CullingQuality};
 use crate::number::Unit;

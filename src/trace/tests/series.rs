@@ -1,30 +1,31 @@
-//! The accumulation in double precision, on random α and c: what `docs/theory.md` proves of it.
+//! The accumulation over reflections in double precision, on random α and c. Checks the facts that
+//! `docs/theory.md` proves.
 
 use std::vec::Vec;
 
 use crate::number::sweep::Sweep;
 
-/// What double precision may be off by after 256 steps, as a share of the brightest colour.
+/// Largest error of double precision after 256 steps, as a share of the brightest colour.
 const ROUNDED: f64 = 1e-13;
 
-/// How mirror-like a surface is, and its own colour.
+/// A surface: the share α that it mirrors, and its own colour.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hit {
     pub(super) alpha: f64,
     pub(super) own: f64,
 }
 
-/// The surfaces that a path meets, and the colour along the ray that leaves the last one.
+/// The surfaces that a path hits, and the colour along the ray that leaves the last one.
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     pub(super) hits: Vec<Hit>,
     pub(super) end: f64,
-    /// No colour is above this.
+    /// Upper bound on all colours.
     pub(super) brightest: f64,
 }
 
 impl Chain {
-    /// 1 to 256 surfaces, most of which lose between all and a millionth of the light.
+    /// Returns 1 to 256 random surfaces. Most of them lose between all and a millionth of the light.
     pub(super) fn random(sweep: &mut Sweep) -> Self {
         let count = match sweep.within(0, 1) {
             0 => sweep.within(1, 8),
@@ -50,17 +51,17 @@ impl Chain {
     }
 }
 
-/// 2 to the power of a random whole number.
+/// Returns 2 to the power of a random whole number from `low` to `high`.
 fn power_of_two(sweep: &mut Sweep, low: i32, high: i32) -> f64 {
     f64::exp2(f64::from(sweep.within(low, high)))
 }
 
-/// From 0 to 1, both included, and few of them in 53 bits.
+/// Returns a random number from 0 to 1, both included. Few of these numbers are exact in 53 bits.
 fn share(sweep: &mut Sweep) -> f64 {
     f64::from(sweep.within(0, i32::MAX)) / f64::from(i32::MAX)
 }
 
-/// cⁱ = (1 − αᵢ) cᵢ + αᵢ cⁱ⁺¹, as it is written.
+/// Returns the colour by the recursion cⁱ = (1 − αᵢ) cᵢ + αᵢ cⁱ⁺¹, computed as written.
 pub(super) fn recursion(hits: &[Hit], end: f64) -> f64 {
     match hits {
         [] => end,
@@ -68,14 +69,14 @@ pub(super) fn recursion(hits: &[Hit], end: f64) -> f64 {
     }
 }
 
-/// Σ (1 − αᵢ) (Π over k < i of αₖ) cᵢ, and Π over all αₖ, as they are written.
+/// Returns Σ (1 − αᵢ) (Π over k < i of αₖ) cᵢ and Π over all αₖ, computed as written.
 fn formula(hits: &[Hit]) -> (f64, f64) {
     let product = |hits: &[Hit]| hits.iter().map(|hit| hit.alpha).product::<f64>();
     let term = |(i, hit): (usize, &Hit)| (1.0 - hit.alpha) * product(&hits[..i]) * hit.own;
     (hits.iter().enumerate().map(term).sum(), product(hits))
 }
 
-/// The sum and the weight that the loop has after these surfaces.
+/// Returns the sum and the throughput of the loop after these surfaces.
 fn looped(hits: &[Hit]) -> (f64, f64) {
     hits.iter().fold((0.0, 1.0), |(sum, weight), hit| {
         let reflected = weight * hit.alpha;
@@ -201,13 +202,14 @@ fn reflections_until_half_a_level_is_left_are_those_of_the_page() {
 
 #[test]
 fn weight_that_stays_above_zero_leaves_the_colour_open() {
-    // α = 1 − 1/(i + 2)² takes light at every surface, and half of it is left for ever.
+    // α = 1 − 1/(i + 2)² takes light at every surface, and half of the light remains forever.
     let alpha = |i: u32| 1.0 - (f64::from(i) + 2.0).powi(-2);
     let mut weight = 1.0;
     for i in 0..10_000 {
         let exact = (f64::from(i) + 2.0) / (2.0 * (f64::from(i) + 1.0));
         assert!((weight - exact).abs() <= 1e-11, "{weight} {exact}");
-        // Black surfaces: 0 is one colour along the rays that the recursion allows, 1 / wᵢ another.
+        // With black surfaces, 0 is one colour along the rays that the recursion allows, and 1 / wᵢ
+        // another.
         let (here, next) = (1.0 / weight, 1.0 / (weight * alpha(i)));
         assert!((here - alpha(i) * next).abs() <= 1e-12 && next <= 2.0);
         weight *= alpha(i);

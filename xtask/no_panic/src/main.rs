@@ -125,6 +125,7 @@ type Four = room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, lights: 4, mate
 /// Fills a scene, and makes and moves a camera, at run time.
 fn fill() -> Option<(Scene<Four>, Camera)> {
     let number = || Number::from(black_box(1.5_f32));
+    let read = black_box("1.5e0").parse::<Number>().ok()?;
     let point = || black_box([0.5_f64, 1.5, 2.5]);
     let mut scene = black_box(RuntimeScene::<Four>::new());
     let made = Material::from_numbers(
@@ -142,7 +143,7 @@ fn fill() -> Option<(Scene<Four>, Camera)> {
     let disc = black_box(scene.add_disc(point(), point(), number(), material));
     let light = black_box(scene.add_light(point(), [number(); 3]));
     let _ = black_box(scene.set_background([number(); 3]));
-    let _ = black_box(scene.set_epsilon(number()));
+    let _ = black_box(scene.set_epsilon(read));
     let camera = Camera::new(point(), point(), point(), number());
     let camera = camera.and_then(|camera| camera.orbited(number(), number()));
     let mut scene = black_box(scene.build().ok()?);

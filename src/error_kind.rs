@@ -11,7 +11,7 @@ macro_rules! faults {
         /// What is wrong with one part of a scene, with a camera, or with a call.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[non_exhaustive]
-        pub enum Fault {
+        pub enum ErrorKind {
             /// A radius that is zero or negative.
             Radius,
             /// A height that is zero or negative.
@@ -78,9 +78,11 @@ macro_rules! faults {
             Limit,
             /// A scene that has changed since its frame was prepared.
             Changed,
+            /// A text that is not a decimal number.
+            Number,
         }
 
-        impl Fault {
+        impl ErrorKind {
             /// Returns one sentence that names the field and the fix.
             pub const fn message(self) -> &'static str {
                 match self {
@@ -133,6 +135,10 @@ macro_rules! faults {
                     Self::Up => "up must not be zero or parallel to the view direction",
                     Self::FieldOfView => "fov must be between 0.001 and 179.999 degrees",
                     Self::Limit => "the scene needs this, but its NeedsLimit leaves it out: allow it there",
+                    Self::Number => {
+                        "text must be decimal digits with an optional sign, point and exponent, \
+                         such as -1.5 or 2e-3"
+                    }
                     Self::Changed => "changed since the frame was prepared: prepare the frame again",
                 }
             }
@@ -141,7 +147,7 @@ macro_rules! faults {
 }
 kinds!(faults);
 
-impl fmt::Display for Fault {
+impl fmt::Display for ErrorKind {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(self.message())
     }
