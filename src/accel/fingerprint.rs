@@ -3,16 +3,15 @@
 use core::hash::{Hash, Hasher};
 
 use crate::ray::spread;
-use crate::scene::Description;
 
 /// The hash of a description, 32 bits, one byte after the other.
 pub(super) struct Fingerprint(u32);
 
 impl Fingerprint {
-    /// Hashes every number of a description.
-    pub(super) fn of(description: &Description<'_>) -> u32 {
+    /// Hashes every number of a description, or of a part of one.
+    pub(super) fn of(described: &impl Hash) -> u32 {
         let mut hash = Self(0);
-        description.hash(&mut hash);
+        described.hash(&mut hash);
         hash.0
     }
 }

@@ -3,6 +3,7 @@
 //! A scene that was filled at run time moves any shape and any light. In a constant scene the named
 //! shapes move; the others, and all tables, stay constants.
 
+use super::fingerprint::Fingerprint;
 use super::static_scene::{Apart, StaticScene};
 use super::{Scene, Tables, World};
 use crate::error::Error;
@@ -110,7 +111,7 @@ macro_rules! motion {
                         light.$kind(index, &parts);
                         light.settle(&parts);
                     }
-                    self.stamp = spread(self.stamp) ^ 1;
+                    self.stamp = spread(self.stamp) ^ Fingerprint::of(&(index, described));
                     Ok(())
                 }
             )*
@@ -186,13 +187,14 @@ impl<R: Capacity> Scene<R> {
         position: impl Into<Position>,
     ) -> Result<(), Error> {
         let index = light.index();
-        self.plain.light(index, position.into())?;
+        let position = position.into();
+        self.plain.light(index, position)?;
         let parts = self.plain.parts();
         let occluders = self.light_occluders.as_mut().get_mut(index);
         if let Some((light, occluders)) = parts.lights.get(index).zip(occluders) {
             occluders.put(light, &parts);
         }
-        self.stamp = spread(self.stamp) ^ 1;
+        self.stamp = spread(self.stamp) ^ Fingerprint::of(&(index, position));
         Ok(())
     }
 }

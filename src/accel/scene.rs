@@ -81,7 +81,7 @@ macro_rules! scene {
             pub const fn build(&self) -> Scene<Room<$($arguments)*>> {
                 self.refuse_unused_room();
                 let plain = match PlainScene::prepare(&self.description()) {
-                    Ok(plain) => plain.marked(self.moving()),
+                    Ok(plain) => plain.marked(self.moving(), &self.description()),
                     Err(error) => error.stop(),
                 };
                 if plain.constant_parts().lacks_light() {
