@@ -109,11 +109,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 30752 | 1056 | 11644 | 197 |
-//! | Cargo's default release | 39228 | 1084 | 14548 | 202 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 28400 | 1563 | 12076 | 250 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 28324 | 2215 | 12140 | 369 |
-//! | Cargo's default dev (debug) | 259972 | 23351 | 231312 | 5005 |
+//! | lto = true, codegen-units = 1 | 30820 | 1056 | 11668 | 198 |
+//! | Cargo's default release | 43200 | 1087 | 16756 | 203 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 28956 | 1563 | 12556 | 248 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 29148 | 2216 | 12908 | 369 |
+//! | Cargo's default dev (debug) | 267756 | 23587 | 237184 | 5072 |
 //!
 //! Every profile draws the same picture. Where flash is scarce, the quality [`Small`](quality::Small) saves more than an
 //! `opt-level`.
