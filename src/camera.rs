@@ -20,6 +20,7 @@ const WIDEST: Number = Number::new(179.999);
 
 /// A camera as it was described.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct CameraDescription {
     /// Where it stands.
     pub position: Position,

@@ -13,6 +13,7 @@ use crate::vector::{Direction, Point, Position, Vector};
 
 /// Flat disc as the user describes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct Disc {
     /// Centre of the disc.
     pub center: Position,

@@ -15,6 +15,7 @@ use crate::vector::{Direction, Point, Position, Vector};
 
 /// Infinite plane as the user describes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct Plane {
     /// Any point of the plane.
     pub point: Position,

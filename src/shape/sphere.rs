@@ -20,6 +20,7 @@ use crate::vector::{Direction, Point, Position, Vector};
 
 /// Sphere as the user describes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct Sphere {
     /// Centre of the sphere.
     pub center: Position,
