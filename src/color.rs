@@ -217,8 +217,8 @@ impl Sum {
 pub type Bend = Sum;
 
 impl Bend {
-    /// Returns the second difference of three sums at equal distances: `before` - 2 · `middle` +
-    /// `after`.
+    /// Returns the second difference of three sums at equal distances:
+    /// `before` - 2 · `middle` + `after`.
     #[inline(always)]
     pub fn of(before: Sum, middle: Sum, after: Sum) -> Self {
         let ends = before.each(after, |before, after| before + after);

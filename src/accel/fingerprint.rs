@@ -30,8 +30,8 @@ impl Hasher for Fingerprint {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::{Room, RuntimeScene};
     use crate::material::Material;
+    use crate::scene::{Room, RuntimeScene};
 
     #[test]
     fn stamp_tells_scenes_apart() {

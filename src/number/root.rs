@@ -131,8 +131,8 @@ pub const fn ratio(numerator: u32, denominator: u32) -> i32 {
     signed(high_unsigned(shifted_left(numerator, zeros), reciprocal))
 }
 
-/// Returns `numerator` / `denominator`, with a relative error below 2⁻²⁶. The denominator is 1 to 2³² -
-/// 1. The numerator is at least 1; 0 counts as 1.
+/// Returns `numerator` / `denominator`, with a relative error below 2⁻²⁶. The denominator is
+/// 1 to 2³² - 1. The numerator is at least 1; 0 counts as 1.
 pub const fn divide(numerator: u64, denominator: u32) -> Quotient {
     let numerator = numerator | 1;
     let denominator = denominator | (denominator == 0) as u32;

@@ -128,8 +128,8 @@ impl PreparedSphere {
     /// away.
     ///
     /// A distance along a ray is known to a few steps. For a sphere at the distance D, such an error
-    /// becomes D / radius times as large across the ray. It stays below 1/32 of the radius if radius² /
-    /// D is [`COARSEST`] or more.
+    /// becomes D / radius times as large across the ray. It stays below 1/32 of the radius if
+    /// radius² / D is [`COARSEST`] or more.
     pub(crate) const fn is_told(&self, from: &SphereFromPoint) -> bool {
         !from.is_around() && self.square >= wide(from.tangent, COARSEST)
     }

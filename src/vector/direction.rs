@@ -90,8 +90,8 @@ impl Direction {
         ))
     }
 
-    /// Reflects the direction at a surface: `self` - 2 (`self` · `normal`) `normal`. `cosine` is `self`
-    /// · `normal`.
+    /// Reflects the direction at a surface: `self` - 2 (`self` · `normal`) `normal`. `cosine` is
+    /// `self` · `normal`.
     ///
     /// The length changes by a few last bits at most.
     pub const fn reflected(self, normal: Self, cosine: Unit) -> Self {
@@ -104,8 +104,8 @@ impl Direction {
         ))
     }
 
-    /// Rotates the direction towards `other`, which is perpendicular to it: `self` · cosine + `other` ·
-    /// sine.
+    /// Rotates the direction towards `other`, which is perpendicular to it:
+    /// `self` · cosine + `other` · sine.
     pub(crate) fn turned_towards(self, other: Self, (sine, cosine): (Unit, Unit)) -> Self {
         Self::from_raw(
             self.raw_times(cosine.to_bits())

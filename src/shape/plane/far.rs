@@ -41,8 +41,8 @@ impl PreparedPlane {
         }
     }
 
-    /// Returns the signed height of a point above the plane and the scale of that height: height ·
-    /// 2^(scale - 30) is in steps.
+    /// Returns the signed height of a point above the plane and the scale of that height.
+    /// The result (h, s) means h · 2^(s - 30) steps.
     fn height_far(&self, place: ScaledPoint) -> (i64, u32) {
         let scale = place.scale.max(self.far_scale);
         let along = place.point.to_vector().dot_wide(self.normal);

@@ -72,8 +72,8 @@ impl PreparedSphere {
         if entry_is_ahead {
             past < 0 || wide(past, past) < half_chord_square
         } else {
-            // r² minus the square of the distance to the centre. At a depth below the surface it is r² -
-            // (r - depth)², which is 2 r depth or less.
+            // r² minus the square of the distance to the centre. At a depth below the surface it is
+            // r² - (r - depth)², which is 2 r depth or less.
             let inside = half_chord_square - wide(distance, distance);
             let exit_is_ahead = distance > 0 || inside > ON_SURFACE * 2 * self.radius as i64;
             exit_is_ahead && past < 0 && wide(past, past) > half_chord_square

@@ -11,7 +11,7 @@ use reflet::quality::Quality;
 use reflet::shading::Shading;
 use reflet::{Camera, PreparedFrame};
 
-use crate::report;
+use crate::{Clock, report};
 
 /// A renderer, ready to be measured. What a program may learn only while it runs (camera, size,
 /// reflections) is hidden from the optimiser, for all contestants alike.
@@ -24,9 +24,9 @@ pub trait Contestant {
     /// All that is done once a program. It is not counted.
     fn scene() -> Self::Scene;
 
-    /// Moves what moves in the scene; `false` if nothing does.
-    fn moved(_: &mut Self::Scene) -> bool {
-        false
+    /// Moves a part of the scene and returns the instructions that it took; `None` if nothing moves.
+    fn moved(_: &Clock, _: &mut Self::Scene) -> Option<u32> {
+        None
     }
 
     /// All that is done once a frame.

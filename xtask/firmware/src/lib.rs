@@ -44,9 +44,7 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
     stack_peak::paint();
     let mut hash = FrameHash::NONE;
     let mut scene = C::scene();
-    let start = clock.now();
-    let moves = C::moved(&mut scene);
-    let moved = clock.since(start);
+    let moved = C::moved(&clock, &mut scene);
     let start = clock.now();
     // Seen by reference, so that the stack holds one and no copy.
     let picture = C::prepare(&scene, black_box(order.size));
@@ -63,9 +61,9 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
     }
     let stack = stack_peak::peak();
 
-    if moves {
+    if let Some(instructions) = moved {
         report::text("moved");
-        report::number(" instructions=", u64::from(moved));
+        report::number(" instructions=", u64::from(instructions));
         report::text("\n");
     }
     report::text("measured");

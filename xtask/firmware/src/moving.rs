@@ -11,7 +11,7 @@ use reflet::shading::Shading;
 use reflet::{Error, MovingScene, PreparedFrame};
 
 use crate::contestant::{Contestant, View};
-use crate::report;
+use crate::{Clock, report};
 
 /// A constant scene with a shape that moves.
 pub trait Moves: Apart {
@@ -30,12 +30,14 @@ impl<S: Moves, V: View, Q: Quality, K: Shading, const N: u8> Contestant for Movi
         MovingScene::new()
     }
 
-    #[inline(never)]
-    fn moved(scene: &mut Self::Scene) -> bool {
-        if S::move_shape(scene).is_err() {
-            report::stop("the move");
+    fn moved(clock: &Clock, scene: &mut Self::Scene) -> Option<u32> {
+        let start = clock.now();
+        let moved = S::move_shape(scene);
+        let instructions = clock.since(start);
+        match moved {
+            Ok(()) => Some(instructions),
+            Err(_) => report::stop("the move"),
         }
-        true
     }
 
     #[inline(never)]

@@ -1,5 +1,5 @@
-//! Draws with every function that draws, and links only if none of them can panic: the panic handler
-//! calls a function that does not exist.
+//! Draws with every function that draws, moves every part that moves, and links only if none of them
+//! can panic: the panic handler calls a function that does not exist.
 #![no_std]
 #![no_main]
 
@@ -18,7 +18,9 @@ use reflet::needs::{Limited, MostReflections, Needs, NeedsLimit};
 use reflet::quality::{Fast, Fine, Quality, Small};
 use reflet::scenes::{BuiltIn, Castle, Floor};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
-use reflet::{Camera, FrameBuilder, Material, Number, Report, RuntimeScene, Scene, room};
+use reflet::{
+    Camera, FrameBuilder, Material, MovingScene, Number, Report, RuntimeScene, Scene, room, scene,
+};
 
 #[entry]
 fn main() -> ! {
@@ -41,6 +43,9 @@ fn main() -> ! {
             draw::<Fast, BlinnPhong, _>(&matte, matte.frame(&camera));
         }
         seen(scene.frame(&camera).draw(&mut Dithered::new(&mut Display)));
+    }
+    if let Some(scene) = moved() {
+        draw::<Fast, BlinnPhong, _>(&scene, scene.frame(&camera));
     }
     draw_within();
     #[cfg(feature = "panic")]
@@ -131,16 +136,48 @@ fn fill() -> Option<(Scene<Four>, Camera)> {
         number(),
     );
     let material = scene.add_material(made.ok()?).ok()?;
-    let _ = black_box(scene.add_sphere(point(), number(), material));
+    let _ = black_box(scene.set_motion(point(), point()));
+    let sphere = black_box(scene.add_sphere(point(), number(), material));
     let _ = black_box(scene.add_plane(point(), point(), material));
-    let _ = black_box(scene.add_cylinder(point(), point(), number(), number(), material));
-    let _ = black_box(scene.add_disc(point(), point(), number(), material));
-    let _ = black_box(scene.add_light(point(), [number(); 3]));
+    let cylinder = black_box(scene.add_cylinder(point(), point(), number(), number(), material));
+    let disc = black_box(scene.add_disc(point(), point(), number(), material));
+    let light = black_box(scene.add_light(point(), [number(); 3]));
     let _ = black_box(scene.set_background([number(); 3]));
     let _ = black_box(scene.set_epsilon(read));
     let camera = Camera::new(point(), point(), point(), number());
     let camera = camera.and_then(|camera| camera.orbited(number(), number()));
-    Some((black_box(scene.build().ok()?), camera.ok()?))
+    let mut scene = black_box(scene.build().ok()?);
+    let _ = black_box(scene.set_sphere(sphere.ok()?, point(), number()));
+    let _ = black_box(scene.set_cylinder(cylinder.ok()?, point(), point(), number(), number()));
+    let _ = black_box(scene.set_disc(disc.ok()?, point(), point(), number()));
+    let _ = black_box(scene.set_light(light.ok()?, point()));
+    Some((black_box(scene), camera.ok()?))
+}
+
+const CHALK: Material = Material::new([0.9; 3]);
+
+scene! {
+    struct Bounce {
+        motion([-1.0, -1.0, 0.0], [5.0, 5.0, 5.0]);
+        sphere BALL([1.0, 1.0, 1.0], 1.0, CHALK);
+        cylinder BARREL([2.0, 2.0, 2.0], [0.0, 0.0, 1.0], 1.0, 1.0, CHALK);
+        disc LID([3.0, 3.0, 3.0], [0.0, 0.0, 1.0], 1.0, CHALK);
+        light([3.0, -4.0, 9.0], [1.0, 1.0, 1.0]);
+    }
+}
+
+/// Moves the parts of a constant scene.
+fn moved() -> Option<MovingScene<Bounce>> {
+    let number = || Number::from(black_box(1.5_f32));
+    let point = || black_box([0.5_f64, 1.5, 2.5]);
+    let mut scene = MovingScene::<Bounce>::new();
+    scene.set_sphere(Bounce::BALL, point(), number()).ok()?;
+    let barrel = scene.set_cylinder(Bounce::BARREL, point(), point(), number(), number());
+    barrel.ok()?;
+    scene
+        .set_disc(Bounce::LID, point(), point(), number())
+        .ok()?;
+    Some(black_box(scene))
 }
 
 fn seen(report: Result<Report, Infallible>) {

@@ -77,7 +77,7 @@ fn move_instructions(task: &Task) -> Result<u64> {
 }
 
 /// Finds the instructions of the move in what the firmware says.
-fn moved(said: &str) -> Option<u64> {
+pub(super) fn moved(said: &str) -> Option<u64> {
     let mut lines = said.lines();
     let digits = lines.find_map(|line| line.strip_prefix("moved instructions="))?;
     u64::from_str_radix(digits, 16).ok()
