@@ -140,8 +140,8 @@ impl Fingerprint {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::Room;
-    use crate::{Material, RuntimeScene};
+    use crate::material::Material;
+    use crate::scene::{Room, RuntimeScene};
 
     #[test]
     fn stamp_tells_scenes_apart() {
