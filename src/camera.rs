@@ -5,8 +5,6 @@ mod rays;
 
 pub(crate) use rays::{RayGenerator, RowDirections};
 
-use core::hash::{Hash, Hasher};
-
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of};
@@ -19,7 +17,8 @@ const NARROWEST: Number = Number::new(0.001);
 const WIDEST: Number = Number::new(179.999);
 
 /// A camera as it was described.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct CameraDescription {
     /// Where it stands.
     pub position: Position,
@@ -53,12 +52,6 @@ pub struct Camera {
     up: Direction,
     /// 1 / tan(fov / 2)
     cotangent: Scaled,
-}
-
-impl Hash for Camera {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        self.description.hash(state);
-    }
 }
 
 impl Camera {

@@ -10,7 +10,8 @@ use crate::vector::Position;
 
 /// Point light as the user describes it. It shines equally in all directions and does not fall off with
 /// distance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Light {
     /// Position of the light, in scene units.
     pub position: Position,

@@ -25,7 +25,7 @@ use crate::number::{Brightness, Exponent, Number, Unit};
 /// use reflet::Material;
 /// const GLARE: Material = Material::new([1.0; 3]).mirror(1.5);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Material {
     color: [Number; 3],
     ambient: Number,

@@ -419,7 +419,6 @@ const FAR: Lone = SceneBuilder::new()
     .build();
 
 #[test]
-#[ignore = "the stamp of every scene that SceneBuilder builds is 0"]
 fn prepared_frame_refuses_another_constant_scene_of_the_same_type() {
     let frame = NEAR.frame(&CAMERA).prepare(Size::new(9, 9));
     assert!(frame.on(&NEAR).is_ok());

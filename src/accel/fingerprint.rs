@@ -1,30 +1,140 @@
 //! The fingerprint of a scene: a number by which a frame notes the scene that it was prepared for.
 
-use core::hash::{Hash, Hasher};
-
+use crate::camera::CameraDescription;
+use crate::material::Material;
+use crate::number::{Number, to_u32};
 use crate::ray::spread;
+use crate::scene::Description;
+use crate::vector::Position;
 
-/// The hash of a description, 32 bits, one byte after the other.
-pub(super) struct Fingerprint(u32);
+/// Hash of numbers in 32 bits, for constants and for programs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fingerprint(pub(super) u32);
 
-impl Fingerprint {
-    /// Hashes every number of a description, or of a part of one.
-    pub(super) fn of(described: &impl Hash) -> u32 {
-        let mut hash = Self(0);
-        described.hash(&mut hash);
-        hash.0
-    }
+/// Adds a field of a shape by its type.
+macro_rules! add {
+    ($hash:ident, Position, $value:expr) => {
+        $hash.position(&$value)
+    };
+    ($hash:ident, Number, $value:expr) => {
+        $hash.number($value)
+    };
 }
 
-impl Hasher for Fingerprint {
-    fn write(&mut self, bytes: &[u8]) {
-        for byte in bytes {
-            self.0 = spread(self.0.rotate_left(5) ^ u32::from(*byte));
+macro_rules! fingerprint {
+    (
+        $header:tt
+        $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
+            $set:ident $too_many:ident $without:ident
+            $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*) })*
+    ) => {
+        impl Fingerprint {
+            /// Hashes every number of a description.
+            pub(super) const fn of(scene: &Description<'_>) -> Self {
+                let mut hash = Self(0);
+                $(
+                    let mut index = 0;
+                    while index < scene.$list.len() {
+                        let $kind = &scene.$list[index];
+                        hash = hash.$kind(index, $kind).word($kind.material.index());
+                        index += 1;
+                    }
+                )*
+                hash.planes_and_lights(scene).rest(scene)
+            }
+
+            $(
+                #[doc = concat!("Adds the place of a ", stringify!($kind), ".")]
+                pub(super) const fn $kind(
+                    self,
+                    index: usize,
+                    $kind: &crate::shape::$described,
+                ) -> Self {
+                    let hash = self.word(index);
+                    $(let hash = add!(hash, $type, $kind.$field);)*
+                    hash
+                }
+            )*
         }
+    };
+}
+kinds!(fingerprint);
+
+impl Fingerprint {
+    const fn planes_and_lights(self, scene: &Description<'_>) -> Self {
+        let mut hash = self;
+        let mut index = 0;
+        while index < scene.planes.len() {
+            let plane = &scene.planes[index];
+            hash = hash.position(&plane.point).position(&plane.normal);
+            hash = hash.word(plane.material.index());
+            index += 1;
+        }
+        index = 0;
+        while index < scene.lights.len() {
+            let light = &scene.lights[index];
+            hash = hash.light(index, &light.position).color(&light.color);
+            index += 1;
+        }
+        hash
     }
 
-    fn finish(&self) -> u64 {
-        self.0.into()
+    const fn rest(self, scene: &Description<'_>) -> Self {
+        let mut hash = self.color(&scene.background).number(scene.epsilon);
+        let mut index = 0;
+        while index < scene.materials.len() {
+            hash = hash.material(&scene.materials[index]);
+            index += 1;
+        }
+        if let Some(camera) = &scene.camera {
+            let CameraDescription {
+                position,
+                target,
+                up,
+                fov,
+            } = camera.description();
+            hash = hash.position(&position).position(&target).position(&up);
+            hash = hash.number(fov);
+        }
+        if let Some([low, high]) = &scene.motion {
+            hash = hash.position(low).position(high);
+        }
+        hash
+    }
+
+    const fn material(self, material: &Material) -> Self {
+        let [ambient, diffuse, specular, shininess, mirror] = material.described_coefficients();
+        let hash = self.color(&material.described_color());
+        let hash = hash.number(ambient).number(diffuse).number(specular);
+        hash.number(shininess).number(mirror)
+    }
+
+    /// Adds the place of a light.
+    pub(super) const fn light(self, index: usize, position: &Position) -> Self {
+        self.word(index).position(position)
+    }
+
+    const fn color(self, [red, green, blue]: &[Number; 3]) -> Self {
+        self.number(*red).number(*green).number(*blue)
+    }
+
+    const fn position(self, position: &Position) -> Self {
+        self.color(&position.0)
+    }
+
+    const fn number(self, number: Number) -> Self {
+        let bytes = number.to_bits().to_le_bytes();
+        let mut hash = self.0;
+        let mut index = 0;
+        while index < bytes.len() {
+            hash = spread(hash.rotate_left(5) ^ bytes[index] as u32);
+            index += 1;
+        }
+        Self(hash)
+    }
+
+    const fn word(self, word: usize) -> Self {
+        Self(spread(self.0.rotate_left(5) ^ to_u32(word)))
     }
 }
 

@@ -10,7 +10,6 @@ use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::light::Light;
 use crate::number::Number;
-use crate::ray::spread;
 use crate::scene::access::SceneAccess;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::scene::{Capacity, Handle, Needs, Parts, used};
@@ -111,7 +110,7 @@ macro_rules! motion {
                         light.$kind(index, &parts);
                         light.settle(&parts);
                     }
-                    self.stamp = spread(self.stamp) ^ Fingerprint::of(&(index, described));
+                    self.stamp = Fingerprint(self.stamp).$kind(index, described).0;
                     Ok(())
                 }
             )*
@@ -194,7 +193,7 @@ impl<R: Capacity> Scene<R> {
         if let Some((light, occluders)) = parts.lights.get(index).zip(occluders) {
             occluders.put(light, &parts);
         }
-        self.stamp = spread(self.stamp) ^ Fingerprint::of(&(index, position));
+        self.stamp = Fingerprint(self.stamp).light(index, &position).0;
         Ok(())
     }
 }

@@ -56,15 +56,15 @@ macro_rules! scene {
                     Ok(plain) => plain,
                     Err(error) => return Err(error),
                 };
-                Ok(Self::of(plain))
+                Ok(Self::of(plain, Fingerprint::of(description)))
             }
 
             /// Adds the shapes as the lights see them.
-            const fn of(plain: PlainScene<Room<$($arguments)*>>) -> Self {
+            const fn of(plain: PlainScene<Room<$($arguments)*>>, stamp: Fingerprint) -> Self {
                 let mut scene = Self {
                     plain,
                     light_occluders: [LightOccluders::NONE; L],
-                    stamp: 0,
+                    stamp: stamp.0,
                 };
                 let parts = scene.plain.constant_parts();
                 let mut index = 0;
@@ -87,7 +87,7 @@ macro_rules! scene {
                 if plain.constant_parts().lacks_light() {
                     Error::of("scene", ErrorKind::NoLight).stop();
                 }
-                Scene::of(plain)
+                Scene::of(plain, Fingerprint::of(&self.description()))
             }
 
             /// Stops the compiler if a list has room for more than its parts; each takes flash.
@@ -114,10 +114,7 @@ macro_rules! scene {
             /// What can only be seen in the scene as a whole: [`ErrorKind::Tiny`], [`ErrorKind::Extent`],
             /// [`ErrorKind::Epsilon`], [`ErrorKind::Brightness`].
             pub fn build(&self) -> Result<Scene<Room<$($arguments)*>>, Error> {
-                let description = self.description();
-                let mut scene = Scene::prepare(&description)?;
-                scene.stamp = Fingerprint::of(&description);
-                Ok(scene)
+                Scene::prepare(&self.description())
             }
         }
     };

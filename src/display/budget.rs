@@ -107,6 +107,7 @@ impl ParetoFront {
 
 /// What was chosen for a budget, and so the error to expect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Choice {
     /// The settings, with what they take and lose.
     pub point: FrontPoint,
@@ -116,6 +117,7 @@ pub struct Choice {
 
 /// What became of a frame that had a budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Budgeted {
     /// What was chosen.
     pub choice: Choice,

@@ -16,7 +16,7 @@ use super::narrow::{narrowed, narrowed_128};
 /// assert_eq!(Number::new(0.75), Number::from(3) * Number::new(0.25));
 /// assert_eq!(Number::new(f64::NAN), Number::OUT_OF_RANGE);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Number(I64F64);
 
 impl Number {

@@ -6,6 +6,7 @@ use crate::trace::Tracer;
 
 /// What is known about a picture, or a part of one, when it has been drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Report {
     /// How many rays were followed: one for each pixel that was traced (with [`crate::quality::Fast`], not all
     /// are) and one for each reflection; rays to lights not counted.

@@ -19,7 +19,7 @@ macro_rules! description {
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
         /// A scene as it was described: plain numbers, before they are laid on the grid.
-        #[derive(Clone, Copy, Debug, Hash)]
+        #[derive(Clone, Copy, Debug)]
         #[non_exhaustive]
         pub struct Description<'a> {
             $(

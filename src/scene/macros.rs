@@ -92,6 +92,13 @@ macro_rules! scene {
                     $crate::Handle::named(Self::PARTS, stringify!($handle));
             )?)*
 
+            /// Calls `read` with the numbers that the scene was written with.
+            pub fn with_description<R>(
+                read: impl FnOnce($crate::description::Description<'_>) -> R,
+            ) -> R {
+                <Self as $crate::__private::StaticScene>::with_description(read)
+            }
+
             /// Views the scene through a camera: 4 reflections, quality `Fast`, shading `BlinnPhong`.
             pub fn frame(camera: &$crate::Camera) -> $crate::FrameBuilder<'_, Self> {
                 $crate::FrameBuilder::new(&Self, camera)

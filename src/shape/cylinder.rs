@@ -18,7 +18,8 @@ use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// Open cylinder without caps, as the user describes it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Cylinder {
     /// Centre of the cylinder, on the axis at half the height.
     pub center: Position,

@@ -25,7 +25,7 @@ macro_rules! exports {
 kinds!(exports);
 
 /// Identifier of a material of one scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaterialId(pub(crate) u16);
 
 impl MaterialId {

@@ -5,7 +5,7 @@ use crate::number::{Number, Unit, narrowed, narrowed_128, signed};
 
 /// Three coordinates of a description, in scene units: a position, or a normal, axis or view direction
 /// that is not normalised yet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Position(pub [Number; 3]);
 
 impl Position {

@@ -88,7 +88,11 @@ impl<R, F: FnOnce(&dyn Rows) -> R> Visitor for WithRows<'_, F> {
     #[inline(never)]
     fn visit<S: BuiltIn>(self) -> R {
         let frame = S::frame(self.camera).prepare(Size::new(SIDE, SIDE));
-        (self.work)(&frame.on(S::INSTANCE).expect("a constant scene never changes"))
+        (self.work)(
+            &frame
+                .on(S::INSTANCE)
+                .expect("a constant scene never changes"),
+        )
     }
 }
 
