@@ -1,24 +1,27 @@
-//! Floor 0: the list of bounded kinds of shapes. It is tokens only and knows no type.
+//! Floor 0: the list of the bounded kinds of shapes. It consists of tokens and knows no type.
 //!
-//! Whatever exists once a kind is written from this list by a small macro beside its other parts: the
-//! list hands itself to that macro. Planes are no bounded kind; they are written by hand.
+//! Code that exists once for each kind is written by a small macro that receives this list. Each such
+//! macro stands beside the code it completes. Planes are not bounded; their code is written by hand.
 
-/// Calls a macro with the list of bounded kinds. A second name comes first in what that macro is given:
-/// of the macro it hands the list on to.
+/// Calls the macro `$write` with the list of the bounded kinds of shapes.
 ///
-/// In front stand the const parameters of a scene's type, in three spellings: declared with the
-/// defaults, declared, and named. The parameter of a new kind is the last and 0 unless it is given, so
-/// that the types which are written without it stay what they are.
+/// An optional second name `$next` is passed in front of the list: the macro to which `$write` hands the
+/// list on.
 ///
-/// A kind has, in this order:
-/// - the name of its list and its own, which is its module's too; its type as it is described, and as it
-///   is prepared;
-/// - its parameter, the type of its list in a `Capacity`, what its active list is called and how many it holds, and which of the parameters it is, in words;
-/// - the `ErrorKind` where there are too many, and the method of `Needs` that leaves the kind out;
-/// - what the methods that add one say they do, the name of the run-time scene's, and the fields of the
-///   description without the material.
+/// The first group holds the const parameters of a scene's type in three spellings: declared with
+/// defaults, declared without, and named. The parameter of a new kind comes last and defaults to 0, so
+/// that types written without it keep their meaning.
 ///
-/// The order of the kinds is the order in which a ray asks them, and so that of their numbers.
+/// The entry of a kind holds, in this order:
+/// - the name of its list; its own name, which is also its module's; its described type; its prepared
+///   type;
+/// - its const parameter; the type of its list in a `Capacity`; the type and the length of its active
+///   list; the name of the method that moves a shape of this kind;
+/// - the variant of `ErrorKind` for too many shapes; the method of `Needs` that leaves the kind out;
+/// - the documentation of the methods that add a shape; the name of that method in the run-time scene;
+///   the fields of the description without the material.
+///
+/// Rays test the kinds in the order of this list, and shapes are numbered in the same order.
 macro_rules! kinds {
     ($write:ident $(, $next:ident)?) => {
         $write! {
@@ -32,30 +35,30 @@ macro_rules! kinds {
                 spheres sphere Sphere PreparedSphere
                 S Spheres [ActiveSpheres 16] set_sphere
                 TooManySpheres without_spheres
-                /// Adds a sphere with a radius greater than 0.
+                /// Adds a sphere; its radius is greater than 0, in scene units.
                 add_sphere(center: Position, radius: Number)
             }
             {
                 cylinders cylinder Cylinder PreparedCylinder
                 C Cylinders [ActiveCylinders 8] set_cylinder
                 TooManyCylinders without_cylinders
-                /// Adds an open cylinder around its `center`; the axis may have any length but 0, radius and
-                /// height are greater than 0.
+                /// Adds an open cylinder with its middle at `center`. The axis may have any length but
+                /// 0; radius and height are greater than 0, in scene units.
                 add_cylinder(center: Position, axis: Position, radius: Number, height: Number)
             }
             {
                 discs disc Disc PreparedDisc
                 D Discs [ActiveDiscs D] set_disc
                 TooManyDiscs without_discs
-                /// Adds a flat disc, which is seen from both sides; the normal may have any length but 0, the
-                /// radius is greater than 0.
+                /// Adds a flat disc, visible from both sides. The normal may have any length but 0; the
+                /// radius is greater than 0, in scene units.
                 add_disc(center: Position, normal: Position, radius: Number)
             }
         }
     };
 }
 
-/// Writes the type of a room with these counts: the const parameters of the list, in their order.
+/// Writes the type `Room<..>` with these counts: its const parameters, in their order.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __room {
@@ -71,7 +74,7 @@ macro_rules! __room {
     };
 }
 
-/// Writes the described type of a kind.
+/// Writes the path of the type that describes a shape of a kind, such as `Sphere` for `sphere`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __described {

@@ -1,15 +1,15 @@
-//! The fingerprint of a scene: a number by which a frame notes the scene that it was prepared for.
+//! The fingerprint of a scene: a number that lets a frame recognise the scene it was prepared for.
 
 use core::hash::{Hash, Hasher};
 
 use crate::ray::spread;
 use crate::scene::Description;
 
-/// The hash of a description, 32 bits, one byte after the other.
+/// A 32-bit hash of a scene's description, computed byte by byte.
 pub(super) struct Fingerprint(u32);
 
 impl Fingerprint {
-    /// Hashes every number of a description.
+    /// Returns the hash of all numbers of a description.
     pub(super) fn of(description: &Description<'_>) -> u32 {
         let mut hash = Self(0);
         description.hash(&mut hash);
