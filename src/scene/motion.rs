@@ -1,4 +1,4 @@
-//! Parts of a prepared scene that change in place. Only the part that changes is prepared again.
+//! Moves parts of a prepared scene in place. Only the part that moves is prepared again.
 //!
 //! The grid of the scene was chosen for its whole motion box. So a part that moves in the box changes no
 //! bit of the others.
@@ -19,7 +19,7 @@ macro_rules! motion {
         impl<R: Capacity> PlainScene<R> {
             $(
                 #[doc = concat!(
-                    "Puts a ", stringify!($kind), " into another place, with the material that it has."
+                    "Changes place and size of a ", stringify!($kind), " and prepares it again. It keeps its material."
                 )]
                 #[inline(never)]
                 pub(crate) fn $kind(
@@ -47,8 +47,10 @@ macro_rules! motion {
         }
 
         impl<$($header)*> PlainScene<Room<$($arguments)*>> {
-            /// Marks the shapes that move in a constant scene, by name and index; those that do not start
-            /// inside of the motion box stop the compiler.
+            /// Returns the constant scene with the shapes marked that move, given by kind and index.
+            ///
+            /// Panics if the ball around one of them does not lie inside of the motion box. In a
+            /// constant, this stops the compiler.
             pub(crate) const fn marked(mut self, moving: &[Option<(&'static str, usize)>]) -> Self {
                 let layout = SetLayout::new(self.constant_parts().lengths());
                 let mut number = 0;
@@ -76,7 +78,7 @@ macro_rules! motion {
 kinds!(motion);
 
 impl<R: Capacity> PlainScene<R> {
-    /// Puts a light into another place, with the colour that it has.
+    /// Changes the position of a light, in scene units. It keeps its colour.
     #[inline(never)]
     pub(crate) fn light(&mut self, index: usize, position: Position) -> Result<(), Error> {
         let error = |fault| Error::at("light", index, fault);
@@ -97,12 +99,13 @@ impl<R: Capacity> PlainScene<R> {
         Ok(())
     }
 
-    /// Tests whether a ball lies in the motion box; no ball does if there is none.
+    /// Tests whether a ball lies inside of the motion box. Returns `false` if the scene has no motion
+    /// box.
     const fn is_in_motion_box(&self, (center, radius): (Point, i32)) -> bool {
         let Some([low, high]) = self.motion else {
             return false;
         };
-        // A corner is rounded to a step, and so are centre and radius.
+        // Corner, centre and radius are each rounded to a step.
         let radius = radius - 2;
         low.x <= center.x - radius
             && low.y <= center.y - radius
