@@ -10,6 +10,18 @@ use crate::vector::Position;
 
 /// A point light as it is described: it shines evenly to all sides and does not fall off with
 /// distance.
+///
+/// ```
+/// use reflet::description::Light;
+/// use reflet::{Number, Position, RuntimeScene, room};
+///
+/// let mut scene = RuntimeScene::<room!(lights: 1)>::new();
+/// scene.add_light([3, -4, 6], [1.0, 0.5, 0.0])?;
+/// let [Light { position, color }] = *scene.description().lights else { unreachable!() };
+/// assert_eq!(position, Position::new([3.0, -4.0, 6.0]));
+/// assert_eq!(color, [1.0, 0.5, 0.0].map(Number::new));
+/// # Ok::<(), reflet::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Light {
     /// Where it stands.
