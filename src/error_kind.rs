@@ -31,6 +31,13 @@ macro_rules! faults {
         ///         ErrorKind::Background => "background",
         ///         ErrorKind::Epsilon => "epsilon",
         ///         ErrorKind::View | ErrorKind::Up | ErrorKind::FieldOfView => "camera",
+        ///         ErrorKind::TooManySpheres | ErrorKind::TooManyCylinders => "room",
+        ///         ErrorKind::TooManyDiscs | ErrorKind::TooManyPlanes => "room",
+        ///         ErrorKind::TooManyLights | ErrorKind::TooManyMaterials => "room",
+        ///         ErrorKind::UnusedRoom => "room",
+        ///         ErrorKind::UnknownMaterial => "material",
+        ///         ErrorKind::Motion | ErrorKind::NothingMoves | ErrorKind::TooManyMoving => "motion",
+        ///         ErrorKind::NoLight => "lights",
         ///         _ => "scene",
         ///     }
         /// }

@@ -101,7 +101,7 @@ where
 /// Returns the colour that a display with few levels per channel shows for `color` at the point `at`.
 ///
 /// Use it for rows from [`Rows::row`](crate::Rows::row), and [`Dithered`] for a display. Each channel
-/// becomes one of the two nearest levels. A colour that is a level stays unchanged. An area of one
+/// becomes one of the two levels around it. A colour that is a level stays unchanged. An area of one
 /// colour has, in any 8 x 8 points, a mean within half a 64th of a level of that colour. The pattern
 /// repeats every 8 points, through negative coordinates, too. The mean is a mean of levels: nothing is
 /// corrected for the eye or the panel.

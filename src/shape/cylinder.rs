@@ -18,20 +18,6 @@ use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// A cylinder as it is described.
-///
-/// ```
-/// use reflet::description::Cylinder;
-/// use reflet::{Material, Number, Position, RuntimeScene, room};
-///
-/// let mut scene = RuntimeScene::<room!(cylinders: 1)>::new();
-/// let tin = scene.add_material(Material::new([0.8; 3]))?;
-/// scene.add_cylinder([0, 0, 1], [0, 0, 3], 0.5, 2, tin)?;
-/// let [Cylinder { center, axis, radius, height, material }] = *scene.description().cylinders else { unreachable!() };
-/// assert_eq!(center, Position::new([0.0, 0.0, 1.0]));
-/// assert_eq!(axis, Position::new([0.0, 0.0, 3.0]));
-/// assert_eq!((radius, height, material), (Number::new(0.5), Number::from(2), tin));
-/// # Ok::<(), reflet::Error>(())
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Cylinder {
     /// Its middle, half way up.

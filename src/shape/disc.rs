@@ -85,8 +85,8 @@ pub struct DiscFromPoint {
     height: i32,
 }
 
-/// What the radius is enlarged by, in steps: rounding moves a hit by up to two along each axis, and no gap
-/// shall show where the disc closes a cylinder of its radius.
+/// What the radius is enlarged by, in steps: rounding moves a hit by up to two along each axis, and no
+/// gap shall show where the disc closes a cylinder of its radius.
 const RIM: i32 = 4;
 
 impl PreparedDisc {
@@ -167,8 +167,8 @@ impl PreparedDisc {
 
     /// The distance at which a ray meets the disc, above `start` and below `reach`.
     ///
-    /// The height is known to a step, so the distance is known to as many steps as the ray goes for one of
-    /// them, as that of a plane is.
+    /// The height is known to a step, so the distance is known to as many steps as the ray goes for one
+    /// of them, as that of a plane is.
     #[inline(never)]
     fn met(&self, from: &DiscFromPoint, direction: &Direction, range: Range) -> Option<Length> {
         let climb = direction.dot(self.normal).to_bits();

@@ -133,8 +133,8 @@ impl PreparedSphere {
         self.seen_from(light)
     }
 
-    /// Whether a point that sees the sphere so lies outside of it, and sees so much of it that the length
-    /// of the tangents tells what it hides.
+    /// Whether a point that sees the sphere so lies outside of it, and sees so much of it that the
+    /// length of the tangents tells what it hides.
     ///
     /// A way along a ray is known to a few steps. At the distance D, so much of it is D / radius
     /// times as much across the ray: less than a 32nd of the radius where radius² / D is

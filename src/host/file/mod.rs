@@ -67,6 +67,28 @@ pub const MAX_LIGHTS: usize = 16;
 pub const MAX_MATERIALS: usize = 256;
 
 /// Capacity of a scene that is read from a scene file: the `MAX_` limit of each kind of part.
+///
+/// ```
+/// use reflet::host::file::{MAX_CYLINDERS, MAX_DISCS, MAX_LIGHTS, MAX_MATERIALS};
+/// use reflet::host::file::{FileRoom, FileRuntimeScene, FileScene, MAX_PLANES, MAX_SPHERES};
+/// use reflet::host::reference::Scene;
+///
+/// /// Tests whether a file with this scene can be read.
+/// fn fits(scene: &Scene) -> bool {
+///     scene.spheres.len() <= MAX_SPHERES
+///         && scene.planes.len() <= MAX_PLANES
+///         && scene.cylinders.len() <= MAX_CYLINDERS
+///         && scene.discs.len() <= MAX_DISCS
+///         && scene.lights.len() <= MAX_LIGHTS
+///         && scene.materials.len() <= MAX_MATERIALS
+/// }
+/// assert!(fits(&Scene::default()));
+///
+/// let empty: FileRuntimeScene = reflet::RuntimeScene::<FileRoom>::new();
+/// let built: FileScene = empty.build()?;
+/// assert!(built.needs().is_nothing());
+/// # Ok::<(), reflet::Error>(())
+/// ```
 pub type FileRoom =
     Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS, MAX_DISCS>;
 
