@@ -132,9 +132,9 @@
 //! | extent of the shapes | at least 2⁻³⁰ scene units |
 //! | smallest radius, half of the smallest height | 2⁻²² of the scene's extent |
 //! | epsilon | above 0, below the scene's extent |
-//! | distance at which rays still hit a plane | 2³³ extents |
+//! | distance at which a plane is still met | 2³³ extents |
 //! | colours, ambient, diffuse, specular, lights | 0 to 16 |
-//! | light that a material may send out under the lights of its scene | 30 times white |
+//! | brightest that a material may be under its lights | 30 times white |
 //! | shininess | 0 to 2²⁰, any real number |
 //! | mirror (α) | 0 to 1 |
 //! | field of view | 0.001 to 179.999 degrees |
@@ -143,10 +143,10 @@
 //! | picture | 1 to 65535 pixels a side |
 //!
 //! Coordinates become whole steps of a grid, which is chosen for each scene when it is built. The shapes
-//! fill a ball with a radius of 2²⁸ steps, or 2²⁵ steps in a scene with planes. The ball has fewer steps
-//! if lights, camera or planes stand outside of it, up to 32 times as far from its middle. But the steps
-//! are never coarser than the smallest shape and epsilon need. So a scene in millimetres and the same
-//! scene in kilometres give the same picture.
+//! fill a ball with a radius of 2²⁸ steps, or 2²⁵ steps in a scene with planes. They fill fewer steps if
+//! lights, camera or planes stand up to 32 times as far from the middle, because the grid then includes
+//! these, too. But the steps are never coarser than the smallest shape and epsilon need. So a scene in
+//! millimetres and the same scene in kilometres give the same picture.
 //!
 //! # Features
 //!
@@ -156,7 +156,7 @@
 //! |---|---|
 //! | `scenes` | eleven built-in scenes |
 //! | `micromath` | the numbers and vectors of `micromath` as input for cameras and run-time scenes |
-//! | `host` | tools for the desktop: a double-precision reference, picture comparison, scene files; needs `std` |
+//! | `host` | tools for the desktop: double-precision reference, picture comparison, scene files |
 //! | `window` | the simulator's window for the example `render` |
 //!
 //! # Oldest supported Rust

@@ -39,8 +39,8 @@ use crate::scene::{
 /// # Ok::<(), reflet::Error>(())
 /// ```
 ///
-/// Bytes of RAM on a Cortex-M that a scene filled at run time takes, its description, and the tables
-/// that [`Scene::tabled`] adds:
+/// Bytes of RAM on a Cortex-M of a scene that was filled at run time, of its description, and of the
+/// tables that [`Scene::tabled`] adds:
 ///
 /// | room | scene | its description | tables |
 /// |---|--:|--:|--:|

@@ -38,6 +38,7 @@ macro_rules! needs {
         /// }
         /// const NEEDS: Needs = Needs::of::<Marble>();
         /// assert!(NEEDS.spheres && !NEEDS.planes && NEEDS.mirrors == Mirrors::None);
+        /// assert!(NEEDS.lights && NEEDS.shadows && !NEEDS.mirrored);
         /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[non_exhaustive]

@@ -131,6 +131,18 @@ fn build(scene: &FileRuntimeScene) -> Result<Box<FileScene>, Problem> {
 /// A scene that was read from a scene file, with every material name resolved.
 ///
 /// The numbers are not checked yet: [`SceneFile::runtime`] tests whether the core accepts them.
+///
+/// ```
+/// use reflet::host::file::{MAX_BYTES, SceneFile};
+///
+/// let camera = r#"{"position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50}"#;
+/// let text = format!(r#"{{"camera": {camera}, "background": [0, 0, 9]}}"#);
+/// assert!((text.len() as u64) < MAX_BYTES);
+/// let file = SceneFile::parse(&text, None).unwrap();
+/// let (scene, camera) = file.runtime().unwrap();
+/// assert_eq!(scene.description().background, [0, 0, 9].map(reflet::Number::from));
+/// assert_eq!(scene.description().camera, Some(camera));
+/// ```
 #[derive(Clone, Debug)]
 pub struct SceneFile {
     path: Option<PathBuf>,

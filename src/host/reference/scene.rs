@@ -106,9 +106,10 @@ kinds!(shapes, scene);
 /// ```
 /// use reflet::host::reference::{Cylinder, Disc, Plane, Scene, Shape};
 ///
-/// let wall = Cylinder { center: [0.0; 3], axis: [0.0, 0.0, 1.0], radius: 0.5, height: 2.0, material: 0 };
-/// let lid = Disc { center: [0.0, 0.0, 1.0], normal: [0.0, 0.0, 1.0], radius: 0.5, material: 1 };
-/// let floor = Plane { point: [0.0; 3], normal: [0.0, 0.0, 1.0], material: 2 };
+/// let up = [0.0, 0.0, 1.0];
+/// let wall = Cylinder { center: [0.0; 3], axis: up, radius: 0.5, height: 2.0, material: 0 };
+/// let lid = Disc { center: up, normal: up, radius: 0.5, material: 1 };
+/// let floor = Plane { point: [0.0; 3], normal: up, material: 2 };
 /// let (cylinders, discs, planes) = (vec![wall], vec![lid], vec![floor]);
 /// let scene = Scene { cylinders, discs, planes, ..Scene::default() };
 ///
