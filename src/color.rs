@@ -1,32 +1,35 @@
-//! Floor 1: linear colour, its sum over reflections, and the one place where it is quantised.
+//! Floor 1: linear colour, the sum of colours over reflections, and the one function that quantises a
+//! colour.
 
 use crate::number::{
     Brightness, Number, Unit, add_high_positive, high_positive, narrowed, offset_modulo_2_32,
     to_u8, unsigned, wide_positive,
 };
 
-/// A linear colour: red, green and blue in Q6.26, 0 to below 32.
+/// Linear colour: red, green and blue in Q6.26, each from 0 to below 32.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Color([Brightness; 3]);
 
 impl Color {
-    /// No light.
+    /// Black: all components are 0.
     pub const BLACK: Self = Self([Brightness::ZERO; 3]);
 
-    /// The largest component a description may name: 16.
+    /// Largest component that a description may have: 16.
     pub const MAX: i64 = 16;
 
-    /// From red, green and blue.
+    /// Creates a colour from red, green and blue.
     pub const fn new(components: [Brightness; 3]) -> Self {
         Self(components)
     }
 
-    /// From numbers that have been checked to lie in 0 to [`Color::MAX`], rounded to 2⁻²⁶.
+    /// Converts red, green and blue to a colour, rounded to 2⁻²⁶. The caller has checked that each is
+    /// within 0 to [`Color::MAX`].
     pub const fn from_numbers([red, green, blue]: [Number; 3]) -> Self {
         Self([brightness(red), brightness(green), brightness(blue)])
     }
 
-    /// 255 of its 256 parts, rounded up: what a [`Sum`] adds up, so that its upper bits are 8-bit levels.
+    /// Scales the colour by 255/256, rounded up. A [`Sum`] adds such colours, so that its upper bits are
+    /// 8-bit display levels.
     pub const fn in_levels(self) -> Self {
         const fn part(component: Brightness) -> Brightness {
             let bits = component.to_bits();
@@ -36,12 +39,12 @@ impl Color {
         Self([part(red), part(green), part(blue)])
     }
 
-    /// Red, green and blue.
+    /// Returns red, green and blue.
     pub const fn components(self) -> [Brightness; 3] {
         self.0
     }
 
-    /// The largest component.
+    /// Returns the largest of the three components.
     pub const fn largest(self) -> Brightness {
         let [red, green, blue] = self.0;
         let most = if red.to_bits() > green.to_bits() {
@@ -56,22 +59,22 @@ impl Color {
         }
     }
 
-    /// The same brightness in all three components.
+    /// Creates a grey: all three components have the same brightness.
     pub const fn grey(brightness: Brightness) -> Self {
         Self([brightness; 3])
     }
 }
 
-/// The light that a surface sends on before it takes the surface's colour, below 32: Q12.20, or
-/// Q6.26 where `PRECISE`.
+/// Light that a surface reflects, before it is multiplied by the surface's colour. Below 32, in Q12.20,
+/// or in Q6.26 if `PRECISE`.
 #[derive(Clone, Copy, Debug)]
 pub struct Lighting<const PRECISE: bool>([i32; 3]);
 
 impl<const PRECISE: bool> Lighting<PRECISE> {
-    /// How many fraction bits it has.
+    /// Number of fraction bits of a component.
     const PLACES: u32 = if PRECISE { 26 } else { 20 };
 
-    /// The same brightness in all three components, rounded to nearest.
+    /// Creates grey light: all three components have the same brightness, rounded to nearest.
     #[inline(always)]
     pub fn grey(brightness: Brightness) -> Self {
         let bits = brightness.to_bits();
@@ -83,8 +86,8 @@ impl<const PRECISE: bool> Lighting<PRECISE> {
         Self([rounded; 3])
     }
 
-    /// Adds a light's colour times how much of it is sent on, neither below zero: rounded to nearest,
-    /// or down to 2⁻²⁶ where `PRECISE`.
+    /// Adds the light `color` · `strength`, neither of which is below 0. `strength` is the share of the
+    /// light that the surface reflects. Rounds to nearest, or down to 2⁻²⁶ if `PRECISE`.
     #[inline(always)]
     pub fn add(&mut self, color: Color, strength: Brightness) {
         let ([r, g, b], [red, green, blue]) = (self.0, color.0);
@@ -99,7 +102,8 @@ impl<const PRECISE: bool> Lighting<PRECISE> {
         self.0 = [with(r, red), with(g, green), with(b, blue)];
     }
 
-    /// Component by component, rounded down to 2⁻²⁶; the products must stay below 32.
+    /// Multiplies the light by the surface's colour, component by component, rounded down to 2⁻²⁶. The
+    /// products must stay below 32.
     #[inline(always)]
     pub fn filtered(self, color: Color) -> Color {
         let ([r, g, b], [red, green, blue]) = (self.0, color.0);
@@ -111,45 +115,45 @@ impl<const PRECISE: bool> Lighting<PRECISE> {
     }
 }
 
-/// A checked number as a brightness, rounded to nearest.
+/// Converts a number to a brightness, rounded to nearest. The caller has checked its range.
 pub(crate) const fn brightness(number: Number) -> Brightness {
     Brightness::from_bits(number.quantised(26))
 }
 
-/// The sum of weighted colours along one path, each [`Color::in_levels`]: Q8.24.
+/// Sum of weighted colours along one path, in Q8.24. Every colour comes from [`Color::in_levels`].
 ///
-/// With weights that sum to at most one and colours below 32 it stays below 32. Every term is
-/// rounded down to 2⁻²⁴, so that 256 of them lose less than 2⁻¹⁶, a 256th of an 8-bit step.
+/// If the weights sum to at most one and colours are below 32, the sum stays below 32. Every term is
+/// rounded down to 2⁻²⁴. So 256 terms lose less than 2⁻¹⁶, which is 1/256 of an 8-bit step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sum([i32; 3]);
 
 impl Sum {
-    /// Nothing yet.
+    /// Empty sum: all components are 0.
     pub const ZERO: Self = Self([0; 3]);
 
-    /// Adds `weight` · `color`, neither below zero.
+    /// Adds `weight` · `color`, rounded down to 2⁻²⁴. Neither factor is below 0.
     #[inline(always)]
     pub fn add(&mut self, weight: Unit, color: Color) {
         let ([r, g, b], [red, green, blue]) = (self.0, color.0);
         let share = |color: Brightness| high_positive(weight.to_bits(), color.to_bits());
-        // Red last: the compiler moves fewer registers then.
+        // Red comes last, because the compiler then moves fewer registers.
         let green = g + share(green);
         let blue = b + share(blue);
         let red = r + share(red);
         self.0 = [red, green, blue];
     }
 
-    /// The sums a quarter, half and three quarters of the way to another one, after this one itself:
-    /// along the cubic through both that bends so much at each (Lagrange's, where the bends are
-    /// [`Bend::of`] the sums before and behind).
+    /// Interpolates between this sum and `end` with a cubic. Returns this sum and the values at 1/4, 1/2
+    /// and 3/4 of the distance. `first` and `last` are the second differences at the two ends. If they
+    /// are [`Bend::of`] the neighbouring sums, the cubic is Lagrange's through all four sums.
     #[inline(always)]
     pub fn towards(self, end: Self, [first, last]: [Bend; 2]) -> [Self; 4] {
         let mut sums = [self; 4];
         for axis in 0..3 {
             let (start, way) = (self.0[axis], end.0[axis] - self.0[axis]);
-            // A bend is within ±2³⁰, so a 32nd of it leaves room for twelve.
+            // A second difference is within ±2³⁰, so twelve times 1/32 of it fit 32 bits.
             let (first, last) = (first.0[axis] >> 5, last.0[axis] >> 5);
-            // A line, less (u - u²) / 6 · ((2 - u) first + (1 + u) last).
+            // At u: the straight line minus (u - u²) / 6 · ((2 - u) first + (1 + u) last).
             let both = 5 * (first + last);
             sums[1].0[axis] = start + (way >> 2) - ((both + 2 * first) >> 2);
             sums[2].0[axis] = start + (way >> 1) - (2 * (first + last));
@@ -158,7 +162,8 @@ impl Sum {
         sums
     }
 
-    /// The sum half way to another one, along the same cubic.
+    /// Interpolates the sum half way between this sum and `end`, on the cubic with the second
+    /// differences `first` and `last` at the two ends.
     #[inline(always)]
     pub fn half_way(self, end: Self, [first, last]: [Bend; 2]) -> Self {
         let bend = first.each(last, |first, last| (first >> 4) + (last >> 4));
@@ -166,19 +171,19 @@ impl Sum {
         middle.less(bend)
     }
 
-    /// This sum and three quarters of another one.
+    /// Adds three quarters of another sum.
     #[inline(always)]
     pub fn with_most_of(self, other: Self) -> Self {
         self.each(other, |sum, other| sum + other - (other >> 2))
     }
 
-    /// How much more it is than another one.
+    /// Subtracts another sum.
     #[inline(always)]
     pub fn less(self, other: Self) -> Self {
         self.each(other, |sum, other| sum - other)
     }
 
-    /// Whether no channel is further from zero than so much.
+    /// Tests whether every component is within ±`most`, in steps of 2⁻²⁴.
     #[inline(always)]
     pub fn is_within(self, most: i32) -> bool {
         self.0
@@ -186,19 +191,20 @@ impl Sum {
             .all(|&sum| offset_modulo_2_32(sum, most) <= 2 * unsigned(most))
     }
 
+    /// Combines two sums, component by component, with the function `of`.
     #[inline(always)]
     fn each(self, other: Self, of: impl Fn(i32, i32) -> i32) -> Self {
         let ([r, g, b], [red, green, blue]) = (self.0, other.0);
         Self([of(r, red), of(g, green), of(b, blue)])
     }
 
-    /// Red, green and blue in steps of 2⁻²⁴.
+    /// Returns red, green and blue in steps of 2⁻²⁴.
     #[cfg(test)]
     pub(crate) fn to_bits(self) -> [i32; 3] {
         self.0
     }
 
-    /// Clamped to 0 to 1 and rounded to 8 bits: round(255 c).
+    /// Converts the sum to 8 bits per component: clamped to 0 to 1, then round(255 c).
     #[inline(always)]
     pub fn to_rgb8(self) -> [u8; 3] {
         let level = |sum: i32| to_u8(unsigned(((sum + (1 << 15)) >> 16).clamp(0, 255)));
@@ -207,35 +213,35 @@ impl Sum {
     }
 }
 
-/// How much three sums at the same distance from each other deviate from a straight line: the second
-/// difference.
+/// Second difference of three sums at equal distances: their deviation from a straight line.
 pub type Bend = Sum;
 
 impl Bend {
-    /// Of three sums.
+    /// Returns the second difference of three sums at equal distances:
+    /// `before` - 2 · `middle` + `after`.
     #[inline(always)]
     pub fn of(before: Sum, middle: Sum, after: Sum) -> Self {
         let ends = before.each(after, |before, after| before + after);
         ends.each(middle, |ends, middle| ends - 2 * middle)
     }
 
-    /// Of three sums of which the last is half as far from the middle as the first, at the last's
-    /// distance, but for a sixteenth.
+    /// Returns the second difference of three sums at unequal distances: `after` is half as far from
+    /// `middle` as `before`. The result is for the distance of `after`, and 1/16 too small.
     #[inline(always)]
     pub fn of_uneven(before: Sum, middle: Sum, after: Sum) -> Self {
         let ends = before.each(after, |before, after| before + 2 * after);
         ends.each(middle, |ends, middle| {
             let bends = ends - 3 * middle;
-            // A third.
+            // A third, approximately: 1/4 + 1/16.
             (bends >> 2) + (bends >> 4)
         })
     }
 }
 
-/// (1 + `unit`) / 2 as a brightness: how the normals view shows a coordinate.
+/// Converts a coordinate of a normal to a brightness: (1 + `unit`) / 2. The view of normals shows it.
 ///
-/// A coordinate a last place beyond ±1 is taken for ±1. The coordinate is rounded to 2⁻²⁰ first, so that
-/// one that is zero but for rounding lands on the same side of level 127.5 everywhere.
+/// A coordinate just beyond ±1 counts as ±1. The coordinate is first rounded to 2⁻²⁰. So a coordinate
+/// that is 0 except for rounding is on the same side of level 127.5 in every picture.
 pub fn halved(unit: Unit) -> Brightness {
     let held = unit.to_bits().clamp(-(1 << 30), 1 << 30);
     let rounded = (held + (1 << 9)) >> 10 << 10;
@@ -276,13 +282,13 @@ mod tests {
 
     #[test]
     fn three_sums_at_uneven_distances_tell_how_much_a_parabola_bends() {
-        // At 0, 2 and 3, at the distance of one: the second difference is twice the factor of x².
+        // Sums at x = 0, 2 and 3. For the distance 1, the second difference is twice the factor of x².
         for factor in [-(1 << 24), -123_457, -1, 0, 1, 98_765, 1 << 24] {
             let at = |x: i32| Sum([0, 7, -9].map(|slope| factor * x * x + slope * x + 1_000));
             let Sum(bends) = Bend::of_uneven(at(0), at(2), at(3));
             let truth = 2 * factor;
             for bend in bends {
-                // A sixteenth less, and two shifts rounded down.
+                // The result is 1/16 too small, and two shifts are rounded down.
                 let short = (truth - bend).abs();
                 assert!(short <= truth.abs() / 16 + 2, "{bend}, not {truth}");
             }

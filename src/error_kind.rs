@@ -2,6 +2,20 @@
 
 use core::fmt;
 
+/// Messages that are longer than a line.
+const COORDINATE: &str =
+    "coordinates and sizes must be finite and within -2^30 to 2^30 scene units";
+const TINY: &str = "radius and half the height must be at least 2^-22 of the scene's extent: \
+    enlarge it or shrink the scene";
+const BRIGHTNESS: &str = "color * (ambient + the sum over lights of (diffuse + specular) * light color), \
+    with and without color, must stay below 30: dim the material or the lights";
+const NO_LIGHT: &str = "nothing lights the scene: add a light, or give a material some ambient";
+const NOTHING_MOVES: &str =
+    "only bounded shapes of a constant scene can have a name and move: use a RuntimeScene";
+const MOTION: &str = "motion box must hold every part that moves, in every place: enlarge it";
+const NUMBER: &str =
+    "text must be decimal digits with an optional sign, point and exponent, such as -1.5 or 2e-3";
+
 macro_rules! faults {
     (
         $header:tt
@@ -129,13 +143,8 @@ macro_rules! faults {
                     Self::Height => "height must be greater than 0",
                     Self::Normal => "normal must not be zero",
                     Self::Axis => "axis must not be zero",
-                    Self::Coordinate => {
-                        "coordinates and sizes must be finite and within -2^30 to 2^30 scene units"
-                    }
-                    Self::Tiny => {
-                        "radius and half the height must be at least 2^-22 of the scene's extent: \
-                         enlarge it or shrink the scene"
-                    }
+                    Self::Coordinate => COORDINATE,
+                    Self::Tiny => TINY,
                     Self::Extent => "extent must be larger than 2^-30 scene units: scale the scene up",
                     Self::Color => "color components must be within 0 to 16",
                     Self::Ambient => "ambient must be within 0 to 16",
@@ -145,10 +154,7 @@ macro_rules! faults {
                     Self::Mirror => "mirror must be within 0 to 1",
                     Self::Background => "background components must be within 0 to 16",
                     Self::Epsilon => "epsilon must be greater than 0 and smaller than the scene",
-                    Self::Brightness => {
-                        "color * (ambient + the sum over lights of (diffuse + specular) * light color), \
-                         with and without color, must stay below 30: dim the material or the lights"
-                    }
+                    Self::Brightness => BRIGHTNESS,
                     $(
                         Self::$too_many => concat!(
                             "too many ", stringify!($list), ": raise `", stringify!($list), "` in room!(..)"
@@ -160,24 +166,15 @@ macro_rules! faults {
                     Self::UnknownMaterial => "material does not exist in this scene: add it first",
                     Self::UnknownHandle => "handle is of another scene: use one that this scene returned",
                     Self::UnusedRoom => "room!(..) has room for more than the scene uses: lower it",
-                    Self::NoLight => {
-                        "nothing lights the scene: add a light, or give a material some ambient"
-                    }
+                    Self::NoLight => NO_LIGHT,
                     Self::TooManyMoving => "at most 16 shapes of a constant scene move: use a RuntimeScene",
-                    Self::NothingMoves => {
-                        "only bounded shapes of a constant scene can have a name and move: use a RuntimeScene"
-                    }
-                    Self::Motion => {
-                        "motion box must hold every part that moves, in every place: enlarge it"
-                    }
+                    Self::NothingMoves => NOTHING_MOVES,
+                    Self::Motion => MOTION,
                     Self::View => "target must differ from the position",
                     Self::Up => "up must not be zero or parallel to the view direction",
                     Self::FieldOfView => "fov must be between 0.001 and 179.999 degrees",
                     Self::Limit => "the scene needs this, but its NeedsLimit leaves it out: allow it there",
-                    Self::Number => {
-                        "number must be decimal digits with an optional sign, point and exponent, \
-                         such as -1.5 or 2e-3"
-                    }
+                    Self::Number => NUMBER,
                     Self::Changed => "changed since the frame was prepared: prepare the frame again",
                 }
             }

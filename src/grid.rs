@@ -1,20 +1,22 @@
-//! Floor 1: the grid a scene is laid on: where its middle is and how fine its steps are.
+//! Floor 1: the grid of a scene. It converts positions in scene units to raw steps around the scene's
+//! middle.
 
 use crate::number::{Length, Number, fitting, narrowed, narrowed_128};
 use crate::ray::ScaledPoint;
 use crate::vector::{Direction, Point, Position};
 
-/// The scene's own coordinates: raw steps of 2^-`fraction_bits` scene units from its middle.
+/// Coordinate system of a scene: raw steps of 2^-`fraction_bits` scene units, counted from its middle.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid {
     middle: Position,
-    /// A step is 2^-(64 - drop) scene units: how many bits of a [`Number`] are dropped.
+    /// Number of low bits of a [`Number`] that a conversion drops. A step is 2^-(64 - `drop`) scene
+    /// units.
     drop: u32,
 }
 
 impl Grid {
-    /// A grid around `middle` on which `radius` (in the bits of a [`Number`], at least 2²⁸ · 2)
-    /// is at most 2²⁸ steps.
+    /// Creates the finest grid around `middle` on which `radius` is at most 2²⁸ steps. `radius` is in
+    /// the raw bits of a [`Number`] and at least 2²⁸ · 2.
     pub(crate) const fn new(middle: Position, radius: u128) -> Self {
         let bits = 128 - (radius - 1).leading_zeros();
         Self {
@@ -23,24 +25,25 @@ impl Grid {
         }
     }
 
-    /// How many bits of a raw step lie behind the binary point of a scene unit.
+    /// Returns the number of fraction bits: a step is 2^-`fraction_bits` scene units.
     #[cfg(any(test, feature = "host"))]
     pub const fn fraction_bits(&self) -> i32 {
         use crate::number::signed;
         64 - signed(self.drop)
     }
 
-    /// The middle of the scene.
+    /// Returns the middle of the scene, in scene units.
     #[cfg(any(test, feature = "host"))]
     pub const fn middle(&self) -> Position {
         self.middle
     }
 
-    /// How far a position lies from the middle along a direction, in steps with 30 more fraction
-    /// bits, rounded down; coordinates below 2^(31 + 64) times Q30, three of them, stay below 2^127.
+    /// Returns the signed distance of `position` from the middle along `normal`, in steps with 30
+    /// fraction bits, rounded down. Three coordinates below 2^(31 + 64), multiplied by Q30, have a sum
+    /// below 2^127.
     ///
-    /// Along an axis it is rounded to whole steps as [`Grid::place`] rounds: what has the same
-    /// coordinate in a description lies in the plane, and not beside it.
+    /// If `normal` is a coordinate axis, the distance is rounded to whole steps as in [`Grid::place`].
+    /// So a position with the same coordinate as a plane lies exactly in the plane.
     pub(crate) const fn height_of(&self, position: Position, normal: Direction) -> i128 {
         let [x, y, z] = position.minus(self.middle).0;
         let [nx, ny, nz] = normal.components();
@@ -58,7 +61,7 @@ impl Grid {
         (x.to_bits() * nx + y.to_bits() * ny + z.to_bits() * nz) >> self.drop
     }
 
-    /// A length, rounded to the nearest step; what does not fit 2³⁰ steps becomes 2³⁰.
+    /// Converts a length to steps, rounded to nearest and limited to 2³⁰.
     pub(crate) const fn length(&self, number: Number) -> Length {
         let steps = (number.to_bits() + (1 << (self.drop - 1))) >> self.drop;
         Length::from_bits(if steps > 1 << 30 {
@@ -68,7 +71,8 @@ impl Grid {
         })
     }
 
-    /// A position, rounded to the nearest step, or coarser where it is far.
+    /// Converts a position to steps from the middle of the scene, rounded to the nearest step. A far
+    /// position gets coarser steps.
     pub(crate) const fn place(&self, position: Position) -> ScaledPoint {
         let [x, y, z] = position.minus(self.middle).0;
         let mut drop = self.drop;
@@ -83,8 +87,8 @@ impl Grid {
     }
 }
 
-/// A number without so many of its last bits, rounded to the nearest; the largest where that does not
-/// fit.
+/// Drops the last `drop` bits of a number and rounds to nearest. Returns `i32::MAX` if the result does
+/// not fit.
 #[inline(never)]
 const fn rounded(number: Number, drop: u32) -> i32 {
     let twice = number.to_bits() >> (drop - 1);

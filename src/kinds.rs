@@ -74,7 +74,7 @@ macro_rules! __room {
     };
 }
 
-/// Writes the path of the type that describes a shape of a kind, such as `Sphere` for `sphere`.
+/// Writes the path of the type that describes a part, such as `Sphere` for `sphere`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __described {
@@ -86,5 +86,12 @@ macro_rules! __described {
     };
     (disc) => {
         $crate::description::Disc
+    };
+    // These cannot move: `SceneBuilder` says so.
+    (plane) => {
+        $crate::description::Plane
+    };
+    (light) => {
+        $crate::description::Light
     };
 }

@@ -8,7 +8,7 @@ use crate::number::Number;
 use crate::ray::ScaledPoint;
 use crate::vector::Position;
 
-/// A point light as it is described: it shines evenly to all sides and does not fall off with
+/// Point light as the user describes it. It shines equally in all directions and does not fall off with
 /// distance.
 ///
 /// ```
@@ -24,19 +24,20 @@ use crate::vector::Position;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Light {
-    /// Where it stands.
+    /// Position of the light, in scene units.
     pub position: Position,
-    /// Its colour, 0 to 16 a component.
+    /// Colour of the light, each component from 0 to 16.
     pub color: [Number; 3],
 }
 
 impl Light {
+    /// Placeholder for an unused slot in a list of described lights.
     pub(crate) const NONE: Self = Self {
         position: Position::ORIGIN,
         color: [Number::ZERO; 3],
     };
 
-    /// What is wrong with it.
+    /// Checks the light. Returns the first fault, or `None` if position and colour are in range.
     pub(crate) const fn fault(&self) -> Option<ErrorKind> {
         if !self.position.is_in_range() {
             Some(ErrorKind::Coordinate)
@@ -48,25 +49,26 @@ impl Light {
     }
 }
 
-/// A light as the kernels read it.
+/// Light as the kernels read it: position in steps of the grid, and colour.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedLight {
     pub(crate) place: ScaledPoint,
     pub(crate) color: Color,
-    /// Whether it stands near and outside of all spheres, so that what is hidden from it can be told
-    /// by how it sees the shapes.
+    /// Whether shadows can be tested with the values that are prepared for each pair of light and shape.
+    /// The light must be near and outside of all spheres.
     pub(crate) is_plain: bool,
 }
 
 impl PreparedLight {
-    /// Fills the room of a light that a scene's type allows but the scene does not use.
+    /// Placeholder for an unused slot: a scene's type may allow more lights than the scene has.
     pub(crate) const NONE: Self = Self {
         place: ScaledPoint::ORIGIN,
         color: Color::BLACK,
         is_plain: false,
     };
 
-    /// A light laid on a grid; whether it is plain depends on the shapes.
+    /// Converts a described light to the scene's grid. `is_plain` stays `false`, because it depends on
+    /// the shapes.
     pub(crate) const fn new(light: &Light, grid: &Grid) -> Self {
         Self {
             place: grid.place(light.position),

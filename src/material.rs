@@ -1,17 +1,17 @@
-//! Floor 2: what a surface is made of.
+//! Floor 2: materials of surfaces: colour, Phong coefficients and reflection.
 
 use crate::color::{Color, brightness};
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::number::{Brightness, Exponent, Number, Unit};
 
-/// A material as it is described: colour, Phong coefficients, and how mirror-like it is.
+/// Material as the user describes it: colour, Phong coefficients and share of reflection.
 ///
 /// | field | range |
 /// |---|---|
 /// | color, ambient, diffuse, specular | 0 to 16 |
 /// | shininess | 0 to 2²⁰, any real number; small whole numbers are fastest |
-/// | mirror (α) | 0 (no reflection) to 1 (nothing but reflection) |
+/// | mirror (α) | 0 (no reflection) to 1 (only reflection) |
 ///
 /// ```
 /// use reflet::Material;
@@ -34,7 +34,7 @@ use crate::number::{Brightness, Exponent, Number, Unit};
 /// # Ok::<(), reflet::Error>(())
 /// ```
 ///
-/// What is out of range does not compile:
+/// A constant with a value out of range does not compile:
 ///
 /// ```compile_fail
 /// use reflet::Material;
@@ -51,7 +51,8 @@ pub struct Material {
 }
 
 impl Material {
-    /// Fills the room for a material that a scene does not use: zeros, which take no flash.
+    /// Placeholder for an unused slot in a list of described materials. It is all zeros, which take no
+    /// flash.
     pub(crate) const NONE: Self = Self {
         color: [Number::ZERO; 3],
         ambient: Number::ZERO,
@@ -61,10 +62,10 @@ impl Material {
         mirror: Number::ZERO,
     };
 
-    /// A matte material: ambient 0.2, diffuse 0.8, no highlight, no reflection.
+    /// Creates a matte material: ambient 0.2, diffuse 0.8, no highlight, no reflection.
     ///
-    /// For constants. Panics, which stops the compiler, where a component is outside 0 to 16;
-    /// so do the other methods that take plain numbers.
+    /// Meant for constants. Panics if a component is outside of 0 to 16; in a constant, that is an error
+    /// of the compiler. The other methods that take plain numbers do the same.
     pub const fn new([red, green, blue]: [f64; 3]) -> Self {
         Self {
             color: [Number::new(red), Number::new(green), Number::new(blue)],
@@ -77,38 +78,39 @@ impl Material {
         .checked()
     }
 
-    /// The same material with this share of its colour shown without any light.
+    /// Sets the ambient coefficient, 0 to 16: the share of the colour that is visible without any light.
     pub const fn ambient(mut self, coefficient: f64) -> Self {
         self.ambient = Number::new(coefficient);
         self.checked()
     }
 
-    /// The same material scattering this share of the light evenly (Lambert).
+    /// Sets the diffuse coefficient, 0 to 16: the share of the light that the surface scatters evenly
+    /// (Lambert).
     pub const fn diffuse(mut self, coefficient: f64) -> Self {
         self.diffuse = Number::new(coefficient);
         self.checked()
     }
 
-    /// The same material with a highlight of this strength and shininess.
+    /// Sets the strength, 0 to 16, and the shininess, 0 to 2²⁰, of the highlight.
     ///
-    /// With shininess 0 the highlight is even. In Phong's shading it is where the mirrored light comes
-    /// to the viewer's side: r · v > 0.
+    /// With shininess 0, the highlight has the same strength everywhere. In Phong's shading, it covers
+    /// only points where the mirrored light points to the viewer's side: r · v > 0.
     pub const fn specular(mut self, coefficient: f64, shininess: f64) -> Self {
         self.specular = Number::new(coefficient);
         self.shininess = Number::new(shininess);
         self.checked()
     }
 
-    /// The same material with α: the share of what it shows that is a reflection.
+    /// Sets α, 0 to 1: the share of the visible colour that is a reflection.
     pub const fn mirror(mut self, alpha: f64) -> Self {
         self.mirror = Number::new(alpha);
         self.checked()
     }
 
-    /// A material from numbers known at run time.
+    /// Creates a material from numbers known at run time.
     ///
     /// # Errors
-    /// The first field that is out of range.
+    /// Returns the fault of the first field that is out of range.
     pub fn from_numbers(
         color: [impl Into<Number>; 3],
         ambient: impl Into<Number>,
@@ -130,11 +132,13 @@ impl Material {
         }
     }
 
+    /// Returns the material if all fields are in range. Panics otherwise.
     const fn checked(self) -> Self {
         Error::refuse("material", self.fault());
         self
     }
 
+    /// Returns the fault of the first field that is out of range, or `None`.
     const fn fault(&self) -> Option<ErrorKind> {
         if !is_color(self.color) {
             Some(ErrorKind::Color)
@@ -153,7 +157,7 @@ impl Material {
         }
     }
 
-    /// Whether both are the same material; usable in constants.
+    /// Tests whether two materials are equal. It can be called in constants, unlike `==`.
     pub(crate) const fn same(&self, other: &Self) -> bool {
         let ([r, g, b], [red, green, blue]) = (self.color, other.color);
         r.same(red)
@@ -166,12 +170,12 @@ impl Material {
             && self.mirror.same(other.mirror)
     }
 
-    /// The colour as it was described.
+    /// Returns the described colour: red, green and blue.
     pub const fn described_color(&self) -> [Number; 3] {
         self.color
     }
 
-    /// Ambient, diffuse and specular coefficient, shininess and α as they were described.
+    /// Returns the described coefficients: ambient, diffuse, specular, shininess and α, in this order.
     pub const fn described_coefficients(&self) -> [Number; 5] {
         [
             self.ambient,
@@ -183,35 +187,35 @@ impl Material {
     }
 }
 
-/// Whether every component is within 0 to [`Color::MAX`].
+/// Tests whether every component of a colour is within 0 to [`Color::MAX`].
 pub(crate) const fn is_color([red, green, blue]: [Number; 3]) -> bool {
     red.is_within(0, Color::MAX) && green.is_within(0, Color::MAX) && blue.is_within(0, Color::MAX)
 }
 
-/// A material as the kernels read it.
+/// Material as the kernels read it, in fixed point.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedMaterial {
-    /// [`Color::in_levels`]
+    /// Colour, scaled by [`Color::in_levels`].
     pub(crate) color: Color,
     pub(crate) ambient: Brightness,
     pub(crate) diffuse: Brightness,
     pub(crate) specular: Brightness,
     pub(crate) shininess: Exponent,
-    /// α, 0 to 1
+    /// Share of reflection α, 0 to 1.
     pub(crate) mirror: Unit,
 }
 
 impl PreparedMaterial {
-    /// Fills the room of a material that a scene's type allows but the scene does not use.
+    /// Placeholder for an unused slot: a scene's type may allow more materials than the scene has.
     pub(crate) const NONE: Self = Self::new(&Material::new([0.0; 3]));
 
-    /// Whether it reflects at all.
+    /// Tests whether the material reflects: α is above 0.
     #[inline(always)]
     pub(crate) const fn mirrors(&self) -> bool {
         self.mirror.to_bits() > 0
     }
 
-    /// Quantises a description: coefficients to 2⁻²⁶, α to 2⁻³⁰.
+    /// Converts a described material to fixed point: coefficients to 2⁻²⁶, α to 2⁻³⁰.
     pub(crate) const fn new(material: &Material) -> Self {
         Self {
             color: Color::from_numbers(material.color).in_levels(),

@@ -1,10 +1,10 @@
-//! Floor 1: rays, the places they start from, and the one place that offsets a ray from the
-//! surface it leaves.
+//! Floor 1: rays, the points where they start, and the one function that moves the start of a ray off
+//! the surface it leaves.
 //!
-//! Bounded shapes lie in a ball of 2²⁸ raw steps around the middle of the scene. A plane may be
-//! met much further out, so a [`ScaledPoint`] carries a power of two: it is *near* (power 0, all
-//! kernels work on it directly) or *far* (its point is in steps of 2ˢ, and a ray that starts
-//! there is first moved to the ball).
+//! Bounded shapes lie in a ball of 2²⁸ raw steps around the middle of the scene. A ray may hit a plane
+//! much further out, so a [`ScaledPoint`] has a power of two. It is *near* if the power is 0: all
+//! kernels work on it directly. Else it is *far*: its point is in steps of 2ˢ, and a ray that starts
+//! there is first moved to the ball.
 
 use crate::number::{
     Length, high, narrowed, offset_modulo_2_32, product_modulo_2_32, shifted, signed,
@@ -12,23 +12,23 @@ use crate::number::{
 };
 use crate::vector::{Direction, Point, Vector};
 
-/// The radius of the ball that holds every bounded shape, in raw steps.
+/// Radius of the ball around the middle of the scene that holds every bounded shape, in raw steps.
 pub const BALL: i32 = 1 << 28;
 
-/// The largest magnitude of a coordinate of a near point, in raw steps.
+/// Largest magnitude of a coordinate of a near point, in raw steps.
 ///
-/// Two near points are then at most 2√3 · 3 · 2²⁷ < 2³¹·⁵ apart and their difference fits
-/// ±2³⁰ a coordinate.
+/// Two near points are at most 2√3 · 3 · 2²⁷ < 2³¹·⁵ apart, and each coordinate of their difference is
+/// within ±2³⁰.
 pub const NEAR: i32 = 3 << 27;
 
-/// How far a near ray looks, in raw steps: it crosses the ball from any near point,
-/// √3 · 3 · 2²⁷ + 2²⁸ < 2³⁰.
+/// Length of a near ray, in raw steps. It is enough to cross the ball of bounded shapes from any near
+/// point: √3 · 3 · 2²⁷ + 2²⁸ < 2³⁰.
 pub const REACH: Length = Length::from_bits(1 << 30);
 
-/// A point with its scale: `point` · 2^`scale` raw steps from the middle of the scene.
+/// Point at any distance, with a scale: `point` · 2^`scale` raw steps from the middle of the scene.
 ///
-/// Normal form: every coordinate of `point` is within ±[`NEAR`], and `scale` is 0 or as small as
-/// that allows.
+/// In normal form, every coordinate of `point` is within ±[`NEAR`], and `scale` is 0 or the smallest
+/// that allows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScaledPoint {
     pub(crate) point: Point,
@@ -36,13 +36,13 @@ pub struct ScaledPoint {
 }
 
 impl ScaledPoint {
-    /// The middle of the scene.
+    /// Middle of the scene: all coordinates are 0.
     pub const ORIGIN: Self = Self {
         point: Point::ORIGIN,
         scale: 0,
     };
 
-    /// Brings a point in steps of 2^`scale` to normal form.
+    /// Creates a point from coordinates in steps of 2^`scale` and brings it to normal form.
     pub const fn new(point: Point, scale: u32) -> Self {
         let mut place = Self { point, scale };
         while !is_near(place.point) {
@@ -54,7 +54,8 @@ impl ScaledPoint {
         place
     }
 
-    /// Brings wide coordinates in raw steps to normal form; each is within ±2⁶².
+    /// Creates a point from 64-bit coordinates in raw steps, each within ±2⁶², and brings it to normal
+    /// form.
     #[inline(never)]
     pub const fn from_wide(coordinates: [i64; 3]) -> Self {
         let [x, y, z] = coordinates;
@@ -70,13 +71,13 @@ impl ScaledPoint {
         )
     }
 
-    /// Whether the place is near.
+    /// Tests whether the point is near: its scale is 0.
     #[inline(always)]
     pub const fn is_near(self) -> bool {
         self.scale == 0
     }
 
-    /// A near point, if it is one.
+    /// Creates a near point, or returns `None` if a coordinate is outside of ±[`NEAR`].
     #[inline(always)]
     pub(crate) const fn near(point: Point) -> Option<Self> {
         if is_near(point) {
@@ -86,7 +87,8 @@ impl ScaledPoint {
         }
     }
 
-    /// Where every ray starts that leaves a surface here: `epsilon`, below 2²⁸, along the normal.
+    /// Returns the point `epsilon` above a surface point, along `normal`. Every ray that leaves the
+    /// surface starts there. `epsilon` is below 2²⁸ steps.
     #[inline(always)]
     pub const fn lifted(self, normal: Direction, epsilon: Length) -> Self {
         let step = match self.scale {
@@ -105,8 +107,7 @@ impl ScaledPoint {
         }
     }
 
-    /// The way to `other` in steps of 2ˢ, and s: the smallest scale that both have, or one more
-    /// where they are far.
+    /// Returns the vector to `other` in steps of 2ˢ, and s, which is the larger one of the two scales.
     pub const fn to(self, other: Self) -> (Vector, u32) {
         if self.scale | other.scale == 0 {
             return (self.point.to(other.point), 0);
@@ -122,18 +123,20 @@ impl ScaledPoint {
     }
 }
 
-/// A length in steps of 2^`scale`; rarely asked.
+/// Converts a length to steps of 2^`scale`, rounded down. Rarely called.
 #[cold]
 #[inline(never)]
 const fn coarser(length: Length, scale: u32) -> i32 {
     length.to_bits() >> shift_of(scale)
 }
 
-/// A shift that an `i32` allows: past 31 nothing but the sign is left anyway.
+/// Limits a right shift of an `i32` to 31, the largest allowed. It leaves only the sign, as larger
+/// shifts would.
 const fn shift_of(difference: u32) -> u32 {
     if difference > 31 { 31 } else { difference }
 }
 
+/// Tests whether every coordinate of a point is within ±[`NEAR`].
 #[inline(always)]
 const fn is_near(point: Point) -> bool {
     const SPAN: u32 = 2 * unsigned(NEAR);
@@ -142,14 +145,14 @@ const fn is_near(point: Point) -> bool {
         && offset_modulo_2_32(point.z, NEAR) <= SPAN
 }
 
-/// A ray from a near point: what the shapes are tested against.
+/// Ray from a near point. Shapes are tested against such rays.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
     pub(crate) origin: Point,
     pub(crate) direction: Direction,
 }
 
-/// A ray from any place: `ray` starts at a point in steps of 2^`scale`.
+/// Ray from a point at any distance: `ray` starts at a point in steps of 2^`scale`.
 #[derive(Clone, Copy, Debug)]
 pub struct ScaledRay {
     pub(crate) ray: Ray,
@@ -157,7 +160,7 @@ pub struct ScaledRay {
 }
 
 impl ScaledRay {
-    /// The path from a place.
+    /// Creates a ray from its origin and its direction.
     #[inline(always)]
     pub(crate) const fn new(from: ScaledPoint, direction: Direction) -> Self {
         Self {
@@ -169,7 +172,7 @@ impl ScaledRay {
         }
     }
 
-    /// Where it starts.
+    /// Returns the origin of the ray.
     #[inline(always)]
     pub(crate) const fn from(&self) -> ScaledPoint {
         ScaledPoint {
@@ -178,73 +181,76 @@ impl ScaledRay {
         }
     }
 
-    /// Its direction.
+    /// Returns the direction of the ray.
     #[inline(always)]
     pub(crate) const fn direction(&self) -> Direction {
         self.ray.direction
     }
 }
 
-/// Spreads numbers over all bits, as in Fibonacci hashing modulo 2³² (Knuth, The Art of Computer
+/// Hashes a number to 32 bits: Fibonacci hashing, a product modulo 2³² (Knuth, The Art of Computer
 /// Programming, vol. 3, 6.4).
 #[inline(always)]
 pub(crate) const fn spread(number: u32) -> u32 {
     product_modulo_2_32(number, 0x9e37_79b1)
 }
 
-/// What a path has met on its way, as a number: paths that met the same have the same.
+/// Hash of what a path hits: shapes, lights and the sides on which it passes thin shapes. Paths with the
+/// same hits have the same signature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PathSignature(u32);
 
 impl PathSignature {
-    /// The highest bit.
+    /// Highest bit of a signature: whether the path was reflected at a curved surface.
     const BENT: u32 = 1 << 31;
 
-    /// Of a path that has not met anything; not zero, or notes of zero would leave it as it is.
+    /// Creates the signature of a path that has hit nothing yet. It is not 0, because notes of 0 would
+    /// leave 0 unchanged.
     pub(crate) const fn new() -> Self {
         Self(1)
     }
 
-    /// Of no path.
+    /// Returns a sentinel that equals the signature of no real path.
     pub(crate) const fn of_none() -> Self {
         Self(u32::MAX)
     }
 
-    /// Adds what was met.
+    /// Adds what the path hits or passes to the hash. `met` is a number for it.
     #[inline(always)]
     pub(crate) fn note(&mut self, met: u32) {
-        // Times 1025, in one instruction. As 1024³ · 4 and 1024⁴ are nothing in 32 bits, two signatures may be
-        // taken for one if their notes differ by at least four times 1, -3, 3, -1, or by 1, -4, 6, -4, 1:
-        // not by one shape, or one light.
+        // Multiplies by 1025, in one instruction. Modulo 2³², 4 · 1024³ and 1024⁴ are 0. So different
+        // paths can have the same signature if their notes differ by at least four times (1, -3, 3, -1),
+        // or by (1, -4, 6, -4, 1). They cannot if they differ in only one shape or one light.
         self.0 = sum_modulo_2_32(sum_modulo_2_32(self.0, self.0 << 10), met);
     }
 
-    /// Of the whole path, which may have been mirrored in something round, and then gone on.
+    /// Returns the final signature of a path. `is_bent` says whether the path was reflected at a curved
+    /// surface and went on; it is stored in the highest bit.
     #[inline(always)]
     pub(crate) fn ended(self, is_bent: bool) -> Self {
         Self(self.0 & !Self::BENT | u32::from(is_bent) << Self::BENT.trailing_zeros())
     }
 
-    /// Whether the path was mirrored in something round.
+    /// Tests whether the path was reflected at a curved surface.
     #[inline(always)]
     pub(crate) fn is_bent(self) -> bool {
         self.0 & Self::BENT != 0
     }
 }
 
-/// The rays through the middles of the columns of a picture, as seen along the columns (or through
-/// those of the rows, along the rows): from one near point, in one plane.
+/// Rays through the centres of a picture's columns, projected along the columns: all start at one near
+/// point and lie in one plane. It also serves for rows; then rows take the place of columns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScreenAxis {
     pub(crate) origin: Point,
-    /// Into the picture.
+    /// Direction into the picture.
     pub(crate) ahead: Direction,
-    /// From column to column.
+    /// Direction from one column to the next.
     pub(crate) aside: Direction,
-    /// How far ahead half pixels lie: `distance` · 2^`scale` half pixels.
+    /// Distance from the point to the picture along `ahead`: `distance` · 2^`scale` half pixels.
     pub(crate) distance: i32,
     pub(crate) scale: i32,
-    /// How many columns there are.
+    /// Number of columns.
     pub(crate) width: u32,
 }
 

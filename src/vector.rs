@@ -1,7 +1,7 @@
 //! Floor 1: points, differences of points, and directions of unit length.
 //!
-//! A [`Point`] and a [`Vector`] hold raw scene steps ([`Length`]); a [`Direction`] holds
-//! Q2.30 and has length one by construction. Knows no ray and no scene.
+//! A [`Point`] and a [`Vector`] hold raw scene steps ([`Length`]). A [`Direction`] holds Q2.30 and has
+//! length one by construction. Knows no ray and no scene.
 
 mod direction;
 mod position;
@@ -14,48 +14,49 @@ use crate::number::{
     unsigned, unsigned_wide, wide,
 };
 
-/// A place in the scene, in raw scene steps from its middle.
+/// Point of the scene, in raw scene steps from the middle of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Point {
-    /// Raw steps.
+    /// Coordinate along the x axis, in raw steps.
     pub x: i32,
-    /// Raw steps.
+    /// Coordinate along the y axis, in raw steps.
     pub y: i32,
-    /// Raw steps.
+    /// Coordinate along the z axis, in raw steps.
     pub z: i32,
 }
 
 impl Point {
-    /// The middle of the scene.
+    /// Middle of the scene: all coordinates are 0.
     pub const ORIGIN: Self = Self { x: 0, y: 0, z: 0 };
 
-    /// From raw steps.
+    /// Creates a point from its coordinates in raw steps.
     pub const fn new(x: i32, y: i32, z: i32) -> Self {
         Self { x, y, z }
     }
 
-    /// The way from `self` to `other`; every coordinate of both is within ±2³⁰.
+    /// Returns the vector from `self` to `other`. Every coordinate of both points is within ±2³⁰.
     pub const fn to(self, other: Self) -> Vector {
         Vector::new(other.x - self.x, other.y - self.y, other.z - self.z)
     }
 
-    /// As the vector from the middle of the scene.
+    /// Returns the vector from the middle of the scene to the point.
     pub const fn to_vector(self) -> Vector {
         Vector::new(self.x, self.y, self.z)
     }
 
-    /// The point `distance` along `direction`, an even number of steps away a coordinate.
+    /// Returns the point at `distance` along `direction`. Each coordinate changes by an even number of
+    /// steps, rounded down.
     ///
-    /// With coordinates within ±3 · 2²⁷ and a distance below 2³⁰ the sum stays below
-    /// 1.375 · 2³⁰.
+    /// With coordinates within ±3 · 2²⁷ and a distance below 2³⁰, the sum stays below 1.375 · 2³⁰.
     #[inline(always)]
     pub const fn along(self, direction: Direction, distance: Length) -> Self {
         let Vector { x, y, z } = direction.scaled(distance.to_bits());
         Self::new(self.x + x, self.y + y, self.z + z)
     }
 
-    /// The point `distance` along `direction`, each coordinate rounded to the nearest step. The same
-    /// ranges as of [`Point::along`].
+    /// Returns the point at `distance` along `direction`, each coordinate rounded to the nearest step.
+    ///
+    /// With coordinates within ±3 · 2²⁷ and a distance below 2³⁰, the sum stays below 1.375 · 2³⁰.
     #[inline(always)]
     pub const fn precisely_along(self, direction: Direction, distance: Length) -> Self {
         let distance = distance.to_bits();
@@ -66,91 +67,95 @@ impl Point {
         )
     }
 
-    /// All coordinates divided by 2^`shift`, rounded down.
+    /// Divides all coordinates by 2^`shift`, rounded down.
     pub const fn coarser(self, shift: u32) -> Self {
         Self::new(self.x >> shift, self.y >> shift, self.z >> shift)
     }
 }
 
-/// A difference of points, in raw scene steps.
+/// Difference of two points, in raw scene steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Vector {
-    /// Raw steps.
+    /// Component along the x axis, in raw steps.
     pub x: i32,
-    /// Raw steps.
+    /// Component along the y axis, in raw steps.
     pub y: i32,
-    /// Raw steps.
+    /// Component along the z axis, in raw steps.
     pub z: i32,
 }
 
 impl Vector {
-    /// No way at all.
+    /// The zero vector.
     pub const ZERO: Self = Self::new(0, 0, 0);
 
-    /// From raw steps.
+    /// Creates a vector from its components in raw steps.
     pub const fn new(x: i32, y: i32, z: i32) -> Self {
         Self { x, y, z }
     }
 
-    /// The sum.
+    /// Adds two vectors. The sums must fit 32 bits.
     pub(crate) const fn plus(self, other: Self) -> Self {
         Self::new(self.x + other.x, self.y + other.y, self.z + other.z)
     }
 
-    /// The difference.
+    /// Subtracts `other` from this vector. The differences must fit 32 bits.
     pub(crate) const fn minus(self, other: Self) -> Self {
         Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
     }
 
-    /// The length along `direction` with 30 more fraction bits: below 2⁶² for coordinates
-    /// within ±2³⁰.
+    /// Returns the dot product with `direction`: the length of the vector along it, in steps with 30
+    /// fraction bits. Its magnitude is below 2⁶² for coordinates within ±2³⁰.
     pub const fn dot_wide(self, direction: Direction) -> i64 {
         wide(self.x, direction.x.to_bits())
             + wide(self.y, direction.y.to_bits())
             + wide(self.z, direction.z.to_bits())
     }
 
-    /// The length along `direction`, rounded down.
+    /// Returns the dot product with `direction`: the length of the vector along it, rounded down to a
+    /// step.
     #[inline(always)]
     pub const fn dot(self, direction: Direction) -> i32 {
         narrowed(self.dot_wide(direction) >> 30)
     }
 
-    /// A quarter of the length along `direction`, rounded down.
+    /// Returns a quarter of the dot product with `direction`, in steps, rounded down. It is the high
+    /// word of the exact product.
     #[inline(always)]
     pub const fn quarter_dot(self, direction: Direction) -> i32 {
         (self.dot_wide(direction) >> 32) as i32
     }
 
-    /// The squared length, for coordinates within ±2³⁰.
+    /// Returns the squared length of the vector. Every coordinate is within ±2³⁰.
     pub const fn square(self) -> u64 {
         unsigned_wide(wide(self.x, self.x))
             + unsigned_wide(wide(self.y, self.y))
             + unsigned_wide(wide(self.z, self.z))
     }
 
-    /// Whether a line whose nearest point to the end of this way is `distance` along passes it by
-    /// more than `radius`, or comes no nearer than that before its beginning, for sure: directions
-    /// are within 2⁻²⁶ of length one.
+    /// Tests whether a ray surely misses a ball. This vector leads from the ray's origin to the ball's
+    /// centre; `distance` is its length along the ray, and `radius` that of the ball, all in steps. The
+    /// ball is missed if the ray's line passes it or if it lies behind the origin. Allows for directions
+    /// within 2⁻²⁶ of length one.
     #[inline(always)]
     pub(crate) const fn passes_by(self, distance: i32, radius: i32) -> bool {
         if distance < -radius {
             return true;
         }
-        // Of all squares the high halves: each is short of its square by less than one.
+        // High words of all squares: each is less than its square · 2⁻³² by less than one.
         let along = high(distance, distance);
         let aside = (self.square() >> 32) as i32 - along - (along >> 24);
         aside > high(radius, radius) + 4
     }
 
-    /// What is left when the part of length `length` along `direction` is taken away.
+    /// Subtracts the part of length `length` steps along `direction`. If `length` is the dot product
+    /// with `direction`, the rest is perpendicular to it.
     #[inline(always)]
     pub const fn without(self, direction: Direction, length: i32) -> Self {
         self.minus(direction.raw_times(length))
     }
 
-    /// The direction and the length, for a length below 2³¹; a relative error below 2⁻²⁶ for
-    /// lengths from 2¹³ on, and below 1 / (2 length²) for shorter ones.
+    /// Returns the direction and the length of a vector shorter than 2³¹ steps. The relative error is
+    /// below 2⁻²⁶ for lengths from 2¹³ on, and below 1 / (2 length²) for shorter ones.
     ///
     /// The direction of the zero vector is zero.
     #[inline(always)]
@@ -159,7 +164,8 @@ impl Vector {
         (direction, length)
     }
 
-    /// The direction and the length, and the share of the length that `part` of it is, at most one.
+    /// Returns the direction, the length, and the quotient `part` / length, which is limited to one.
+    /// `part` is in steps. One reciprocal root gives all three.
     #[inline(always)]
     pub(crate) const fn direction_length_and_share(self, part: i32) -> (Direction, Length, Unit) {
         let (shift, mantissa) = unit_shift(self.square());
@@ -173,14 +179,16 @@ impl Vector {
         )
     }
 
-    /// The direction, given the squared length, which may be off by 2⁻²⁸ of it.
+    /// Returns the direction of the vector. `square` is its squared length, which may have a relative
+    /// error of 2⁻²⁸.
     #[inline(always)]
     pub(crate) const fn direction_of_square(self, square: u64) -> Direction {
         let (shift, mantissa) = unit_shift(square);
         Direction::lengthened(self, shift, reciprocal_root(mantissa))
     }
 
-    /// The direction, corrected to the last bit by one Newton step on its squared length.
+    /// Returns the direction of the vector, corrected to the last bit by one Newton step on its squared
+    /// length.
     pub const fn precise_direction(self) -> Direction {
         let (shift, mantissa) = unit_shift(self.square());
         let root = reciprocal_root(mantissa);

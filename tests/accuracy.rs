@@ -7,10 +7,10 @@ use embedded_graphics::prelude::Size;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::reference::{self, render};
-use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
-use reflet::{Camera, Material, Scene, SceneBuilder, room};
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
+use reflet::{Camera, Material, Scene, SceneBuilder, room};
 
 const SIDE: u32 = 320;
 const REFLECTIONS: u8 = 4;
@@ -84,15 +84,11 @@ struct Check<K> {
     kind: std::marker::PhantomData<K>,
 }
 
-fn difference<S: BuiltIn + StaticFrame, Q: Quality, K: Shading>(
-    truth: &reference::Picture,
-) -> Difference {
+fn difference<S: BuiltIn, Q: Quality, K: Shading>(truth: &reference::Picture) -> Difference {
     let frame = S::frame(&S::CAMERA).reflections(REFLECTIONS);
-    let picture = frame
-        .quality::<Q>()
-        .shading::<K>()
-        .sized(Size::new(SIDE, SIDE));
-    compare(&painted(&picture), truth).unwrap()
+    let frame = frame.quality::<Q>().shading::<K>();
+    let prepared = frame.prepare(Size::new(SIDE, SIDE));
+    compare(&painted(&prepared.on(S::INSTANCE).unwrap()), truth).unwrap()
 }
 
 impl<K: Shading> Visitor for Check<K> {
@@ -161,22 +157,24 @@ const CHALK: Material = Material::new([0.9, 0.9, 0.8]).ambient(0.2).diffuse(0.8)
 
 /// A few shapes on a floor, from 90 units away and just above the horizon. Single precision only
 /// reaches 30 decibels here.
-const TELEPHOTO: SceneBuilder<room!(spheres: 4, planes: 1, cylinders: 1, lights: 2)> = SceneBuilder::new()
-    .sphere([-1.0, 0.0, 0.6], 0.6, GOLD)
-    .sphere([0.6, -0.4, 0.4], 0.4, WATER)
-    .sphere([1.3, 0.7, 0.8], 0.8, CHALK)
-    .sphere([-0.1, -1.1, 0.2], 0.2, GOLD)
-    .cylinder([0.2, 1.2, 0.7], [0.1, 0.0, 1.0], 0.4, 1.4, GOLD)
-    .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], WATER)
-    .light([30.0, -50.0, 40.0], [0.8, 0.8, 0.7])
-    .light([-20.0, -60.0, 15.0], [0.3, 0.3, 0.4])
-    .background([0.3, 0.5, 0.9])
-    .camera(FAR_AWAY);
+const TELEPHOTO: SceneBuilder<room!(spheres: 4, planes: 1, cylinders: 1, lights: 2)> =
+    SceneBuilder::new()
+        .sphere([-1.0, 0.0, 0.6], 0.6, GOLD)
+        .sphere([0.6, -0.4, 0.4], 0.4, WATER)
+        .sphere([1.3, 0.7, 0.8], 0.8, CHALK)
+        .sphere([-0.1, -1.1, 0.2], 0.2, GOLD)
+        .cylinder([0.2, 1.2, 0.7], [0.1, 0.0, 1.0], 0.4, 1.4, GOLD)
+        .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], WATER)
+        .light([30.0, -50.0, 40.0], [0.8, 0.8, 0.7])
+        .light([-20.0, -60.0, 15.0], [0.3, 0.3, 0.4])
+        .background([0.3, 0.5, 0.9])
+        .camera(FAR_AWAY);
 
 const FAR_AWAY: Camera =
     Camera::look_at([12.0, -89.0, 4.5], [0.1, 0.0, 0.5], [0.0, 0.0, 1.0]).fov(2.5);
 
-const TELEPHOTO_SCENE: Scene<room!(spheres: 4, planes: 1, cylinders: 1, lights: 2)> = TELEPHOTO.build();
+const TELEPHOTO_SCENE: Scene<room!(spheres: 4, planes: 1, cylinders: 1, lights: 2)> =
+    TELEPHOTO.build();
 
 const LAMP: Material = Material::new([1.8; 3]).ambient(16.0).diffuse(0.0);
 const DULL: Material = Material::new([0.2; 3])
@@ -215,8 +213,20 @@ fn reflection_of_something_bright_is_not_cut_off() {
     };
     let size = Size::new(SIDE, SIDE);
     for picture in [
-        painted(&frame().quality::<Fast>().sized(size)),
-        painted(&frame().quality::<Small>().sized(size)),
+        painted(
+            &frame()
+                .quality::<Fast>()
+                .prepare(size)
+                .on(&LAMPLIGHT_SCENE)
+                .unwrap(),
+        ),
+        painted(
+            &frame()
+                .quality::<Small>()
+                .prepare(size)
+                .on(&LAMPLIGHT_SCENE)
+                .unwrap(),
+        ),
     ] {
         let found = compare(&picture, &truth).unwrap();
         assert!(found.within1 >= 0.999, "{found:?}");
@@ -240,9 +250,18 @@ fn telephoto_view_does_not_hurt_fixed_point() {
     let size = Size::new(SIDE, SIDE);
     let n = u32::from(REFLECTIONS);
     let pairs = [
-        (painted(&frame.sized(size)), reference::Shading::BlinnPhong),
         (
-            painted(&frame.shading::<Phong>().sized(size)),
+            painted(&frame.prepare(size).on(&TELEPHOTO_SCENE).unwrap()),
+            reference::Shading::BlinnPhong,
+        ),
+        (
+            painted(
+                &frame
+                    .shading::<Phong>()
+                    .prepare(size)
+                    .on(&TELEPHOTO_SCENE)
+                    .unwrap(),
+            ),
             reference::Shading::Phong,
         ),
     ];

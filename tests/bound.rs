@@ -6,10 +6,10 @@ use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture};
-use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
-use reflet::{Camera, Material, RuntimeScene, Unit, room};
 use reflet::quality::{Exact, Fast, Fine, Quality};
+use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
 use reflet::shading::{BlinnPhong, Phong, Shading};
+use reflet::{Camera, Material, RuntimeScene, Unit, room};
 
 const SIDE: u32 = 96;
 
@@ -115,9 +115,7 @@ impl Visitor for Check {
     }
 }
 
-fn pictures<S: BuiltIn + StaticScene, K: Shading>(
-    reflections: u8,
-) -> [(&'static str, Ending, Picture); 4] {
+fn pictures<S: BuiltIn, K: Shading>(reflections: u8) -> [(&'static str, Ending, Picture); 4] {
     let is_plane = S::with_description(|it| it.spheres.is_empty() && it.cylinders.is_empty());
     let size = Size::new(SIDE, SIDE);
     let frame = || S::frame(&S::CAMERA).reflections(reflections).shading::<K>();
@@ -125,22 +123,46 @@ fn pictures<S: BuiltIn + StaticScene, K: Shading>(
         (
             "fast",
             ending::<Fast>(reflections, is_plane),
-            painted(&frame().quality::<Fast>().sized(size)),
+            painted(
+                &frame()
+                    .quality::<Fast>()
+                    .prepare(size)
+                    .on(S::INSTANCE)
+                    .unwrap(),
+            ),
         ),
         (
             "fine",
             ending::<Fine>(reflections, is_plane),
-            painted(&frame().quality::<Fine>().sized(size)),
+            painted(
+                &frame()
+                    .quality::<Fine>()
+                    .prepare(size)
+                    .on(S::INSTANCE)
+                    .unwrap(),
+            ),
         ),
         (
             "exact",
             ending::<Exact>(reflections, is_plane),
-            painted(&frame().quality::<Exact>().sized(size)),
+            painted(
+                &frame()
+                    .quality::<Exact>()
+                    .prepare(size)
+                    .on(S::INSTANCE)
+                    .unwrap(),
+            ),
         ),
         (
             "short",
             ending::<Short>(reflections, is_plane),
-            painted(&frame().quality::<Short>().sized(size)),
+            painted(
+                &frame()
+                    .quality::<Short>()
+                    .prepare(size)
+                    .on(S::INSTANCE)
+                    .unwrap(),
+            ),
         ),
     ]
 }
@@ -156,7 +178,10 @@ fn no_pixel_of_a_scene_is_further_off_than_its_bound() {
 
 /// Returns a closed room that mirrors and glows: every hit of a path has the same α and the same
 /// colour.
-fn room(alpha: f64, is_round: bool) -> RuntimeScene<room!(spheres: 1, planes: 6, lights: 1, materials: 1)> {
+fn room(
+    alpha: f64,
+    is_round: bool,
+) -> RuntimeScene<room!(spheres: 1, planes: 6, lights: 1, materials: 1)> {
     let mut room = RuntimeScene::new();
     let glass = Material::from_numbers(COLOR, 1, 0, (0, 1), alpha).unwrap();
     let glass = room.add_material(glass).unwrap();
@@ -184,7 +209,13 @@ fn closed_room_of_mirrors_converges_as_the_formula_says() {
             let scene = room(alpha, is_round).build().unwrap();
             for reflections in 0..=255_u8 {
                 let picture = scene.frame(&camera).reflections(reflections);
-                let picture = painted(&picture.quality::<Exact>().sized(Size::new(6, 5)));
+                let picture = painted(
+                    &picture
+                        .quality::<Exact>()
+                        .prepare(Size::new(6, 5))
+                        .on(&scene)
+                        .unwrap(),
+                );
                 let share = 1.0 - alpha.powi(i32::from(reflections) + 1);
                 for pixel in picture.pixels {
                     for (channel, color) in pixel.into_iter().zip(COLOR) {

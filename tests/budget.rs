@@ -7,29 +7,35 @@ use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use embedded_graphics_simulator::SimulatorDisplay;
+use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
+use reflet::display::Enlarged;
 use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, pixel};
-use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES, Visitor, visit};
-use reflet::{Report, Unit};
-use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
-use reflet::display::Enlarged;
 use reflet::quality::{Fast, Fine};
+use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES, Visitor, visit};
 use reflet::shading::{BlinnPhong, Phong, Unshadowed};
+use reflet::{Report, Unit};
 
-const FRONT: Front = Front::new(&[
-    point(40, 0, Grade::Fast, 4, 2000),
-    point(150, 1, Grade::Fast, 2, 2500),
-    point(600, 1, Grade::Fast, 1, 3000),
-    point(900, 3, Grade::Fine, 1, 5000),
+const FRONT: ParetoFront = ParetoFront::new(&[
+    point(40, 0, QualityLevel::Fast, 4, 2000),
+    point(150, 1, QualityLevel::Fast, 2, 2500),
+    point(600, 1, QualityLevel::Fast, 1, 3000),
+    point(900, 3, QualityLevel::Fine, 1, 5000),
 ]);
 
-const fn point(cost: u32, reflections: u8, grade: Grade, scale: u8, psnr: u16) -> FrontPoint {
+const fn point(
+    cost: u32,
+    reflections: u8,
+    level: QualityLevel,
+    scale: u8,
+    psnr: u16,
+) -> FrontPoint {
     FrontPoint {
         prepare: PREPARE,
         instructions: cost,
         reflections,
-        grade,
+        level,
         scale,
         psnr,
         largest: 255,
@@ -77,10 +83,11 @@ fn front_is_drawn_with_the_settings_of_its_points() {
         let mut expected = SimulatorDisplay::<Rgb888>::new(SIZE);
         let frame = Mirror1::frame(&Mirror1::CAMERA).reflections(point.reflections);
         let mut target = Enlarged::new(&mut expected, point.scale.into());
-        let small = frame.sized(target.bounding_box().size);
-        let Ok(report) = match point.grade {
-            Grade::Fast => frame.quality::<Fast>().draw(&mut target),
-            Grade::Fine => frame.quality::<Fine>().draw(&mut target),
+        let small = frame.prepare(target.bounding_box().size);
+        let small = small.on(&Mirror1).unwrap();
+        let Ok(report) = match point.level {
+            QualityLevel::Fast => frame.quality::<Fast>().draw(&mut target),
+            QualityLevel::Fine => frame.quality::<Fine>().draw(&mut target),
         };
         assert_eq!(display.to_be_bytes(), expected.to_be_bytes(), "{point:?}");
         assert_eq!(drawn.report, report);
@@ -147,7 +154,7 @@ fn every_pixel_of_a_display_with_larger_ones_is_a_square_inside_of_it() {
     for scale in [0, 1, 2, 3, 4, 50, u32::MAX] {
         let frame = || Mirror2::frame(&Mirror2::CAMERA);
         let small = Enlarged::<SimulatorDisplay<Rgb888>>::size_of(SIZE, scale);
-        let small = painted(&frame().sized(small));
+        let small = painted(&frame().prepare(small).on(&Mirror2).unwrap());
         let mut display = SimulatorDisplay::<Rgb888>::new(SIZE + Size::new(7, 9));
         let area = Rectangle::new(Point::new(3, 5), SIZE);
         let mut part = Part(&mut display, area);
@@ -228,13 +235,37 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
             let pictures = [
                 (
                     reference::Shading::BlinnPhong,
-                    painted(&frame().shading::<BlinnPhong>().sized(size)),
-                    painted(&frame().shading::<Unshadowed>().sized(size)),
+                    painted(
+                        &frame()
+                            .shading::<BlinnPhong>()
+                            .prepare(size)
+                            .on(S::INSTANCE)
+                            .unwrap(),
+                    ),
+                    painted(
+                        &frame()
+                            .shading::<Unshadowed>()
+                            .prepare(size)
+                            .on(S::INSTANCE)
+                            .unwrap(),
+                    ),
                 ),
                 (
                     reference::Shading::Phong,
-                    painted(&frame().shading::<Phong>().sized(size)),
-                    painted(&frame().shading::<Unshadowed<Phong>>().sized(size)),
+                    painted(
+                        &frame()
+                            .shading::<Phong>()
+                            .prepare(size)
+                            .on(S::INSTANCE)
+                            .unwrap(),
+                    ),
+                    painted(
+                        &frame()
+                            .shading::<Unshadowed<Phong>>()
+                            .prepare(size)
+                            .on(S::INSTANCE)
+                            .unwrap(),
+                    ),
                 ),
             ];
             let (scene, camera) = described::<S>();
@@ -290,7 +321,8 @@ fn cut_off_bound_holds_and_shrinks_with_each_reflection() {
             let mut last = Unit::ONE;
             for reflections in 0..6 {
                 let frame = S::frame(&S::CAMERA).reflections(reflections);
-                let picture = frame.quality::<Fine>().sized(Size::new(side, side));
+                let picture = frame.quality::<Fine>().prepare(Size::new(side, side));
+                let picture = picture.on(S::INSTANCE).unwrap();
                 let mut row = vec![Rgb888::BLACK; side as usize];
                 let reports = (0..side).map(|y| picture.row(y, 0, &mut row));
                 let report = reports.fold(Report::NONE, Report::merge);
@@ -317,7 +349,7 @@ fn cut_off_bound_holds_and_shrinks_with_each_reflection() {
 }
 
 /// Measured fronts of the scenes, in the order of [`NAMES`].
-const MEASURED: [Front; 11] = [
+const MEASURED: [ParetoFront; 11] = [
     measured::CASTLE,
     measured::SHADING_LIGHTS,
     measured::SHADING_SPECULARS,
@@ -333,7 +365,7 @@ const MEASURED: [Front; 11] = [
 
 #[test]
 fn error_is_the_one_that_was_promised() {
-    struct Promised(Front);
+    struct Promised(ParetoFront);
 
     impl Visitor for Promised {
         type Output = ();

@@ -6,16 +6,17 @@ use reflet::host::compare::compare;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture, render};
 use reflet::host::{painted, precision};
-use reflet::{Camera, FrameBuilder, Material, MaterialId, RuntimeScene, room};
-use reflet::__private::Drawable;
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 use reflet::shading::{BlinnPhong, Phong, Shading};
+use reflet::{Camera, Material, MaterialId, RuntimeScene, Scene, room};
 
 const SIDE: u32 = 160;
 const REFLECTIONS: u8 = 4;
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-type Scenery = RuntimeScene<room!(spheres: 1, planes: 1, cylinders: 1, discs: 6, lights: 2, materials: 4)>;
+type Room = room!(spheres: 1, planes: 1, cylinders: 1, discs: 6, lights: 2, materials: 4);
+type Scenery = RuntimeScene<Room>;
+type Built = Scene<Room>;
 
 fn materials(scene: &mut Scenery) -> [MaterialId; 4] {
     let red = Material::new([0.9, 0.2, 0.1]).ambient(0.2).diffuse(0.6);
@@ -83,9 +84,10 @@ fn edges() -> (Scenery, Camera) {
     (scene, camera)
 }
 
-fn picture<Q: Quality, K: Shading, W: World + Copy>(frame: Frame<'_, W>, side: u32) -> Picture {
-    let frame = frame.reflections(REFLECTIONS).quality::<Q>().shading::<K>();
-    painted(&frame.sized(Size::new(side, side)))
+fn picture<Q: Quality, K: Shading>(scene: &Built, camera: &Camera, side: u32) -> Picture {
+    let frame = scene.frame(camera).reflections(REFLECTIONS);
+    let frame = frame.quality::<Q>().shading::<K>();
+    painted(&frame.prepare(Size::new(side, side)).on(scene).unwrap())
 }
 
 /// Checks the shares of pixels that are equal or within 1 of the reference, and the PSNR, in every
@@ -96,20 +98,29 @@ fn assert_near<K: Shading>((scene, camera): (Scenery, Camera), shading: referenc
         render(&scene, &camera, SIDE, SIDE, REFLECTIONS.into(), shading)
     };
     let built = scene.build().unwrap();
-    let frame = || built.frame(&camera);
     // `Fast` loses highlights that are narrower than a stride.
     for (name, picture, same, within1) in [
-        ("fast", picture::<Fast, K, _>(frame(), SIDE), 0.99, 0.998),
-        ("fine", picture::<Fine, K, _>(frame(), SIDE), 0.998, 0.9995),
+        (
+            "fast",
+            picture::<Fast, K>(&built, &camera, SIDE),
+            0.99,
+            0.998,
+        ),
+        (
+            "fine",
+            picture::<Fine, K>(&built, &camera, SIDE),
+            0.998,
+            0.9995,
+        ),
         (
             "small",
-            picture::<Small, K, _>(frame(), SIDE),
+            picture::<Small, K>(&built, &camera, SIDE),
             0.9995,
             0.9999,
         ),
         (
             "exact",
-            picture::<Exact, K, _>(frame(), SIDE),
+            picture::<Exact, K>(&built, &camera, SIDE),
             0.9999,
             0.9999,
         ),
@@ -137,7 +148,7 @@ fn no_pixel_of_a_disc_is_further_off_than_its_bound() {
     for (scene, camera) in [lids(), edges()] {
         let exact = reference::Scene::from(&scene.description());
         let built = scene.build().unwrap();
-        let found = picture::<Fast, BlinnPhong, _>(built.frame(&camera), SIDE);
+        let found = picture::<Fast, BlinnPhong>(&built, &camera, SIDE);
         let (precision, camera) = (precision(&built), (&camera).into());
         let paths = Paths::follow(&exact, &camera, (SIDE, SIDE), ALL, shading, &precision);
         let ending = Ending {
@@ -188,7 +199,7 @@ fn lantern(axis: [f64; 3]) -> Scenery {
 
 fn assert_closed<Q: Quality>(scene: &Scenery, camera: &Camera) {
     let built = scene.build().unwrap();
-    let picture = picture::<Q, BlinnPhong, _>(built.frame(camera), SIDE);
+    let picture = picture::<Q, BlinnPhong>(&built, camera, SIDE);
     let gaps = picture.pixels.iter().filter(|it| **it != [0; 3]).count();
     assert_eq!(gaps, 0, "{:?}", camera.description());
 }

@@ -11,9 +11,10 @@ use embedded_graphics::pixelcolor::{
 use embedded_graphics::prelude::{Point, PointsIter, Size};
 use embedded_graphics::primitives::Rectangle;
 use reflet::host::painted;
-use reflet::scenes::{BuiltIn, Mirror1, Primitives};
-use reflet::{Material, Number, Report, Rows, RuntimeScene, room};
 use reflet::quality::{Exact, Fast, Quality};
+use reflet::scenes::{BuiltIn, Mirror1, Primitives};
+use reflet::shading::Normals;
+use reflet::{Material, Number, PreparedFrame, Report, Rows, RuntimeScene, Scene, room};
 
 /// A display that records its calls in order, and fails at the call `fails_at`.
 struct Recorder<C> {
@@ -70,30 +71,35 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
     }
 }
 
-type Mirrors<Q> = Picture<Static<Mirror1>, Q>;
+type Mirrors<Q> = PreparedFrame<Mirror1, Q>;
 
 fn recorder(width: u32, height: u32) -> Recorder<Rgb888> {
     Recorder::new(Point::zero(), Size::new(width, height))
 }
 
-/// Returns a picture of a scene with mirrors and shadows.
+/// Returns a frame of a scene with mirrors and shadows.
 fn picture(width: u32, height: u32) -> Mirrors<Fast> {
-    Mirror1::frame(&Mirror1::CAMERA).sized(Size::new(width, height))
+    Mirror1::frame(&Mirror1::CAMERA).prepare(Size::new(width, height))
 }
 
-/// Returns a picture of a scene with mirrors and shadows, with every pixel traced.
+/// Returns a frame of a scene with mirrors and shadows, with every pixel traced.
 fn exact_picture(width: u32, height: u32) -> Mirrors<Exact> {
     let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Exact>();
-    frame.sized(Size::new(width, height))
+    frame.prepare(Size::new(width, height))
+}
+
+/// Returns the rows of a frame.
+fn on<Q: Quality>(picture: &Mirrors<Q>) -> Rows<'_, Mirror1, Q> {
+    picture.on(&Mirror1).unwrap()
 }
 
 fn row<C: PixelColor + From<Rgb888>>(picture: &Mirrors<impl Quality>, y: u32) -> Vec<C> {
     let mut pixels = vec![C::from(Rgb888::BLACK); picture.size().width as usize];
-    picture.row(y, 0, &mut pixels);
+    on(picture).row(y, 0, &mut pixels);
     pixels
 }
 
-/// Returns all rows of a picture, from `Picture::row`.
+/// Returns all rows of a picture, from `Rows::row`.
 fn rows<C: PixelColor + From<Rgb888>>(picture: &Mirrors<impl Quality>) -> Vec<Vec<C>> {
     Vec::from_iter((0..picture.size().height).map(|y| row(picture, y)))
 }
@@ -230,7 +236,9 @@ fn what_lies_outside_the_display_is_not_worked_out() {
     ] {
         let mut display = recorder(12, 10);
         let top_left = Point::new(x, y);
-        let report = picture.draw_at(top_left, &mut display).unwrap();
+        let everything = Rectangle::new(Point::zero(), picture.size());
+        let rows = on(&picture);
+        let report = rows.draw_area(everything, top_left, &mut display).unwrap();
         let whole_area = Rectangle::new(top_left, picture.size());
         let visible = display.bounds.intersection(&whole_area);
         let color = |at: Point| whole[(at.y - y) as usize][(at.x - x) as usize];
@@ -238,7 +246,8 @@ fn what_lies_outside_the_display_is_not_worked_out() {
         assert_eq!(display.pixels(), expected, "at {x}, {y}");
         assert_eq!(display.calls.len(), visible.rows().len(), "at {x}, {y}");
         assert_eq!(report == Report::NONE, expected.is_empty(), "at {x}, {y}");
-        let report = exact.draw_at(top_left, &mut display).unwrap();
+        let exact = on(&exact);
+        let report = exact.draw_area(everything, top_left, &mut display).unwrap();
         let rays = visible.points().map(|at| {
             let Point { x, y } = at - top_left;
             exact.row(y as u32, x as u32, &mut [Rgb888::BLACK]).rays
@@ -264,7 +273,9 @@ fn area_is_a_crop_of_the_whole() {
         let inside = area.intersection(&Rectangle::new(Point::zero(), picture.size()));
         for top_left in [Point::zero(), Point::new(2, 5)] {
             let mut display = recorder(40, 40);
-            picture.draw_area(area, top_left, &mut display).unwrap();
+            on(&picture)
+                .draw_area(area, top_left, &mut display)
+                .unwrap();
             let color = |at: Point| whole[at.y as usize][at.x as usize];
             let crop = inside.points().map(|at| (at + top_left, color(at)));
             let found = display.pixels().into_iter();
@@ -280,7 +291,7 @@ fn rows_make_the_same_picture_as_draw() {
     let colors = display.calls.into_iter().map(|(_, colors)| colors);
     assert!(colors.eq(rows(&picture(33, 20))));
     let mut row = [Rgb888::BLACK; 33];
-    let reports = (0..20).map(|y| picture(33, 20).row(y, 0, &mut row));
+    let reports = (0..20).map(|y| on(&picture(33, 20)).row(y, 0, &mut row));
     assert_eq!(reports.fold(Report::NONE, Report::merge), drawn);
 }
 
@@ -291,7 +302,7 @@ fn rows_may_be_filled_in_any_order_and_in_pieces() {
     let picture = exact_picture(30, 11);
     for (y, report) in assert_pieces_make_rows(&picture) {
         let mut pixels = [Rgb888::BLACK; 30];
-        assert_eq!(report, picture.row(y, 0, &mut pixels), "row {y}");
+        assert_eq!(report, on(&picture).row(y, 0, &mut pixels), "row {y}");
     }
 }
 
@@ -305,7 +316,7 @@ fn assert_pieces_make_rows(picture: &Mirrors<impl Quality>) -> Vec<(u32, Report)
         let mut report = Report::NONE;
         for (piece, part) in pixels.chunks_mut(step + 1).enumerate().rev() {
             let x = piece * (step + 1);
-            report = report.merge(picture.row(y as u32, x as u32, part));
+            report = report.merge(on(picture).row(y as u32, x as u32, part));
         }
         assert_eq!(pixels[..], whole[y], "row {y}");
         (y as u32, report)
@@ -328,7 +339,10 @@ fn two_threads_may_share_a_picture() {
 
 #[test]
 fn empty_slice_is_filled_without_a_ray() {
-    assert_eq!(picture(5, 5).row::<Rgb888>(2, 2, &mut []), Report::NONE);
+    assert_eq!(
+        on(&picture(5, 5)).row::<Rgb888>(2, 2, &mut []),
+        Report::NONE
+    );
 }
 
 #[test]
@@ -336,16 +350,19 @@ fn picture_has_at_least_one_pixel_and_at_most_65535_a_side() {
     let frame = Mirror1::frame(&Mirror1::CAMERA);
     let given = [1, 1, 65_535, 65_535, 65_535];
     for (asked, given) in [0, 1, 65_535, 65_536, u32::MAX].into_iter().zip(given) {
-        let size = frame.sized(Size::new(asked, 3)).size();
-        assert_eq!(size, Size::new(given, 3));
-        let size = frame.sized(Size::new(3, asked)).size();
-        assert_eq!(size, Size::new(3, given));
+        let wide = frame.prepare(Size::new(asked, 3));
+        assert_eq!(wide.size(), Size::new(given, 3));
+        assert_eq!(on(&wide).size(), Size::new(given, 3));
+        let high = frame.prepare(Size::new(3, asked));
+        assert_eq!(high.size(), Size::new(3, given));
+        assert_eq!(on(&high).size(), Size::new(3, given));
     }
 }
 
 #[test]
 fn widest_row_is_drawn_to_its_end() {
-    let wide = Primitives::frame(&Primitives::CAMERA).sized(Size::new(65_535, 3));
+    let frame = Primitives::frame(&Primitives::CAMERA).prepare(Size::new(65_535, 3));
+    let wide = frame.on(&Primitives).unwrap();
     let mut row = vec![Rgb888::BLACK; 65_535];
     let report = wide.row(1, 0, &mut row);
     assert!(report.rays > 65_535 / 4);
@@ -355,7 +372,9 @@ fn widest_row_is_drawn_to_its_end() {
         assert_eq!(last[0], row[x as usize], "column {x}");
     }
     let mut display = recorder(65_535, 1);
-    wide.draw_at(Point::new(0, -1), &mut display).unwrap();
+    let whole = Rectangle::new(Point::zero(), wide.size());
+    let above = Point::new(0, -1);
+    wide.draw_area(whole, above, &mut display).unwrap();
     assert_eq!(display.calls[0].1, row);
 }
 
@@ -374,7 +393,7 @@ fn picture_without_mirrors_takes_one_ray_a_pixel() {
     assert!(frame.draw(&mut display).unwrap().rays > 17 * 11);
     let frame = frame.reflections(0);
     assert_eq!(frame.draw(&mut display).unwrap().rays, 17 * 11);
-    let normals = frame.reflections(4).shading::<reflet::Normals>();
+    let normals = frame.reflections(4).shading::<Normals>();
     let report = normals.draw(&mut display).unwrap();
     assert_eq!((report.rays, report.cut_off.to_bits()), (17 * 11, 0));
 }
@@ -386,17 +405,21 @@ fn fast_picture_takes_fewer_rays_than_it_has_pixels() {
     assert!((64 * 48 / 4..64 * 48 * 3 / 4).contains(&rays), "{rays}");
 }
 
+type One = room!(spheres: 1, lights: 1, materials: 1);
+
 #[test]
 fn scene_may_change_between_frames() {
-    let mut scene = RuntimeScene::<room!(spheres: 1, lights: 1, materials: 1)>::new();
+    let mut scene = RuntimeScene::<One>::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
     scene.add_light([0, -9, 9], [1, 1, 1]).unwrap();
     let camera = reflet::Camera::look_at([0.0, -5.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
     let size = Size::new(16, 16);
-    let empty = painted(&scene.build().unwrap().frame(&camera).sized(size));
+    let drawn =
+        |scene: Scene<One>| painted(&scene.frame(&camera).prepare(size).on(&scene).unwrap());
+    let empty = drawn(scene.build().unwrap());
     assert_eq!(empty.pixels, [[0; 3]; 256]);
     scene.add_sphere([Number::ZERO; 3], 1, white).unwrap();
-    let full = painted(&scene.build().unwrap().frame(&camera).sized(size));
+    let full = drawn(scene.build().unwrap());
     assert!(full.pixels[8 * 16 + 8][0] > 50);
     assert_eq!(full.pixels[0], [0; 3]);
 }
@@ -407,9 +430,9 @@ fn row_beyond_the_picture_stays_as_it_is() {
     let picture = picture(33, 20);
     let mut row = [MARK; 40];
     for (y, x) in [(20, 0), (0, 33), (u32::MAX, 0), (0, u32::MAX)] {
-        assert_eq!(picture.row(y, x, &mut row), Report::NONE, "{y}, {x}");
+        assert_eq!(on(&picture).row(y, x, &mut row), Report::NONE, "{y}, {x}");
     }
     assert_eq!(row, [MARK; 40]);
-    assert!(picture.row(19, 30, &mut row).rays >= 3);
+    assert!(on(&picture).row(19, 30, &mut row).rays >= 3);
     assert_eq!(row[3..], [MARK; 37]);
 }

@@ -4,8 +4,8 @@ use embedded_graphics::prelude::Size;
 use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, Shading};
-use reflet::{Camera, Material, RuntimeScene, room};
 use reflet::quality::Fine;
+use reflet::{Camera, Material, RuntimeScene, room};
 
 type Room = RuntimeScene<room!(spheres: 1, planes: 2, lights: 1, materials: 1)>;
 
@@ -16,7 +16,9 @@ fn exact(scene: &Room, camera: &Camera) -> Picture {
         &built
             .frame(camera)
             .quality::<Fine>()
-            .sized(Size::new(33, 33)),
+            .prepare(Size::new(33, 33))
+            .on(&built)
+            .unwrap(),
     );
     let truth = reference::render(
         &reference::Scene::from(&scene.description()),

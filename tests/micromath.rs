@@ -6,7 +6,7 @@ use embedded_graphics::prelude::Size;
 use micromath::F32;
 use micromath::vector::F32x3;
 use reflet::host::painted;
-use reflet::{Camera, Error, ErrorKind, Material, Number, Position, RuntimeScene, room};
+use reflet::{Camera, ErrorKind, Material, Number, Position, RuntimeScene, room};
 
 fn vector([x, y, z]: [f32; 3]) -> F32x3 {
     F32x3 { x, y, z }
@@ -44,7 +44,8 @@ fn camera_made_of_them_is_the_camera_made_of_floats() {
     let turned = camera.unwrap().orbited(F32(35.0), F32(-5.0));
     assert_eq!(turned, camera.unwrap().orbited(35, -5));
     let nowhere = Camera::new(vector(position), vector(position), vector(up), F32(50.5));
-    assert_eq!(nowhere, Err(CameraError::View));
+    let error = nowhere.unwrap_err();
+    assert_eq!((error.part(), error.kind()), ("camera", ErrorKind::View));
 }
 
 type Scenery = RuntimeScene<room!(spheres: 1, planes: 1, cylinders: 1, lights: 1, materials: 1)>;
@@ -92,13 +93,9 @@ fn scene_made_of_them_is_the_scene_made_of_floats() {
     );
     let camera = Camera::look_at([0.0, -6.0, 2.0], [0.0; 3], [0.0, 0.0, 1.0]);
     let painted = |scene: &Scenery| {
-        painted(
-            &scene
-                .build()
-                .unwrap()
-                .frame(&camera)
-                .sized(Size::new(32, 24)),
-        )
+        let scene = scene.build().unwrap();
+        let frame = scene.frame(&camera).prepare(Size::new(32, 24));
+        painted(&frame.on(&scene).unwrap())
     };
     assert!(painted(&wrapped) == painted(&plain));
 }
@@ -107,8 +104,10 @@ fn scene_made_of_them_is_the_scene_made_of_floats() {
 fn what_is_not_finite_is_refused() {
     let mut scene = Scenery::new();
     let id = scene.add_material(Material::new([1.0; 3])).unwrap();
-    let refused = scene.add_sphere(vector([0.0, f32::NAN, 0.0]), F32(1.0), id);
-    assert_eq!(refused, Err(SceneError::Sphere(0, Fault::Coordinate)));
-    let refused = scene.add_sphere(vector([0.0; 3]), F32(f32::INFINITY), id);
-    assert_eq!(refused, Err(SceneError::Sphere(0, Fault::Coordinate)));
+    for (center, radius) in [([0.0, f32::NAN, 0.0], 1.0), ([0.0; 3], f32::INFINITY)] {
+        let refused = scene.add_sphere(vector(center), F32(radius), id);
+        let error = refused.unwrap_err();
+        assert_eq!((error.part(), error.index()), ("sphere", Some(0)));
+        assert_eq!(error.kind(), ErrorKind::Coordinate);
+    }
 }

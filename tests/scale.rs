@@ -4,8 +4,8 @@
 use embedded_graphics::prelude::Size;
 use reflet::host::painted;
 use reflet::host::reference::{Picture, Vector};
-use reflet::{Camera, Material, RuntimeScene, room};
 use reflet::quality::Fine;
+use reflet::{Camera, Material, RuntimeScene, room};
 
 /// Scale (a power of two) and offset of the scene, and the distance of its camera.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +35,9 @@ impl Setting {
     /// Draws a scene with mirrors, shadows, a far light and an infinite floor. Every coordinate is a
     /// multiple of 1/64.
     fn picture(self) -> Picture {
-        let mut scene = RuntimeScene::<room!(spheres: 3, planes: 2, cylinders: 2, lights: 2, materials: 3)>::new();
+        let mut scene = RuntimeScene::<
+            room!(spheres: 3, planes: 2, cylinders: 2, lights: 2, materials: 3),
+        >::new();
         let mut add = |color: [f64; 3], mirror: f64| {
             let made = Material::from_numbers(color, 0.25, 0.5, (0.5, 7.5), mirror);
             scene.add_material(made.unwrap()).unwrap()
@@ -83,7 +85,7 @@ impl Setting {
         scene.set_camera(camera);
         let built = scene.build().unwrap();
         let frame = built.frame(&camera).reflections(6).quality::<Fine>();
-        painted(&frame.sized(Size::new(64, 48)))
+        painted(&frame.prepare(Size::new(64, 48)).on(&built).unwrap())
     }
 }
 

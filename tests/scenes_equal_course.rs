@@ -4,9 +4,9 @@
 
 use std::{env, fs, path::PathBuf};
 
-use reflet::{Camera, MaterialId, Number, Position};
-use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
 use reflet::description::Description;
+use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
+use reflet::{Camera, MaterialId, Number, Position};
 use serde_json::{Value, json};
 
 #[test]

@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Dimensions;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray2, Gray4, Rgb565, Rgb888};
 use embedded_graphics::prelude::{Drawable, PointsIter};
 use embedded_graphics_simulator::SimulatorDisplay;
-use reflet::display::Ditherable;
+use reflet::display::{Ditherable, dither};
 
 /// Colour formats of the displays that a picture can be dithered for.
 #[derive(Clone, Copy, ValueEnum)]
@@ -29,10 +29,10 @@ impl Levels {
     }
 }
 
-/// Dithers a picture like `reflet::Dithered`. A dot depends only on its colour and its position.
+/// Dithers a picture like `reflet::display::Dithered`. A dot depends only on its colour and its position.
 fn dither_to<C: Ditherable + Into<Rgb888>>(display: &mut SimulatorDisplay<Rgb888>) {
     for at in display.bounding_box().points() {
-        let dot: C = reflet::dither(display.get_pixel(at), at);
+        let dot: C = dither(display.get_pixel(at), at);
         let Ok(()) = Pixel(at, dot.into()).draw(display);
     }
 }

@@ -6,11 +6,11 @@ use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
-use reflet::scenes::{BuiltIn, Visitor};
-use reflet::{Camera, FrameBuilder, Report};
 use reflet::__private::Drawable;
-use reflet::quality::{Exact, Fine, Small};
-use reflet::shading::{BlinnPhong, Normals, Phong};
+use reflet::quality::{self, Exact, Fast, Fine, Small};
+use reflet::scenes::{BuiltIn, Visitor};
+use reflet::shading::{self, BlinnPhong, Normals, Phong};
+use reflet::{Camera, FrameBuilder, Report};
 
 use command_line::{Kind, Source};
 use command_line::{Quality, Shading};
@@ -36,27 +36,39 @@ impl Draw<'_> {
     pub fn scene(self, source: &Source) -> Report {
         match &source.kind {
             Kind::BuiltIn => source.visit(self),
-            Kind::File(_, scene) => {
-                let frame = scene.frame(self.camera);
-                self.frame(frame)
-            }
+            Kind::File(_, scene) => self.drawn(&**scene),
         }
     }
 
-    fn frame<W: World + Copy>(self, frame: Frame<'_, W>) -> Report {
-        let Self {
-            settings,
-            display,
-            rows,
-            ..
-        } = self;
-        let frame = frame.reflections(settings.reflections);
-        match settings.quality {
-            Quality::Fast => shaded(frame, settings.shading, display, rows),
-            Quality::Fine => shaded(frame.quality::<Fine>(), settings.shading, display, rows),
-            Quality::Small => shaded(frame.quality::<Small>(), settings.shading, display, rows),
-            Quality::Exact => shaded(frame.quality::<Exact>(), settings.shading, display, rows),
+    fn drawn<S: Drawable>(self, scene: &S) -> Report {
+        match self.settings.quality {
+            Quality::Fast => self.with_quality::<S, Fast>(scene),
+            Quality::Fine => self.with_quality::<S, Fine>(scene),
+            Quality::Small => self.with_quality::<S, Small>(scene),
+            Quality::Exact => self.with_quality::<S, Exact>(scene),
         }
+    }
+
+    fn with_quality<S: Drawable, Q: quality::Quality>(self, scene: &S) -> Report {
+        match self.settings.shading {
+            Shading::BlinnPhong => self.by_rows::<S, Q, BlinnPhong>(scene),
+            Shading::Phong => self.by_rows::<S, Q, Phong>(scene),
+            Shading::Normals => self.by_rows::<S, Q, Normals>(scene),
+        }
+    }
+
+    fn by_rows<S: Drawable, Q: quality::Quality, K: shading::Shading>(self, scene: &S) -> Report {
+        let frame = FrameBuilder::new(scene, self.camera).reflections(self.settings.reflections);
+        let frame = frame.quality::<Q>().shading::<K>();
+        let prepared = frame.prepare(self.display.size());
+        let picture = prepared.on(scene).expect("the scene has not changed");
+        let Size { width, height } = picture.size();
+        let row = |y| Rectangle::new(Point::new(0, y), Size::new(width, 1));
+        (0..height as i32).fold(Report::NONE, |report, y| {
+            let Ok(of_row) = picture.draw_area(row(y), Point::zero(), self.display);
+            self.rows.fetch_add(1, Ordering::Relaxed);
+            report.merge(of_row)
+        })
     }
 }
 
@@ -64,35 +76,6 @@ impl Visitor for Draw<'_> {
     type Output = Report;
 
     fn visit<S: BuiltIn>(self) -> Report {
-        let frame = S::frame(self.camera);
-        self.frame(frame)
+        self.drawn(S::INSTANCE)
     }
-}
-
-fn shaded<W: World + Copy, Q: reflet::Quality>(
-    frame: Frame<'_, W, Q>,
-    shading: Shading,
-    display: &mut SimulatorDisplay<Rgb888>,
-    rows: &AtomicU64,
-) -> Report {
-    match shading {
-        Shading::BlinnPhong => by_rows(frame.shading::<BlinnPhong>(), display, rows),
-        Shading::Phong => by_rows(frame.shading::<Phong>(), display, rows),
-        Shading::Normals => by_rows(frame.shading::<Normals>(), display, rows),
-    }
-}
-
-fn by_rows<W: World + Copy, Q: reflet::Quality, K: reflet::Shading>(
-    frame: Frame<'_, W, Q, K>,
-    display: &mut SimulatorDisplay<Rgb888>,
-    rows: &AtomicU64,
-) -> Report {
-    let picture = frame.sized(display.size());
-    let Size { width, height } = picture.size();
-    let row = |y| Rectangle::new(Point::new(0, y), Size::new(width, 1));
-    (0..height as i32).fold(Report::NONE, |report, y| {
-        let Ok(of_row) = picture.draw_area(row(y), Point::zero(), display);
-        rows.fetch_add(1, Ordering::Relaxed);
-        report.merge(of_row)
-    })
 }

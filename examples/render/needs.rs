@@ -1,7 +1,7 @@
 //! Describes in words what a scene needs of the library.
 
-use reflet::scenes::{BuiltIn, Visitor};
 use reflet::needs::{Need, Needs};
+use reflet::scenes::{BuiltIn, Visitor};
 use serde_json::json;
 
 use crate::draw::Settings;
@@ -53,7 +53,7 @@ fn lines(needs: Needs, settings: Settings) -> Vec<(Need, String)> {
         let mut why = need.why.to_owned();
         if need.name == "reflections" && settings.reflections == 0 {
             need.is_needed = false;
-            why = "the frame allows none (`most_reflections::<0>()`)".to_owned();
+            why = "the frame allows none (`MostReflections<0>`)".to_owned();
         }
         if need.name == "sets" && is_small && need.is_needed {
             need.is_needed = false;

@@ -29,7 +29,7 @@ pub struct Drawing {
 }
 
 /// Converts the reference's camera to the library's.
-pub fn exact(camera: &reference::Camera) -> Result<Camera, CameraError> {
+pub fn exact(camera: &reference::Camera) -> Result<Camera, Error> {
     Camera::new(camera.position, camera.target, camera.up, camera.fov)
 }
 
@@ -73,7 +73,7 @@ impl Drawing {
         camera: &reference::Camera,
         size: Size,
         settings: Settings,
-    ) -> Result<Self, CameraError> {
+    ) -> Result<Self, Error> {
         let camera = exact(camera)?;
         let mut display = SimulatorDisplay::new(size);
         let total = u64::from(size.height);

@@ -3,16 +3,15 @@
 use core::hash::{Hash, Hasher};
 
 use crate::ray::spread;
-use crate::scene::Description;
 
 /// A 32-bit hash of a scene's description, computed byte by byte.
 pub(super) struct Fingerprint(u32);
 
 impl Fingerprint {
-    /// Returns the hash of all numbers of a description.
-    pub(super) fn of(description: &Description<'_>) -> u32 {
+    /// Returns the hash of all numbers of a description, or of a part of one.
+    pub(super) fn of(described: &impl Hash) -> u32 {
         let mut hash = Self(0);
-        description.hash(&mut hash);
+        described.hash(&mut hash);
         hash.0
     }
 }
@@ -31,8 +30,8 @@ impl Hasher for Fingerprint {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::Room;
-    use crate::{Material, RuntimeScene};
+    use crate::material::Material;
+    use crate::scene::{Room, RuntimeScene};
 
     #[test]
     fn stamp_tells_scenes_apart() {

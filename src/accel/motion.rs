@@ -4,6 +4,7 @@
 //! In a scene filled at run time every bounded shape and every light can move. In a constant scene the
 //! named shapes can move. Its other parts and all its tables stay constants.
 
+use super::fingerprint::Fingerprint;
 use super::static_scene::{Apart, StaticScene};
 use super::{Scene, Tables, World};
 use crate::error::Error;
@@ -138,7 +139,7 @@ macro_rules! motion {
                         light.$kind(index, &parts);
                         light.settle(&parts);
                     }
-                    self.stamp = spread(self.stamp) ^ 1;
+                    self.stamp = spread(self.stamp) ^ Fingerprint::of(&(index, described));
                     Ok(())
                 }
             )*
@@ -217,13 +218,14 @@ impl<R: Capacity> Scene<R> {
         position: impl Into<Position>,
     ) -> Result<(), Error> {
         let index = light.index();
-        self.plain.light(index, position.into())?;
+        let position = position.into();
+        self.plain.light(index, position)?;
         let parts = self.plain.parts();
         let occluders = self.light_occluders.as_mut().get_mut(index);
         if let Some((light, occluders)) = parts.lights.get(index).zip(occluders) {
             occluders.put(light, &parts);
         }
-        self.stamp = spread(self.stamp) ^ 1;
+        self.stamp = spread(self.stamp) ^ Fingerprint::of(&(index, position));
         Ok(())
     }
 }

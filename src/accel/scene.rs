@@ -44,9 +44,9 @@ use crate::scene::{
 ///
 /// | room | scene | its description | tables |
 /// |---|--:|--:|--:|
-/// | `room!(spheres: 1, lights: 1, materials: 1)` | 480 | 624 | not needed |
-/// | `room!(spheres: 8, planes: 2, cylinders: 4, lights: 2, materials: 4)` | 1736 | 2360 | 2056 |
-/// | `room!(spheres: 32, planes: 4, cylinders: 16, lights: 2, materials: 8)` | 5096 | 6440 | 2056 |
+/// | `room!(spheres: 1, lights: 1, materials: 1)` | 528 | 728 | not needed |
+/// | `room!(spheres: 8, planes: 2, cylinders: 4, lights: 2, materials: 4)` | 1776 | 2464 | 2056 |
+/// | `room!(spheres: 32, planes: 4, cylinders: 16, lights: 2, materials: 8)` | 5136 | 6544 | 2056 |
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<R: Capacity> {
     pub(super) plain: PlainScene<R>,
@@ -110,7 +110,7 @@ macro_rules! scene {
             pub const fn build(&self) -> Scene<Room<$($arguments)*>> {
                 self.refuse_unused_room();
                 let plain = match PlainScene::prepare(&self.description()) {
-                    Ok(plain) => plain.marked(self.moving()),
+                    Ok(plain) => plain.marked(self.moving(), &self.description()),
                     Err(error) => error.stop(),
                 };
                 if plain.constant_parts().lacks_light() {

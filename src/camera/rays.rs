@@ -1,4 +1,4 @@
-//! Floor 2: the rays of a camera through the pixels of a picture, and the axes of its screen.
+//! Floor 2: the rays of a camera through the pixels of a picture, and the two axes of its screen.
 
 use super::Camera;
 use crate::number::{Scaled, shifted, signed, signed_wide, stepped, unsigned_wide, wide};
@@ -6,14 +6,15 @@ use crate::ray::ScreenAxis;
 use crate::vector::{Direction, Point, Vector};
 
 impl Camera {
-    /// The camera's rays through the pixels of a picture of `width` by `height` (1 to 65535).
+    /// Prepares the camera's rays through the pixels of a picture of `width` by `height` pixels, each 1
+    /// to 65535.
     pub(crate) fn generator(&self, width: u32, height: u32) -> RayGenerator {
-        // In half pixels, the picture lies width · cot(fov / 2) in front of the camera.
+        // The picture is width · cot(fov / 2) half pixels in front of the camera.
         let product = u64::from(width) * u64::from(self.cotangent.mantissa);
         let Scaled { exponent, .. } = self.cotangent;
         let bits = |value: u64| 64 - signed(value.leading_zeros());
         let largest = (bits(product) + exponent).max(bits(u64::from(width.max(height))));
-        // The largest part is brought to 2³⁰, so that a ray stays below 2⁶¹ in Q30.
+        // The largest component is scaled to 2³⁰, so that the vector of a ray stays below 2⁶¹ in Q30.
         let scale = 30 - largest;
         let ahead = shifted(signed_wide(product), (exponent + scale).max(-63));
         RayGenerator {
@@ -26,7 +27,8 @@ impl Camera {
         }
     }
 
-    /// The camera's rays from `origin` through the middles of a picture's columns, and of its rows.
+    /// Returns two screen axes for rays from `origin`: one through the centres of the picture's columns,
+    /// one through those of its rows.
     pub(crate) fn screen_axes(&self, generator: &RayGenerator, origin: Point) -> [ScreenAxis; 2] {
         let [x, y, z] = generator.ahead.map(|coordinate| (coordinate >> 32) as i32);
         let (ahead, distance) = Vector::new(x, y, z).direction_and_length();
@@ -45,8 +47,8 @@ impl Camera {
     }
 }
 
-/// A camera made ready for one size of picture: vectors in half pixels, scaled by a power of two, but
-/// for the one to the right.
+/// Camera, prepared for one size of picture. Its vectors are in half pixels, scaled by 2^`scale`;
+/// `right` is a unit vector.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RayGenerator {
     ahead: [i64; 3],
@@ -58,7 +60,8 @@ pub(crate) struct RayGenerator {
 }
 
 impl RayGenerator {
-    /// The directions through the middles of the pixels of row `y`, which lies in the picture.
+    /// Prepares the directions through the centres of the pixels of row `y`, which must lie in the
+    /// picture.
     pub(crate) fn row(&self, y: u32) -> RowDirections {
         debug_assert!(y < self.height && self.height < 1 << 16);
         let vertical = i64::from(self.height) - 1 - 2 * i64::from(y);
@@ -76,34 +79,38 @@ impl RayGenerator {
     }
 }
 
-/// The directions of a row of pixels.
+/// Directions of the rays through one row of pixels.
 ///
-/// What lies ahead and what lies aside are perpendicular, so their squares add up to that of the
-/// ray's length, and only the one aside changes along the row.
+/// The vector to the middle of the row and the vector from there to a pixel are perpendicular. So the
+/// squared length of a ray's vector is the sum of their squares, and only the second one changes along
+/// the row.
 pub(crate) struct RowDirections {
-    /// The way to the middle of the row, with 32 more fraction bits.
+    /// Vector from the camera to the middle of the row, with 32 more fraction bits.
     middle: [i64; 3],
-    /// Where the columns go.
+    /// Direction from one column to the next.
     right: Direction,
-    /// The square of the way to the middle of the row.
+    /// Squared length of the vector to the middle of the row.
     square: u64,
-    /// How far four times the way from there to the first pixel goes, with 32 more fraction bits.
+    /// Four times the signed distance from the middle of the row to the first pixel along `right`, with
+    /// 32 more fraction bits.
     aside: i64,
+    /// Four times the distance from one pixel to the next, with 32 more fraction bits.
     step_aside: i64,
 }
 
 impl RowDirections {
-    /// The direction through the pixel of a column, which is below 2¹⁶.
+    /// Returns the direction of the ray through the pixel of a column, which is below 2¹⁶.
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {
-        // A ray to a pixel is below 2⁶¹ (`Camera::generator`), one to a column beyond the picture, half
-        // as wide as that at most, below 2⁶²: the sum does not wrap.
+        // The vector to a pixel is below 2⁶¹ (`Camera::generator`). The vector to a column beyond the
+        // picture, by at most half the picture's width, is below 2⁶². So the sum does not wrap.
         let aside = self.aside(column);
         let square = self.square + unsigned_wide(wide(aside >> 2, aside >> 2));
         self.way(aside).direction_of_square(square)
     }
 
-    /// The way to a pixel that lies so far aside, below 2²⁹.
+    /// Returns the vector from the camera to a pixel, below 2²⁹. `aside` is four times the signed
+    /// distance of the pixel from the middle of the row.
     #[inline(always)]
     fn way(&self, aside: i32) -> Vector {
         let [x, y, z] = self.middle;
@@ -116,23 +123,25 @@ impl RowDirections {
         Vector::new(at(x, dx), at(y, dy), at(z, dz))
     }
 
-    /// Four times the way from the middle of the row to the pixel of a column.
+    /// Returns four times the signed distance from the middle of the row to the pixel of a column.
     #[inline(always)]
     fn aside(&self, column: u32) -> i32 {
         at(self.aside, self.step_aside, column)
     }
 }
 
-/// What is reached from `start` after so many steps, without the last 32 bits.
+/// Returns the high 32 bits of `start` + `step` · `column`.
 #[inline(always)]
 fn at(start: i64, step: i64, column: u32) -> i32 {
     (stepped(start, step, column) >> 32) as i32
 }
 
+/// Returns the coordinates of a direction as raw Q2.30 bits.
 fn raw(direction: Direction) -> [i64; 3] {
     direction.components().map(|unit| i64::from(unit.to_bits()))
 }
 
+/// Multiplies the raw Q2.30 coordinates of a direction by `factor`.
 fn times(direction: Direction, factor: i64) -> [i64; 3] {
     raw(direction).map(|coordinate| coordinate * factor)
 }

@@ -2,7 +2,7 @@ use super::*;
 use crate::number::sweep::Sweep;
 use crate::ray::{BALL, NEAR};
 
-/// A grid with `radius` scene units to the ball, around `middle`.
+/// Creates a grid around `middle` with a ball of `radius` scene units.
 fn grid(middle: [f64; 3], radius: f64) -> Grid {
     Grid::new(Position::new(middle), Number::new(radius).to_bits() as u128)
 }
@@ -42,7 +42,7 @@ fn middle_of_the_scene_is_the_origin() {
 
 #[test]
 fn lengths_and_places_are_rounded_to_the_nearest_step() {
-    let grid = grid([0.0; 3], 2f64.powi(28)); // A step is one unit.
+    let grid = grid([0.0; 3], 2f64.powi(28)); // A step is one scene unit.
     for (value, steps) in [
         (0.0, 0),
         (0.49, 0),
@@ -104,7 +104,7 @@ fn far_place_is_right_to_a_step_of_its_scale() {
         let middle = [0.25, -0.5, 0.125];
         for axis in 0..3 {
             let found = f64::from(raw(place)[axis]) * step + middle[axis];
-            // Rounded to nearest, and down when a last shift makes it normal.
+            // Rounded to nearest; rounded down if a last shift brings the point to normal form.
             assert!(
                 (found - position[axis]).abs() <= 1.5 * step,
                 "{position:?}: {place:?}"

@@ -1,27 +1,27 @@
-//! Angles: the field of view, as a cotangent, and the turns of a camera. Worked out when a camera
-//! is made or moved, never for a pixel.
+//! Angles: the cotangent of the field of view, and sine and cosine for rotations of a camera. They are
+//! computed when a camera is made or moved, never for a pixel.
 
 use super::narrow::{
     narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128, signed, to_u32, unsigned_wide,
 };
 use super::{Number, Unit};
 
-/// A positive number `mantissa` · 2^`exponent` with a mantissa of 2³⁰ to 2³¹ - 1.
+/// Positive number `mantissa` · 2^`exponent`. The mantissa is 2³⁰ to 2³¹ - 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Scaled {
-    /// The leading bits.
+    /// Leading bits of the number.
     pub mantissa: u32,
-    /// The power of two they are scaled with.
+    /// Power of two by which the mantissa is scaled.
     pub exponent: i32,
 }
 
-/// π / 360 in Q60: half an angle in degrees to radians.
+/// Factor from degrees to half the angle in radians: π / 360 in Q60.
 const HALF_DEGREE: i128 = 10_061_138_136_218_226;
 
-/// cot(`degrees` / 2), with a relative error below 2⁻³⁰ for 0.001 to 179.999 degrees.
+/// Returns cot(`degrees` / 2), with a relative error below 2⁻³⁰ for 0.001 to 179.999 degrees.
 ///
-/// `degrees` lies between 0 and 180; `None` where it is so close to 0 or 180 that no cotangent
-/// can be held.
+/// `degrees` is between 0 and 180. Returns `None` if it is so close to 0 or 180 that the cotangent does
+/// not fit.
 pub const fn cotangent_of_half(degrees: Number) -> Option<Scaled> {
     // Q64 · Q60 >> 64 = Q60
     let angle = narrowed_128(((degrees.to_bits() >> 4) * HALF_DEGREE) >> 60);
@@ -42,12 +42,12 @@ pub const fn cotangent_of_half(degrees: Number) -> Option<Scaled> {
     })
 }
 
-/// Sine and cosine of an angle within ±2³¹ degrees, rounded down to 2⁻³⁰.
+/// Returns sine and cosine of an angle within ±2³¹ degrees, rounded down to 2⁻³⁰.
 #[inline(never)]
 pub const fn sine_and_cosine_of(degrees: Number) -> (Unit, Unit) {
     let whole = narrowed(narrowed_128(degrees.to_bits() >> 64));
     let quarters = whole.div_euclid(90);
-    // What is left of a quarter, in Q56.
+    // The rest after whole quarter turns, in degrees, Q56.
     let rest =
         (whole.rem_euclid(90) as i64) << 56 | ((degrees.to_bits() >> 8) & ((1 << 56) - 1)) as i64;
     let (sine, cosine) = sine_and_cosine(narrowed_128((rest as i128 * 2 * HALF_DEGREE) >> 56));
@@ -61,7 +61,7 @@ pub const fn sine_and_cosine_of(degrees: Number) -> (Unit, Unit) {
     (Unit::from_bits(sine), Unit::from_bits(cosine))
 }
 
-/// 1 / i in Q60, but for the first.
+/// Reciprocals 1 / i in Q60. Entry 0 is unused.
 static RECIPROCALS: [i64; 32] = {
     let mut reciprocals = [0; 32];
     let mut order = 1;
@@ -72,13 +72,14 @@ static RECIPROCALS: [i64; 32] = {
     reciprocals
 };
 
-/// The product of two Q60 numbers.
+/// Multiplies two Q60 numbers, rounded down.
 #[inline(never)]
 const fn q60(a: i64, b: i64) -> i64 {
     narrowed_128((a as i128 * b as i128) >> 60)
 }
 
-/// Taylor series in Q60 for an angle from 0 to π/2, to the first term below 2⁻⁶⁰: 26 at most.
+/// Returns sine and cosine, in Q60, of an angle from 0 to π/2 in Q60. Sums the Taylor series up to the
+/// first term below 2⁻⁶⁰: 26 terms at most.
 #[inline(never)]
 const fn sine_and_cosine(angle: i64) -> (i64, i64) {
     let (mut sine, mut cosine) = (0, 1 << 60);

@@ -1,15 +1,15 @@
-//! Decimal numbers as scenes are written with them, read without float arithmetic.
+//! Decimal numbers in descriptions of scenes, converted without float arithmetic.
 
 use fixed::types::{I16F16, I32F32, I64F64, U16F16};
 
 use super::narrow::{narrowed, narrowed_128};
 
-/// A number in a description: Q64.64, exact for every decimal literal a scene may hold to 2⁻⁶⁴.
+/// Number in a description, in Q64.64: every decimal literal that a scene may hold is exact to 2⁻⁶⁴.
 ///
-/// Conversions from `f64` and `f32` take the bits of the float apart with integer shifts,
-/// so they cost no float instruction and no soft-float routine on a core without an FPU.
-/// What is not finite or beyond ±2⁶³ becomes [`Number::OUT_OF_RANGE`], which every
-/// constructor refuses by name.
+/// Conversions from `f64` and `f32` take the bits of the float apart with integer shifts. So they need
+/// no float instruction and no soft-float routine on a core without an FPU. A value that is not finite
+/// or beyond ±2⁶³ becomes [`Number::OUT_OF_RANGE`]. Every constructor refuses it, and its error names
+/// the field.
 ///
 /// ```
 /// use reflet::Number;
@@ -23,16 +23,16 @@ use super::narrow::{narrowed, narrowed_128};
 pub struct Number(I64F64);
 
 impl Number {
-    /// Nothing.
+    /// The number 0.
     pub const ZERO: Self = Self(I64F64::ZERO);
 
-    /// One.
+    /// The number 1.
     pub const ONE: Self = Self::new(1.0);
 
-    /// Stands for what no format holds: not a number, infinite, or beyond ±2⁶³.
+    /// Sentinel for a float that Q64.64 cannot hold: not a number, infinite, or beyond ±2⁶³.
     pub const OUT_OF_RANGE: Self = Self(I64F64::MAX);
 
-    /// Reads an `f64`, rounded to the nearest 2⁻⁶⁴.
+    /// Converts an `f64`, rounded to the nearest 2⁻⁶⁴.
     pub const fn new(value: f64) -> Self {
         let bits = value.to_bits();
         let exponent = ((bits >> 52) & 0x7ff) as i32;
@@ -60,28 +60,29 @@ impl Number {
         }))
     }
 
-    /// From the raw Q64.64 bits.
+    /// Creates a number from raw Q64.64 bits.
     pub const fn from_bits(bits: i128) -> Self {
         Self(I64F64::from_bits(bits))
     }
 
-    /// The raw Q64.64 bits.
+    /// Returns the raw Q64.64 bits.
     pub const fn to_bits(self) -> i128 {
         self.0.to_bits()
     }
 
-    /// The nearest `f64`; meant for hosts.
+    /// Converts the number to the nearest `f64`. Meant for desktop computers, because it uses float
+    /// arithmetic.
     pub const fn to_f64(self) -> f64 {
         self.0.to_bits() as f64 / (1_u128 << 64) as f64
     }
 
-    /// Whether `low <= self <= high`, for whole bounds.
+    /// Tests whether the number is within `low` to `high`, both included. The bounds are integers.
     pub(crate) const fn is_within(self, low: i64, high: i64) -> bool {
         let bits = self.to_bits();
         (low as i128) << 64 <= bits && bits <= (high as i128) << 64
     }
 
-    /// The number with `fraction_bits` bits behind the point, rounded to nearest.
+    /// Converts the number to a format with `fraction_bits` fraction bits, rounded to nearest.
     ///
     /// The caller has checked that the result fits an `i32`.
     pub(crate) const fn quantised(self, fraction_bits: u32) -> i32 {
@@ -89,7 +90,7 @@ impl Number {
         narrowed(narrowed_128((self.to_bits() + (1 << (drop - 1))) >> drop))
     }
 
-    /// Whether both are the same number; usable in constants.
+    /// Tests whether two numbers are equal. It can be called in constants, unlike `==`.
     pub(crate) const fn same(self, other: Self) -> bool {
         self.to_bits() == other.to_bits()
     }

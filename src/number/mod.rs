@@ -1,15 +1,15 @@
-//! Floor 0: the number formats, every shift, every root, every reciprocal.
+//! Floor 0: the number formats, and all shifts, roots and reciprocals.
 //!
 //! | format | type | used for |
 //! |---|---|---|
-//! | Q64.64 | [`Number`] | descriptions: what a scene or a camera was written with |
+//! | Q64.64 | [`Number`] | the numbers in descriptions of scenes and cameras |
 //! | Q2.30 | [`Unit`] | directions, weights, cosines |
 //! | Q6.26 | [`Brightness`] | colours and the light on a surface |
 //! | Q32.0 | [`Length`] | positions and distances, in steps of a power of two that the scene chooses |
-//! | Q12.20, Q6.26 | `i32` in [`crate::color`] | the light that a surface sends on |
+//! | Q12.20, Q6.26 | `i32` in [`crate::color`] | the light that a surface reflects |
 //! | Q8.24 | `i32` in [`crate::color`] | the sum over reflections |
 //!
-//! Nothing here knows a scene, a ray or a colour.
+//! Knows no scene, no ray and no colour.
 
 mod angle;
 mod decimal;
@@ -49,43 +49,45 @@ pub use zeros::leading_zeros;
 
 use fixed::types::{I2F30, I6F26};
 
-/// Q2.30 in an `i32`: -2 to 2 in steps of 2⁻³⁰. Directions, weights, cosines.
+/// Number for directions, weights and cosines: Q2.30 in an `i32`, -2 to 2 in steps of 2⁻³⁰.
 pub type Unit = I2F30;
 
-/// Q6.26 in an `i32`: -32 to 32 in steps of 2⁻²⁶. Colours and light.
+/// Number for colours and light: Q6.26 in an `i32`, -32 to 32 in steps of 2⁻²⁶.
 pub type Brightness = I6F26;
 
-/// A length in raw scene steps.
+/// Length in raw scene steps.
 ///
-/// One step is 2⁻ᶠ scene units; f is chosen when the scene is built so that its
-/// shapes fit a ball of 2²⁸ steps (see [`crate::scene`]).
+/// One step is 2⁻ᶠ scene units. f is chosen when the scene is prepared, so that its shapes fit a ball of
+/// 2²⁸ steps (see [`crate::scene`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Length(i32);
 
 impl Length {
-    /// From raw steps.
+    /// Creates a length from raw steps.
     pub const fn from_bits(bits: i32) -> Self {
         Self(bits)
     }
 
-    /// The raw steps.
+    /// Returns the length in raw steps.
     pub const fn to_bits(self) -> i32 {
         self.0
     }
 
-    /// Less than a length was before rounding: directions are within 2⁻²⁶ of length one, and points and
-    /// roots are known to a few steps.
+    /// Returns a lower bound of the exact length, given the rounded one. Directions are within 2⁻²⁶ of
+    /// length one, and points and roots are known to a few steps.
     #[inline(always)]
     pub(crate) const fn surely_less(self) -> Self {
         Self(self.0 - (self.0 >> 24) - 16)
     }
 }
 
-/// `start` + `step` · `count`, for a `count` below 2¹⁶. The sum must fit 64 bits; the product may not.
+/// Returns `start` + `step` · `count`, for a `count` below 2¹⁶. The sum must fit 64 bits; the product
+/// need not.
 #[inline(always)]
 pub const fn stepped(start: i64, step: i64, count: u32) -> i64 {
     debug_assert!(count < 1 << 16);
-    // Said to the compiler, it leaves half of the products away where they are put together.
+    // The mask tells the compiler that `count` has 16 bits. On cores without a long multiply, it then
+    // omits half of the partial products.
     let count = count & 0xffff;
     let bits = twos_complement(step);
     let high = product_modulo_2_32((bits >> 32) as u32, count);
@@ -95,9 +97,10 @@ pub const fn stepped(start: i64, step: i64, count: u32) -> i64 {
     end
 }
 
-/// `value` · 2^`exponent`, rounded down, for exponents from -63 on; the result must fit.
+/// Returns `value` · 2^`exponent`, rounded down. The exponent is at least -63, and the result must fit
+/// 64 bits.
 ///
-/// Out of line: for where it is rare, and a shift of 64 bits is long.
+/// Not inlined, because a 64-bit shift takes many instructions and callers need it rarely.
 #[inline(never)]
 pub const fn shifted(value: i64, exponent: i32) -> i64 {
     if exponent >= 0 {
@@ -108,18 +111,18 @@ pub const fn shifted(value: i64, exponent: i32) -> i64 {
     }
 }
 
-/// `value` · 2^-`places`, rounded to nearest, for 1 to 62 places; halves are rounded up.
+/// Returns `value` · 2^-`places`, rounded to nearest; halves are rounded up. `places` is 1 to 62.
 #[inline(always)]
 pub const fn rounded(value: i64, places: u32) -> i64 {
     (value + (1 << (places - 1))) >> places
 }
 
-/// The product of two unit numbers, rounded down to Q2.30.
+/// Multiplies two Q2.30 numbers, rounded down to Q2.30.
 pub const fn unit_product(a: Unit, b: Unit) -> Unit {
     Unit::from_bits(scaled_by_unit(a.to_bits(), b))
 }
 
-/// The share `part` of a share, neither below zero: rounded down to Q2.30.
+/// Multiplies two Q2.30 numbers, neither of which is below 0, rounded down to Q2.30.
 #[inline(always)]
 pub const fn share(whole: Unit, part: Unit) -> Unit {
     Unit::from_bits(narrowed(
@@ -127,12 +130,13 @@ pub const fn share(whole: Unit, part: Unit) -> Unit {
     ))
 }
 
-/// `raw · unit`, rounded down, in the format of `raw`; `|raw · unit|` must stay below 2³¹.
+/// Multiplies `raw`, of any format, by a Q2.30 number. The product has the format of `raw`, is rounded
+/// down, and must stay within ±2³¹.
 pub const fn scaled_by_unit(raw: i32, unit: Unit) -> i32 {
     narrowed(wide(raw, unit.to_bits()) >> 30)
 }
 
-/// A cosine times a coefficient: Q2.30 · Q6.26, rounded down to 2⁻²⁴.
+/// Multiplies a cosine by a coefficient: Q2.30 · Q6.26, rounded down to 2⁻²⁴.
 #[inline(always)]
 pub const fn lit(cosine: Unit, coefficient: Brightness) -> Brightness {
     Brightness::from_bits(high(coefficient.to_bits(), cosine.to_bits()) << 2)

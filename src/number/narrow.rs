@@ -1,10 +1,10 @@
-//! Integers taken to fewer bits or to another sign, and sums modulo a power of two.
+//! Conversions of integers to fewer bits or to another sign, and sums modulo a power of two.
 //!
-//! Overflow checks see neither `as` nor `wrapping_add`. Here each has a name and a range, which
-//! `debug_assert!` checks; without debug assertions a function is the bare operation. Lints in `lib.rs`
-//! and `tests/floors` hold the other files to these functions.
+//! Overflow checks do not cover `as` and `wrapping_add`. The functions here have a name and a range,
+//! which `debug_assert!` checks. Without debug assertions, a function is only the operation itself.
+//! Lints in `lib.rs` and `tests/floors` ensure that other files use these functions.
 
-/// The same number in 32 bits: -2³¹ to 2³¹ - 1.
+/// Converts an `i64` to an `i32`. The value must fit: -2³¹ to 2³¹ - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn narrowed(value: i64) -> i32 {
@@ -12,7 +12,7 @@ pub const fn narrowed(value: i64) -> i32 {
     value as i32
 }
 
-/// The same number in 32 bits: 0 to 2³² - 1.
+/// Converts a `u64` to a `u32`. The value must fit: 0 to 2³² - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn narrowed_unsigned(value: u64) -> u32 {
@@ -20,7 +20,7 @@ pub const fn narrowed_unsigned(value: u64) -> u32 {
     value as u32
 }
 
-/// The same number in 64 bits: -2⁶³ to 2⁶³ - 1.
+/// Converts an `i128` to an `i64`. The value must fit: -2⁶³ to 2⁶³ - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn narrowed_128(value: i128) -> i64 {
@@ -28,7 +28,7 @@ pub const fn narrowed_128(value: i128) -> i64 {
     value as i64
 }
 
-/// The same number in 64 bits: 0 to 2⁶⁴ - 1.
+/// Converts a `u128` to a `u64`. The value must fit: 0 to 2⁶⁴ - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn narrowed_unsigned_128(value: u128) -> u64 {
@@ -36,7 +36,7 @@ pub const fn narrowed_unsigned_128(value: u128) -> u64 {
     value as u64
 }
 
-/// The same number in 32 bits, or `None` where it does not fit.
+/// Converts an `i128` to an `i32`, or returns `None` if it does not fit.
 #[inline(always)]
 pub const fn fitting(value: i128) -> Option<i32> {
     let low = value as i32;
@@ -47,7 +47,7 @@ pub const fn fitting(value: i128) -> Option<i32> {
     }
 }
 
-/// The same number in 8 bits: 0 to 255.
+/// Converts a `u32` to a `u8`. The value must fit: 0 to 255.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn to_u8(value: u32) -> u8 {
@@ -55,7 +55,7 @@ pub const fn to_u8(value: u32) -> u8 {
     value as u8
 }
 
-/// The same number in 16 bits: 0 to 2¹⁶ - 1.
+/// Converts a `u32` to a `u16`. The value must fit: 0 to 2¹⁶ - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn to_u16(value: u32) -> u16 {
@@ -63,7 +63,7 @@ pub const fn to_u16(value: u32) -> u16 {
     value as u16
 }
 
-/// A count or an index in 32 bits: 0 to 2³² - 1.
+/// Converts a count or an index to a `u32`. The value must fit: 0 to 2³² - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn to_u32(value: usize) -> u32 {
@@ -71,13 +71,13 @@ pub const fn to_u32(value: usize) -> u32 {
     value as u32
 }
 
-/// The low 32 bits of any number.
+/// Returns the low 32 bits of any `u64`.
 #[inline(always)]
 pub const fn low_word(value: u64) -> u32 {
     value as u32
 }
 
-/// The same number without a sign: 0 to 2³¹ - 1.
+/// Converts an `i32` that is not negative to a `u32`: 0 to 2³¹ - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn unsigned(value: i32) -> u32 {
@@ -85,7 +85,7 @@ pub const fn unsigned(value: i32) -> u32 {
     value as u32
 }
 
-/// The same number without a sign: 0 to 2⁶³ - 1.
+/// Converts an `i64` that is not negative to a `u64`: 0 to 2⁶³ - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn unsigned_wide(value: i64) -> u64 {
@@ -93,7 +93,7 @@ pub const fn unsigned_wide(value: i64) -> u64 {
     value as u64
 }
 
-/// The same number without a sign: 0 to 2¹²⁷ - 1.
+/// Converts an `i128` that is not negative to a `u128`: 0 to 2¹²⁷ - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn unsigned_128(value: i128) -> u128 {
@@ -101,19 +101,19 @@ pub const fn unsigned_128(value: i128) -> u128 {
     value as u128
 }
 
-/// Any number in two's complement: modulo 2⁶⁴.
+/// Returns the bits of any `i64` in two's complement: its value modulo 2⁶⁴.
 #[inline(always)]
 pub const fn twos_complement(value: i64) -> u64 {
     value as u64
 }
 
-/// The number with these bits in two's complement.
+/// Returns the `i64` that has these bits in two's complement.
 #[inline(always)]
 pub const fn from_twos_complement(bits: u64) -> i64 {
     bits as i64
 }
 
-/// The same number with a sign: 0 to 2³¹ - 1.
+/// Converts a `u32` to an `i32`. The value must fit: 0 to 2³¹ - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn signed(value: u32) -> i32 {
@@ -121,7 +121,7 @@ pub const fn signed(value: u32) -> i32 {
     value as i32
 }
 
-/// The same number with a sign: 0 to 2⁶³ - 1.
+/// Converts a `u64` to an `i64`. The value must fit: 0 to 2⁶³ - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn signed_wide(value: u64) -> i64 {
@@ -129,7 +129,8 @@ pub const fn signed_wide(value: u64) -> i64 {
     value as i64
 }
 
-/// The low 32 bits of a number within ±(2³² - 1), and its sign in every bit of a word: 0 or -1.
+/// Splits a number within ±(2³² - 1) into its low 32 bits and its sign, which is repeated in every bit
+/// of a word: 0 or -1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn word_and_sign(value: i64) -> (i32, i32) {
@@ -137,7 +138,7 @@ pub const fn word_and_sign(value: i64) -> (i32, i32) {
     (value as i32, (value >> 63) as i32)
 }
 
-/// The magnitude of a number that [`word_and_sign`] took apart.
+/// Returns the magnitude of a number that [`word_and_sign`] has split.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn magnitude(word: i32, sign: i32) -> u32 {
@@ -145,7 +146,7 @@ pub const fn magnitude(word: i32, sign: i32) -> u32 {
     (word ^ sign).wrapping_sub(sign) as u32
 }
 
-/// The magnitude of a number that is not -2³¹.
+/// Returns the magnitude of a number that is not -2³¹.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn absolute(value: i32) -> i32 {
@@ -153,7 +154,7 @@ pub const fn absolute(value: i32) -> i32 {
     value.wrapping_abs()
 }
 
-/// `value` + `change`, from 0 to 2³² - 1.
+/// Adds the signed `change` to `value`. The sum must be 0 to 2³² - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn plus_signed(value: u32, change: i32) -> u32 {
@@ -161,7 +162,7 @@ pub const fn plus_signed(value: u32, change: i32) -> u32 {
     value.wrapping_add(change as u32)
 }
 
-/// `value` - `taken`, from -2³¹ to 2³¹ - 1.
+/// Subtracts two unsigned numbers: `value` - `taken`. The difference must be -2³¹ to 2³¹ - 1.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn signed_difference(value: u32, taken: u32) -> i32 {
@@ -173,7 +174,8 @@ pub const fn signed_difference(value: u32, taken: u32) -> i32 {
     difference
 }
 
-/// `value` - `taken`, from -2³¹ to 2³¹ - 1; what is taken need not fit 32 bits.
+/// Subtracts a 64-bit number: `value` - `taken`. The difference must be -2³¹ to 2³¹ - 1; `taken` need
+/// not fit 32 bits.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn minus_wide(value: i32, taken: i64) -> i32 {
@@ -182,9 +184,9 @@ pub const fn minus_wide(value: i32, taken: i64) -> i32 {
     difference
 }
 
-/// `value` · 2^`count`, below 2³²; `count` is below 32.
+/// Returns `value` · 2^`count`, which must be below 2³². `count` is below 32.
 ///
-/// Takes no instruction that holds `count` below 32.
+/// Takes no instruction to limit `count` to 31.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn shifted_left(value: u32, count: u32) -> u32 {
@@ -193,9 +195,10 @@ pub const fn shifted_left(value: u32, count: u32) -> u32 {
     shifted
 }
 
-/// `value` + `limit` modulo 2³²: at most 2 · `limit` if `value` is within ±`limit`, and above it if not.
+/// Returns `value` + `limit` modulo 2³². The result is at most 2 · `limit` if and only if `value` is
+/// within ±`limit`. So one comparison tests two bounds.
 ///
-/// `limit` is not below zero. One comparison holds a number between two bounds this way.
+/// `limit` must not be below 0.
 #[inline(always)]
 #[cfg_attr(debug_assertions, track_caller)]
 pub const fn offset_modulo_2_32(value: i32, limit: i32) -> u32 {
@@ -203,37 +206,37 @@ pub const fn offset_modulo_2_32(value: i32, limit: i32) -> u32 {
     value.wrapping_add(limit) as u32
 }
 
-/// `a` - `b` modulo 2¹⁶.
+/// Returns `a` - `b` modulo 2¹⁶.
 #[inline(always)]
 pub const fn difference_modulo_2_16(a: u16, b: u16) -> u16 {
     a.wrapping_sub(b)
 }
 
-/// `a` + `b` modulo 2³².
+/// Returns `a` + `b` modulo 2³².
 #[inline(always)]
 pub const fn sum_modulo_2_32(a: u32, b: u32) -> u32 {
     a.wrapping_add(b)
 }
 
-/// `a` - `b` modulo 2³².
+/// Returns `a` - `b` modulo 2³².
 #[inline(always)]
 pub const fn difference_modulo_2_32(a: u32, b: u32) -> u32 {
     a.wrapping_sub(b)
 }
 
-/// `a` · `b` modulo 2³².
+/// Returns `a` · `b` modulo 2³².
 #[inline(always)]
 pub const fn product_modulo_2_32(a: u32, b: u32) -> u32 {
     a.wrapping_mul(b)
 }
 
-/// `a` + `b` modulo 2⁶⁴.
+/// Returns `a` + `b` modulo 2⁶⁴.
 #[inline(always)]
 pub const fn sum_modulo_2_64(a: u64, b: u64) -> u64 {
     a.wrapping_add(b)
 }
 
-/// 2^(`index` modulo 32).
+/// Returns a word with one bit set: 2^(`index` modulo 32).
 #[inline(always)]
 pub const fn bit_modulo_32(index: usize) -> u32 {
     1_u32.wrapping_shl(index as u32)

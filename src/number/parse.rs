@@ -3,6 +3,7 @@
 use core::str::FromStr;
 
 use super::Number;
+use crate::error::Error;
 use crate::error_kind::ErrorKind;
 
 /// Reads a decimal number, without float arithmetic and without allocation.
@@ -19,24 +20,26 @@ use crate::error_kind::ErrorKind;
 ///
 /// The value is rounded once, to the nearest multiple of 2⁻⁶⁴; halves are rounded away from zero, as
 /// [`Number::new`] does. What lies beyond ±2⁶³ is [`Number::OUT_OF_RANGE`], which is refused by name
-/// where it is used. Digits and exponents may be of any length: every text takes one pass over its
-/// digits and at most 40 steps more.
+/// where it is used. Digits and exponents may be of any length: the time grows with the length of the
+/// text, and not with its exponent.
 ///
 /// ```
 /// use reflet::{ErrorKind, Number};
 /// assert_eq!("-1.5".parse(), Ok(Number::new(-1.5)));
 /// assert_eq!("25e-2".parse(), Ok(Number::new(0.25)));
 /// assert_eq!("1e999".parse(), Ok(Number::OUT_OF_RANGE));
-/// assert_eq!("1,5".parse::<Number>(), Err(ErrorKind::Number));
+/// let error = "1,5".parse::<Number>().unwrap_err();
+/// assert_eq!(error.kind(), ErrorKind::Number);
 /// ```
 ///
 /// # Errors
 /// [`ErrorKind::Number`] if the text is no such number.
 impl FromStr for Number {
-    type Err = ErrorKind;
+    type Err = Error;
 
-    fn from_str(text: &str) -> Result<Self, ErrorKind> {
-        let decimal = Decimal::read(text.as_bytes()).ok_or(ErrorKind::Number)?;
+    fn from_str(text: &str) -> Result<Self, Error> {
+        let decimal =
+            Decimal::read(text.as_bytes()).ok_or(Error::of("number", ErrorKind::Number))?;
         Ok(decimal.rounded())
     }
 }

@@ -1,8 +1,8 @@
-//! Powers of a cosine: the specular highlight's sˢʰⁱⁿⁱⁿᵉˢˢ.
+//! Powers of a cosine: sˢʰⁱⁿⁱⁿᵉˢˢ of the specular highlight.
 //!
-//! The whole part of the exponent is worked out by repeated squaring (Knuth, The Art of
-//! Computer Programming, vol. 2, 4.6.3), which keeps its relative error near
-//! exponent · 2⁻³⁰; only the fraction, below one, goes through a logarithm.
+//! The integer part of the exponent uses repeated squaring (Knuth, The Art of Computer Programming, vol.
+//! 2, 4.6.3), which keeps the relative error near exponent · 2⁻³⁰. Only the fraction, below one, uses a
+//! logarithm.
 
 use super::narrow::{
     low_word, narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128, signed, unsigned,
@@ -10,32 +10,33 @@ use super::narrow::{
 };
 use super::{Number, Unit, high_unsigned, unit_product};
 
-/// A real exponent from 0 to [`Exponent::MAX`], split at its point.
+/// Real exponent from 0 to [`Exponent::MAX`], split into its integer part and its fraction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Exponent {
+    /// Integer part of the exponent.
     whole: u32,
-    /// Q0.32
+    /// Fraction of the exponent, Q0.32.
     fraction: u32,
 }
 
 impl Exponent {
-    /// Whether it is an even number.
+    /// Tests whether the exponent is an even integer.
     #[inline(always)]
     pub const fn is_even(self) -> bool {
         self.is_whole() && self.whole & 1 == 0
     }
 
-    /// Whether it is a whole number.
+    /// Tests whether the exponent is an integer.
     #[inline(always)]
     pub const fn is_whole(self) -> bool {
         self.fraction == 0
     }
 
-    /// The largest exponent: 2²⁰.
+    /// Largest exponent: 2²⁰.
     pub const MAX: i64 = 1 << 20;
 
-    /// Splits a number, which the caller has checked to lie in 0 to [`Exponent::MAX`];
-    /// the fraction is rounded down to 2⁻³².
+    /// Splits a number into integer part and fraction. The fraction is rounded down to 2⁻³². The caller
+    /// has checked that the number is within 0 to [`Exponent::MAX`].
     pub const fn new(number: Number) -> Self {
         let bits = number.to_bits();
         Self {
@@ -45,7 +46,7 @@ impl Exponent {
     }
 }
 
-/// `base` to the power of `exponent`, for a base from 0 to 1; 0⁰ is 1.
+/// Returns `base` to the power of `exponent`, for a base from 0 to 1. 0⁰ is 1.
 ///
 /// The error is below (exponent + 4) · 2⁻²⁸.
 #[inline(always)]
@@ -58,19 +59,21 @@ pub const fn power(base: Unit, exponent: Exponent) -> Unit {
     }
 }
 
-/// The power of a base whose square is `square`, for an even exponent: no root is needed.
+/// Returns the power of a base, given the `square` of the base. The exponent must be even, so that no
+/// root is needed.
 #[inline(always)]
 pub const fn even_power(square: Unit, exponent: Exponent) -> Unit {
     repeated(square, exponent.whole / 2)
 }
 
-/// The same as [`power`], for an exponent that is a whole number.
+/// Returns `base` to the power of an integer `exponent`, for a base from 0 to 1. 0⁰ is 1.
 #[inline(always)]
 pub const fn whole_power(base: Unit, exponent: Exponent) -> Unit {
     repeated(base, exponent.whole)
 }
 
-/// By repeated squaring in Q0.32, where a product is the high word of one.
+/// Returns `base` to the power of an integer by repeated squaring. Works in Q0.32, where a product is
+/// the high word of the 64-bit product.
 #[inline(always)]
 const fn repeated(base: Unit, exponent: u32) -> Unit {
     let base = base.to_bits();
@@ -95,16 +98,17 @@ const fn repeated(base: Unit, exponent: u32) -> Unit {
     Unit::from_bits(signed(result >> 2))
 }
 
-/// Intervals an octave in the tables of logarithms and powers of two.
+/// Number of intervals per octave in the tables of logarithms and powers of two.
 const STEPS: usize = 32;
 
-/// The reciprocal of the middle of interval i of 1 to 2 in Q30, and its logarithm in Q30:
-/// -log₂ of exactly that reciprocal.
+/// Table for logarithms. Entry i has the reciprocal of the middle of interval i of 1 to 2, in Q30, and
+/// -log₂ of exactly that reciprocal, in Q30.
 static LOGARITHMS: [(u32, u32); STEPS] = logarithms();
 
-/// 2^(i / 32) in Q30.
+/// Table of powers of two: entry i is 2^(i / 32) in Q30.
 static POWERS: [u32; STEPS] = powers();
 
+/// Computes the table of reciprocals and their logarithms.
 const fn logarithms() -> [(u32, u32); STEPS] {
     let mut table = [(0, 0); STEPS];
     let mut index = 0;
@@ -119,13 +123,13 @@ const fn logarithms() -> [(u32, u32); STEPS] {
     table
 }
 
-/// -log₂ of `value` · 2⁻³⁰ (0.5 to 1) in Q30, a bit at a time by squaring.
+/// Returns -log₂ of `value` · 2⁻³⁰ (0.5 to 1) in Q30. Each squaring gives one bit.
 const fn negative_logarithm(value: u64) -> u32 {
     let mut square = (value as u128) << 33;
     let mut logarithm = 0_u32;
     let mut bit = 0;
     while bit < 31 {
-        // square holds 1 to 2 in Q62 (the value doubled); log₂ of it is 1 - the answer.
+        // `square` is 1 to 2 in Q62: at the start, twice the value, whose log₂ is 1 - the result.
         square = (square * square) >> 62;
         logarithm <<= 1;
         if square >= 1 << 63 {
@@ -137,6 +141,7 @@ const fn negative_logarithm(value: u64) -> u32 {
     narrowed_unsigned((1 << 30) - ((logarithm as u64 + 1) >> 1))
 }
 
+/// Computes the table of powers of two.
 const fn powers() -> [u32; STEPS] {
     // Five square roots of two give 2^(1/32) in Q60.
     let mut step = 2_u128 << 60;
@@ -156,19 +161,20 @@ const fn powers() -> [u32; STEPS] {
     table
 }
 
-/// One in Q30; a division by a constant is a product with its reciprocal.
+/// One in Q30. The series below multiplies by constants such as `ONE / 3` instead of dividing.
 const ONE: i64 = 1 << 30;
 
-/// ln 2 and 1 / ln 2 in Q30.
+/// Natural logarithm of 2 in Q30.
 const LN_2: i64 = 744_261_118;
+/// Binary logarithm of e in Q30: 1 / ln 2.
 const LOG2_E: i64 = 1_549_082_005;
 
-/// The product of two Q30 numbers.
+/// Multiplies two Q30 numbers, rounded down.
 const fn q30(a: i64, b: i64) -> i64 {
     (a * b) >> 30
 }
 
-/// `base` (0 to 1) to the power of `fraction` (Q0.32, below one).
+/// Returns `base` (0 to 1) to the power of `fraction` (Q0.32, below one).
 const fn fractional_power(base: Unit, fraction: u32) -> Unit {
     if base.to_bits() <= 0 {
         return Unit::ZERO;
@@ -178,13 +184,13 @@ const fn fractional_power(base: Unit, fraction: u32) -> Unit {
     let mantissa = (base << zeros) as i64;
     // log₂ base in Q30, at most 0
     let logarithm = logarithm(mantissa) - ((zeros as i64) << 30);
-    // Below 2^35 in size, times Q0.28: below 2^63.
+    // The logarithm is within ±2^35. Times Q0.28, it is within ±2^63.
     let product = (logarithm * (fraction >> 4) as i64) >> 28;
     let whole = -(product >> 30);
     Unit::from_bits(narrowed(exponential(product & ((1 << 30) - 1)) >> whole))
 }
 
-/// log₂ of a Q30 number from 1 to 2, in Q30.
+/// Returns log₂ of a Q30 number from 1 to 2, in Q30.
 const fn logarithm(mantissa: i64) -> i64 {
     let (reciprocal, base) =
         LOGARITHMS[narrowed_unsigned(unsigned_wide(mantissa >> 25)) as usize % STEPS];
@@ -195,7 +201,7 @@ const fn logarithm(mantissa: i64) -> i64 {
     base as i64 + q30(series, LOG2_E)
 }
 
-/// 2 to the power of a Q30 number from 0 to 1, in Q30.
+/// Returns 2 to the power of a Q30 number from 0 to 1, in Q30.
 const fn exponential(fraction: i64) -> i64 {
     let start = POWERS[narrowed_unsigned(unsigned_wide(fraction >> 25)) as usize % STEPS] as i64;
     let z = q30(fraction & ((1 << 25) - 1), LN_2);

@@ -1,71 +1,72 @@
-//! Products of two 32-bit numbers, to the last bit.
+//! Exact products of two 32-bit numbers.
 //!
-//! A core with a long multiply takes one instruction for each of these. Armv6-M (Cortex-M0) has
-//! none, and would be given a product of 64 by 64 bits; there, four products of 16 by 16 bits are
-//! put together (Warren, Hacker's Delight, section 8-2), and the result is the same.
+//! A core with a long multiply takes one instruction for each of these products. Armv6-M (Cortex-M0) has
+//! no long multiply, and the compiler would call a product of 64 by 64 bits. There, a product is the sum
+//! of four products of 16 by 16 bits (Warren, Hacker's Delight, section 8-2). The result is the same.
 
 use super::narrow::narrowed;
 
-/// The product of two signed numbers.
+/// Returns the 64-bit product of two signed numbers.
 #[inline(always)]
 pub const fn wide(a: i32, b: i32) -> i64 {
     multiplier::wide(a, b)
 }
 
-/// The product of two numbers without a sign.
+/// Returns the 64-bit product of two unsigned numbers.
 #[inline(always)]
 pub const fn wide_unsigned(a: u32, b: u32) -> u64 {
     multiplier::wide_unsigned(a, b)
 }
 
-/// `a · b` · 2⁻³², rounded down.
+/// Returns the high word of the product of two signed numbers: `a` · `b` · 2⁻³², rounded down.
 #[inline(always)]
 pub const fn high(a: i32, b: i32) -> i32 {
     multiplier::high(a, b)
 }
 
-/// The product of two numbers neither of which is below zero. Where the compiler knows that of one
-/// only, the product of signed numbers takes it three instructions.
+/// Returns the 64-bit product of two numbers, neither of which is below 0. A signed product takes three
+/// instructions if the compiler knows of only one factor that it is not negative.
 #[inline(always)]
 pub const fn wide_positive(a: i32, b: i32) -> i64 {
     multiplier::wide_positive(a, b)
 }
 
-/// Its upper half.
+/// Returns the high word of the product of two numbers, neither of which is below 0: `a` · `b` · 2⁻³²,
+/// rounded down.
 #[inline(always)]
 pub const fn high_positive(a: i32, b: i32) -> i32 {
     (wide_positive(a, b) >> 32) as i32
 }
 
-/// `sum` + `a · b` · 2⁻³², rounded to nearest; neither factor is below zero.
+/// Returns `sum` + `a` · `b` · 2⁻³², rounded to nearest. Neither factor is below 0.
 ///
-/// The half that rounds is below the sum in one register pair, so that a core with a long multiply
-/// and add takes no more than for a sum that is rounded down.
+/// `sum` and the half for rounding share one register pair: high word and low word. So a core with a
+/// long multiply-add takes no more instructions than for a sum that is rounded down.
 #[inline(always)]
 pub const fn add_high_positive(sum: i32, a: i32, b: i32) -> i32 {
     let half = 1_i64 << 31;
     narrowed((((sum as i64) << 32) + half + wide_positive(a, b)) >> 32)
 }
 
-/// `a` · `short` · 2⁻¹⁷, rounded down, for a short number below 2¹⁶.
+/// Returns `a` · `short` · 2⁻¹⁷, rounded down. `short` is below 2¹⁶.
 #[inline(always)]
 pub const fn scaled_unsigned(a: u32, short: u32) -> u32 {
     multiplier::scaled_unsigned(a, short)
 }
 
-/// `a` · `short` · 2⁻¹⁵, rounded down, for `a` within ±2²⁹ and a short number below 2¹⁶.
+/// Returns `a` · `short` · 2⁻¹⁵, rounded down. `a` is within ±2²⁹, and `short` is below 2¹⁶.
 #[inline(always)]
 pub const fn scaled(a: i32, short: u32) -> i32 {
     multiplier::scaled(a, short)
 }
 
-/// `a · b` · 2⁻³², rounded down.
+/// Returns the high word of the product of two unsigned numbers: `a` · `b` · 2⁻³², rounded down.
 #[inline(always)]
 pub const fn high_unsigned(a: u32, b: u32) -> u32 {
     multiplier::high_unsigned(a, b)
 }
 
-// Of the Arm cores, the ones without a long multiply are those without atomic exchanges.
+// The Arm cores without a long multiply are those without atomic exchanges.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 mod multiplier {
     use crate::number::narrow::{signed, signed_wide, unsigned};
@@ -119,7 +120,7 @@ use halves as multiplier;
     )
 )]
 mod halves {
-    /// The low half, without a sign.
+    /// Returns the low 16 bits of a number as an unsigned value.
     const fn low_half(a: i32) -> i32 {
         a & 0xffff
     }
@@ -128,7 +129,7 @@ mod halves {
     pub(super) const fn high(a: i32, b: i32) -> i32 {
         let (a_low, a_high, b_low, b_high) = (low_half(a), a >> 16, low_half(b), b >> 16);
         let low = a_low.wrapping_mul(b_low) as u32;
-        // Within ±2³¹, both of them.
+        // `first` and `second` are both within ±2³¹.
         let first = a_high * b_low + (low >> 16) as i32;
         let second = a_low * b_high + low_half(first);
         a_high * b_high + (first >> 16) + (second >> 16)
@@ -144,7 +145,8 @@ mod halves {
         wide(a, b)
     }
 
-    /// Of two products, as half of the short number is not there.
+    /// Returns `a` · `short` · 2⁻¹⁷, rounded down. Takes two products, because the upper half of `short`
+    /// is 0.
     #[inline(always)]
     pub(super) const fn scaled_unsigned(a: u32, short: u32) -> u32 {
         ((a >> 16) * short + (((a & 0xffff) * short) >> 16)) >> 1
@@ -155,8 +157,9 @@ mod halves {
         2 * (a >> 16) * short as i32 + ((low_half(a) as u32 * short) >> 15) as i32
     }
 
-    /// From the product with signs: the compiler knows the one put together without, and calls for
-    /// the product of 64 by 64 bits instead.
+    /// Returns the high word of the product of two unsigned numbers, computed from the signed product.
+    /// The compiler would recognise a direct sum of unsigned halves and call the product of 64 by 64
+    /// bits.
     #[inline(always)]
     pub(super) const fn high_unsigned(a: u32, b: u32) -> u32 {
         let (a, b) = (a as i32, b as i32);

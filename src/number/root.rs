@@ -1,9 +1,9 @@
-//! Reciprocal square roots, and the square roots and quotients made of them.
+//! Reciprocal square roots and reciprocals, and the square roots and quotients computed from them.
 //!
-//! One table, one Householder step of third order (Householder 1970; Muller et al.,
-//! Handbook of Floating-Point Arithmetic, section 4.7): with e = 1 - x y₀², the root is
-//! y₀ (1 + e/2 + 3e²/8), and the first term left out, 5e³/16, is below 2⁻²⁸ because the
-//! table has 256 entries a unit; rounding adds about as much.
+//! A table gives the start y₀, and one Householder step of third order refines it (Householder 1970;
+//! Muller et al., Handbook of Floating-Point Arithmetic, section 4.7). With e = 1 - x y₀², the
+//! reciprocal root is y₀ (1 + e/2 + 3e²/8). The first term left out, 5e³/16, is below 2⁻²⁸, because the
+//! table has 256 entries per unit. Rounding adds about as much.
 
 use super::narrow::{
     difference_modulo_2_32, low_word, narrowed_unsigned, plus_signed, shifted_left, signed,
@@ -12,10 +12,12 @@ use super::narrow::{
 use super::product::{scaled, scaled_unsigned};
 use super::{Unit, high_unsigned, leading_zeros};
 
-/// Entry i is 2¹⁶ / √x at the middle of x = i/256 .. (i+1)/256, where x is 1 to 4. The first quarter
-/// of it is not needed for that, and holds 2¹⁶ / x at the middle of x = 1 + i/256 .. 1 + (i + 1)/256.
+/// Start values for reciprocal roots and reciprocals. From entry 256 on, entry i is 2¹⁶ / √x at the
+/// middle of x = i/256 .. (i + 1)/256, for x from 1 to 4. The first 256 entries are 2¹⁶ / x at the
+/// middle of x = 1 + i/256 .. 1 + (i + 1)/256.
 static TABLE: [u16; 1024] = table();
 
+/// Computes the table of start values.
 const fn table() -> [u16; 1024] {
     let mut entries = [0; 1024];
     let mut index = 0;
@@ -39,7 +41,8 @@ const fn table() -> [u16; 1024] {
     entries
 }
 
-/// 2³¹ / √x for x = `mantissa` · 2⁻³⁰ in 1 to 4, as Q1.31 from 2³⁰ to 2³¹ - 1.
+/// Returns the reciprocal root 2³¹ / √x for x = `mantissa` · 2⁻³⁰, 1 to 4. The result is in Q1.31, from
+/// 2³⁰ to 2³¹ - 1.
 ///
 /// The relative error is below 2⁻²⁷·⁵.
 pub const fn reciprocal_root(mantissa: u32) -> i32 {
@@ -49,18 +52,19 @@ pub const fn reciprocal_root(mantissa: u32) -> i32 {
     let product = signed(high_unsigned(mantissa, start * start));
     let error = (1 << 30) - product;
     let coarse = error >> 6;
-    // Within ±2²¹·⁵, so that its product with the start, shifted up, is one with a high half.
+    // Within ±2²¹·⁵, so that `scaled` can shift it up and take the high word of its product with the
+    // start.
     let correction = (error >> 1) + signed((3 * unsigned(coarse * coarse)) >> 21);
     let refined = scaled(correction, start);
-    // The terms left out are negative where x is 1 and the start too small, so this stays below 2³¹.
+    // If x is 1, the start is too small and the terms left out are negative: the sum stays below 2³¹.
     signed(plus_signed(start << 15, refined))
 }
 
-/// How far a vector whose squared length is `square` is shifted left to get a length of
-/// 2³⁰ to 2³¹, and the square of that length · 2⁻³⁰, ready for [`reciprocal_root`].
+/// Normalises a squared length. Returns the left shift that brings a vector of that squared length to a
+/// length of 2³⁰ to 2³¹, and the square of the new length · 2⁻³⁰, ready for [`reciprocal_root`].
 ///
-/// `square` is 1 to 2⁶² - 1. Its lowest bit is set so that zero needs no test, which makes an even
-/// square larger by one part in itself: less than 2⁻²⁶ for lengths from 2¹³ on.
+/// `square` is 1 to 2⁶² - 1. Its lowest bit is set, so that 0 needs no test. This makes an even square
+/// larger by 1: a relative error below 2⁻²⁶ for lengths from 2¹³ on.
 pub const fn unit_shift(square: u64) -> (u32, u32) {
     debug_assert!(square < 1 << 62);
     let (leading, rest) = ((square >> 32) as u32, low_word(square) | 1);
@@ -75,23 +79,24 @@ pub const fn unit_shift(square: u64) -> (u32, u32) {
     )
 }
 
-/// The square root of `square` (below 2⁶²), rounded down, with a relative error below 2⁻²⁷.
+/// Returns the square root of `square`, which is below 2⁶². The root has a relative error below 2⁻²⁷ and
+/// is rounded down.
 pub const fn square_root(square: u64) -> i32 {
     let (shift, mantissa) = unit_shift(square);
     let root = high_unsigned(mantissa, unsigned(reciprocal_root(mantissa)) << 1);
     signed(root >> shift) & -((square != 0) as i32)
 }
 
-/// A quotient `mantissa` · 2^`exponent` with a mantissa of 2³⁰ - 1 to 2³².
+/// Quotient `mantissa` · 2^`exponent`. The mantissa is 2³⁰ - 1 to 2³².
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Quotient {
-    /// The leading bits.
+    /// Leading bits of the quotient.
     pub mantissa: u32,
-    /// The power of two they are scaled with.
+    /// Power of two by which the mantissa is scaled.
     pub exponent: i32,
 }
 
-/// The square root of a number from 0 to 1, Q2.30, with a relative error below 2⁻²⁷.
+/// Returns the square root of a number from 0 to 1, in Q2.30, with a relative error below 2⁻²⁷.
 pub const fn root_of_unit(square: Unit) -> Unit {
     let square = unsigned(square.to_bits()) | 1;
     let zeros = leading_zeros(square) & !1;
@@ -101,32 +106,33 @@ pub const fn root_of_unit(square: Unit) -> Unit {
     Unit::from_bits(signed(root))
 }
 
-/// 2³¹ / x for x = `mantissa` · 2⁻³¹ in 1 to 2, with a relative error below 2⁻²⁶.
+/// Returns the reciprocal 2³¹ / x for x = `mantissa` · 2⁻³¹, 1 to 2, with a relative error below 2⁻²⁶.
 ///
-/// From the table by one step of third order, y₀ (1 + e + e²) with e = 1 - x y₀ below 2⁻⁹.
+/// The table gives the start y₀. One step of third order refines it: y₀ (1 + e + e²) with e = 1 - x y₀
+/// below 2⁻⁹.
 const fn reciprocal(mantissa: u32) -> u32 {
     let start = TABLE[(mantissa >> 23) as usize & 0xff] as u32;
-    // Within ±2²¹ as one with a sign.
+    // Signed, within ±2²¹.
     let error = signed_difference(1 << 30, scaled_unsigned(mantissa, start));
     let coarse = error >> 7;
     let correction = error + ((coarse * coarse) >> 16);
     let refined = scaled(correction, start);
-    // The term left out is negative where x is 1 and the start too small: this stays below 2³¹.
+    // If x is 1, the start is too small and the term left out is negative: the sum stays below 2³¹.
     plus_signed(start << 15, refined)
 }
 
-/// 2³⁰ `numerator` / `denominator` for a numerator below the denominator, with a relative error
-/// below 2⁻²⁶; the denominator is 1 to 2³⁰.
+/// Returns 2³⁰ · `numerator` / `denominator`, with a relative error below 2⁻²⁶. The numerator is below
+/// the denominator, which is 1 to 2³⁰.
 #[inline(always)]
 pub const fn ratio(numerator: u32, denominator: u32) -> i32 {
-    // The compiler does not know that it is not zero, of which there would be 32.
+    // The compiler does not know that the denominator is not 0, which would have 32 leading zeros.
     let zeros = leading_zeros(denominator);
     let reciprocal = reciprocal(shifted_left(denominator, zeros));
     signed(high_unsigned(shifted_left(numerator, zeros), reciprocal))
 }
 
-/// `numerator / denominator`, with a relative error below 2⁻²⁶; `denominator` is 1 to 2³² - 1,
-/// `numerator` at least 1 (zero is taken for one).
+/// Returns `numerator` / `denominator`, with a relative error below 2⁻²⁶. The denominator is
+/// 1 to 2³² - 1. The numerator is at least 1; 0 counts as 1.
 pub const fn divide(numerator: u64, denominator: u32) -> Quotient {
     let numerator = numerator | 1;
     let denominator = denominator | (denominator == 0) as u32;
@@ -143,7 +149,8 @@ pub const fn divide(numerator: u64, denominator: u32) -> Quotient {
 mod tests {
     use super::*;
 
-    /// Edges of every table entry and a sweep between: seeded, 4 million values.
+    /// Returns the edges of every table entry, and 4 million values between 1 and 4 from a fixed
+    /// sequence.
     fn mantissas() -> impl Iterator<Item = u32> {
         let edges = (256_u32..1024).flat_map(|index| {
             let low = index << 22;

@@ -1,9 +1,9 @@
-//! Floor 0: how many zeros a number begins with.
+//! Floor 0: count of leading zeros.
 //!
-//! A core that counts them takes one instruction. Armv6-M (Cortex-M0) does not; there the upper bits
-//! are looked up, in a third of the instructions of the routine it would be given.
+//! Most cores count leading zeros in one instruction. Armv6-M (Cortex-M0) cannot; there, a table gives
+//! the count for the leading byte. This takes a third of the instructions of the compiler's routine.
 
-/// How many zeros a number begins with, 32 for zero.
+/// Returns the number of leading zeros of a number; 32 for 0.
 #[inline(always)]
 pub const fn leading_zeros(number: u32) -> u32 {
     counter::leading_zeros(number)
@@ -24,7 +24,7 @@ use table as counter;
 mod table {
     use crate::number::{to_u8, to_u32};
 
-    /// The leading zeros of the numbers of one byte.
+    /// Number of leading zeros of every 8-bit number.
     static ZEROS: [u8; 256] = zeros();
 
     const fn zeros() -> [u8; 256] {

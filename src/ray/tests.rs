@@ -3,17 +3,17 @@ use crate::number::sweep::Sweep;
 
 const NORMAL: Direction = Direction::X;
 
-/// The coordinates of a place in raw steps.
+/// Returns the coordinates of a point in raw steps.
 fn wide(place: ScaledPoint) -> [i64; 3] {
     let Point { x, y, z } = place.point;
     [x, y, z].map(|coordinate| i64::from(coordinate) << place.scale)
 }
 
-/// Whether the scale is 0 or no smaller one would do.
+/// Tests whether the scale of a point is the smallest possible.
 fn is_normal(place: ScaledPoint) -> bool {
     let Point { x, y, z } = place.point;
     let largest = x.abs().max(y.abs()).max(z.abs());
-    // Rounding down may take one step off a coordinate that was too far by less than two.
+    // A coordinate that is too large by less than two may lose one step when it is rounded down.
     largest <= NEAR && (place.scale == 0 || 2 * largest + 2 > NEAR)
 }
 
@@ -116,7 +116,7 @@ fn leaving_point_lies_epsilon_along_the_normal() {
 
 #[test]
 fn trails_of_different_lengths_differ() {
-    // Notes of zero are those of the outside of the first shape, and of no light.
+    // A note of 0 stands for the outside of the first shape, and for no light.
     let noted = |zeros: usize| {
         let mut signature = PathSignature::new();
         (0..zeros).for_each(|_| signature.note(0));

@@ -211,7 +211,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         let inside = pixels.len().min((self.frame.width - x) as usize);
         let (pixels, _) = pixels.split_at_mut(inside);
         let Some(generator) = self.generator() else {
-            pixels.fill(shown(self.only_sum()));
+            fill(pixels, shown(self.only_sum()));
             return Report {
                 rays: inside as u64,
                 ..Report::NONE
@@ -280,4 +280,10 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
             self.frame.reflections,
         )
     }
+}
+
+/// Fills pixels with one colour; out of line, or its caller's loops are unrolled around a constant.
+#[inline(never)]
+fn fill<C: Copy>(pixels: &mut [C], color: C) {
+    pixels.fill(color);
 }

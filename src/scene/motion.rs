@@ -3,13 +3,15 @@
 //! The grid of the scene was chosen for its whole motion box. So a part that moves in the box changes no
 //! bit of the others.
 
+use super::Description;
 use super::capacity::{Capacity, Room};
 use super::prepare::PlainScene;
 use super::shape_set::{SetLayout, ShapeSet};
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::light::PreparedLight;
-use crate::vector::{Point, Position};
+use crate::shape::Extent;
+use crate::vector::Position;
 
 macro_rules! motion {
     (
@@ -31,10 +33,11 @@ macro_rules! motion {
                     if let Some(fault) = $kind.fault() {
                         return Err(error(fault));
                     }
-                    let moved = crate::shape::$prepared::prepare($kind, &self.grid).map_err(error)?;
-                    if !self.is_in_motion_box(moved.ball()) {
+                    // What is larger than the box may not fit the grid.
+                    if !self.is_in_motion_box(&$kind.extent()) {
                         return Err(error(ErrorKind::Motion));
                     }
+                    let moved = crate::shape::$prepared::prepare($kind, &self.grid).map_err(error)?;
                     let known = self.counts.$list;
                     let old = self.$list.as_mut().get_mut(index).filter(|_| index < known);
                     let old = old.ok_or(error(ErrorKind::UnknownHandle))?;
@@ -51,7 +54,11 @@ macro_rules! motion {
             ///
             /// Panics if the ball around one of them does not lie inside of the motion box. In a
             /// constant, this stops the compiler.
-            pub(crate) const fn marked(mut self, moving: &[Option<(&'static str, usize)>]) -> Self {
+            pub(crate) const fn marked(
+                mut self,
+                moving: &[Option<(&'static str, usize)>],
+                described: &Description<'_>,
+            ) -> Self {
                 let layout = SetLayout::new(self.constant_parts().lengths());
                 let mut number = 0;
                 while number < moving.len() {
@@ -59,7 +66,7 @@ macro_rules! motion {
                         let kind = 0;
                         $(
                             if super::capacity::is_same(name, stringify!($kind)) && index < $room {
-                                if !self.is_in_motion_box(self.$list[index].ball()) {
+                                if !self.is_in_motion_box(&described.$list[index].extent()) {
                                     Error::at(name, index, ErrorKind::Motion).stop();
                                 }
                                 self.moving = self.moving.with(ShapeSet::of(layout.bit(kind, index)));
@@ -99,19 +106,23 @@ impl<R: Capacity> PlainScene<R> {
         Ok(())
     }
 
-    /// Tests whether a ball lies inside of the motion box. Returns `false` if the scene has no motion
-    /// box.
-    const fn is_in_motion_box(&self, (center, radius): (Point, i32)) -> bool {
+    /// Tests whether a shape with this extent lies inside of the motion box. Returns `false` if the scene
+    /// has no motion box. The grid was chosen for the same extent.
+    const fn is_in_motion_box(&self, extent: &Extent) -> bool {
+        let center = self.grid.place(extent.center).point;
+        let radius = self.grid.length(extent.radius).to_bits();
         let Some([low, high]) = self.motion else {
             return false;
         };
-        // Corner, centre and radius are each rounded to a step.
-        let radius = radius - 2;
-        low.x <= center.x - radius
-            && low.y <= center.y - radius
-            && low.z <= center.z - radius
-            && high.x >= center.x + radius
-            && high.y >= center.y + radius
-            && high.z >= center.z + radius
+        holds(low.x, center.x, high.x, radius)
+            && holds(low.y, center.y, high.y, radius)
+            && holds(low.z, center.z, high.z, radius)
     }
+}
+
+/// Tests whether a ball lies between two opposite sides of the motion box, in steps along one axis.
+const fn holds(low: i32, center: i32, high: i32, radius: i32) -> bool {
+    // Side, centre and radius are each rounded to a step.
+    let (center, radius) = (center as i64, radius as i64 - 2);
+    low as i64 <= center - radius && high as i64 >= center + radius
 }

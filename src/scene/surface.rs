@@ -8,7 +8,7 @@ use crate::vector::Direction;
 
 /// The surface at a hit: its normal, its material, and the point where rays leave it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Surface<'a> {
+pub struct Surface<'a> {
     /// Point where rays leave: epsilon above the surface, on the viewer's side.
     pub(crate) place: ScaledPoint,
     /// The normal on the viewer's side.

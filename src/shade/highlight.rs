@@ -42,7 +42,6 @@ pub(crate) mod sealed {
         const REFLECTS: bool;
 
         /// Returns the colour of a surface without reflections, and the lights that shine on it.
-        #[allow(private_bounds, private_interfaces)]
         fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
             world: &W,
             surface: &Surface<'_>,
@@ -88,7 +87,6 @@ impl<K: Highlight> Highlight for Unshadowed<K> {
 impl<H: Highlight> sealed::Shading for H {
     const REFLECTS: bool = true;
 
-    #[allow(private_bounds, private_interfaces)]
     #[inline(always)]
     fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
         world: &W,
@@ -106,7 +104,6 @@ impl<H: Highlight> sealed::Shading for H {
 impl sealed::Shading for Normals {
     const REFLECTS: bool = false;
 
-    #[allow(private_bounds, private_interfaces)]
     fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
         _: &W,
         surface: &Surface<'_>,

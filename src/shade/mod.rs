@@ -23,7 +23,7 @@ pub trait LightQuality {
 }
 
 /// Tells which lights are visible from a surface.
-pub(crate) trait Visibility {
+pub trait Visibility {
     /// A light with the tables that belong to it.
     type Light;
 
@@ -65,7 +65,7 @@ pub(crate) trait Visibility {
 }
 
 /// The colour of a surface without reflections, and the lights that shine on it.
-pub(crate) struct Lit {
+pub struct Lit {
     pub(crate) color: Color,
     /// One bit for each light that shines on the surface, of 32. With more lights, two may share a bit.
     pub(crate) lights: u32,

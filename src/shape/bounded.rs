@@ -1,4 +1,5 @@
-//! What every kind of bounded shape does for a ray: one trait, compiled once for each kind.
+//! The trait of bounded shapes: tests of rays against a shape, its normal and its material. Code that is
+//! generic over the trait is compiled once for each kind of shape.
 
 use core::fmt::Debug;
 
@@ -7,52 +8,57 @@ use crate::number::Length;
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Vector};
 
-/// A bounded shape as the kernels read it.
+/// Bounded shape as the kernels read it: hit, occlusion, normal and material.
 pub trait Bounded: Copy + Debug + 'static {
-    /// The shape as rays from one fixed point meet it.
+    /// Values that all rays from one fixed point share in their tests against the shape, such as the
+    /// vector from the point to the shape's centre.
     type FromPoint: Copy + Debug;
 
-    /// The shape as rays from a light meet it.
+    /// Values that all rays from one light share in their tests against the shape.
     type FromLight: Copy + Debug;
 
-    /// Whether shapes of this kind are balls: their screen bounds are exact, and rows ask them front to
-    /// back.
+    /// Whether shapes of this kind are balls. The screen bounds of balls are exact, and a row of pixels
+    /// tests them from front to back.
     const IS_BALL: bool;
 
-    /// Whether shapes of this kind are flat: a ray that leaves one does not hit it again, and one that is
-    /// a mirror bends nothing.
+    /// Whether shapes of this kind are flat. A ray that leaves a flat shape does not hit it again, and a
+    /// flat mirror does not distort what it reflects. Defaults to `false`.
     const IS_FLAT: bool = false;
 
-    /// A capsule around the shape: its middle, the way from there to one end, and its radius. Of a flat
-    /// one, the way is its normal, as long as its radius.
+    /// Returns a capsule around the shape: its centre, the vector from the centre to one end, and its
+    /// radius, in steps. For a flat shape, the vector is the normal, scaled to the length of the radius.
     fn outline(&self) -> (Point, Vector, i32);
 
-    /// The shape as rays from the camera, or its mirror image, meet it; no ray that hits the shape
-    /// is told otherwise by rounding.
+    /// Prepares the tests of rays that start at the camera or at its mirror image. The result is
+    /// conservative: rounding never turns a hit into a miss.
     fn seen_from_eye(&self, eye: Point) -> Self::FromPoint;
 
-    /// Whether one shape is in front of another, or about as far; asked of balls.
+    /// Tests whether shape `_one` is nearer to the common point than shape `_other`, or about as near.
+    /// Called for balls only; the default is `false`.
     #[inline(always)]
     fn is_in_front_of(_one: &Self::FromPoint, _other: &Self::FromPoint) -> bool {
         false
     }
 
-    /// Whether part of the shape may be nearer than a distance; asked of balls.
+    /// Tests whether the shape's outline, as visible from the point, may be nearer than `_distance`.
+    /// Called for balls only; the default is `true`.
     #[inline(always)]
     fn may_be_nearer(_from: &Self::FromPoint, _distance: Length) -> bool {
         true
     }
 
-    /// Whether a near point lies inside of the shape, so that all rays from it stay inside.
+    /// Tests whether a near point lies inside the shape. The shape is closed, so every ray from such a
+    /// point hits it. Defaults to `false`, for shapes that enclose no space.
     fn holds(&self, _point: Point) -> bool {
         false
     }
 
-    /// Distance of the first hit of a ray, within `range`. Sets `side` if the ray
-    /// misses the shape on the negative side of its axis.
+    /// Returns the distance from the ray's origin to the first hit within `range`. Sets `side` if the
+    /// ray misses the shape on the negative side of its axis.
     fn intersect(&self, ray: &Ray, range: Range, side: &mut bool) -> Option<Length>;
 
-    /// The same for a ray from the point that the shape is seen from.
+    /// Returns the distance to the first hit within `range` of a ray that starts at the point for which
+    /// `from` was prepared. Sets `side` if the ray misses the shape on the negative side of its axis.
     fn intersect_from(
         &self,
         from: &Self::FromPoint,
@@ -61,10 +67,11 @@ pub trait Bounded: Copy + Debug + 'static {
         side: &mut bool,
     ) -> Option<Length>;
 
-    /// Whether the ray hits the shape above 0 and below `reach`.
+    /// Tests whether the ray hits the shape at a distance above 0 and below `reach`.
     fn blocks(&self, ray: &Ray, reach: Length) -> bool;
 
-    /// Whether the shape, as a light sees it, hides the end of a ray from the light.
+    /// Tests whether the shape hides the end of `ray` from the light for which `from` was prepared.
+    /// `own` says whether the end lies on the surface of this shape.
     fn occludes<const PRECISE: bool>(
         &self,
         from: &Self::FromLight,
@@ -72,38 +79,38 @@ pub trait Bounded: Copy + Debug + 'static {
         own: Own,
     ) -> bool;
 
-    /// The outward normal at a point of the shape.
+    /// Returns the outward normal at a point on the shape.
     fn normal(&self, at: Point) -> Direction;
 
-    /// What it is made of.
+    /// Returns the material of the shape.
     fn material(&self) -> MaterialId;
 }
 
-/// Distances along a ray: above `start` and below `reach`.
+/// Interval of distances along a ray, in steps: above `start` and below `reach`.
 #[derive(Clone, Copy, Debug)]
 pub struct Range {
     pub(crate) start: Length,
     pub(crate) reach: Length,
 }
 
-/// A ray from a light to a point on a surface.
+/// Shadow ray that starts at a light and ends just above a point on a surface.
 pub struct LightRay {
     pub(crate) direction: Direction,
-    /// How far the point is from the light.
+    /// Distance from the light to the end of the ray, in steps.
     pub(crate) reach: Length,
-    /// Hits nearer to the light than this do not count.
+    /// Distance from the light, in steps, up to which hits do not count.
     pub(crate) epsilon: Length,
-    /// The point, epsilon above the surface.
+    /// End of the ray: the point that lies epsilon above the surface.
     pub(crate) end: Point,
 }
 
-/// Whose surface the end of a light's ray lies on.
+/// Whether the end of a shadow ray lies on the surface of the shape under test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Own {
-    /// Another shape's.
+    /// The end lies on the surface of another shape.
     No,
-    /// This shape's, seen from outside.
+    /// The end lies on the outer side of this shape's surface.
     Outside,
-    /// This shape's, seen from inside.
+    /// The end lies on the inner side of this shape's surface.
     Inside,
 }

@@ -1,8 +1,8 @@
 //! Open finite cylinders without caps.
 //!
-//! The ray is looked at along the axis: in the plane across it the cylinder is a circle. How far
-//! the ray's line passes from the axis is measured by a cross product of axis and origin, which is
-//! worked out once for all rays from one point.
+//! A test works in the plane perpendicular to the axis, where the cylinder is a circle. The distance
+//! between the ray's line and the axis comes from a cross product of the axis and the vector to the
+//! centre. The product is computed once for all rays from one point.
 
 mod from_point;
 mod intersect;
@@ -17,22 +17,23 @@ use crate::number::{Length, Number, narrowed, scaled_by_unit, square_root, unsig
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
-/// A cylinder as it is described.
+/// Open cylinder without caps, as the user describes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Cylinder {
-    /// Its middle, half way up.
+    /// Centre of the cylinder, on the axis at half the height.
     pub center: Position,
-    /// Its axis, of any length but zero.
+    /// Direction of the axis. The vector may have any length except 0.
     pub axis: Position,
-    /// Its radius, greater than 0.
+    /// Radius of the cylinder in scene units, greater than 0.
     pub radius: Number,
-    /// Its height, greater than 0.
+    /// Height of the cylinder in scene units, greater than 0.
     pub height: Number,
-    /// What it is made of.
+    /// Material of the cylinder.
     pub material: MaterialId,
 }
 
 impl Cylinder {
+    /// Placeholder for an unused slot in a list of described cylinders.
     pub(crate) const NONE: Self = Self {
         center: Position::ORIGIN,
         axis: Position::ORIGIN,
@@ -41,7 +42,7 @@ impl Cylinder {
         material: MaterialId(0),
     };
 
-    /// What is wrong with it.
+    /// Checks the cylinder. Returns its first fault, or `None` if all fields are allowed.
     pub(crate) const fn fault(&self) -> Option<ErrorKind> {
         if !(self.center.is_in_range() && self.axis.is_in_range()) {
             Some(ErrorKind::Coordinate)
@@ -54,7 +55,7 @@ impl Cylinder {
         }
     }
 
-    /// A ball around it, somewhat too large.
+    /// Returns a bounding ball of the cylinder, somewhat too large: its radius is radius + half height.
     pub(crate) const fn extent(&self) -> Extent {
         let (radius, half_height) = (self.radius.to_bits(), self.half_height().to_bits());
         Extent {
@@ -67,28 +68,29 @@ impl Cylinder {
         }
     }
 
+    /// Returns half of the cylinder's height, in scene units.
     const fn half_height(&self) -> Number {
         Number::from_bits(self.height.to_bits() / 2)
     }
 }
 
-/// A cylinder as the kernels read it: inside the ball.
+/// Cylinder as the kernels read it: in raw steps, inside the ball that holds all bounded shapes.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedCylinder {
     center: Point,
     axis: Direction,
     radius: i32,
-    /// (radius << lift)² · 2⁻³⁰: 2²⁸ to 2³⁰.
+    /// Square of the radius in the scale of `normaliser`: (radius << lift)² · 2⁻³⁰, from 2²⁸ to 2³⁰.
     lifted_square: i32,
     half_height: i32,
-    /// The radius of a ball around it.
+    /// Radius of a ball around the cylinder, in steps.
     reach: i32,
     normaliser: Normaliser,
     pub(crate) material: MaterialId,
 }
 
 impl PreparedCylinder {
-    /// Fills the room of a cylinder that a scene's type allows but the scene does not use.
+    /// Placeholder for an unused slot: a scene's type may allow more cylinders than the scene has.
     pub(crate) const NONE: Self = Self::new(
         Point::ORIGIN,
         Direction::X,
@@ -97,11 +99,12 @@ impl PreparedCylinder {
         MaterialId(0),
     );
 
-    /// The smallest epsilon of rays inside, in steps, where the shape itself may be met next: a hit is
-    /// within this of its wall.
+    /// Smallest epsilon, in steps, of a ray that starts inside a cylinder and may hit the same cylinder
+    /// next. A hit is within this distance of the cylinder's wall.
     pub(crate) const SMALLEST_INSIDE: i32 = 16;
 
-    /// Lays a cylinder without a fault on the grid.
+    /// Converts a checked cylinder to steps of the scene's grid. Fails with [`ErrorKind::Tiny`] if the
+    /// radius or the half height is below [`SMALLEST`] steps.
     pub(crate) const fn prepare(cylinder: &Cylinder, grid: &Grid) -> Result<Self, ErrorKind> {
         let radius = grid.length(cylinder.radius);
         let half_height = grid.length(cylinder.half_height());
@@ -116,7 +119,7 @@ impl PreparedCylinder {
         Ok(Self::new(center, axis, radius, half_height, material))
     }
 
-    /// Fills the room of a cylinder that a light does not see.
+    /// Placeholder for an unused slot in a light's list of cylinders. It hides nothing.
     pub(crate) const NOT_SEEN: CylinderFromLight = CylinderFromLight {
         from: CylinderFromPoint {
             way: Vector::ZERO,
@@ -126,7 +129,8 @@ impl PreparedCylinder {
         nearest: i32::MAX,
     };
 
-    /// A cylinder inside the ball with a radius of at least 4 steps.
+    /// Creates a cylinder from raw steps. It lies inside the ball of all bounded shapes; its radius is
+    /// at least 4 steps.
     pub(crate) const fn new(
         center: Point,
         axis: Direction,
@@ -149,7 +153,7 @@ impl PreparedCylinder {
         }
     }
 
-    /// Its middle, the way from there to one end, and its radius.
+    /// Returns the centre, the vector from there to one end of the axis, and the radius, in steps.
     pub(crate) const fn capsule(&self) -> (Point, Vector, i32) {
         let half = self.half_height;
         let [x, y, z] = self.axis.components();
@@ -161,24 +165,25 @@ impl PreparedCylinder {
         (self.center, half_axis, self.radius)
     }
 
-    /// The middle and the radius of a ball around it.
+    /// Returns centre and radius, in steps, of a ball around the cylinder.
     #[inline(always)]
     pub(crate) const fn ball(&self) -> (Point, i32) {
         (self.center, self.reach)
     }
 
-    /// The same cylinder; whether it touches another shape is of no interest.
+    /// Returns the cylinder unchanged. Its tests do not depend on whether it touches another shape.
     pub(crate) const fn touching(self, _: bool) -> Self {
         self
     }
 
-    /// Whether rays note on which side they pass it.
+    /// Whether the hit test of a cylinder reports on which side a ray passes. It does.
     pub(crate) const IS_SIDE_NOTED: bool = true;
 
-    /// How many links the chain of balls has that covers the wall.
+    /// Number of balls in the chain that covers the wall of a cylinder.
     pub(crate) const LINKS: i32 = 8;
 
-    /// The middle and the radius of one of the balls in a chain along the axis that covers the wall.
+    /// Returns centre and radius, in steps, of one ball of a chain along the axis. All [`Self::LINKS`]
+    /// balls together cover the cylinder's wall. `number` counts from 0.
     pub(crate) const fn link(&self, number: i32) -> (Point, i32) {
         let (center, half_axis, radius) = self.capsule();
         let step = Vector::new(
@@ -196,7 +201,7 @@ impl PreparedCylinder {
         (Point::new(at.x, at.y, at.z), reach)
     }
 
-    /// Whether a ray from a near point passes by the ball around the cylinder.
+    /// Tests whether a ray from a near point misses the ball around the cylinder.
     #[inline(always)]
     pub(crate) fn is_passed_by(&self, ray: &Ray) -> bool {
         let (center, radius) = self.ball();
@@ -204,7 +209,8 @@ impl PreparedCylinder {
         way.passes_by(way.dot(ray.direction), radius)
     }
 
-    /// Whether a point that sees the cylinder so can tell what it hides: any can.
+    /// Tests whether the prepared values decide which points the cylinder hides from a light. They
+    /// always do, so the result is `true`.
     pub(crate) const fn is_told(&self, _: &CylinderFromLight) -> bool {
         true
     }
@@ -284,7 +290,7 @@ impl Bounded for PreparedCylinder {
     }
 }
 
-/// No less than what a root in so many steps was before it was rounded.
+/// Returns an upper bound of a square root, in steps, given the rounded root.
 const fn rounded_up(root: i32) -> i32 {
     root + (root >> 24) + 2
 }

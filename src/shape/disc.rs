@@ -1,7 +1,7 @@
-//! Flat discs, which are seen from both sides.
+//! Flat discs, which are visible from both sides.
 //!
-//! A ray meets the disc's plane where its height over it is lost. That point belongs to the disc if its
-//! distance from the middle, measured as a vector, is not larger than the radius.
+//! A ray hits the disc's plane where its height above the plane becomes 0. That point lies on the disc
+//! if its distance from the centre, computed as a vector, is not larger than the radius.
 
 use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, SMALLEST, size_fault};
@@ -11,7 +11,7 @@ use crate::number::{Length, Number, high, ratio, unsigned, wide_unsigned};
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
-/// A disc as it is described.
+/// Flat disc as the user describes it.
 ///
 /// ```
 /// use reflet::description::Disc;
@@ -28,17 +28,18 @@ use crate::vector::{Direction, Point, Position, Vector};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Disc {
-    /// Its middle.
+    /// Centre of the disc.
     pub center: Position,
-    /// Its normal, of any length but zero.
+    /// Normal of the disc. The vector may have any length except 0.
     pub normal: Position,
-    /// Its radius, greater than 0.
+    /// Radius of the disc in scene units, greater than 0.
     pub radius: Number,
-    /// What it is made of.
+    /// Material of the disc.
     pub material: MaterialId,
 }
 
 impl Disc {
+    /// Placeholder for an unused slot in a list of described discs.
     pub(crate) const NONE: Self = Self {
         center: Position::ORIGIN,
         normal: Position::ORIGIN,
@@ -46,7 +47,8 @@ impl Disc {
         material: MaterialId(0),
     };
 
-    /// What is wrong with it.
+    /// Checks the disc. Returns the first fault, or `None` if coordinates, normal and radius are
+    /// allowed.
     pub(crate) const fn fault(&self) -> Option<ErrorKind> {
         if !(self.center.is_in_range() && self.normal.is_in_range()) {
             Some(ErrorKind::Coordinate)
@@ -57,7 +59,7 @@ impl Disc {
         }
     }
 
-    /// A ball around it.
+    /// Returns the bounding ball of the disc, which has the same centre and radius.
     pub(crate) const fn extent(&self) -> Extent {
         Extent {
             center: self.center,
@@ -67,7 +69,7 @@ impl Disc {
     }
 }
 
-/// A disc as the kernels read it: inside the ball.
+/// Disc as the kernels read it: in raw steps, inside the ball that holds all bounded shapes.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedDisc {
     center: Point,
@@ -76,21 +78,21 @@ pub struct PreparedDisc {
     pub(crate) material: MaterialId,
 }
 
-/// A disc as rays from one point meet it.
+/// Values that all rays from one point share in their tests against a disc.
 #[derive(Clone, Copy, Debug)]
 pub struct DiscFromPoint {
-    /// From the point to the middle of the disc.
+    /// Vector from the point to the disc's centre, in steps.
     way: Vector,
-    /// How far the disc's plane lies from the point, along its normal.
+    /// Signed distance from the point to the disc's plane along the disc's normal, in steps.
     height: i32,
 }
 
-/// What the radius is enlarged by, in steps: rounding moves a hit by up to two along each axis, and no
-/// gap shall show where the disc closes a cylinder of its radius.
+/// Enlargement of a disc's radius, in steps. Rounding moves a hit by up to two steps along each axis.
+/// Without the enlargement, a gap could show where a disc closes a cylinder of the same radius.
 const RIM: i32 = 4;
 
 impl PreparedDisc {
-    /// Fills the room of a disc that a scene's type allows but the scene does not use.
+    /// Placeholder for an unused slot: a scene's type may allow more discs than the scene has.
     pub(crate) const NONE: Self = Self {
         center: Point::ORIGIN,
         normal: Direction::X,
@@ -98,27 +100,29 @@ impl PreparedDisc {
         material: MaterialId(0),
     };
 
-    /// Fills the room of a disc that a light does not see.
+    /// Placeholder for an unused slot in a light's list of discs. It hides nothing.
     pub(crate) const NOT_SEEN: DiscFromPoint = DiscFromPoint {
         way: Vector::ZERO,
         height: 0,
     };
 
-    /// There is no inside: the smallest epsilon of any surface, in steps.
+    /// Smallest epsilon of a ray that leaves a disc, in steps. A disc has no inside, so this is the
+    /// smallest epsilon of any surface.
     pub(crate) const SMALLEST_INSIDE: i32 = 2;
 
-    /// Whether rays note on which side they pass it.
+    /// Whether the hit test of a disc reports on which side a ray passes. It does not.
     pub(crate) const IS_SIDE_NOTED: bool = false;
 
-    /// How many balls cover it.
+    /// Number of balls that together cover a disc.
     pub(crate) const LINKS: i32 = 1;
 
-    /// One of the balls that cover it.
+    /// Returns centre and radius, in steps, of the ball that covers the disc.
     pub(crate) const fn link(&self, _: i32) -> (Point, i32) {
         self.ball()
     }
 
-    /// Lays a disc without a fault on the grid.
+    /// Converts a checked disc to steps of the scene's grid. Fails with [`ErrorKind::Tiny`] if the radius is
+    /// below [`SMALLEST`] steps.
     pub(crate) const fn prepare(disc: &Disc, grid: &Grid) -> Result<Self, ErrorKind> {
         let radius = grid.length(disc.radius);
         if radius.to_bits() < SMALLEST {
@@ -135,18 +139,18 @@ impl PreparedDisc {
         })
     }
 
-    /// The middle and the radius of a ball around it.
+    /// Returns centre and radius, in steps, of a ball around the disc.
     #[inline(always)]
     pub(crate) const fn ball(&self) -> (Point, i32) {
         (self.center, self.radius)
     }
 
-    /// The same disc; whether it touches another shape is of no interest.
+    /// Returns the disc unchanged. Its tests do not depend on whether it touches another shape.
     pub(crate) const fn touching(self, _: bool) -> Self {
         self
     }
 
-    /// As seen from a near point.
+    /// Prepares the tests of rays from a near point against the disc.
     pub(crate) const fn seen_from(&self, point: Point) -> DiscFromPoint {
         let way = point.to(self.center);
         DiscFromPoint {
@@ -155,24 +159,26 @@ impl PreparedDisc {
         }
     }
 
-    /// As seen from a light at a near point.
+    /// Prepares the tests of rays from a light at a near point against the disc.
     pub(crate) const fn seen_from_light(&self, light: Point) -> DiscFromPoint {
         self.seen_from(light)
     }
 
-    /// Whether a point that sees the disc so can tell what it hides: any can.
+    /// Tests whether the prepared values decide which points the disc hides from a light. They always
+    /// do, so the result is `true`.
     pub(crate) const fn is_told(&self, _: &DiscFromPoint) -> bool {
         true
     }
 
-    /// The distance at which a ray meets the disc, above `start` and below `reach`.
+    /// Returns the distance at which a ray hits the disc, within `range`. `from` was prepared for the
+    /// ray's origin.
     ///
-    /// The height is known to a step, so the distance is known to as many steps as the ray goes for one
-    /// of them, as that of a plane is.
+    /// The height above the disc's plane is known to one step. So the error of the distance is the
+    /// distance in which the ray loses one step of height, as for a plane.
     #[inline(never)]
     fn met(&self, from: &DiscFromPoint, direction: &Direction, range: Range) -> Option<Length> {
         let climb = direction.dot(self.normal).to_bits();
-        // The ray comes nearer, and is not along the disc.
+        // A ray that hits the disc approaches its plane and is not parallel to it.
         if (climb ^ from.height) < 0 || climb == 0 {
             return None;
         }
@@ -189,7 +195,7 @@ impl PreparedDisc {
     }
 }
 
-/// The square of a length.
+/// Returns the square of a length that is not negative.
 #[inline(always)]
 const fn unsigned_square(length: i32) -> u64 {
     wide_unsigned(unsigned(length), unsigned(length))

@@ -1,4 +1,4 @@
-//! What the tests of all shapes need: rays, and the same rays in double precision.
+//! Helpers for the tests of all shapes: rays, and vectors in double precision.
 
 pub(super) use std::vec::Vec;
 
@@ -7,20 +7,22 @@ use crate::number::sweep::Sweep;
 use crate::ray::{NEAR, REACH, Ray};
 use crate::vector::{Direction, Point, Vector};
 
-/// Rounding may move a hit this many steps along its ray, for shapes within 2²⁹·⁵ steps of where
-/// the ray starts: the direction's length is within 2⁻²⁷ of one.
+/// Largest error of a hit along its ray, in steps, for shapes within 2²⁹·⁵ steps of the ray's origin.
+/// The direction's length is within 2⁻²⁷ of one.
 pub(super) const SLACK: f64 = 8.0;
 
+/// Creates a point from raw steps.
 pub(super) fn point([x, y, z]: [i32; 3]) -> Point {
     Point::new(x, y, z)
 }
 
-/// The direction of a vector, which is not zero.
+/// Returns the direction of a vector that is not zero, exact to the last places.
 pub(super) fn direction([x, y, z]: [i32; 3]) -> Direction {
     assert_ne!([x, y, z], [0; 3]);
     Vector::new(x, y, z).precise_direction()
 }
 
+/// Creates a ray from `origin`, in raw steps, in the direction of the vector `towards`.
 pub(super) fn ray(origin: [i32; 3], towards: [i32; 3]) -> Ray {
     Ray {
         origin: point(origin),
@@ -28,9 +30,9 @@ pub(super) fn ray(origin: [i32; 3], towards: [i32; 3]) -> Ray {
     }
 }
 
-/// A ray from anywhere near, aimed at a point within `aim` steps of `target`.
+/// Returns a random ray from a near point to a point within `aim` steps of `target` in each coordinate.
 ///
-/// Its direction is one that a camera or a light would give it, not corrected to the last bit.
+/// The direction is rounded as for a ray from a camera or a light, not corrected to the last bit.
 pub(super) fn ray_towards(sweep: &mut Sweep, target: [i32; 3], aim: i32) -> Ray {
     let origin = point(sweep.triple(NEAR));
     let [x, y, z] = sweep.triple(aim);
@@ -42,21 +44,24 @@ pub(super) fn ray_towards(sweep: &mut Sweep, target: [i32; 3], aim: i32) -> Ray 
     }
 }
 
-/// A direction of any kind.
+/// Returns a random direction.
 pub(super) fn any_direction(sweep: &mut Sweep) -> Direction {
     let [x, y, z] = sweep.triple(1 << 28);
     Vector::new(x, y, z | 1).direction_and_length().0
 }
 
+/// Converts the distance of a hit to raw steps.
 pub(super) fn steps(distance: Option<Length>) -> Option<i32> {
     distance.map(Length::to_bits)
 }
 
+/// Largest distance of a hit: the full length of a near ray.
 pub(super) const EVERYWHERE: Length = REACH;
 
-/// Vectors in double precision.
+/// Vector in double precision.
 pub(super) type Triple = [f64; 3];
 
+/// Converts a vector to double precision.
 pub(super) fn in_doubles(vector: Vector) -> Triple {
     [vector.x, vector.y, vector.z].map(f64::from)
 }
@@ -69,7 +74,7 @@ pub(super) fn length(a: Triple) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// `a + factor · b`
+/// Returns `a` + `factor` · `b`.
 pub(super) fn plus(a: Triple, factor: f64, b: Triple) -> Triple {
     [0, 1, 2].map(|axis| a[axis] + factor * b[axis])
 }
@@ -78,8 +83,8 @@ pub(super) fn unit(a: Triple) -> Triple {
     a.map(|coordinate| coordinate / length(a))
 }
 
-/// The roots of t² - 2 `middle` t + `constant` that a ray may be met at, in order; none where
-/// the line misses.
+/// Returns the distances at which a line crosses a surface, in order: `middle` minus and plus half a
+/// chord. Empty if the square of half the chord is negative, because the line misses.
 pub(super) fn roots(middle: f64, half_chord_square: f64) -> Vec<f64> {
     if half_chord_square < 0.0 {
         return Vec::new();

@@ -1,6 +1,6 @@
-//! Floor 2: one file a shape. Each has the shape as it is described, the shape as the kernels
-//! read it (`Prepared…`), and the kernels: where a ray meets it, whether it blocks a ray, and its
-//! normal. Knows no scene.
+//! Floor 2: one file for each kind of shape. Each file has the shape as the user describes it, the shape
+//! as the kernels read it (`Prepared…`), and the kernels: the distance at which a ray hits the shape,
+//! whether the shape blocks a ray, and the normal at a point. Knows no scene.
 
 pub(crate) mod bounded;
 pub mod cylinder;
@@ -24,7 +24,7 @@ macro_rules! exports {
 }
 kinds!(exports);
 
-/// Names a material of one scene.
+/// Identifier of a material of one scene.
 ///
 /// ```
 /// use reflet::{Material, MaterialId, RuntimeScene, room};
@@ -41,29 +41,31 @@ kinds!(exports);
 pub struct MaterialId(pub(crate) u16);
 
 impl MaterialId {
-    /// The material that was added first.
+    /// Identifier of the material that was added first.
     pub(crate) const FIRST: Self = Self(0);
 
-    /// Its place in the scene's list of materials.
+    /// Returns the index of the material in the scene's list of materials.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// A ball that holds a shape as it is described.
+/// Bounding ball of a described shape, and the smallest size of the shape, in scene units.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent {
     pub(crate) center: Position,
     pub(crate) radius: Number,
-    /// The smallest of the shape's sizes: a radius, or half a height.
+    /// Smallest size of the shape: its radius or half its height, whichever is smaller.
     pub(crate) smallest: Number,
 }
 
-/// The smallest radius and half height a shape may have, in steps: its hits are known to about two,
-/// and so its normals to a 32nd.
+/// Smallest radius and half height that a shape may have, in steps. Hits are known to about two steps,
+/// so normals are known to about 1/32.
 const SMALLEST: i32 = 64;
 
-/// A size must be greater than 0 and within the range of a coordinate.
+/// Checks a size of a shape. Returns `fault` if the size is not greater than 0, and
+/// [`ErrorKind::Coordinate`] if it is larger than a coordinate may be. Returns `None` if the size is
+/// allowed.
 pub(crate) const fn size_fault(size: Number, fault: ErrorKind) -> Option<ErrorKind> {
     if size.to_bits() <= 0 {
         Some(fault)
@@ -74,27 +76,30 @@ pub(crate) const fn size_fault(size: Number, fault: ErrorKind) -> Option<ErrorKi
     }
 }
 
-/// Divides vectors of one length by that length: turns the way from a centre into a normal.
+/// Stored reciprocal of one length. It turns vectors of that length into directions without a division:
+/// a vector from a shape's centre to a hit becomes the normal.
 #[derive(Clone, Copy, Debug)]
 struct Normaliser {
-    /// How far a vector of the length is shifted left to have 2²⁹ to 2³⁰.
+    /// Left shift that brings the length to 2²⁹ to 2³⁰ steps.
     lift: u32,
-    /// 2⁶⁰ / (length << lift), above 2³⁰, below 2³¹.
+    /// Reciprocal of the shifted length: 2⁶⁰ / (length << lift), above 2³⁰ and below 2³¹.
     inverse: i32,
 }
 
-/// Vectors shorter than 2¹⁸ steps, which are lifted by more than this, are made as long as one by
-/// their own length: rounded coordinates do not have the length of the shape any more.
+/// Largest shift for which [`Normaliser`] uses the stored reciprocal. Lengths below 2¹⁸ steps need a
+/// larger shift. Such a vector is divided by its own length, because rounding to whole steps changes the
+/// length of a short vector too much.
 const LIFT: u32 = 11;
 
 impl Normaliser {
+    /// Computes the shift and the reciprocal for vectors of `length`.
     const fn new(length: Length) -> Self {
         let length = unsigned(length.to_bits());
         let lift = length.leading_zeros() - 2;
         let lifted = length << lift;
         let quotient = divide(1 << 60, lifted);
         let estimate = (quotient.mantissa >> -quotient.exponent) as i64;
-        // One Newton step leaves the last bit.
+        // One Newton step corrects all but the last bit.
         let residue = (1_i64 << 60) - lifted as i64 * estimate;
         let inverse = estimate + (((residue >> 8) * estimate + (1 << 51)) >> 52);
         Self {
@@ -107,8 +112,9 @@ impl Normaliser {
         }
     }
 
-    /// The direction of `vector`, whose length is the one given, but for a few steps; its length is
-    /// within 2⁻¹⁶ of one. A cylinder that is met 2²⁹ steps away is met a dozen steps off: about 2⁻¹⁴.
+    /// Returns the direction of `vector`, whose length is within a few steps of the stored length. The
+    /// result's length is within 2⁻¹⁶ of one. A hit on a cylinder 2²⁹ steps away is about a dozen steps
+    /// off; its normal's length is within about 2⁻¹⁴ of one.
     #[inline(always)]
     const fn direction(&self, vector: Vector) -> Direction {
         if self.lift > LIFT {
@@ -121,13 +127,15 @@ impl Normaliser {
         }
     }
 
-    /// The same for short vectors.
+    /// Returns the direction of a vector shorter than 2¹⁸ steps. Divides the vector by its own length,
+    /// because rounded coordinates no longer have the length of the shape.
     #[cold]
     const fn precise_direction(&self, vector: Vector) -> Direction {
         let Vector { x, y, z } = vector;
         Vector::new(x << self.lift, y << self.lift, z << self.lift).precise_direction()
     }
 
+    /// Divides one coordinate, in steps, by the stored length. Rounded down to 2⁻²⁸.
     #[inline(always)]
     const fn coordinate(&self, raw: i32) -> Unit {
         Unit::from_bits(high(raw << self.lift, self.inverse) << 2)

@@ -1,4 +1,4 @@
-//! Infinite planes.
+//! Infinite planes: the description, the prepared form and the heights of points above a plane.
 
 mod approach;
 mod far;
@@ -13,7 +13,7 @@ use crate::number::{Length, Unit, narrowed, narrowed_128, word_and_sign};
 use crate::ray::{Ray, ScaledPoint};
 use crate::vector::{Direction, Point, Position, Vector};
 
-/// A plane as it is described.
+/// Infinite plane as the user describes it.
 ///
 /// ```
 /// use reflet::description::Plane;
@@ -29,22 +29,23 @@ use crate::vector::{Direction, Point, Position, Vector};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Plane {
-    /// Any point of it.
+    /// Any point of the plane.
     pub point: Position,
-    /// Its normal, of any length but zero.
+    /// Normal of the plane. The vector may have any length except 0.
     pub normal: Position,
-    /// What it is made of.
+    /// Material of the plane.
     pub material: MaterialId,
 }
 
 impl Plane {
+    /// Placeholder for an unused slot in a list of described planes.
     pub(crate) const NONE: Self = Self {
         point: Position::ORIGIN,
         normal: Position::ORIGIN,
         material: MaterialId(0),
     };
 
-    /// What is wrong with it.
+    /// Checks the plane. Returns the first fault, or `None` if coordinates and normal are allowed.
     pub(crate) const fn fault(&self) -> Option<ErrorKind> {
         if !(self.point.is_in_range() && self.normal.is_in_range()) {
             Some(ErrorKind::Coordinate)
@@ -56,37 +57,41 @@ impl Plane {
     }
 }
 
-/// A plane as the kernels read it.
+/// Plane as the kernels read it: unit normal and distance from the middle of the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedPlane {
     pub(crate) normal: Direction,
-    /// normal · point in steps with 30 more fraction bits; ±2⁶¹ where it is more: too far for
-    /// near rays.
+    /// Distance of the plane from the middle of the scene along the normal, in steps with 30 fraction
+    /// bits. Limited to ±2⁶¹: near rays do not reach planes that are further away.
     offset: i64,
-    /// The same as `far_offset` · 2^`far_scale`.
+    /// Distance of the plane without a limit: `far_offset` · 2^`far_scale`, in steps with 30 fraction
+    /// bits.
     far_offset: i64,
     far_scale: u32,
-    /// What takes the place of near products.
+    /// Shortcut for heights of near points if the plane is perpendicular to a coordinate axis.
     upright: Upright,
     pub(crate) material: MaterialId,
 }
 
-/// What takes the place of products where a plane stands across an axis.
+/// Whether a plane is perpendicular to a coordinate axis. Heights above such a plane are a coordinate
+/// plus a constant and take no products.
 ///
-/// Of a plane that is a constant, the compiler knows it; of another, it is asked in less time than three
-/// products take.
+/// For a constant plane, the compiler decides the branch. For another plane, the branch takes less time
+/// than three products.
 #[derive(Clone, Copy, Debug)]
 enum Upright {
-    /// Its height is a coordinate, or that reversed, and so much more.
+    /// The plane is perpendicular to `axis`. The height of a point is its coordinate, negated if
+    /// `is_reversed`, plus `level`, in steps.
     Yes {
         axis: Axis,
         is_reversed: bool,
         level: i32,
     },
-    /// It is across none, or too far away.
+    /// The plane is perpendicular to no axis, or too far away.
     No,
 }
 
+/// Coordinate axis to which a plane is perpendicular.
 #[derive(Clone, Copy, Debug)]
 enum Axis {
     X,
@@ -95,6 +100,8 @@ enum Axis {
 }
 
 impl Upright {
+    /// Tests whether the plane with this normal and offset is perpendicular to an axis and at most 2³⁰
+    /// steps from the middle of the scene. `offset` has 30 fraction bits.
     const fn new(normal: Direction, offset: i64) -> Self {
         const ONE: i32 = Unit::ONE.to_bits();
         const MOST: i64 = 1 << 30;
@@ -104,7 +111,7 @@ impl Upright {
             Vector { x: 0, y: 0, z } => (Axis::Z, z),
             _ => return Self::No,
         };
-        // The point's coordinate is a whole number of steps, so it is rounded as the product is.
+        // A coordinate is a whole number of steps, so the sum is rounded down as the product is.
         let level = -offset >> 30;
         match (along == ONE || along == -ONE) && level >= -MOST && level <= MOST {
             true => Self::Yes {
@@ -117,19 +124,19 @@ impl Upright {
     }
 }
 
-/// The largest offset that near rays work with.
+/// Largest distance of a plane that near rays use, in steps with 30 fraction bits.
 const MAX_OFFSET: i64 = 1 << 61;
 
 impl PreparedPlane {
-    /// Fills the room of a plane that a scene's type allows but the scene does not use.
+    /// Placeholder for an unused slot: a scene's type may allow more planes than the scene has.
     pub(crate) const NONE: Self = Self::new(Direction::X, 0, 0, MaterialId(0));
 
-    /// Lays a plane without a fault on the grid.
+    /// Converts a checked plane to steps of the scene's grid.
     pub(crate) const fn prepare(plane: &Plane, grid: &Grid) -> Result<Self, ErrorKind> {
         let Some(normal) = plane.normal.direction() else {
             return Err(ErrorKind::Normal);
         };
-        // Of the rounded normal, so that the plane goes through its point exactly.
+        // Uses the rounded normal, so that the plane goes through its point exactly.
         let steps = grid.height_of(plane.point, normal);
         let bits = 128 - steps.unsigned_abs().leading_zeros();
         let scale = bits.saturating_sub(61);
@@ -137,8 +144,8 @@ impl PreparedPlane {
         Ok(Self::new(normal, offset, scale, plane.material))
     }
 
-    /// A plane at `far_offset` · 2^`far_scale` along its normal, in steps with 30 more fraction
-    /// bits; |`far_offset`| is at most 2⁶¹.
+    /// Creates a plane at the distance `far_offset` · 2^`far_scale` from the middle of the scene along
+    /// its normal, in steps with 30 fraction bits. |`far_offset`| is at most 2⁶¹.
     pub(crate) const fn new(
         normal: Direction,
         far_offset: i64,
@@ -162,13 +169,15 @@ impl PreparedPlane {
         }
     }
 
-    /// How far a near point lies along the normal from the plane, with 30 more fraction bits.
+    /// Returns the signed height of a near point above the plane, in steps with 30 fraction bits. It is
+    /// positive on the side to which the normal points.
     pub(crate) const fn height(&self, point: Point) -> i64 {
         point.to_vector().dot_wide(self.normal) - self.offset
     }
 
-    /// Where the rays that this plane mirrors seem to come from: a near point mirrored in it, and
-    /// lifted by epsilon to the side it was on. `None` where that is not near for sure.
+    /// Returns the mirror image of a near point in the plane, moved by epsilon towards the side of the
+    /// point. Rays from the point that the plane reflects seem to start there. Returns `None` unless the
+    /// image is surely near.
     pub(crate) fn mirrored(&self, origin: Point, epsilon: Length) -> Option<Point> {
         let height = i32::try_from(self.height(origin) >> 30).ok()?;
         if height.unsigned_abs() > 1 << 28 {
@@ -180,7 +189,8 @@ impl PreparedPlane {
         place.is_near().then_some(place.point)
     }
 
-    /// Where a ray begins as the plane sees it, and where it goes.
+    /// Returns the height of a near ray's origin above the plane, and the height that the ray gains per
+    /// step.
     #[inline(always)]
     pub(crate) fn bearing(&self, ray: &Ray) -> Bearing {
         let Ray { origin, direction } = ray;
@@ -214,7 +224,7 @@ impl PreparedPlane {
         }
     }
 
-    /// The distance at which the ray meets the plane, below `reach`.
+    /// Returns the distance at which the ray hits the plane, below `reach`.
     #[cfg(test)]
     pub(crate) fn intersect(&self, ray: &Ray, reach: Length) -> Option<Length> {
         let approach = self.bearing(ray).approach()?;
@@ -224,7 +234,8 @@ impl PreparedPlane {
     }
 }
 
-/// Height and rate of descent as magnitudes, where a ray at this height descends at all.
+/// Returns the magnitudes of a ray's height above a plane and of the height that it loses per step.
+/// Returns `None` if the ray does not approach the plane.
 fn descent(height: i64, climb: i32) -> Option<(u64, u32)> {
     let descends = (height > 0 && climb < 0) || (height < 0 && climb > 0);
     descends.then_some((height.unsigned_abs(), climb.unsigned_abs()))

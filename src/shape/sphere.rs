@@ -1,9 +1,9 @@
-//! Spheres.
+//! Spheres: the description, the prepared form and the tests of rays.
 //!
-//! The nearest approach of the ray's line to the centre is worked out as a vector, and the
-//! discriminant is r² minus its square (Haines, Günther, Akenine-Möller, "Precision Improvements
-//! for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7): an error along the ray does not
-//! count, so a small sphere far away keeps a clean edge.
+//! A test computes the vector from the nearest point of the ray's line to the sphere's centre. The
+//! discriminant is r² minus the square of that vector (Haines, Günther, Akenine-Möller, "Precision
+//! Improvements for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7). An error along the ray does
+//! not change the discriminant, so a small sphere far away keeps a clean edge.
 
 mod from_point;
 mod intersect;
@@ -18,7 +18,7 @@ use crate::number::{Length, Number, signed_wide, square_root, unsigned_wide, wid
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
-/// A sphere as it is described.
+/// Sphere as the user describes it.
 ///
 /// ```
 /// use reflet::description::Sphere;
@@ -34,22 +34,23 @@ use crate::vector::{Direction, Point, Position, Vector};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Sphere {
-    /// Its middle.
+    /// Centre of the sphere.
     pub center: Position,
-    /// Its radius, greater than 0.
+    /// Radius of the sphere in scene units, greater than 0.
     pub radius: Number,
-    /// What it is made of.
+    /// Material of the sphere.
     pub material: MaterialId,
 }
 
 impl Sphere {
+    /// Placeholder for an unused slot in a list of described spheres.
     pub(crate) const NONE: Self = Self {
         center: Position::ORIGIN,
         radius: Number::ZERO,
         material: MaterialId(0),
     };
 
-    /// What is wrong with it.
+    /// Checks the sphere. Returns the first fault, or `None` if coordinates and radius are in range.
     pub(crate) const fn fault(&self) -> Option<ErrorKind> {
         if !self.center.is_in_range() {
             return Some(ErrorKind::Coordinate);
@@ -57,7 +58,7 @@ impl Sphere {
         size_fault(self.radius, ErrorKind::Radius)
     }
 
-    /// A ball around it: itself.
+    /// Returns the bounding ball of the sphere, which is the sphere itself.
     pub(crate) const fn extent(&self) -> Extent {
         Extent {
             center: self.center,
@@ -67,32 +68,33 @@ impl Sphere {
     }
 }
 
-/// A sphere as the kernels read it: inside the ball.
+/// Sphere as the kernels read it: in raw steps, inside the ball that holds all bounded shapes.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedSphere {
     center: Point,
     radius: i32,
-    /// radius²
+    /// Square of the radius.
     square: i64,
     normaliser: Normaliser,
     pub(crate) material: MaterialId,
-    /// Whether it touches or cuts another shape.
+    /// Whether the sphere touches or cuts another shape.
     touches: bool,
 }
 
-/// What the square of a radius over a distance is at least, in steps, where a sphere's tangents
-/// tell whether a ray meets it.
+/// Smallest radius² / distance of a sphere, in steps, for which the length of its tangents decides
+/// whether a ray from a point at that distance hits it.
 const COARSEST: i32 = 128;
 
 impl PreparedSphere {
-    /// Fills the room of a sphere that a scene's type allows but the scene does not use.
+    /// Placeholder for an unused slot: a scene's type may allow more spheres than the scene has.
     pub(crate) const NONE: Self = Self::new(Point::ORIGIN, Length::from_bits(4), MaterialId(0));
 
-    /// The smallest epsilon of rays inside, in steps, where the shape itself may be met next: a hit is
-    /// within this of its surface.
+    /// Smallest epsilon, in steps, of a ray that starts inside a sphere and may hit the same sphere
+    /// next. A hit is within this distance of the sphere's surface.
     pub(crate) const SMALLEST_INSIDE: i32 = 8;
 
-    /// Lays a sphere without a fault on the grid.
+    /// Converts a checked sphere to steps of the scene's grid. Fails with [`ErrorKind::Tiny`] if the radius
+    /// is below [`SMALLEST`] steps.
     pub(crate) const fn prepare(sphere: &Sphere, grid: &Grid) -> Result<Self, ErrorKind> {
         let radius = grid.length(sphere.radius);
         if radius.to_bits() < SMALLEST {
@@ -102,13 +104,14 @@ impl PreparedSphere {
         Ok(Self::new(center, radius, sphere.material))
     }
 
-    /// Fills the room of a sphere that a light does not see.
+    /// Placeholder for an unused slot in a light's list of spheres. It hides nothing.
     pub(crate) const NOT_SEEN: SphereFromPoint = SphereFromPoint {
         way: Vector::ZERO,
         tangent: i32::MAX,
     };
 
-    /// A sphere inside the ball with a radius of at least 4 steps.
+    /// Creates a sphere from raw steps. It lies inside the ball of all bounded shapes; its radius is at
+    /// least 4 steps.
     pub(crate) const fn new(center: Point, radius: Length, material: MaterialId) -> Self {
         let raw = radius.to_bits();
         let normaliser = Normaliser::new(radius);
@@ -122,51 +125,54 @@ impl PreparedSphere {
         }
     }
 
-    /// The same sphere, which touches or cuts another shape, or does not.
+    /// Returns the sphere with its flag set: whether it touches or cuts another shape.
     pub(crate) const fn touching(mut self, touches: bool) -> Self {
         self.touches = touches;
         self
     }
 
-    /// As seen from a light at a near point.
+    /// Prepares the tests of rays from a light at a near point.
     pub(crate) const fn seen_from_light(&self, light: Point) -> SphereFromPoint {
         self.seen_from(light)
     }
 
-    /// Whether a point that sees the sphere so lies outside of it, and sees so much of it that the
-    /// length of the tangents tells what it hides.
+    /// Tests whether the length of the tangents decides which points the sphere hides from the point for
+    /// which `from` was prepared. That point must lie outside of the sphere and must not be too far
+    /// away.
     ///
-    /// A way along a ray is known to a few steps. At the distance D, so much of it is D / radius
-    /// times as much across the ray: less than a 32nd of the radius where radius² / D is
-    /// [`COARSEST`] or more.
+    /// A distance along a ray is known to a few steps. For a sphere at the distance D, such an error
+    /// becomes D / radius times as large across the ray. It stays below 1/32 of the radius if
+    /// radius² / D is [`COARSEST`] or more.
     pub(crate) const fn is_told(&self, from: &SphereFromPoint) -> bool {
         !from.is_around() && self.square >= wide(from.tangent, COARSEST)
     }
 
-    /// Whether a near point lies inside that is lifted by epsilon from another shape, which is not
-    /// inside. No point is if the sphere touches nothing.
+    /// Tests whether `point` lies inside the sphere. `point` is near, and epsilon above the surface of
+    /// another shape that is outside of the sphere. Such a point lies inside only if the sphere touches
+    /// another shape.
     #[inline(always)]
     pub(crate) const fn holds_lifted(&self, point: Point) -> bool {
         self.touches && signed_wide(point.to(self.center).square()) < self.square
     }
 
-    /// Its middle and radius.
+    /// Returns the centre and the radius of the sphere, in steps.
     pub(crate) const fn ball(&self) -> (Point, i32) {
         (self.center, self.radius)
     }
 
-    /// Whether rays note on which side they pass it.
+    /// Whether the hit test of a sphere reports on which side a ray passes. It does not.
     pub(crate) const IS_SIDE_NOTED: bool = false;
 
-    /// How many balls cover it.
+    /// Number of balls that together cover a sphere.
     pub(crate) const LINKS: i32 = 1;
 
-    /// One of the balls that cover it.
+    /// Returns the ball that covers the sphere, which is the sphere itself: centre and radius in steps.
     pub(crate) const fn link(&self, _: i32) -> (Point, i32) {
         self.ball()
     }
 
-    /// As seen from a near point.
+    /// Prepares the tests of rays from a near point: the vector to the centre and the length of the
+    /// tangents.
     pub(crate) const fn seen_from(&self, origin: Point) -> SphereFromPoint {
         let way = origin.to(self.center);
         let square = signed_wide(way.square()) - self.square;
@@ -180,8 +186,8 @@ impl PreparedSphere {
         }
     }
 
-    /// As seen from a near point, but that no ray that meets the sphere is told otherwise by
-    /// rounding: a direction is within 2⁻²⁷ of length one.
+    /// Prepares conservative tests of rays from a near point. The length of the tangents is reduced, so
+    /// that rounding never turns a hit into a miss: a direction is within 2⁻²⁷ of length one.
     pub(crate) const fn surely_seen_from(&self, origin: Point) -> SphereFromPoint {
         let SphereFromPoint { way, tangent } = self.seen_from(origin);
         SphereFromPoint {

@@ -1,11 +1,12 @@
-//! Directions of unit length, and what is worked out with them. Knows no ray and no scene.
+//! Directions of unit length: cosines, reflections, rotations and cross products. Knows no ray and no
+//! scene.
 
 use super::Vector;
 use crate::number::{
     Unit, high, minus_wide, narrowed, scaled_by_unit, shifted, signed, signed_wide, wide,
 };
 
-/// A vector of length one, Q2.30 a coordinate: within 2⁻²⁶ of it.
+/// Unit vector, Q2.30 per coordinate. Its length is within 2⁻²⁶ of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Direction {
     pub(crate) x: Unit,
@@ -14,40 +15,41 @@ pub struct Direction {
 }
 
 impl Direction {
-    /// The x axis.
+    /// Direction of the x axis.
     pub const X: Self = Self {
         x: Unit::ONE,
         y: Unit::ZERO,
         z: Unit::ZERO,
     };
 
-    /// The coordinates.
+    /// Returns the three coordinates.
     pub const fn components(self) -> [Unit; 3] {
         [self.x, self.y, self.z]
     }
 
-    /// The cosine of the angle to `other`.
+    /// Returns the cosine of the angle to `other`, rounded down to 2⁻³⁰.
     #[inline(always)]
     pub const fn dot(self, other: Self) -> Unit {
         Unit::from_bits(narrowed(self.dot_wide(other) >> 30))
     }
 
-    /// The cosine of the angle to `other`, rounded down to 2⁻²⁸.
+    /// Returns the cosine of the angle to `other`, rounded down to 2⁻²⁸.
     #[inline(always)]
     pub const fn short_dot(self, other: Self) -> Unit {
         Unit::from_bits(self.raw().quarter_dot(other) << 2)
     }
 
-    /// The cosine with 60 fraction bits.
+    /// Returns the cosine of the angle to `other` with 60 fraction bits.
     const fn dot_wide(self, other: Self) -> i64 {
         self.raw().dot_wide(other)
     }
 
-    /// The coordinates as raw Q2.30.
+    /// Returns the coordinates as a vector of raw Q2.30 bits.
     pub const fn raw(self) -> Vector {
         Vector::new(self.x.to_bits(), self.y.to_bits(), self.z.to_bits())
     }
 
+    /// Creates a direction from raw Q2.30 bits. The caller ensures that its length is one.
     pub const fn from_raw(raw: Vector) -> Self {
         Self {
             x: Unit::from_bits(raw.x),
@@ -56,8 +58,8 @@ impl Direction {
         }
     }
 
-    /// The direction of a vector, given the shift that gives it a length L of 2³⁰ to 2³¹ and
-    /// `root` = 2⁶¹ / L; coordinates are rounded down to 2⁻²⁹.
+    /// Returns the direction of `vector`. `shift` brings the vector to a length L of 2³⁰ to 2³¹, and
+    /// `root` is 2⁶¹ / L. Coordinates are rounded down to 2⁻²⁹.
     #[inline(always)]
     pub(crate) const fn lengthened(vector: Vector, shift: u32, root: i32) -> Self {
         Self::from_raw(Vector::new(
@@ -67,7 +69,7 @@ impl Direction {
         ))
     }
 
-    /// The opposite direction where `is_reversed`, without a branch.
+    /// Returns the opposite direction if `is_reversed`, else the same direction. Takes no branch.
     #[inline(always)]
     pub const fn reversed_if(self, is_reversed: bool) -> Self {
         let sign = -(is_reversed as i32);
@@ -79,7 +81,7 @@ impl Direction {
         ))
     }
 
-    /// The opposite direction.
+    /// Returns the opposite direction.
     pub const fn reversed(self) -> Self {
         Self::from_raw(Vector::new(
             -self.x.to_bits(),
@@ -88,12 +90,13 @@ impl Direction {
         ))
     }
 
-    /// `self - 2 (self · normal) normal`, given `cosine` = self · normal.
+    /// Reflects the direction at a surface: `self` - 2 (`self` · `normal`) `normal`. `cosine` is
+    /// `self` · `normal`.
     ///
-    /// The length is kept to a few last bits.
+    /// The length changes by a few last bits at most.
     pub const fn reflected(self, normal: Self, cosine: Unit) -> Self {
         let Vector { x, y, z } = self.raw();
-        // Head-on along an axis the part taken away reaches 2³¹; what is left fits again.
+        // A ray that hits head-on along an axis subtracts up to 2³¹; the difference fits 32 bits again.
         Self::from_raw(Vector::new(
             minus_wide(x, twice(cosine, normal.x)),
             minus_wide(y, twice(cosine, normal.y)),
@@ -101,7 +104,8 @@ impl Direction {
         ))
     }
 
-    /// `self` cos + `other` sin, for perpendicular directions.
+    /// Rotates the direction towards `other`, which is perpendicular to it:
+    /// `self` · cosine + `other` · sine.
     pub(crate) fn turned_towards(self, other: Self, (sine, cosine): (Unit, Unit)) -> Self {
         Self::from_raw(
             self.raw_times(cosine.to_bits())
@@ -110,7 +114,7 @@ impl Direction {
         .renormalised()
     }
 
-    /// `self` turned about a unit axis (Rodrigues' formula).
+    /// Rotates the direction about `axis` (Rodrigues' formula).
     pub(crate) fn turned_about(self, axis: Self, (sine, cosine): (Unit, Unit)) -> Self {
         let along = axis.raw_times(self.dot(axis).to_bits());
         let across = self.raw().minus(along);
@@ -120,7 +124,8 @@ impl Direction {
         Self::from_raw(turned).renormalised()
     }
 
-    /// The way of `length` steps along it, within ±2³⁰, each coordinate rounded down.
+    /// Returns the vector of `length` steps along the direction, each coordinate rounded down. `length`
+    /// is within ±2³⁰.
     #[inline(always)]
     pub(super) const fn raw_times(self, length: i32) -> Vector {
         Vector::new(
@@ -130,8 +135,8 @@ impl Direction {
         )
     }
 
-    /// The way of `length` steps along it, below 2³⁰, each coordinate rounded down to an even
-    /// number: half the instructions.
+    /// Returns the vector of `length` steps along the direction, each coordinate rounded down to an even
+    /// number. `length` is below 2³⁰. The coarser rounding takes half the instructions.
     #[inline(always)]
     pub const fn scaled(self, length: i32) -> Vector {
         let twice = length << 1;
@@ -142,10 +147,10 @@ impl Direction {
         )
     }
 
-    /// The same direction with its length corrected: one step of third order, which leaves the last
-    /// bits of a length that was within 2⁻¹¹ of one.
+    /// Corrects the length of the direction to one. The length must be within 2⁻¹¹ of one; one step of
+    /// third order then corrects all but the last bits.
     pub const fn renormalised(self) -> Self {
-        // Half of 1 - |d|², in Q30.
+        // h = (1 - |d|²) / 2, in Q30.
         let lack = narrowed(((1_i64 << 60) + (1 << 30) - signed_wide(self.raw().square())) >> 31);
         // 1 / √(1 - 2 h) = 1 + h + 3 h² / 2 + ...
         let excess = lack + high(2 * lack, 3 * lack);
@@ -156,12 +161,12 @@ impl Direction {
         ))
     }
 
-    /// The cross product scaled so that its largest coordinate has 29 bits, and the shift that
-    /// did it: |self × other| = |vector| · 2^(shift - 60), and shift is 1 to 32. `None` where the
-    /// two are parallel.
+    /// Returns the cross product, scaled so that its largest coordinate has 29 bits, and the shift of
+    /// that scale: |`self` × `other`| = |vector| · 2^(shift - 60). The shift is 1 to 32. Returns `None`
+    /// if the directions are parallel.
     pub const fn cross(self, other: Self) -> Option<(Vector, u32)> {
         let (a, b) = (self.raw(), other.raw());
-        // Exact in Q60.
+        // The exact cross product, in Q60.
         let x = wide(a.y, b.z) - wide(a.z, b.y);
         let y = wide(a.z, b.x) - wide(a.x, b.z);
         let z = wide(a.x, b.y) - wide(a.y, b.x);
@@ -180,12 +185,12 @@ impl Direction {
         ))
     }
 
-    /// The cross product of two perpendicular directions.
+    /// Returns the cross product with a perpendicular direction, which is a direction again.
     pub const fn crossed(self, other: Self) -> Self {
         Self::from_raw(self.crossed_with(other.raw()))
     }
 
-    /// The cross product with a way, each coordinate rounded down.
+    /// Returns the cross product of the direction with the vector `b`, each coordinate rounded down.
     pub(crate) const fn crossed_with(self, b: Vector) -> Vector {
         let a = self.raw();
         Vector::new(
@@ -195,7 +200,8 @@ impl Direction {
         )
     }
 
-    /// The direction of the cross product, to the last bit; `None` where the two are parallel.
+    /// Returns the direction of the cross product, exact to the last bit, or `None` if the directions
+    /// are parallel.
     pub const fn perpendicular(self, other: Self) -> Option<Self> {
         match self.cross(other) {
             Some((vector, _)) => Some(vector.precise_direction()),
@@ -204,12 +210,12 @@ impl Direction {
     }
 }
 
-/// 2 `a` `b` in Q30, rounded down; 2 does not fit 32 bits.
+/// Returns 2 · `a` · `b` in Q30, rounded down. The result has 64 bits, because 2 does not fit Q2.30.
 const fn twice(a: Unit, b: Unit) -> i64 {
     wide(a.to_bits(), b.to_bits()) >> 29
 }
 
-/// `coordinate` (1 + `excess`), rounded to nearest.
+/// Returns `coordinate` · (1 + `excess`), rounded to nearest. `excess` is in Q30.
 const fn grown(coordinate: i32, excess: i32) -> i32 {
     coordinate + narrowed((wide(coordinate, excess) + (1 << 29)) >> 30)
 }

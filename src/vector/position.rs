@@ -1,10 +1,10 @@
-//! Positions as they are described: three numbers, before they are laid on a grid.
+//! Positions of a description: three numbers in scene units, before they are converted to grid steps.
 
 use super::{Direction, Vector};
 use crate::number::{Number, Unit, narrowed, narrowed_128, signed};
 
-/// Three coordinates of a description: a position, or a normal, axis or view direction that is
-/// not normalised yet.
+/// Three coordinates of a description, in scene units: a position, or a normal, axis or view direction
+/// that is not normalised yet.
 ///
 /// ```
 /// use reflet::{Number, Position};
@@ -21,25 +21,25 @@ use crate::number::{Number, Unit, narrowed, narrowed_128, signed};
 pub struct Position(pub [Number; 3]);
 
 impl Position {
-    /// The largest coordinate a description may hold, in scene units: 2³⁰.
+    /// Largest magnitude of a coordinate in a description, in scene units: 2³⁰.
     pub const MAX_COORDINATE: i64 = 1 << 30;
 
-    /// The origin.
+    /// The origin: all coordinates are 0.
     pub const ORIGIN: Self = Self([Number::ZERO; 3]);
 
-    /// From plain decimal numbers.
+    /// Creates a position from decimal numbers.
     pub const fn new([x, y, z]: [f64; 3]) -> Self {
         Self([Number::new(x), Number::new(y), Number::new(z)])
     }
 
-    /// Whether every coordinate is within ±[`Position::MAX_COORDINATE`].
+    /// Tests whether every coordinate is within ±[`Position::MAX_COORDINATE`].
     pub const fn is_in_range(self) -> bool {
         const MAX: i64 = Position::MAX_COORDINATE;
         let [x, y, z] = self.0;
         x.is_within(-MAX, MAX) && y.is_within(-MAX, MAX) && z.is_within(-MAX, MAX)
     }
 
-    /// `self - other`, for coordinates in range.
+    /// Subtracts `other` from this position. All coordinates must be in range.
     pub(crate) const fn minus(self, other: Self) -> Self {
         let ([ax, ay, az], [bx, by, bz]) = (self.0, other.0);
         Self([
@@ -49,8 +49,8 @@ impl Position {
         ])
     }
 
-    /// The position as far from `self` as `offset`, a result of [`Position::leading`], is long, in
-    /// another direction.
+    /// Returns the position at a distance from `self` along `direction`. The distance is the length of
+    /// `offset`, which comes from [`Position::leading`].
     pub(crate) fn plus(self, direction: Direction, (offset, shift): (Vector, i32)) -> Self {
         let length = i128::from(offset.direction_and_length().1.to_bits());
         let [x, y, z] = self.0;
@@ -71,7 +71,7 @@ impl Position {
         ])
     }
 
-    /// The largest magnitude of a coordinate, in the bits of a [`Number`].
+    /// Returns the largest magnitude of a coordinate, in the raw bits of a [`Number`].
     pub(crate) const fn magnitude(self) -> u128 {
         let [x, y, z] = self.0;
         max(
@@ -80,8 +80,8 @@ impl Position {
         )
     }
 
-    /// As a vector scaled by the power of two that gives its largest coordinate 29 bits, and
-    /// how far it was shifted right for that; `None` for zero.
+    /// Returns the position as a vector, scaled by a power of two so that its largest coordinate has 29
+    /// bits, and the right shift of that scale. Returns `None` for the zero vector.
     #[inline(never)]
     pub(crate) const fn leading(self) -> Option<(Vector, i32)> {
         let magnitude = self.magnitude();
@@ -98,7 +98,8 @@ impl Position {
         Some((vector, shift))
     }
 
-    /// The direction it points in, to the last bit; `None` for zero.
+    /// Returns the direction of the position as a vector from the origin, exact to the last bit. Returns
+    /// `None` for the zero vector.
     pub(crate) const fn direction(self) -> Option<Direction> {
         match self.leading() {
             Some((vector, _)) => Some(vector.precise_direction()),
@@ -107,11 +108,12 @@ impl Position {
     }
 }
 
+/// Returns the larger of two numbers.
 const fn max(a: u128, b: u128) -> u128 {
     if a > b { a } else { b }
 }
 
-/// `number` · 2^-`shift`, rounded to nearest.
+/// Returns the raw bits of `number` · 2^-`shift`, rounded to nearest.
 #[inline(never)]
 const fn leading_bits(number: Number, shift: i32) -> i32 {
     let bits = number.to_bits();

@@ -2,7 +2,7 @@ use super::*;
 use crate::number::sweep::Sweep;
 use crate::number::{Number, sine_and_cosine_of};
 
-/// A last place of Q2.30.
+/// Value of the last bit of Q2.30.
 const ULP: f64 = 1.0 / (1 << 30) as f64;
 
 fn in_doubles(vector: Vector) -> [f64; 3] {
@@ -21,13 +21,13 @@ fn length(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// How far two vectors are apart in the coordinate where it is most.
+/// Returns the largest difference between the coordinates of two vectors.
 fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
     let gaps = [0, 1, 2].map(|axis| (a[axis] - b[axis]).abs());
     gaps.into_iter().fold(0.0, f64::max)
 }
 
-/// Vectors of every length that fits, from a few steps to ±2³⁰ a coordinate.
+/// Returns random vectors with coordinates from a few steps to ±2³⁰.
 fn vectors(seed: u64) -> impl Iterator<Item = Vector> {
     let mut sweep = Sweep::new(seed);
     (0..200_000).map(move |_| {
@@ -37,15 +37,15 @@ fn vectors(seed: u64) -> impl Iterator<Item = Vector> {
     })
 }
 
-/// Directions as exact as they come.
+/// Returns random directions, exact to the last bit.
 fn directions(seed: u64) -> impl Iterator<Item = Direction> {
     vectors(seed)
         .filter(|vector| vector.square() >= 1 << 32)
         .map(Vector::precise_direction)
 }
 
-/// What a length loses relatively where its square is an even number: the last bit is set, so
-/// that a square is never zero.
+/// Returns the relative error of a length whose square is even: the last bit of a square is set, so that
+/// it is never zero.
 fn lost_by_odd_squares(vector: [f64; 3]) -> f64 {
     0.5 / dot(vector, vector)
 }
@@ -56,7 +56,7 @@ fn direction_and_length_are_within_their_bounds() {
     for vector in vectors(1) {
         let truth = in_doubles(vector);
         let (direction, found) = vector.direction_and_length();
-        // A reciprocal root is known to 2^-27.5; a coordinate is rounded down once more.
+        // A reciprocal root is known to 2^-27.5. Each coordinate is also rounded down.
         let bound = 2f64.powf(-27.5) + ULP + lost_by_odd_squares(truth);
         let exact = truth.map(|coordinate| coordinate / length(truth));
         let off = apart(components(direction), exact);
@@ -80,7 +80,8 @@ fn precise_direction_is_right_to_the_last_places() {
         let truth = in_doubles(vector);
         let exact = truth.map(|coordinate| coordinate / length(truth));
         let found = components(vector.precise_direction());
-        // Rounded down before the correction and to nearest in it, which squares what is wrong.
+        // Coordinates are rounded down before the correction and to nearest in it. The correction
+        // squares the relative error.
         let bound = 2.0 * ULP + 1.6 * lost_by_odd_squares(truth).powi(2);
         assert!(
             apart(found, exact) <= bound,
@@ -106,8 +107,8 @@ fn renormalising_repairs_a_length() {
         let [x, y, z] = components(direction);
         let wrong = f64::from(sweep.within(-1000, 1000)) / 1000.0 * 2f64.powi(-11);
         let spoilt = [x, y, z].map(|it| Unit::from_bits((it * (1.0 + wrong) / ULP) as i32));
-        // The step leaves 5/2 of the third power of what was wrong, a third of a last place, and what
-        // is rounded.
+        // The step leaves 5/2 of the third power of the error, which is a third of the last bit, and the
+        // rounding error.
         let [x, y, z] = spoilt;
         let repaired = components(Direction { x, y, z }.renormalised());
         assert!(
@@ -124,7 +125,7 @@ fn reflection_keeps_the_length_and_turns_the_cosine_around() {
         let reflected = direction.reflected(normal, cosine);
         let [d, n] = [direction, normal].map(components);
         let exact = [0, 1, 2].map(|axis| d[axis] - 2.0 * dot(d, n) * n[axis]);
-        // The cosine is rounded down, doubled, and each product rounded down again.
+        // The cosine is rounded down and doubled, and each product is rounded down again.
         let bound = 4.0 * ULP;
         assert!(
             apart(components(reflected), exact) <= bound,
@@ -155,7 +156,7 @@ fn cosine_of_two_directions_is_rounded_down() {
     for (a, b) in directions(7).zip(directions(8)) {
         let exact = dot(components(a), components(b)) / ULP;
         let below = exact - f64::from(a.dot(b).to_bits());
-        // The sum in doubles is itself known to 2^-20 of a last place.
+        // The sum in doubles is itself known to 2^-20 of the last bit of Q2.30.
         assert!((-1e-5..1.0 + 1e-5).contains(&below), "{below}: {a:?} {b:?}");
         assert_eq!(a.dot(b), b.dot(a));
     }
@@ -166,7 +167,7 @@ fn what_is_left_without_a_direction_is_perpendicular_to_it() {
     for (vector, direction) in vectors(9).zip(directions(10)) {
         let rest = vector.without(direction, vector.dot(direction));
         let along = dot(in_doubles(rest), components(direction));
-        // Rounding moves each coordinate by a step, and a length of one is known to 2^-29.
+        // Rounding moves each coordinate by a step, and a direction's length is known to 2^-29.
         let bound = 4.0 + length(in_doubles(vector)) * 2f64.powi(-28);
         assert!(
             along.abs() <= bound,
@@ -193,7 +194,7 @@ fn cross_product_is_perpendicular_to_both() {
         assert!((1..=32).contains(&shift), "{shift}");
         let perpendicular = components(a.perpendicular(b).unwrap());
         let unit = exact.map(|coordinate| coordinate / length(exact));
-        // The largest coordinate of the product has 29 bits.
+        // The product was scaled so that its largest coordinate has 29 bits.
         assert!(apart(perpendicular, unit) <= 6.0 * ULP, "{a:?} {b:?}");
     }
 }

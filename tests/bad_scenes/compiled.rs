@@ -1,4 +1,5 @@
-//! Scenes that are constants: what is wrong with one stops the compiler with the fault's words.
+//! Scenes that are constants: what is wrong with one stops the compiler, whose message names the part
+//! and the fix.
 //!
 //! All of them are programs of one small package that is written, checked once, and read by the
 //! compiler's messages.
@@ -8,146 +9,384 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-use reflet::Error;
-use reflet::Fault::{self, *};
+use reflet::ErrorKind::{self, *};
 use serde_json::Value;
 
-/// A constant of a scene or a material, and its fault.
-const FAULTS: [(&str, Fault); 37] = [
-    (".sphere([0.0; 3], 0.0, WHITE)", Radius),
-    (".sphere([0.0; 3], -1.0, WHITE)", Radius),
-    (".cylinder([0.0; 3], UP, 0.0, 1.0, WHITE)", Radius),
-    (".sphere([0.0; 3], f64::NAN, WHITE)", Coordinate),
-    (".sphere([0.0; 3], f64::INFINITY, WHITE)", Coordinate),
-    (".cylinder([0.0; 3], UP, 1.0, -0.5, WHITE)", Height),
-    (".plane([0.0; 3], [0.0; 3], WHITE)", Normal),
-    (".cylinder([0.0; 3], [0.0; 3], 1.0, 1.0, WHITE)", Axis),
-    (".disc([0.0; 3], UP, 0.0, WHITE)", Radius),
-    (".disc([0.0; 3], [0.0; 3], 1.0, WHITE)", Normal),
-    (".sphere([0.0, 1.1e9, 0.0], 1.0, WHITE)", Coordinate),
-    (".sphere([f64::NAN, 0.0, 0.0], 1.0, WHITE)", Coordinate),
-    (".plane([0.0, 0.0, -1.1e9], UP, WHITE)", Coordinate),
+/// Parts of a scene as `scene!` and `SceneBuilder` take them, the name of the wrong part, and what is
+/// wrong with it.
+const PARTS: &[(&str, &str, ErrorKind)] = &[
+    ("sphere([0.0; 3], 0.0, WHITE);", "sphere 0", Radius),
+    ("sphere([0.0; 3], -1.0, WHITE);", "sphere 0", Radius),
     (
-        ".light([0.0, f64::NEG_INFINITY, 0.0], [1.0; 3])",
+        "cylinder([0.0; 3], UP, 0.0, 1.0, WHITE);",
+        "cylinder 0",
+        Radius,
+    ),
+    ("sphere([0.0; 3], f64::NAN, WHITE);", "sphere 0", Coordinate),
+    (
+        "sphere([0.0; 3], f64::INFINITY, WHITE);",
+        "sphere 0",
         Coordinate,
     ),
-    (".light([0.0; 3], [1.0, 1.0, 16.1])", Color),
-    (".light([0.0; 3], [-0.1, 1.0, 1.0])", Color),
     (
-        ".sphere([0.0; 3], 1.0, WHITE).sphere([0.0; 3], 1e-9, WHITE)",
+        "cylinder([0.0; 3], UP, 1.0, -0.5, WHITE);",
+        "cylinder 0",
+        Height,
+    ),
+    ("plane([0.0; 3], [0.0; 3], WHITE);", "plane 0", Normal),
+    (
+        "cylinder([0.0; 3], [0.0; 3], 1.0, 1.0, WHITE);",
+        "cylinder 0",
+        Axis,
+    ),
+    ("disc([0.0; 3], UP, 0.0, WHITE);", "disc 0", Radius),
+    ("disc([0.0; 3], [0.0; 3], 1.0, WHITE);", "disc 0", Normal),
+    (
+        "sphere([0.0, 1.1e9, 0.0], 1.0, WHITE);",
+        "sphere 0",
+        Coordinate,
+    ),
+    (
+        "sphere([f64::NAN, 0.0, 0.0], 1.0, WHITE);",
+        "sphere 0",
+        Coordinate,
+    ),
+    (
+        "plane([0.0, 0.0, -1.1e9], UP, WHITE);",
+        "plane 0",
+        Coordinate,
+    ),
+    (
+        "light([0.0, f64::NEG_INFINITY, 0.0], [1.0; 3]);",
+        "light 0",
+        Coordinate,
+    ),
+    ("light([0.0; 3], [1.0, 1.0, 16.1]);", "light 0", Color),
+    ("light([0.0; 3], [-0.1, 1.0, 1.0]);", "light 0", Color),
+    (
+        "sphere([0.0; 3], 1.0, WHITE); sphere([0.0; 3], -1.0, WHITE);",
+        "sphere 1",
+        Radius,
+    ),
+    (
+        "sphere([0.0; 3], 1.0, WHITE); sphere([0.0; 3], 1e-9, WHITE);",
+        "sphere 1",
         Tiny,
     ),
-    (".sphere([0.0; 3], 1e-10, WHITE)", Extent),
-    (".background([0.0, 17.0, 0.0])", Background),
-    (".epsilon(0.0)", Epsilon),
-    (".sphere([0.0; 3], 1e-4, WHITE)", Epsilon),
+    ("sphere([0.0; 3], 1e-10, WHITE);", "scene", Extent),
+    ("background([0.0, 17.0, 0.0]);", "scene", Background),
+    ("epsilon(0.0);", "scene", Epsilon),
+    ("sphere([0.0; 3], 1e-4, WHITE);", "scene", Epsilon),
     (
-        ".sphere([0.0; 3], 1.0, WHITE.diffuse(2.0)).light([9.0; 3], [16.0; 3])",
+        "sphere([0.0; 3], 1.0, WHITE.diffuse(2.0)); light([9.0; 3], [16.0; 3]);",
+        "material 0",
         Brightness,
     ),
     (
-        ".sphere([0.0; 3], 1.0, WHITE).sphere([1.0; 3], 1.0, WHITE).sphere([2.0; 3], 1.0, WHITE)",
+        "sphere([0.0; 3], 1.0, WHITE.ambient(0.0));",
+        "scene",
+        NoLight,
+    ),
+    (
+        "plane([0.0; 3], UP, WHITE.ambient(0.0)); background([1.0; 3]);",
+        "scene",
+        NoLight,
+    ),
+    (
+        "camera(Camera::look_at([1.0; 3], [1.0; 3], UP));",
+        "camera",
+        View,
+    ),
+    (
+        "motion([0.0; 3], [1.0, -1.0, 1.0]); sphere([0.0; 3], 1.0, WHITE);",
+        "motion",
+        Motion,
+    ),
+    (
+        "motion([0.0; 3], [1.0, 2e9, 1.0]); sphere([0.0; 3], 1.0, WHITE);",
+        "motion",
+        Coordinate,
+    ),
+];
+
+/// Parts that move in a `scene!`.
+const MOVING: &[(&str, &str, ErrorKind)] = &[
+    ("sphere BALL([0.0; 3], 1.0, WHITE);", "sphere 0", Motion),
+    (
+        "motion([-1.0; 3], [1.0, 1.0, 0.9]); sphere BALL([0.0; 3], 1.0, WHITE);",
+        "sphere 0",
+        Motion,
+    ),
+    (
+        "motion([-2.0; 3], [2.0; 3]); disc([9.0; 3], UP, 1.0, WHITE); disc LID([0.0, 1.5, 0.0], UP, 1.0, WHITE);",
+        "disc 1",
+        Motion,
+    ),
+    (
+        "motion([-2.0; 3], [2.0; 3]); cylinder LOG([0.0; 3], UP, 1.0, 4.0, WHITE);",
+        "cylinder 0",
+        Motion,
+    ),
+    ("plane FLOOR([0.0; 3], UP, WHITE);", "FLOOR", NothingMoves),
+    (
+        "sphere([0.0; 3], 1.0, WHITE); light LAMP([9.0; 3], [1.0; 3]);",
+        "LAMP",
+        NothingMoves,
+    ),
+];
+
+/// What does not fit the room of a `SceneBuilder`: the room, the parts, the name of the wrong part, and
+/// what is wrong with it.
+const ROOMS: &[(&str, &str, &str, ErrorKind)] = &[
+    (
+        "spheres: 1",
+        "sphere([0.0; 3], 1.0, WHITE); sphere([1.0; 3], 1.0, WHITE);",
+        "sphere 1",
         TooManySpheres,
     ),
     (
-        ".plane([0.0; 3], UP, WHITE).plane([1.0; 3], UP, WHITE)",
+        "planes: 1",
+        "plane([0.0; 3], UP, WHITE); plane([1.0; 3], UP, WHITE);",
+        "plane 1",
         TooManyPlanes,
     ),
     (
-        ".cylinder([0.0; 3], UP, 1.0, 1.0, WHITE).cylinder([1.0; 3], UP, 1.0, 1.0, WHITE)",
+        "cylinders: 1",
+        "cylinder([0.0; 3], UP, 1.0, 1.0, WHITE); cylinder([1.0; 3], UP, 1.0, 1.0, WHITE);",
+        "cylinder 1",
         TooManyCylinders,
     ),
     (
-        ".disc([0.0; 3], UP, 1.0, WHITE).disc([1.0; 3], UP, 1.0, WHITE)",
+        "discs: 1",
+        "disc([0.0; 3], UP, 1.0, WHITE); disc([1.0; 3], UP, 1.0, WHITE);",
+        "disc 1",
         TooManyDiscs,
     ),
     (
-        ".light([0.0; 3], [1.0; 3]).light([1.0; 3], [1.0; 3])",
+        "lights: 1",
+        "light([0.0; 3], [1.0; 3]); light([1.0; 3], [1.0; 3]);",
+        "light 1",
         TooManyLights,
     ),
     (
-        ".sphere([0.0; 3], 1.0, WHITE).plane([0.0; 3], UP, WHITE.mirror(0.5))",
+        "planes: 1",
+        "sphere([0.0; 3], 1.0, WHITE);",
+        "sphere 0",
+        TooManySpheres,
+    ),
+    (
+        "spheres: 1, planes: 1, materials: 1",
+        "sphere([0.0; 3], 1.0, WHITE); plane([0.0; 3], UP, WHITE.mirror(0.5));",
+        "material 1",
         TooManyMaterials,
     ),
-    ("Material::new([0.5, 0.5, 17.0])", Color),
-    ("Material::new([f64::NAN, 0.5, 0.5])", Color),
-    ("WHITE.ambient(-0.1)", Ambient),
-    ("WHITE.diffuse(16.1)", Diffuse),
-    ("WHITE.specular(-1.0, 4.0)", Specular),
-    ("WHITE.specular(1.0, 1048577.0)", Shininess),
-    ("WHITE.specular(1.0, -4.0)", Shininess),
-    ("WHITE.mirror(1.1)", Mirror),
-    ("WHITE.mirror(f64::NAN)", Mirror),
+    (
+        "spheres: 2",
+        "sphere([0.0; 3], 1.0, WHITE);",
+        "spheres",
+        UnusedRoom,
+    ),
+    (
+        "spheres: 1, planes: 1",
+        "sphere([0.0; 3], 1.0, WHITE);",
+        "planes",
+        UnusedRoom,
+    ),
+    (
+        "spheres: 1, cylinders: 1",
+        "sphere([0.0; 3], 1.0, WHITE);",
+        "cylinders",
+        UnusedRoom,
+    ),
+    (
+        "spheres: 1, discs: 3",
+        "sphere([0.0; 3], 1.0, WHITE);",
+        "discs",
+        UnusedRoom,
+    ),
+    (
+        "spheres: 1, lights: 1",
+        "sphere([0.0; 3], 1.0, WHITE);",
+        "lights",
+        UnusedRoom,
+    ),
 ];
 
-const CAMERAS: [(&str, CameraError); 6] = [
+/// Constants of one material or camera.
+const CONSTANTS: &[(&str, &str, ErrorKind)] = &[
+    ("Material::new([0.5, 0.5, 17.0])", "material", Color),
+    ("Material::new([f64::NAN, 0.5, 0.5])", "material", Color),
+    ("WHITE.ambient(-0.1)", "material", Ambient),
+    ("WHITE.diffuse(16.1)", "material", Diffuse),
+    ("WHITE.specular(-1.0, 4.0)", "material", Specular),
+    ("WHITE.specular(1.0, 1048577.0)", "material", Shininess),
+    ("WHITE.specular(1.0, -4.0)", "material", Shininess),
+    ("WHITE.mirror(1.1)", "material", Mirror),
+    ("WHITE.mirror(f64::NAN)", "material", Mirror),
     (
         "Camera::look_at([0.0, 2e9, 0.0], [0.0; 3], UP)",
-        CameraError::Coordinate,
+        "camera",
+        Coordinate,
     ),
-    ("Camera::look_at([1.0; 3], [1.0; 3], UP)", CameraError::View),
+    ("Camera::look_at([1.0; 3], [1.0; 3], UP)", "camera", View),
     (
         "Camera::look_at([0.0; 3], [0.0, 0.0, 5.0], UP)",
-        CameraError::Up,
+        "camera",
+        Up,
     ),
     (
         "Camera::look_at([0.0; 3], [1.0; 3], [0.0; 3])",
-        CameraError::Up,
+        "camera",
+        Up,
     ),
     (
         "Camera::look_at([0.0; 3], [1.0; 3], UP).fov(180.0)",
-        CameraError::FieldOfView,
+        "camera",
+        FieldOfView,
     ),
     (
         "Camera::look_at([0.0; 3], [1.0; 3], UP).fov(0.0)",
-        CameraError::FieldOfView,
+        "camera",
+        FieldOfView,
     ),
 ];
 
-/// A constant in which nothing is wrong.
-const CONTROL: &str =
-    ".sphere([0.0; 3], 1.0, WHITE).plane([0.0; 3], UP, WHITE).light([9.0; 3], [1.0; 3])";
+/// What the compiler itself refuses: items of a program, the first line of the message, and lines of it
+/// that show the mistake.
+const REFUSED: &[(&str, &str, &str)] = &[
+    (
+        "scene! { struct Tried { sphere([0, 0, 1], 1, WHITE); } }",
+        "error[E0308]: mismatched types",
+        "sphere([0, 0, 1], 1, WHITE); } }\n  |                                 ^ expected `f64`, found integer",
+    ),
+    (
+        "scene! { struct Tried { spere([0.0; 3], 1.0, WHITE); } }",
+        "error[E0599]: no method named `spere` found for struct `SceneBuilder<R>` in the current scope",
+        "spere([0.0; 3], 1.0, WHITE)",
+    ),
+    (
+        "type Tried = reflet::RuntimeScene<room!(spheres: 1, sperez: 2)>; const TRIED: Option<Tried> = None;",
+        "error[E0080]: evaluation panicked: room!(..) has no such list; it has spheres, cylinders, discs, planes, lights, materials",
+        "room!(spheres: 1, sperez: 2)",
+    ),
+];
 
-/// Every constant that does not compile, and the words that the compiler must say.
-fn cases() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let faults = FAULTS.map(|(constant, fault)| (constant, fault.words()));
-    let cameras = CAMERAS.map(|(constant, error)| (constant, error.words()));
-    faults.into_iter().chain(cameras)
+/// Parts in which nothing is wrong.
+const RIGHT: &str = "motion([-2.0; 3], [2.0; 3]); sphere BALL([0.0; 3], 1.0, WHITE); plane([0.0; 3], UP, WHITE); light([9.0; 3], [1.0; 3]);";
+
+/// A program that does not compile.
+struct Wrong {
+    items: String,
+    /// First line of the compiler's message.
+    first_line: String,
+    /// What its message shows.
+    shown: String,
 }
 
-/// A program with one constant: what a case says, as a method of a scene or by itself.
-fn program(constant: &str) -> String {
-    let (kind, value) = match constant.split_once(['(', '.']) {
-        Some(("", _)) => {
-            let scene = "Scene<room!(spheres: 2, planes: 1, cylinders: 1, discs: 1, lights: 1, materials: 1)>";
-            (scene, format!("Scene::builder(){constant}.build()"))
+impl Wrong {
+    /// A program that the library stops.
+    fn new(items: String, part: &str, kind: ErrorKind) -> Self {
+        let message = kind.message();
+        Self {
+            items,
+            first_line: format!("error[E0080]: evaluation panicked: {part}: {message}"),
+            shown: String::new(),
         }
-        Some(("Camera::look_at", _)) => ("Camera", constant.to_owned()),
-        _ => ("Material", constant.to_owned()),
-    };
+    }
+}
+
+/// Returns every program that does not compile.
+fn wrong() -> Vec<Wrong> {
+    let described = PARTS.iter().flat_map(|(parts, name, kind)| {
+        let items = [in_macro(parts), in_builder(&fitting(parts), parts)];
+        items.map(|items| Wrong::new(items, name, *kind))
+    });
+    let moving = MOVING.iter();
+    let moving = moving.map(|(parts, name, kind)| Wrong::new(in_macro(parts), name, *kind));
+    let rooms = ROOMS
+        .iter()
+        .map(|(room, parts, name, kind)| Wrong::new(in_builder(room, parts), name, *kind));
+    let constants = CONSTANTS.iter().map(|(value, part, kind)| {
+        let type_of = if *part == "camera" {
+            "Camera"
+        } else {
+            "Material"
+        };
+        Wrong::new(format!("const TRIED: {type_of} = {value};"), part, *kind)
+    });
+    let lights = "light([9.0; 3], [1.0; 3]); ".repeat(17);
+    let many = Wrong::new(in_macro(&lights), "light 16", TooManyLights);
+    let balls = (0..17).map(|number| format!("sphere BALL{number}([0.0; 3], 1.0, WHITE); "));
+    let balls = format!("motion([-2.0; 3], [2.0; 3]); {}", balls.collect::<String>());
+    let many_move = Wrong::new(in_macro(&balls), "sphere 16", TooManyMoving);
+    let refused = REFUSED.iter().map(|(items, first_line, shown)| Wrong {
+        items: (*items).to_owned(),
+        first_line: (*first_line).to_owned(),
+        shown: (*shown).to_owned(),
+    });
+    described
+        .chain(moving)
+        .chain(rooms)
+        .chain(constants)
+        .chain([many, many_move])
+        .chain(refused)
+        .collect()
+}
+
+/// Writes a scene with `scene!`.
+fn in_macro(parts: &str) -> String {
+    format!("scene! {{ struct Tried {{ {parts} }} }}")
+}
+
+/// Writes a scene with `SceneBuilder`.
+fn in_builder(room: &str, parts: &str) -> String {
+    let calls: String = calls(parts).map(|call| format!(".{call}")).collect();
+    format!("const TRIED: Scene<room!({room})> = SceneBuilder::new(){calls}.build();")
+}
+
+/// Returns the parts of a scene, each as a call.
+fn calls(parts: &str) -> impl Iterator<Item = &str> {
+    parts
+        .split_inclusive(");")
+        .map(|call| call.trim().trim_end_matches(';'))
+}
+
+/// Returns the room that parts fill.
+fn fitting(parts: &str) -> String {
+    let kinds = ["sphere", "plane", "cylinder", "disc", "light"];
+    let counted = kinds.map(|kind| {
+        let count = calls(parts)
+            .filter(|call| call.starts_with(&format!("{kind}(")))
+            .count();
+        format!("{kind}s: {count}")
+    });
+    counted.join(", ")
+}
+
+fn program(items: &str) -> String {
     format!(
         "#![allow(unused)]
-use reflet::{Camera, Material, Scene, room};
+use reflet::{{Camera, Material, Scene, SceneBuilder, room, scene}};
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const WHITE: Material = Material::new([1.0; 3]);
-const TRIED: {kind} = {value};
+{items}
 fn main() {{}}
 "
     )
 }
 
-/// Writes the package of all cases, with the versions that this one is locked to.
+/// Writes the package of all programs, with the versions that this one is locked to.
 fn written() -> PathBuf {
     let this = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bad_scenes");
     let programs = folder.join("src/bin");
     fs::remove_dir_all(folder.join("src")).ok();
     fs::create_dir_all(&programs).unwrap();
-    for (number, (constant, _)) in cases().enumerate() {
+    for (number, wrong) in wrong().iter().enumerate() {
         let path = programs.join(format!("wrong_{number}.rs"));
-        fs::write(path, program(constant)).unwrap();
+        fs::write(path, program(&wrong.items)).unwrap();
     }
-    fs::write(programs.join("right.rs"), program(CONTROL)).unwrap();
+    fs::write(programs.join("right.rs"), program(&in_macro(RIGHT))).unwrap();
     let manifest = format!(
         "[package]
 name = \"bad_scenes\"
@@ -190,13 +429,27 @@ fn complaints(folder: &Path) -> BTreeMap<String, String> {
 
 #[test]
 fn constants_that_are_wrong_do_not_compile_and_say_why() {
-    let complaints = complaints(&written());
-    for (number, (constant, words)) in cases().enumerate() {
-        let found = complaints.get(&format!("wrong_{number}"));
-        let found = found.unwrap_or_else(|| panic!("it compiles: {constant}"));
+    let (complaints, wrong) = (complaints(&written()), wrong());
+    let mut differences = Vec::new();
+    for (number, wrong) in wrong.iter().enumerate() {
+        let Some(found) = complaints.get(&format!("wrong_{number}")) else {
+            differences.push(format!("it compiles: {}", wrong.items));
+            continue;
+        };
         // The compiler breaks no line of a message.
-        assert!(found.contains(words), "{constant}: {found}");
+        let is_said = found.lines().next() == Some(&wrong.first_line);
+        if !is_said || !found.contains(&wrong.shown) {
+            let Wrong {
+                items,
+                first_line,
+                shown,
+            } = wrong;
+            differences.push(format!(
+                "{items}\nshould say: {first_line}\nand {shown}\nbut says: {found}"
+            ));
+        }
     }
-    assert_eq!(complaints.get("right"), None, "{CONTROL}");
-    assert_eq!(complaints.len(), cases().count());
+    assert!(differences.is_empty(), "{}", differences.join("\n\n"));
+    assert_eq!(complaints.get("right"), None, "{RIGHT}");
+    assert_eq!(complaints.len(), wrong.len());
 }

@@ -1,6 +1,7 @@
 //! Tests the render example as its users call it: the files it writes, its output, and its errors.
 
 mod dithering;
+mod examples;
 mod output;
 mod program;
 
@@ -309,7 +310,7 @@ fn wrong_files_are_named_in_one_line() {
         "empty.json => there is no scene in the file",
         "small.json => scene floor: spheres[0]: radius must be greater than 0",
         "unknown.json => scene floor: planes[0].material: there is no material black",
-        "closed.json => scene floor: camera fov must be between 0.001 and 179.999 degrees",
+        "closed.json => scene floor: camera: fov must be between 0.001 and 179.999 degrees",
         "two.json => choose one of the scenes floor, floor (--scene NAME)",
         "two.json --scene floor => scene 1 has the name floor of scene 0",
         "two.json --scene roof => there is no scene roof, only floor, floor",

@@ -55,6 +55,11 @@ impl Folder {
         finish(self.command("render", arguments).stdout(Stdio::piped()))
     }
 
+    /// Runs another example without arguments.
+    pub fn example(&self, name: &'static str) -> Outcome {
+        finish(self.command(name, &[]).stdout(Stdio::piped()))
+    }
+
     /// Runs the program with a standard output that has no reader.
     pub fn render_unread(&self, arguments: &str) -> Outcome {
         let (reader, writer) = std::io::pipe().expect("a pipe");

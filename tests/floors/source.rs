@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 /// their lines.
 pub fn paths(module: &[String], source: &str) -> Vec<(usize, String)> {
     let tokens = tokens(source);
+    let exports = tokens.iter().any(|token| token.1 == "macro_export");
     let mut scope = Scope::new(module);
     let mut found = Vec::new();
     for at in 0..tokens.len() {
@@ -14,7 +15,9 @@ pub fn paths(module: &[String], source: &str) -> Vec<(usize, String)> {
         scope.pass(&tokens[..=at]);
         let is_inner = at > 0 && tokens[at - 1].1 == "::";
         let starts_path = tokens.get(at + 1).is_some_and(|next| next.1 == "::");
-        if is_inner || !starts_path {
+        // Users write what an exported macro expands to, and name what the crate's root re-exports.
+        let is_for_users = exports && at > 0 && tokens[at - 1].1 == "$";
+        if is_inner || !starts_path || is_for_users {
             continue;
         }
         let base = match word {

@@ -7,10 +7,10 @@ use embedded_graphics::geometry::{OriginDimensions, Size};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::SimulatorDisplay;
 use frame_hash::FrameHash;
-use reflet::scenes::{BuiltIn, Castle};
 use reflet::budget::FrontPoint;
 use reflet::display::Enlarged;
 use reflet::quality::Fine;
+use reflet::scenes::{BuiltIn, Castle};
 use xtask::{measure::Core, toolchain};
 
 /// Measured fronts, and the size at which they were measured.

@@ -5,9 +5,9 @@ use std::thread;
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
 use reflet::host::painted;
-use reflet::scenes::{BuiltIn, Visitor};
-use reflet::scenes;
 use reflet::quality::{Exact, Fast, Fine, Quality as Exactness, Small};
+use reflet::scenes;
+use reflet::scenes::{BuiltIn, Visitor};
 use xtask::measure::{CORES, Core, Quality, Scene, Size as Pixels, Task, count};
 
 const SIDE: u32 = 64;
@@ -32,7 +32,8 @@ fn hash<S: BuiltIn, Q: Exactness>() -> String {
     let size = Size::new_equal(SIDE);
     let frame = S::frame(&S::CAMERA).reflections(4).quality::<Q>();
     let mut hash = FrameHash::NONE;
-    let picture = painted(&frame.sized(size));
+    let frame = frame.prepare(size);
+    let picture = painted(&frame.on(S::INSTANCE).unwrap());
     picture.pixels.into_iter().for_each(|pixel| hash.add(pixel));
     format!("{:016x}", hash.value())
 }

@@ -238,7 +238,7 @@ fn whole_firmware_of_the_castle_is_below_48_kib() {
     assert!(
         names
             .iter()
-            .any(|name| name.contains("render::picture::Picture"))
+            .any(|name| name.contains("render::prepared::Rows"))
     );
     assert!(!names.iter().any(|name| name.contains("display::dither::")));
 }

@@ -35,7 +35,8 @@ fn stack_of_right_picture(said: &str) -> u64 {
 }
 
 fn hash() -> u64 {
-    let picture = painted(&Castle::frame(&Castle::CAMERA).sized(Size::new_equal(SIDE)));
+    let frame = Castle::frame(&Castle::CAMERA).prepare(Size::new_equal(SIDE));
+    let picture = painted(&frame.on(&Castle).unwrap());
     let mut hash = FrameHash::NONE;
     picture.pixels.into_iter().for_each(|pixel| hash.add(pixel));
     hash.value()

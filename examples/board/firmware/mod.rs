@@ -13,8 +13,8 @@ use embedded_graphics::{
     geometry::{OriginDimensions, Point, Size},
     primitives::Rectangle,
 };
-use reflet::{Camera, Report};
 use reflet::scenes::{BuiltIn, Visitor};
+use reflet::{Camera, Report};
 use semihosting::println;
 
 use self::{
@@ -70,7 +70,10 @@ impl Viewer {
 
     /// Draws a scene until it is finished or a key is pressed. Returns the request of the next key.
     fn show<S: BuiltIn>(&mut self, camera: &Camera) -> Result<Request, Error> {
-        let picture = S::frame(camera).sized(self.display.size());
+        let frame = S::frame(camera).prepare(self.display.size());
+        let picture = frame
+            .on(S::INSTANCE)
+            .expect("a constant scene never changes");
         let mut report = Report::NONE;
         for y in 0..picture.size().height as i32 {
             let row = Rectangle::new(Point::new(0, y), Size::new(picture.size().width, 1));

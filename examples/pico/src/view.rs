@@ -2,11 +2,8 @@
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use reflet::Camera;
 use reflet::scenes::{BuiltIn, Castle, NAMES, Visitor, visit};
-use reflet::{Camera, Rows};
-use reflet::__private::Drawable;
-use reflet::quality::Quality;
-use reflet::shading::Shading;
 
 use crate::keys::Request;
 
@@ -72,7 +69,7 @@ pub trait Rows {
     fn row(&self, y: u32, row: &mut Row);
 }
 
-impl<W: World, Q: Quality, K: Shading> Rows for Picture<W, Q, K> {
+impl<S: BuiltIn> Rows for reflet::Rows<'_, S> {
     fn row(&self, y: u32, row: &mut Row) {
         self.row(y, 0, row);
     }
@@ -90,8 +87,8 @@ impl<R, F: FnOnce(&dyn Rows) -> R> Visitor for WithRows<'_, F> {
     /// scene only.
     #[inline(never)]
     fn visit<S: BuiltIn>(self) -> R {
-        let picture = S::frame(self.camera).sized(Size::new(SIDE, SIDE));
-        (self.work)(&picture)
+        let frame = S::frame(self.camera).prepare(Size::new(SIDE, SIDE));
+        (self.work)(&frame.on(S::INSTANCE).expect("a constant scene never changes"))
     }
 }
 

@@ -1,4 +1,4 @@
-use std::io::ErrorKind;
+use std::io;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
@@ -427,7 +427,7 @@ fn file_that_cannot_be_read_is_named() {
     let Problem::Unreadable(reason) = error.problem() else {
         panic!("{error:?}");
     };
-    assert_eq!(reason.kind(), ErrorKind::NotFound);
+    assert_eq!(reason.kind(), io::ErrorKind::NotFound);
 }
 
 #[test]

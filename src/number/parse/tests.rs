@@ -2,6 +2,7 @@ use std::string::{String, ToString};
 
 use fixed::types::I64F64;
 
+use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::number::Number;
 use crate::number::sweep::Sweep;
@@ -57,7 +58,11 @@ fn what_is_no_number_is_refused() {
         " 1", "1 ", "1\n", "+-1", "--1", "1-", "1.2.3", "1,5", "1_000", "0x10", "1f", "1e5e5",
         "inf", "-inf", "infinity", "nan", "NaN", "½", "١", "−1", "1\0",
     ] {
-        assert_eq!(text.parse::<Number>(), Err(ErrorKind::Number), "{text:?}");
+        assert_eq!(
+            text.parse::<Number>(),
+            Err(Error::of("number", ErrorKind::Number)),
+            "{text:?}"
+        );
     }
 }
 
@@ -234,7 +239,7 @@ fn texts_may_be_of_any_length() {
     }
     assert_eq!(
         format!("{nines}x").parse::<Number>(),
-        Err(ErrorKind::Number)
+        Err(Error::of("number", ErrorKind::Number))
     );
 }
 

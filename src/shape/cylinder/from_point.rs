@@ -1,32 +1,33 @@
-//! A cylinder as rays from one point meet it.
+//! Values that all rays from one point share in their tests against a cylinder.
 
 use super::PreparedCylinder;
 use crate::number::{square_root, unsigned_wide, wide};
 use crate::vector::{Direction, Point, Vector};
 
-/// A cylinder as the rays from one point see it.
+/// Values that all rays from one point share in their tests against a cylinder.
 #[derive(Clone, Copy, Debug)]
 pub struct CylinderFromPoint {
-    /// From the point to the middle of the cylinder.
+    /// Vector from the point to the cylinder's centre, in steps.
     pub(super) way: Vector,
-    /// axis × way: its length along a ray is how far the ray's line passes from the axis's, times
-    /// the sine of the angle between them.
+    /// Cross product axis × `way`, in steps. Its dot product with a ray's direction is the distance
+    /// between the lines of ray and axis, times the sine of the angle between them.
     pub(super) across: Vector,
-    /// way · axis
+    /// Dot product `way` · axis: height of the cylinder's centre above the point along the axis, in
+    /// steps.
     pub(super) rise: i32,
 }
 
-/// A cylinder as rays from a light meet it.
+/// Values that all rays from one light share in their tests against a cylinder.
 #[derive(Clone, Copy, Debug)]
 pub struct CylinderFromLight {
     pub(super) from: CylinderFromPoint,
-    /// Nothing of it is nearer to the light than this.
+    /// Lower bound of the distance from the light to the cylinder, in steps.
     pub(super) nearest: i32,
 }
 
 impl CylinderFromPoint {
-    /// How far from the axis the line of a ray passes, times the sine of the angle between them;
-    /// below zero on one side of it.
+    /// Returns the distance between the lines of a ray and of the cylinder's axis, in steps, times the
+    /// sine of the angle between them. The sign says on which side of the axis the ray passes.
     #[inline(always)]
     pub(crate) const fn sideways(&self, direction: Direction) -> i32 {
         self.across.dot(direction)
@@ -34,7 +35,7 @@ impl CylinderFromPoint {
 }
 
 impl PreparedCylinder {
-    /// As seen from a near point.
+    /// Prepares the tests of rays from a near point against the cylinder.
     pub(crate) const fn seen_from(&self, origin: Point) -> CylinderFromPoint {
         let way = origin.to(self.center);
         CylinderFromPoint {
@@ -44,10 +45,11 @@ impl PreparedCylinder {
         }
     }
 
-    /// As seen from a light at a near point.
+    /// Prepares the tests of rays from a light at a near point against the cylinder.
     pub(crate) const fn seen_from_light(&self, light: Point) -> CylinderFromLight {
         let seen = self.seen_from(light);
-        // The axis is within 2⁻²⁶ of length one, and the rise is rounded: it may be that much more.
+        // Upper bound of the squared rise: the axis is within 2⁻²⁶ of length one, and the rise is
+        // rounded.
         let rise = unsigned_wide(wide(seen.rise, seen.rise));
         let most = rise + (rise >> 24) + 4 * seen.rise.unsigned_abs() as u64 + 16;
         let aside = square_root(seen.way.square().saturating_sub(most)) - self.radius;
@@ -58,7 +60,7 @@ impl PreparedCylinder {
             0,
         );
         let distance = square_root(outside.square());
-        // A root and a height are known to a few steps, a large one to some more.
+        // A root and a height are known to a few steps, large ones to some more.
         let nearest = distance - (distance >> 20) - 64;
         CylinderFromLight {
             from: seen,

@@ -1,4 +1,4 @@
-//! Where a ray meets the wall of a cylinder.
+//! Hits of a ray on the wall of a cylinder.
 
 use super::{CylinderFromPoint, PreparedCylinder};
 use crate::number::{
@@ -7,13 +7,14 @@ use crate::number::{
 };
 use crate::vector::Direction;
 
-/// Rays closer to the axis than this (the square of the sine is below 1/16) are measured with the
-/// direction across the axis normalised.
+/// Square of the sine of the angle between ray and axis, Q2.30, below which a ray counts as almost
+/// parallel to the axis: 1/16. [`PreparedCylinder::met_steeply`] tests such rays: it normalises the
+/// direction across the axis.
 pub(super) const STEEP: i32 = 1 << 26;
 
 impl PreparedCylinder {
-    /// The distance at which a ray meets the wall first, from outside or from inside, above `start`
-    /// and below `reach`.
+    /// Returns the distance at which a ray first hits the wall, from outside or from inside, above
+    /// `start` and below `reach`. `seen` was prepared for the ray's origin.
     #[inline(always)]
     pub(crate) fn met(
         &self,
@@ -29,19 +30,21 @@ impl PreparedCylinder {
         self.met_beside(seen, direction, sideways, start, reach)
     }
 
-    /// Whether a line that passes so far from the axis, times the sine, does not touch the endless
-    /// cylinder.
+    /// Tests whether the line of a ray surely misses the infinite cylinder. `sideways` is the distance
+    /// between the lines of ray and axis, times the sine of the angle between them. If that exceeds the
+    /// radius, the distance does so too.
     #[inline(always)]
     pub(crate) fn is_beside(&self, sideways: i32) -> bool {
         sideways.unsigned_abs() > unsigned(self.radius)
     }
 
-    /// The same as [`PreparedCylinder::met`], for a line that passes `sideways` from the axis, times
-    /// the sine.
+    /// Returns the distance at which a ray first hits the wall, above `start` and below `reach`.
+    /// `sideways` is the distance between the lines of ray and axis, times the sine of the angle between
+    /// them.
     ///
-    /// With d the direction and s the square of its sine to the axis, the distances are the roots
-    /// of s t² - 2 t way · (d - (d · axis) axis) + ..., whose discriminant is r² s - (across · d)².
-    /// A division is left to what lies on the wall.
+    /// With d the direction and s the square of the sine between d and the axis, the distances t are the
+    /// roots of s t² - 2 t way · (d - (d · axis) axis) + .... The discriminant is r² s - (across · d)².
+    /// Only a root that lies on the wall takes a division.
     #[inline(never)]
     pub(crate) fn met_beside(
         &self,
@@ -52,8 +55,8 @@ impl PreparedCylinder {
         reach: Length,
     ) -> Option<Length> {
         let climb = direction.dot(self.axis);
-        // All products of a number with a sign stand in one block: a sign that is extended in another
-        // makes three instructions of a product.
+        // All products of signed numbers stand in one block: if a sign is extended in another block, the
+        // compiler makes three instructions of one product.
         let steepness = climb.to_bits().abs();
         let flat = (1 << 30) - narrowed(wide_positive(steepness, steepness) >> 30);
         if flat < STEEP {
@@ -64,10 +67,11 @@ impl PreparedCylinder {
         if half_chord_square < 0 {
             return None;
         }
-        // The middle of the crossing and half its length, measured across the axis and times the sine.
+        // Middle and half length of the chord inside the cylinder, measured perpendicular to the axis,
+        // times the sine.
         let ahead = seen.way.dot(*direction) - scaled_by_unit(seen.rise, climb);
         let half_chord = root_of_lifted(unsigned(half_chord_square), self.normaliser.lift);
-        // How far up the axis, times the square of the sine.
+        // Height of the chord's middle along the axis, times the square of the sine.
         let height = wide(ahead, climb.to_bits()) + wide(seen.rise, -flat);
         let climbed = wide(half_chord, climb.to_bits());
         let limit = wide_positive(self.half_height, flat);
@@ -85,10 +89,12 @@ impl PreparedCylinder {
         })
     }
 
-    /// The same for all rays, at more cost, and as exact for those almost along the axis. The direction
-    /// across, d × axis, is worked out
-    /// exactly and normalised, so that all bits are kept (Cychosz and Waggenspack, "Intersecting a
-    /// ray with a cylinder", Graphics Gems IV).
+    /// Returns the distance at which a ray first hits the wall, above `start` and below `reach`. Rays
+    /// almost parallel to the axis get the same precision as others. It works for all rays but costs
+    /// more than [`PreparedCylinder::met_beside`].
+    ///
+    /// The direction across, d × axis, is computed exactly and normalised, which keeps all bits (Cychosz
+    /// and Waggenspack, "Intersecting a ray with a cylinder", Graphics Gems IV).
     #[cold]
     #[inline(never)]
     pub(crate) fn met_steeply(
@@ -128,7 +134,7 @@ impl PreparedCylinder {
     }
 }
 
-/// √(`square` · 2³²) >> `lift`, for a square below 2²⁸.
+/// Returns √(`square` · 2³²) >> `lift`, for a `square` below 2²⁸.
 #[inline(always)]
 pub(super) fn root_of_lifted(square: u32, lift: u32) -> i32 {
     let square = square | 1;
@@ -136,7 +142,7 @@ pub(super) fn root_of_lifted(square: u32, lift: u32) -> i32 {
     let mantissa = square << zeros;
     // √mantissa · 2¹⁴
     let root = high_unsigned(mantissa, unsigned(reciprocal_root(mantissa)));
-    // From a square of 2²⁸ on 2 zeros are left out; to that of a grazed narrow one there are more than
-    // the root has bits.
+    // `root` has the scale 2¹⁴ and the result 2¹⁶, so two shifts fewer are needed; a square below 2²⁸
+    // has that many. A ray that grazes a narrow cylinder would need more shifts than the root has bits.
     signed(root >> (zeros / 2 + lift - 2).min(31))
 }

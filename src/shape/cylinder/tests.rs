@@ -14,12 +14,12 @@ fn cylinder(center: [i32; 3], axis: Direction, radius: i32, half: i32) -> Prepar
     PreparedCylinder::new(point(center), axis, radius, half, MaterialId(0))
 }
 
-/// An upright tube around the middle.
+/// Creates an upright cylinder around the middle of the scene.
 fn tube() -> PreparedCylinder {
     cylinder([0; 3], direction([0, 0, 1]), RADIUS, HALF_HEIGHT)
 }
 
-/// The distance at which a ray meets a wall; the ball around the cylinder is not asked.
+/// Returns the distance at which a ray hits the wall. Does not test the ball around the cylinder.
 fn intersect(cylinder: &PreparedCylinder, ray: &Ray, reach: Length) -> Option<Length> {
     let seen = cylinder.seen_from(ray.origin);
     cylinder.met(&seen, &ray.direction, Length::from_bits(0), reach)
@@ -29,22 +29,22 @@ fn met(origin: [i32; 3], towards: [i32; 3]) -> Option<i32> {
     steps(intersect(&tube(), &ray(origin, towards), EVERYWHERE))
 }
 
-/// Fails unless the tube is met `truth` steps along the ray, but for what three factors rounded
-/// to 2⁻³⁰ to 2⁻²⁷ make of it.
+/// Asserts that a ray hits the upright cylinder at the distance `truth`, in steps, within the error of
+/// three factors that are rounded to 2⁻³⁰ to 2⁻²⁷.
 fn assert_met(origin: [i32; 3], towards: [i32; 3], truth: i32) {
     let distance = met(origin, towards).unwrap();
     assert!((distance - truth).abs() <= 4, "{distance}, not {truth}");
 }
 
-/// What double precision knows about a ray and a cylinder.
+/// Hits of a ray on a cylinder, computed in double precision.
 struct Truth {
-    /// Where the line meets the endless cylinder, in order.
+    /// Distances at which the ray's line hits the infinite cylinder, in order.
     roots: Vec<f64>,
-    /// How far beyond the rim that is, negative on the wall; for each root.
+    /// For each root, the height of the hit beyond the rim, in steps; negative on the wall.
     beyond: Vec<f64>,
-    /// How far the line passes from the axis.
+    /// Distance between the lines of ray and axis, in steps.
     aside: f64,
-    /// The sine of the angle between ray and axis.
+    /// Sine of the angle between ray and axis.
     sine: f64,
 }
 
@@ -73,8 +73,9 @@ impl Truth {
         }
     }
 
-    /// How many steps along the ray one step of rounding is: 1 / sine² where lengths across the
-    /// axis are divided by it, 1 / sine for steep rays.
+    /// Returns the error along the ray, in steps, that one step of rounding causes: 1 / sine for rays
+    /// almost parallel to the axis, and 1 / sine² for others, because they divide lengths across the
+    /// axis by sine².
     fn stretch(&self) -> f64 {
         match self.sine * self.sine * 2f64.powi(30) < f64::from(STEEP) {
             true => 1.0 / self.sine,
@@ -90,7 +91,8 @@ impl Truth {
             .next()
     }
 
-    /// Whether rounding decides if a root counts; across the axis it is a few steps.
+    /// Tests whether rounding decides if a root counts as a hit. Rounding is a few steps across the
+    /// axis.
     fn is_close_call(&self, cylinder: &PreparedCylinder) -> bool {
         let slack = SLACK / self.sine;
         (self.aside - f64::from(cylinder.radius)).abs() <= SLACK
@@ -99,7 +101,8 @@ impl Truth {
     }
 }
 
-/// Cylinders from 64 steps to half of the ball, and rays from anywhere near at and past them.
+/// Returns random cylinders with radii from 64 steps to half of the ball, each with a ray from a near
+/// point that hits it or passes it.
 fn pairs(seed: u64) -> impl Iterator<Item = (PreparedCylinder, Ray)> {
     let mut sweep = Sweep::new(seed);
     (0..200_000).map(move |_| {
@@ -115,7 +118,7 @@ fn pairs(seed: u64) -> impl Iterator<Item = (PreparedCylinder, Ray)> {
 fn cylinder_in_front_is_met_on_its_near_side() {
     assert_met([-4 * RADIUS, 0, 0], [1, 0, 0], 3 * RADIUS);
     assert_met([0, 4 * RADIUS, 0], [0, -1, 0], 3 * RADIUS);
-    // Three across and four up: 5/3 of the way across.
+    // The ray goes three across and four up: its length is 5/3 of that across.
     assert_met([-4 * RADIUS, 0, -4 * RADIUS], [3, 0, 4], 5 * RADIUS);
 }
 
@@ -146,7 +149,7 @@ fn ray_through_the_open_ends_meets_nothing() {
 
 #[test]
 fn ray_through_one_open_end_meets_the_wall_from_inside() {
-    // From the axis, two heights up: the wall is met one step across for two down.
+    // From the axis, two half heights up. The wall is one radius across.
     let distance = met([0, 0, 2 * HALF_HEIGHT], [3, 0, -10]).unwrap();
     let truth = f64::from(RADIUS) * (9.0_f64 + 100.0).sqrt() / 3.0;
     assert!(
@@ -174,7 +177,7 @@ fn wall_ends_at_its_rim() {
 
 #[test]
 fn tangent_is_met_where_it_touches_and_missed_two_steps_further_out() {
-    // A line seen one step further in has a half chord of √(2 r); three more for rounding.
+    // A line one step further in has a half chord of √(2 r). Three more steps are for rounding.
     let half_chord = f64::from(2 * RADIUS).sqrt() as i32 + 3;
     let distance = met([-4 * RADIUS, RADIUS, 0], [1, 0, 0]).unwrap();
     assert!(
@@ -232,7 +235,7 @@ fn every_cylinder_is_met_where_double_precision_meets_it() {
             continue;
         };
         hits += 1;
-        // Half a chord of c is known to 2 r / c steps where its line is known to 2.
+        // If the line is known to 2 steps, a half chord of length c is known to 2 r / c steps.
         let half_chord = (truth.roots[1] - truth.roots[0]) / 2.0 * truth.sine;
         let radius = f64::from(cylinder.radius);
         let bound = (SLACK + 2.0 * radius / half_chord) * truth.stretch();
@@ -274,7 +277,7 @@ fn hit_lies_on_its_cylinder() {
         let axis = unit(in_doubles(cylinder.axis.raw()));
         let up = dot(at, axis);
         let off = length(plus(at, -up, axis)) - f64::from(cylinder.radius);
-        // Along the ray by the stretch is across the axis by the sine of it.
+        // An error of `stretch` along the ray is an error of stretch · sine across the axis.
         let truth = Truth::new(&cylinder, &ray);
         let slack = 2.0 + SLACK * (truth.stretch() * truth.sine).max(1.0);
         assert!(off.abs() <= slack, "{off} steps off: {cylinder:?} {ray:?}");
@@ -289,14 +292,14 @@ fn hit_lies_on_its_cylinder() {
 
 #[test]
 fn ray_almost_along_the_axis_keeps_its_bits() {
-    // From the middle of the lower end, up by 2^26 while it goes across by one radius.
+    // From a point on the axis, the ray rises by 2^26 steps while it goes one radius across.
     for bits in 6..24 {
         let radius = 1 << bits;
         let cylinder = cylinder([0; 3], direction([0, 0, 1]), radius, 1 << 27);
         let inside = ray([0, 0, -(1 << 26)], [radius, 0, 1 << 26]);
         let distance = f64::from(intersect(&cylinder, &inside, EVERYWHERE).unwrap().to_bits());
         let truth = &Truth::new(&cylinder, &inside).roots[1];
-        // One step across is 1 / sine along.
+        // One step across the axis is 1 / sine steps along the ray.
         let step = 2f64.powi(26) / f64::from(radius);
         assert!(
             (distance - truth).abs() <= 2.0 * step + 2.0,
@@ -322,16 +325,16 @@ fn normal_points_away_from_the_axis_and_has_length_one() {
         let along = unit(in_doubles(axis.raw()));
         let way = in_doubles(at.to_vector());
         let truth = plus(way, -dot(way, along), along);
-        // What lies along the axis is rounded down to a step, known to 2^-28 and taken away with three
-        // coordinates rounded down: 1 + 1/2 + √3 steps. The normal's coordinates are rounded down to
-        // 2^-28, or made as long as one to the last places.
+        // The part along the axis is rounded down to a step, is known to 2^-28, and is subtracted with
+        // three coordinates rounded down: 1 + 1/2 + √3 steps. The normal's coordinates are rounded down
+        // to 2^-28; a short normal is normalised to the last places.
         let moved = 3.5 / f64::from(radius);
         let short = cylinder.normaliser.lift > LIFT;
         let rounded = 2.0 * 2f64.powi(if short { -29 } else { -28 });
         let aside = length(plus(unit(normal), -1.0, unit(truth)));
         assert!(aside <= moved + rounded, "{aside:e}: {radius}");
-        // Foot and wall are rounded to even steps, √12 each at most: a normal is as much too long as
-        // the way it comes from.
+        // The points on axis and wall are rounded to even steps, by at most √12 each. The normal is too
+        // long by the same factor as the vector between them.
         let long = length(normal)
             - if short {
                 1.0
@@ -356,7 +359,7 @@ fn ray_leaving_a_cylinder_outward_misses_it() {
         let at = arriving.origin.along(arriving.direction, distance);
         let normal = cylinder.normal(at);
         if arriving.direction.dot(normal).to_bits() > 0 {
-            continue; // It has come from inside.
+            continue; // The ray hits the wall from inside.
         }
         left_outside += 1;
         let origin = ScaledPoint::new(at, 0)
@@ -368,7 +371,7 @@ fn ray_leaving_a_cylinder_outward_misses_it() {
         } else {
             any
         };
-        // As curved surfaces mirror: a normal's length is that of the way from the middle.
+        // Reflected as at curved surfaces: renormalised, because the normal's length is not exactly one.
         let mirrored = arriving
             .direction
             .reflected(normal, arriving.direction.dot(normal))
@@ -434,7 +437,7 @@ fn ray_leaving_the_inside_of_a_cylinder_crosses_it() {
         };
         met += 1;
         let chord = (truth.roots[1] - truth.roots[0]) * truth.sine;
-        // The square of half a chord is known to 2⁻²⁵ of the radius's: 4 r / c steps.
+        // The square of half a chord is known to 2⁻²⁵ of the squared radius: 4 r / c steps.
         let bound = (SLACK + 8.0 * f64::from(cylinder.radius) / chord) * truth.stretch();
         assert!(
             (found - truth.roots[1]).abs() <= bound,
@@ -450,11 +453,11 @@ fn ray_leaving_the_inside_of_a_cylinder_crosses_it() {
 
 #[test]
 fn root_of_a_grazed_narrow_cylinder_is_nothing() {
-    // A radius of 64 steps is lifted by 23: more bits are left out than there are.
+    // A radius of 64 steps is shifted by 23: the root is shifted by more bits than it has.
     for square in [0, 1, 3, 1 << 9] {
         assert_eq!(root_of_lifted(square, 23), 0, "{square}");
     }
-    // The lowest bit is set; what is not left out is right to a step.
+    // The lowest bit of the square is set; without a shift the root is right to a step.
     let root = f64::from(root_of_lifted(1 << 8, 0));
     let truth = 257_f64.sqrt() * 65536.0;
     assert!((root - truth).abs() <= 2.0, "{root} {truth}");

@@ -15,12 +15,12 @@ fn disc(center: [i32; 3], normal: Direction, radius: i32) -> PreparedDisc {
     }
 }
 
-/// A level disc around the middle.
+/// Creates a horizontal disc around the middle of the scene.
 fn level() -> PreparedDisc {
     disc([0; 3], direction([0, 0, 1]), RADIUS)
 }
 
-/// The distance at which a ray meets a disc; the ball around it is not asked.
+/// Returns the distance at which a ray hits the disc. Does not test the ball around the disc.
 fn intersect(disc: &PreparedDisc, ray: &Ray, reach: Length) -> Option<Length> {
     let start = Length::from_bits(0);
     let range = Range { start, reach };
@@ -31,13 +31,13 @@ fn met(origin: [i32; 3], towards: [i32; 3]) -> Option<i32> {
     steps(intersect(&level(), &ray(origin, towards), EVERYWHERE))
 }
 
-/// What double precision knows about a ray and a disc.
+/// Hit of a ray on a disc, computed in double precision.
 struct Truth {
-    /// Where the line meets the disc's plane.
+    /// Distance at which the ray's line hits the disc's plane, in steps.
     distance: f64,
-    /// How far outside of the rim that is, negative on the disc.
+    /// Distance from the hit outwards to the rim, in steps; negative on the disc.
     beyond: f64,
-    /// How many steps along the ray one step of height is.
+    /// Steps along the ray per step of height.
     stretch: f64,
 }
 
@@ -55,8 +55,8 @@ impl Truth {
         }
     }
 
-    /// How far from there a hit is found, in steps: a height and the rate at which it is lost are each
-    /// known to some steps, the rate to 2⁻³⁰.
+    /// Returns the largest error of a hit along the ray, in steps. The height is known to a few steps,
+    /// and the height lost per step to a few times 2⁻³⁰.
     fn slack(&self) -> f64 {
         SLACK + (2.0 + self.distance.abs() / 2f64.powi(29)) * self.stretch
     }
@@ -65,14 +65,14 @@ impl Truth {
         self.distance > 0.0 && self.beyond <= 0.0
     }
 
-    /// Whether rounding decides if the disc is met.
+    /// Tests whether rounding decides if the ray hits the disc.
     fn is_close_call(&self) -> bool {
         self.beyond.abs() <= self.slack() || self.distance.abs() <= self.slack()
     }
 }
 
-/// Discs from 64 steps to half of the ball, and rays from anywhere near at and past them, every other one
-/// almost along the disc.
+/// Returns random discs with radii from 64 steps to half of the ball, each with a ray from a near point
+/// that hits it or passes it. Every other ray is almost parallel to its disc.
 fn pairs(seed: u64) -> impl Iterator<Item = (PreparedDisc, Ray)> {
     let mut sweep = Sweep::new(seed);
     (0..200_000).map(move |number| {
@@ -88,7 +88,7 @@ fn pairs(seed: u64) -> impl Iterator<Item = (PreparedDisc, Ray)> {
     })
 }
 
-/// A direction, and `tilt` · 2⁻³⁰ of another.
+/// Returns the direction of `direction` + `other` · `tilt` · 2⁻³⁰.
 fn tilted(direction: Direction, other: Direction, tilt: i32) -> Direction {
     let (to, by) = (in_doubles(direction.raw()), in_doubles(other.raw()));
     let share = f64::from(tilt) / 2f64.powi(30);
@@ -98,12 +98,12 @@ fn tilted(direction: Direction, other: Direction, tilt: i32) -> Direction {
 
 #[test]
 fn disc_is_met_from_both_sides() {
-    // A factor of 2⁻²⁶, rounded down.
+    // A distance is known to a factor of 2⁻²⁶ and rounded down.
     for (origin, towards, truth) in [
         ([0, 0, 4 * RADIUS], [0, 0, -1], 4 * RADIUS),
         ([0, 0, -4 * RADIUS], [0, 0, 1], 4 * RADIUS),
         ([RADIUS / 2, RADIUS / 2, 16], [0, 0, -1], 16),
-        // Three across and four down.
+        // The ray goes three across and four down.
         ([-3 * RADIUS, 0, 4 * RADIUS], [3, 0, -4], 5 * RADIUS),
         ([-3 * RADIUS, 0, -4 * RADIUS], [3, 0, 4], 5 * RADIUS),
     ] {
@@ -137,7 +137,7 @@ fn ray_that_starts_on_the_disc_misses_it() {
 #[test]
 fn disc_ends_at_its_rim() {
     for sign in [1, -1] {
-        // The height of a hit, a step, is part of how far it is from the middle.
+        // The distance from the centre to the hit includes the height of the hit, which is a step.
         for (aside, is_met) in [(-1, true), (1, false)] {
             let origin = [sign * (RADIUS + aside), 0, RADIUS];
             assert_eq!(met(origin, [0, 0, -1]).is_some(), is_met, "{sign} {aside}");
@@ -148,7 +148,7 @@ fn disc_ends_at_its_rim() {
 #[test]
 fn disc_that_is_laid_on_the_grid_is_a_few_steps_wider() {
     for (radius, is_laid) in [(SMALLEST - 1, false), (SMALLEST, true), (1 << 20, true)] {
-        // A step is a unit.
+        // One step is one scene unit.
         let grid = Grid::new(Position::ORIGIN, 1 << (28 + 64));
         let described = Disc {
             center: Position::new([1.0, 2.0, 3.0]),
@@ -175,7 +175,7 @@ fn reach_ends_before_the_distance_it_names_and_start_at_the_one_it_names() {
     let ray = ray([0, 0, 4 * RADIUS], [0, 0, -1]);
     let distance = intersect(&disc, &ray, EVERYWHERE).unwrap();
     assert_eq!(intersect(&disc, &ray, distance), None);
-    // Rounded down by up to a step; a reach is compared with what was not rounded, too.
+    // The distance is rounded down by up to a step. The reach is also compared with the unrounded one.
     let further = Length::from_bits(distance.to_bits() + 2);
     assert_eq!(intersect(&disc, &ray, further), Some(distance));
     assert!(disc.blocks(&ray, further) && !disc.blocks(&ray, distance));
@@ -227,7 +227,7 @@ fn hit_lies_on_its_disc() {
         let at = in_doubles(disc.center.to(ray.origin.along(ray.direction, distance)));
         let height = dot(at, unit(in_doubles(disc.normal.raw())));
         assert!(height.abs() <= SLACK, "{height}: {disc:?} {ray:?}");
-        // Two points that are each rounded by up to two steps an axis.
+        // The difference of two points, each rounded by up to two steps along each axis.
         let beyond = length(at) - f64::from(disc.radius);
         assert!(beyond <= SLACK, "{beyond}: {disc:?} {ray:?}");
     }
@@ -318,8 +318,8 @@ fn ray_leaving_a_disc_misses_it() {
     assert!(left > 40_000, "{left}");
 }
 
-/// A cylinder, the disc that closes its upper end, and a ray from outside that is aimed at their common
-/// rim to a step; and how far away that is.
+/// Returns a random cylinder, the disc that closes its upper end, a ray from outside that is aimed at a
+/// step of their common rim, and the distance to that step.
 fn at_a_rim(sweep: &mut Sweep) -> Option<(PreparedCylinder, PreparedDisc, Ray, i32)> {
     let length = Length::from_bits;
     let center = point(sweep.triple(1 << 26));
@@ -336,8 +336,9 @@ fn at_a_rim(sweep: &mut Sweep) -> Option<(PreparedCylinder, PreparedDisc, Ray, i
     is_outside.then_some((wall, lid, Ray { origin, direction }, distance.to_bits()))
 }
 
-/// Hits are known to a few steps, so a ray aimed at the very step of a rim may pass between; one in 1250
-/// does, and without `RIM` one in 50. A picture has no pixel in ten thousand whose ray is.
+/// Hits are known to a few steps, so a ray aimed exactly at a rim may pass between disc and cylinder.
+/// One in 1250 does; without `RIM`, one in 50 would. In a picture, fewer than one ray in ten thousand is
+/// aimed at a rim that exactly.
 #[test]
 fn disc_closes_a_cylinder_without_a_gap() {
     let start = Length::from_bits(0);
@@ -351,9 +352,9 @@ fn disc_closes_a_cylinder_without_a_gap() {
         let on_wall = wall.met(&from, &ray.direction, start, EVERYWHERE);
         let on_lid = intersect(&lid, &ray, EVERYWHERE);
         let Some(nearest) = [on_wall, on_lid].into_iter().flatten().min() else {
-            continue; // It passes by on the outside.
+            continue; // The ray passes the rim on the outside.
         };
-        // What is this near is at the rim, though it be met at a slant.
+        // A hit this close to the distance is at the rim, even if the ray hits at a small angle.
         let sine = |way: Direction| ray.direction.dot(way).to_num::<f64>().abs();
         let slant =
             sine(lid.normal).min(sine(wall.normal(ray.origin.along(ray.direction, nearest))));

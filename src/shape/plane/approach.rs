@@ -1,17 +1,19 @@
-//! How a near ray comes down on a plane, as a fraction: no division until the nearest plane is known.
+//! Distances from near rays to planes as fractions. They are compared without a division; only the
+//! distance to the nearest plane takes one.
 
 use crate::number::{Length, magnitude, ratio, unsigned, wide_unsigned};
 
-/// How a ray comes down on a plane: the distance is the height over the descent.
+/// Distance from a ray's origin to a plane, as the fraction height / descent.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Approach {
+    /// Height of the ray's origin above the plane, in steps.
     height: u32,
-    /// How much height is lost a step, Q4.28.
+    /// Height that the ray loses per step, Q4.28.
     descent: u32,
 }
 
 impl Approach {
-    /// Of what is met at a distance.
+    /// Creates the fraction for a hit at a known distance.
     #[inline(always)]
     pub(crate) const fn at(distance: Length) -> Self {
         Self {
@@ -20,42 +22,45 @@ impl Approach {
         }
     }
 
-    /// Whether this meets its plane before another; no division.
+    /// Tests whether this distance is smaller than another one. Takes no division.
     #[inline(always)]
     pub(crate) const fn is_before(&self, other: &Self) -> bool {
         wide_unsigned(self.height, other.descent) < wide_unsigned(other.height, self.descent)
     }
 
-    /// The distance, which is below 2³⁰.
+    /// Returns the distance to the plane in steps, which is below 2³⁰. Takes the division.
     #[inline(always)]
     pub(crate) const fn distance(&self) -> Length {
         let distance = ratio(self.height, self.descent << 2);
-        // Rounding may reach beyond.
+        // Rounding may give a little more.
         const MOST: i32 = (1 << 30) - 1;
         Length::from_bits(if distance < MOST { distance } else { MOST })
     }
 }
 
-/// Where a ray begins as a plane sees it, and where it goes.
+/// Height of a ray's origin above a plane, and the height that the ray gains per step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bearing {
-    /// The height over the plane, within ±2³², so that only the sign may be lost.
+    /// Low 32 bits of the height above the plane, in steps. The height is within ±2³², so at most the
+    /// sign is missing.
     pub(super) steps: i32,
-    /// All bits the sign of the height.
+    /// Sign of the height, in every bit: 0 or -1.
     pub(super) sign: i32,
-    /// A quarter of the cosine to the normal, rounded down: how much height is gained a step, Q4.28.
+    /// Height that the ray gains per step, Q4.28: the raw cosine between ray and normal, Q2.30, divided
+    /// by 4 and rounded down.
     pub(super) climb: i32,
 }
 
 impl Bearing {
-    /// Of nothing.
+    /// Bearing of a ray that approaches no plane.
     pub(crate) const NONE: Self = Self {
         steps: 0,
         sign: 0,
         climb: 0,
     };
 
-    /// How the ray comes down on the plane, if it does.
+    /// Returns the distance to the plane as a fraction, or `None` if the ray does not approach the
+    /// plane.
     #[inline(always)]
     pub(crate) fn approach(&self) -> Option<Approach> {
         let steps = magnitude(self.steps, self.sign);

@@ -1,34 +1,34 @@
-//! What a plane is to places of any distance.
+//! Tests of planes against points and rays at any distance from the middle of the scene.
 
 use super::{PreparedPlane, descent};
 use crate::number::{Length, Quotient, divide, shifted, signed, unsigned, unsigned_wide};
 use crate::ray::{ScaledPoint, ScaledRay};
 
-/// Further than any distance.
+/// Distance of a ray that does not hit a plane; larger than any real distance.
 pub(crate) const NOT_MET: u64 = u64::MAX;
 
-/// Where a place lies, as a plane sees it.
+/// Side of a plane on which a point lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
-    /// Where the normal points.
+    /// On the side to which the normal points, by more than epsilon.
     Above,
-    /// On the other side.
+    /// On the side away from the normal, by more than epsilon.
     Below,
-    /// Within epsilon.
+    /// Within epsilon of the plane, on either side.
     Close,
-    /// In the plane, as far as can be told.
+    /// In the plane, within rounding.
     In,
 }
 
 impl PreparedPlane {
-    /// The distance in raw steps at which a path from any place meets the plane, below 2⁶², or
+    /// Returns the distance in raw steps, below 2⁶², at which a ray from any point hits the plane, or
     /// [`NOT_MET`].
     #[inline(never)]
     pub(crate) fn intersect_far(&self, path: &ScaledRay) -> u64 {
         let (height, scale) = self.height_far(path.from());
         let climb = path.direction().dot(self.normal).to_bits();
-        // One that is zero when it is rounded down to 2⁻²⁸ is none: near rays do not meet the plane from
-        // below then, and its surface would be seen from above.
+        // A cosine that becomes 0 when it is rounded down to 2⁻²⁸ counts as 0. Near rays do the same, so
+        // they do not hit the plane from below. If this ray did, the surface would be shaded from above.
         let climb = if climb >> 2 == 0 { 0 } else { climb };
         let Some((height, descent)) = descent(height, climb) else {
             return NOT_MET;
@@ -41,8 +41,8 @@ impl PreparedPlane {
         }
     }
 
-    /// How far a place lies along the normal from the plane, with 30 more fraction bits, and the
-    /// scale this is in.
+    /// Returns the signed height of a point above the plane and the scale of that height.
+    /// The result (h, s) means h · 2^(s - 30) steps.
     fn height_far(&self, place: ScaledPoint) -> (i64, u32) {
         let scale = place.scale.max(self.far_scale);
         let along = place.point.to_vector().dot_wide(self.normal);
@@ -53,10 +53,11 @@ impl PreparedPlane {
         )
     }
 
-    /// Where a place lies.
+    /// Returns on which side of the plane a point lies. Points within `epsilon` of the plane are
+    /// [`Side::Close`].
     pub(crate) fn side(&self, place: ScaledPoint, epsilon: Length) -> Side {
         let (height, scale) = self.height_far(place);
-        // A few steps of the scale, for what rounding has moved.
+        // Rounding may move a point by a few steps of its scale.
         const IN: i64 = 4;
         let close = i64::from(epsilon.to_bits() >> scale.min(31)) + IN;
         match height >> 30 {
@@ -67,7 +68,8 @@ impl PreparedPlane {
         }
     }
 
-    /// Whether a path meets the plane before it has gone `reach` · 2^`scale` steps; no division.
+    /// Tests whether a ray from any point hits the plane within `reach` · 2^`scale` steps. Takes no
+    /// division.
     pub(crate) fn blocks(&self, path: &ScaledRay, reach: Length, scale: u32) -> bool {
         let (height, height_scale) = self.height_far(path.from());
         let climb = path.direction().dot(self.normal).to_bits();

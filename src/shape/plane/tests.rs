@@ -5,12 +5,12 @@ use crate::ray::{ScaledPoint, ScaledRay};
 use crate::shape::fixture::*;
 use crate::vector::Vector;
 
-/// A near ray as one from any place.
+/// Converts a near ray to a scaled ray.
 fn from_near(ray: &Ray) -> ScaledRay {
     ScaledRay::new(ScaledPoint::new(ray.origin, 0), ray.direction)
 }
 
-/// The plane z = `height` steps.
+/// Creates the plane z = `height` steps.
 fn floor_at(height: i32) -> PreparedPlane {
     plane(direction([0, 0, 1]), i64::from(height) << 30)
 }
@@ -19,7 +19,7 @@ fn plane(normal: Direction, offset: i64) -> PreparedPlane {
     PreparedPlane::new(normal, offset, 0, MaterialId(0))
 }
 
-/// Planes through the ball, and rays from anywhere near to anywhere.
+/// Returns random planes through the ball, each with a random ray from a near point.
 fn pairs(seed: u64) -> impl Iterator<Item = (PreparedPlane, Ray)> {
     let mut sweep = Sweep::new(seed);
     (0..200_000).map(move |_| {
@@ -30,15 +30,15 @@ fn pairs(seed: u64) -> impl Iterator<Item = (PreparedPlane, Ray)> {
     })
 }
 
-/// The distance along a ray at which it meets a plane, negative behind; nothing is rounded.
+/// Returns the distance along a ray to a plane, in double precision; negative if the plane is behind.
 fn in_double_precision(plane: &PreparedPlane, ray: &Ray) -> f64 {
     let normal = in_doubles(plane.normal.raw());
     let height = dot(in_doubles(ray.origin.to_vector()), normal) - plane.offset as f64;
     -height / dot(in_doubles(ray.direction.raw()), normal) * 2f64.powi(30)
 }
 
-/// How many steps along a ray the place is known to where it meets a plane: a quotient is known to
-/// 2⁻²⁶ and rounded down, what a ray descends a step is known to 2⁻²⁸, and heights to a step.
+/// Returns the largest error of a hit on a plane along the ray, in steps. A quotient is known to 2⁻²⁶
+/// and rounded down, the height lost per step is known to 2⁻²⁸, and heights are known to a step.
 fn known_to(plane: &PreparedPlane, ray: &Ray, distance: f64) -> f64 {
     let climb = ray.direction.dot(plane.normal).to_num::<f64>();
     2.0 + distance.abs() * (2f64.powi(-26) + 2f64.powi(-28) / climb.abs()) + 1.0 / climb.abs()
@@ -48,7 +48,7 @@ fn known_to(plane: &PreparedPlane, ray: &Ray, distance: f64) -> f64 {
 fn plane_in_front_is_met_from_both_sides() {
     for (start, towards) in [(1 << 26, [0, 0, -1]), (-(1 << 26), [0, 0, 1])] {
         let found = floor_at(0).intersect(&ray([5, 7, start], towards), EVERYWHERE);
-        // A quotient is known to 2^-26 of it.
+        // A quotient has a relative error of 2^-26.
         let distance = steps(found).unwrap();
         assert!((distance - (1 << 26)).abs() <= 1, "{distance}");
     }
@@ -119,7 +119,7 @@ fn blocks_agrees_with_intersect() {
         let blocks = plane.blocks(&from_near(&ray), reach, 0);
         counts[usize::from(blocks)] += 1;
         let distance = in_double_precision(&plane, &ray);
-        // Only where rounding decides may one see what the other does not.
+        // The two tests may differ only where rounding decides.
         let at_an_end =
             distance.abs() <= SLACK || (distance - f64::from(reach.to_bits())).abs() <= SLACK;
         let intersects = plane.intersect(&ray, reach).is_some();
@@ -170,7 +170,7 @@ fn paths_meet_near_planes_where_rays_do() {
         };
         hits += 1;
         let far = plane.intersect_far(&path) as f64;
-        // The far one knows the descent to 2^-30, and its quotient to 2^-26 as well.
+        // The far test knows the height lost per step to 2^-30, and its quotient to 2^-26 as well.
         let bound = known_to(&plane, &ray, far) * 1.25 + far * 2f64.powi(-26);
         assert!(
             (f64::from(near) - far).abs() <= bound,
@@ -215,7 +215,7 @@ fn reach_of_a_path_counts_in_its_scale() {
 
 #[test]
 fn plane_too_far_for_rays_is_met_by_paths() {
-    // 2^61 · 2^10 with 30 fraction bits are 2^41 steps.
+    // 2^61 · 2^10 with 30 fraction bits is 2^41 steps.
     let far = PreparedPlane::new(direction([0, 0, 1]), -(1 << 61), 10, MaterialId(0));
     let down = ray([0, 0, 1 << 20], [0, 0, -1]);
     assert_eq!(far.intersect(&down, EVERYWHERE), None);
@@ -260,7 +260,8 @@ fn path_from_far_away_comes_down_on_a_near_plane() {
 fn height_is_counted_along_the_normal() {
     let slope = direction([0, 3, 4]);
     let offset = Vector::new(0, 0, 5000).dot_wide(slope);
-    // 0.8 · 5000 further up; three products of Q2.30 are off by less than two of its steps each.
+    // The point is 5000 steps above the plane along z: 0.8 · 5000 along the normal. The coordinates of
+    // the normal are off by less than two units of 2⁻³⁰ each.
     let height = plane(slope, offset).height(Point::new(123, 0, 10_000));
     assert!((height - (4000 << 30)).abs() <= 10_000, "{height}");
     assert_eq!(plane(slope, offset).height(Point::new(-77, 0, 5000)), 0);
@@ -275,7 +276,7 @@ fn plane_across_an_axis_is_asked_as_any_other() {
             0 => direction(*axis),
             _ => direction(*axis).reversed(),
         };
-        // Not only at whole steps: an offset may have been rounded to anything.
+        // Offsets need not be whole steps.
         let level = i64::from(sweep.within(-(1 << 30), 1 << 30));
         let offset = (level << 30) + i64::from(sweep.within(0, (1 << 30) - 1)) * (level.signum());
         let upright = plane(normal, offset);

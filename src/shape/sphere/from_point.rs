@@ -1,65 +1,71 @@
-//! A sphere as rays from one point meet it: what its tangents tell.
+//! Tests of rays from one point against a sphere. They compare with the length of the tangents from the
+//! point to the sphere and take no root.
 
 use crate::number::Length;
 use crate::vector::{Direction, Vector};
 
-/// A sphere as the rays from one point see it.
+/// Values that all rays from one point share in their tests against a sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct SphereFromPoint {
-    /// From the point to the centre.
+    /// Vector from the point to the sphere's centre, in steps.
     pub(super) way: Vector,
-    /// The length of the tangents from the point; the least number where the point lies inside.
+    /// Length of the tangents from the point to the sphere, in steps; `i32::MIN` if the point lies
+    /// inside.
     pub(super) tangent: i32,
 }
 
 impl SphereFromPoint {
-    /// A quarter of the way along a ray at which it comes nearest to the centre.
+    /// Returns a quarter of the distance along a ray at which the ray is nearest to the sphere's centre,
+    /// rounded down.
     #[inline(always)]
     pub(crate) const fn nearest_approach(&self, direction: Direction) -> i32 {
         self.way.quarter_dot(direction)
     }
 
-    /// Whether a ray may meet the sphere, by its nearest approach: a ray that touches it comes
-    /// nearest where the tangent does, and one that goes through later.
+    /// Tests whether a ray may hit the sphere. `nearest_approach` comes from
+    /// [`SphereFromPoint::nearest_approach`]. A ray that touches the sphere is nearest to the centre at
+    /// the tangents' length. A ray that goes through the sphere is nearest further on.
     #[inline(always)]
     pub(crate) const fn may_be_met(&self, nearest_approach: i32) -> bool {
         nearest_approach >= self.tangent >> 2
     }
 
-    /// Whether its tangents are shorter than another's: it is in front of it, or about as far.
+    /// Tests whether the tangents to this sphere are shorter than those to `other`. This sphere is then
+    /// in front of the other one, or about as far away.
     #[inline(always)]
     pub(crate) const fn is_in_front_of(&self, other: &Self) -> bool {
         self.tangent < other.tangent
     }
 
-    /// Whether its tangents are shorter than a distance.
+    /// Tests whether the tangents to the sphere are shorter than `distance`: whether the sphere's
+    /// outline, as visible from the point, is nearer.
     #[inline(always)]
     pub(crate) const fn is_nearer_than(&self, distance: Length) -> bool {
         self.tangent < distance.to_bits()
     }
 
-    /// From the point to the centre.
+    /// Returns the vector from the point to the sphere's centre, in steps.
     #[inline(always)]
     pub(crate) const fn way(&self) -> Vector {
         self.way
     }
 
-    /// Whether the point lies inside the sphere.
+    /// Tests whether the point lies inside the sphere.
     pub(crate) const fn is_around(&self) -> bool {
         self.tangent == i32::MIN
     }
 
-    /// Whether the sphere, which the point is outside of, lies on the ray before `reach`, where
-    /// something else that is not inside the sphere ends the ray.
+    /// Tests whether a ray hits the sphere before `reach`. The ray starts outside of the sphere and ends
+    /// at `reach` on a surface that is not inside the sphere.
     ///
-    /// No root: the sphere is entered before its tangents' length and left after it.
+    /// Takes no root: a ray enters the sphere before the length of the tangents and leaves it after.
     #[inline(always)]
     pub(crate) const fn is_before(&self, direction: Direction, reach: Length) -> bool {
         self.tangent < reach.to_bits() && self.way.dot(direction) >= self.tangent
     }
 
-    /// Whether a distance is shorter than the tangents, but long enough to end inside of the sphere,
-    /// whose radius is given.
+    /// Tests whether a ray of length `distance` may end inside the sphere although it is not longer than
+    /// the tangents. `radius` is the sphere's radius, in steps.
     #[inline(always)]
     pub(crate) const fn may_hold_the_end(&self, radius: i32, distance: Length) -> bool {
         let rest = self.tangent - distance.to_bits();

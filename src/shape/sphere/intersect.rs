@@ -1,17 +1,19 @@
-//! Where a ray meets a sphere, and whether it does.
+//! Hits of a ray on a sphere: the distance to the hit, and whether the sphere blocks a ray.
 
 use super::PreparedSphere;
 use crate::number::{Length, signed_wide, square_root, unsigned_wide, wide};
 use crate::ray::Ray;
 use crate::vector::{Direction, Vector};
 
-/// Up to how deep inside, in steps, a ray starts on the surface, but for rounding: it is lifted by two
-/// steps at least, and each coordinate of a hit is rounded by up to two.
+/// Depth below a sphere's surface, in steps, down to which a ray counts as starting on the surface. A
+/// ray starts at least two steps above a surface, and each coordinate of a hit is rounded by up to two
+/// steps.
 const ON_SURFACE: i64 = 4;
 
 impl PreparedSphere {
-    /// The distance at which a ray meets the sphere, above `start` and below `reach`; from inside
-    /// where it enters before `start`.
+    /// Returns the distance of a ray's first hit above `start` and below `reach`. If the ray enters the
+    /// sphere before `start`, the hit is where it leaves. `way` is the vector from the ray's origin to
+    /// the centre.
     #[inline(always)]
     pub(crate) fn met(
         &self,
@@ -29,7 +31,8 @@ impl PreparedSphere {
         if half_chord_square < 0 {
             return None;
         }
-        // Of nothing it may be one.
+        // The lowest bit is set, so that the root needs no test for zero. The root of 0 becomes 1 at
+        // most.
         let half_chord = square_root(unsigned_wide(half_chord_square) | 1);
         let entry = distance - half_chord;
         let met = if entry > start.to_bits() {
@@ -40,8 +43,8 @@ impl PreparedSphere {
         (start.to_bits() < met && met < reach.to_bits()).then_some(Length::from_bits(met))
     }
 
-    /// The distance at which the ray meets the sphere from outside, or else from inside, above 0
-    /// and below `reach`.
+    /// Returns the distance at which the ray enters the sphere, or else leaves it, above 0 and below
+    /// `reach`.
     #[cfg(test)]
     pub(crate) fn intersect_alone(&self, ray: &Ray, reach: Length) -> Option<Length> {
         let way = ray.origin.to(self.center);
@@ -51,7 +54,8 @@ impl PreparedSphere {
         self.met(way, ray.direction, Length::from_bits(0), reach)
     }
 
-    /// Whether the ray meets the sphere above 0 and below `reach`; no root is taken. A ray that starts on the surface, but for rounding, and goes out is not blocked.
+    /// Tests whether the ray hits the sphere at a distance above 0 and below `reach`. Takes no root. A
+    /// ray that starts on the surface, within rounding, and goes outwards does not hit it.
     pub(super) fn is_on(&self, ray: &Ray, reach: Length) -> bool {
         let way = ray.origin.to(self.center);
         let distance = way.dot(ray.direction);
@@ -68,7 +72,8 @@ impl PreparedSphere {
         if entry_is_ahead {
             past < 0 || wide(past, past) < half_chord_square
         } else {
-            // r² less the square of the way to the centre; r² - (r - depth)² is 2 r depth or less.
+            // r² minus the square of the distance to the centre. At a depth below the surface it is
+            // r² - (r - depth)², which is 2 r depth or less.
             let inside = half_chord_square - wide(distance, distance);
             let exit_is_ahead = distance > 0 || inside > ON_SURFACE * 2 * self.radius as i64;
             exit_is_ahead && past < 0 && wide(past, past) > half_chord_square

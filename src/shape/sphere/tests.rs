@@ -10,12 +10,14 @@ fn sphere(center: [i32; 3], radius: i32) -> PreparedSphere {
     PreparedSphere::new(point(center), Length::from_bits(radius), MaterialId(0))
 }
 
-/// The distance to the sphere of [`RADIUS`] around the middle, as everything is reached.
+/// Returns the distance, in steps, at which a ray hits the sphere of [`RADIUS`] around the middle of the
+/// scene.
 fn met(origin: [i32; 3], towards: [i32; 3]) -> Option<i32> {
     steps(sphere([0; 3], RADIUS).intersect_alone(&ray(origin, towards), EVERYWHERE))
 }
 
-/// Where the line of a ray meets a sphere, in order, and how far it passes from its centre.
+/// Returns, in double precision, the distances at which the line of a ray hits a sphere, in order, and
+/// the distance from the line to the sphere's centre.
 fn in_double_precision(sphere: &PreparedSphere, ray: &Ray) -> (Vec<f64>, f64) {
     let center = in_doubles(ray.origin.to(sphere.center));
     let along = unit(in_doubles(ray.direction.raw()));
@@ -25,7 +27,8 @@ fn in_double_precision(sphere: &PreparedSphere, ray: &Ray) -> (Vec<f64>, f64) {
     (roots(middle, radius * radius - aside * aside), aside)
 }
 
-/// Spheres from 64 steps to half of the ball, and rays from anywhere near at and past them.
+/// Returns random spheres with radii from 64 steps to half of the ball, each with a ray from a near
+/// point that hits it or passes it.
 fn pairs(seed: u64) -> impl Iterator<Item = (PreparedSphere, Ray)> {
     let mut sweep = Sweep::new(seed);
     (0..200_000).map(move |_| {
@@ -39,7 +42,7 @@ fn pairs(seed: u64) -> impl Iterator<Item = (PreparedSphere, Ray)> {
 
 #[test]
 fn sphere_in_front_is_met_on_its_near_side() {
-    // The root of 2^48 is rounded down by at most 2^-27 of it.
+    // The root of 2^48 has a relative error of at most 2^-27 and is rounded down.
     for (axis, sign) in [(0, 1), (0, -1), (1, 1), (1, -1), (2, 1), (2, -1)] {
         let (mut origin, mut towards) = ([0; 3], [0; 3]);
         (origin[axis], towards[axis]) = (-4 * sign * RADIUS, sign);
@@ -102,7 +105,7 @@ fn blocks_agrees_with_intersect() {
     for (sphere, ray) in pairs(3) {
         let reach = Length::from_bits(sweep.within(1, 1 << 30));
         let (roots, aside) = in_double_precision(&sphere, &ray);
-        // Only where rounding decides may one see what the other does not.
+        // The two tests may differ only where rounding decides.
         let at_an_end =
             |root: &f64| root.abs() <= SLACK || (root - f64::from(reach.to_bits())).abs() <= SLACK;
         let at_the_rim = (aside - f64::from(sphere.radius)).abs() <= SLACK;
@@ -135,7 +138,7 @@ fn every_sphere_is_met_where_double_precision_meets_it() {
             continue;
         };
         hits += 1;
-        // Half a chord of c is known to 2 r / c steps where its line is known to 2.
+        // If the line is known to 2 steps, a half chord of length c is known to 2 r / c steps.
         let half_chord = (roots[1] - roots[0]) / 2.0;
         let bound = SLACK + 2.0 * radius / half_chord;
         assert!(
@@ -195,11 +198,11 @@ fn normal_points_away_from_the_centre_and_has_length_one() {
             in_doubles(at.to_vector()),
         );
         let normal = normal.map(|coordinate| coordinate / 2f64.powi(30));
-        // Coordinates are rounded down to 2^-28, or made as long as one to the last places.
+        // Coordinates are rounded down to 2^-28; a short normal is normalised to the last places.
         let short = sphere.normaliser.lift > LIFT;
         let rounded = 2.0 * 2f64.powi(if short { -29 } else { -28 });
-        // A normal is as much too long as the way it comes from, which three coordinates rounded down
-        // to even steps have moved by at most √12.
+        // The normal is too long by the same factor as the vector from the centre to the hit. Rounding
+        // three coordinates down to even steps changes that vector by at most √12.
         let own = if short {
             1.0
         } else {
@@ -213,8 +216,8 @@ fn normal_points_away_from_the_centre_and_has_length_one() {
     }
 }
 
-/// Where a ray leaves a sphere that it has met: 16 steps above it, on the side it came from; and
-/// the normal there.
+/// Returns the point from which a ray leaves after it hits the sphere, and the normal there. The point
+/// is 16 steps above the surface, on the side from which the ray came.
 fn left(sphere: &PreparedSphere, ray: &Ray) -> Option<(Point, Direction)> {
     let distance = sphere.intersect_alone(ray, EVERYWHERE)?;
     let at = ray.origin.along(ray.direction, distance);
@@ -238,7 +241,7 @@ fn ray_leaving_a_sphere_misses_it() {
             continue;
         };
         if sphere.normal(origin) != normal && sphere.normal(origin).dot(normal).to_bits() < 0 {
-            continue; // It has come from inside.
+            continue; // The ray hits the sphere from inside.
         }
         left_outside += 1;
         let any = any_direction(&mut sweep);
@@ -247,7 +250,7 @@ fn ray_leaving_a_sphere_misses_it() {
         } else {
             any
         };
-        // As curved surfaces mirror: a normal's length is that of the way from the middle.
+        // Reflected as at curved surfaces: renormalised, because the normal's length is not exactly one.
         let mirrored = arriving
             .direction
             .reflected(normal, arriving.direction.dot(normal))

@@ -2,10 +2,10 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
-use reflet::{FrameBuilder, Report, Unit};
 use reflet::__private::Drawable;
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
+use reflet::{FrameBuilder, Report, Unit};
 
 use crate::Wild;
 
@@ -27,19 +27,27 @@ impl Wild {
         let built = self.scene.build().ok()?;
         let frame = built.frame(&self.camera).reflections(self.reflections);
         Some(match self.kind % 8 {
-            0 => self.paint(frame.quality::<Fast>()),
-            1 => self.paint(frame.quality::<Fine>()),
-            2 => self.paint(frame.shading::<Phong>()),
-            3 => self.paint(frame.shading::<Normals>()),
-            4 => self.paint(frame.shading::<Phong>().quality::<Exact>()),
-            5 => self.paint(frame.shading::<BlinnPhong>().quality::<Exact>()),
-            6 => self.paint(frame.quality::<Small>()),
-            _ => self.paint(frame.shading::<Unshadowed<BlinnPhong>>().quality::<Fast>()),
+            0 => self.paint(&built, frame.quality::<Fast>()),
+            1 => self.paint(&built, frame.quality::<Fine>()),
+            2 => self.paint(&built, frame.shading::<Phong>()),
+            3 => self.paint(&built, frame.shading::<Normals>()),
+            4 => self.paint(&built, frame.shading::<Phong>().quality::<Exact>()),
+            5 => self.paint(&built, frame.shading::<BlinnPhong>().quality::<Exact>()),
+            6 => self.paint(&built, frame.quality::<Small>()),
+            _ => self.paint(
+                &built,
+                frame.shading::<Unshadowed<BlinnPhong>>().quality::<Fast>(),
+            ),
         })
     }
 
-    fn paint<W: World + Copy, Q: Quality, K: Shading>(&self, frame: Frame<'_, W, Q, K>) -> Drawn {
-        let picture = frame.sized(self.size);
+    fn paint<S: Drawable, Q: Quality, K: Shading>(
+        &self,
+        scene: &S,
+        frame: FrameBuilder<'_, S, Q, K>,
+    ) -> Drawn {
+        let prepared = frame.prepare(self.size);
+        let picture = prepared.on(scene).unwrap();
         let (width, height) = (self.size.width, self.size.height);
         let mut row = vec![Rgb888::BLACK; width as usize];
         let mut report = Report::NONE;

@@ -18,7 +18,8 @@ use reflet::{Camera, Error, Material, MaterialId, RuntimeScene, room};
 pub use draw::Drawn;
 
 /// A scene with enough room for what a few hundred bytes describe.
-pub type Scenery = RuntimeScene<room!(spheres: 6, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>;
+pub type Scenery =
+    RuntimeScene<room!(spheres: 6, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>;
 
 /// A described scene, and how to draw it.
 #[derive(Clone, Debug)]
@@ -84,7 +85,7 @@ fn fill(
     bytes: &mut Unstructured,
     numbers: &mut Numbers,
     mirrors: &mut bool,
-) -> Result<std::result::Result<Scenery, SceneError>> {
+) -> Result<std::result::Result<Scenery, Error>> {
     let mut scene = Scenery::new();
     let mut ids = Vec::new();
     for _ in 0..bytes.int_in_range(1..=3)? {
@@ -110,7 +111,7 @@ fn add_discs(
     numbers: &mut Numbers,
     scene: &mut Scenery,
     ids: &[MaterialId],
-) -> Result<std::result::Result<(), SceneError>> {
+) -> Result<std::result::Result<(), Error>> {
     for _ in 0..bytes.int_in_range(0..=4)? {
         let (center, normal) = (numbers.place(bytes)?, numbers.way(bytes)?);
         let (radius, id) = (numbers.size(bytes)?, *bytes.choose(ids)?);
@@ -126,7 +127,7 @@ fn add_all(
     numbers: &mut Numbers,
     scene: &mut Scenery,
     ids: &[MaterialId],
-) -> Result<std::result::Result<(), SceneError>> {
+) -> Result<std::result::Result<(), Error>> {
     let count = |bytes: &mut Unstructured, most: usize| bytes.int_in_range(0..=most);
     for _ in 0..count(bytes, 6)? {
         let (center, radius) = (numbers.place(bytes)?, numbers.size(bytes)?);

@@ -12,9 +12,9 @@ use embedded_graphics::prelude::{Point, PointsIter, Size, Transform};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use proptest::prelude::*;
-use reflet::scenes::{BuiltIn, Castle, Empty, Mirror1};
-use reflet::Rows;
 use reflet::display::{Ditherable, Dithered, Threshold, dither};
+use reflet::scenes::{BuiltIn, Castle, Empty, Mirror1};
+use reflet::{PreparedFrame, Report};
 
 /// Bayer's matrix as it is printed. A dot is lit if the picture is brighter than its number there.
 const BAYER: [[u32; 8]; 8] = [
@@ -39,9 +39,20 @@ fn grey(value: u8) -> Rgb888 {
     Rgb888::new(value, value, value)
 }
 
-/// Returns a picture with light, shadows and mirrors.
-fn picture() -> Picture<Static<Mirror1>> {
-    Mirror1::frame(&Mirror1::CAMERA).sized(Size::new(WIDTH, HEIGHT))
+/// Returns a frame with light, shadows and mirrors.
+fn picture() -> PreparedFrame<Mirror1> {
+    Mirror1::frame(&Mirror1::CAMERA).prepare(Size::new(WIDTH, HEIGHT))
+}
+
+/// Draws the whole frame, with its corner at `top_left`.
+fn draw<D: DrawTarget<Color = Rgb888>>(
+    top_left: Point,
+    target: &mut D,
+) -> Result<Report, D::Error> {
+    let picture = picture();
+    let whole = Rectangle::new(Point::zero(), picture.size());
+    let rows = picture.on(&Mirror1).unwrap();
+    rows.draw_area(whole, top_left, target)
 }
 
 fn display<C: PixelColor + From<BinaryColor>>() -> SimulatorDisplay<C> {
@@ -231,8 +242,8 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
 fn display_is_asked_as_without_dithering() {
     let mut plain = Recorder::<Rgb888>::default();
     let mut dithered = Recorder::<Gray4>::default();
-    let report = picture().draw_at(Point::new(-3, 5), &mut plain).unwrap();
-    let of_dithered = picture().draw_at(Point::new(-3, 5), &mut Dithered::new(&mut dithered));
+    let report = draw(Point::new(-3, 5), &mut plain).unwrap();
+    let of_dithered = draw(Point::new(-3, 5), &mut Dithered::new(&mut dithered));
     assert_eq!(of_dithered, Ok(report));
     let calls = plain.calls.into_iter().map(|call| match call {
         Call::Colors(area, colors) => {
@@ -311,7 +322,7 @@ fn error_of_the_display_comes_back() {
 #[test]
 fn no_row_follows_an_error() {
     let mut recorder = Recorder::<BinaryColor>::failing(3);
-    let result = picture().draw_at(Point::zero(), &mut Dithered::new(&mut recorder));
+    let result = draw(Point::zero(), &mut Dithered::new(&mut recorder));
     assert_eq!(result, Err(CableLost(3)));
     assert_eq!(recorder.calls.len(), 3);
 }
@@ -329,10 +340,10 @@ fn scene_of_nothing_is_filled_in_its_colour() {
 fn rows_have_the_dots_of_the_whole() {
     let mut whole = display::<Rgb565>();
     let mut dithered = Dithered::new(&mut whole);
-    picture().draw_at(Point::zero(), &mut dithered).unwrap();
+    draw(Point::zero(), &mut dithered).unwrap();
     let mut row = [Rgb888::BLACK; WIDTH as usize];
     for y in (0..HEIGHT as i32).rev() {
-        picture().row(y as u32, 0, &mut row);
+        picture().on(&Mirror1).unwrap().row(y as u32, 0, &mut row);
         for (x, color) in row.into_iter().enumerate() {
             let at = Point::new(x as i32, y);
             assert_eq!(whole.get_pixel(at), dither(color, at), "{at}");
@@ -377,8 +388,8 @@ proptest! {
     fn any_part_has_the_dots_of_the_whole(part in area(), x in -50..50_i32, y in -50..50_i32) {
         let top_left = Point::new(x, y);
         let (mut whole, mut of_part) = (display::<Gray2>(), display::<Gray2>());
-        picture().draw_at(top_left, &mut Dithered::new(&mut whole)).unwrap();
-        picture().draw_area(part, top_left, &mut Dithered::new(&mut of_part)).unwrap();
+        draw(top_left, &mut Dithered::new(&mut whole)).unwrap();
+        picture().on(&Mirror1).unwrap().draw_area(part, top_left, &mut Dithered::new(&mut of_part)).unwrap();
         let inside = Rectangle::new(Point::zero(), picture().size()).intersection(&part);
         for at in whole.bounding_box().points() {
             let is_inside = inside.translate(top_left).contains(at);

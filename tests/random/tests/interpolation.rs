@@ -6,9 +6,9 @@ use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use reflet::host::painted;
 use reflet::host::{compare::compare, reference};
+use reflet::quality::{Exact, Fast, Fine, Quality};
 use reflet::scenes::{BuiltIn, Corner1, Floor, NAMES, Visitor, visit};
 use reflet::{Camera, Material, RuntimeScene, Unit, room};
-use reflet::quality::{Exact, Fast, Fine, Quality};
 
 /// A quality that traces every fourth pixel and accepts any interpolation between them.
 struct Coarse;
@@ -39,9 +39,21 @@ impl Visitor for Traced {
         // Both widths end inside a stretch. In the second picture nothing beyond the edge is traced.
         for size in [Size::new(61, 40), Size::new(7, 9)] {
             let frame = S::frame(&S::CAMERA);
-            let all = painted(&frame.quality::<All>().sized(size));
+            let all = painted(
+                &frame
+                    .quality::<All>()
+                    .prepare(size)
+                    .on(S::INSTANCE)
+                    .unwrap(),
+            );
             let frame = S::frame(&S::CAMERA);
-            let coarse = painted(&frame.quality::<Coarse>().sized(size));
+            let coarse = painted(
+                &frame
+                    .quality::<Coarse>()
+                    .prepare(size)
+                    .on(S::INSTANCE)
+                    .unwrap(),
+            );
             let pixels = all.pixels.iter().zip(&coarse.pixels).enumerate();
             for (index, (all, coarse)) in pixels {
                 let column = index % size.width as usize;
@@ -61,11 +73,17 @@ fn every_fourth_pixel_is_traced_whatever_lies_between() {
 }
 
 /// Returns the share of the pixels that are within 1 of the picture with every pixel traced.
-fn share<S: BuiltIn + StaticFrame, Q: Quality>(size: Size) -> f64 {
+fn share<S: BuiltIn, Q: Quality>(size: Size) -> f64 {
     let frame = S::frame(&S::CAMERA);
-    let exact = painted(&frame.quality::<Exact>().sized(size));
+    let exact = painted(
+        &frame
+            .quality::<Exact>()
+            .prepare(size)
+            .on(S::INSTANCE)
+            .unwrap(),
+    );
     let frame = S::frame(&S::CAMERA);
-    let found = painted(&frame.quality::<Q>().sized(size));
+    let found = painted(&frame.quality::<Q>().prepare(size).on(S::INSTANCE).unwrap());
     compare(&found, &exact).unwrap().within1
 }
 
@@ -121,7 +139,7 @@ fn balls(places: &[(f64, f64, f64)], width: f64) -> Balls {
 fn painted_with<Q: Quality>(scene: &Ball, camera: &Camera) -> reference::Picture {
     let built = scene.build().unwrap();
     let frame = built.frame(camera).quality::<Q>();
-    painted(&frame.sized(Size::new(61, 47)))
+    painted(&frame.prepare(Size::new(61, 47)).on(&built).unwrap())
 }
 
 proptest! {
@@ -167,10 +185,10 @@ proptest! {
         for places in [few, many] {
             let built = balls(&places, 8.0).build().unwrap();
             let size = Size::new(61, 9);
-            let exact = painted(&built.frame(&camera).quality::<Exact>().sized(size));
-            let fast = painted(&built.frame(&camera).quality::<Fast>().sized(size));
+            let exact = painted(&built.frame(&camera).quality::<Exact>().prepare(size).on(&built).unwrap());
+            let fast = painted(&built.frame(&camera).quality::<Fast>().prepare(size).on(&built).unwrap());
             prop_assert_eq!(differences(&fast, &exact), []);
-            let fine = painted(&built.frame(&camera).quality::<Fine>().sized(size));
+            let fine = painted(&built.frame(&camera).quality::<Fine>().prepare(size).on(&built).unwrap());
             prop_assert_eq!(differences(&fine, &exact), []);
         }
     }
@@ -184,7 +202,8 @@ proptest! {
     ) {
         let camera = Camera::look_at([0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
         let built = balls(&places, width).build().unwrap();
-        let picture = built.frame(&camera).sized(Size::new(61, 9));
+        let picture = built.frame(&camera).prepare(Size::new(61, 9));
+        let picture = picture.on(&built).unwrap();
         for y in 0..9 {
             let (mut whole, mut part) = ([Rgb888::RED; 61], [Rgb888::RED; 61]);
             picture.row(y, 0, &mut whole);

@@ -5,20 +5,21 @@ use std::cell::Cell;
 
 use embedded_graphics::prelude::Size;
 use proptest::{prelude::*, test_runner::TestRunner};
-use reflet::host::painted;
-use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Visitor, visit};
-use reflet::{Camera, FrameBuilder, Material, RuntimeScene, Scene, room};
-use reflet::__private::Drawable;
+use reflet::__private::{Drawable, Everything, StaticScene};
 use reflet::description::Description;
-use reflet::needs::{Mirrors, Needs, NeedsLimit, Shininess};
+use reflet::host::{painted, reference::Picture};
+use reflet::needs::{Limited, Mirrors, MostReflections, Needs, NeedsLimit, Shininess};
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Visitor, visit};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
+use reflet::{Camera, ErrorKind, FrameBuilder, Material, RuntimeScene, Scene, room};
 
 /// Size of the built-in scenes' pictures in these tests.
 const SIZE: Size = Size::new(80, 60);
 
 /// A scene type with enough room for every built-in scene.
-type Largest = RuntimeScene<room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16)>;
+type Largest = RuntimeScene<Much>;
+type Much = room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16);
 
 /// Returns a run-time scene filled from a description.
 fn refilled(description: &Description<'_>) -> Largest {
@@ -66,25 +67,33 @@ impl Visitor for Twice {
     fn visit<S: BuiltIn>(self) {
         let scene = S::with_description(|description| refilled(&description).build().unwrap());
         assert_eq!(Needs::of::<S>(), scene.needs(), "{}", S::NAME);
-        let (fixed, filled) = (|| S::frame(&S::CAMERA), || scene.frame(&S::CAMERA));
-        assert_alike::<Fast, BlinnPhong, _, _>(SIZE, S::NAME, fixed(), filled());
-        assert_alike::<Fine, Phong, _, _>(SIZE, S::NAME, fixed(), filled());
-        assert_alike::<Small, BlinnPhong, _, _>(SIZE, S::NAME, fixed(), filled());
-        assert_alike::<Fast, BlinnPhong, _, _>(SIZE, S::NAME, fixed(), fixed().whole());
+        let (fixed, view) = (S::INSTANCE, (&S::CAMERA, SIZE));
+        assert_alike::<Fast, BlinnPhong>(S::NAME, view, fixed, &scene);
+        assert_alike::<Fine, Phong>(S::NAME, view, fixed, &scene);
+        assert_alike::<Small, BlinnPhong>(S::NAME, view, fixed, &scene);
+        assert_alike::<Fast, BlinnPhong>(S::NAME, view, fixed, &Everything(fixed));
     }
 }
 
-fn assert_alike<Q, K, A, B>(size: Size, name: &str, fixed: Frame<'_, A>, filled: Frame<'_, B>)
-where
+/// Compares the pictures of two scenes through one camera.
+fn assert_alike<Q, K>(
+    name: &str,
+    (camera, size): (&Camera, Size),
+    fixed: &impl Drawable,
+    filled: &impl Drawable,
+) where
     Q: Quality,
     K: Shading,
-    A: World + Copy,
-    B: World + Copy,
 {
-    let fixed = fixed.quality::<Q>().shading::<K>();
-    let filled = filled.quality::<Q>().shading::<K>();
-    let (fixed, filled) = (fixed.sized(size), filled.sized(size));
-    assert!(painted(&fixed) == painted(&filled), "{name}");
+    let same = picture::<Q, K>(fixed, camera, size) == picture::<Q, K>(filled, camera, size);
+    assert!(same, "{name}");
+}
+
+/// Draws a scene with 4 reflections.
+fn picture<Q: Quality, K: Shading>(scene: &impl Drawable, camera: &Camera, size: Size) -> Picture {
+    let frame = FrameBuilder::new(scene, camera);
+    let frame = frame.quality::<Q>().shading::<K>().prepare(size);
+    painted(&frame.on(scene).unwrap())
 }
 
 #[test]
@@ -109,14 +118,16 @@ impl Visitor for Known {
 
 fn assert_known<S: BuiltIn, const N: u8>() {
     let (name, size) = (S::NAME, Size::new(64, 48));
-    let frame = || S::frame(&S::CAMERA);
-    let known = painted(&frame().most_reflections::<N>().sized(size));
-    let found = painted(&frame().reflections(N).sized(size));
-    assert!(known == found, "{name}, {N}");
-    let frame = || frame().quality::<Small>();
-    let known = painted(&frame().most_reflections::<N>().sized(size));
-    let found = painted(&frame().reflections(N).sized(size));
-    assert!(known == found, "{name}, {N}, small");
+    let limited = Limited::<_, MostReflections<N>>::new(S::INSTANCE).unwrap();
+    let known = limited.frame(&S::CAMERA).reflections(N);
+    let free = S::frame(&S::CAMERA).reflections(N);
+    let found = painted(&free.prepare(size).on(S::INSTANCE).unwrap());
+    let drawn = painted(&known.prepare(size).on(&limited).unwrap());
+    assert!(drawn == found, "{name}, {N}");
+    let (known, free) = (known.quality::<Small>(), free.quality::<Small>());
+    let found = painted(&free.prepare(size).on(S::INSTANCE).unwrap());
+    let drawn = painted(&known.prepare(size).on(&limited).unwrap());
+    assert!(drawn == found, "{name}, {N}, small");
 }
 
 #[test]
@@ -129,30 +140,33 @@ fn reflections_may_be_known_when_the_program_is_compiled() {
 /// A bound with the needs of the castle.
 struct Like;
 
-impl Bound for Like {
+impl NeedsLimit for Like {
     const NEEDS: Needs = Needs::of::<Castle>();
 }
 
 /// A bound with the needs of a bare floor.
 struct Bare;
 
-impl Bound for Bare {
+impl NeedsLimit for Bare {
     const NEEDS: Needs = Needs::of::<Floor>();
 }
 
 #[test]
 fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
     let castle = Castle::with_description(|it| refilled(&it).build().unwrap());
-    let (free, camera) = (castle.frame(&Castle::CAMERA), &Castle::CAMERA);
-    let bound = castle.frame_within::<Like>(camera).ok().unwrap();
-    assert_alike::<Fast, BlinnPhong, _, _>(SIZE, "castle", free, bound);
+    let limited = Limited::<_, Like>::new(&castle).unwrap();
+    let view = (&Castle::CAMERA, SIZE);
+    assert_alike::<Fast, BlinnPhong>("castle", view, &castle, &limited);
 
     let floor = Floor::with_description(|it| refilled(&it).build().unwrap());
-    let free = floor.frame(&Floor::CAMERA);
-    let bound = floor.frame_within::<Bare>(&Floor::CAMERA).ok().unwrap();
-    assert_alike::<Fast, BlinnPhong, _, _>(SIZE, "floor", free, bound);
-    let excess = |scene: &Scene<room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16)>| scene.frame_within::<Bare>(camera).err();
-    assert_eq!(excess(&castle).unwrap().need, "spheres");
+    let limited = Limited::<_, Bare>::new(&floor).unwrap();
+    assert_alike::<Fast, BlinnPhong>("floor", (&Floor::CAMERA, SIZE), &floor, &limited);
+    let excess = |scene: &Scene<Much>| {
+        let error = Limited::<_, Bare>::new(scene).err()?;
+        assert_eq!((error.kind(), error.index()), (ErrorKind::Limit, None));
+        Some(error.part())
+    };
+    assert_eq!(excess(&castle), Some("spheres"));
     assert_eq!(excess(&floor), None);
     let mut two_floors = Largest::new();
     let glass = Material::new([0.5; 3]).mirror(0.5);
@@ -160,7 +174,7 @@ fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
     two_floors.add_plane([0, 0, -1], [0, 0, 1], glass).unwrap();
     two_floors.add_plane([0, 0, 1], [0, 0, 1], glass).unwrap();
     let excess = excess(&two_floors.build().unwrap());
-    assert_eq!(excess.unwrap().need, "mirrored");
+    assert_eq!(excess, Some("mirrored"));
 }
 
 #[test]
@@ -197,7 +211,8 @@ prop_compose! {
     }
 }
 
-type Few = RuntimeScene<room!(spheres: 2, planes: 2, cylinders: 1, discs: 2, lights: 2, materials: 2)>;
+type Few = RuntimeScene<Little>;
+type Little = room!(spheres: 2, planes: 2, cylinders: 1, discs: 2, lights: 2, materials: 2);
 
 prop_compose! {
     /// Makes a scene with few shapes, so that each need is often missing.
@@ -258,22 +273,21 @@ const OFF: [Needs; 10] = [
     Needs::ALL.without_discs(),
 ];
 
-impl<const I: usize> Bound for Off<I> {
+impl<const I: usize> NeedsLimit for Off<I> {
     const NEEDS: Needs = OFF[I];
 }
 
 /// Tests whether a scene is within a bound. If so, checks that its pictures equal those without a
 /// bound.
-fn is_held<const I: usize>(scene: &Scene<room!(spheres: 2, planes: 2, cylinders: 1, discs: 2, lights: 2, materials: 2)>) -> bool {
-    if scene.frame_within::<Off<I>>(&FRONT).is_err() {
+fn is_held<const I: usize>(scene: &Scene<Little>) -> bool {
+    let Ok(bound) = Limited::<_, Off<I>>::new(scene) else {
         return false;
-    }
-    let bound = || scene.frame_within::<Off<I>>(&FRONT).ok().unwrap();
-    let (free, size) = (|| scene.frame(&FRONT), Size::new(24, 20));
+    };
+    let view = (&FRONT, Size::new(24, 20));
     let what = |name| format!("{name} of {:?}, bound {:?}", scene.needs(), OFF[I]);
-    assert_alike::<Small, Normals, _, _>(size, &what("small normals"), bound(), free());
-    assert_alike::<Fine, BlinnPhong, _, _>(size, &what("fine"), bound(), free());
-    assert_alike::<Small, Phong, _, _>(size, &what("small"), bound(), free());
+    assert_alike::<Small, Normals>(&what("small normals"), view, &bound, scene);
+    assert_alike::<Fine, BlinnPhong>(&what("fine"), view, &bound, scene);
+    assert_alike::<Small, Phong>(&what("small"), view, &bound, scene);
     true
 }
 
@@ -325,17 +339,18 @@ fn dark_plane_is_told_from_nothing() {
 fn reflections_beyond_a_bound_are_cut_off() {
     struct Once;
 
-    impl Bound for Once {
+    impl NeedsLimit for Once {
         const NEEDS: Needs = Needs::ALL.with_reflections(1);
     }
 
     let mirrors = Mirror1::with_description(|it| refilled(&it).build().unwrap());
     let size = Size::new(64, 48);
-    let once = painted(&mirrors.frame(&Mirror1::CAMERA).reflections(1).sized(size));
-    let bound = mirrors.frame_within::<Once>(&Mirror1::CAMERA).ok().unwrap();
-    assert!(painted(&bound.sized(size)) == once);
-    let most = Mirror1::frame(&Mirror1::CAMERA).most_reflections::<1>();
-    assert!(painted(&most.reflections(4).sized(size)) == once);
+    let once = mirrors.frame(&Mirror1::CAMERA).reflections(1);
+    let once = painted(&once.prepare(size).on(&mirrors).unwrap());
+    let bound = Limited::<_, Once>::new(&mirrors).unwrap();
+    assert!(picture::<Fast, BlinnPhong>(&bound, &Mirror1::CAMERA, size) == once);
+    let most = Limited::<_, MostReflections<1>>::new(&Mirror1).unwrap();
+    assert!(picture::<Fast, BlinnPhong>(&most, &Mirror1::CAMERA, size) == once);
 }
 
 /// A ball between a light and a floor that is a million times as far away. The camera is as far
@@ -357,8 +372,16 @@ fn shadow_falls_on_what_is_far_from_what_throws_it() {
     for x in [0.0, 4e6] {
         let camera = Camera::look_at([x, -2e5, -6e5], [x, 0.0, -1e6], [0.0, 0.0, 1.0]);
         let camera = camera.fov(20.0);
-        let fast = painted(&scene.frame(&camera).sized(size)).pixels[8 * 16 + 8];
-        let small = painted(&scene.frame(&camera).quality::<Small>().sized(size));
+        let fast =
+            painted(&scene.frame(&camera).prepare(size).on(&scene).unwrap()).pixels[8 * 16 + 8];
+        let small = painted(
+            &scene
+                .frame(&camera)
+                .quality::<Small>()
+                .prepare(size)
+                .on(&scene)
+                .unwrap(),
+        );
         assert_eq!(fast, small.pixels[8 * 16 + 8], "x = {x}");
         seen.push(fast[0]);
     }
@@ -374,8 +397,8 @@ proptest! {
     fn small_code_shows_what_fast_code_shows(scene in few()) {
         let Ok(scene) = scene.build() else { return Ok(()) };
         let size = Size::new(40, 32);
-        let fast = painted(&scene.frame(&FRONT).quality::<Exact>().sized(size));
-        let small = painted(&scene.frame(&FRONT).quality::<Small>().sized(size));
+        let fast = painted(&scene.frame(&FRONT).quality::<Exact>().prepare(size).on(&scene).unwrap());
+        let small = painted(&scene.frame(&FRONT).quality::<Small>().prepare(size).on(&scene).unwrap());
         let off = within_a_step(&fast.pixels, &small.pixels);
         prop_assert!(off <= 4, "{off} of {} pixels", fast.pixels.len());
     }

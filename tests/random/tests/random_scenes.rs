@@ -6,15 +6,15 @@ use std::cell::{Cell, RefCell};
 use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
+use reflet::__private::Drawable;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Vector, render};
-use reflet::{Camera, Error, FrameBuilder, Material, MaterialId, RuntimeScene, room};
-use reflet::__private::Drawable;
 use reflet::quality::{Fast, Fine, Quality};
 use reflet::shading::{Normals, Phong};
+use reflet::{Camera, Error, FrameBuilder, Material, MaterialId, RuntimeScene, room};
 
 const SIDE: u32 = 48;
 
@@ -24,7 +24,8 @@ const WITHIN_8: f64 = 0.99;
 const WITHIN_1: f64 = 0.98;
 
 type Triple = [f64; 3];
-type Scenery = RuntimeScene<room!(spheres: 16, planes: 4, cylinders: 6, discs: 4, lights: 4, materials: 4)>;
+type Scenery =
+    RuntimeScene<room!(spheres: 16, planes: 4, cylinders: 6, discs: 4, lights: 4, materials: 4)>;
 
 /// A scene in a cube of ±1, and the size and position to which the cube is scaled and moved.
 #[derive(Clone, Debug)]
@@ -150,7 +151,7 @@ impl Recipe {
         ((Vector(at) + Vector(self.offset)) * self.scale).0
     }
 
-    fn scene(&self) -> Result<Scenery, SceneError> {
+    fn scene(&self) -> Result<Scenery, Error> {
         let mut scene = Scenery::new();
         let made = self.materials.iter().map(|it| {
             let highlight = (it.specular, it.shininess);
@@ -190,7 +191,7 @@ impl Recipe {
         Ok((scene, camera))
     }
 
-    fn camera(&self) -> Result<Camera, CameraError> {
+    fn camera(&self) -> Result<Camera, Error> {
         let (position, fov) = match self.eye {
             Eye::Within(at, fov) => (at, fov),
             Eye::InSphere(index, fov) if !self.spheres.is_empty() => {
@@ -225,9 +226,13 @@ fn any_valid_scene_is_painted_as_double_precision_paints_it() {
         let frame = built.frame(&camera).reflections(recipe.reflections);
         let (frame, size) = (frame.quality::<Fine>(), Size::new(SIDE, SIDE));
         let picture = match recipe.shading {
-            reference::Shading::BlinnPhong => painted(&frame.sized(size)),
-            reference::Shading::Phong => painted(&frame.shading::<Phong>().sized(size)),
-            reference::Shading::Normals => painted(&frame.shading::<Normals>().sized(size)),
+            reference::Shading::BlinnPhong => painted(&frame.prepare(size).on(&built).unwrap()),
+            reference::Shading::Phong => {
+                painted(&frame.shading::<Phong>().prepare(size).on(&built).unwrap())
+            }
+            reference::Shading::Normals => {
+                painted(&frame.shading::<Normals>().prepare(size).on(&built).unwrap())
+            }
         };
         let (truth, camera) = ((&scene.description()).into(), (&camera).into());
         let n = u32::from(recipe.reflections);
@@ -278,8 +283,8 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
         let frame = || built.frame(&camera).reflections(recipe.reflections);
         let reflections = recipe.reflections.into();
         let pictures = [
-            lit(frame().quality::<Fast>(), SIDE, shading),
-            lit(frame().quality::<Fine>(), SIDE, shading),
+            lit(&built, frame().quality::<Fast>(), SIDE, shading),
+            lit(&built, frame().quality::<Fine>(), SIDE, shading),
         ];
         let endings = [ending::<Fast>(reflections), ending::<Fine>(reflections)];
         let (exact, camera) = ((&scene.description()).into(), (&camera).into());
@@ -317,15 +322,18 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
 const MOST_DECIDED: usize = 10_000;
 
 /// Draws a lit picture with the highlights of one shading.
-fn lit<W: World + Copy, Q: Quality>(
-    frame: Frame<'_, W, Q>,
+fn lit<S: Drawable, Q: Quality>(
+    scene: &S,
+    frame: FrameBuilder<'_, S, Q>,
     side: u32,
     shading: reference::Shading,
 ) -> reference::Picture {
     let size = Size::new(side, side);
     match shading {
-        reference::Shading::Phong => painted(&frame.shading::<Phong>().sized(size)),
-        _ => painted(&frame.sized(size)),
+        reference::Shading::Phong => {
+            painted(&frame.shading::<Phong>().prepare(size).on(scene).unwrap())
+        }
+        _ => painted(&frame.prepare(size).on(scene).unwrap()),
     }
 }
 
@@ -392,7 +400,7 @@ impl Wild {
         at.map(|it| it * self.unit)
     }
 
-    fn scene(&self) -> Result<Scenery, SceneError> {
+    fn scene(&self) -> Result<Scenery, Error> {
         let (diffuse, specular, shininess, mirror) = self.surface;
         let (color, highlight) = ([2.0, 1.0, 0.1], (specular, shininess));
         let made = Material::from_numbers(color, 0.1, diffuse, highlight, mirror);
@@ -443,9 +451,22 @@ fn no_scene_that_is_accepted_overflows() {
         let (reflections, width, height) = frame;
         let size = Size::new(width, height);
         let frame = || built.frame(&camera).reflections(reflections);
-        painted(&frame().sized(size));
-        painted(&frame().shading::<Phong>().quality::<Fine>().sized(size));
-        painted(&frame().shading::<Normals>().sized(size));
+        painted(&frame().prepare(size).on(&built).unwrap());
+        painted(
+            &frame()
+                .shading::<Phong>()
+                .quality::<Fine>()
+                .prepare(size)
+                .on(&built)
+                .unwrap(),
+        );
+        painted(
+            &frame()
+                .shading::<Normals>()
+                .prepare(size)
+                .on(&built)
+                .unwrap(),
+        );
         Ok(())
     });
     outcome.unwrap_or_else(|error| panic!("{error}"));

@@ -7,8 +7,8 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, Shading};
-use reflet::{Camera, Material, RuntimeScene, room};
 use reflet::quality::{Exact, Quality, Small};
+use reflet::{Camera, Material, RuntimeScene, room};
 
 type Triple = [f64; 3];
 type Scenery = RuntimeScene<room!(spheres: 12, planes: 1, cylinders: 12, lights: 2, materials: 2)>;
@@ -97,10 +97,13 @@ impl Crowd {
             center = sum(center, scaled(it.way, it.apart * (last + it.radius)));
             last = it.radius;
             match it.wall {
-                None => scene.add_sphere(center, it.radius, ball).unwrap(),
-                Some((axis, height)) => scene
-                    .add_cylinder(center, axis, it.radius, height, ball)
-                    .unwrap(),
+                None => {
+                    scene.add_sphere(center, it.radius, ball).unwrap();
+                }
+                Some((axis, height)) => {
+                    let added = scene.add_cylinder(center, axis, it.radius, height, ball);
+                    added.unwrap();
+                }
             }
         }
         if self.has_floor {
@@ -126,7 +129,7 @@ impl Crowd {
 fn rendered<Q: Quality>(scene: &Scenery, camera: &Camera) -> Picture {
     let built = scene.build().unwrap();
     let frame = built.frame(camera).reflections(REFLECTIONS).quality::<Q>();
-    painted(&frame.sized(Size::new(WIDTH, HEIGHT)))
+    painted(&frame.prepare(Size::new(WIDTH, HEIGHT)).on(&built).unwrap())
 }
 
 fn apart(one: [u8; 3], other: [u8; 3]) -> u8 {

@@ -18,14 +18,14 @@ use benchmark::Order;
 use criterion::Criterion;
 use embedded_graphics::prelude::Size;
 use rayon::ThreadPoolBuilder;
+use reflet::__private::{Drawable, StaticScene};
+use reflet::FrameBuilder;
 use reflet::host::compare::compare;
 use reflet::host::file::SceneFile;
 use reflet::host::reference::{Picture, Shading};
 use reflet::host::{painted, reference};
-use reflet::scenes::{BuiltIn, Castle};
-use reflet::FrameBuilder;
-use reflet::__private::Drawable;
 use reflet::quality::Exact;
+use reflet::scenes::{BuiltIn, Castle};
 
 const SIDE: u32 = 128;
 const REFLECTIONS: u8 = 4;
@@ -68,7 +68,7 @@ fn castle() -> Result<Pair, Box<dyn Error>> {
     let camera = reference::Camera::from(&Castle::CAMERA);
     Pair::new(
         "castle".to_owned(),
-        || by_library(Castle::frame(&Castle::CAMERA)),
+        || by_library(&Castle, Castle::frame(&Castle::CAMERA)),
         move || by_reference(&scene, &camera),
     )
 }
@@ -80,15 +80,16 @@ fn spheres(count: usize) -> Result<Pair, Box<dyn Error>> {
     let (scene, reference_camera) = file.reference();
     Pair::new(
         format!("{count} spheres"),
-        move || by_library(built.frame(&camera)),
+        move || by_library(&*built, built.frame(&camera)),
         move || by_reference(&scene, &reference_camera),
     )
 }
 
 /// Draws a frame with the library, including its preparation.
-fn by_library<W: World + Copy>(frame: Frame<'_, W>) -> Picture {
+fn by_library<S: Drawable>(scene: &S, frame: FrameBuilder<'_, S>) -> Picture {
     let frame = frame.quality::<Exact>().reflections(REFLECTIONS);
-    painted(&frame.sized(Size::new_equal(SIDE)))
+    let frame = frame.prepare(Size::new_equal(SIDE));
+    painted(&frame.on(scene).expect("the frame is this scene's"))
 }
 
 fn by_reference(scene: &reference::Scene, camera: &reference::Camera) -> Picture {

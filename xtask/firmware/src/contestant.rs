@@ -5,22 +5,35 @@ use core::marker::PhantomData;
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
-use reflet::{Camera, Rows, Whole, Within};
-use reflet::needs::MostReflections;
+use reflet::__private::{Apart, Everything as Whole};
+use reflet::needs::{Limited, MostReflections};
 use reflet::quality::Quality;
 use reflet::shading::Shading;
+use reflet::{Camera, PreparedFrame};
+
+use crate::{Clock, report};
 
 /// A renderer, ready to be measured. What a program may learn only while it runs (camera, size,
 /// reflections) is hidden from the optimiser, for all contestants alike.
 pub trait Contestant {
+    /// What is drawn.
+    type Scene;
     /// A frame made ready for one size.
     type Picture;
 
+    /// All that is done once a program. It is not counted.
+    fn scene() -> Self::Scene;
+
+    /// Moves a part of the scene and returns the instructions that it took; `None` if nothing moves.
+    fn moved(_: &Clock, _: &mut Self::Scene) -> Option<u32> {
+        None
+    }
+
     /// All that is done once a frame.
-    fn prepare(size: (u32, u32)) -> Self::Picture;
+    fn prepare(scene: &Self::Scene, size: (u32, u32)) -> Self::Picture;
 
     /// Fills the row `y`.
-    fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]);
+    fn row(seen: (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]);
 }
 
 /// How the library's scene is seen.
@@ -32,47 +45,63 @@ pub trait View {
 /// The library, with scene `S`, view `V`, quality `Q`, shading `K` and at most `N` reflections.
 pub struct Fixed<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
 
-impl<S: StaticFrame, V: View, Q: Quality, K: Shading, const N: u8> Contestant
-    for Fixed<S, V, Q, K, N>
-{
-    type Picture = Picture<Within<Static<S>, MostReflections<N>>, Q, K>;
+/// A constant scene, of which mirrors are linked for at most `N` reflections.
+type Once<S, const N: u8> = Limited<'static, S, MostReflections<N>>;
 
-    #[inline(never)]
-    fn prepare((width, height): (u32, u32)) -> Self::Picture {
-        S::frame(black_box(&V::CAMERA))
-            .most_reflections::<N>()
-            .quality::<Q>()
-            .shading::<K>()
-            .sized(Size::new(width, height))
+impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant for Fixed<S, V, Q, K, N> {
+    type Scene = Once<S, N>;
+    type Picture = PreparedFrame<Once<S, N>, Q, K>;
+
+    fn scene() -> Self::Scene {
+        Limited::new(S::INSTANCE).unwrap_or_else(|_| report::stop("the limit"))
     }
 
     #[inline(never)]
-    fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]) {
-        picture.row(y, 0, row);
+    fn prepare(scene: &Self::Scene, (width, height): (u32, u32)) -> Self::Picture {
+        scene
+            .frame(black_box(&V::CAMERA))
+            .reflections(N)
+            .quality::<Q>()
+            .shading::<K>()
+            .prepare(Size::new(width, height))
+    }
+
+    #[inline(never)]
+    fn row((scene, frame): (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]) {
+        if let Ok(rows) = frame.on(scene) {
+            rows.row(y, 0, row);
+        }
     }
 }
 
 /// The same with everything linked that any scene needs.
 pub struct Everything<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
 
-impl<S: StaticFrame, V: View, Q: Quality, K: Shading, const N: u8> Contestant
+impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant
     for Everything<S, V, Q, K, N>
 {
-    type Picture = Picture<Whole<Static<S>>, Q, K>;
+    type Scene = Whole<'static, S>;
+    type Picture = PreparedFrame<Whole<'static, S>, Q, K>;
 
-    #[inline(never)]
-    fn prepare((width, height): (u32, u32)) -> Self::Picture {
-        S::frame(black_box(&V::CAMERA))
-            .reflections(N)
-            .quality::<Q>()
-            .shading::<K>()
-            .whole()
-            .sized(Size::new(width, height))
+    fn scene() -> Self::Scene {
+        Whole(S::INSTANCE)
     }
 
     #[inline(never)]
-    fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]) {
-        picture.row(y, 0, row);
+    fn prepare(scene: &Self::Scene, (width, height): (u32, u32)) -> Self::Picture {
+        scene
+            .frame(black_box(&V::CAMERA))
+            .reflections(N)
+            .quality::<Q>()
+            .shading::<K>()
+            .prepare(Size::new(width, height))
+    }
+
+    #[inline(never)]
+    fn row((scene, frame): (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]) {
+        if let Ok(rows) = frame.on(scene) {
+            rows.row(y, 0, row);
+        }
     }
 }
 
@@ -92,15 +121,18 @@ pub trait FloatView {
 pub struct Float<V>(PhantomData<V>);
 
 impl<V: FloatView> Contestant for Float<V> {
+    type Scene = ();
     type Picture = float_port::View;
 
+    fn scene() {}
+
     #[inline(never)]
-    fn prepare(size: (u32, u32)) -> Self::Picture {
+    fn prepare(_: &(), size: (u32, u32)) -> Self::Picture {
         float_port::View::new(black_box(&V::CAMERA), size)
     }
 
     #[inline(never)]
-    fn row(view: &Self::Picture, y: u32, row: &mut [Rgb888]) {
+    fn row((_, view): (&(), &Self::Picture), y: u32, row: &mut [Rgb888]) {
         let reflections = black_box(V::REFLECTIONS);
         for (x, pixel) in (0..).zip(row) {
             let [red, green, blue] =
@@ -114,11 +146,14 @@ impl<V: FloatView> Contestant for Float<V> {
 pub struct Nothing;
 
 impl Contestant for Nothing {
+    type Scene = ();
     type Picture = ();
 
-    #[inline(never)]
-    fn prepare(_: (u32, u32)) {}
+    fn scene() {}
 
     #[inline(never)]
-    fn row(_: &(), _: u32, _: &mut [Rgb888]) {}
+    fn prepare(_: &(), _: (u32, u32)) {}
+
+    #[inline(never)]
+    fn row(_: (&(), &()), _: u32, _: &mut [Rgb888]) {}
 }

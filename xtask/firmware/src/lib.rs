@@ -16,6 +16,7 @@
 mod clock;
 mod contestant;
 mod fault;
+mod moving;
 pub mod report;
 mod sweep;
 
@@ -26,6 +27,7 @@ use frame_hash::FrameHash;
 
 pub use clock::Clock;
 pub use contestant::{Contestant, Everything, Fixed, Float, FloatView, Nothing, View};
+pub use moving::{Moves, Moving};
 pub use sweep::{Run, Swept, Varied, sweep, swept};
 
 /// What a program is asked for.
@@ -41,15 +43,17 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
     let clock = Clock::start();
     stack_peak::paint();
     let mut hash = FrameHash::NONE;
+    let mut scene = C::scene();
+    let moved = C::moved(&clock, &mut scene);
     let start = clock.now();
     // Seen by reference, so that the stack holds one and no copy.
-    let picture = C::prepare(black_box(order.size));
+    let picture = C::prepare(&scene, black_box(order.size));
     black_box(&picture);
     let prepare = clock.since(start);
     let mut instructions = u64::from(prepare);
     for y in 0..order.size.1 {
         let start = clock.now();
-        C::row(black_box(&picture), y, black_box(row));
+        C::row((&scene, black_box(&picture)), y, black_box(row));
         instructions += u64::from(clock.since(start));
         for pixel in row.iter() {
             hash.add([pixel.r(), pixel.g(), pixel.b()]);
@@ -57,6 +61,11 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
     }
     let stack = stack_peak::peak();
 
+    if let Some(instructions) = moved {
+        report::text("moved");
+        report::number(" instructions=", u64::from(instructions));
+        report::text("\n");
+    }
     report::text("measured");
     report::number(" ticket=", order.ticket);
     report::number(" instructions=", instructions);

@@ -18,3 +18,11 @@ pub fn number(name: &str, value: u64) {
         text("0123456789abcdef".get(nibble..=nibble).unwrap_or("?"));
     }
 }
+
+/// Says what is wrong and ends the emulation.
+pub fn stop(what: &str) -> ! {
+    text("refused: ");
+    text(what);
+    text("\n");
+    semihosting::process::exit(1)
+}

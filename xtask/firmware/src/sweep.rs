@@ -6,9 +6,10 @@ use core::marker::PhantomData;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use frame_hash::FrameHash;
-use reflet::Rows;
+use reflet::__private::Apart;
 use reflet::quality::Quality;
 use reflet::shading::Shading;
+use reflet::{FrameBuilder, PreparedFrame};
 
 use crate::clock::Clock;
 use crate::{Float, FloatView, Order, View, report};
@@ -28,21 +29,23 @@ pub trait Swept {
 /// The library, with scene `S`, view `V`, quality `Q`, shading `K` and any number of reflections.
 pub struct Varied<S, V, Q, K>(PhantomData<(S, V, Q, K)>);
 
-impl<S: StaticFrame, V: View, Q: Quality, K: Shading> Swept for Varied<S, V, Q, K> {
-    type Picture = Picture<Static<S>, Q, K>;
+impl<S: Apart, V: View, Q: Quality, K: Shading> Swept for Varied<S, V, Q, K> {
+    type Picture = PreparedFrame<S, Q, K>;
 
     #[inline(never)]
     fn prepare((width, height): (u32, u32), reflections: u8) -> Self::Picture {
-        S::frame(black_box(&V::CAMERA))
+        FrameBuilder::new(S::INSTANCE, black_box(&V::CAMERA))
             .reflections(reflections)
             .quality::<Q>()
             .shading::<K>()
-            .sized(Size::new(width, height))
+            .prepare(Size::new(width, height))
     }
 
     #[inline(never)]
-    fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]) {
-        picture.row(y, 0, row);
+    fn row(frame: &Self::Picture, y: u32, row: &mut [Rgb888]) {
+        if let Ok(rows) = frame.on(S::INSTANCE) {
+            rows.row(y, 0, row);
+        }
     }
 }
 

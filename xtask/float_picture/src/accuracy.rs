@@ -6,8 +6,8 @@ use embedded_graphics::prelude::Size;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture};
-use reflet::scenes::{BuiltIn, Visitor, visit};
 use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::scenes::{BuiltIn, Visitor, visit};
 use reflet::shading::{BlinnPhong, Phong, Shading};
 
 /// Names of the measured qualities and of single precision, in the order of [`Row::differences`].
@@ -76,7 +76,12 @@ impl<K: Shading> Measure<K> {
 
     fn painted<S: BuiltIn, Q: Quality>(&self) -> Picture {
         let frame = S::frame(&S::CAMERA).reflections(self.reflections);
-        painted(&frame.quality::<Q>().shading::<K>().sized(self.size))
+        let frame = frame.quality::<Q>().shading::<K>().prepare(self.size);
+        painted(
+            &frame
+                .on(S::INSTANCE)
+                .expect("a constant scene never changes"),
+        )
     }
 }
 

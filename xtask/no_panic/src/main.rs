@@ -1,5 +1,5 @@
-//! Draws with every function that draws, and links only if none of them can panic: the panic handler
-//! calls a function that does not exist.
+//! Draws with every function that draws, moves every part that moves, and links only if none of them
+//! can panic: the panic handler calls a function that does not exist.
 #![no_std]
 #![no_main]
 
@@ -11,34 +11,41 @@ use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::{Gray4, Rgb565};
 use embedded_graphics::primitives::Rectangle;
-use reflet::{Camera, FrameBuilder, Material, Number, Report, RuntimeScene, Scene, room};
-use reflet::scenes::{BuiltIn, Castle, Floor};
 use reflet::__private::Drawable;
 use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
 use reflet::display::{Dithered, Enlarged};
-use reflet::needs::{Needs, NeedsLimit};
+use reflet::needs::{Limited, MostReflections, Needs, NeedsLimit};
 use reflet::quality::{Fast, Fine, Quality, Small};
+use reflet::scenes::{BuiltIn, Castle, Floor};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
+use reflet::{
+    Camera, FrameBuilder, Material, MovingScene, Number, Report, RuntimeScene, Scene, room, scene,
+};
 
 #[entry]
 fn main() -> ! {
     // A constant scene leaves out what it does not need; a scene filled at run time needs
     // everything.
     let camera = black_box(Castle::CAMERA);
-    draw::<Fast, BlinnPhong, _>(Castle::frame(&camera).most_reflections::<0>());
-    draw::<Small, BlinnPhong, _>(Castle::frame(&camera));
-    draw::<Fast, BlinnPhong, _>(Floor::frame(&camera));
+    if let Ok(castle) = Limited::<_, MostReflections<0>>::new(&Castle) {
+        draw::<Fast, BlinnPhong, _>(&castle, castle.frame(&camera));
+    }
+    draw::<Small, BlinnPhong, _>(&Castle, Castle::frame(&camera));
+    draw::<Fast, BlinnPhong, _>(&Floor, Floor::frame(&camera));
     if let Some((scene, camera)) = fill() {
-        draw::<Fast, BlinnPhong, _>(scene.frame(&camera));
-        draw::<Fine, Phong, _>(scene.frame(&camera));
-        draw::<Fast, Normals, _>(scene.frame(&camera));
-        draw::<Small, BlinnPhong, _>(scene.frame(&camera));
-        draw::<Small, Phong, _>(scene.frame(&camera));
-        draw::<Fast, Unshadowed, _>(scene.frame(&camera));
-        if let Ok(frame) = scene.frame_within::<Matte>(&camera) {
-            draw::<Fast, BlinnPhong, _>(frame);
+        draw::<Fast, BlinnPhong, _>(&scene, scene.frame(&camera));
+        draw::<Fine, Phong, _>(&scene, scene.frame(&camera));
+        draw::<Fast, Normals, _>(&scene, scene.frame(&camera));
+        draw::<Small, BlinnPhong, _>(&scene, scene.frame(&camera));
+        draw::<Small, Phong, _>(&scene, scene.frame(&camera));
+        draw::<Fast, Unshadowed, _>(&scene, scene.frame(&camera));
+        if let Ok(matte) = Limited::<_, Matte>::new(&scene) {
+            draw::<Fast, BlinnPhong, _>(&matte, matte.frame(&camera));
         }
         seen(scene.frame(&camera).draw(&mut Dithered::new(&mut Display)));
+    }
+    if let Some(scene) = moved() {
+        draw::<Fast, BlinnPhong, _>(&scene, scene.frame(&camera));
     }
     draw_within();
     #[cfg(feature = "panic")]
@@ -50,29 +57,36 @@ fn main() -> ! {
     }
 }
 
-/// A bound for scenes without mirrors.
+/// A limit for scenes without mirrors.
 struct Matte;
 
-impl Bound for Matte {
+impl NeedsLimit for Matte {
     const NEEDS: Needs = Needs::ALL.without_mirrors();
 }
 
 /// Draws a frame in every way. All numbers are hidden from the compiler, as if they came from
 /// outside.
-fn draw<Q: Quality, K: Shading, W: World + Copy>(frame: Frame<'_, W>) {
+fn draw<Q: Quality, K: Shading, S: Drawable>(scene: &S, frame: FrameBuilder<'_, S>) {
     let frame = frame.reflections(black_box(4));
     let frame = frame.quality::<Q>().shading::<K>();
     seen(frame.draw(&mut Display));
     seen(frame.draw(&mut Enlarged::new(&mut Display, black_box(3))));
-    let picture = frame.sized(black_box(Display.size()));
+    let frame = frame.prepare(black_box(Display.size()));
+    let Ok(rows) = frame.on(scene) else {
+        return;
+    };
     let mut row = [Gray4::new(0); 16];
-    let report = picture.row(black_box(7), black_box(5), &mut row);
-    black_box(picture.cut_off_bound(&report));
+    let report = rows.row(black_box(7), black_box(5), &mut row);
+    black_box(rows.cut_off_bound(&report));
     seen(Ok(report));
     black_box(row);
     let corner = black_box(Point::new(-5, 60));
-    seen(picture.draw_at(corner, &mut Display));
-    seen(picture.draw_area(
+    seen(rows.draw_area(
+        Rectangle::new(Point::zero(), rows.size()),
+        corner,
+        &mut Display,
+    ));
+    seen(rows.draw_area(
         black_box(Rectangle::new(corner, Size::new(9, 9))),
         corner,
         &mut Display,
@@ -85,16 +99,16 @@ fn draw_within() {
         prepare: 1000,
         instructions: 100,
         reflections: 1,
-        grade: Grade::Fast,
+        level: QualityLevel::Fast,
         scale: 2,
         psnr: 2000,
         largest: 200,
     };
-    static FRONT: Front = Front::new(&[
+    static FRONT: ParetoFront = ParetoFront::new(&[
         POINT,
         FrontPoint {
             instructions: 1000,
-            grade: Grade::Fine,
+            level: QualityLevel::Fine,
             psnr: 4000,
             ..POINT
         },
@@ -105,12 +119,15 @@ fn draw_within() {
     let _ = black_box(frame.draw_within(front, budget, || black_box(false), &mut Display));
 }
 
+/// Room for four of everything.
+type Four = room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4);
+
 /// Fills a scene, and makes and moves a camera, at run time.
-fn fill() -> Option<(Scene<room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>, Camera)> {
+fn fill() -> Option<(Scene<Four>, Camera)> {
     let number = || Number::from(black_box(1.5_f32));
     let read = black_box("1.5e0").parse::<Number>().ok()?;
     let point = || black_box([0.5_f64, 1.5, 2.5]);
-    let mut scene = black_box(RuntimeScene::<room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>::new());
+    let mut scene = black_box(RuntimeScene::<Four>::new());
     let made = Material::from_numbers(
         [number(); 3],
         number(),
@@ -119,16 +136,48 @@ fn fill() -> Option<(Scene<room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, 
         number(),
     );
     let material = scene.add_material(made.ok()?).ok()?;
-    let _ = black_box(scene.add_sphere(point(), number(), material));
+    let _ = black_box(scene.set_motion(point(), point()));
+    let sphere = black_box(scene.add_sphere(point(), number(), material));
     let _ = black_box(scene.add_plane(point(), point(), material));
-    let _ = black_box(scene.add_cylinder(point(), point(), number(), number(), material));
-    let _ = black_box(scene.add_disc(point(), point(), number(), material));
-    let _ = black_box(scene.add_light(point(), [number(); 3]));
+    let cylinder = black_box(scene.add_cylinder(point(), point(), number(), number(), material));
+    let disc = black_box(scene.add_disc(point(), point(), number(), material));
+    let light = black_box(scene.add_light(point(), [number(); 3]));
     let _ = black_box(scene.set_background([number(); 3]));
     let _ = black_box(scene.set_epsilon(read));
     let camera = Camera::new(point(), point(), point(), number());
     let camera = camera.and_then(|camera| camera.orbited(number(), number()));
-    Some((black_box(scene.build().ok()?), camera.ok()?))
+    let mut scene = black_box(scene.build().ok()?);
+    let _ = black_box(scene.set_sphere(sphere.ok()?, point(), number()));
+    let _ = black_box(scene.set_cylinder(cylinder.ok()?, point(), point(), number(), number()));
+    let _ = black_box(scene.set_disc(disc.ok()?, point(), point(), number()));
+    let _ = black_box(scene.set_light(light.ok()?, point()));
+    Some((black_box(scene), camera.ok()?))
+}
+
+const CHALK: Material = Material::new([0.9; 3]);
+
+scene! {
+    struct Bounce {
+        motion([-1.0, -1.0, 0.0], [5.0, 5.0, 5.0]);
+        sphere BALL([1.0, 1.0, 1.0], 1.0, CHALK);
+        cylinder BARREL([2.0, 2.0, 2.0], [0.0, 0.0, 1.0], 1.0, 1.0, CHALK);
+        disc LID([3.0, 3.0, 3.0], [0.0, 0.0, 1.0], 1.0, CHALK);
+        light([3.0, -4.0, 9.0], [1.0, 1.0, 1.0]);
+    }
+}
+
+/// Moves the parts of a constant scene.
+fn moved() -> Option<MovingScene<Bounce>> {
+    let number = || Number::from(black_box(1.5_f32));
+    let point = || black_box([0.5_f64, 1.5, 2.5]);
+    let mut scene = MovingScene::<Bounce>::new();
+    scene.set_sphere(Bounce::BALL, point(), number()).ok()?;
+    let barrel = scene.set_cylinder(Bounce::BARREL, point(), point(), number(), number());
+    barrel.ok()?;
+    scene
+        .set_disc(Bounce::LID, point(), point(), number())
+        .ok()?;
+    Some(black_box(scene))
 }
 
 fn seen(report: Result<Report, Infallible>) {

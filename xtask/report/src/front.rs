@@ -8,7 +8,7 @@ use crate::scene::Measured;
 pub fn source(command: &str, scenes: &[Measured]) -> String {
     let mut source = format!(
         "// Written by `{command}`:\n// what is best for a frame of so many instructions. Include it \
-         where `Front`, `FrontPoint` and `Grade`\n// are in scope.\n"
+         where `ParetoFront`, `FrontPoint` and\n// `QualityLevel` are in scope.\n"
     );
     for scene in scenes {
         let points = points(&scene.points);
@@ -19,14 +19,15 @@ pub fn source(command: &str, scenes: &[Measured]) -> String {
         let is_digit = name.starts_with(|first: char| first.is_ascii_digit());
         let prefix = if is_digit { "SCENE_" } else { "" };
         let words = scene.painter.name.replace(char::is_control, " ");
-        source += &format!("/// {words}\npub const {prefix}{name}: Front = Front::new(&[\n");
+        source +=
+            &format!("/// {words}\npub const {prefix}{name}: ParetoFront = ParetoFront::new(&[\n");
         source.extend(points.iter().map(|point| line(point)));
         source += "]);\n";
     }
     source
 }
 
-/// Returns the front of the points that the library's `Grade` can name: `Fast` and `Fine` with
+/// Returns the front of the points that the library's `QualityLevel` can name: `Fast` and `Fine` with
 /// shadows.
 fn points(points: &[Point]) -> Vec<&Point> {
     let is_known = |point: &&Point| match point.setting.contestant {
@@ -74,14 +75,14 @@ fn hundredths(point: &Point) -> u16 {
 }
 
 fn line(point: &Point) -> String {
-    let grade = match point.setting.contestant {
+    let level = match point.setting.contestant {
         Contestant::Fixed {
             level: Level::FINE, ..
         } => "Fine",
         _ => "Fast",
     };
     format!(
-        "    FrontPoint {{ prepare: {}, instructions: {}, reflections: {}, grade: Grade::{grade}, \
+        "    FrontPoint {{ prepare: {}, instructions: {}, reflections: {}, level: QualityLevel::{level}, \
          scale: {}, psnr: {}, largest: {} }},\n",
         prepare(point),
         rounded(point),

@@ -11,9 +11,9 @@ use frame_hash::FrameHash;
 use reflet::host::file::{FileScene, built};
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture};
-use reflet::{Camera, FrameBuilder, Unit};
 use reflet::quality::Quality;
-use reflet::shading::{BlinnPhong, Unshadowed};
+use reflet::shading::{self, BlinnPhong, Unshadowed};
+use reflet::{Camera, FrameBuilder, Unit};
 use xtask::sweep::{Contestant, Level, Setting, Visitor};
 
 /// A scene that is ready to be drawn under any setting.
@@ -64,6 +64,7 @@ impl Painter {
         let reflections = setting.reflections;
         let small = match setting.contestant {
             Contestant::Fixed { level, shadows } => level.visit(Draw {
+                scene: &self.world,
                 frame: self.world.frame(&self.camera).reflections(reflections),
                 size,
                 shadows,
@@ -104,7 +105,8 @@ impl<Q: Quality> Quality for Traced<Q> {
 }
 
 struct Draw<'a> {
-    frame: Frame<'a, &'a FileScene>,
+    scene: &'a FileScene,
+    frame: FrameBuilder<'a, FileScene>,
     size: Size,
     shadows: bool,
     traces_all: bool,
@@ -123,11 +125,16 @@ impl Visitor for Draw<'_> {
 
 impl Draw<'_> {
     fn pixels<Q: Quality>(self) -> Vec<[u8; 3]> {
-        let frame = self.frame.quality::<Q>();
-        let picture = match self.shadows {
-            true => painted(&frame.shading::<BlinnPhong>().sized(self.size)),
-            false => painted(&frame.shading::<Unshadowed>().sized(self.size)),
-        };
-        picture.pixels
+        match self.shadows {
+            true => self.shaded::<Q, BlinnPhong>(),
+            false => self.shaded::<Q, Unshadowed>(),
+        }
+    }
+
+    fn shaded<Q: Quality, K: shading::Shading>(self) -> Vec<[u8; 3]> {
+        let frame = self.frame.quality::<Q>().shading::<K>();
+        let frame = frame.prepare(self.size);
+        let rows = frame.on(self.scene).expect("the frame is this scene's");
+        painted(&rows).pixels
     }
 }

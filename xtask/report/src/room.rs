@@ -4,8 +4,8 @@
 use anyhow::Result;
 use embedded_graphics::geometry::Size;
 use reflet::host::painted;
-use reflet::{Camera, Material, RuntimeScene, room};
 use reflet::quality::Exact;
+use reflet::{Camera, Material, RuntimeScene, room};
 
 use crate::svg::{self, Axis, Chart};
 
@@ -39,7 +39,8 @@ pub fn measure() -> Result<Vec<Seen>> {
         let room = room.build()?;
         for reflections in 0..=u8::MAX {
             let frame = room.frame(&camera).reflections(reflections);
-            let picture = painted(&frame.quality::<Exact>().sized(Size::new(8, 8)));
+            let frame = frame.quality::<Exact>().prepare(Size::new(8, 8));
+            let picture = painted(&frame.on(&room)?);
             let expected = 255.0 * (1.0 - alpha.powi(i32::from(reflections) + 1));
             let far = |level: &f64| (level - expected).abs();
             let levels = picture.pixels.into_iter().flatten().map(f64::from);

@@ -197,7 +197,7 @@ fn scene_is_counted_once_and_its_table_has_the_columns_of_the_kept_one() {
     assert_eq!(costs.collect::<Vec<_>>(), ["1000"]);
     let front = fs::read_to_string(made.join("front.rs")).unwrap();
     assert!(
-        front.contains("pub const CORNER1: Front = Front::new(&["),
+        front.contains("pub const CORNER1: ParetoFront = ParetoFront::new(&["),
         "{front}"
     );
 }

@@ -22,6 +22,10 @@ pub struct Arguments {
     #[arg(long)]
     pub(super) json: bool,
 
+    /// Move the first sphere, or the first bounded shape, of the scene before the frame
+    #[arg(long, conflicts_with_all = ["is_whole", "all", "profiles"])]
+    pub(super) moving: bool,
+
     /// Measure everything again, on --core or on all, and write docs/measured and docs/boards.md
     #[arg(long, conflicts_with_all = ["scene", "chosen", "size"])]
     #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json"])]

@@ -22,6 +22,17 @@ enum Machine {
     Riscv,
 }
 
+/// Where a core's firmware reads how many instructions it has executed.
+pub enum Clock {
+    /// From a timer of the board, which runs by the machine's time.
+    Timer { nanoseconds_per_tick: u32 },
+    /// From the core's own count.
+    Counter,
+}
+
+/// Every instruction of an Arm core takes 2^7 ns of the machine's time.
+pub const TIMER_SHIFT: u8 = 7;
+
 /// All of them. QEMU has no Cortex-M0 with a timer fine enough, so the M0's instructions run on an
 /// M3, which executes them all and counts them alike.
 pub const CORES: [Core; 6] = [
@@ -93,10 +104,23 @@ impl Core {
     /// A machine with this core that counts instructions the way the firmware reads them.
     pub fn counting_emulator(&self) -> Qemu {
         self.emulator().counting_instructions(match self.machine {
-            Machine::Arm(_) => 7,
+            Machine::Arm(_) => TIMER_SHIFT,
             // The core's own count is in nanoseconds of the machine's time.
             Machine::Riscv => 0,
         })
+    }
+
+    /// What the firmware counts by, as `xtask/firmware/src/clock.rs` has it.
+    pub fn clock(&self) -> Clock {
+        match self.machine {
+            Machine::Arm("mps2-an505") => Clock::Timer {
+                nanoseconds_per_tick: 50,
+            },
+            Machine::Arm(_) => Clock::Timer {
+                nanoseconds_per_tick: 40,
+            },
+            Machine::Riscv => Clock::Counter,
+        }
     }
 
     /// The linker scripts of the start-up code.

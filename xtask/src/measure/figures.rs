@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use command_line::one_line;
 use serde::{Deserialize, Serialize};
 
-use super::{firmware::Outcome, task::Task};
+use super::{outcome::Outcome, task::Task};
 
 /// One row. In JSON the keys are the names of the fields.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,6 +19,10 @@ pub struct Figures {
     /// Executed instructions of the whole frame, preparation included, over its pixels.
     pub instructions_per_pixel: f64,
     pub prepare_instructions: u64,
+    /// The most executed instructions that one row took.
+    pub worst_row_instructions: u64,
+    /// That row, counted from 0 at the top.
+    pub worst_row: u32,
     /// Bytes of code and constants that belong to the library and the scene.
     pub flash: u64,
     /// Bytes of static variables that belong to the library and the scene.
@@ -34,6 +38,7 @@ pub struct Figures {
 impl Figures {
     pub(super) fn new(task: &Task, outcome: &Outcome) -> Self {
         let settings = task.settings;
+        let (worst_row, worst_row_instructions) = outcome.worst_row();
         let per_pixel = outcome.instructions as f64 / settings.size.pixels() as f64;
         Self {
             core: task.core.name.to_owned(),
@@ -44,6 +49,8 @@ impl Figures {
             quality: settings.quality.name().to_owned(),
             instructions_per_pixel: tenths(per_pixel),
             prepare_instructions: outcome.prepare,
+            worst_row_instructions,
+            worst_row,
             flash: outcome.weight.flash,
             ram: outcome.weight.ram,
             stack: outcome.stack,
@@ -66,8 +73,8 @@ fn tenths(number: f64) -> f64 {
 }
 
 pub fn table(rows: &[Figures]) -> String {
-    let head = "core scene size refl. shading quality instr/pixel prepare flash RAM stack hash \
-                cycles/pixel";
+    let head = "core scene size refl. shading quality instr/pixel prepare worst-row at-row flash RAM \
+                stack hash cycles/pixel";
     let mut cells = vec![head.split(' ').map(str::to_owned).collect()];
     cells.extend(rows.iter().map(|row| {
         vec![
@@ -79,6 +86,8 @@ pub fn table(rows: &[Figures]) -> String {
             row.quality.clone(),
             format!("{:.1}", row.instructions_per_pixel),
             row.prepare_instructions.to_string(),
+            row.worst_row_instructions.to_string(),
+            row.worst_row.to_string(),
             row.flash.to_string(),
             row.ram.to_string(),
             row.stack.to_string(),

@@ -1,4 +1,4 @@
-//! Builds the measurement firmware for a task, and weighs and runs what was built.
+//! Builds the measurement firmware for a task, and weighs what was built. It runs nothing.
 
 use std::{
     fs::{self, File},
@@ -7,7 +7,7 @@ use std::{
     time::Duration,
 };
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, bail};
 use object::{Object, ObjectSection, SectionFlags, elf};
 use rustix::fs::FlockOperation;
 
@@ -19,21 +19,6 @@ const BUILD_LIMIT: Duration = Duration::from_secs(10 * 60);
 
 /// Ten thousand million instructions take about a minute.
 pub const RUN_LIMIT: Duration = Duration::from_secs(10 * 60);
-
-/// What a task came to.
-#[derive(Clone, Copy, Debug)]
-pub struct Outcome {
-    /// Instructions of the whole frame.
-    pub instructions: u64,
-    /// Those of its preparation.
-    pub prepare: u64,
-    /// Most bytes of stack at a time.
-    pub stack: u64,
-    /// Hash of the frame.
-    pub hash: u64,
-    /// What is in flash and static RAM beyond the same firmware with an empty frame.
-    pub weight: Weight,
-}
 
 /// Bytes of a linked program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,29 +42,6 @@ impl Weight {
     }
 }
 
-/// Builds and runs the firmware for a task.
-pub fn run(task: &Task) -> Result<Outcome> {
-    let programs = build(task)?;
-    let weight = programs.weight()?;
-    let said = task
-        .core
-        .counting_emulator()
-        .limit(RUN_LIMIT)
-        .run(&programs.scene)?;
-    let report = Report::find(&said)?;
-    ensure!(
-        report.number("ticket")? == programs.ticket,
-        "the firmware reports another task"
-    );
-    Ok(Outcome {
-        instructions: report.number("instructions")?,
-        prepare: report.number("prepare")?,
-        stack: report.number("stack")?,
-        hash: report.number("hash")?,
-        weight,
-    })
-}
-
 /// Builds the firmware for a task and weighs it.
 pub fn weight(task: &Task) -> Result<Weight> {
     build(task)?.weight()
@@ -96,15 +58,15 @@ pub fn is_counted(symbol: &str) -> bool {
 }
 
 /// The two programs of the firmware.
-struct Programs {
-    scene: PathBuf,
+pub(super) struct Programs {
+    pub(super) scene: PathBuf,
     empty: PathBuf,
-    ticket: u64,
+    pub(super) ticket: u64,
 }
 
 impl Programs {
     /// What the scene's program has beyond the empty one.
-    fn weight(&self) -> Result<Weight> {
+    pub(super) fn weight(&self) -> Result<Weight> {
         Ok(weigh(&self.scene)?.beyond(weigh(&self.empty)?))
     }
 }
@@ -146,7 +108,7 @@ impl Place {
 }
 
 /// The programs for a task.
-fn build(task: &Task) -> Result<Programs> {
+pub(super) fn build(task: &Task) -> Result<Programs> {
     let place = Place::of(task.core);
     let job = task.job(&place.scene());
     let source = job.source;
@@ -280,38 +242,4 @@ pub fn weigh(program: &Path) -> Result<Weight> {
         weight.ram += if is_variable { section.size() } else { 0 };
     }
     Ok(weight)
-}
-
-/// The firmware's line of numbers.
-pub(crate) struct Report<'a>(&'a str);
-
-impl<'a> Report<'a> {
-    pub(crate) fn find(said: &'a str) -> Result<Self> {
-        let mut lines = said.lines();
-        let line = lines.find_map(|line| line.strip_prefix("measured "));
-        let line = line.with_context(|| format!("the firmware reports nothing, but: {said}"))?;
-        Ok(Self(line))
-    }
-
-    pub(crate) fn number(&self, name: &str) -> Result<u64> {
-        let mut words = self.0.split(' ').filter_map(|word| word.split_once('='));
-        let (_, digits) = words
-            .find(|(key, _)| *key == name)
-            .with_context(|| format!("the firmware reports no `{name}`: {}", self.0))?;
-        u64::from_str_radix(digits, 16).with_context(|| format!("`{digits}` is no number"))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_found_by_name() {
-        let report = Report::find("noise\nmeasured a=000000000000001f b=2\n").unwrap();
-        assert_eq!(report.number("a").unwrap(), 31);
-        assert_eq!(report.number("b").unwrap(), 2);
-        assert!(report.number("c").is_err());
-        assert!(Report::find("noise").is_err());
-    }
 }

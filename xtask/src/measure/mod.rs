@@ -1,17 +1,21 @@
 //! `cargo xtask measure`: what a scene takes on a core, in instructions and bytes.
 //!
-//! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds and runs it, and
-//! `images` keeps what was built; [`figures`] is what comes out, [`record`] keeps it, and [`page`]
-//! makes `docs/boards.md` of it. [`profiles`] measures the same code in several build profiles.
+//! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds it, and `images`
+//! keeps what was built; [`outcome`](mod@outcome) runs it, with each row's count from `clock_log`;
+//! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
+//! [`profiles`] measures the same code in several build profiles.
 
 pub mod arguments;
 mod boards;
 pub mod build_profile;
+mod clock_log;
 pub mod cores;
 pub mod figures;
 pub(crate) mod firmware;
 pub(crate) mod float_source;
 mod images;
+pub mod moving;
+pub(crate) mod outcome;
 mod page;
 pub mod profiles;
 pub mod record;
@@ -23,10 +27,9 @@ use command_line::json_line;
 
 pub use self::cores::{CORES, Core};
 pub(crate) use self::firmware::fingerprint;
-pub use self::firmware::{
-    Outcome, RUN_LIMIT, Weight, is_counted, run as outcome, weigh, weight, with_program,
-};
+pub use self::firmware::{RUN_LIMIT, Weight, is_counted, weigh, weight, with_program};
 pub use self::images::sources;
+pub use self::outcome::{Outcome, run as outcome};
 pub use self::task::{Quality, Settings, Shading, Size, Task};
 pub use self::{arguments::Arguments, figures::Figures, scene::Scene};
 use crate::cycles::{self, Estimate};
@@ -38,6 +41,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     if arguments.all {
         return record::renew(arguments.choice.core);
+    }
+    if arguments.moving {
+        return moving::run(&arguments.choice.task()?, arguments.json);
     }
     let figures = measure(&arguments.choice.task()?)?;
     let text = match arguments.json {
@@ -57,7 +63,7 @@ pub fn measure(task: &Task) -> Result<Figures> {
 
 /// Measures one scene on one core, without the estimate of cycles.
 pub fn count(task: &Task) -> Result<Figures> {
-    Ok(Figures::new(task, &firmware::run(task)?))
+    Ok(Figures::new(task, &outcome(task)?))
 }
 
 /// Estimates the cycles of a frame on a core whose timings are known. Every instruction is looked

@@ -13,6 +13,9 @@ pub fn write(rows: &[Figures]) -> String {
         ("fast", page.instructions("fast")),
         ("fine", page.instructions("fine")),
         ("float", page.float()),
+        ("fast_row", page.worst_row("fast")),
+        ("fine_row", page.worst_row("fine")),
+        ("prepare", page.prepare()),
         ("flash", page.by_core("fast", |row| row.flash.to_string())),
         ("stack", page.by_core("fast", |row| row.stack.to_string())),
         ("statics", page.statics()),
@@ -32,6 +35,14 @@ impl Page<'_> {
 
     fn instructions(&self, quality: &str) -> String {
         self.by_core(quality, |row| format!("{:.0}", row.instructions_per_pixel))
+    }
+
+    fn worst_row(&self, quality: &str) -> String {
+        self.by_core(quality, |row| row.worst_row_instructions.to_string())
+    }
+
+    fn prepare(&self) -> String {
+        self.by_core("fast", |row| row.prepare_instructions.to_string())
     }
 
     /// A row a scene, a column a core.

@@ -17,6 +17,18 @@ pub enum Scene {
         file: Box<SceneFile>,
         source: scene_source::Source,
     },
+    /// One of which a shape can move.
+    Moving(Box<Moving>),
+}
+
+/// A scene with a motion box around one of its shapes.
+#[derive(Clone, Debug)]
+pub struct Moving {
+    source: scene_source::Source,
+    shape: scene_source::moving::Moving,
+    exact: (reference::Scene, reference::Camera),
+    /// Whether the scene is in RAM and the shape is moved before a frame; else it is a constant.
+    moves: bool,
 }
 
 impl Scene {
@@ -39,8 +51,25 @@ impl Scene {
         Ok(scene_source::parse(text)?.into())
     }
 
+    /// The same scene with a motion box around one of its shapes. Unless the shape `moves`, it is a
+    /// constant scene.
+    ///
+    /// # Errors
+    /// [`Misuse`] if the scene has no bounded shape.
+    pub fn with_motion(&self, moves: bool) -> Result<Self> {
+        let exact = self.reference();
+        let (source, shape) = scene_source::with_motion(self.name(), (&exact.0, &exact.1))?;
+        Ok(Self::Moving(Box::new(Moving {
+            source,
+            shape,
+            exact,
+            moves,
+        })))
+    }
+
     pub fn name(&self) -> &str {
         match self {
+            Self::Moving(moving) => &moving.source.name,
             Self::BuiltIn(name) => name,
             Self::File { source, .. } => &source.name,
         }
@@ -50,6 +79,7 @@ impl Scene {
         match self {
             Self::BuiltIn(name) => Source::built_in(name).expect(KNOWN).reference(),
             Self::File { file, .. } => file.reference(),
+            Self::Moving(moving) => moving.exact.clone(),
         }
     }
 
@@ -57,6 +87,7 @@ impl Scene {
         match self {
             Self::BuiltIn(_) => None,
             Self::File { source, .. } => Some(&source.text),
+            Self::Moving(moving) => Some(&moving.source.text),
         }
     }
 
@@ -69,11 +100,11 @@ impl Scene {
                 let camera = format!("<{scene} as reflet::scenes::BuiltIn>::CAMERA");
                 (String::new(), scene, camera)
             }
-            Self::File { source, .. } => (
-                format!("#[path = {file:?}]\nmod scene;\n\n"),
-                format!("scene::{}", source.type_name),
-                "scene::CAMERA".to_owned(),
-            ),
+            Self::File { source, .. } => of_file(file, source),
+            Self::Moving(moving) => {
+                let (module, scene, camera) = of_file(file, &moving.source);
+                (module + &moving.shape.moves(&scene), scene, camera)
+            }
         };
         let view = format!(
             "impl firmware::View for Seen {{\n    const CAMERA: reflet::Camera = {camera};\n}}\n\n"
@@ -81,9 +112,27 @@ impl Scene {
         (module, scene, view)
     }
 
+    /// The type in the firmware that draws it with a quality of fixed point.
+    pub(crate) fn contestant(&self, is_whole: bool) -> &'static str {
+        match self {
+            Self::Moving(moving) if moving.moves => "Moving",
+            _ if is_whole => "Everything",
+            _ => "Fixed",
+        }
+    }
+
     pub fn type_name(name: &str) -> &'static str {
         scenes::visit(name, TypeName).expect(KNOWN)
     }
+}
+
+/// The module, the type and the camera of the scene that is in a file of Rust source.
+fn of_file(file: &Path, source: &scene_source::Source) -> (String, String, String) {
+    (
+        format!("#[path = {file:?}]\nmod scene;\n\n"),
+        format!("scene::{}", source.type_name),
+        "scene::CAMERA".to_owned(),
+    )
 }
 
 impl From<(SceneFile, scene_source::Source)> for Scene {

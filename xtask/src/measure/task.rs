@@ -159,15 +159,13 @@ impl Task {
     fn fixed(&self, quality: &str, scene: &Path) -> String {
         let (reflections, shading) = (self.settings.reflections, self.settings.shading.type_name());
         let (module, scene, view) = self.scene.names(scene);
-        let contestant = match self.settings.is_whole {
-            true => "Everything",
-            false => "Fixed",
-        };
+        let contestant = self.scene.contestant(self.settings.is_whole);
         format!(
             "{module}\
              pub struct Seen;\n\n\
              {view}pub type Job =\n    \
-                 firmware::{contestant}<{scene}, Seen, reflet::{quality}, reflet::{shading}, {reflections}>;\n"
+                 firmware::{contestant}<{scene}, Seen, reflet::quality::{quality}, \
+                 reflet::shading::{shading}, {reflections}>;\n"
         )
     }
 

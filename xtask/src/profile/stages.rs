@@ -98,7 +98,7 @@ const RULES: [(&str, Rule); 34] = [
     ("reflet::color::Sum::to_rgb8", Rule::Is(Stage::Output)),
     ("reflet::color", Rule::Is(Stage::Shading)),
     (
-        "reflet::render::picture::Picture::tracer",
+        "reflet::render::prepared::Rows::tracer",
         Rule::Is(Stage::Spans),
     ),
     ("reflet::render", Rule::Is(Stage::Output)),
@@ -205,8 +205,8 @@ mod tests {
         for (name, expected) in [
             ("reflet::trace::trace", "reflet::trace::trace"),
             (
-                "reflet::render::Picture<W,Q,K>::colors::{{closure}}",
-                "reflet::render::Picture::colors::{{closure}}",
+                "reflet::render::Rows<S,Q,K>::colors::{{closure}}",
+                "reflet::render::Rows::colors::{{closure}}",
             ),
             (
                 "<reflet::scene::Static<T> as reflet::scene::World>::parts",

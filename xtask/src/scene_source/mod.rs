@@ -1,9 +1,10 @@
 //! `cargo xtask scene`: converts a scene file to the Rust source of a constant scene.
 //!
 //! The numbers are those of the file, to the last digit. A scene that the library would refuse is
-//! refused before anything is written. [`names`] turns the file's names into identifiers, [`write`]
-//! writes the source, and rustfmt formats it.
+//! refused before anything is written. [`names`] turns the file's names into identifiers, [`moving`]
+//! chooses a shape that moves, [`write`] writes the source, and rustfmt formats it.
 
+pub(crate) mod moving;
 mod names;
 mod write;
 
@@ -11,7 +12,9 @@ use std::{fs, path::Path};
 
 use anyhow::{Context, Result};
 use command_line::{Chosen, with_advice};
-use reflet::host::file::SceneFile;
+use reflet::host::{file::SceneFile, reference};
+
+use self::moving::Moving;
 
 use crate::{command::Program, misuse::Misuse, print};
 
@@ -58,13 +61,40 @@ fn source(file: &SceneFile, unnamed: &str) -> Result<Source> {
     let (scene, camera) = file.reference();
     let type_name = names::type_name(&name);
     let materials = names::constants(file.materials(), &type_name);
-    let text = write::source(&name, &type_name, &materials, &scene, &camera);
+    let text = write::source([&name, &type_name], &materials, &scene, &camera, None);
     let text = laid_out(&text)?;
     Ok(Source {
         name,
         type_name,
         text,
     })
+}
+
+/// Returns the source of a scene of which one shape moves, and that shape.
+///
+/// # Errors
+/// [`Misuse`] if the scene has no bounded shape.
+pub(crate) fn with_motion(
+    name: &str,
+    (scene, camera): (&reference::Scene, &reference::Camera),
+) -> Result<(Source, Moving)> {
+    let moving = Moving::of(scene).ok_or_else(|| {
+        Misuse::new(format!(
+            "nothing moves in {name}: it has no sphere, cylinder or disc"
+        ))
+    })?;
+    let type_name = names::type_name(name);
+    let numbers: Vec<_> = (0..scene.materials.len())
+        .map(|it| it.to_string())
+        .collect();
+    let materials = names::constants(&numbers, &type_name);
+    let text = write::source([name, &type_name], &materials, scene, camera, Some(&moving));
+    let source = Source {
+        name: name.to_owned(),
+        type_name,
+        text: laid_out(&text)?,
+    };
+    Ok((source, moving))
 }
 
 /// Formats the text with rustfmt's default settings.

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 /// Names that the source imports or defines: a scene's type must have another one.
-const TAKEN: &str = "CAMERA Camera Material Scene Self StaticScene";
+const TAKEN: &str = "CAMERA Camera Material Self";
 
 /// Returns the name of a scene's type: `shading_lights` becomes `ShadingLights`.
 pub fn type_name(name: &str) -> String {
@@ -63,7 +63,7 @@ mod tests {
             ("shading_lights", "ShadingLights"),
             ("my scene-2", "MyScene2"),
             ("2 balls", "Scene2Balls"),
-            ("scene", "SceneScene"),
+            ("camera", "CameraScene"),
             ("self", "SelfScene"),
             ("été", "T"),
             ("", "TheScene"),

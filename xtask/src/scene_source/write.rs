@@ -2,18 +2,21 @@
 
 use std::collections::BTreeSet;
 
-use reflet::host::reference::{Camera, Light, Material, PARAMETERS, Scene, Shape};
+use reflet::host::reference::{Camera, Light, Material, Scene, Shape};
+
+use super::moving::Moving;
 
 /// Default of a scene's epsilon, the distance by which rays are lifted off surfaces.
 const EPSILON: f64 = 1e-3;
 
-/// Returns the source of a constant scene. `materials` are the names of the materials' constants.
+/// Returns the source of a constant scene. `materials` are the names of the materials' constants;
+/// `moving` is the shape that moves, if one does.
 pub fn source(
-    name: &str,
-    type_name: &str,
+    [name, type_name]: [&str; 2],
     materials: &[String],
     scene: &Scene,
     camera: &Camera,
+    moving: Option<&Moving>,
 ) -> String {
     let used = used_materials(scene);
     let mut constants = String::new();
@@ -21,50 +24,30 @@ pub fn source(
         let material = constant(&materials[*index], &scene.materials[*index]);
         constants += &material;
     }
-    let room = room(scene, used.len());
-    let (lists, counts): (Vec<_>, Vec<_>) = room.into_iter().unzip();
-    let (lists, scene_type) = (lists.join(", "), format!("Scene<{}>", counts.join(", ")));
     let import = if used.is_empty() { "" } else { "Material, " };
     let name = name.escape_debug();
     format!(
         "//! The scene `{name}`, written from a scene file by `cargo xtask scene`.\n\n\
-         use reflet::Camera;
-         use reflet::{import}Scene;\n\n\
+         use reflet::{{Camera, {import}scene}};\n\n\
          {constants}\n\
          /// The view the scene was made for.\n\
          pub const CAMERA: Camera = Camera::look_at({}, {}, {}).fov({});\n\n\
-         /// The scene `{name}`.\n\
-         #[derive(Clone, Copy, Debug)]\n\
-         pub struct {type_name};\n\n\
-         impl StaticScene for {type_name} {{\n\
-             type Scene = {scene_type}; // {lists}\n\
-             const SCENE: &'static Self::Scene = &{};\n\
+         scene! {{\n    \
+             /// The scene `{name}`.\n    \
+             pub struct {type_name} {{\n\
+                 {}    \
+             }}\n\
          }}\n",
         vector(camera.position),
         vector(camera.target),
         vector(camera.up),
         number(camera.fov),
-        builder(scene, materials),
+        parts(scene, materials, moving),
     )
 }
 
 fn used_materials(scene: &Scene) -> BTreeSet<usize> {
     scene.shapes().map(|shape| shape.material).collect()
-}
-
-/// Returns the parameters of the scene's type: the name of each list and its length. Zeros at the
-/// end are left out down to the materials: the type's defaults are 0.
-fn room(scene: &Scene, materials: usize) -> Vec<(&'static str, String)> {
-    let count = |list: &str| match list {
-        "lights" => scene.lights.len(),
-        "materials" => materials,
-        list => scene.shapes().filter(|shape| shape.list == list).count(),
-    };
-    let mut room: Vec<_> = PARAMETERS.iter().map(|list| (*list, count(list))).collect();
-    while room.pop_if(|it| it.0 != "materials" && it.1 == 0).is_some() {}
-    room.into_iter()
-        .map(|(list, count)| (list, count.to_string()))
-        .collect()
 }
 
 fn constant(name: &str, material: &Material) -> String {
@@ -82,29 +65,38 @@ fn constant(name: &str, material: &Material) -> String {
     text + ";\n"
 }
 
-fn builder(scene: &Scene, materials: &[String]) -> String {
+/// Returns a line for each part. rustfmt leaves what is inside of a macro as it is.
+fn parts(scene: &Scene, materials: &[String], moving: Option<&Moving>) -> String {
+    let mut is_first = moving.is_some();
     let shape = |it: Shape| {
-        let fields: String = it
-            .fields
-            .iter()
-            .map(|field| format!("{field:?}, "))
-            .collect();
-        format!(".{}({fields}{})", it.kind, materials[it.material])
+        let moves = is_first && moving.is_some_and(|moving| moving.kind == it.kind);
+        is_first &= !moves;
+        let handle = if moves { " MOVING" } else { "" };
+        let fields: Vec<_> = fields(&it).collect();
+        let (fields, material) = (fields.join(", "), &materials[it.material]);
+        format!("{}{handle}({fields}, {material})", it.kind)
     };
-    let light = |it: &Light| format!(".light({}, {})", vector(it.position), vector(it.color));
-    let mut text = String::from("Scene::builder()");
-    text.extend(scene.shapes().map(shape));
-    text.extend(scene.lights.iter().map(light));
+    let light = |it: &Light| format!("light({}, {})", vector(it.position), vector(it.color));
+    let mut parts: Vec<String> = moving.map(Moving::motion).into_iter().collect();
+    parts.extend(scene.shapes().map(shape));
+    parts.extend(scene.lights.iter().map(light));
     if scene.background != [0.0; 3] {
-        text += &format!(".background({})", vector(scene.background));
+        parts.push(format!("background({})", vector(scene.background)));
     }
     if scene.epsilon != EPSILON {
-        text += &format!(".epsilon({})", number(scene.epsilon));
+        parts.push(format!("epsilon({})", number(scene.epsilon)));
     }
-    text + ".camera(CAMERA).build()"
+    parts.push("camera(CAMERA)".to_owned());
+    let line = |part: String| format!("        {part};\n");
+    parts.into_iter().map(line).collect()
 }
 
-fn vector([x, y, z]: [f64; 3]) -> String {
+/// Returns the arguments of a shape's line without the material.
+pub(super) fn fields(shape: &Shape<'_>) -> impl Iterator<Item = String> {
+    shape.fields.iter().map(|field| format!("{field:?}"))
+}
+
+pub(super) fn vector([x, y, z]: [f64; 3]) -> String {
     format!("[{}, {}, {}]", number(x), number(y), number(z))
 }
 

@@ -12,9 +12,9 @@ use std::thread;
 
 use anyhow::{Context, Result};
 use clap::{Args, builder::PossibleValuesParser};
-use reflet::scenes::{BuiltIn, Visitor};
-use reflet::scenes;
 use reflet::needs::Needs;
+use reflet::scenes;
+use reflet::scenes::{BuiltIn, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::measure::{Core, Quality, Scene, Size, Task, outcome, weigh, weight};

@@ -49,12 +49,12 @@ fn type_name(setting: &Setting) -> String {
         return "firmware::Float<Seen>".to_owned();
     };
     let quality = match level {
-        Level::Named(quality) => format!("reflet::{}", quality.type_name()),
+        Level::Named(quality) => format!("reflet::quality::{}", quality.type_name()),
         own => quality(own).0,
     };
     let shading = match shadows {
-        true => "reflet::BlinnPhong",
-        false => "reflet::Unshadowed<reflet::BlinnPhong>",
+        true => "reflet::shading::BlinnPhong",
+        false => "reflet::shading::Unshadowed<reflet::shading::BlinnPhong>",
     };
     format!("firmware::Varied<Scene, Seen, {quality}, {shading}>")
 }
@@ -67,7 +67,7 @@ fn quality(level: Level) -> (String, String) {
     let name = format!("Own{stride}T{tolerance}W{weight}");
     let source = format!(
         "pub struct {name};\n\n\
-         impl reflet::Quality for {name} {{\n    \
+         impl reflet::quality::Quality for {name} {{\n    \
              const SMALLEST_WEIGHT: reflet::Unit = reflet::Unit::from_bits({weight});\n    \
              const STRIDE: u32 = {stride};\n    \
              const TOLERANCE: reflet::Unit = reflet::Unit::from_bits({tolerance});\n\
@@ -90,9 +90,9 @@ mod tests {
         .map(|it| type_name(&it));
         let expected = [
             "firmware::Float<Seen>",
-            "firmware::Varied<Scene, Seen, reflet::Fine, reflet::BlinnPhong>",
+            "firmware::Varied<Scene, Seen, reflet::quality::Fine, reflet::shading::BlinnPhong>",
             "firmware::Varied<Scene, Seen, Own4T4194304W67108864, \
-             reflet::Unshadowed<reflet::BlinnPhong>>",
+             reflet::shading::Unshadowed<reflet::shading::BlinnPhong>>",
         ];
         assert_eq!(names, expected);
     }

@@ -15,7 +15,7 @@ use anyhow::{Result, ensure};
 use serde::{Deserialize, Serialize};
 
 pub use self::setting::{Contestant, Level, Numbers, Setting, Visitor};
-use crate::measure::firmware::Report;
+use crate::measure::outcome::Report;
 use crate::measure::{Core, Scene, firmware};
 
 /// Time limit of a run. With soft floating point a frame takes minutes.

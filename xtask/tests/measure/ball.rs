@@ -1,6 +1,6 @@
 //! The scene `ball`, written from a scene file by `cargo xtask scene`.
 
-use reflet::{Camera, Material, Scene, room};
+use reflet::{Camera, Material, scene};
 
 const GOLD: Material = Material::new([0.7, 0.6, 0.0])
     .ambient(0.2)
@@ -12,20 +12,16 @@ const GOLD: Material = Material::new([0.7, 0.6, 0.0])
 pub const CAMERA: Camera =
     Camera::look_at([0.0, -5.0, 2.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).fov(50.0);
 
-/// The scene `ball`.
-#[derive(Clone, Copy, Debug)]
-pub struct Ball;
-
-impl StaticScene for Ball {
-    type Scene = Scene<room!(spheres: 1, planes: 1, cylinders: 1, discs: 1, lights: 1, materials: 1)>; // spheres, planes, cylinders, lights, materials, discs
-    const SCENE: &'static Self::Scene = &Scene::builder()
-        .sphere([0.0, 0.0, 1.0], 1.0, GOLD)
-        .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], GOLD)
-        .cylinder([2.0, 0.0, 1.0], [0.0, 0.0, 1.0], 0.5, 0.2, GOLD)
-        .disc([2.0, 0.0, 1.1], [0.0, 0.0, 1.0], 0.5, GOLD)
-        .light([3.0, -4.0, 6.125], [1.0, 1.0, 1.0])
-        .background([0.25, 0.5, 1.0])
-        .epsilon(0.0005)
-        .camera(CAMERA)
-        .build();
+scene! {
+    /// The scene `ball`.
+    pub struct Ball {
+        sphere([0.0, 0.0, 1.0], 1.0, GOLD);
+        plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], GOLD);
+        cylinder([2.0, 0.0, 1.0], [0.0, 0.0, 1.0], 0.5, 0.2, GOLD);
+        disc([2.0, 0.0, 1.1], [0.0, 0.0, 1.0], 0.5, GOLD);
+        light([3.0, -4.0, 6.125], [1.0, 1.0, 1.0]);
+        background([0.25, 0.5, 1.0]);
+        epsilon(0.0005);
+        camera(CAMERA);
+    }
 }

@@ -4,7 +4,8 @@ use std::{collections::BTreeSet, fs, path::Path, process::Command};
 
 use serde_json::Value;
 use xtask::measure::{
-    CORES, Core, Figures, Quality, Task, build_profile::BuildProfile, count, profiles, record,
+    CORES, Core, Figures, Quality, Scene, Size, Task, build_profile::BuildProfile, count, outcome,
+    profiles, record,
 };
 
 #[path = "../common/mod.rs"]
@@ -62,7 +63,8 @@ fn json_has_these_keys_and_the_defaults() {
     let figures = measured("--size 16x8");
     let keys = figures.as_object().unwrap().keys().map(String::as_str);
     let expected = "core scene size reflections shading quality instructions_per_pixel \
-                    prepare_instructions flash ram stack hash cycles_per_pixel";
+                    prepare_instructions worst_row_instructions worst_row flash ram stack hash \
+                    cycles_per_pixel";
     assert_eq!(keys.collect::<BTreeSet<_>>(), expected.split(' ').collect());
     let settings = ["core", "scene", "size", "reflections", "shading", "quality"];
     assert_eq!(
@@ -74,6 +76,34 @@ fn json_has_these_keys_and_the_defaults() {
     assert!(instructions > 10.0);
     assert!((1.2..2.5).contains(&(cycles / instructions)));
     assert_eq!(figures["hash"].as_str().unwrap().len(), 16);
+}
+
+/// On each kind of clock: the timers of two boards, and the core's own count.
+#[test]
+fn worst_row_is_at_least_the_mean_and_at_most_the_frame() {
+    for core in ["m3", "m33", "rv32"] {
+        let core = Core::find(core).unwrap();
+        let size = Size::new(64, 64);
+        // As another test draws it, so that the image serves both.
+        let task = Task::new(core, Scene::BuiltIn("castle"), size, Quality::FAST);
+        let outcome = outcome(&task).unwrap();
+        assert_eq!(outcome.rows.len(), 64);
+        let drawing = outcome.rows.iter().sum::<u64>();
+        assert_eq!(outcome.prepare + drawing, outcome.instructions);
+        let (worst_row, worst) = outcome.worst_row();
+        assert_eq!(outcome.rows[worst_row as usize], worst);
+        assert!(64 * worst >= drawing && worst <= drawing, "{outcome:?}");
+    }
+}
+
+#[test]
+fn only_row_of_a_frame_is_the_worst_one() {
+    let figures = measured("primitives --size 64x1");
+    let count = |key: &str| figures[key].as_f64().unwrap();
+    assert_eq!(figures["worst_row"], 0);
+    let frame = count("prepare_instructions") + count("worst_row_instructions");
+    // Which is rounded to a tenth.
+    assert!((frame / 64.0 - count("instructions_per_pixel")).abs() < 0.051);
 }
 
 #[test]
@@ -132,19 +162,25 @@ mod ball;
 
 #[test]
 fn source_describes_the_scene_of_the_file() {
+    use reflet::__private::StaticScene;
     use reflet::host::file::SceneFile;
 
     let file = SceneFile::parse(SCENES, Some("ball")).unwrap();
     let (scene, camera) = file.runtime().unwrap();
     assert_eq!(camera, ball::CAMERA);
-    assert_eq!(ball::Ball::SCENE.camera(), Some(&camera));
+    let described = ball::Ball::with_description(|scene| scene.camera);
+    assert_eq!(described, Some(camera));
     let size = embedded_graphics::geometry::Size::new(40, 30);
     let black = <embedded_graphics::pixelcolor::Rgb888 as Default>::default();
     let (mut one, mut other) = (vec![black; 40], vec![black; 40]);
     let scene = Box::new(scene.build().unwrap());
+    let fixed = ball::Ball::frame(&camera).prepare(size);
+    let fixed = fixed.on(&ball::Ball).unwrap();
+    let filled = scene.frame(&camera).prepare(size);
+    let filled = filled.on(&scene).unwrap();
     for y in 0..30 {
-        ball::Ball::frame(&camera).sized(size).row(y, 0, &mut one);
-        scene.frame(&camera).sized(size).row(y, 0, &mut other);
+        fixed.row(y, 0, &mut one);
+        filled.row(y, 0, &mut other);
         assert_eq!(one, other, "row {y}");
     }
 }
@@ -246,6 +282,7 @@ fn is_within_2_percent(kept: &Figures, found: &Figures) -> bool {
     let counts = |figures: &Figures| {
         [
             figures.instructions_per_pixel,
+            figures.worst_row_instructions as f64,
             figures.flash as f64,
             figures.ram as f64,
             figures.stack as f64,
@@ -254,6 +291,9 @@ fn is_within_2_percent(kept: &Figures, found: &Figures) -> bool {
     let rest = |figures: &Figures| Figures {
         instructions_per_pixel: 0.0,
         prepare_instructions: 0,
+        worst_row_instructions: 0,
+        // Of rows that take nearly the same, another one may be the worst.
+        worst_row: 0,
         flash: 0,
         ram: 0,
         stack: 0,

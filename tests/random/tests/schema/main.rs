@@ -8,7 +8,7 @@ use std::{env, fs, iter};
 
 use arbitrary::Unstructured;
 use jsonschema::Validator;
-use reflet::Error;
+use reflet::ErrorKind;
 use reflet::host::file::{FileError, Problem, SceneFile};
 use serde_json::{Map, Value, json};
 
@@ -61,7 +61,9 @@ fn is_undecided(error: &FileError) -> bool {
 fn kind(error: &FileError) -> Verdict {
     match error.problem() {
         Problem::UnknownMaterial { .. } | Problem::Repeated { .. } => Verdict::Meaning,
-        Problem::Camera(CameraError::View | CameraError::Up) => Verdict::Meaning,
+        Problem::Camera(error) if matches!(error.kind(), ErrorKind::View | ErrorKind::Up) => {
+            Verdict::Meaning
+        }
         Problem::Json { .. } | Problem::Empty | Problem::Scene(_) | Problem::Camera(_) => {
             Verdict::Form
         }

@@ -14,8 +14,8 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::primitives::Rectangle;
 use firmware::{Clock, report};
 use frame_hash::FrameHash;
-use reflet::scenes::{BuiltIn, Castle};
 use reflet::budget::{Budgeted, FrontPoint, ParetoFront, QualityLevel};
+use reflet::scenes::{BuiltIn, Castle};
 
 /// What was measured, and the size it was measured at.
 mod measured {
@@ -37,18 +37,18 @@ const CHEAP: FrontPoint = FrontPoint {
     prepare: 0,
     instructions: 400,
     reflections: 1,
-    grade: Grade::Fast,
+    level: QualityLevel::Fast,
     scale: 2,
     psnr: 2500,
     largest: 255,
 };
 
-const FRONT: Front = Front::new(&[
+const FRONT: ParetoFront = ParetoFront::new(&[
     CHEAP,
     FrontPoint {
         instructions: 1500,
         reflections: 4,
-        grade: Grade::Fine,
+        level: QualityLevel::Fine,
         scale: 1,
         psnr: 6000,
         ..CHEAP
@@ -122,7 +122,7 @@ extern "C" fn main() -> ! {
     // Sound: nothing else names the frame, and the start-up code calls this once.
     let frame = unsafe { &mut *ptr::addr_of_mut!(FRAME) };
     let clock = Clock::start();
-    let mut draw = |front: &Front, size: (usize, usize), budget: u64, limit: u32| {
+    let mut draw = |front: &ParetoFront, size: (usize, usize), budget: u64, limit: u32| {
         let pixels = &mut frame[..size.0 * size.1];
         pixels.fill(Rgb888::BLACK);
         let castle = Castle::frame(&Castle::CAMERA);

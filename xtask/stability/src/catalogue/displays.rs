@@ -5,9 +5,9 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use embedded_graphics_simulator::SimulatorDisplay;
+use reflet::Camera;
 use reflet::host::file::{FileScene, SceneFile};
 use reflet::host::reference::{self, Shading};
-use reflet::Camera;
 use reflet::quality::Fine;
 
 use super::draft::Setting;
@@ -22,17 +22,18 @@ fn still_life() -> (SceneFile, Box<FileScene>, Camera) {
 }
 
 /// Returns the share of the pixels in some rows that are within 8 of 255 of the reference.
-fn within8(size: (u32, u32), rows: &[u32]) -> f64 {
+fn within8(size: (u32, u32), lines: &[u32]) -> f64 {
     let (file, built, camera) = still_life();
     let (scene, eye) = file.reference();
     let frame = built.frame(&camera).quality::<Fine>();
-    let picture = frame.sized(Size::new(size.0, size.1));
+    let frame = frame.prepare(Size::new(size.0, size.1));
+    let rows = frame.on(&built).expect("the frame is this scene's");
     let mut row = vec![Rgb888::BLACK; size.0 as usize];
     let (mut near, mut all) = (0, 0);
     // For a very wide display, 512 to 1023 columns are enough.
     let stride = (size.0 / 512).max(1);
-    for &y in rows {
-        picture.row(y, 0, &mut row);
+    for &y in lines {
+        rows.row(y, 0, &mut row);
         for x in (0..size.0).step_by(stride as usize) {
             let color = reference::pixel(&scene, &eye, size, (x, y), 4, Shading::BlinnPhong);
             let found = row[x as usize];
@@ -81,10 +82,12 @@ fn wide() -> Result<String, String> {
 /// Checks that every part of a picture equals the same part of the whole, wherever it is drawn.
 fn aside() -> Result<String, String> {
     let (_, built, camera) = still_life();
-    let picture = built.frame(&camera).sized(Size::new(40, 30));
+    let frame = built.frame(&camera).prepare(Size::new(40, 30));
+    let rows = frame.on(&built).expect("the frame is this scene's");
     let drawn = |at| {
         let mut display = SimulatorDisplay::<Rgb888>::new(Size::new(40, 30));
-        let drawn = picture.draw_at(at, &mut display);
+        let all = Rectangle::new(Point::zero(), rows.size());
+        let drawn = rows.draw_area(all, at, &mut display);
         drawn.expect("the simulator takes every pixel");
         display
     };
@@ -115,7 +118,8 @@ fn aside() -> Result<String, String> {
 fn nothing() -> Result<String, String> {
     let (_, built, camera) = still_life();
     let frame = built.frame(&camera);
-    let picture = frame.sized(Size::new(40, 30));
+    let prepared = frame.prepare(Size::new(40, 30));
+    let rows = prepared.on(&built).expect("the frame is this scene's");
     let mut rays = 0;
     for size in [Size::zero(), Size::new(0, 9), Size::new(9, 0)] {
         let mut display = SimulatorDisplay::<Rgb888>::new(size);
@@ -127,12 +131,12 @@ fn nothing() -> Result<String, String> {
         Rectangle::new(Point::new(40, 0), Size::new(9, 9)),
         Rectangle::new(Point::new(-9, -9), Size::new(9, 9)),
     ] {
-        let drawn = picture.draw_area(area, Point::zero(), &mut display);
+        let drawn = rows.draw_area(area, Point::zero(), &mut display);
         rays += drawn.expect("it takes every pixel").rays;
     }
-    rays += picture.row(30, 0, &mut [Rgb888::BLACK; 4]).rays;
-    rays += picture.row(0, 40, &mut [Rgb888::BLACK; 4]).rays;
-    rays += picture.row(0, 0, &mut [Rgb888::BLACK; 0]).rays;
+    rays += rows.row(30, 0, &mut [Rgb888::BLACK; 4]).rays;
+    rays += rows.row(0, 40, &mut [Rgb888::BLACK; 4]).rays;
+    rays += rows.row(0, 0, &mut [Rgb888::BLACK; 0]).rays;
     match rays {
         0 => Ok("no ray is followed for displays and areas without a pixel".to_owned()),
         rays => Err(format!("{rays} rays for nothing")),

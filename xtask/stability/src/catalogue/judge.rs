@@ -2,12 +2,12 @@
 
 use embedded_graphics::geometry::Size;
 use float_picture::single;
+use reflet::__private::Drawable;
+use reflet::FrameBuilder;
 use reflet::host;
 use reflet::host::compare::compare;
 use reflet::host::file::SceneFile;
 use reflet::host::reference::{self, Shading, render};
-use reflet::FrameBuilder;
-use reflet::__private::Drawable;
 use reflet::quality::{Exact, Fine, Quality};
 
 use super::{Case, Measured, Trial};
@@ -159,12 +159,14 @@ pub struct Pictures {
     nudged: Vec<reference::Picture>,
 }
 
-/// Draws a frame with the library.
-pub fn painted<W: World + Copy, Q: Quality>(
-    frame: Frame<'_, W, Q>,
+/// Draws a frame of a scene with the library.
+pub fn painted<S: Drawable, Q: Quality>(
+    scene: &S,
+    frame: FrameBuilder<'_, S, Q>,
     (width, height): (u32, u32),
 ) -> reference::Picture {
-    host::painted(&frame.sized(Size::new(width, height)))
+    let frame = frame.prepare(Size::new(width, height));
+    host::painted(&frame.on(scene).expect("the frame is this scene's"))
 }
 
 impl Pictures {
@@ -189,9 +191,9 @@ impl Pictures {
         Ok(Self {
             nudged: nudged.collect(),
             truth: truth(&eye),
-            exact: painted(frame().quality::<Exact>(), size),
-            fine: painted(frame().quality::<Fine>(), size),
-            fast: painted(frame(), size),
+            exact: painted(&*built, frame().quality::<Exact>(), size),
+            fine: painted(&*built, frame().quality::<Fine>(), size),
+            fast: painted(&*built, frame(), size),
             single: single::render(&scene, &eye, size, n, Shading::BlinnPhong),
         })
     }

@@ -14,25 +14,28 @@ const MOST: f64 = (1 << 30) as f64;
 const SHORTEST: f64 = 1.0 / (1_u128 << 64) as f64;
 
 type Triple = [f64; 3];
-type Added = Result<(), SceneError>;
+type Added = Result<(), Error>;
+
+/// An error as a case expects it: its part, the index of the part, and its kind.
+type Refusal = (&'static str, Option<usize>, ErrorKind);
 
 const ORIGIN: Triple = [0.0; 3];
 const UP: Triple = [0.0, 0.0, 1.0];
 
 /// A number, and the error that a constructor must return for it; `None` if it must accept the
 /// number.
-type Limit<E> = (f64, Option<E>);
+type Limit = (f64, Option<Refusal>);
 
 /// Checks for each number that it is accepted, or refused with the given fault.
-fn held<E: PartialEq + std::fmt::Debug + std::fmt::Display>(
+fn held<T>(
     what: &str,
-    limits: &[Limit<E>],
-    made: impl Fn(f64) -> Result<(), E>,
+    limits: &[Limit],
+    made: impl Fn(f64) -> Result<T, Error>,
 ) -> Result<String, String> {
     let mut words = Vec::new();
     for (number, expected) in limits {
         let found = made(*number).err();
-        if found != *expected {
+        if found.map(refusal) != *expected {
             return Err(format!("{what} {number:e}: {found:?}, not {expected:?}"));
         }
         words.push(match found {
@@ -43,8 +46,13 @@ fn held<E: PartialEq + std::fmt::Debug + std::fmt::Display>(
     Ok(format!("{what}: {}", words.join("; ")))
 }
 
+/// Returns what a case expects of an error.
+fn refusal(error: Error) -> Refusal {
+    (error.part(), error.index(), error.kind())
+}
+
 /// Returns a scene with one material to which `add` adds something.
-fn alone(add: impl FnOnce(&mut Room, MaterialId) -> Added) -> Result<Room, SceneError> {
+fn alone(add: impl FnOnce(&mut Room, MaterialId) -> Added) -> Result<Room, Error> {
     let mut scene = Room::new();
     let id = scene.add_material(Material::new([0.9; 3]))?;
     add(&mut scene, id)?;
@@ -57,24 +65,29 @@ fn built(add: impl FnOnce(&mut Room, MaterialId) -> Added) -> Added {
 }
 
 fn sphere(center: Triple, radius: f64) -> Added {
-    alone(|scene, id| scene.add_sphere(center, radius, id)).map(|_| ())
+    alone(|scene, id| scene.add_sphere(center, radius, id).map(drop)).map(drop)
 }
 
 fn plane(point: Triple, normal: Triple) -> Added {
-    alone(|scene, id| scene.add_plane(point, normal, id)).map(|_| ())
+    alone(|scene, id| scene.add_plane(point, normal, id)).map(drop)
 }
 
 fn cylinder(center: Triple, axis: Triple, radius: f64, height: f64) -> Added {
-    alone(|scene, id| scene.add_cylinder(center, axis, radius, height, id)).map(|_| ())
+    let add = |scene: &mut Room, id| {
+        scene
+            .add_cylinder(center, axis, radius, height, id)
+            .map(drop)
+    };
+    alone(add).map(drop)
 }
 
-fn camera(position: Triple, target: Triple, up: Triple, fov: f64) -> Result<(), CameraError> {
+fn camera(position: Triple, target: Triple, up: Triple, fov: f64) -> Result<(), Error> {
     Camera::new(position, target, up, fov).map(|_| ())
 }
 
 fn coordinates() -> Result<String, String> {
-    let limits = |error: fn(usize, Fault) -> SceneError| {
-        let beyond = Some(error(0, Fault::Coordinate));
+    let limits = |part| {
+        let beyond = Some((part, Some(0), ErrorKind::Coordinate));
         [
             (MOST, None),
             (-MOST, None),
@@ -84,18 +97,21 @@ fn coordinates() -> Result<String, String> {
             (f64::NAN, beyond),
         ]
     };
-    let spheres = limits(SceneError::Sphere);
+    let spheres = limits("sphere");
     let words = held("sphere center", &spheres, |x| sphere([x, 0.0, 0.0], 1.0))?;
-    let planes = limits(SceneError::Plane);
+    let planes = limits("plane");
     held("plane center", &planes, |y| plane([0.0, y, 0.0], UP))?;
-    let cylinders = limits(SceneError::Cylinder);
+    let cylinders = limits("cylinder");
     held("cylinder center", &cylinders, |z| {
         cylinder([0.0, 0.0, z], UP, 1.0, 1.0)
     })?;
-    held("light position", &limits(SceneError::Light), |x| {
+    held("light position", &limits("light"), |x| {
         Room::new().add_light([x, 0.0, 0.0], [1.0; 3])
     })?;
-    let cameras = [(MOST, None), (MOST + 1.0, Some(CameraError::Coordinate))];
+    let cameras = [
+        (MOST, None),
+        (MOST + 1.0, Some(("camera", None, ErrorKind::Coordinate))),
+    ];
     held("camera position", &cameras, |x| {
         camera([x, 1.0, 0.0], ORIGIN, UP, 50.0)
     })?;
@@ -106,22 +122,22 @@ fn coordinates() -> Result<String, String> {
 
 fn sizes() -> Result<String, String> {
     let least = 2f64.powi(-64);
-    let limits = |error: fn(usize, Fault) -> SceneError, fault| {
+    let limits = |part, kind| {
         [
             (least, None),
             (MOST, None),
-            (0.0, Some(error(0, fault))),
-            (-1.0, Some(error(0, fault))),
-            (MOST + 1.0, Some(error(0, Fault::Coordinate))),
+            (0.0, Some((part, Some(0), kind))),
+            (-1.0, Some((part, Some(0), kind))),
+            (MOST + 1.0, Some((part, Some(0), ErrorKind::Coordinate))),
         ]
     };
-    let spheres = limits(SceneError::Sphere, Fault::Radius);
+    let spheres = limits("sphere", ErrorKind::Radius);
     let words = held("sphere radius", &spheres, |radius| sphere(ORIGIN, radius))?;
-    let wide = limits(SceneError::Cylinder, Fault::Radius);
+    let wide = limits("cylinder", ErrorKind::Radius);
     held("cylinder radius", &wide, |radius| {
         cylinder(ORIGIN, UP, radius, 1.0)
     })?;
-    let high = limits(SceneError::Cylinder, Fault::Height);
+    let high = limits("cylinder", ErrorKind::Height);
     held("cylinder height", &high, |height| {
         cylinder(ORIGIN, UP, 1.0, height)
     })?;
@@ -134,20 +150,20 @@ fn ratio() -> Result<String, String> {
     // The planet of radius 2^20 fills the ball of 2^28 steps, so the smallest radius, 64 steps, is a
     // quarter.
     let (planet, beside) = (f64::from(1 << 20), [1.0, 2.0, 3.0]);
-    let tiny = Some(SceneError::Sphere(1, Fault::Tiny));
+    let tiny = Some(("sphere", Some(1), ErrorKind::Tiny));
     let radii = [(0.25, None), (0.248, tiny)];
     let radius = held("radius beside one of 2^20", &radii, |radius| {
         built(|scene, id| {
             scene.add_sphere(ORIGIN, planet, id)?;
-            scene.add_sphere(beside, radius, id)
+            scene.add_sphere(beside, radius, id).map(drop)
         })
     })?;
-    let tiny = Some(SceneError::Cylinder(0, Fault::Tiny));
+    let tiny = Some(("cylinder", Some(0), ErrorKind::Tiny));
     let heights = [(0.5, None), (0.496, tiny)];
     let height = held("height beside it", &heights, |height| {
         built(|scene, id| {
             scene.add_sphere(ORIGIN, planet, id)?;
-            scene.add_cylinder(beside, UP, 1.0, height, id)
+            scene.add_cylinder(beside, UP, 1.0, height, id).map(drop)
         })
     })?;
     Ok(format!("{radius}. {height}"))
@@ -155,7 +171,7 @@ fn ratio() -> Result<String, String> {
 
 fn extent() -> Result<String, String> {
     let least = 2f64.powi(-30);
-    let beyond = Some(SceneError::Scene(Fault::Extent));
+    let beyond = Some(("scene", None, ErrorKind::Extent));
     let limits = [(least, None), (MOST, None), (0.99 * least, beyond)];
     held("radius of a lonely sphere", &limits, |radius| {
         built(|scene, id| {
@@ -166,7 +182,7 @@ fn extent() -> Result<String, String> {
 }
 
 fn epsilon() -> Result<String, String> {
-    let beyond = Some(SceneError::Scene(Fault::Epsilon));
+    let beyond = Some(("scene", None, ErrorKind::Epsilon));
     let limits = [
         (1e-19, None),
         (0.999, None),
@@ -185,16 +201,17 @@ fn epsilon() -> Result<String, String> {
 
 fn coefficients() -> Result<String, String> {
     let fields = [
-        ("color", 16.0, Fault::Color),
-        ("ambient", 16.0, Fault::Ambient),
-        ("diffuse", 16.0, Fault::Diffuse),
-        ("specular", 16.0, Fault::Specular),
-        ("shininess", f64::from(1 << 20), Fault::Shininess),
-        ("mirror", 1.0, Fault::Mirror),
+        ("color", 16.0, ErrorKind::Color),
+        ("ambient", 16.0, ErrorKind::Ambient),
+        ("diffuse", 16.0, ErrorKind::Diffuse),
+        ("specular", 16.0, ErrorKind::Specular),
+        ("shininess", f64::from(1 << 20), ErrorKind::Shininess),
+        ("mirror", 1.0, ErrorKind::Mirror),
     ];
     let mut words = Vec::new();
-    for (place, (name, most, fault)) in fields.into_iter().enumerate() {
-        let (beyond, above) = (Some(fault), 1.000_001 * most);
+    for (place, (name, most, kind)) in fields.into_iter().enumerate() {
+        let beyond = Some(("material", None, kind));
+        let above = 1.000_001 * most;
         let limits = [(0.0, None), (most, None), (-1e-6, beyond), (above, beyond)];
         words.push(held(name, &limits, |number| {
             let mut numbers = [0.5, 0.2, 0.8, 0.1, 4.0, 0.3];
@@ -208,7 +225,7 @@ fn coefficients() -> Result<String, String> {
 }
 
 fn lights() -> Result<String, String> {
-    let limits = |beyond: SceneError| {
+    let limits = |beyond: Refusal| {
         let beyond = Some(beyond);
         [
             (0.0, None),
@@ -217,11 +234,11 @@ fn lights() -> Result<String, String> {
             (16.000_001, beyond),
         ]
     };
-    let light = limits(SceneError::Light(0, Fault::Color));
+    let light = limits(("light", Some(0), ErrorKind::Color));
     let colors = held("light color", &light, |color| {
         Room::new().add_light([1.0; 3], [color; 3])
     })?;
-    let background = limits(SceneError::Scene(Fault::Background));
+    let background = limits(("scene", None, ErrorKind::Background));
     let behind = held("background", &background, |color| {
         Room::new().set_background([color; 3])
     })?;
@@ -233,24 +250,24 @@ fn brightness() -> Result<String, String> {
     held(ambient, &[(15.9, None), (16.0, None)], |ambient| {
         lit(ambient, 14.0)
     })?;
-    let beyond = Some(SceneError::Material(0, Fault::Brightness));
+    let beyond = Some(("material", Some(0), ErrorKind::Brightness));
     let diffuse = "diffuse beside ambient 16 under a light of 1";
     held(diffuse, &[(14.0, None), (14.1, beyond)], |diffuse| {
         lit(16.0, diffuse)
     })
 }
 
-fn lit(ambient: f64, diffuse: f64) -> Result<(), SceneError> {
+fn lit(ambient: f64, diffuse: f64) -> Result<(), Error> {
     let mut scene = Room::new();
     let material = Material::from_numbers([1.0; 3], ambient, diffuse, (0.0, 1.0), 0.0);
-    let id = scene.add_material(material.map_err(|fault| SceneError::Material(0, fault))?)?;
+    let id = scene.add_material(material?)?;
     scene.add_sphere([0.0; 3], 1.0, id)?;
     scene.add_light([3.0; 3], [1.0; 3])?;
     scene.build().map(|_| ())
 }
 
 fn field_of_view() -> Result<String, String> {
-    let beyond = Some(CameraError::FieldOfView);
+    let beyond = Some(("camera", None, ErrorKind::FieldOfView));
     let limits = [
         (0.001, None),
         (179.999, None),
@@ -264,16 +281,19 @@ fn field_of_view() -> Result<String, String> {
 }
 
 fn directions() -> Result<String, String> {
-    let refused = |fault: SceneError| [(SHORTEST, None), (-MOST, None), (0.0, Some(fault))];
-    let normal = refused(SceneError::Plane(0, Fault::Normal));
+    let refused = |part, kind| {
+        let beyond = Some((part, Some(0), kind));
+        [(SHORTEST, None), (-MOST, None), (0.0, beyond)]
+    };
+    let normal = refused("plane", ErrorKind::Normal);
     let normal = held("length of a normal", &normal, |z| {
         plane(ORIGIN, [0.0, 0.0, z])
     })?;
-    let axis = refused(SceneError::Cylinder(0, Fault::Axis));
+    let axis = refused("cylinder", ErrorKind::Axis);
     let axis = held("of an axis", &axis, |x| {
         cylinder(ORIGIN, [x, 0.0, 0.0], 1.0, 1.0)
     })?;
-    let beyond = Some(CameraError::View);
+    let beyond = Some(("camera", None, ErrorKind::View));
     let view = [(SHORTEST, None), (-MOST, None), (0.0, beyond)];
     let view = held("from a camera to its target", &view, |y| {
         camera(ORIGIN, [0.0, y, 0.0], UP, 50.0)
@@ -282,43 +302,43 @@ fn directions() -> Result<String, String> {
 }
 
 fn room_for() -> Result<String, String> {
-    let fill = |what, most: f64, fault, add: fn(&mut Room, MaterialId) -> Added| {
-        held(what, &[(most, None), (most + 1.0, Some(fault))], |count| {
+    let fill = |what, most: f64, beyond, add: fn(&mut Room, MaterialId) -> Added| {
+        held(what, &[(most, None), (most + 1.0, Some(beyond))], |count| {
             let fill = |room: &mut Room, id| (0..count as u32).try_for_each(|_| add(room, id));
             alone(fill).map(|_| ())
         })
     };
-    let spheres = SceneError::Sphere(2, Fault::TooManySpheres);
-    let planes = SceneError::Plane(1, Fault::TooManyPlanes);
-    let cylinders = SceneError::Cylinder(1, Fault::TooManyCylinders);
-    let lights = SceneError::Light(1, Fault::TooManyLights);
+    let spheres = ("sphere", Some(2), ErrorKind::TooManySpheres);
+    let planes = ("plane", Some(1), ErrorKind::TooManyPlanes);
+    let cylinders = ("cylinder", Some(1), ErrorKind::TooManyCylinders);
+    let lights = ("light", Some(1), ErrorKind::TooManyLights);
     let words = [
         fill("spheres", 2.0, spheres, |room, id| {
-            room.add_sphere(ORIGIN, 1.0, id)
+            room.add_sphere(ORIGIN, 1.0, id).map(drop)
         })?,
         fill("planes", 1.0, planes, |room, id| {
             room.add_plane(ORIGIN, UP, id)
         })?,
         fill("cylinders", 1.0, cylinders, |room, id| {
-            room.add_cylinder(ORIGIN, UP, 1.0, 1.0, id)
+            room.add_cylinder(ORIGIN, UP, 1.0, 1.0, id).map(drop)
         })?,
         fill("lights", 1.0, lights, |room, _| {
-            room.add_light(ORIGIN, [1.0; 3])
+            room.add_light(ORIGIN, [1.0; 3]).map(drop)
         })?,
     ];
-    let expected = SceneError::Sphere(0, Fault::UnknownMaterial);
-    let unknown = alone(|_, id| Room::new().add_sphere(ORIGIN, 1.0, id)).err();
-    if unknown != Some(expected) {
+    let expected = ("sphere", Some(0), ErrorKind::UnknownMaterial);
+    let unknown = alone(|_, id| Room::new().add_sphere(ORIGIN, 1.0, id).map(drop)).err();
+    let Some(unknown) = unknown.filter(|error| refusal(*error) == expected) else {
         return Err(format!("a material of another scene: {unknown:?}"));
-    }
+    };
     let words = words.join(". ");
     Ok(format!(
-        "{words}. A material that is not there: \"{expected}\""
+        "{words}. A material that is not there: \"{unknown}\""
     ))
 }
 
 fn up() -> Result<String, String> {
-    let beyond = Some(CameraError::Up);
+    let beyond = Some(("camera", None, ErrorKind::Up));
     let limits = [(1.0, None), (1e-6, None), (1e-9, beyond), (0.0, beyond)];
     held("sine between view and up", &limits, |sine| {
         camera(ORIGIN, UP, [0.0, sine, 1.0], 50.0)

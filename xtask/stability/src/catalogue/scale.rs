@@ -3,8 +3,8 @@
 use float_picture::single;
 use reflet::host::file::SceneFile;
 use reflet::host::reference;
-use reflet::{Error, Material, RuntimeScene, room};
 use reflet::quality::Exact;
+use reflet::{Error, Material, RuntimeScene, room};
 
 use super::draft::{Draft, Setting, lit_by, still_life};
 use super::judge::{SIDE, painted};
@@ -35,7 +35,11 @@ fn scaled_by_powers() -> Measured {
         setting.scale = 2f64.powi(power);
         let file = SceneFile::parse(&setting.still_life().text(), None).expect("well formed");
         let (built, (_, camera)) = (file.build().expect("fine"), file.runtime().expect("fine"));
-        let fixed = painted(built.frame(&camera).quality::<Exact>(), (SIDE, SIDE));
+        let fixed = painted(
+            &*built,
+            built.frame(&camera).quality::<Exact>(),
+            (SIDE, SIDE),
+        );
         let (scene, eye) = file.reference();
         let shading = reference::Shading::BlinnPhong;
         let single = single::render(&scene, &eye, (SIDE, SIDE), 4, shading);
@@ -73,7 +77,7 @@ fn beyond_reach() -> Result<String, String> {
         scene.add_sphere([0, 0, 1], 1, id)?;
         Ok(scene)
     };
-    let scene = filled().map_err(|error: SceneError| error.to_string())?;
+    let scene = filled().map_err(|error: Error| error.to_string())?;
     match scene.build() {
         Err(error) => Ok(format!("refused: {error}")),
         Ok(_) => Err("a pebble of 2^-23 of its planet was accepted".to_owned()),

@@ -33,9 +33,9 @@ fn none_is_brighter(draft: &Draft, reflections: u8, most: u8) -> Result<(), Test
     let (built, (_, camera)) = (file.build().unwrap(), file.runtime().unwrap());
     let (frame, size) = (|| built.frame(&camera).reflections(reflections), (48, 24));
     let pictures = [
-        ("Exact", painted(frame().quality::<Exact>(), size)),
-        ("Fine", painted(frame().quality::<Fine>(), size)),
-        ("Fast", painted(frame().quality::<Fast>(), size)),
+        ("Exact", painted(&*built, frame().quality::<Exact>(), size)),
+        ("Fine", painted(&*built, frame().quality::<Fine>(), size)),
+        ("Fast", painted(&*built, frame().quality::<Fast>(), size)),
     ];
     for (quality, picture) in pictures {
         let brightest = picture.pixels.into_iter().flatten().max().unwrap();

@@ -20,7 +20,7 @@ pub fn drawn(text: &str) -> Picture {
 fn drawn_in<Q: Quality>(text: &str) -> Picture {
     let file = SceneFile::parse(text, None).unwrap();
     let (built, (_, camera)) = (file.build().unwrap(), file.runtime().unwrap());
-    painted(built.frame(&camera).quality::<Q>(), (SIDE, SIDE))
+    painted(&*built, built.frame(&camera).quality::<Q>(), (SIDE, SIDE))
 }
 
 /// Returns a scene file in which `change` was applied to every point and direction. Its second

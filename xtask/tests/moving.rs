@@ -1,0 +1,54 @@
+//! Tests `cargo xtask measure --moving`: what a scene takes of which one shape moves.
+
+use serde_json::Value;
+
+mod common;
+
+use common::Done;
+
+fn xtask(arguments: &str) -> Done {
+    let folder = tempfile::tempdir().unwrap();
+    common::xtask(folder.path(), arguments)
+}
+
+fn measured(arguments: &str) -> Value {
+    let done = xtask(&format!("measure --json --moving {arguments}"));
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    serde_json::from_str(&done.out).unwrap()
+}
+
+/// The command fails if the picture differs from that of the constant scene.
+#[test]
+fn scene_with_one_ball_that_moves_takes_at_most_115_percent_of_the_constant_scenes_flash() {
+    for arguments in ["castle", "mirror1", "primitives", "castle --core m0"] {
+        let figures = measured(&format!("--size 16x16 {arguments}"));
+        let number = |key: &str| figures[key].as_f64().unwrap();
+        let share = number("flash") / number("constant_flash");
+        assert!((1.0..=1.15).contains(&share), "{arguments}: {share}");
+        // Only the ball is prepared again, and not the frame.
+        let moved = number("move_instructions");
+        assert!((100.0..4000.0).contains(&moved), "{arguments}: {moved}");
+    }
+}
+
+#[test]
+fn without_a_sphere_a_cylinder_moves() {
+    let done = xtask("measure --moving columns --size 16x16");
+    assert_eq!((done.code, done.err.as_str()), (0, ""));
+    assert!(
+        done.out.contains("\ninstructions of a move: "),
+        "{}",
+        done.out
+    );
+}
+
+#[test]
+fn scene_in_which_nothing_can_move_is_refused_in_one_line() {
+    let mistakes = "
+measure floor --moving => nothing moves in floor: it has no sphere, cylinder or disc
+measure --moving --quality float => nothing moves in the float port
+measure --moving --all => cannot be used with
+measure --moving --whole => cannot be used with";
+    let folder = tempfile::tempdir().unwrap();
+    common::assert_mistakes(folder.path(), mistakes);
+}
