@@ -140,7 +140,7 @@ impl Camera {
     /// Returns the camera after an orbit around its target: `azimuth` degrees about `up`, to the right
     /// if positive, and `elevation` degrees upwards.
     ///
-    /// The distance to the target changes by rounding only, by less than 2⁻²⁷ of itself. No float
+    /// The distance to the target is kept, up to rounding by 2⁻²⁷ of the distance. No float
     /// instruction is executed.
     ///
     /// # Errors

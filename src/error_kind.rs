@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// Messages that are longer than a line.
+// Messages of [`ErrorKind`] that are longer than a line.
 const COORDINATE: &str =
     "coordinates and sizes must be finite and within -2^30 to 2^30 scene units";
 const TINY: &str = "radius and half the height must be at least 2^-22 of the scene's extent: \

@@ -282,7 +282,8 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
     }
 }
 
-/// Fills pixels with one colour; out of line, or its caller's loops are unrolled around a constant.
+/// Fills pixels with one colour. Not inlined: inlined, it would make the compiler unroll its caller's
+/// loops.
 #[inline(never)]
 fn fill<C: Copy>(pixels: &mut [C], color: C) {
     pixels.fill(color);

@@ -180,7 +180,7 @@ macro_rules! parts {
 }
 kinds!(parts);
 
-/// Returns `items` if needed, else an empty list. If that is constant, the code for `items` is dropped.
+/// Returns `items` if `is_needed`, else an empty list, so that code for unneeded items is dropped.
 #[inline(always)]
 pub(crate) const fn if_needed<T>(is_needed: bool, items: &[T]) -> &[T] {
     if is_needed { items } else { &[] }

@@ -33,7 +33,7 @@ macro_rules! motion {
                     if let Some(fault) = $kind.fault() {
                         return Err(error(fault));
                     }
-                    // What is larger than the box may not fit the grid.
+                    // A shape that is larger than the motion box may not fit the grid.
                     if !self.is_in_motion_box(&$kind.extent()) {
                         return Err(error(ErrorKind::Motion));
                     }
@@ -106,8 +106,8 @@ impl<R: Capacity> PlainScene<R> {
         Ok(())
     }
 
-    /// Tests whether a shape with this extent lies inside of the motion box. Returns `false` if the scene
-    /// has no motion box. The grid was chosen for the same extent.
+    /// Tests whether a shape with this extent lies inside of the motion box. Returns `false` if the
+    /// scene has no motion box. The grid was chosen for the same extent.
     const fn is_in_motion_box(&self, extent: &Extent) -> bool {
         let center = self.grid.place(extent.center).point;
         let radius = self.grid.length(extent.radius).to_bits();
