@@ -23,7 +23,7 @@ const MOST_MOVING: usize = 16;
 /// program runs is a [`RuntimeScene`](crate::RuntimeScene), which returns errors.
 ///
 /// ```
-/// use reflet::{Material, Scene, SceneBuilder, room};
+/// use reflet::{Camera, Material, Scene, SceneBuilder, room};
 ///
 /// const BALL: Scene<room!(spheres: 1, lights: 1)> = SceneBuilder::new()
 ///     .sphere([0.0; 3], 1.0, Material::new([1.0; 3]))
@@ -38,7 +38,8 @@ const MOST_MOVING: usize = 16;
 ///     .plane([0.0; 3], [0.0, 0.0, 1.0], TIN)
 ///     .background([0.3, 0.4, 0.6])
 ///     .epsilon(0.01)
-///     .motion([-3.0, -3.0, -3.0], [3.0, 3.0, 3.0]);
+///     .motion([-3.0, -3.0, -3.0], [3.0, 3.0, 3.0])
+///     .camera(Camera::look_at([0.0, -9.0, 3.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]));
 /// assert_eq!(CAN.description().discs.len(), 1);
 /// ```
 ///

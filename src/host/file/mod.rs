@@ -142,6 +142,11 @@ fn build(scene: &FileRuntimeScene) -> Result<Box<FileScene>, Problem> {
 /// let (scene, camera) = file.runtime().unwrap();
 /// assert_eq!(scene.description().background, [0, 0, 9].map(reflet::Number::from));
 /// assert_eq!(scene.description().camera, Some(camera));
+///
+/// let (reference, _) = file.reference();
+/// assert_eq!(reference.background, [0.0, 0.0, 9.0]);
+/// assert!(file.materials().is_empty() && file.build().is_ok());
+/// assert!(SceneFile::read("no such file", None).is_err());
 /// ```
 #[derive(Clone, Debug)]
 pub struct SceneFile {
