@@ -1,5 +1,5 @@
-//! Floor 2: the camera as it is described, checked, and turned around its target; its [`rays`] turn a
-//! pixel into a direction. Knows no scene.
+//! Floor 2: the camera: its description, its checks, and orbits around its target. The module [`rays`]
+//! computes the direction of a pixel's ray. This floor knows no scene.
 
 mod rays;
 
@@ -10,32 +10,51 @@ use crate::error_kind::ErrorKind;
 use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of};
 use crate::vector::{Direction, Position};
 
-/// The narrowest and the widest field of view, in degrees. In the narrowest picture of 320 pixels
-/// a pixel is 2⁻²⁴ wide and a direction, which is known to 2⁻²⁹, right to a 32nd of it; in the
-/// widest the middle is as narrow beside the width of the whole.
+/// Narrowest field of view, in degrees. In a picture of 320 columns a pixel is then 2⁻²⁴ wide. A
+/// direction is known to 2⁻²⁹, which is a 32nd of that pixel.
 const NARROWEST: Number = Number::new(0.001);
+
+/// Widest field of view, in degrees. The middle of such a picture is as narrow, compared with the width
+/// of the whole, as a picture of the narrowest field of view.
 const WIDEST: Number = Number::new(179.999);
 
-/// A camera as it was described.
+/// The description of a camera: the numbers that it was created from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct CameraDescription {
-    /// Where it stands.
+    /// Position of the camera, in scene units; each coordinate within ±2³⁰.
     pub position: Position,
-    /// What it looks at.
+    /// Point in the middle of the picture, in scene units; differs from the position.
     pub target: Position,
-    /// What is up in the picture.
+    /// Direction that points up in the picture; of any length but zero, and not parallel to the view.
     pub up: Position,
-    /// The full horizontal field of view in degrees.
+    /// Full horizontal field of view in degrees, 0.001 to 179.999.
     pub fov: Number,
 }
 
-/// A pinhole camera: position, target, up and the full horizontal field of view.
+/// A pinhole camera: position, target, up direction and full horizontal field of view.
 ///
 /// ```
 /// use reflet::Camera;
 /// const CAMERA: Camera =
 ///     Camera::look_at([0.0, -5.0, 2.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).fov(50.0);
+/// ```
+///
+/// While a program runs, cameras are created from numbers and turned around their targets:
+///
+/// ```
+/// use reflet::description::CameraDescription;
+/// use reflet::{Camera, ErrorKind, Number, Position};
+///
+/// let camera = Camera::new([0, -5, 0], [0, 0, 0], [0, 0, 1], 40)?;
+/// let CameraDescription { position, target, fov, .. } = camera.orbited(90, 0)?.description();
+/// let [x, y, _] = position.0.map(Number::to_f64);
+/// assert!((x - 5.0).abs() < 1e-6 && y.abs() < 1e-6);
+/// assert_eq!((target, fov), (Position::ORIGIN, Number::from(40)));
+///
+/// let wide = Camera::new([0, -5, 0], [0, 0, 0], [0, 0, 1], 180);
+/// assert_eq!(wide.unwrap_err().kind(), ErrorKind::FieldOfView);
+/// # Ok::<(), reflet::Error>(())
 /// ```
 ///
 /// A camera that looks along its `up` does not compile:
@@ -50,14 +69,18 @@ pub struct Camera {
     forward: Direction,
     right: Direction,
     up: Direction,
-    /// 1 / tan(fov / 2)
+    /// Cotangent of half the field of view: 1 / tan(fov / 2).
     cotangent: Scaled,
 }
 
 impl Camera {
-    /// A camera with a field of view of 50 degrees.
+    /// Creates a camera with a field of view of 50 degrees, for constants. [`Camera::fov`] changes it.
     ///
-    /// For constants. Panics, which stops the compiler, with the message of an [`Error`].
+    /// Positions are in scene units, each coordinate within ±2³⁰.
+    ///
+    /// # Panics
+    /// Panics with the text of an [`Error`] where [`Camera::new`] returns one. In a constant, this stops
+    /// the compiler.
     pub const fn look_at(position: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Self {
         Self::checked(CameraDescription {
             position: Position::new(position),
@@ -67,9 +90,10 @@ impl Camera {
         })
     }
 
-    /// The same camera with another full horizontal field of view, in degrees.
+    /// Sets the full horizontal field of view, in degrees; for constants.
     ///
-    /// For constants. Panics, which stops the compiler, outside 0.001 to 179.999.
+    /// # Panics
+    /// Panics outside 0.001 to 179.999. In a constant, this stops the compiler.
     pub const fn fov(self, degrees: f64) -> Self {
         Self::checked(CameraDescription {
             fov: Number::new(degrees),
@@ -77,10 +101,16 @@ impl Camera {
         })
     }
 
-    /// A camera from numbers known at run time; no float instruction is executed.
+    /// Creates a camera from numbers known at run time. `fov` is the full horizontal field of view, in
+    /// degrees.
+    ///
+    /// No float instruction is executed, whatever type the numbers have.
     ///
     /// # Errors
-    /// The first field that is wrong.
+    /// [`ErrorKind::Coordinate`] if a coordinate is not within ±2³⁰, [`ErrorKind::View`] if position and
+    /// target are equal, [`ErrorKind::Up`] if `up` is zero or within 2⁻²⁴ of parallel to the view
+    /// direction, and [`ErrorKind::FieldOfView`] outside 0.001 to 179.999 degrees; the first of these
+    /// that applies.
     pub fn new(
         position: impl Into<Position>,
         target: impl Into<Position>,
@@ -95,19 +125,20 @@ impl Camera {
         })
     }
 
-    /// What the camera was made from.
+    /// Returns the numbers that the camera was created from.
     pub const fn description(&self) -> CameraDescription {
         self.description
     }
 
-    /// The same camera turned around its target: `azimuth` degrees about `up`, to the right for
-    /// positive angles, and `elevation` degrees upwards. The distance is kept to 2⁻²⁷ of it.
+    /// Returns the camera after an orbit around its target: `azimuth` degrees about `up`, to the right
+    /// if positive, and `elevation` degrees upwards.
     ///
-    /// No float instruction is executed.
+    /// The distance to the target is kept, up to rounding by 2⁻²⁷ of the distance. No float
+    /// instruction is executed.
     ///
     /// # Errors
-    /// [`ErrorKind::Up`] where the camera would look along `up`, and
-    /// [`ErrorKind::Coordinate`] where an angle or the new position is out of range.
+    /// [`ErrorKind::Up`] if the new camera would look along `up`, and [`ErrorKind::Coordinate`] if an
+    /// angle or a coordinate of the new position is not within ±2³⁰.
     pub fn orbited(
         &self,
         azimuth: impl Into<Number>,
@@ -163,7 +194,8 @@ impl Camera {
         Self::aimed(description, cotangent)
     }
 
-    /// With the cotangent of half the field of view, if it has one.
+    /// Creates a camera from its description and 1 / tan(fov / 2), which is `None` if `fov` is out of
+    /// range.
     #[inline(never)]
     const fn aimed(
         description: CameraDescription,
@@ -184,7 +216,7 @@ impl Camera {
         let Some(upward) = up.direction() else {
             return Err(Error::of("camera", ErrorKind::Up));
         };
-        // Closer to parallel than 2⁻²⁴, rounding alone would say where right is.
+        // If view and up were closer to parallel than 2⁻²⁴, rounding would decide where right is.
         let right = match forward.cross(upward) {
             Some((vector, shift)) if shift >= 8 => vector.precise_direction(),
             _ => return Err(Error::of("camera", ErrorKind::Up)),

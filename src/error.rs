@@ -1,10 +1,12 @@
-//! Floor 0: the one error of the crate: which part is wrong, what is wrong with it, and the fix.
+//! Floor 0: the one error type of the crate. It names the part that is wrong, the mistake, and the fix.
 
 use core::fmt;
 
 use crate::error_kind::ErrorKind;
 
-/// What is wrong with a scene, a camera, or a call: the part and the fix.
+/// The error of a scene, a camera, a material or a call: names the part, the mistake and the fix.
+///
+/// As text it is one line: the part, its index if it has one, and [`ErrorKind::message`].
 ///
 /// ```
 /// use reflet::{ErrorKind, Material, RuntimeScene, room};
@@ -26,7 +28,7 @@ pub struct Error {
 }
 
 impl Error {
-    /// An error of the only part of its name, such as the camera.
+    /// Creates an error of a part that exists only once, such as the camera. It has no index.
     pub(crate) const fn of(part: &'static str, kind: ErrorKind) -> Self {
         Self {
             part,
@@ -35,7 +37,8 @@ impl Error {
         }
     }
 
-    /// An error of one of several parts of a name, counted from 0.
+    /// Creates an error of one of several parts, such as a sphere; `index` counts from 0 within its
+    /// kind.
     pub(crate) const fn at(part: &'static str, index: usize, kind: ErrorKind) -> Self {
         Self {
             part,
@@ -44,23 +47,27 @@ impl Error {
         }
     }
 
-    /// Returns the name of the part: `"sphere"`, `"camera"`, `"scene"`.
+    /// Returns the name of the part that is wrong: `"sphere"`, `"plane"`, `"cylinder"`, `"disc"`,
+    /// `"light"`, `"material"`, `"scene"`, `"camera"` or `"motion"`.
+    ///
+    /// For [`ErrorKind::Limit`] it is the name of a need, such as `"mirrors"`.
     pub const fn part(&self) -> &'static str {
         self.part
     }
 
-    /// Returns the number of the part among those of its name, counted from 0; `None` if there is only
-    /// one.
+    /// Returns the index of the part that is wrong among those of its kind, counted from 0.
+    ///
+    /// It is `None` for parts that exist only once, such as the camera.
     pub const fn index(&self) -> Option<usize> {
         self.index
     }
 
-    /// Returns what is wrong with the part.
+    /// Returns the kind of the mistake, such as [`ErrorKind::Radius`].
     pub const fn kind(&self) -> ErrorKind {
         self.kind
     }
 
-    /// Stops the compiler with the error as its message; for constants.
+    /// Panics with the text of the error. In a constant, this stops the compiler.
     pub(crate) const fn stop(&self) -> ! {
         let mut message = Message::EMPTY;
         message.push(self.part);
@@ -73,14 +80,16 @@ impl Error {
         panic!("{}", message.as_str())
     }
 
-    /// Stops the compiler if there is an error; for constants.
+    /// Panics if `fault` is `Some`, for a part that exists only once. In a constant, this stops the
+    /// compiler.
     pub(crate) const fn refuse(part: &'static str, fault: Option<ErrorKind>) {
         if let Some(kind) = fault {
             Self::of(part, kind).stop();
         }
     }
 
-    /// Stops the compiler if there is an error in one of several parts; for constants.
+    /// Panics if `fault` is `Some`, for the part of a kind with this index. In a constant, this stops
+    /// the compiler.
     pub(crate) const fn refuse_at(part: &'static str, index: usize, fault: Option<ErrorKind>) {
         if let Some(kind) = fault {
             Self::at(part, index, kind).stop();
@@ -99,7 +108,7 @@ impl fmt::Display for Error {
 
 impl core::error::Error for Error {}
 
-/// Text put together while a constant is compiled.
+/// A text of at most 256 bytes that constant code puts together.
 struct Message {
     bytes: [u8; 256],
     len: usize,
@@ -111,7 +120,7 @@ impl Message {
         len: 0,
     };
 
-    /// Appends text; what is longer than the room is cut off.
+    /// Appends text. Cuts it off where the message would exceed 256 bytes.
     const fn push(&mut self, text: &str) {
         let text = text.as_bytes();
         let mut index = 0;

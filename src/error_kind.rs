@@ -1,8 +1,8 @@
-//! Floor 0: what can be wrong with one part, with a message that names the field and the fix.
+//! Floor 0: the kinds of errors, each with a message that names the field and the fix.
 
 use core::fmt;
 
-/// Messages that are longer than a line.
+// Messages of [`ErrorKind`] that are longer than a line.
 const COORDINATE: &str =
     "coordinates and sizes must be finite and within -2^30 to 2^30 scene units";
 const TINY: &str = "radius and half the height must be at least 2^-22 of the scene's extent: \
@@ -22,7 +22,44 @@ macro_rules! faults {
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
             $set:ident $too_many:ident $without:ident $($more:tt)* })*
     ) => {
-        /// What is wrong with one part of a scene, with a camera, or with a call.
+        /// The kind of an [`Error`](crate::Error): what is wrong with a part of a scene, a camera or a
+        /// call.
+        ///
+        /// A program that lets users edit a scene can mark the field that is wrong:
+        ///
+        /// ```
+        /// use reflet::{ErrorKind, Material};
+        ///
+        /// fn field(kind: ErrorKind) -> &'static str {
+        ///     match kind {
+        ///         ErrorKind::Radius | ErrorKind::Tiny => "radius",
+        ///         ErrorKind::Height => "height",
+        ///         ErrorKind::Normal | ErrorKind::Axis => "direction",
+        ///         ErrorKind::Coordinate | ErrorKind::Extent => "position",
+        ///         ErrorKind::Color | ErrorKind::Brightness => "color",
+        ///         ErrorKind::Ambient => "ambient",
+        ///         ErrorKind::Diffuse => "diffuse",
+        ///         ErrorKind::Specular => "specular",
+        ///         ErrorKind::Shininess => "shininess",
+        ///         ErrorKind::Mirror => "mirror",
+        ///         ErrorKind::Background => "background",
+        ///         ErrorKind::Epsilon => "epsilon",
+        ///         ErrorKind::View | ErrorKind::Up | ErrorKind::FieldOfView => "camera",
+        ///         ErrorKind::TooManySpheres | ErrorKind::TooManyCylinders => "room",
+        ///         ErrorKind::TooManyDiscs | ErrorKind::TooManyPlanes => "room",
+        ///         ErrorKind::TooManyLights | ErrorKind::TooManyMaterials => "room",
+        ///         ErrorKind::UnusedRoom => "room",
+        ///         ErrorKind::UnknownMaterial => "material",
+        ///         ErrorKind::Motion | ErrorKind::NothingMoves | ErrorKind::TooManyMoving => "motion",
+        ///         ErrorKind::NoLight => "lights",
+        ///         _ => "scene",
+        ///     }
+        /// }
+        ///
+        /// let error = Material::from_numbers([1, 1, 1], 0, 1, (0, -4), 0).unwrap_err();
+        /// assert_eq!(field(error.kind()), "shininess");
+        /// assert_eq!(error.kind().message(), "shininess must be within 0 to 2^20");
+        /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[non_exhaustive]
         pub enum ErrorKind {
@@ -38,7 +75,8 @@ macro_rules! faults {
             Coordinate,
             /// A radius, or half a height, below 2⁻²² of the scene's extent: the format cannot hold it.
             Tiny,
-            /// A scene too small as a whole for the format.
+            /// Shapes that together measure no more than 2⁻³⁰ scene units: too small for the number
+            /// format.
             Extent,
             /// A colour component outside 0 to 16.
             Color,
@@ -50,13 +88,13 @@ macro_rules! faults {
             Specular,
             /// A shininess outside 0 to 2²⁰.
             Shininess,
-            /// A mirror share α outside 0 to 1.
+            /// A mirror coefficient α outside 0 to 1.
             Mirror,
             /// A background component outside 0 to 16.
             Background,
-            /// An epsilon that is zero, negative, or not smaller than the scene.
+            /// An epsilon that is zero, negative, or not smaller than the scene's extent.
             Epsilon,
-            /// A material so bright under the lights of its scene that the sum may exceed 30.
+            /// A material that may send out more than 30 times white under the lights of its scene.
             Brightness,
             $(
                 #[doc = concat!("More ", stringify!($list), " than the scene's type has room for.")]
@@ -68,36 +106,37 @@ macro_rules! faults {
             TooManyLights,
             /// More different materials than the scene's type has room for.
             TooManyMaterials,
-            /// A material that was never added to this scene.
+            /// A [`MaterialId`](crate::MaterialId) of a material that was never added to this scene.
             UnknownMaterial,
-            /// A handle of a part that this scene does not have.
+            /// A [`Handle`](crate::Handle) of a part that this scene does not have, or that cannot move.
             UnknownHandle,
-            /// Room for more parts than a constant scene has, which takes flash.
+            /// A room for more parts than the constant scene has: the unused room would take flash.
             UnusedRoom,
-            /// Surfaces that scatter light, no light, and no ambient light.
+            /// A constant scene that is all black: surfaces scatter light, but no light and no ambient
+            /// exists.
             NoLight,
             /// A constant scene in which more than 16 shapes move.
             TooManyMoving,
-            /// A part that cannot move in a constant scene: a plane, a light, or none at all.
+            /// A name for a part of a constant scene that cannot move, such as a plane or a light.
             NothingMoves,
-            /// A motion box that is missing, has a corner out of range, or does not hold a part that moves.
+            /// A motion box that is missing, has `low` above `high`, or does not hold a part that moves.
             Motion,
             /// A camera whose position and target are the same point.
             View,
-            /// A camera whose `up` is zero or parallel to the view direction.
+            /// A camera whose `up` is zero or within 2⁻²⁴ of parallel to the view direction.
             Up,
             /// A field of view that is not between 0.001 and 179.999 degrees.
             FieldOfView,
-            /// A need that the limit of a scene leaves out.
+            /// A need of a scene that a [`NeedsLimit`](crate::needs::NeedsLimit) leaves out.
             Limit,
-            /// A scene that has changed since its frame was prepared.
+            /// A scene that has changed since its frame was prepared, or is another scene.
             Changed,
-            /// A text that is not a decimal number.
+            /// A text that is not a decimal number, such as `"1,5"`.
             Number,
         }
 
         impl ErrorKind {
-            /// Returns one sentence that names the field and the fix.
+            /// Returns an English phrase that names the wrong field and its allowed range, or the fix.
             pub const fn message(self) -> &'static str {
                 match self {
                     Self::Radius => "radius must be greater than 0",

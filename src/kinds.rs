@@ -1,26 +1,27 @@
-//! Floor 0: the list of the kinds of bounded shapes. It contains only tokens and knows no type.
+//! Floor 0: the list of the bounded kinds of shapes. It consists of tokens and knows no type.
 //!
-//! Code that is needed once for each kind is written by small macros, which stand in the files that need
-//! the code. The list passes itself to such a macro. Planes are not bounded; their code is written by
-//! hand.
+//! Code that exists once for each kind is written by a small macro that receives this list. Each such
+//! macro stands beside the code it completes. Planes are not bounded; their code is written by hand.
 
-/// Calls the macro `$write` with the list of the kinds of bounded shapes. If `$next` is given, it is
-/// passed before the list: the macro to which `$write` passes the list on.
+/// Calls the macro `$write` with the list of the bounded kinds of shapes.
 ///
-/// The list begins with the const parameters of a scene's type, in three forms: declared with defaults,
-/// declared, and named. A new kind adds its parameter at the end, with the default 0, so that types
-/// written without it stay the same.
+/// An optional second name `$next` is passed in front of the list: the macro to which `$write` hands the
+/// list on.
 ///
-/// Each kind has these tokens, in this order:
-/// - the name of its list; its own name, which is also its module's; the type of its description; its
-///   prepared type;
-/// - its const parameter; the type of its list in a `Capacity`; the name and the capacity of its active
-///   list; the position of the parameter, as a word;
-/// - the `ErrorKind` for too many shapes; the method of `Needs` that leaves the kind out;
-/// - the documentation of the methods that add a shape; the name of the method of a run-time scene; the
-///   fields of the description without the material.
+/// The first group holds the const parameters of a scene's type in three spellings: declared with
+/// defaults, declared without, and named. The parameter of a new kind comes last and defaults to 0, so
+/// that types written without it keep their meaning.
 ///
-/// Rays test the kinds in this order, and the numbers of the shapes follow it.
+/// The entry of a kind holds, in this order:
+/// - the name of its list; its own name, which is also its module's; its described type; its prepared
+///   type;
+/// - its const parameter; the type of its list in a `Capacity`; the type and the length of its active
+///   list; the name of the method that moves a shape of this kind;
+/// - the variant of `ErrorKind` for too many shapes; the method of `Needs` that leaves the kind out;
+/// - the documentation of the methods that add a shape; the name of that method in the run-time scene;
+///   the fields of the description without the material.
+///
+/// Rays test the kinds in the order of this list, and shapes are numbered in the same order.
 macro_rules! kinds {
     ($write:ident $(, $next:ident)?) => {
         $write! {
@@ -34,30 +35,30 @@ macro_rules! kinds {
                 spheres sphere Sphere PreparedSphere
                 S Spheres [ActiveSpheres 16] set_sphere
                 TooManySpheres without_spheres
-                /// Adds a sphere with a radius greater than 0.
+                /// Adds a sphere; its radius is greater than 0, in scene units.
                 add_sphere(center: Position, radius: Number)
             }
             {
                 cylinders cylinder Cylinder PreparedCylinder
                 C Cylinders [ActiveCylinders 8] set_cylinder
                 TooManyCylinders without_cylinders
-                /// Adds an open cylinder around its `center`. The axis may have any length except 0.
-                /// Radius and height are greater than 0.
+                /// Adds an open cylinder with its middle at `center`. The axis may have any length but
+                /// 0; radius and height are greater than 0, in scene units.
                 add_cylinder(center: Position, axis: Position, radius: Number, height: Number)
             }
             {
                 discs disc Disc PreparedDisc
                 D Discs [ActiveDiscs D] set_disc
                 TooManyDiscs without_discs
-                /// Adds a flat disc, which is visible from both sides. The normal may have any length
-                /// except 0. The radius is greater than 0.
+                /// Adds a flat disc, visible from both sides. The normal may have any length but 0; the
+                /// radius is greater than 0, in scene units.
                 add_disc(center: Position, normal: Position, radius: Number)
             }
         }
     };
 }
 
-/// Writes the type of a room with these counts: the const parameters of the list, in their order.
+/// Writes the type `Room<..>` with these counts: its const parameters, in their order.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __room {
@@ -73,7 +74,7 @@ macro_rules! __room {
     };
 }
 
-/// Writes the described type of a part.
+/// Writes the path of the type that describes a part, such as `Sphere` for `sphere`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! __described {

@@ -1,16 +1,19 @@
 //! Ray-traced mirrors on microcontrollers.
 //!
-//! A scene of spheres, planes, open cylinders, discs and point lights is rendered in fixed point, row by
-//! row and without a frame buffer, into any [embedded-graphics] `DrawTarget`. Each pixel is
+//! The library renders scenes of spheres, planes, open cylinders, discs and point lights. It computes in
+//! fixed point, row by row and without a frame buffer, and draws into any [embedded-graphics]
+//! `DrawTarget`. Each pixel is
 //!
 //! > c = Σᵢ (1 − αᵢ) · (Π over k < i of αₖ) · cᵢ
 //!
-//! αᵢ is how mirror-like the i-th surface hit is. cᵢ is its colour by Phong or Blinn-Phong, without
-//! reflections. A ray that hits nothing adds the background, which is black unless the scene names it.
+//! αᵢ is how mirror-like the i-th surface on the ray's path is: 0 for a matt surface, 1 for a perfect
+//! mirror. cᵢ is the colour of that surface by Phong or Blinn-Phong shading, without reflections. A ray
+//! that hits nothing adds the background, which is black by default.
 //!
 //! # A picture on a desk
 //!
-//! [`scene!`] declares a constant scene. The compiler checks and prepares it; a wrong one does not compile.
+//! [`scene!`] declares a constant scene. The compiler checks and prepares it. A scene with a mistake
+//! does not compile.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -39,8 +42,9 @@
 //!
 //! # An animation
 //!
-//! A shape with a name moves, inside of a box that the scene declares. Only what moves is prepared again.
-//! The numbers may be integers or fixed-point numbers: no float instruction is executed.
+//! A shape with a name can move, inside of a box that the scene declares. Only the shape that moves is
+//! prepared again. Numbers may be integers, floats or fixed-point numbers. No float instruction is
+//! executed.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -70,10 +74,11 @@
 //!
 //! # A board
 //!
-//! The same calls draw on a board: its display driver is the target. Rows can also be computed one by one,
-//! in any order and on any core: [`FrameBuilder::prepare`]. `examples/pico` and `examples/board` in the
-//! repository are complete programs for a Raspberry Pi Pico and an LM3S6965. A scene that arrives while the
-//! program runs, such as text over a serial line, goes into a [`RuntimeScene`].
+//! The same calls draw on a board, where the display's driver is the target. [`FrameBuilder::prepare`]
+//! lets a program compute rows one by one, in any order and on any core. `examples/pico` and
+//! `examples/board` in the repository are complete programs for a Raspberry Pi Pico and an LM3S6965. A
+//! [`RuntimeScene`] is filled while the program runs, for example from text that arrives over a serial
+//! line.
 //!
 //! # What is not supported
 //!
@@ -83,15 +88,16 @@
 //!
 //! | what | where |
 //! |---|---|
-//! | how exact a picture is: `Fast`, `Fine`, `Exact`, `Small` | [`quality`] |
-//! | Phong, Blinn-Phong | [`shading`] |
-//! | displays with few levels, larger pixels | [`display`] |
-//! | a frame for so many instructions or so much time | [`budget`] |
-//! | what a scene needs of the library | [`needs`] |
-//! | the numbers of a scene as it was described | [`description`] |
+//! | qualities, which say how exact a picture is: `Fast`, `Fine`, `Exact`, `Small` | [`quality`] |
+//! | shading models: Phong, Blinn-Phong | [`shading`] |
+//! | dithering for displays with few levels, larger pixels | [`display`] |
+//! | frames with a budget of instructions or time | [`budget`] |
+//! | features of the library that a scene needs | [`needs`] |
+//! | numbers that a scene was written with | [`description`] |
 //!
-//! Every way draws the same picture on every machine, to the bit. What a scene does not need is not linked:
-//! it is derived from a constant scene, or from the room in the type of one that is filled at run time.
+//! With the same settings, a scene gives the same picture on every machine, to the bit. Code that a
+//! scene does not need is not linked. The needs are derived from a constant scene itself, or from the
+//! room in the type of a scene that is filled at run time.
 //!
 //! # The build profile of a firmware
 //!
@@ -115,8 +121,8 @@
 //! | lto = true, codegen-units = 1, opt-level = "z" | 29148 | 2216 | 12908 | 369 |
 //! | Cargo's default dev (debug) | 267756 | 23587 | 237184 | 5072 |
 //!
-//! Every profile draws the same picture. Where flash is scarce, the quality [`Small`](quality::Small) saves more than an
-//! `opt-level`.
+//! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
+//! more than an `opt-level`.
 //!
 //! # Numbers and their limits
 //!
@@ -136,16 +142,22 @@
 //! | reflections | 0 to 255 |
 //! | picture | 1 to 65535 pixels a side |
 //!
-//! The binary point of a scene is chosen when it is built: its shapes fill a ball of 2²⁸ steps (of
-//! 2²⁵ where there are planes, fewer where lights, camera or planes stand up to 32 times as far; but
-//! what the smallest shape and epsilon need of these bits stays theirs). So a scene in millimetres and
-//! the same scene in kilometres give the same picture.
+//! Coordinates become whole steps of a grid, which is chosen for each scene when it is built. The shapes
+//! fill a ball with a radius of 2²⁸ steps, or 2²⁵ steps in a scene with planes. They fill fewer steps if
+//! lights, camera or planes stand up to 32 times as far from the middle, because the grid then includes
+//! these, too. But the steps are never coarser than the smallest shape and epsilon need. So a scene in
+//! millimetres and the same scene in kilometres give the same picture.
 //!
 //! # Features
 //!
-//! None is on by default. `scenes`: eleven ready scenes. `micromath`: its `F32` and vectors as
-//! input for cameras and run-time scenes. `host`: see above. `window`: the simulator's window for
-//! the `render` example.
+//! No feature is on by default.
+//!
+//! | feature | adds |
+//! |---|---|
+//! | `scenes` | eleven built-in scenes |
+//! | `micromath` | the numbers and vectors of `micromath` as input for cameras and run-time scenes |
+//! | `host` | tools for the desktop: double-precision reference, picture comparison, scene files |
+//! | `window` | the simulator's window for the example `render` |
 //!
 //! # Oldest supported Rust
 //!
@@ -155,7 +167,8 @@
 #![no_std]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
-// Overflow checks do not see an `as` that loses bits or a sign. `number::narrow` has functions that do.
+// Overflow checks do not detect an `as` that loses bits or the sign. The functions of `number::narrow`
+// check this.
 #![cfg_attr(
     not(test),
     deny(
@@ -217,28 +230,28 @@ pub use scene::{Handle, RuntimeScene, SceneBuilder};
 pub use shape::MaterialId;
 pub use vector::Position;
 
-/// How exact a picture is, as a type: what a frame leaves out.
+/// Qualities: types that say how exact a picture is, and which approximations a frame uses.
 pub mod quality {
     pub use crate::render::{Exact, Fast, Fine, Quality, Small};
 }
 
-/// How surfaces are lit, as a type.
+/// Shading models: types that say how the colour of a surface is computed.
 pub mod shading {
     pub use crate::shade::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 }
 
-/// Frames for so many instructions, or so much time.
+/// Frames with a budget: settings chosen for a number of instructions, and a limit of time.
 pub mod budget {
     pub use crate::display::budget::{Budgeted, Choice, FrontPoint, ParetoFront, QualityLevel};
 }
 
-/// What a scene needs of the library: what it does not need is not linked.
+/// Needs: the features of the library that a scene uses. Code for other features is not linked.
 pub mod needs {
     pub use crate::accel::Limited;
     pub use crate::scene::{Mirrors, MostReflections, Need, Needs, NeedsLimit, Shininess};
 }
 
-/// Scenes as they were described: plain numbers, before they are prepared.
+/// Descriptions of scenes: the numbers that they were written with, before they are prepared.
 pub mod description {
     pub use crate::camera::CameraDescription;
     pub use crate::light::Light;
@@ -246,13 +259,13 @@ pub mod description {
     pub use crate::shape::{cylinder::Cylinder, disc::Disc, plane::Plane, sphere::Sphere};
 }
 
-/// What the macros of the crate name; not part of the interface.
+/// Items that the macros of the crate name. They are not part of the interface.
 #[doc(hidden)]
 pub mod __private {
     pub use crate::accel::drawable::{Drawable, Everything};
     pub use crate::accel::{Apart, StaticScene};
     pub use crate::scene::{Capacity, Counts, Room};
 
-    /// The room in which the parts of a constant scene are counted.
+    /// Largest room of a constant scene. [`scene!`](crate::scene) counts the parts of a scene in it.
     pub type LargestRoom = Room<512, 32, 128, 16, 256, 128>;
 }

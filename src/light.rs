@@ -10,6 +10,18 @@ use crate::vector::Position;
 
 /// Point light as the user describes it. It shines equally in all directions and does not fall off with
 /// distance.
+///
+/// ```
+/// use reflet::description::Light;
+/// use reflet::{Number, Position, RuntimeScene, room};
+///
+/// let mut scene = RuntimeScene::<room!(lights: 1)>::new();
+/// scene.add_light([3, -4, 6], [1.0, 0.5, 0.0])?;
+/// let [Light { position, color, .. }] = *scene.description().lights else { unreachable!() };
+/// assert_eq!(position, Position::new([3.0, -4.0, 6.0]));
+/// assert_eq!(color, [1.0, 0.5, 0.0].map(Number::new));
+/// # Ok::<(), reflet::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Light {

@@ -19,6 +19,21 @@ use crate::number::{Brightness, Exponent, Number, Unit};
 ///     Material::new([0.7, 0.6, 0.0]).ambient(0.2).diffuse(0.4).specular(0.8, 4.0).mirror(0.4);
 /// ```
 ///
+/// Numbers that are known at run time are checked there:
+///
+/// ```
+/// use reflet::{ErrorKind, Material, Number};
+/// let gold = Material::from_numbers([0.7, 0.6, 0.0], 0.2, 0.4, (0.8, 4.0), 0.4)?;
+/// assert_eq!(gold.described_color()[1], Number::new(0.6));
+/// let [ambient, diffuse, specular, shininess, mirror] = gold.described_coefficients();
+/// assert_eq!([ambient, diffuse, specular], [0.2, 0.4, 0.8].map(Number::new));
+/// assert_eq!((shininess, mirror), (Number::from(4), Number::new(0.4)));
+///
+/// let glare = Material::from_numbers([1, 1, 1], 0, 1, (0, 1), 2);
+/// assert_eq!(glare.unwrap_err().kind(), ErrorKind::Mirror);
+/// # Ok::<(), reflet::Error>(())
+/// ```
+///
 /// A constant with a value out of range does not compile:
 ///
 /// ```compile_fail

@@ -1,15 +1,15 @@
-//! What frames are drawn of: scenes, wherever they live.
+//! The trait of all scenes that frames can be drawn of: constant scenes, scenes in RAM, limited ones.
 
 use super::within::{Limited, Whole, Within};
 use super::{ActiveRoom, Apart, MovingScene, Scene, Static, Tabled, World};
 use crate::scene::NeedsLimit;
 
-/// A scene that frames are drawn of. Implemented by the crate for every scene.
+/// A scene that frames can be drawn of. The crate implements it for every scene.
 pub trait Drawable: Sized {
-    /// The room of the scene.
+    /// Room of the scene: the capacities of its lists.
     type Room: ActiveRoom;
 
-    /// The scene as the kernels read it.
+    /// Type through which the kernels read the scene.
     type World<'a>: World<Room = Self::Room> + Copy
     where
         Self: 'a;
@@ -17,10 +17,11 @@ pub trait Drawable: Sized {
     /// Whether the scene can change while the program runs.
     const CHANGES: bool;
 
-    /// Returns the scene as the kernels read it.
+    /// Returns the access through which the kernels read the scene.
     fn world(&self) -> Self::World<'_>;
 
-    /// Returns a number that is another one when the scene has changed.
+    /// Returns a number that changes when the scene changes. A frame compares it to refuse a changed
+    /// scene.
     fn stamp(&self) -> u32;
 }
 
@@ -40,7 +41,7 @@ impl<T: Apart> Drawable for T {
     }
 }
 
-/// Implements [`Drawable`] for a scene that the kernels read where it stands.
+/// Implements [`Drawable`] for a scene that the kernels read through a reference.
 macro_rules! drawn_in_place {
     ([$($parameters:tt)*] $scene:ty, $room:ty, |$it:ident| $stamp:expr) => {
         impl<$($parameters)*> Drawable for $scene {
@@ -103,6 +104,6 @@ impl<S: Drawable> Drawable for Everything<'_, S> {
     }
 }
 
-/// A scene with everything linked that any scene needs; for measuring what leaving it out saves.
+/// A scene for which all code of the library is linked. Measurements use it to show what needs save.
 #[derive(Clone, Copy, Debug)]
 pub struct Everything<'a, S>(pub &'a S);

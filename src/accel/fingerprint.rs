@@ -1,4 +1,4 @@
-//! The fingerprint of a scene: a number by which a frame notes the scene that it was prepared for.
+//! The fingerprint of a scene: a number that lets a frame recognise the scene it was prepared for.
 
 use crate::camera::CameraDescription;
 use crate::material::Material;
@@ -7,11 +7,11 @@ use crate::ray::spread;
 use crate::scene::Description;
 use crate::vector::Position;
 
-/// Hash of numbers in 32 bits, for constants and for programs.
+/// A 32-bit hash of a scene's description, computed byte by byte.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fingerprint(pub(super) u32);
 
-/// Adds a field of a shape by its type.
+/// Returns the hash of all numbers of a description, or of a part of one.
 macro_rules! add {
     ($hash:ident, Position, $value:expr) => {
         $hash.position(&$value)

@@ -1,7 +1,8 @@
-//! Floor 5: everything that only makes the plain path faster: which shapes a ray need ask. Knows no
-//! shading.
+//! Floor 5: culling: techniques that make the plain path faster by testing fewer shapes for each ray.
+//! This floor knows no shading.
 //!
-//! Each file has one technique and its bound. What chooses candidates changes no bit of a picture.
+//! Each file holds one technique and its bound. A technique that only chooses candidates changes no bit
+//! of a picture.
 
 mod active_list;
 mod active_lists;
@@ -38,24 +39,24 @@ use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
 use crate::scene::shape_set::ShapeSet;
 
-/// The longest way from one pixel that is always traced to the next.
+/// Largest stride in pixels: how many columns lie at most from one traced pixel of a row to the next.
 pub(crate) const LONGEST_STRIDE: u32 = 4;
 
-/// Which techniques are used.
+/// Switches of the culling techniques.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Culling {
-    /// Rows ask what [`screen_bounds`] name.
+    /// Whether camera rays test only the shapes whose [`screen_bounds`] contain the pixel.
     pub(crate) screen_bounds: bool,
-    /// Shadows are told from the light ([`light_occluders`], [`light_visibility`]).
+    /// Whether shadows are computed from the light's side ([`light_occluders`], [`light_visibility`]).
     pub(crate) light_occluders: bool,
-    /// Shadows ask what [`light_table`] names.
+    /// Whether shadow rays test only the shapes that [`light_table`] lists for their direction.
     pub(crate) light_tables: bool,
-    /// Rays off round mirrors ask what [`mirror_table`] names.
+    /// Whether rays reflected by round mirrors test only the shapes that [`mirror_table`] lists.
     pub(crate) mirror_tables: bool,
 }
 
 impl Culling {
-    /// Every technique.
+    /// Switches with every technique on.
     pub(crate) const ALL: Self = Self {
         screen_bounds: true,
         light_occluders: true,
@@ -63,7 +64,7 @@ impl Culling {
         mirror_tables: true,
     };
 
-    /// The plain path.
+    /// Switches with every technique off: the plain path, which tests every shape.
     pub(crate) const NONE: Self = Self {
         screen_bounds: false,
         light_occluders: false,
@@ -71,20 +72,22 @@ impl Culling {
         mirror_tables: false,
     };
 
-    /// Whether a technique is used.
+    /// Tests whether at least one technique is on.
     pub(crate) const fn is_any(self) -> bool {
         self.screen_bounds || self.light_occluders || self.light_tables || self.mirror_tables
     }
 }
 
-/// Which techniques a quality uses.
+/// The part of a quality that says which culling techniques are used.
 pub trait CullingQuality {
-    /// Its techniques.
+    /// Culling techniques that frames of this quality use.
     const CULLING: Culling;
 }
 
-/// The nearest bounded shape on a ray that a mirror reflects; asks what lies ahead of it, if that is
-/// known.
+/// Returns the nearest bounded shape hit by a ray that a mirror reflects.
+///
+/// Tests only the shapes that lie ahead of the mirror in the ray's direction, if the mirror has a table
+/// of them; all shapes otherwise. `skip` is the shape that the ray leaves.
 #[inline(always)]
 pub(crate) fn nearest_ahead<W: World, Q: CullingQuality>(
     world: &W,
@@ -99,26 +102,26 @@ pub(crate) fn nearest_ahead<W: World, Q: CullingQuality>(
     nearest_of(world, candidates, (ray, NOWHERE), skip, signature)
 }
 
-/// A scene the kernels can read, wherever it lives, with what makes it fast.
+/// A scene that the kernels can read, together with the tables that make it fast.
 ///
-/// Implemented by the crate for [`Scene`], for references to one, for [`Static`] and for [`Within`];
-/// there is no need to implement it elsewhere.
+/// The crate implements it for scenes in RAM, for constant scenes and for limited ones. Users do not
+/// implement it.
 pub trait World: SceneAccess {
-    /// The room of its lists.
+    /// Room of the scene: the capacities of its lists.
     type Room: ActiveRoom;
 
-    /// What makes it fast.
+    /// Returns the tables of the scene.
     fn tables(&self) -> Tables<'_, Self::Room>;
 }
 
-/// What is kept of a scene beside its parts.
+/// The culling tables of a scene. Tables that a scene does not have are empty.
 #[derive(Debug)]
 pub struct Tables<'a, R: ActiveRoom> {
-    /// The lights, and the shapes as they see them.
+    /// For each light, the shapes that may occlude it, prepared from the light's position.
     pub(crate) light_occluders: &'a [LightOccluders<R>],
-    /// Which shapes lie in which direction from each light.
+    /// For each light, the shapes that lie in each direction from it.
     pub(crate) light_tables: &'a [LightTable],
-    /// Which shapes lie ahead of rays that leave each round mirror.
+    /// For each round mirror, the shapes that lie ahead of rays that leave it.
     pub(crate) mirror_tables: &'a MirrorTables,
 }
 

@@ -1,7 +1,8 @@
-//! Scenes whose parts move: the part is prepared again, and so are its views from the lights.
+//! Scenes whose parts move. The part that moves is prepared again, and so are its entries in the
+//! occluders of the lights.
 //!
-//! A scene that was filled at run time moves any shape and any light. In a constant scene the named
-//! shapes move; the others, and all tables, stay constants.
+//! In a scene filled at run time every bounded shape and every light can move. In a constant scene the
+//! named shapes can move. Its other parts and all its tables stay constants.
 
 use super::fingerprint::Fingerprint;
 use super::static_scene::{Apart, StaticScene};
@@ -16,9 +17,9 @@ use crate::scene::{Capacity, Handle, Needs, Parts, used};
 use crate::shape::MaterialId;
 use crate::vector::Position;
 
-/// A constant scene in RAM, of which the named shapes move.
+/// A copy of a constant scene in RAM, whose named shapes can move.
 ///
-/// Materials, lights, planes and tables stay in flash.
+/// Frames read materials, lights, planes and tables from flash.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -45,6 +46,28 @@ use crate::vector::Position;
 /// assert_eq!(too_high.unwrap_err().kind(), reflet::ErrorKind::Motion);
 /// # Ok::<(), reflet::Error>(())
 /// ```
+///
+/// Cylinders and discs move in the same way:
+///
+/// ```
+/// use reflet::{Material, MovingScene, scene};
+///
+/// const TIN: Material = Material::new([0.8, 0.8, 0.8]);
+///
+/// scene! {
+///     struct Can {
+///         motion([-3.0, -3.0, -1.0], [3.0, 3.0, 4.0]);
+///         cylinder WALL([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], 1.0, 2.0, TIN);
+///         disc LID([0.0, 0.0, 2.0], [0.0, 0.0, 1.0], 1.0, TIN);
+///         light([3.0, -4.0, 9.0], [1.0, 1.0, 1.0]);
+///     }
+/// }
+///
+/// let mut scene = MovingScene::<Can>::new();
+/// scene.set_cylinder(Can::WALL, [1, 0, 1], [0, 0, 1], 1, 2)?;
+/// scene.set_disc(Can::LID, [1, 0, 2], [1, 0, 2], 1)?;
+/// # Ok::<(), reflet::Error>(())
+/// ```
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
@@ -54,12 +77,12 @@ impl<T: StaticScene> Clone for MovingScene<T> {
 }
 
 impl<T: StaticScene> MovingScene<T> {
-    /// Copies the scene into RAM, with its shapes where they are described.
+    /// Copies the constant scene `T` into RAM. The shapes are where the description puts them.
     pub fn new() -> Self {
         Self(*T::SCENE)
     }
 
-    /// Returns a number that changes with the scene.
+    /// Returns a number that changes whenever a shape moves.
     pub(crate) fn stamp(&self) -> u32 {
         self.0.stamp
     }
@@ -81,12 +104,17 @@ macro_rules! motion {
         impl<R: Capacity> Scene<R> {
             $(
                 #[doc = concat!(
-                    "Changes a ", stringify!($kind), " in place. Only it is prepared again; it keeps its material."
+                    "Changes place and size of a ", stringify!($kind), ". It keeps its material."
+                )]
+                ///
+                #[doc = concat!(
+                    "Prepares only this ", stringify!($kind), " again, and its entries in the lights' occluders."
                 )]
                 ///
                 /// # Errors
-                #[doc = concat!("What is wrong with the ", stringify!($kind), "; [`ErrorKind::Motion`] unless the")]
-                /// ball around it lies inside of the motion box. The scene is as it was.
+                #[doc = concat!("The mistake in the ", stringify!($kind), "; [`ErrorKind::UnknownHandle`] if there is")]
+                /// no such part; [`ErrorKind::Motion`] if the ball around it does not lie inside of the
+                /// motion box. After an error the scene is unchanged.
                 pub fn $set(
                     &mut self,
                     $kind: Handle<crate::shape::$described>,
@@ -118,12 +146,13 @@ macro_rules! motion {
 
         impl<T: Apart> MovingScene<T> {
             $(
-                #[doc = concat!("Changes a named ", stringify!($kind), " in place. Only it is prepared again;")]
-                /// it keeps its material.
+                #[doc = concat!("Changes place and size of a named ", stringify!($kind), ". It keeps its")]
+                /// material. Only this shape is prepared again.
                 ///
                 /// # Errors
-                #[doc = concat!("What is wrong with the ", stringify!($kind), "; [`ErrorKind::Motion`] unless the")]
-                /// ball around it lies inside of the motion box. The scene is as it was.
+                #[doc = concat!("The mistake in the ", stringify!($kind), "; [`ErrorKind::UnknownHandle`] if the handle")]
+                /// is not of this scene; [`ErrorKind::Motion`] if the ball around it does not lie inside
+                /// of the motion box. After an error the scene is unchanged.
                 pub fn $set(
                     &mut self,
                     $kind: Handle<crate::shape::$described>,
@@ -137,7 +166,7 @@ macro_rules! motion {
                 }
             )*
 
-            /// Tests whether a shape is one of those that move.
+            /// Tests whether the constant scene lets the shape of this kind and index move.
             fn moves(name: &str, index: usize) -> bool {
                 let layout = SetLayout::new(T::PARTS.lengths());
                 let kind = [$(stringify!($kind)),*].iter().position(|it| *it == name);
@@ -175,11 +204,13 @@ impl<T: Apart> World for MovingScene<T> {
 }
 
 impl<R: Capacity> Scene<R> {
-    /// Changes the position of a light in place; it keeps its colour. Only what the light sees of the
-    /// shapes is prepared again.
+    /// Changes the position of a light, in scene units. It keeps its colour.
+    ///
+    /// Prepares only the occluders of this light again. A light may leave the motion box.
     ///
     /// # Errors
-    /// [`ErrorKind::Coordinate`]. The scene is as it was.
+    /// [`ErrorKind::Coordinate`] if a coordinate is not within ±2³⁰; [`ErrorKind::UnknownHandle`] if
+    /// there is no such light. After an error the scene is unchanged.
     pub fn set_light(
         &mut self,
         light: Handle<Light>,

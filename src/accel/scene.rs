@@ -1,4 +1,4 @@
-//! A scene made ready for the kernels, with the shapes as its lights see them.
+//! Scenes in RAM: prepared parts, and the shapes prepared from the position of each light.
 
 use super::fingerprint::Fingerprint;
 use super::light_occluders::LightOccluders;
@@ -13,11 +13,34 @@ use crate::scene::{
     Array, Capacity, Description, Needs, Parts, PlainScene, Room, RuntimeScene, SceneBuilder, used,
 };
 
-/// A scene made ready for the kernels; `R` is its room, [`room!`](crate::room).
+/// A prepared scene, ready to be drawn. `R` is its room, written with [`room!`](crate::room).
 ///
-/// [`RuntimeScene::build`](crate::RuntimeScene::build) makes it while the program runs,
-/// [`SceneBuilder::build`] when the program is compiled. Bytes of RAM on a Cortex-M of one that is filled
-/// at run time, and of the tables that [`Scene::tabled`] adds:
+/// [`RuntimeScene::build`](crate::RuntimeScene::build) prepares a scene while the program runs,
+/// [`SceneBuilder::build`] when the program is compiled. Shapes and lights can then be moved in place.
+///
+/// ```
+/// use reflet::description::{Cylinder, Light};
+/// use reflet::{Camera, Handle, Material, RuntimeScene, room};
+///
+/// let mut scene = RuntimeScene::<room!(cylinders: 1, discs: 1, lights: 1)>::new();
+/// scene.set_motion([-4, -4, -4], [4, 4, 4])?;
+/// scene.set_camera(Camera::new([0, -9, 3], [0, 0, 1], [0, 0, 1], 50)?);
+/// let tin = scene.add_material(Material::new([0.8; 3]).mirror(0.3))?;
+/// let can: Handle<Cylinder> = scene.add_cylinder([0, 0, 1], [0, 0, 1], 1, 2, tin)?;
+/// let lid = scene.add_disc([0, 0, 2], [0, 0, 1], 1, tin)?;
+/// let lamp: Handle<Light> = scene.add_light([3, -4, 6], [1, 1, 1])?;
+///
+/// let mut scene = scene.build()?;
+/// scene.set_cylinder(can, [1, 0, 1], [0, 0, 1], 1, 2)?;
+/// scene.set_disc(lid, [1, 0, 2], [0, 0, 1], 1)?;
+/// scene.set_light(lamp, [-3, -4, 6])?;
+/// assert!(scene.camera().is_some());
+/// assert!(scene.needs().cylinders);
+/// # Ok::<(), reflet::Error>(())
+/// ```
+///
+/// Bytes of RAM on a Cortex-M of a scene that was filled at run time, of its description, and of the
+/// tables that [`Scene::tabled`] adds:
 ///
 /// | room | scene | its description | tables |
 /// |---|--:|--:|--:|
@@ -28,17 +51,17 @@ use crate::scene::{
 pub struct Scene<R: Capacity> {
     pub(super) plain: PlainScene<R>,
     pub(super) light_occluders: R::Lights<LightOccluders<R>>,
-    /// Changes with the scene: a frame that was prepared for another one is refused.
+    /// Number that changes with the scene. A frame stores it and refuses a scene with another number.
     pub(super) stamp: u32,
 }
 
 impl<R: Capacity> Scene<R> {
-    /// Returns the camera that the scene was described with.
+    /// Returns the camera of the scene's description, or `None` if it has none.
     pub const fn camera(&self) -> Option<&Camera> {
         self.plain.camera.as_ref()
     }
 
-    /// Returns what the scene needs.
+    /// Returns the features of the library that the scene needs.
     pub fn needs(&self) -> Needs {
         self.plain.parts().needs()
     }
@@ -50,7 +73,7 @@ macro_rules! scene {
         $({ $list:ident $($more:tt)* })*
     ) => {
         impl<$($header)*> Scene<Room<$($arguments)*>> {
-            /// Prepares a description whose parts have been checked and fit.
+            /// Prepares a scene from a description whose parts were checked and fit the room.
             const fn prepare(description: &Description<'_>) -> Result<Self, Error> {
                 let plain = match PlainScene::prepare(description) {
                     Ok(plain) => plain,
@@ -59,7 +82,7 @@ macro_rules! scene {
                 Ok(Self::of(plain, Fingerprint::of(description)))
             }
 
-            /// Adds the shapes as the lights see them.
+            /// Adds the occluders of each light to a prepared scene.
             const fn of(plain: PlainScene<Room<$($arguments)*>>, stamp: Fingerprint) -> Self {
                 let mut scene = Self {
                     plain,
@@ -77,7 +100,13 @@ macro_rules! scene {
         }
 
         impl<$($header)*> SceneBuilder<Room<$($arguments)*>> {
-            /// Chooses the binary point and prepares the scene for the kernels.
+            /// Chooses the scene's grid and prepares the scene, for constants.
+            ///
+            /// # Panics
+            /// Panics with the text of an [`Error`] where [`RuntimeScene::build`] returns one; if the
+            /// room is larger than the scene ([`ErrorKind::UnusedRoom`], materials excepted); and if
+            /// nothing lights the scene ([`ErrorKind::NoLight`]). In a constant, this stops the
+            /// compiler.
             pub const fn build(&self) -> Scene<Room<$($arguments)*>> {
                 self.refuse_unused_room();
                 let plain = match PlainScene::prepare(&self.description()) {
@@ -90,7 +119,7 @@ macro_rules! scene {
                 Scene::of(plain, Fingerprint::of(&self.description()))
             }
 
-            /// Stops the compiler if a list has room for more than its parts; each takes flash.
+            /// Panics if a list has room for more parts than it holds, because unused room takes flash.
             const fn refuse_unused_room(&self) {
                 let (counts, room) = (self.counts(), Room::<$($arguments)*>::COUNTS);
                 $(
@@ -108,10 +137,10 @@ macro_rules! scene {
         }
 
         impl<$($header)*> RuntimeScene<Room<$($arguments)*>> {
-            /// Chooses the binary point and prepares the scene for the kernels, with integers only.
+            /// Chooses the scene's grid and prepares the scene. No float instruction is executed.
             ///
             /// # Errors
-            /// What can only be seen in the scene as a whole: [`ErrorKind::Tiny`], [`ErrorKind::Extent`],
+            /// Mistakes of the scene as a whole: [`ErrorKind::Tiny`], [`ErrorKind::Extent`],
             /// [`ErrorKind::Epsilon`], [`ErrorKind::Brightness`].
             pub fn build(&self) -> Result<Scene<Room<$($arguments)*>>, Error> {
                 Scene::prepare(&self.description())
@@ -122,10 +151,11 @@ macro_rules! scene {
 kinds!(scene);
 
 impl<R: Capacity> Scene<R> {
-    /// The scene with a table for each light of the shapes around it: 1 KB a light, in memory of the
-    /// caller's. Shadows of many shapes then take less time; the picture is the same, to the bit.
+    /// Returns the scene with a table for each light: the shapes that lie in each direction from it.
     ///
-    /// A scene whose type has room for three bounded shapes or fewer asks them all, with tables or without.
+    /// A table takes 1 KB for each light that the room allows, in the memory of the returned value.
+    /// Shadows of many shapes then take less time. The picture stays the same, to the bit. If the room
+    /// holds three bounded shapes or fewer, tables are not used: each shadow ray tests all shapes.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -158,7 +188,7 @@ impl<R: Capacity> Scene<R> {
     }
 }
 
-/// A [`Scene`] with a table for each of its lights; see [`Scene::tabled`].
+/// A borrowed [`Scene`] with a table of shapes for each of its lights. [`Scene::tabled`] creates it.
 #[derive(Clone, Copy, Debug)]
 pub struct Tabled<'a, R: Capacity> {
     pub(super) scene: &'a Scene<R>,

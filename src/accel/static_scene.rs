@@ -1,4 +1,5 @@
-//! Constant scenes, taken apart into constants of which only those that are read are linked.
+//! Constant scenes. Each list of a scene is a constant of its own, and only constants that are read are
+//! linked.
 
 use core::marker::PhantomData;
 
@@ -13,45 +14,48 @@ use crate::scene::access::SceneAccess;
 use crate::scene::{Description, Needs, Parts, Room, used};
 use crate::shape::plane::PreparedPlane;
 
-/// A scene that is a constant of a type; [`scene!`](crate::scene) implements it.
+/// A type whose scene is a constant. [`scene!`](crate::scene) implements it.
 ///
-/// The scene lives in flash, and the compiler keeps only the code and the tables that it can use.
+/// The scene lives in flash. The program contains only the code and the tables that the scene can use.
 pub trait StaticScene: Sized + 'static {
-    /// The room of the scene.
+    /// Room of the scene: the capacities of its lists.
     type Room: ActiveRoom;
-    /// The scene.
+    /// Prepared scene, as one constant.
     const SCENE: &'static Scene<Self::Room>;
-    /// The value of the type, which has no fields.
+    /// Reference to the only value of the type, which has no fields.
     const INSTANCE: &'static Self;
 
-    /// Calls `read` with the description of the scene: the numbers it was written with. A frame does not
-    /// need them; checks of a frame do.
+    /// Calls `read` with the description of the scene, which holds the numbers it was written with, and
+    /// returns the result.
+    ///
+    /// Frames do not read the description. Checks against a reference do.
     fn with_description<R>(read: impl FnOnce(Description<'_>) -> R) -> R;
 }
 
-/// A [`StaticScene`] taken apart: what it needs, and each of its parts as a constant of its own, so that
-/// a part that nothing reads is not linked.
+/// A [`StaticScene`] with its needs and with each list as a constant of its own.
+///
+/// A list that nothing reads is then not linked.
 pub trait Apart: StaticScene {
-    /// What the scene needs.
+    /// Features of the library that the scene needs.
     const NEEDS: Needs;
-    /// The parts of the scene.
+    /// Prepared shapes, lights, materials and settings of the scene.
     const PARTS: Parts<'static>;
-    /// The lights, with the shapes as they see them.
+    /// For each light, the shapes that may occlude it, prepared from the light's position.
     const LIGHT_OCCLUDERS: &'static [LightOccluders<Self::Room>];
-    /// The shapes in each direction from each light.
+    /// For each light, the shapes that lie in each direction from it.
     const LIGHT_TABLES: &'static [LightTable];
-    /// The shapes ahead of rays that leave each round mirror; empty where no ray reads them.
+    /// For each round mirror, the shapes ahead of rays that leave it; empty if no ray would read them.
     const MIRROR_TABLES: &'static MirrorTables;
 }
 
 impl Needs {
-    /// Of a scene known when the program is compiled.
+    /// Returns the needs of the constant scene `T`; the example of [`Needs`] shows it.
     pub const fn of<T: Apart>() -> Self {
         T::NEEDS
     }
 }
 
-/// Copies of the parts of a scene.
+/// Holder of constants that are copies of the lists of the scene `T`.
 struct Copied<T>(PhantomData<T>);
 
 macro_rules! apart {
@@ -101,14 +105,15 @@ macro_rules! apart {
 }
 kinds!(apart);
 
-/// A list of mirror tables of each size: an array's length cannot come from the scene.
+/// Holder of an array of `N` mirror tables of the scene `T`. The length of an array cannot be computed
+/// from `T`, so [`mirror_tables`] chooses among fixed lengths.
 struct MirrorList<T, const N: usize>(PhantomData<T>);
 
 impl<T: Apart, const N: usize> MirrorList<T, N> {
     const OF_SCENE: [MirrorTable; N] = MirrorTables::tables(&T::PARTS);
 }
 
-/// The mirror tables of a scene.
+/// Returns the mirror tables of a constant scene, in the array length that holds them.
 const fn mirror_tables<T: Apart>() -> MirrorTables {
     let (numbers, room) = MirrorTables::numbered(&T::PARTS);
     let tables: &[MirrorTable] = match room {
@@ -125,7 +130,7 @@ const fn mirror_tables<T: Apart>() -> MirrorTables {
     MirrorTables { numbers, tables }
 }
 
-/// The scene of a [`StaticScene`] as the kernels read it; takes no room.
+/// Access of the kernels to the constant scene `T`. The value takes no memory.
 pub struct Static<T>(PhantomData<T>);
 
 impl<T> Static<T> {

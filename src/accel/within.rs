@@ -1,4 +1,4 @@
-//! A scene of which less is linked, or more, than its type says.
+//! Scenes for which less code is linked than their type allows ([`Limited`]), or all code ([`Whole`]).
 
 use core::marker::PhantomData;
 
@@ -8,7 +8,8 @@ use crate::error::Error;
 use crate::scene::access::{SceneAccess, if_needed};
 use crate::scene::{Needs, NeedsLimit, Parts};
 
-/// A scene that needs no more than the limit `L` allows: what `L` leaves out is not linked.
+/// A scene that was checked to need no more than the limit `L`. The code that `L` leaves out is not
+/// linked.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -41,11 +42,11 @@ pub struct Limited<'a, S, L> {
 }
 
 impl<'a, S: Drawable, L: NeedsLimit> Limited<'a, S, L> {
-    /// Limits a scene.
+    /// Checks that a scene needs no more than the limit `L`, and limits it.
     ///
     /// # Errors
-    /// [`ErrorKind::Limit`](crate::ErrorKind::Limit) with the name of the first need that the limit leaves
-    /// out.
+    /// [`ErrorKind::Limit`](crate::ErrorKind::Limit) if the scene needs more; the error's part is the
+    /// name of the first need that the limit leaves out.
     pub fn new(scene: &'a S) -> Result<Self, Error> {
         scene.world().parts().needs().within(&L::NEEDS)?;
         Ok(Self {
@@ -60,14 +61,14 @@ impl<'a, S: Drawable, L: NeedsLimit> Limited<'a, S, L> {
     }
 }
 
-/// A scene of which the kernels need no more than `B` says.
+/// A scene as the kernels read it, with no more needs than the limit `B` allows.
 pub struct Within<W, B> {
     world: W,
     bound: PhantomData<B>,
 }
 
 impl<W, B> Within<W, B> {
-    /// The caller has checked the limit.
+    /// Limits a scene without a check. The caller has checked that the scene needs no more than `B`.
     pub(crate) const fn new(world: W) -> Self {
         Self {
             world,
@@ -94,7 +95,7 @@ impl<W: SceneAccess, B: NeedsLimit> SceneAccess for Within<W, B> {
     }
 }
 
-/// A scene of which the kernels take everything to be needed.
+/// A scene as the kernels read it, for which every need counts as needed.
 #[derive(Clone, Copy, Debug)]
 pub struct Whole<W>(pub(crate) W);
 

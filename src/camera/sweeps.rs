@@ -19,7 +19,7 @@ fn cross(a: Triple, b: Triple) -> Triple {
     ]
 }
 
-/// The ray through the middle of a pixel, as the model has it.
+/// Returns the direction of the ray through the middle of a pixel, computed in double precision.
 fn in_double_precision(
     [position, target, up]: [Triple; 3],
     degrees: f64,
@@ -40,15 +40,16 @@ fn in_doubles(direction: Direction) -> Triple {
     direction.components().map(|unit| unit.to_num::<f64>())
 }
 
-/// Fails where a ray of the camera is not the one of double precision.
+/// Asserts that a camera's ray equals the ray in double precision, within the bound of rounding.
 fn assert_ray(at: [Triple; 3], degrees: f64, size: (u32, u32), pixel: (u32, u32)) {
     let [position, target, up] = at;
     let camera = Camera::new(position, target, up, degrees).unwrap();
     let (x, y) = pixel;
     let found = in_doubles(camera.generator(size.0, size.1).row(y).of(x));
     let truth = in_double_precision(at, degrees, size, pixel);
-    // The axes are right to 2^-29, a reciprocal root to 2^-27.5; and the way to a pixel is rounded
-    // to 2^-28 of the way to the corner, which is as long as the tangent of half the wider angle.
+    // The axes are right to 2^-29, a reciprocal root to 2^-27.5. The vector from the middle of the
+    // picture to a pixel is rounded to 2^-28 of the vector to the corner, whose length is the tangent of
+    // half the wider angle.
     let tangent = (degrees / 2.0).to_radians().tan();
     let corner = tangent * (f64::from(size.1) / f64::from(size.0)).max(1.0);
     let bound = 2f64.powi(-26) + corner * 2f64.powi(-26);
@@ -66,7 +67,7 @@ fn every_ray_is_the_one_of_double_precision() {
         let at = [0; 3].map(|_| sweep.triple(1 << 20).map(|it| f64::from(it) / 1024.0));
         let [position, target, up] = at;
         let forward = unit([0, 1, 2].map(|axis| target[axis] - position[axis]));
-        // An up that is almost parallel to the view turns the picture by what it is rounded.
+        // If up is almost parallel to the view, its rounding error turns the picture noticeably.
         if dot(forward, unit(up)).abs() > 0.9 {
             continue;
         }

@@ -1,4 +1,4 @@
-//! Floor 8: what a picture can be off by where its paths were ended, from its report.
+//! Floor 8: the bound of the error that ended paths cause in a picture, computed from its report.
 
 use crate::accel::drawable::Drawable;
 use crate::number::{Unit, narrowed_unsigned, signed};
@@ -6,17 +6,16 @@ use crate::render::{Report, Rows};
 use crate::scene::access::SceneAccess;
 
 impl<S: Drawable, Q, K> Rows<'_, S, Q, K> {
-    /// How far a pixel of this picture that was traced can be from one whose paths are followed for
-    /// ever, on account of the reflections that were left out, as a share of white: 0 to 1.
+    /// Returns the largest error that the reflections left out cause in a traced pixel, as a share of
+    /// white, 0 to 1.
     ///
-    /// What follows the last reflection adds up to no more than the path's weight Π αₖ times the
-    /// brightest colour that anything in the scene can have; the largest such weight is the
-    /// report's. In integers; rounded up to 2⁻³⁰, and 1 where it is more: a display shows nothing above
-    /// white. Materials that no shape has count, too.
+    /// The light after the last reflection of a path is at most the path's throughput Π αₖ times the
+    /// brightest colour that anything in the scene can have. The report holds the largest such
+    /// throughput. The bound is computed in integers, rounded up to 2⁻³⁰, and at most 1, because a
+    /// display shows nothing above white. Materials that no shape uses count, too.
     ///
-    /// Of the pixels between traced ones (see [`crate::quality::Quality::STRIDE`]) it says nothing; what they
-    /// and rounding add does not depend on the number of reflections alone: `docs/error-time` has it
-    /// for every built-in scene.
+    /// The bound does not cover interpolated pixels (see [`crate::quality::Quality::STRIDE`]) or
+    /// rounding. `docs/error-time` in the repository shows the whole error for every built-in scene.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
@@ -36,7 +35,7 @@ impl<S: Drawable, Q, K> Rows<'_, S, Q, K> {
         // Q2.30 · Q6.26, rounded up.
         let weight = report.cut_off.to_bits().unsigned_abs();
         let brightest = self.world().parts().brightest.to_bits().unsigned_abs();
-        // What all colours are 255 parts of.
+        // Colours are stored in 255 of 256 parts; this scales back.
         let brightest = (u64::from(brightest) * 256).div_ceil(255);
         // Below 2³⁰ · 2³².
         let bound = (u64::from(weight) * brightest).div_ceil(1 << 26);

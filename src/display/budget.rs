@@ -1,5 +1,5 @@
-//! Floor 8: a frame for so many instructions, or so much time: which settings fit, by what was
-//! measured, and an end in time.
+//! Floor 8: frames with a budget of instructions or of time. Chooses among settings that were measured,
+//! and stops drawing when time is up.
 
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Point, Size};
@@ -13,37 +13,38 @@ use crate::render::{Fast, Fine, Quality};
 use crate::render::{FrameBuilder, Report};
 use crate::shade::Shading;
 
-/// The quality of a [`FrontPoint`], as a value.
+/// The quality of a [`FrontPoint`], as a value instead of a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum QualityLevel {
-    /// [`Fast`]
+    /// Quality [`Fast`].
     Fast,
-    /// [`Fine`]
+    /// Quality [`Fine`].
     Fine,
 }
 
-/// Settings for a scene on a core, what they take and what they lose: measured, not worked out.
+/// Settings for a scene on a processor core, with their measured instructions and error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FrontPoint {
-    /// Executed instructions of a frame's preparation, whatever its size.
+    /// Executed instructions for the preparation of a frame of any size.
     pub prepare: u32,
-    /// Executed instructions for a pixel of the display beyond that.
+    /// Executed instructions for each pixel of the display, without the preparation.
     pub instructions: u32,
-    /// At most this many reflections a path.
+    /// Largest number of reflections of a path.
     pub reflections: u8,
-    /// The quality.
+    /// Quality of the frame.
     pub level: QualityLevel,
-    /// A pixel that is drawn covers `scale` by `scale` pixels of the display (see [`Enlarged`]).
+    /// Enlargement: each computed pixel covers `scale` by `scale` pixels of the display (see
+    /// [`Enlarged`]).
     pub scale: u8,
-    /// The peak signal-to-noise ratio against double precision that follows every reflection, over
-    /// all channels, in hundredths of a decibel; [`u16::MAX`] if there was no difference.
+    /// Peak signal-to-noise ratio over all channels, in hundredths of a decibel; [`u16::MAX`] if there
+    /// was no difference. It is measured against a picture in double precision with every reflection.
     pub psnr: u16,
-    /// The largest difference of a channel, of 255.
+    /// Largest difference of a channel from that picture, 0 to 255.
     pub largest: u8,
 }
 
 impl FrontPoint {
-    /// The instructions that a frame of this size is expected to take.
+    /// Returns the number of instructions that a frame of this size is expected to take.
     pub const fn expected(&self, size: Size) -> u64 {
         // `u64::from` is not const.
         let pixels = size.width as u64 * size.height as u64;
@@ -52,19 +53,43 @@ impl FrontPoint {
     }
 }
 
-/// The best settings for a scene on a core: each takes more instructions a pixel than the one before
-/// it and has less error.
+/// A Pareto front: the best settings for a scene on a processor core, the cheapest first.
 ///
-/// `cargo run --release --package report` measures them for a scene of yours and writes them as
-/// Rust source.
+/// Each point takes more instructions for a pixel than the point before it and has less error. `cargo
+/// run --release --package report` in the repository measures them for a scene of yours and writes them
+/// as Rust source.
+///
+/// ```
+/// use embedded_graphics::prelude::Size;
+/// use reflet::budget::{Choice, FrontPoint, ParetoFront, QualityLevel};
+///
+/// // Made up; the command above writes measured points.
+/// const CHEAP: FrontPoint = FrontPoint {
+///     prepare: 10_000, instructions: 80, reflections: 1,
+///     level: QualityLevel::Fast, scale: 2, psnr: 2400, largest: 160,
+/// };
+/// const DEAR: FrontPoint =
+///     FrontPoint { instructions: 400, level: QualityLevel::Fine, psnr: 6000, ..CHEAP };
+/// const FRONT: ParetoFront = ParetoFront::new(&[CHEAP, DEAR]);
+///
+/// let size = Size::new(100, 100);
+/// assert_eq!((CHEAP.expected(size), DEAR.expected(size)), (810_000, 4_010_000));
+/// let choice = FRONT.choose(size, 1_000_000);
+/// assert_eq!((choice.point, choice.fits), (CHEAP, true));
+/// let choice = FRONT.choose(size, u64::MAX);
+/// assert_eq!((choice.point, choice.fits), (DEAR, true));
+/// let choice = FRONT.choose(size, 1_000);
+/// assert_eq!((choice.point, choice.fits), (FRONT.points()[0], false));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct ParetoFront(&'static [FrontPoint]);
 
 impl ParetoFront {
-    /// The front of these points.
+    /// Creates a front from its points, the cheapest first.
     ///
-    /// Panics, which stops the compiler for a constant, if there are none, or if one does not take
-    /// more instructions a pixel than the one before it and reach a higher PSNR.
+    /// # Panics
+    /// Panics if there is no point, or if a point does not take more instructions for a pixel and reach
+    /// a higher PSNR than the point before it. In a constant, this stops the compiler.
     pub const fn new(points: &'static [FrontPoint]) -> Self {
         assert!(!points.is_empty(), "a front has at least one point");
         let mut next = 1;
@@ -79,16 +104,19 @@ impl ParetoFront {
         Self(points)
     }
 
-    /// Its points, the cheapest first.
+    /// Returns the points of the front, the cheapest first.
     pub const fn points(&self) -> &'static [FrontPoint] {
         self.0
     }
 
-    /// What to draw a display of `size` with for so many instructions a frame.
+    /// Returns the best settings for a display of `size` with which a frame takes at most
+    /// `instructions`.
+    ///
+    /// If none fit, returns the cheapest settings, and [`Choice::fits`] is `false`.
     pub fn choose(&self, size: Size, instructions: u64) -> Choice {
         let mut dearest_first = self.0.iter().rev();
         let fitting = dearest_first.find(|it| it.expected(size) <= instructions);
-        // There is a first one, by how a front is made.
+        // The constructor has checked that there is a first point.
         let point = fitting.or(self.0.first()).copied().unwrap_or(FrontPoint {
             prepare: 0,
             instructions: 0,
@@ -105,33 +133,33 @@ impl ParetoFront {
     }
 }
 
-/// What was chosen for a budget, and so the error to expect.
+/// The settings chosen for a budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Choice {
-    /// The settings, with what they take and lose.
+    /// Chosen settings, with their measured instructions and error.
     pub point: FrontPoint,
-    /// Whether they fit the budget; if nothing does they are the cheapest there are.
+    /// Whether the settings fit the budget. If `false`, they are the cheapest ones of the front.
     pub fits: bool,
 }
 
-/// What became of a frame that had a budget.
+/// The result of drawing a frame with a budget; [`FrameBuilder::draw_within`] returns it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Budgeted {
-    /// What was chosen.
+    /// Settings that the frame was drawn with.
     pub choice: Choice,
-    /// Of what was drawn.
+    /// Report on the rows that were drawn.
     pub report: Report,
-    /// How far a pixel that was traced can be off on account of the reflections that were left out,
-    /// as a share of white: [`crate::Rows::cut_off_bound`].
+    /// Largest error that the reflections left out cause in a traced pixel, as a share of white, 0 to 1;
+    /// see [`crate::Rows::cut_off_bound`].
     pub cut_off_bound: Unit,
-    /// How many of the display's rows were still to be drawn when time was up: the lowest ones, which
-    /// show what they showed before.
+    /// Number of the display's rows that were not drawn because time was up. They are the lowest rows,
+    /// and still show the earlier picture.
     pub missing_rows: u32,
 }
 
-/// What was drawn of a frame: its lowest rows may be missing.
+/// The part of a frame that was drawn before time was up: its first `rows` rows.
 struct Drawn {
     report: Report,
     cut_off_bound: Unit,
@@ -139,25 +167,28 @@ struct Drawn {
 }
 
 impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
-    /// Draws the frame over the whole target with the settings of a front that fit a budget of so
-    /// many instructions, instead of its own; [`u64::MAX`] for the best there is.
+    /// Draws the frame over the whole target with the best settings of a front that fit a budget of
+    /// instructions. With [`u64::MAX`] the best settings of all are used.
     ///
-    /// `time_is_up` is asked before every row. From when it says so nothing more is drawn: what was
-    /// drawn stays, and the result says how many rows are missing. `|| false` draws all.
+    /// The settings replace the reflections and the quality of this frame. `time_is_up` is called before
+    /// every row. When it returns `true`, drawing ends: rows drawn so far stay, and the result holds the
+    /// number of missing rows. `|| false` draws all rows.
     ///
-    /// What the points of a front take is counted into a row in memory, at the size of the report. The
-    /// target comes on top: on a Cortex-M3 one in memory adds up to 16 instructions a pixel, or up to
-    /// 256 for each of the larger pixels, which are squares of their own (`xtask/tests/budget.rs` holds
-    /// this for the castle); a driver of a display has its own. On a smaller display a pixel takes more,
-    /// as fewer lie between traced ones: the castle at 64 by 48 up to 1.8 times what its front of 128
-    /// by 128 says, target included. So the report should be of your display's size (`--size`).
+    /// The instructions of a front's points were counted with a row in memory as the target, at the size
+    /// of the report. The work of the target is added to them: on a Cortex-M3 a target in memory adds up
+    /// to 16 instructions for each pixel, or up to 256 for each enlarged pixel, which is drawn as a
+    /// square (`xtask/tests/budget.rs` checks this for the castle). A driver of a display has its own
+    /// cost. On a smaller display a pixel takes more instructions, because fewer pixels are
+    /// interpolated: the castle at 64 by 48 takes up to 1.8 times what its front of 128 by 128 says,
+    /// target included. So measure the front at the size of your display (`--size`).
     ///
-    /// Only what calls this has both [`Fast`] and [`Fine`] in flash.
+    /// A program that calls this function has both [`Fast`] and [`Fine`] in flash.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
-    /// use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
+    /// use reflet::budget::{Budgeted, FrontPoint, ParetoFront, QualityLevel};
     /// use reflet::scenes::{BuiltIn, Corner1};
+    /// use reflet::{Report, Unit};
     ///
     /// // Made up; `cargo run --release --package report -- corner1` writes what is measured.
     /// const FRONT: ParetoFront = ParetoFront::new(&[
@@ -175,10 +206,15 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// let frame = Corner1::frame(&Corner1::CAMERA);
     /// let drawn = frame.draw_within(&FRONT, 1_000_000, || false, &mut display).unwrap();
     /// assert_eq!((drawn.choice.point.reflections, drawn.missing_rows), (2, 0));
+    /// assert!(drawn.report.rays > 0);
+    ///
+    /// let frame = Corner1::frame(&Corner1::CAMERA);
+    /// let late: Budgeted = frame.draw_within(&FRONT, 1_000_000, || true, &mut display).unwrap();
+    /// assert_eq!((late.missing_rows, late.report, late.cut_off_bound), (64, Report::NONE, Unit::ZERO));
     /// ```
     ///
     /// # Errors
-    /// The target's own, at once: no further row is worked out.
+    /// The error of the target, at once: no further row is computed.
     pub fn draw_within<D>(
         self,
         front: &ParetoFront,
@@ -207,6 +243,7 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
         })
     }
 
+    /// Draws the frame with the quality that `level` stands for, until time is up.
     fn at_level<D>(
         self,
         level: QualityLevel,
@@ -223,7 +260,7 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
         }
     }
 
-    /// Draws rows over the target until time is up.
+    /// Draws the rows of the frame over the target, from the top, until time is up.
     fn draw_until<D>(
         &self,
         mut time_is_up: impl FnMut() -> bool,

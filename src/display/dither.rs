@@ -1,5 +1,5 @@
-//! Floor 8: ordered dithering for displays with few levels. It knows colours and where they are
-//! shown, and no scene.
+//! Floor 8: ordered dithering for displays with few levels per channel. This file knows colours and
+//! their positions on a display, and no scene.
 
 mod colors;
 
@@ -12,14 +12,14 @@ use embedded_graphics::primitives::Rectangle;
 
 use crate::number::{to_u8, unsigned};
 
-/// A display of few levels that takes pictures of many: what is drawn on it is dithered on the way
-/// to `D`, by [`dither`].
+/// A draw target for a display `D` with few levels per channel: dithers 24-bit colours with [`dither`]
+/// and draws them on `D`.
 ///
-/// A dot depends on its colour and on where it is on `D`, and on nothing else: a picture drawn in
-/// parts, or in rows of any order, has the dots of the whole, and all machines have the same ones.
-/// Pixels come in the calls in which they are drawn; only what is filled with one colour that lies
-/// between two levels comes pixel by pixel, as [`DrawTarget::fill_contiguous`]. Nothing is kept
-/// between calls, and the display clips, as it does without this. Errors are the display's own.
+/// A dithered pixel depends only on its colour and its position on `D`. So a picture drawn in parts, or
+/// in rows of any order, equals the picture drawn at once, on every machine. Each call is passed on as
+/// the same call of `D`. Only an area filled with one colour between two levels becomes a call of
+/// [`DrawTarget::fill_contiguous`]. Nothing is stored between calls. `D` clips, and errors are those of
+/// `D`.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
@@ -49,7 +49,7 @@ where
     D: DrawTarget,
     D::Color: Ditherable,
 {
-    /// Around a display.
+    /// Creates a dithering draw target for `display`.
     pub fn new(display: &'a mut D) -> Self {
         Self { display }
     }
@@ -98,13 +98,13 @@ where
     }
 }
 
-/// The dot that a display of few levels shows for `color` at the point `at` of it.
+/// Returns the colour that a display with few levels per channel shows for `color` at the point `at`.
 ///
-/// This is for rows from [`Rows::row`](crate::Rows::row); for a display there is [`Dithered`]. Each channel
-/// becomes one of the two levels beside it: over any 8 x 8 points, equal colours have a mean within
-/// half a 64th of a level of the colour's own, and a colour that is a level stays as it is. The
-/// pattern repeats every 8 points, through negative coordinates, too. Nothing is corrected for the
-/// eye or the panel: the mean is one of levels.
+/// Use it for rows from [`Rows::row`](crate::Rows::row), and [`Dithered`] for a display. Each channel
+/// becomes one of the two levels around it. A colour that is a level stays unchanged. An area of one
+/// colour has, in any 8 x 8 points, a mean within half a 64th of a level of that colour. The pattern
+/// repeats every 8 points, through negative coordinates, too. The mean is a mean of levels: nothing is
+/// corrected for the eye or the panel.
 ///
 /// ```
 /// use embedded_graphics::geometry::Point;
@@ -124,10 +124,10 @@ pub fn dither<C: Ditherable>(color: Rgb888, at: Point) -> C {
     C::dithered(color, Threshold::at(at))
 }
 
-/// A colour of few levels that others can be dithered to.
+/// A colour type with few levels per channel, to which 24-bit colours can be dithered.
 ///
-/// Those of embedded-graphics are, but it has none for displays with, say, 3, 3 and 2 bits. Such a
-/// one is made so:
+/// The colour types of embedded-graphics implement it. A type of your own, for a display with 3 bits for
+/// red and green and 2 bits for blue, implements it like this:
 ///
 /// ```
 /// use embedded_graphics::geometry::Point;
@@ -153,23 +153,33 @@ pub fn dither<C: Ditherable>(color: Rgb888, at: Point) -> C {
 /// assert_eq!(white, Rgb332(255));
 /// ```
 pub trait Ditherable: PixelColor {
-    /// Each channel of `color` as one of the two levels beside it.
+    /// Returns `color` with each channel as one of the two levels around it, chosen by the threshold.
     ///
-    /// A higher threshold never gives a higher level ([`Threshold::level`] sees to that), and
-    /// colours for which the lowest and the highest one give the same are taken to be the same at
-    /// all others.
+    /// A higher threshold must not give a higher level; [`Threshold::level`] has this property. If the
+    /// lowest and the highest threshold give the same result for a colour, [`Dithered`] uses it for all
+    /// thresholds.
     fn dithered(color: Rgb888, threshold: Threshold) -> Self;
 }
 
-/// How far above a level a value must lie to be shown as the next one: (2 n + 1) / 128 of the way,
-/// where n is the number, 0 to 63, that Bayer's 8 x 8 matrix has for the point.
+/// The threshold of a point: how far a value must lie above a level to be shown as the next level.
 ///
-/// B. E. Bayer, "An optimum method for two-level rendition of continuous-tone pictures", IEEE
-/// International Conference on Communications, 1973. The matrix is worked out rather than stored:
-/// n has the bits of x ^ y and of y in turn, the last bits first.
+/// The threshold is (2 n + 1) / 128 of the distance between two levels, where n, 0 to 63, is the number
+/// of the point in Bayer's 8 x 8 matrix (B. E. Bayer, "An optimum method for two-level rendition of
+/// continuous-tone pictures", IEEE International Conference on Communications, 1973). The matrix is
+/// computed, not stored: n has the bits of x ^ y and of y in turn, the last bits first.
+///
+/// ```
+/// use embedded_graphics::geometry::Point;
+/// use reflet::display::Threshold;
+///
+/// // Two levels: 100 of 255 lies above the threshold of one point and below that of its neighbour.
+/// let levels = [0, 1].map(|x| Threshold::at(Point::new(x, 0)).level(100, 1));
+/// assert_eq!(levels, [1, 0]);
+/// assert_eq!(Threshold::at(Point::new(3, -5)), Threshold::at(Point::new(11, 3)));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Threshold {
-    /// What is left of a level above the threshold, in 255ths, rounded down: 1 to 253.
+    /// One level minus the threshold, in 255ths of a level, rounded down: 1 to 253.
     rest: u8,
 }
 
@@ -177,10 +187,10 @@ impl Threshold {
     const LOWEST: Self = Self::of(63);
     const HIGHEST: Self = Self::of(0);
 
-    /// The one of a point; the same for points that are a multiple of 8 apart in x and in y.
+    /// Returns the threshold of a point. It repeats every 8 points in x and in y.
     #[inline]
     pub const fn at(at: Point) -> Self {
-        // What stands here for y is its complement, so that the number is 63 - n.
+        // `y` is the complement of the point's y, so that the resulting number is 63 - n.
         let (x, y) = (at.x, !at.y);
         let both = x ^ y;
         let first = (both & 1) << 5 | (y & 1) << 4;
@@ -189,7 +199,7 @@ impl Threshold {
         Self::of(unsigned(first | second | third))
     }
 
-    /// From 63 - n.
+    /// Creates a threshold from 63 - n, where n is the number in Bayer's matrix.
     #[inline]
     const fn of(complement: u32) -> Self {
         // Levels are compared in whole 255ths, so rounding down changes no comparison.
@@ -197,14 +207,14 @@ impl Threshold {
         Self { rest: to_u8(rest) }
     }
 
-    /// The level, 0 to `largest`, for a channel of 8 bits: floor(`largest` · `value` / 255), or the
-    /// next one if the rest is not below the threshold.
+    /// Returns the level, 0 to `largest`, of an 8-bit channel: floor(`largest` · `value` / 255), or the
+    /// next level if the fraction is not below the threshold.
     ///
-    /// 0 stays 0 and 255 becomes `largest`, whatever the threshold.
+    /// With every threshold, 0 stays 0 and 255 becomes `largest`.
     #[inline]
     pub const fn level(self, value: u8, largest: u8) -> u8 {
         let sum = largest as u32 * value as u32 + self.rest as u32;
-        // A 255th, rounded down, of anything below 2¹⁶ - 1.
+        // Divides by 255, rounded down; exact for any `sum` below 2¹⁶ - 1.
         to_u8((sum + 1 + (sum >> 8)) >> 8)
     }
 }

@@ -1,4 +1,4 @@
-//! Floor 8: a display seen as one with fewer and larger pixels.
+//! Floor 8: a draw target with fewer and larger pixels than its display.
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
@@ -7,12 +7,12 @@ use embedded_graphics::primitives::Rectangle;
 
 use crate::number::signed;
 
-/// A display of which a square of `scale` by `scale` pixels is drawn as one.
+/// A draw target that shows each pixel as a square of `scale` by `scale` pixels of a display.
 ///
-/// A picture drawn on it takes about 1/`scale`² of the work. Its top left corner is (0, 0); where
-/// the display's sides are no multiples of `scale`, the last column and row reach beyond its edge,
-/// and so much of them is left out. There is no buffer: each pixel is one `fill_solid` of the
-/// display, which costs a display behind a bus more commands than a whole row does.
+/// A picture drawn on it takes about 1/`scale`² of the work. Its top left corner is (0, 0). If a side of
+/// the display is no multiple of `scale`, the last column or row reaches beyond the display's edge and
+/// is clipped. There is no buffer: each pixel is one `fill_solid` of the display. Behind a bus this
+/// takes more commands than drawing a whole row at once.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -23,6 +23,9 @@ use crate::number::signed;
 /// let mut display = MockDisplay::<Rgb888>::new(); // 64 by 64
 /// Floor::frame(&Floor::CAMERA).draw(&mut Enlarged::new(&mut display, 4)).unwrap();
 /// assert_eq!(display.get_pixel(Point::new(0, 60)), display.get_pixel(Point::new(3, 63)));
+///
+/// let size = Enlarged::<MockDisplay<Rgb888>>::size_of(Size::new(65, 64), 4);
+/// assert_eq!(size, Size::new(17, 16));
 /// ```
 #[derive(Debug)]
 pub struct Enlarged<'a, D> {
@@ -31,13 +34,15 @@ pub struct Enlarged<'a, D> {
 }
 
 impl<'a, D: DrawTarget> Enlarged<'a, D> {
-    /// A display with pixels of this size; 0 is taken for 1, and more than 2³⁰ for 2³⁰.
+    /// Creates a target that shows each pixel as `scale` by `scale` pixels of `display`. `scale` is
+    /// clamped to 1 to 2³⁰.
     pub fn new(display: &'a mut D, scale: u32) -> Self {
         let scale = scale.clamp(1, 1 << 30);
         Self { display, scale }
     }
 
-    /// How many of its pixels a display of this size is high and wide.
+    /// Returns the size of the target in its own pixels, for a display of this size, rounded up. A
+    /// `scale` of 0 counts as 1.
     pub fn size_of(size: Size, scale: u32) -> Size {
         let scale = scale.max(1);
         Size::new(size.width.div_ceil(scale), size.height.div_ceil(scale))

@@ -1,5 +1,6 @@
-//! Floor 8: pictures and their rows as pixels of a display. The only floor that names
-//! embedded-graphics; it knows no ray.
+//! Draws on displays: dithering, larger pixels, and the functions that draw frames and rows.
+//!
+//! Floor 8, the only one that names embedded-graphics. It knows no ray.
 
 mod bound;
 pub(crate) mod budget;
@@ -23,13 +24,13 @@ use crate::render::{FrameBuilder, PreparedFrame, Report, Rows};
 use crate::shade::Shading;
 
 impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
-    /// Makes the frame ready for one size of picture; each side is taken as 1 to 65535 pixels.
+    /// Prepares the frame for a picture of `size` pixels. Each side is clamped to 1 to 65535.
     #[inline(always)]
     pub fn prepare(&self, size: Size) -> PreparedFrame<S, Q, K> {
         self.prepared(size.width, size.height)
     }
 
-    /// Draws the frame over the whole target, row by row.
+    /// Draws the frame over the whole target, row by row, and returns a report on the picture.
     ///
     /// # Errors
     /// The error of the target, at once: no further row is computed.
@@ -51,7 +52,7 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
 }
 
 impl<S: Drawable, Q, K> PreparedFrame<S, Q, K> {
-    /// Returns the size of the picture.
+    /// Returns the size of the picture in pixels; each side is 1 to 65535.
     pub fn size(&self) -> Size {
         let [width, height] = self.sides();
         Size::new(width, height)
@@ -59,22 +60,24 @@ impl<S: Drawable, Q, K> PreparedFrame<S, Q, K> {
 }
 
 impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
-    /// Returns the size of the picture.
+    /// Returns the size of the picture in pixels; each side is 1 to 65535.
     pub fn size(&self) -> Size {
         let [width, height] = self.sides();
         Size::new(width, height)
     }
 
-    /// Computes row `y` from column `x` on into `pixels`; row 0 is at the top.
+    /// Computes the colours of row `y` from column `x` on, writes them to `pixels`, and returns a
+    /// report. Row 0 is at the top.
     ///
     /// Pixels beyond the edges of the picture stay as they are.
     pub fn row<C: PixelColor + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
         self.fill_row(y, x, pixels, shown)
     }
 
-    /// Draws the part of the picture inside of `area`, which is in coordinates of the picture. The top left
-    /// corner of the picture is at `top_left` of the target. What lies outside of the target is not
-    /// computed.
+    /// Draws the part of the picture that lies inside of `area`, and returns a report on it.
+    ///
+    /// `area` is in coordinates of the picture. The top left corner of the whole picture is at the point
+    /// `top_left` of the target. Pixels outside of the target are not computed.
     ///
     /// # Errors
     /// The error of the target, at once: no further row is computed.
@@ -119,7 +122,7 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
     }
 }
 
-/// A sum as a display shows it.
+/// Returns the colour that a display shows for the sum of a path.
 #[inline(always)]
 fn shown<C: From<Rgb888>>(sum: Sum) -> C {
     let [red, green, blue] = sum.to_rgb8();

@@ -88,6 +88,16 @@ pub fn difference_picture(a: &Picture, b: &Picture, gain: u8) -> Result<Picture,
 }
 
 /// The error of comparing two pictures of different sizes.
+///
+/// ```
+/// use reflet::host::compare::{SizeMismatch, compare};
+/// use reflet::host::reference::Picture;
+///
+/// let dot = Picture { width: 1, height: 1, pixels: vec![[0; 3]] };
+/// let line = Picture { width: 2, height: 1, pixels: vec![[0; 3]; 2] };
+/// let error: SizeMismatch = compare(&dot, &line).unwrap_err();
+/// assert_eq!(error.to_string(), "a picture of 1x1 and one of 2x1 cannot be compared");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SizeMismatch {
     a: Size,

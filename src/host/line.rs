@@ -15,6 +15,11 @@ pub fn one_line(text: &str) -> String {
 
 /// Returns the text with each control character and each Unicode line or paragraph separator replaced by
 /// `escape(character)`. These are the characters that break a line or control a terminal.
+///
+/// ```
+/// use reflet::host::line::escaped;
+/// assert_eq!(escaped("red\tbox", |letter| format!("<{:x}>", letter as u32)), "red<9>box");
+/// ```
 pub fn escaped(text: &str, escape: impl Fn(char) -> String) -> String {
     let breaks = |letter: char| letter.is_control() || matches!(letter, '\u{2028}' | '\u{2029}');
     let written = |letter: char| match breaks(letter) {

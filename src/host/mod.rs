@@ -18,6 +18,18 @@ use crate::scene::access::SceneAccess;
 
 /// Returns the facts about a prepared scene that the rounding analysis needs: the step and the middle of
 /// its grid, in scene units, and its dimness.
+///
+/// ```
+/// use reflet::host::precision;
+/// use reflet::{Material, RuntimeScene, room};
+///
+/// let mut scene = RuntimeScene::<room!(spheres: 1)>::new();
+/// let chalk = scene.add_material(Material::new([0.9; 3]))?;
+/// scene.add_sphere([3, 0, 0], 1, chalk)?;
+/// let grid = precision(&scene.build()?);
+/// assert_eq!((grid.step, grid.middle, grid.dimness), (2f64.powi(-28), [3.0, 0.0, 0.0], 1.0));
+/// # Ok::<(), reflet::Error>(())
+/// ```
 pub fn precision(world: &impl SceneAccess) -> reference::bound::Precision {
     let grid = world.parts().grid;
     reference::bound::Precision {

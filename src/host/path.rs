@@ -29,7 +29,7 @@ pub struct Ray {
 /// surface that was hit. The list ends at the first ray that hits nothing.
 ///
 /// ```
-/// use reflet::host::path::follow;
+/// use reflet::host::path::{Ray, follow};
 /// use reflet::{Camera, Material, scene};
 ///
 /// const GLASS: Material = Material::new([1.0; 3]).mirror(1.0);
@@ -41,6 +41,7 @@ pub struct Ray {
 ///
 /// let camera = Camera::look_at([0.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
 /// let rays = follow(&Floor, &camera, (1, 1), (0, 0), 9);
+/// assert_eq!(rays[0], Ray { origin: [0.0, 0.0, 2.0], direction: [0.0, 0.0, -1.0] });
 /// assert_eq!(rays.len(), 2);
 /// assert_eq!(rays[1].direction, [0.0, 0.0, 1.0]);
 /// // Two steps of the scene's grid, 2^-20 each.

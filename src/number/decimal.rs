@@ -15,6 +15,9 @@ use super::narrow::{narrowed, narrowed_128};
 /// use reflet::Number;
 /// assert_eq!(Number::new(0.75), Number::from(3) * Number::new(0.25));
 /// assert_eq!(Number::new(f64::NAN), Number::OUT_OF_RANGE);
+///
+/// assert_eq!((Number::ZERO.to_bits(), Number::ONE.to_bits()), (0, 1 << 64));
+/// assert_eq!(Number::from_bits(3 << 62).to_f64(), 0.75);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Number(I64F64);

@@ -1,4 +1,4 @@
-//! Floor 7: which frame of a scene is drawn: its camera, reflections, quality and shading.
+//! Floor 7: the settings of a frame: its camera, reflections, quality and shading.
 
 use core::marker::PhantomData;
 
@@ -10,11 +10,10 @@ use crate::render::{Fast, Quality};
 use crate::scene::NeedsLimit;
 use crate::shade::{BlinnPhong, Shading};
 
-/// A view of a scene that is still to be drawn: the camera, the reflections, the quality `Q` and the
-/// shading `K`.
+/// The settings of a frame: a scene, a camera, a number of reflections, a quality `Q` and a shading `K`.
 ///
-/// The function `frame` of a scene makes one. [`draw`](FrameBuilder::draw) draws it at once.
-/// [`prepare`](FrameBuilder::prepare) makes it ready for rows that are drawn one by one.
+/// The function `frame` of a scene creates it. [`draw`](FrameBuilder::draw) draws the frame at once.
+/// [`prepare`](FrameBuilder::prepare) prepares it, so that its rows can be drawn one by one.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -37,11 +36,22 @@ pub struct FrameBuilder<'a, S, Q = Fast, K = BlinnPhong> {
     kinds: PhantomData<fn() -> (Q, K)>,
 }
 
-/// Reflections of a frame that names no other number.
+/// Default number of reflections of a path.
 const REFLECTIONS: u8 = 4;
 
 impl<'a, S: Drawable> FrameBuilder<'a, S> {
-    /// Views a scene through a camera: 4 reflections, quality [`Fast`], shading [`BlinnPhong`].
+    /// Creates a frame of a scene with 4 reflections, quality [`Fast`] and shading [`BlinnPhong`].
+    ///
+    /// The function `frame` of a scene does the same in fewer words:
+    ///
+    /// ```
+    /// use embedded_graphics::prelude::Size;
+    /// use reflet::FrameBuilder;
+    /// use reflet::scenes::{BuiltIn, Floor};
+    ///
+    /// let frame = FrameBuilder::new(&Floor, &Floor::CAMERA);
+    /// assert_eq!(frame.prepare(Size::new(32, 24)).size(), Size::new(32, 24));
+    /// ```
     pub const fn new(scene: &'a S, camera: &'a Camera) -> Self {
         Self {
             scene,
@@ -53,9 +63,9 @@ impl<'a, S: Drawable> FrameBuilder<'a, S> {
 }
 
 impl<'a, S: Drawable, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
-    /// Limits a path to this many reflections. Defaults to 4.
+    /// Sets the largest number of reflections of a path, 0 to 255. Defaults to 4.
     ///
-    /// [`MostReflections`](crate::needs::MostReflections) limits them when the program is compiled.
+    /// [`MostReflections`](crate::needs::MostReflections) sets a limit when the program is compiled.
     #[must_use]
     pub fn reflections(self, reflections: u8) -> Self {
         Self {
@@ -65,7 +75,8 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
     }
 
     /// Sets the quality: [`Fast`] (the default), [`Fine`](crate::quality::Fine),
-    /// [`Exact`](crate::quality::Exact), or [`Small`](crate::quality::Small), which takes the least flash.
+    /// [`Exact`](crate::quality::Exact), [`Small`](crate::quality::Small), which takes the least flash,
+    /// or a type of your own.
     #[must_use]
     pub fn quality<NewQ: Quality>(self) -> FrameBuilder<'a, S, NewQ, K> {
         self.with_kinds()
@@ -93,24 +104,26 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
         }
     }
 
-    /// Returns the scene.
+    /// Returns the scene that the frame shows.
     pub(crate) fn scene(&self) -> &'a S {
         self.scene
     }
 
-    /// Makes the frame ready for a picture of so many columns and rows; each is taken as 1 to 65535.
-    // What it needs besides is gone before a row is drawn.
+    /// Prepares the frame for a picture of `width` columns and `height` rows, each clamped to 1 to
+    /// 65535.
+    // Not inlined, so that its stack is free again before a row is drawn.
     #[inline(never)]
     pub(crate) fn prepared(&self, width: u32, height: u32) -> PreparedFrame<S, Q, K> {
         PreparedFrame::new(self.scene, self.camera, [width, height], self.reflections)
     }
 }
 
-/// Gives a kind of scene the function that views it.
+/// Writes the function `frame` of a type of scenes.
 macro_rules! framed {
     ([$($parameters:tt)*] $scene:ty) => {
         impl<$($parameters)*> $scene {
-            /// Views the scene through a camera: 4 reflections, quality [`Fast`], shading [`BlinnPhong`].
+            /// Views the scene through a camera, with 4 reflections, quality [`Fast`] and shading
+            /// [`BlinnPhong`].
             pub const fn frame<'f>(&'f self, camera: &'f Camera) -> FrameBuilder<'f, Self> {
                 FrameBuilder::new(self, camera)
             }

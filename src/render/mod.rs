@@ -1,6 +1,6 @@
-//! Floor 7: a frame made ready, its rows, and which of their pixels are traced.
+//! Floor 7: prepared frames, their rows, and the choice of the pixels that are traced.
 //!
-//! Knows no display: colours leave it as sums, and a size is two numbers.
+//! This floor knows no display: it returns colours as sums, and a size is two numbers.
 
 mod builder;
 mod interpolate;

@@ -1,4 +1,4 @@
-//! Floor 7: a frame made ready for one size of picture, and its rows. Knows no display.
+//! Floor 7: frames prepared for one size of picture, and their rows. This file knows no display.
 
 use core::marker::PhantomData;
 
@@ -18,11 +18,11 @@ use crate::scene::access::SceneAccess;
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
 
-/// A frame made ready for one size of picture: what the camera sees of a scene, without the scene.
+/// A frame prepared for one size of picture: rays, screen bounds and visible lights, without the scene.
 ///
-/// It owns its data and borrows nothing, so it can be stored in a struct beside its scene, sent to another
-/// thread or core, and shared. [`on`](PreparedFrame::on) joins it with the scene again, and refuses a
-/// scene that has changed.
+/// The frame owns its data and borrows nothing. So it can be stored in a struct beside its scene, sent
+/// to another thread or core, and shared. [`on`](PreparedFrame::on) joins it with the scene again, and
+/// refuses a scene that has changed.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
@@ -55,20 +55,20 @@ use crate::trace::{Traced, Tracer};
 /// # Ok::<(), Error>(())
 /// ```
 pub struct PreparedFrame<S: Drawable, Q = Fast, K = BlinnPhong> {
-    /// The rays; `None` where there is nothing to be hit.
+    /// Generator of the camera rays; `None` if the scene has no shape.
     generator: Option<RayGenerator>,
     lights: LightVisibility,
-    /// `None` where the camera is far away or flash is scarce.
+    /// Screen bounds of the shapes; `None` if the camera is far away or the quality is small.
     bounds: Option<ScreenBounds<S::Room>>,
     width: u32,
     height: u32,
     reflections: u8,
-    /// Of the scene that the frame was prepared for.
+    /// Stamp of the scene at the time when the frame was prepared.
     stamp: u32,
     kinds: PhantomData<Kinds<S, Q, K>>,
 }
 
-/// Scene, quality and shading of a frame. It makes the frame `Send` and `Sync`, whatever they are.
+/// Marker for scene, quality and shading of a frame. As a function type it is always `Send` and `Sync`.
 type Kinds<S, Q, K> = fn() -> (S, Q, K);
 
 impl<S: Drawable, Q, K> Clone for PreparedFrame<S, Q, K> {
@@ -78,7 +78,7 @@ impl<S: Drawable, Q, K> Clone for PreparedFrame<S, Q, K> {
 }
 
 impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
-    /// Columns and rows are each taken as 1 to 65535.
+    /// Prepares a frame for a picture of these columns and rows, each clamped to 1 to 65535.
     #[inline(always)]
     pub(super) fn new(scene: &S, camera: &Camera, sides: [u32; 2], reflections: u8) -> Self {
         let [width, height] = sides.map(|side| side.clamp(1, 65_535));
@@ -111,11 +111,11 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
         frame
     }
 
-    /// Joins the frame with its scene: then its rows can be drawn.
+    /// Joins the frame with its scene, so that its rows can be drawn.
     ///
     /// # Errors
     /// [`ErrorKind::Changed`](crate::ErrorKind::Changed) if the scene has changed since the frame was
-    /// prepared, or is another one.
+    /// prepared, or is another scene.
     #[inline(always)]
     pub fn on<'a>(&'a self, scene: &'a S) -> Result<Rows<'a, S, Q, K>, Error> {
         match S::CHANGES && scene.stamp() != self.stamp {
@@ -124,7 +124,8 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
         }
     }
 
-    /// Joins the frame with the scene that it was just prepared for.
+    /// Joins the frame with its scene without a check. The scene must be the one the frame was prepared
+    /// for.
     #[inline(always)]
     pub(crate) fn unchanged<'a>(&'a self, scene: &'a S) -> Rows<'a, S, Q, K> {
         Rows {
@@ -135,17 +136,38 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
 }
 
 impl<S: Drawable, Q, K> PreparedFrame<S, Q, K> {
-    /// Returns columns and rows: 1 to 65535.
+    /// Returns the number of columns and of rows of the picture, each 1 to 65535.
     #[inline(always)]
     pub(crate) fn sides(&self) -> [u32; 2] {
         [self.width, self.height]
     }
 }
 
-/// A prepared frame and its scene: the rows of a picture.
+/// The rows of a picture: a prepared frame joined with its scene. [`PreparedFrame::on`] creates it.
 ///
-/// Nothing in it changes, so rows can be drawn in any order, interrupted, or shared between cores.
-/// [`PreparedFrame::on`] makes it, and shows it in an example.
+/// Drawing changes nothing in it. So rows can be drawn in any order, interrupted, or shared between
+/// cores.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888, prelude::*};
+/// use embedded_graphics::primitives::Rectangle;
+/// use reflet::quality::Fast;
+/// use reflet::scenes::{BuiltIn, Floor};
+/// use reflet::{Error, Rows};
+///
+/// let frame = Floor::frame(&Floor::CAMERA).prepare(Size::new(64, 48));
+/// let rows: Rows<'_, Floor, Fast> = frame.on(&Floor)?;
+/// let mut row = [Rgb888::BLACK; 64];
+/// let report = rows.row(40, 0, &mut row);
+/// assert!(report.rays > 0);
+///
+/// let mut display = MockDisplay::<Rgb888>::new(); // 64 by 64
+/// let lower_half = Rectangle::new(Point::new(0, 24), Size::new(64, 24));
+/// rows.draw_area(lower_half, Point::new(0, 8), &mut display).unwrap();
+/// assert_eq!(display.get_pixel(Point::new(5, 48)), Some(row[5]));
+/// assert_eq!((rows.size(), display.get_pixel(Point::zero())), (Size::new(64, 48), None));
+/// # Ok::<(), Error>(())
+/// ```
 pub struct Rows<'a, S: Drawable, Q = Fast, K = BlinnPhong> {
     world: S::World<'a>,
     frame: &'a PreparedFrame<S, Q, K>,
@@ -160,21 +182,21 @@ impl<S: Drawable, Q, K> Clone for Rows<'_, S, Q, K> {
 impl<S: Drawable, Q, K> Copy for Rows<'_, S, Q, K> {}
 
 impl<'a, S: Drawable, Q, K> Rows<'a, S, Q, K> {
-    /// Returns columns and rows: 1 to 65535.
+    /// Returns the number of columns and of rows of the picture, each 1 to 65535.
     #[inline(always)]
     pub(crate) fn sides(&self) -> [u32; 2] {
         self.frame.sides()
     }
 
-    /// Returns the scene as the kernels read it.
+    /// Returns the access through which the kernels read the scene.
     pub(crate) fn world(&self) -> &S::World<'a> {
         &self.world
     }
 }
 
 impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
-    /// Fills `pixels` with row `y` from column `x` on, each `shown` from the sum of its path. What would
-    /// lie beyond the picture's edges stays as it is.
+    /// Fills `pixels` with the colours of row `y` from column `x` on. `shown` converts the sum of a path
+    /// into a colour. Pixels beyond the picture's edges stay unchanged.
     #[inline(always)]
     pub(crate) fn fill_row<C: Copy>(
         &self,
@@ -198,7 +220,8 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         self.fill(generator, [x, y], pixels, shown)
     }
 
-    /// Fills pixels inside of the picture; what follows their rays is on the stack only meanwhile.
+    /// Fills pixels that lie inside of the picture. Not inlined, so that the tracer leaves the stack
+    /// again.
     #[inline(never)]
     fn fill<C: Copy>(
         &self,
@@ -211,7 +234,10 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         report
     }
 
-    /// Hands `draw` the colours of a row from `[x, y]` on, which lies in the picture.
+    /// Calls `draw` with the colours of row `y` from column `x` on, and returns its result with a
+    /// report.
+    ///
+    /// The pixel (`x`, `y`) must lie inside of the picture.
     #[inline(always)]
     pub(crate) fn in_row<T>(
         &self,
@@ -225,7 +251,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         (drawn, Report::of(&tracer))
     }
 
-    /// The rays, unless there is nothing to be met.
+    /// Returns the generator of the camera rays, or `None` if the scene has no shape.
     #[inline(always)]
     pub(crate) fn generator(&self) -> Option<&'a RayGenerator> {
         match S::World::<'a>::NEEDS.is_nothing() {
@@ -234,12 +260,12 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         }
     }
 
-    /// The sum of every pixel, where there is nothing to be met.
+    /// Returns the sum of a ray that hits nothing: the colour of every pixel if the scene has no shape.
     pub(crate) fn only_sum(&self) -> Sum {
         Traced::missed::<_, K>(&self.world).sum
     }
 
-    /// What follows the rays of row `y`.
+    /// Returns the tracer for the rays of row `y`.
     #[inline(always)]
     fn tracer(&self, y: u32) -> Tracer<'_, S::World<'a>, K, Q> {
         let (bounds, from) = (self.frame.bounds.as_ref(), self.frame.lights.from);
@@ -256,7 +282,8 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
     }
 }
 
-/// Fills pixels with one colour; out of line, or its caller's loops are unrolled around a constant.
+/// Fills pixels with one colour. Not inlined: inlined, it would make the compiler unroll its caller's
+/// loops.
 #[inline(never)]
 fn fill<C: Copy>(pixels: &mut [C], color: C) {
     pixels.fill(color);

@@ -1,15 +1,17 @@
-//! Floor 7: how exact a picture is, as a type, so that the choice costs nothing while it runs.
+//! Floor 7: qualities: types that say how exact a picture is. The choice costs no time while a frame is
+//! drawn.
 //!
-//! Each floor declares its own part of a quality; what users see joins them.
+//! Each floor declares its own part of a quality. [`Quality`] joins them for users.
 
 use crate::accel::{Culling, CullingQuality};
 use crate::number::Unit;
 use crate::shade::LightQuality;
 use crate::trace::PathQuality;
 
-/// What a frame may leave out. Choose with [`crate::FrameBuilder::quality`].
+/// A quality: how exact a frame is, as a type. [`FrameBuilder::quality`](crate::FrameBuilder::quality)
+/// sets it.
 ///
-/// [`Fast`] and [`Fine`] are those that most need. A quality of one's own may be more exact, or less:
+/// [`Fast`] and [`Fine`] suit most programs. A type of your own may be more exact, or less:
 ///
 /// ```
 /// use reflet::Unit;
@@ -24,51 +26,59 @@ use crate::trace::PathQuality;
 ///     const STRIDE: u32 = 2;
 ///     const TOLERANCE: Unit = Fast::TOLERANCE;
 /// }
+/// assert!(!Calm::IS_SMALL && !Calm::IS_PRECISE);
 /// ```
 pub trait Quality {
-    /// A path ends when its weight times the brightest colour of the scene falls below this share of
-    /// white: what is left out is less. In a scene without a colour brighter than white the weight
+    /// Smallest contribution that a path is followed for, as a share of white, 0 to 1.
+    ///
+    /// A path ends when its throughput times the brightest colour of the scene falls below this share,
+    /// so the light left out is less. If no colour of the scene is brighter than white, the throughput
     /// itself is compared.
     const SMALLEST_WEIGHT: Unit;
 
-    /// How many columns lie from one pixel that is traced to the next at most: 1, 2 or 4.
+    /// Stride: the largest distance in columns from one traced pixel of a row to the next, 1, 2 or 4.
     ///
-    /// Those between two whose paths met the same are taken from their colours if that is exact to
-    /// [`Quality::TOLERANCE`]. What is narrower than a stride and met by no ray of those that are
-    /// traced may be lost: the tip of a shadow, a highlight, the end of an open cylinder, a
-    /// reflection in a curved mirror. Spheres seen directly or in a plane are not, up to 60 degrees
-    /// from the middle of the picture; nor is anything in a scene of planes, which has a stride of 4
-    /// whatever is said here, unless it is 1. Pixels that are known to meet nothing are not traced.
+    /// If the paths of two traced pixels hit the same surfaces, the pixels between them are
+    /// interpolated, where that is exact to [`Quality::TOLERANCE`]. A detail that is narrower than a
+    /// stride and is hit by no traced ray may be lost: the tip of a shadow, a highlight, the end of an
+    /// open cylinder, a reflection in a curved mirror. Spheres that are visible directly or in a plane
+    /// are never lost, up to 60 degrees from the middle of the picture. In a scene of planes nothing is
+    /// lost; its stride is 4, unless this constant is 1. Pixels whose rays are known to hit nothing are
+    /// not traced.
     const STRIDE: u32;
 
-    /// How exactly the colours along a row must follow a curve where pixels are taken from it, as a
-    /// share of white.
+    /// Tolerance of interpolation along a row, as a share of white, 0 to 1.
     ///
-    /// That is: the bend of the curve changes by no more than the tolerance, or is no more than twice
-    /// the tolerance where only one side of it is known; or a pixel traced half way is no further than
-    /// the tolerance from it; or the colours on both sides of a single pixel differ by no more than
-    /// three times the tolerance, or bend by no more than four times it.
+    /// Pixels between traced ones are interpolated only if one of these holds:
+    /// - the second difference of the colours changes by no more than the tolerance;
+    /// - the second difference is known on one side only, and is no more than twice the tolerance;
+    /// - a pixel traced half way differs from the curve by no more than the tolerance;
+    /// - a single pixel is missing, and the colours on both sides of it differ by no more than three
+    ///   times the tolerance, or have a second difference of no more than four times the tolerance.
     const TOLERANCE: Unit;
 
-    /// Whether flash is scarcer than time; not so unless it is said.
+    /// Whether frames leave out all code and tables for speed, to save flash. Defaults to `false`.
     ///
-    /// Then every ray goes the general way: every pixel is traced, whatever [`Quality::STRIDE`] says,
-    /// every shape is asked, and nothing is prepared of what the pixels of a row or the lights can
-    /// see, neither in flash nor in RAM.
+    /// If `true`, every pixel is traced, whatever [`Quality::STRIDE`] says, every ray tests every shape,
+    /// and no tables for the pixels of a row or for the lights are prepared, neither in flash nor in
+    /// RAM.
     const IS_SMALL: bool = false;
 
-    /// Whether near points that rays meet are rounded to the nearest step of the grid, each light on a
-    /// surface is kept to 2⁻²⁶ of white, and shadows are told exactly where shapes touch. Defaults to
-    /// `false`: points are rounded down to an even step, and each light to the nearest 2⁻²⁰ of white.
-    /// Nothing changes where [`Quality::IS_SMALL`].
+    /// Whether points and light are rounded more finely, and shadows are exact where shapes touch.
+    /// Defaults to `false`.
+    ///
+    /// If `true`, near hit points are rounded to the nearest step of the grid, and the light of each
+    /// lamp on a surface to 2⁻²⁶ of white. If `false`, points are rounded down to an even step, and
+    /// light to the nearest 2⁻²⁰ of white. The constant has no effect if [`Quality::IS_SMALL`] is
+    /// `true`.
     const IS_PRECISE: bool = false;
 }
 
-/// The default: nothing that is left out is expected to change an 8-bit channel by more than a step.
+/// The default quality: the approximations are expected to change an 8-bit channel by at most one level.
 ///
 /// A path ends when the light it can still add is less than one 8-bit level. At least every fourth pixel
-/// is traced, every second where a path was mirrored in something round, and the others are exact to a
-/// step, or to one and a half where only the pixels on both sides are known.
+/// is traced, and every second if a path was mirrored in a round shape. The others are interpolated,
+/// exact to one level, or to one and a half if only the pixels on both sides are known.
 #[derive(Clone, Copy, Debug)]
 pub struct Fast;
 
@@ -78,10 +88,11 @@ impl Quality for Fast {
     const TOLERANCE: Unit = Unit::from_bits(1 << 22);
 }
 
-/// The smallest in flash: exact as [`Fast`] or more, but without the code and the tables that make it
-/// fast.
+/// The quality that takes the least flash: at least as exact as [`Fast`], but without the code and the
+/// tables for speed.
 ///
-/// Traces every pixel. A path ends when the light it can still add is less than one 8-bit level.
+/// Every pixel is traced, and every ray tests every shape. A path ends when the light it can still add
+/// is less than one 8-bit level.
 #[derive(Clone, Copy, Debug)]
 pub struct Small;
 
@@ -92,8 +103,10 @@ impl Quality for Small {
     const IS_SMALL: bool = true;
 }
 
-/// For what is looked at closely: a path ends when its weight is exactly zero, at least every second
-/// pixel is traced, and the others are exact to a quarter of an 8-bit step.
+/// The quality for pictures that are viewed closely: more exact than [`Fast`], and still interpolated.
+///
+/// A path ends when its throughput is exactly zero. At least every second pixel is traced, and the
+/// others are exact to a quarter of an 8-bit level.
 #[derive(Clone, Copy, Debug)]
 pub struct Fine;
 
@@ -103,10 +116,11 @@ impl Quality for Fine {
     const TOLERANCE: Unit = Unit::from_bits(1 << 20);
 }
 
-/// Leaves out nothing: every pixel is traced, and every path until its weight is exactly zero or the
-/// frame's reflections are used up. Points and light are rounded more finely than in the others.
+/// The most exact quality: every pixel is traced, and points and light are rounded more finely than in
+/// the other qualities.
 ///
-/// For scenes in which a single pixel at an edge counts, and to compare other qualities with.
+/// A path ends when its throughput is exactly zero or the reflections of the frame are used up. Use it
+/// for scenes in which a single pixel at an edge matters, and to compare other qualities with.
 #[derive(Clone, Copy, Debug)]
 pub struct Exact;
 

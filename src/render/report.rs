@@ -1,30 +1,50 @@
-//! Floor 7: what is known of what was drawn. Knows no pixel.
+//! Floor 7: the report on a drawn picture. This file knows no pixel.
 
 use crate::accel::World;
 use crate::number::Unit;
 use crate::trace::Tracer;
 
-/// What is known about a picture, or a part of one, when it has been drawn.
+/// The report on a picture, or on a part of one, that has been drawn.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+/// use reflet::Report;
+/// use reflet::quality::Exact;
+/// use reflet::scenes::{BuiltIn, Mirror2};
+///
+/// let frame = Mirror2::frame(&Mirror2::CAMERA).reflections(1).quality::<Exact>();
+/// let frame = frame.prepare(Size::new(32, 32));
+/// let rows = frame.on(&Mirror2)?;
+/// let mut row = [Rgb888::BLACK; 32];
+/// let (upper, lower) = (rows.row(8, 0, &mut row), rows.row(24, 0, &mut row));
+/// let both = upper.merge(lower);
+/// assert_eq!(both.rays, upper.rays + lower.rays);
+/// assert_eq!(both.cut_off, upper.cut_off.max(lower.cut_off));
+/// assert_eq!(Report::NONE.merge(both), both);
+/// # Ok::<(), reflet::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Report {
-    /// How many rays were followed: one for each pixel that was traced (with [`crate::quality::Fast`], not all
-    /// are) and one for each reflection; rays to lights not counted.
+    /// Number of rays: one for each traced pixel and one for each reflection, without shadow rays.
+    ///
+    /// With [`crate::quality::Fast`] not every pixel is traced.
     pub rays: u64,
-    /// The largest weight with which a path was ended by the number of reflections or by the
-    /// quality. No colour of the pixels that were traced is wrong by more than this times the brightest
-    /// colour of the scene on account of it: [`crate::Rows::cut_off_bound`].
+    /// Largest throughput, 0 to 1, with which the number of reflections or the quality ended a path.
+    ///
+    /// Ending paths changes no traced pixel by more than this times the brightest colour of the scene;
+    /// [`Rows::cut_off_bound`](crate::Rows::cut_off_bound) computes that product.
     pub cut_off: Unit,
 }
 
 impl Report {
-    /// Of nothing drawn.
+    /// Report on an empty picture: no rays, and no path cut off.
     pub const NONE: Self = Self {
         rays: 0,
         cut_off: Unit::ZERO,
     };
 
-    /// Of two parts together.
+    /// Returns the report on two parts together: the sum of the rays, the larger `cut_off`.
     #[must_use]
     pub fn merge(self, other: Self) -> Self {
         Self {
@@ -33,7 +53,7 @@ impl Report {
         }
     }
 
-    /// Of what a tracer followed.
+    /// Returns the report on the rays that a tracer has followed.
     #[inline(always)]
     pub(super) fn of<W: World, K, Q>(tracer: &Tracer<'_, W, K, Q>) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! What the kernels read of a scene, wherever it lives, and how they name its shapes.
+//! The parts of a scene as the kernels read them, and the numbers by which they name its shapes.
 
 use super::capacity::{Capacity, Counts, Room};
 use super::needs::Needs;
@@ -21,10 +21,10 @@ macro_rules! parts {
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
     ) => {
-        /// How many kinds of bounded shapes there are.
+        /// Number of kinds of bounded shapes.
         pub(crate) const KINDS: usize = [$(stringify!($list)),*].len();
 
-        /// What the kernels read from a scene.
+        /// The prepared lists and settings of a scene, as the kernels read them.
         #[derive(Clone, Copy, Debug)]
         pub struct Parts<'a> {
             $(pub(crate) $list: &'a [crate::shape::$prepared],)*
@@ -32,21 +32,21 @@ macro_rules! parts {
             pub(crate) lights: &'a [PreparedLight],
             pub(crate) materials: &'a [PreparedMaterial],
             pub(crate) background: Color,
-            /// The largest component of any colour that a path can meet, [`Color::in_levels`]; rounded up.
+            /// Largest component of any colour that a path can add, [`Color::in_levels`]; rounded up.
             pub(crate) brightest: Brightness,
-            /// One over the brightest, rounded down to 8 leading bits, and at most 1.
+            /// Reciprocal of `brightest`, rounded down to 8 leading bits, and at most 1.
             pub(crate) dimness: Unit,
-            /// Offset along the normal where rays that leave a surface start: at least 2 steps.
+            /// Offset along the normal at which rays that leave a surface start: at least 2 steps.
             pub(crate) epsilon: Length,
-            /// The same inside of a bounded shape: at least 8 steps, or 16 in a scene with cylinders.
+            /// Offset of rays that leave a bounded shape's inside: at least 8 steps, 16 with cylinders.
             pub(crate) inner_epsilon: Length,
             pub(crate) grid: &'a Grid,
-            /// The shapes that move: no table may leave them out.
+            /// Set of the shapes that move. Every table must list them for all directions.
             pub(crate) moving: ShapeSet,
         }
 
         impl<'a> Parts<'a> {
-            /// How many shapes of each bounded kind there are, in the order of the kinds.
+            /// Returns the number of shapes of each bounded kind, in the order of the kinds.
             #[inline(always)]
             pub(crate) const fn lengths(&self) -> [usize; KINDS] {
                 [$(self.$list.len()),*]
@@ -61,19 +61,19 @@ macro_rules! parts {
                 }
             }
 
-            /// How many bounded shapes there are.
+            /// Returns the number of bounded shapes of all kinds.
             #[inline(always)]
             pub(crate) const fn bounded(&self) -> usize {
                 0 $(+ self.$list.len())*
             }
 
-            /// Whether there are bounded shapes.
+            /// Tests whether the scene has a bounded shape.
             #[inline(always)]
             pub(crate) fn has_bounded(&self) -> bool {
                 $(!self.$list.is_empty())||*
             }
 
-            /// The ball around the bounded shape with a number, and its material, if there is one.
+            /// Returns the ball around the bounded shape with this number, and its material.
             pub(crate) const fn ball(&self, number: usize) -> Option<((Point, i32), MaterialId)> {
                 $(
                     if number < self.$list.len() {
@@ -86,7 +86,7 @@ macro_rules! parts {
                 None
             }
 
-            /// The outward normal of a shape at a near point of it, and its material.
+            /// Returns the outward normal of a shape at a near point on it, and the shape's material.
             #[inline(always)]
             pub(super) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
                 let index = shape.index();
@@ -100,7 +100,7 @@ macro_rules! parts {
                 Some((plane.normal, plane.material))
             }
 
-            /// Whether a shape of the scene is flat, as planes are.
+            /// Tests whether a shape is flat, such as a disc or a plane.
             #[inline(always)]
             pub(crate) fn is_flat(&self, shape: ShapeId) -> bool {
                 let index = shape.index();
@@ -115,12 +115,12 @@ macro_rules! parts {
                 index >= first
             }
 
-            /// Whether a near point lies inside of a shape that rays from there do not leave.
+            /// Tests whether a near point lies inside of a closed shape, such as a sphere.
             pub(crate) fn hold(&self, point: Point) -> bool {
                 $(self.$list.iter().any(|shape| shape.holds(point)))||*
             }
 
-            /// The same parts without what `needs` leaves out.
+            /// Returns the parts with an empty list in place of each list that `needs` leaves out.
             #[inline(always)]
             pub(crate) const fn within(self, needs: &Needs) -> Self {
                 Self {
@@ -133,7 +133,7 @@ macro_rules! parts {
         }
 
         impl<$($header)*> PlainScene<Room<$($arguments)*>> {
-            /// Its parts, for constants.
+            /// Returns the parts of the scene, in constant code.
             pub(crate) const fn constant_parts(&self) -> Parts<'_> {
                 Parts {
                     $($list: used(&self.$list, self.counts.$list),)*
@@ -146,7 +146,7 @@ macro_rules! parts {
         }
 
         impl<R: Capacity> PlainScene<R> {
-            /// Its parts.
+            /// Returns the parts of the scene.
             #[inline(always)]
             pub(crate) fn parts(&self) -> Parts<'_> {
                 Parts {
@@ -158,7 +158,7 @@ macro_rules! parts {
                 }
             }
 
-            /// What is no list.
+            /// Returns the settings of the scene, with all lists empty.
             #[inline(always)]
             pub(crate) const fn values(&self) -> Parts<'_> {
                 Parts {
@@ -180,30 +180,30 @@ macro_rules! parts {
 }
 kinds!(parts);
 
-/// Nothing of what is not needed, and the compiler sees it.
+/// Returns `items` if `is_needed`, else an empty list, so that code for unneeded items is dropped.
 #[inline(always)]
 pub(crate) const fn if_needed<T>(is_needed: bool, items: &[T]) -> &[T] {
     if is_needed { items } else { &[] }
 }
 
 impl<'a> Parts<'a> {
-    /// A material; black if there is none of that number.
+    /// Returns the material with this number, or a black one if there is none.
     #[inline(always)]
     pub(crate) fn material(&self, material: MaterialId) -> &'a PreparedMaterial {
         const NONE: &PreparedMaterial = &PreparedMaterial::NONE;
         match self.materials {
-            // So that the compiler knows which.
+            // With one material, the compiler knows which one is read.
             [only] => only,
             several => several.get(material.index()).unwrap_or(NONE),
         }
     }
 
-    /// The smallest weight with which a path can still change a channel by `change`, 0 to 1.
+    /// Returns the smallest throughput with which a path can still change a channel by `change`, 0 to 1.
     pub(crate) const fn smallest_weight(&self, change: Unit) -> Unit {
         unit_product(change, self.dimness)
     }
 
-    /// Whether there is nothing to be met.
+    /// Tests whether the scene has no shape, so that no ray can hit anything.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
         !self.has_bounded() && self.planes.is_empty()
@@ -212,13 +212,13 @@ impl<'a> Parts<'a> {
 
 /// A scene that the plain kernels can read.
 pub trait SceneAccess {
-    /// What it can need: what it does not is not linked.
+    /// Features of the library that the scene can need. The code for others is not linked.
     const NEEDS: Needs;
 
-    /// Whether rays are given fewer candidates to hit than all shapes.
+    /// Whether tables name the candidates of reflected rays, so that not all shapes are tested.
     const CHOOSES_HITS: bool;
 
-    /// The scene's parts.
+    /// Returns the parts of the scene.
     fn parts(&self) -> Parts<'_>;
 }
 
@@ -232,36 +232,36 @@ impl<W: SceneAccess> SceneAccess for &W {
     }
 }
 
-/// Names a shape of a scene, or none: bounded shapes in the order of their kinds, then planes.
+/// The number of a shape, or a sentinel. Bounded shapes come first, kind after kind, then planes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ShapeId(pub(super) u32);
 
 impl ShapeId {
-    /// No shape.
+    /// Sentinel for no shape.
     pub(crate) const NONE: Self = Self(u32::MAX);
 
-    /// Not known: further away than near rays look.
+    /// Sentinel for an unknown hit: it lies beyond the reach of near rays.
     pub(crate) const BEYOND: Self = Self(u32::MAX - 1);
 
-    /// Names one side of it.
+    /// Returns a number for the shape's inside or its outside, different for each side of each shape.
     pub(crate) const fn side(self, is_inside: bool) -> u32 {
         self.0 << 1 | is_inside as u32
     }
 
-    /// What a path notes that passes it on one side and not on the other; spread, so that several
-    /// together are told from others.
+    /// Returns the hash that a path notes if it passes the shape on one of the two sides. Its bits are
+    /// spread, so that combinations of several hashes differ.
     #[inline(always)]
     pub(crate) const fn passed(self) -> u32 {
         spread(self.0 + 1)
     }
 
-    /// Where it stands among all shapes.
+    /// Returns the index of the shape among all shapes of the scene.
     #[inline(always)]
     pub(crate) const fn index(self) -> usize {
         self.0 as usize
     }
 
-    /// The shape that stands there among all shapes.
+    /// Returns the shape with this index among all shapes of the scene.
     #[inline(always)]
     pub(crate) const fn at(index: usize) -> Self {
         Self(to_u32(index))
@@ -269,13 +269,13 @@ impl ShapeId {
 }
 
 impl Parts<'_> {
-    /// The number that the planes begin with.
+    /// Returns the number of the first plane, which follows all bounded shapes.
     #[inline(always)]
     pub(super) fn first_plane(&self) -> u32 {
         to_u32(self.bounded())
     }
 
-    /// Whether a shape is a plane.
+    /// Tests whether a shape is a plane.
     #[inline(always)]
     pub(crate) fn is_plane(&self, shape: ShapeId) -> bool {
         shape != ShapeId::NONE && shape.0 >= self.first_plane()
@@ -283,13 +283,13 @@ impl Parts<'_> {
 }
 
 impl<'a> Parts<'a> {
-    /// The plane with a number, if it is one.
+    /// Returns the plane with this number, or `None` if the shape is no plane.
     #[inline(always)]
     pub(crate) fn plane(&self, shape: ShapeId) -> Option<&'a PreparedPlane> {
         self.planes.get(self.plane_index(shape)?)
     }
 
-    /// Where a plane stands among the planes.
+    /// Returns the index of a plane among the planes, or `None` if the shape is bounded.
     #[inline(always)]
     pub(crate) fn plane_index(&self, shape: ShapeId) -> Option<usize> {
         shape

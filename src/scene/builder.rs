@@ -1,4 +1,4 @@
-//! Scenes written in plain numbers and built by the compiler.
+//! The builder of constant scenes, which takes plain numbers and runs when the program is compiled.
 
 use super::capacity::{Capacity, Counts, Room};
 use super::description::{Described, Description};
@@ -12,24 +12,38 @@ use crate::number::Number;
 use crate::shape::plane::Plane;
 use crate::vector::Position;
 
-/// The most parts of a constant scene that may move.
+/// Largest number of shapes of a constant scene that may move.
 const MOST_MOVING: usize = 16;
 
-/// The description of a constant scene, part by part; [`scene!`](crate::scene) writes it.
+/// A builder of constant scenes, which takes their parts one by one. [`scene!`](crate::scene) writes its
+/// calls.
 ///
 /// Every method checks its arguments. A mistake stops the compiler with a message that names the part
-/// and the fix. The room is a type, [`room!`](crate::room). A scene that is filled while the program runs
-/// is a [`RuntimeScene`](crate::RuntimeScene), which returns errors.
+/// and the fix. `R` is the room, written with [`room!`](crate::room). A scene that is filled while the
+/// program runs is a [`RuntimeScene`](crate::RuntimeScene), which returns errors.
 ///
 /// ```
-/// use reflet::{Material, Scene, SceneBuilder, room};
+/// use reflet::{Camera, Material, Scene, SceneBuilder, room};
 ///
 /// const BALL: Scene<room!(spheres: 1, lights: 1)> = SceneBuilder::new()
 ///     .sphere([0.0; 3], 1.0, Material::new([1.0; 3]))
 ///     .light([3.0, -4.0, 6.0], [1.0; 3])
 ///     .build();
-/// # let _ = BALL;
+/// assert!(BALL.needs().spheres);
+///
+/// const TIN: Material = Material::new([0.8; 3]).mirror(0.3);
+/// const CAN: SceneBuilder<room!(planes: 1, cylinders: 1, discs: 1)> = SceneBuilder::new()
+///     .cylinder([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], 1.0, 2.0, TIN)
+///     .disc([0.0, 0.0, 2.0], [0.0, 0.0, 1.0], 1.0, TIN)
+///     .plane([0.0; 3], [0.0, 0.0, 1.0], TIN)
+///     .background([0.3, 0.4, 0.6])
+///     .epsilon(0.01)
+///     .motion([-3.0, -3.0, -3.0], [3.0, 3.0, 3.0])
+///     .camera(Camera::look_at([0.0, -9.0, 3.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]));
+/// assert_eq!(CAN.description().discs.len(), 1);
 /// ```
+///
+/// A radius below 0 does not compile:
 ///
 /// ```compile_fail
 /// use reflet::{Material, Scene, SceneBuilder, room};
@@ -42,13 +56,13 @@ const MOST_MOVING: usize = 16;
 #[derive(Clone, Copy, Debug)]
 pub struct SceneBuilder<R: Capacity> {
     described: Described<R>,
-    /// Name and index of the part that was added last.
+    /// Kind and index of the shape that was added last, or `None` after a plane or a light.
     last: Option<(&'static str, usize)>,
     moving: [Option<(&'static str, usize)>; MOST_MOVING],
 }
 
 impl<R: Capacity> SceneBuilder<R> {
-    /// What a ray that meets nothing adds, 0 to 16 a component; black unless it is named.
+    /// Sets the colour of rays that hit nothing; each component is 0 to 16. Defaults to black.
     pub const fn background(mut self, color: [f64; 3]) -> Self {
         self.described.background = numbers(color);
         Error::refuse(
@@ -58,32 +72,32 @@ impl<R: Capacity> SceneBuilder<R> {
         self
     }
 
-    /// How far above a surface the shadow rays and mirrored rays start that leave it, in scene units;
-    /// 0.001 unless it is named.
+    /// Sets epsilon: how far above a surface its shadow rays and reflected rays start, in scene units.
+    /// Defaults to 0.001.
     ///
-    /// It must be above 0. The built scene has it in whole steps of its grid, rounded to the nearest, and
-    /// refuses 2²⁸ steps and more: the radius of the ball that holds the shapes. A scene of planes alone
-    /// takes any epsilon up to 2³⁰ scene units, because its ball grows with it.
+    /// Epsilon must be above 0. The built scene rounds it to the nearest whole step of its grid, and
+    /// refuses 2²⁸ steps or more: the radius of the ball that holds the shapes. A scene that has only
+    /// planes takes any epsilon up to 2³⁰ scene units, because its ball grows with epsilon.
     ///
-    /// Less than 2 steps become 2. A ray that leaves the inside of a sphere or cylinder can meet the same
-    /// shape again; for it less than 8 steps become 8, or 16 in a scene with cylinders. So no surface
-    /// shadows itself, however small epsilon is. But lights, planes and the scene's camera that stand
-    /// outside of the shapes' ball and further from its middle than 2²² times epsilon may be kept as
-    /// far places, which take more instructions.
+    /// Values below 2 steps become 2. A ray that leaves the inside of a sphere or cylinder can hit the
+    /// same shape again: for such rays, values below 8 steps become 8, or 16 in a scene with cylinders.
+    /// So no surface shadows itself, however small epsilon is. A light, a plane or the scene's camera
+    /// that stands outside of the shapes' ball, and further from its middle than 2²² times epsilon, may
+    /// be stored as a far point, which takes more instructions.
     ///
-    /// If epsilon is too large, rays start beyond what lies nearer to the surface than epsilon: shadows and
-    /// reflections do not reach the place where two shapes touch. It should be small beside the smallest
-    /// shape and the smallest gap.
+    /// If epsilon is too large, rays start beyond shapes that lie nearer to the surface than epsilon:
+    /// shadows and reflections do not reach the place where two shapes touch. Choose an epsilon that is
+    /// small compared with the smallest shape and the smallest gap.
     pub const fn epsilon(mut self, epsilon: f64) -> Self {
         self.described.epsilon = Number::new(epsilon);
         Error::refuse("scene", prepare::epsilon_fault(self.described.epsilon));
         self
     }
 
-    /// Sets the box in which parts of the scene move, by two opposite corners.
+    /// Sets the box in which shapes of the scene may move, by its lowest and its highest corner.
     ///
-    /// The scene's grid is chosen for the whole box, so that a part that moves in it changes no bit of the
-    /// others. The ball around a part that moves must stay inside of the box.
+    /// The scene's grid is chosen for the whole box, so that a shape that moves in it changes no bit of
+    /// the others. The ball around a shape that moves must stay inside of the box.
     pub const fn motion(mut self, low: [f64; 3], high: [f64; 3]) -> Self {
         let motion = [Position::new(low), Position::new(high)];
         Error::refuse("motion", prepare::motion_fault(motion));
@@ -91,7 +105,7 @@ impl<R: Capacity> SceneBuilder<R> {
         self
     }
 
-    /// Marks the shape that was added last as one that moves, for [`scene!`](crate::scene).
+    /// Marks the shape that was added last as a shape that moves. [`scene!`](crate::scene) calls this.
     #[doc(hidden)]
     pub const fn moves_as(mut self, name: &'static str) -> Self {
         let Some((part, index)) = self.last else {
@@ -108,20 +122,20 @@ impl<R: Capacity> SceneBuilder<R> {
         self
     }
 
-    /// Returns the shapes that move, by name and index; `None` from some index on.
+    /// Returns kind and index of each shape that moves. The rest of the list is `None`.
     pub(crate) const fn moving(&self) -> &[Option<(&'static str, usize)>] {
         &self.moving
     }
 
-    /// The camera the scene is meant to be seen with first. The binary point is chosen so that it
-    /// has its place beside the shapes; any other camera can be used as well.
+    /// Sets the camera that the scene is usually viewed with. The scene's grid is chosen so that this
+    /// camera is near, which takes fewer instructions. Any other camera can view the scene, too.
     pub const fn camera(mut self, camera: Camera) -> Self {
         self.described.camera = Some(camera);
         self
     }
 }
 
-/// What a constant is written with in place of a description's type.
+/// Writes the type of an argument in constant code: floats in place of `Position` and `Number`.
 macro_rules! plain {
     (Position) => {
         [f64; 3]
@@ -139,7 +153,7 @@ macro_rules! builder {
             $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*) })*
     ) => {
         impl<$($header)*> SceneBuilder<Room<$($arguments)*>> {
-            /// An empty scene with a black background and an epsilon of 0.001.
+            /// Creates an empty scene with a black background and an epsilon of 0.001.
             pub const fn new() -> Self {
                 Self {
                     described: Described::new(),
@@ -165,7 +179,7 @@ macro_rules! builder {
                 }
             )*
 
-            /// Adds an infinite plane through `point`; the normal may have any length but 0.
+            /// Adds an infinite plane through `point`. The normal may have any length but 0.
             pub const fn plane(mut self, point: [f64; 3], normal: [f64; 3], material: Material) -> Self {
                 let index = self.described.planes.len;
                 self.described.planes.refuse_more("plane", ErrorKind::TooManyPlanes);
@@ -180,7 +194,7 @@ macro_rules! builder {
                 self
             }
 
-            /// Adds a point light; colour components are 0 to 16.
+            /// Adds a point light. Each component of its colour is 0 to 16.
             pub const fn light(mut self, position: [f64; 3], color: [f64; 3]) -> Self {
                 let index = self.described.lights.len;
                 self.described.lights.refuse_more("light", ErrorKind::TooManyLights);
@@ -194,12 +208,12 @@ macro_rules! builder {
                 self
             }
 
-            /// The description so far.
+            /// Returns the description of the parts added so far.
             pub const fn description(&self) -> Description<'_> {
                 self.described.description()
             }
 
-            /// Returns how many parts of each kind there are.
+            /// Returns the number of parts of each kind added so far.
             #[doc(hidden)]
             pub const fn counts(&self) -> Counts {
                 self.description().counts()

@@ -1,11 +1,11 @@
-//! The room of a scene as one type: what depends on it is generic over one parameter, and not over a
-//! number a list.
+//! The room of a scene as one type. Generic code has this type as its only parameter, instead of one
+//! number for each list.
 
 use core::fmt::Debug;
 
-/// An array of any length.
+/// An array of any length, as generic code uses it.
 pub trait Array<T>: AsRef<[T]> + AsMut<[T]> + Copy + Debug {
-    /// The same item everywhere.
+    /// Creates an array in which every item is `item`.
     fn filled(item: T) -> Self;
 }
 
@@ -21,7 +21,7 @@ macro_rules! capacity {
         { [$($declaration:tt)*] [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
-        /// Number of parts of each kind that a scene has, or has room for.
+        /// The number of parts of each kind that a scene has, or has room for.
         #[derive(Clone, Copy, Debug)]
         pub struct Counts {
             $(pub(crate) $list: usize,)*
@@ -31,8 +31,8 @@ macro_rules! capacity {
         }
 
         impl Counts {
-            /// Reads the fields of a `room!`. A list that is not named has no room, materials have room
-            /// for 8.
+            /// Returns the counts for the fields of a `room!`. A list that is not named gets 0,
+            /// materials get 8.
             pub const fn of_fields(fields: &[(&str, usize)]) -> Self {
                 let mut counts = Self { $($list: 0,)* planes: 0, lights: 0, materials: 8 };
                 let mut index = 0;
@@ -72,34 +72,35 @@ macro_rules! capacity {
                 }
             }
 
-            /// How many bounded shapes there are, of all kinds.
+            /// Returns the number of bounded shapes of all kinds.
             pub(crate) const fn bounded(&self) -> usize {
                 0 $(+ self.$list)*
             }
         }
 
-        /// The room of a scene: for `S` spheres, `P` planes, `C` cylinders, `L` lights and `M` materials.
+        /// The room of a scene: `S` spheres, `P` planes, `C` cylinders, `L` lights, `M` materials, `D`
+        /// discs.
         #[derive(Clone, Copy, Debug)]
         pub struct Room<$($declaration)*>;
 
-        /// The room of a scene, whatever it is: an array of anything with the length of each of its lists.
+        /// The room of a scene as a trait: an array type for each of its lists, for items of any type.
         ///
-        /// Implemented by the crate for every [`Room`]; there is no need to implement it elsewhere.
-        /// Where the room's numbers are named the compiler knows the arrays, so that constants can index
-        /// them: in `impl<const S: usize, ..> SceneBuilder<Room<S, ..>>`, `R::Spheres<T>` is `[T; S]`.
+        /// The crate implements it for every [`Room`]. Users do not implement it. Constant code can
+        /// index the arrays only where the room's numbers are parameters: in `impl<const S: usize, ..>
+        /// SceneBuilder<Room<S, ..>>`, `R::Spheres<T>` is `[T; S]`.
         pub trait Capacity: Copy + Debug + 'static {
             $(
-                #[doc = concat!("With room for the ", stringify!($list), ".")]
+                #[doc = concat!("Array with one item for each of the ", stringify!($list), " that fit the room.")]
                 type $lists<T: Copy + Debug>: Array<T>;
             )*
-            /// With room for the planes.
+            /// Array with one item for each of the planes that fit the room.
             type Planes<T: Copy + Debug>: Array<T>;
-            /// With room for the lights.
+            /// Array with one item for each of the lights that fit the room.
             type Lights<T: Copy + Debug>: Array<T>;
-            /// With room for the materials.
+            /// Array with one item for each of the materials that fit the room.
             type Materials<T: Copy + Debug>: Array<T>;
 
-            /// The room in numbers.
+            /// Number of parts of each kind that fit the room.
             const COUNTS: Counts;
         }
 
@@ -120,7 +121,7 @@ macro_rules! capacity {
 }
 kinds!(capacity);
 
-/// Compares two names in constants.
+/// Tests whether two names are equal, in constant code.
 pub(super) const fn is_same(one: &str, other: &str) -> bool {
     let (one, other) = (one.as_bytes(), other.as_bytes());
     if one.len() != other.len() {

@@ -1,4 +1,4 @@
-//! A scene as it is described: where that is kept while it is filled, and what is read of it.
+//! The description of a scene: the numbers it was written with, their storage and their view.
 
 use super::capacity::{Capacity, Counts, Room};
 use super::list::List;
@@ -10,7 +10,7 @@ use crate::shape::Extent;
 use crate::shape::plane::Plane;
 use crate::vector::Position;
 
-/// How far a ray is lifted off the surface it leaves unless the scene says otherwise.
+/// Default epsilon in scene units: how far above a surface the rays start that leave it.
 const EPSILON: f64 = 1e-3;
 
 macro_rules! description {
@@ -18,33 +18,58 @@ macro_rules! description {
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
-        /// A scene as it was described: plain numbers, before they are laid on the grid.
+        /// The description of a scene: the numbers it was written with, before they are put on its grid.
+        ///
+        /// ```
+        /// use reflet::description::{Cylinder, Description, Disc, Plane};
+        /// use reflet::{Material, Position, RuntimeScene, room};
+        ///
+        /// let mut scene = RuntimeScene::<room!(planes: 1, cylinders: 1, discs: 1)>::new();
+        /// let tin = scene.add_material(Material::new([0.8; 3]))?;
+        /// scene.add_cylinder([0, 0, 1], [0, 0, 1], 1, 2, tin)?;
+        /// scene.add_disc([0, 0, 2], [0, 0, 1], 1, tin)?;
+        /// scene.add_plane([0, 0, 0], [0, 0, 1], tin)?;
+        ///
+        /// let up = Position::new([0.0, 0.0, 1.0]);
+        /// let described: Description<'_> = scene.description();
+        /// let [Cylinder { axis, radius, height, .. }] = *described.cylinders else { unreachable!() };
+        /// assert_eq!((axis, radius.to_f64(), height.to_f64()), (up, 1.0, 2.0));
+        /// let [Disc { center, normal, material, .. }] = *described.discs else { unreachable!() };
+        /// assert_eq!((center.0[2].to_f64(), normal, material), (2.0, up, tin));
+        /// let [Plane { point, .. }] = *described.planes else { unreachable!() };
+        /// assert_eq!(point, Position::ORIGIN);
+        /// assert_eq!(described.materials[material.index()], Material::new([0.8; 3]));
+        /// assert_eq!((described.epsilon.to_f64(), described.camera), (0.001, None));
+        /// assert!(described.lights.is_empty() && described.motion.is_none());
+        /// # Ok::<(), reflet::Error>(())
+        /// ```
         #[derive(Clone, Copy, Debug)]
         #[non_exhaustive]
         pub struct Description<'a> {
             $(
-                #[doc = concat!("The ", stringify!($list), ".")]
+                #[doc = concat!("Descriptions of the ", stringify!($list), ", in the order in which they were added.")]
                 pub $list: &'a [crate::shape::$described],
             )*
-            /// The planes.
+            /// Descriptions of the planes, in the order in which they were added.
             pub planes: &'a [Plane],
-            /// The lights.
+            /// Descriptions of the lights, in the order in which they were added.
             pub lights: &'a [Light],
-            /// The materials the shapes name.
+            /// Materials; the `material` of a shape is an index into this list.
             pub materials: &'a [Material],
-            /// What a ray that meets nothing adds.
+            /// Colour of rays that hit nothing: red, green and blue, 0 to 16 each.
             pub background: [Number; 3],
-            /// How far above a surface rays start that leave it; see
+            /// Distance above a surface at which the rays start that leave it, in scene units; see
             /// [`SceneBuilder::epsilon`](crate::SceneBuilder::epsilon).
             pub epsilon: Number,
-            /// The camera the scene is meant to be seen with first.
+            /// Camera that the scene is usually viewed with, if it has one.
             pub camera: Option<Camera>,
-            /// Two corners of the box in which parts move, if any do.
+            /// Lowest and highest corner of the box in which shapes may move, if there is one.
             pub motion: Option<[Position; 2]>,
         }
 
         impl Description<'_> {
-            /// The extent of a bounded shape with this number; the kinds follow each other.
+            /// Returns the extent of the bounded shape with this number; numbers go through kind after
+            /// kind.
             pub(super) const fn extent(&self, number: usize) -> Option<Extent> {
                 $(
                     if number < self.$list.len() {
@@ -65,8 +90,8 @@ macro_rules! description {
                 }
             }
 
-            /// The smallest epsilon of rays inside of a shape, in steps: what the strictest kind asks for,
-            /// and not less than `least`.
+            /// Returns the smallest epsilon of rays inside of a shape, in steps: the largest value that
+            /// any kind in the scene requires, and at least `least`.
             pub(super) const fn smallest_inside(&self, least: i32) -> i32 {
                 let mut smallest = least;
                 $(
@@ -79,8 +104,8 @@ macro_rules! description {
             }
         }
 
-        /// What the builder and the run-time scene have in common: the parts so far, which are checked, and
-        /// the rest of a description.
+        /// The storage of a description: the checked parts so far, and the settings. The builder and the
+        /// run-time scene both use it.
         #[derive(Clone, Copy, Debug)]
         pub struct Described<R: Capacity> {
             $(pub(super) $list: List<R::$lists<crate::shape::$described>>,)*
@@ -94,7 +119,7 @@ macro_rules! description {
         }
 
         impl<$($header)*> Described<Room<$($arguments)*>> {
-            /// An empty scene with a black background and an epsilon of 0.001.
+            /// Creates an empty description with a black background and an epsilon of 0.001.
             pub(super) const fn new() -> Self {
                 const { assert!(M <= 1 << 16, "a scene has 65536 materials at most") };
                 Self {

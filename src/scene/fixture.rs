@@ -1,4 +1,4 @@
-//! What the tests of the scene need: scenes filled at run time, without what makes them fast.
+//! Helpers for tests of this floor: run-time scenes prepared without culling tables.
 
 use super::access::SceneAccess;
 use super::capacity::{Capacity, Room};
@@ -11,7 +11,7 @@ macro_rules! plain {
         $($more:tt)*
     ) => {
         impl<$($header)*> RuntimeScene<Room<$($arguments)*>> {
-            /// The scene as the plain path reads it.
+            /// Prepares the scene for the plain path, without culling tables.
             pub(crate) fn plain(&self) -> Result<PlainScene<Room<$($arguments)*>>, Error> {
                 PlainScene::prepare(&self.description())
             }

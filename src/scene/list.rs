@@ -1,4 +1,4 @@
-//! A list of parts with a fixed room, which the compiler can fill as well as a program.
+//! Lists of parts with a fixed capacity, filled by constant code or by a running program.
 
 use super::capacity::Array;
 use super::used;
@@ -8,7 +8,7 @@ use crate::material::Material;
 use crate::number::{to_u16, to_u32};
 use crate::shape::MaterialId;
 
-/// The first items of an array.
+/// A list with a fixed capacity: an array, of which the first `len` items are used.
 #[derive(Clone, Copy, Debug)]
 pub struct List<A> {
     items: A,
@@ -16,7 +16,7 @@ pub struct List<A> {
 }
 
 impl<T: Copy, const N: usize> List<[T; N]> {
-    /// Nothing, in a room that is filled with something.
+    /// Creates an empty list, whose unused items are `none`.
     pub(super) const fn new(none: T) -> Self {
         Self {
             items: [none; N],
@@ -28,14 +28,14 @@ impl<T: Copy, const N: usize> List<[T; N]> {
         used(&self.items, self.len)
     }
 
-    /// Stops the compiler unless there is room for another item.
+    /// Panics with the error `too_many` if the list is full. In a constant, this stops the compiler.
     pub(super) const fn refuse_more(&self, part: &'static str, too_many: ErrorKind) {
         if self.len == N {
             Error::at(part, self.len, too_many).stop();
         }
     }
 
-    /// Adds an item where there is room for it; for constants.
+    /// Adds an item to a list that is not full, in constant code.
     pub(super) const fn push(&mut self, item: T) {
         self.items[self.len] = item;
         self.len += 1;
@@ -43,7 +43,7 @@ impl<T: Copy, const N: usize> List<[T; N]> {
 }
 
 impl<const N: usize> List<[Material; N]> {
-    /// The number of a material, which is kept once however often it is used; for constants.
+    /// Returns the number of a material, in constant code. Adds the material only if the list lacks it.
     pub(super) const fn id_of(&mut self, material: Material) -> MaterialId {
         let mut index = 0;
         while index < self.len {
@@ -59,7 +59,10 @@ impl<const N: usize> List<[Material; N]> {
 }
 
 impl<A> List<A> {
-    /// Adds a part that has no fault and for which there is room.
+    /// Adds a part at run time and returns its index.
+    ///
+    /// # Errors
+    /// `fault`, if it is `Some`; `too_many`, if the list is full. The list is then unchanged.
     pub(super) fn add<T>(
         &mut self,
         part: T,
@@ -81,7 +84,7 @@ impl<A> List<A> {
     }
 }
 
-/// Names the material with a number, which is below 2¹⁶.
+/// Returns the identifier of the material with this index, which must be below 2¹⁶.
 pub(super) const fn id(index: usize) -> MaterialId {
     MaterialId(to_u16(to_u32(index)))
 }

@@ -1,9 +1,10 @@
-//! The macros for users: the room of a scene, and a constant scene.
+//! The macros for users: `room!` writes the room of a scene, `scene!` declares a constant scene.
 
-/// Names the room of a scene that is filled at run time: how many parts of each kind it can hold.
+/// Writes the type of a scene's room: how many parts of each kind the scene can hold.
 ///
 /// The lists are `spheres`, `planes`, `cylinders`, `discs`, `lights` and `materials`. A list that is not
-/// named has no room, and the code for it is not linked. `materials` is 8 unless it is named.
+/// named has no room, and the code for it is not linked. `materials` defaults to 8. Write it where a
+/// type stands.
 ///
 /// ```
 /// use reflet::{RuntimeScene, room};
@@ -18,13 +19,14 @@ macro_rules! room {
     };
 }
 
-/// Declares a constant scene: a type without fields, whose scene is checked and prepared by the compiler.
+/// Declares a constant scene: a type without fields, whose scene the compiler checks and prepares.
 ///
 /// Each line is a method of [`SceneBuilder`](crate::SceneBuilder) with its arguments: `sphere`, `plane`,
-/// `cylinder`, `disc`, `light`, `background`, `epsilon`, `camera`, `motion`. Parts are counted by the
-/// macro. A mistake stops the compiler with a message that names the part and the fix.
+/// `cylinder`, `disc`, `light`, `background`, `epsilon`, `camera`, `motion`. The macro counts the parts
+/// and chooses the room. A mistake stops the compiler with a message that names the part and the fix.
 ///
-/// The type has a function `frame`, which views the scene through a camera.
+/// The type has a function `frame`, which views the scene through a camera and returns a
+/// [`FrameBuilder`](crate::FrameBuilder).
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -43,8 +45,9 @@ macro_rules! room {
 /// Marble::frame(&CAMERA).draw(&mut display).unwrap();
 /// ```
 ///
-/// A shape with a name moves: the name becomes a [`Handle`](crate::Handle) of the type, such as
-/// `Bounce::BALL` for `sphere BALL(..)`. See [`MovingScene`](crate::MovingScene).
+/// A shape with a name can move. The name becomes a constant [`Handle`](crate::Handle) of the type:
+/// `sphere BALL(..)` in a scene `Bounce` gives `Bounce::BALL`. [`MovingScene`](crate::MovingScene) has
+/// an example.
 #[macro_export]
 macro_rules! scene {
     (
@@ -87,7 +90,7 @@ macro_rules! scene {
                 &[$((stringify!($part), concat!($(stringify!($handle))?))),*];
 
             $($(
-                #[doc = concat!("Names the ", stringify!($part), " that moves.")]
+                #[doc = concat!("Handle of a ", stringify!($part), " that can move.")]
                 pub const $handle: $crate::Handle<$crate::__described!($part)> =
                     $crate::Handle::named(Self::PARTS, stringify!($handle));
             )?)*

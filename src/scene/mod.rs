@@ -1,8 +1,8 @@
-//! Floor 3: the bounded scene, checked and prepared once when it is built, and the two questions
-//! a ray asks it ([`query`]): what it hits first, and whether a light is occluded.
+//! Floor 3: scenes: their description, checks and preparation, and the two queries of a ray ([`query`]):
+//! the nearest hit, and whether a light is occluded.
 //!
-//! A scene is laid on a grid of its own: its shapes fill a ball of 2²⁸ steps, whatever their size
-//! in scene units, so the binary point is never the user's concern.
+//! Each scene has a grid of its own. Its shapes fill a ball of 2²⁸ steps, whatever their size in scene
+//! units, so users never choose a binary point.
 
 pub(crate) mod access;
 mod brightness;
@@ -40,7 +40,7 @@ pub(crate) use prepare::PlainScene;
 pub use runtime::RuntimeScene;
 pub(crate) use surface::Surface;
 
-/// The first `count` items; all of them, rather than a panic, should there be fewer.
+/// Returns the first `count` items, or all items if there are fewer. Never panics.
 #[inline(always)]
 pub(crate) const fn used<T>(items: &[T], count: usize) -> &[T] {
     match items.split_at_checked(count) {

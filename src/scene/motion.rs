@@ -1,4 +1,4 @@
-//! Parts of a prepared scene that change in place. Only the part that changes is prepared again.
+//! Moves parts of a prepared scene in place. Only the part that moves is prepared again.
 //!
 //! The grid of the scene was chosen for its whole motion box. So a part that moves in the box changes no
 //! bit of the others.
@@ -21,7 +21,7 @@ macro_rules! motion {
         impl<R: Capacity> PlainScene<R> {
             $(
                 #[doc = concat!(
-                    "Puts a ", stringify!($kind), " into another place, with the material that it has."
+                    "Changes place and size of a ", stringify!($kind), " and prepares it again. It keeps its material."
                 )]
                 #[inline(never)]
                 pub(crate) fn $kind(
@@ -33,7 +33,7 @@ macro_rules! motion {
                     if let Some(fault) = $kind.fault() {
                         return Err(error(fault));
                     }
-                    // What is larger than the box may not fit the grid.
+                    // A shape that is larger than the motion box may not fit the grid.
                     if !self.is_in_motion_box(&$kind.extent()) {
                         return Err(error(ErrorKind::Motion));
                     }
@@ -50,8 +50,10 @@ macro_rules! motion {
         }
 
         impl<$($header)*> PlainScene<Room<$($arguments)*>> {
-            /// Marks the shapes that move in a constant scene, by name and index; those that do not start
-            /// inside of the motion box stop the compiler.
+            /// Returns the constant scene with the shapes marked that move, given by kind and index.
+            ///
+            /// Panics if the ball around one of them does not lie inside of the motion box. In a
+            /// constant, this stops the compiler.
             pub(crate) const fn marked(
                 mut self,
                 moving: &[Option<(&'static str, usize)>],
@@ -83,7 +85,7 @@ macro_rules! motion {
 kinds!(motion);
 
 impl<R: Capacity> PlainScene<R> {
-    /// Puts a light into another place, with the colour that it has.
+    /// Changes the position of a light, in scene units. It keeps its colour.
     #[inline(never)]
     pub(crate) fn light(&mut self, index: usize, position: Position) -> Result<(), Error> {
         let error = |fault| Error::at("light", index, fault);
@@ -104,9 +106,8 @@ impl<R: Capacity> PlainScene<R> {
         Ok(())
     }
 
-    /// Tests whether a shape with this extent lies in the motion box; none does if there is no box.
-    ///
-    /// It is the extent for which the grid was chosen.
+    /// Tests whether a shape with this extent lies inside of the motion box. Returns `false` if the
+    /// scene has no motion box. The grid was chosen for the same extent.
     const fn is_in_motion_box(&self, extent: &Extent) -> bool {
         let center = self.grid.place(extent.center).point;
         let radius = self.grid.length(extent.radius).to_bits();
@@ -119,9 +120,9 @@ impl<R: Capacity> PlainScene<R> {
     }
 }
 
-/// Tests whether a ball lies between two sides of the motion box.
+/// Tests whether a ball lies between two opposite sides of the motion box, in steps along one axis.
 const fn holds(low: i32, center: i32, high: i32, radius: i32) -> bool {
-    // A side is rounded to a step, and so are centre and radius.
+    // Side, centre and radius are each rounded to a step.
     let (center, radius) = (center as i64, radius as i64 - 2);
     low as i64 <= center - radius && high as i64 >= center + radius
 }

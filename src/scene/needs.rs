@@ -1,4 +1,5 @@
-//! What a scene needs of the kernels, derived from the scene: what is not needed is not linked.
+//! The needs of a scene: the features of the library that it uses, derived from the scene. Code for
+//! other features is not linked.
 
 mod bound;
 mod finish;
@@ -18,11 +19,12 @@ macro_rules! needs {
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
             $set:ident $too_many:ident $without:ident $($more:tt)* })*
     ) => {
-        /// What a scene, or any scene of a type, can need of the library.
+        /// The features of the library that a scene, or any scene of a type, can need.
         ///
-        /// For a constant scene ([`scene!`](crate::scene)) it is derived from the scene itself when the program is compiled
-        /// ([`Needs::of`]); for a scene filled at run time from the room in its type, or from a [`NeedsLimit`].
-        /// The code and the tables for what is not needed are not in the program.
+        /// For a constant scene ([`scene!`](crate::scene)) they are derived from the scene itself when
+        /// the program is compiled ([`Needs::of`]). For a scene filled at run time they are derived from
+        /// the room in its type, or given by a [`NeedsLimit`]. Code and tables for other features are
+        /// not in the program.
         ///
         /// ```
         /// use reflet::needs::{Mirrors, Needs};
@@ -36,41 +38,42 @@ macro_rules! needs {
         /// }
         /// const NEEDS: Needs = Needs::of::<Marble>();
         /// assert!(NEEDS.spheres && !NEEDS.planes && NEEDS.mirrors == Mirrors::None);
+        /// assert!(NEEDS.lights && NEEDS.shadows && !NEEDS.mirrored);
         /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[non_exhaustive]
         pub struct Needs {
             $(
-                #[doc = concat!("Whether there are ", stringify!($list), ".")]
+                #[doc = concat!("Whether the scene has ", stringify!($list), ".")]
                 pub $list: bool,
             )*
-            /// Whether there are planes.
+            /// Whether the scene has planes.
             pub planes: bool,
-            /// Whether there are lights, and anything to be lit.
+            /// Whether the scene has lights, and shapes that they can light.
             pub lights: bool,
-            /// Whether a shape may throw a shadow, on another or on itself.
+            /// Whether a shape may cast a shadow, on another shape or on itself.
             pub shadows: bool,
-            /// Whether a light may be seen as a highlight.
+            /// Whether a light may cause a highlight on a surface.
             pub highlights: bool,
-            /// Which powers the highlights take.
+            /// Powers that the highlights take: the most general one.
             pub shininess: Shininess,
-            /// Which surfaces mirror.
+            /// Surfaces that mirror: none, some or all.
             pub mirrors: Mirrors,
-            /// The last reflection that can add light: none without a mirror, one where a single plane is all
-            /// there is, else as many as a frame allows.
+            /// Number of reflections of a path that can add light: 0 without a mirror, 1 if the only
+            /// shape is one plane, else 255.
             pub reflections: u8,
-            /// Whether a mirror can show more than the background.
+            /// Whether a mirror can show a shape, and not only the background.
             pub mirrored: bool,
-            /// Whether it takes less time to choose among the shapes that may throw a shadow than to ask all.
+            /// Whether shadow rays choose candidates among the shapes, because testing all takes longer.
             pub sets: bool,
-            /// Whether there is more than one material.
+            /// Whether the scene has more than one material.
             pub materials: bool,
-            /// Whether anything is not grey.
+            /// Whether the scene has colours; a scene in grey computes one channel.
             pub colors: bool,
         }
 
         impl Needs {
-            /// Everything.
+            /// Needs with every feature.
             pub const ALL: Self = Self {
                 $($list: true,)*
                 planes: true,
@@ -86,17 +89,19 @@ macro_rules! needs {
                 colors: true,
             };
 
-            /// Everything, of the kinds of bounded shapes that are counted.
+            /// Returns needs with every feature, but only the kinds of bounded shapes with a count above
+            /// 0.
             const fn of_kinds(counts: &Counts) -> Self {
                 Self { $($list: counts.$list > 0,)* ..Self::ALL }
             }
 
-            /// Everything, of the kinds of bounded shapes that both need.
+            /// Returns needs with every feature, but only the kinds of bounded shapes that both need.
             const fn of_both_kinds(&self, other: &Self) -> Self {
                 Self { $($list: self.$list && other.$list,)* ..Self::ALL }
             }
 
-            /// How much is needed of what a bound may leave out, the kinds of bounded shapes first.
+            /// Returns name and level of each need that a limit may lower, the kinds of bounded shapes
+            /// first.
             const fn levels(&self) -> [(&'static str, u8); KINDS + 10] {
                 [
                     $((stringify!($list), self.$list as u8),)*
@@ -105,7 +110,7 @@ macro_rules! needs {
                     ("shadows", self.shadows as u8),
                     ("highlights", self.highlights as u8),
                     ("shininess", self.shininess as u8),
-                    // Whether a surface mirrors, and whether one does not mirror all.
+                    // First whether a surface mirrors, then whether a surface has a colour of its own.
                     ("mirrors", !matches!(self.mirrors, Mirrors::None) as u8),
                     ("mirrors", !matches!(self.mirrors, Mirrors::All) as u8),
                     ("mirrored", self.mirrored as u8),
@@ -114,13 +119,13 @@ macro_rules! needs {
                 ]
             }
 
-            /// Whether there is no shape.
+            /// Tests whether the scene has no shape at all, so that every pixel shows the background.
             pub const fn is_nothing(&self) -> bool {
                 !(self.planes $(|| self.$list)*)
             }
 
             $(
-                #[doc = concat!("The same without ", stringify!($list), ".")]
+                #[doc = concat!("Returns these needs without ", stringify!($list), ".")]
                 #[must_use]
                 pub const fn $without(self) -> Self {
                     Self { $list: false, ..self }
@@ -133,7 +138,7 @@ macro_rules! needs {
 kinds!(needs);
 
 impl Parts<'_> {
-    /// What a scene of these parts needs.
+    /// Returns the needs of a scene with these parts.
     pub(crate) const fn needs(&self) -> Needs {
         let mut finish = Finish::new(self.background, self.lights);
         let mut number = 0;
@@ -150,42 +155,50 @@ impl Parts<'_> {
     }
 }
 
-/// Which powers the highlights of a scene take, each kind with those before it.
+/// The powers that the highlights of a scene take. Each variant includes those before it.
+///
+/// ```
+/// use reflet::needs::{Needs, Shininess};
+///
+/// const WHOLE: Needs = Needs::ALL.with_shininess(Shininess::Whole);
+/// assert!(WHOLE.highlights && Shininess::Even < WHOLE.shininess && WHOLE.shininess < Shininess::Real);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Shininess {
-    /// None: there is no highlight.
+    /// No power: the scene has no highlight.
     None,
-    /// Even whole numbers: with Blinn-Phong no root is taken.
+    /// Even whole numbers: Blinn-Phong shading takes no root.
     Even,
-    /// Whole numbers: no logarithm is needed.
+    /// Whole numbers: no logarithm is computed.
     Whole,
-    /// Any.
+    /// Any real numbers.
     Real,
 }
 
-/// Which surfaces of a scene mirror.
+/// The surfaces of a scene that mirror: none, some or all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mirrors {
-    /// None: a path ends at the first surface.
+    /// No surface mirrors: every path ends at the first surface.
     None,
-    /// Some, or some of the light.
+    /// Some surfaces mirror, or surfaces mirror a part of the light.
     Some,
-    /// All, and all of the light: no surface has a colour of its own.
+    /// Every surface mirrors all light (α = 1): no surface has a colour of its own.
     All,
 }
 
-/// As many spheres and cylinders as are asked in less time than it takes to choose among them.
+/// Largest number of bounded shapes for which testing all takes less time than choosing candidates.
 pub(crate) const FEW: usize = 3;
 
 impl Needs {
-    /// Of any scene with no more parts than these.
+    /// Returns the needs of any scene with no more parts than these counts.
     pub(crate) const fn of_room(counts: &Counts) -> Self {
         let (bounded, planes) = (counts.bounded(), counts.planes);
         let is_lit = counts.lights > 0 && bounded + planes > 0;
         Self {
             planes: planes > 0,
             lights: is_lit,
-            // No ray crosses a plane, so one by itself hides nothing that could be seen lit.
+            // No ray crosses a plane, so a single plane hides no light from a visible surface that faces
+            // it.
             shadows: is_lit && (bounded > 0 || planes > 1),
             highlights: is_lit,
             shininess: match is_lit {
@@ -208,7 +221,7 @@ impl Needs {
         }
     }
 
-    /// What a scene needs that has no more room, nor more in its materials and lights.
+    /// Returns these needs, lowered to what the materials and lights of a scene use.
     const fn of_finish(self, finish: &Finish) -> Self {
         let mirrors = match finish.mirrors {
             [false, _] => Mirrors::None,
@@ -233,7 +246,7 @@ impl Needs {
         }
     }
 
-    /// The same where all shapes are asked.
+    /// Returns these needs for a scene whose shadow rays test all shapes.
     pub(crate) const fn without_sets(self) -> Self {
         Self {
             sets: false,
@@ -241,7 +254,7 @@ impl Needs {
         }
     }
 
-    /// What both need.
+    /// Returns the features that both need.
     #[must_use]
     pub const fn both(&self, other: &Self) -> Self {
         Self {

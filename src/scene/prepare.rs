@@ -1,4 +1,5 @@
-//! Checks a description and lays it on its grid: integers only, by the compiler or at run time.
+//! Preparation: checks a description and converts it to the steps of its grid. It uses integers only, in
+//! constants and at run time.
 
 use super::access::Parts;
 use super::brightness::{brightest, dimness};
@@ -33,7 +34,8 @@ pub(super) const fn epsilon_fault(epsilon: Number) -> Option<ErrorKind> {
     }
 }
 
-/// Tells what is wrong with two corners of a motion box: out of range, or not low and high.
+/// Returns the mistake in a motion box: a corner out of range, or a coordinate of `low` above that of
+/// `high`.
 pub(super) const fn motion_fault([low, high]: [Position; 2]) -> Option<ErrorKind> {
     if !(low.is_in_range() && high.is_in_range()) {
         return Some(ErrorKind::Coordinate);
@@ -48,10 +50,12 @@ pub(super) const fn motion_fault([low, high]: [Position; 2]) -> Option<ErrorKind
     None
 }
 
-/// The smallest epsilon, in steps: what lies in the same place as a surface is not met from it.
+/// Smallest epsilon in steps: with it, a ray that leaves a surface misses another surface in the same
+/// place.
 const SMALLEST_EPSILON: i32 = 2;
 
-/// The most a material may shine in its scene, in Q6.26: below 32 with room for rounding.
+/// Largest light that a material may send out in its scene, Q6.26: 30, so that sums stay below 32 after
+/// rounding.
 const BRIGHTEST: i64 = 30 << 26;
 
 const fn at_least(length: Length, steps: i32) -> Length {
@@ -67,7 +71,7 @@ macro_rules! prepare {
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $($more:tt)* })*
     ) => {
-        /// A scene made ready for the plain kernels.
+        /// A prepared scene as the plain kernels read it: without culling tables.
         #[derive(Clone, Copy, Debug)]
         pub struct PlainScene<R: Capacity> {
             $(pub(crate) $list: R::$lists<crate::shape::$prepared>,)*
@@ -82,14 +86,14 @@ macro_rules! prepare {
             pub(crate) inner_epsilon: Length,
             pub(crate) grid: Grid,
             pub(crate) camera: Option<Camera>,
-            /// Two corners of the box in which parts move.
+            /// Lowest and highest corner of the box in which shapes may move, in steps.
             pub(crate) motion: Option<[Point; 2]>,
-            /// The shapes of a constant scene that move.
+            /// Set of the shapes of a constant scene that can move.
             pub(crate) moving: ShapeSet,
         }
 
         impl<$($header)*> PlainScene<Room<$($arguments)*>> {
-            /// Prepares a description whose parts have been checked and fit.
+            /// Prepares a scene from a description whose parts were checked and fit the room.
             pub(crate) const fn prepare(scene: &Description<'_>) -> Result<Self, Error> {
                 let (grid, epsilon) = match laid(scene) {
                     Ok(laid) => laid,
@@ -136,7 +140,8 @@ macro_rules! prepare {
             }
 
             const fn add_shapes(&mut self, scene: &Description<'_>) -> Result<(), Error> {
-                // Constants know no iterators. The second bounds always hold; with them, nothing can panic.
+                // Constant code has no iterators. The second bound always holds; with it no index can
+                // panic.
                 $(
                     let mut index = 0;
                     while index < scene.$list.len() && index < self.$list.len() {
@@ -159,13 +164,13 @@ macro_rules! prepare {
                 Ok(())
             }
 
-            /// Tells each bounded shape whether it touches or cuts another.
+            /// Marks each bounded shape that touches or cuts another shape, or may do so after a move.
             const fn note_what_touches(&mut self) {
                 let mut number = 0;
                 $(
                     let mut index = 0;
                     while index < self.counts.$list && index < $room {
-                        // What moves may come to touch any shape.
+                        // A shape that moves may come to touch any other shape.
                         let touches = self.motion.is_some()
                             || touches_another(&self.constant_parts(), number);
                         self.$list[index] = self.$list[index].touching(touches);
@@ -180,13 +185,13 @@ macro_rules! prepare {
 }
 kinds!(prepare);
 
-/// Whether a bounded shape comes so near to another that epsilon may lift points into it. Of each, the
-/// ball around it counts.
+/// Tests whether a bounded shape is so near to another shape that epsilon may lift a point of one into
+/// the other. Compares the balls around the shapes.
 const fn touches_another(parts: &Parts<'_>, number: usize) -> bool {
     let Some(((center, radius), _)) = parts.ball(number) else {
         return false;
     };
-    // Twice as far, and a few steps for rounding.
+    // Twice epsilon, and 8 steps for rounding.
     let reach = radius as i64 + 2 * parts.inner_epsilon.to_bits() as i64 + 8;
     let mut other = 0;
     while let Some((ball, _)) = parts.ball(other) {
@@ -205,7 +210,7 @@ const fn touches_another(parts: &Parts<'_>, number: usize) -> bool {
     false
 }
 
-/// The grid of a scene, and its epsilon in steps.
+/// Returns the grid of a scene, and its epsilon in steps; epsilon must be below 2²⁸ steps.
 const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), ErrorKind> {
     let grid = match choose_grid(scene) {
         Ok(grid) => grid,
@@ -218,7 +223,7 @@ const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), ErrorKind> {
     Ok((grid, epsilon))
 }
 
-/// Prepares the materials, none of which may be too bright under the lights.
+/// Prepares the materials. Refuses a material that is too bright under the lights of its scene.
 const fn prepare_materials(
     prepared: &mut [PreparedMaterial],
     scene: &Description<'_>,
@@ -235,7 +240,7 @@ const fn prepare_materials(
     Ok(())
 }
 
-/// Whether the light a material sends out may exceed [`BRIGHTEST`] at any step of its sum.
+/// Tests whether the light that a material sends out may exceed [`BRIGHTEST`] at any step of its sum.
 const fn is_too_bright(material: &PreparedMaterial, lights: &[Light]) -> bool {
     let sent = material.diffuse.to_bits() as i64 + material.specular.to_bits() as i64;
     let mut sum = material.ambient.to_bits() as i64;
@@ -245,14 +250,15 @@ const fn is_too_bright(material: &PreparedMaterial, lights: &[Light]) -> bool {
         sum += (sent * largest) >> 26;
         index += 1;
     }
-    // sum is below 2^35 a light, color at most 2^30: the product is taken only where it fits.
+    // `sum` grows by less than 2^35 for each light, and `color` is at most 2^30. The product is computed
+    // only if `sum` is small enough.
     let color = material.color.largest().to_bits() as i64;
     sent > BRIGHTEST || sum > BRIGHTEST || (sum * color) >> 26 > BRIGHTEST
 }
 
-/// Whether a ball comes within `reach` of a point.
+/// Tests whether a ball comes within `reach` of a point.
 const fn is_within(point: Point, (center, radius): (Point, i32), reach: i64) -> bool {
-    // Both below 2³⁰, a little more at most: the square fits.
+    // Both are below 2³⁰, or a little above: the square fits.
     let most = reach + radius as i64;
     signed_wide(point.to(center).square()) < most * most
 }

@@ -1,4 +1,4 @@
-//! Scenes filled while the program runs: from files, or changed between frames.
+//! Scenes that are filled while the program runs, for example from a file.
 
 use super::capacity::{Capacity, Room};
 use super::description::{Described, Description};
@@ -13,8 +13,10 @@ use crate::shape::MaterialId;
 use crate::shape::plane::Plane;
 use crate::vector::Position;
 
-/// The description of a scene that is filled while the program runs; `R` is its room,
+/// A scene that is filled while the program runs, before it is prepared. `R` is its room, written with
 /// [`room!`](crate::room).
+///
+/// Every method checks its arguments and returns an [`Error`] that names the part and the fix.
 ///
 /// ```
 /// use reflet::{Error, Material, RuntimeScene, Scene, room};
@@ -30,14 +32,35 @@ use crate::vector::Position;
 /// }
 /// assert!(pond().is_ok());
 /// ```
+///
+/// A can on a floor, and a mistake:
+///
+/// ```
+/// use reflet::{Camera, ErrorKind, Material, MaterialId, RuntimeScene, room};
+///
+/// let mut scene = RuntimeScene::<room!(planes: 1, cylinders: 1, discs: 1, lights: 1)>::new();
+/// scene.set_background([0.3, 0.4, 0.6])?;
+/// scene.set_epsilon(0.01)?;
+/// scene.set_camera(Camera::new([0, -9, 3], [0, 0, 1], [0, 0, 1], 50)?);
+/// let tin: MaterialId = scene.add_material(Material::new([0.8; 3]).mirror(0.3))?;
+/// scene.add_cylinder([0, 0, 1], [0, 0, 1], 1, 2, tin)?;
+/// scene.add_disc([0, 0, 2], [0, 0, 1], 1, tin)?;
+/// scene.add_plane([0, 0, 0], [0, 0, 1], tin)?;
+/// scene.add_light([3, -4, 6], [1, 1, 1])?;
+/// assert_eq!(scene.description().cylinders.len(), 1);
+///
+/// let error = scene.add_plane([0, 0, -5], [0, 0, 1], tin).unwrap_err();
+/// assert_eq!(error.kind(), ErrorKind::TooManyPlanes);
+/// # Ok::<(), reflet::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct RuntimeScene<R: Capacity>(Described<R>);
 
 impl<R: Capacity> RuntimeScene<R> {
-    /// Adds a material and returns the name that shapes use for it.
+    /// Adds a material and returns the identifier that shapes of this scene use for it.
     ///
     /// # Errors
-    /// [`ErrorKind::TooManyMaterials`].
+    /// [`ErrorKind::TooManyMaterials`] if the room is full.
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, Error> {
         let materials = &mut self.0.materials;
         let index = materials.len;
@@ -46,10 +69,10 @@ impl<R: Capacity> RuntimeScene<R> {
         Ok(list::id(index))
     }
 
-    /// Adds an infinite plane through `point`; the normal may have any length but 0.
+    /// Adds an infinite plane through `point`. The normal may have any length but 0.
     ///
     /// # Errors
-    /// What is wrong with the plane, or [`ErrorKind::TooManyPlanes`]; the scene is as it was.
+    /// The mistake in the plane, or [`ErrorKind::TooManyPlanes`]. After an error the scene is unchanged.
     pub fn add_plane(
         &mut self,
         point: impl Into<Position>,
@@ -67,10 +90,10 @@ impl<R: Capacity> RuntimeScene<R> {
         Ok(())
     }
 
-    /// Adds a point light; colour components are 0 to 16.
+    /// Adds a point light and returns its handle. Each component of the colour is 0 to 16.
     ///
     /// # Errors
-    /// What is wrong with the light, or [`ErrorKind::TooManyLights`]; the scene is as it was.
+    /// The mistake in the light, or [`ErrorKind::TooManyLights`]. After an error the scene is unchanged.
     pub fn add_light(
         &mut self,
         position: impl Into<Position>,
@@ -87,10 +110,10 @@ impl<R: Capacity> RuntimeScene<R> {
             .map(Handle::new)
     }
 
-    /// Sets what a ray that meets nothing adds, 0 to 16 a component.
+    /// Sets the colour of rays that hit nothing; each component is 0 to 16. Defaults to black.
     ///
     /// # Errors
-    /// [`ErrorKind::Background`]; the scene is as it was.
+    /// [`ErrorKind::Background`] if a component is out of range. The scene is then unchanged.
     pub fn set_background(&mut self, color: [impl Into<Number>; 3]) -> Result<(), Error> {
         let background = color.map(Into::into);
         if let Some(fault) = prepare::background_fault(background) {
@@ -100,13 +123,15 @@ impl<R: Capacity> RuntimeScene<R> {
         Ok(())
     }
 
-    /// Sets how far above a surface the shadow rays and mirrored rays start that leave it, in scene
-    /// units; 0.001 unless it is set. [`SceneBuilder::epsilon`](crate::SceneBuilder::epsilon) says how it
-    /// is rounded and what becomes of one that is too small or too large.
+    /// Sets epsilon: how far above a surface its shadow rays and reflected rays start, in scene units.
+    /// Defaults to 0.001.
+    ///
+    /// [`SceneBuilder::epsilon`](crate::SceneBuilder::epsilon) says how it is rounded and which values
+    /// suit a scene.
     ///
     /// # Errors
-    /// [`ErrorKind::Epsilon`] if it is not above 0, or is above 2³⁰; the scene is as it was. That it is smaller
-    /// than the scene is checked by [`build`](RuntimeScene::build).
+    /// [`ErrorKind::Epsilon`] if `epsilon` is not above 0, or is above 2³⁰. The scene is then unchanged.
+    /// [`build`](RuntimeScene::build) checks that epsilon is smaller than the scene.
     pub fn set_epsilon(&mut self, epsilon: impl Into<Number>) -> Result<(), Error> {
         let epsilon = epsilon.into();
         if let Some(fault) = prepare::epsilon_fault(epsilon) {
@@ -116,18 +141,18 @@ impl<R: Capacity> RuntimeScene<R> {
         Ok(())
     }
 
-    /// Sets the camera the scene is meant to be seen with first; see
+    /// Sets the camera that the scene is usually viewed with; see
     /// [`SceneBuilder::camera`](crate::SceneBuilder::camera).
     pub fn set_camera(&mut self, camera: Camera) {
         self.0.camera = Some(camera);
     }
 
-    /// Sets the box in which parts of the scene move, by two opposite corners; see
+    /// Sets the box in which shapes of the scene may move, by its lowest and its highest corner; see
     /// [`SceneBuilder::motion`](crate::SceneBuilder::motion).
     ///
     /// # Errors
-    /// [`ErrorKind::Coordinate`], or [`ErrorKind::Motion`] if a coordinate of `low` is above that of `high`; the
-    /// scene is as it was.
+    /// [`ErrorKind::Coordinate`] if a coordinate is not within ±2³⁰, [`ErrorKind::Motion`] if a
+    /// coordinate of `low` is above that of `high`. The scene is then unchanged.
     pub fn set_motion(
         &mut self,
         low: impl Into<Position>,
@@ -159,8 +184,8 @@ macro_rules! runtime {
                 ///
                 /// # Errors
                 #[doc = concat!(
-                    "What is wrong with the ", stringify!($kind), ", or [`ErrorKind::", stringify!($too_many),
-                    "`]; the scene is as it was."
+                    "The mistake in the ", stringify!($kind), ", or [`ErrorKind::", stringify!($too_many),
+                    "`]. After an error the scene is unchanged."
                 )]
                 pub fn $add(
                     &mut self,
@@ -179,12 +204,12 @@ macro_rules! runtime {
         }
 
         impl<$($header)*> RuntimeScene<Room<$($arguments)*>> {
-            /// An empty scene with a black background and an epsilon of 0.001.
+            /// Creates an empty scene with a black background and an epsilon of 0.001.
             pub const fn new() -> Self {
                 Self(Described::new())
             }
 
-            /// The description so far.
+            /// Returns the description of the parts added so far.
             pub fn description(&self) -> Description<'_> {
                 self.0.description()
             }

@@ -49,6 +49,15 @@ use crate::accel::Apart;
 use crate::{Camera, FrameBuilder};
 
 /// Names of the eleven built-in scenes, in the order in which programs show them.
+///
+/// ```
+/// use reflet::scenes::{BuiltIn, NAMES};
+/// use reflet::scenes::{Columns, Cylinders, Primitives, ShadingLights, ShadingSpeculars};
+///
+/// assert_eq!((NAMES[0], NAMES.len()), ("castle", 11));
+/// assert_eq!(NAMES[1..4], [ShadingLights::NAME, ShadingSpeculars::NAME, Columns::NAME]);
+/// assert!(NAMES.contains(&Cylinders::NAME) && NAMES.contains(&Primitives::NAME));
+/// ```
 pub const NAMES: [&str; 11] = [
     Castle::NAME,
     ShadingLights::NAME,

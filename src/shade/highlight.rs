@@ -12,6 +12,21 @@ use crate::scene::access::SceneAccess;
 use crate::scene::{Shininess, Surface};
 
 /// A shading model. Choose one with [`crate::FrameBuilder::shading`].
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+/// use reflet::scenes::{BuiltIn, Corner1};
+/// use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
+///
+/// fn middle<K: Shading>() -> Rgb888 {
+///     let frame = Corner1::frame(&Corner1::CAMERA).shading::<K>().prepare(Size::new(65, 65));
+///     let mut pixel = [Rgb888::BLACK];
+///     frame.on(&Corner1).unwrap().row(32, 32, &mut pixel);
+///     pixel[0]
+/// }
+/// assert_ne!(middle::<Normals>(), middle::<BlinnPhong>());
+/// assert!(middle::<Unshadowed<Phong>>().r() >= middle::<Phong>().r());
+/// ```
 pub trait Shading: sealed::Shading {}
 
 impl<T: sealed::Shading> Shading for T {}

@@ -12,6 +12,20 @@ use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// Flat disc as the user describes it.
+///
+/// ```
+/// use reflet::description::Disc;
+/// use reflet::{Material, Number, Position, RuntimeScene, room};
+///
+/// let mut scene = RuntimeScene::<room!(discs: 1)>::new();
+/// let tin = scene.add_material(Material::new([0.8; 3]))?;
+/// scene.add_disc([0, 0, 2], [0, 0, 1], 0.5, tin)?;
+/// let [Disc { center, normal, radius, material, .. }] = *scene.description().discs else { unreachable!() };
+/// assert_eq!(center, Position::new([0.0, 0.0, 2.0]));
+/// assert_eq!(normal, Position::new([0.0, 0.0, 1.0]));
+/// assert_eq!((radius, material), (Number::new(0.5), tin));
+/// # Ok::<(), reflet::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Disc {

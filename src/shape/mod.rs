@@ -25,6 +25,18 @@ macro_rules! exports {
 kinds!(exports);
 
 /// Identifier of a material of one scene.
+///
+/// ```
+/// use reflet::{Material, MaterialId, RuntimeScene, room};
+///
+/// let mut scene = RuntimeScene::<room!(spheres: 1)>::new();
+/// let red: MaterialId = scene.add_material(Material::new([0.9, 0.1, 0.1]))?;
+/// scene.add_sphere([0, 0, 0], 1, red)?;
+/// let described = scene.description();
+/// assert_eq!(described.spheres[0].material, red);
+/// assert_eq!(described.materials[red.index()], Material::new([0.9, 0.1, 0.1]));
+/// # Ok::<(), reflet::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MaterialId(pub(crate) u16);
 

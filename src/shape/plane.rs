@@ -14,6 +14,19 @@ use crate::ray::{Ray, ScaledPoint};
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// Infinite plane as the user describes it.
+///
+/// ```
+/// use reflet::description::Plane;
+/// use reflet::{Material, Position, RuntimeScene, room};
+///
+/// let mut scene = RuntimeScene::<room!(planes: 1)>::new();
+/// let tin = scene.add_material(Material::new([0.8; 3]))?;
+/// scene.add_plane([0, 0, -1], [0, 0, 2], tin)?;
+/// let [Plane { point, normal, material, .. }] = *scene.description().planes else { unreachable!() };
+/// assert_eq!(point, Position::new([0.0, 0.0, -1.0]));
+/// assert_eq!((normal, material), (Position::new([0.0, 0.0, 2.0]), tin));
+/// # Ok::<(), reflet::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Plane {

@@ -19,6 +19,19 @@ use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// Sphere as the user describes it.
+///
+/// ```
+/// use reflet::description::Sphere;
+/// use reflet::{Material, Number, Position, RuntimeScene, room};
+///
+/// let mut scene = RuntimeScene::<room!(spheres: 1)>::new();
+/// let tin = scene.add_material(Material::new([0.8; 3]))?;
+/// scene.add_sphere([0, 0, 1], 0.5, tin)?;
+/// let [Sphere { center, radius, material, .. }] = *scene.description().spheres else { unreachable!() };
+/// assert_eq!(center, Position::new([0.0, 0.0, 1.0]));
+/// assert_eq!((radius, material), (Number::new(0.5), tin));
+/// # Ok::<(), reflet::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Sphere {

@@ -5,6 +5,18 @@ use crate::number::{Number, Unit, narrowed, narrowed_128, signed};
 
 /// Three coordinates of a description, in scene units: a position, or a normal, axis or view direction
 /// that is not normalised yet.
+///
+/// ```
+/// use reflet::{Number, Position};
+/// let position = Position::new([0.0, 0.5, -2.0]);
+/// assert_eq!(Position::from([Number::ZERO, Number::new(0.5), Number::from(-2)]), position);
+/// assert_eq!(Position::from([0; 3]), Position::ORIGIN);
+///
+/// assert!(position.is_in_range());
+/// let far = f64::from(1 << 30);
+/// assert_eq!(far, Position::MAX_COORDINATE as f64);
+/// assert!(!Position::new([2.0 * far, 0.0, 0.0]).is_in_range());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Position(pub [Number; 3]);
 

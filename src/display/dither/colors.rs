@@ -1,4 +1,4 @@
-//! Floor 8: how each colour type of embedded-graphics is dithered.
+//! Floor 8: dithering to each colour type of embedded-graphics.
 
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565,
@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::{
 
 use super::{Ditherable, Threshold};
 
-/// Red, green and blue, each in the levels of `C`.
+/// Returns red, green and blue, each dithered to the levels of `C`.
 #[inline]
 fn levels<C: RgbColor>(color: Rgb888, threshold: Threshold) -> [u8; 3] {
     [
@@ -17,7 +17,7 @@ fn levels<C: RgbColor>(color: Rgb888, threshold: Threshold) -> [u8; 3] {
     ]
 }
 
-/// The luma that embedded-graphics takes for a colour, of `largest` + 1 levels.
+/// Returns the luma that embedded-graphics computes for a colour, dithered to the levels 0 to `largest`.
 #[inline]
 fn grey(color: Rgb888, largest: u8, threshold: Threshold) -> u8 {
     threshold.level(Gray8::from(color).luma(), largest)
@@ -71,7 +71,7 @@ impl Ditherable for Bgr666 {
     }
 }
 
-/// As it is.
+/// Returns colours unchanged: the type has all 256 levels per channel.
 impl Ditherable for Rgb888 {
     #[inline]
     fn dithered(color: Rgb888, _: Threshold) -> Self {
@@ -79,7 +79,7 @@ impl Ditherable for Rgb888 {
     }
 }
 
-/// As it is.
+/// Converts colours without dithering: the type has all 256 levels per channel.
 impl Ditherable for Bgr888 {
     #[inline]
     fn dithered(color: Rgb888, _: Threshold) -> Self {
@@ -101,7 +101,7 @@ impl Ditherable for Gray4 {
     }
 }
 
-/// As embedded-graphics converts it: there is a level for every luma.
+/// Converts colours as embedded-graphics does, without dithering: the type has a level for every luma.
 impl Ditherable for Gray8 {
     #[inline]
     fn dithered(color: Rgb888, _: Threshold) -> Self {

@@ -34,6 +34,25 @@ pub struct FileError {
 }
 
 /// The reason why a scene file cannot be used.
+///
+/// ```
+/// use reflet::host::file::{FileError, Problem, SceneFile};
+///
+/// /// Tests whether another name of a scene may help.
+/// fn depends_on_name(error: &FileError) -> bool {
+///     match error.problem() {
+///         Problem::Undecided { .. } | Problem::NotFound { .. } => true,
+///         Problem::Unreadable(_) | Problem::TooLarge | Problem::Json { .. } => false,
+///         Problem::Repeated { .. } | Problem::UnknownMaterial { .. } => false,
+///         _ => false,
+///     }
+/// }
+///
+/// assert!(!depends_on_name(&SceneFile::parse("[", None).unwrap_err()));
+/// let camera = r#"{"position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50}"#;
+/// let text = format!(r#"[{{"name": "pond", "camera": {camera}}}]"#);
+/// assert!(depends_on_name(&SceneFile::parse(&text, Some("bond")).unwrap_err()));
+/// ```
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Problem {

@@ -67,6 +67,28 @@ pub const MAX_LIGHTS: usize = 16;
 pub const MAX_MATERIALS: usize = 256;
 
 /// Capacity of a scene that is read from a scene file: the `MAX_` limit of each kind of part.
+///
+/// ```
+/// use reflet::host::file::{MAX_CYLINDERS, MAX_DISCS, MAX_LIGHTS, MAX_MATERIALS};
+/// use reflet::host::file::{FileRoom, FileRuntimeScene, FileScene, MAX_PLANES, MAX_SPHERES};
+/// use reflet::host::reference::Scene;
+///
+/// /// Tests whether a file with this scene can be read.
+/// fn fits(scene: &Scene) -> bool {
+///     scene.spheres.len() <= MAX_SPHERES
+///         && scene.planes.len() <= MAX_PLANES
+///         && scene.cylinders.len() <= MAX_CYLINDERS
+///         && scene.discs.len() <= MAX_DISCS
+///         && scene.lights.len() <= MAX_LIGHTS
+///         && scene.materials.len() <= MAX_MATERIALS
+/// }
+/// assert!(fits(&Scene::default()));
+///
+/// let empty: FileRuntimeScene = reflet::RuntimeScene::<FileRoom>::new();
+/// let built: FileScene = empty.build()?;
+/// assert!(built.needs().is_nothing());
+/// # Ok::<(), reflet::Error>(())
+/// ```
 pub type FileRoom =
     Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS, MAX_DISCS>;
 
@@ -109,6 +131,23 @@ fn build(scene: &FileRuntimeScene) -> Result<Box<FileScene>, Problem> {
 /// A scene that was read from a scene file, with every material name resolved.
 ///
 /// The numbers are not checked yet: [`SceneFile::runtime`] tests whether the core accepts them.
+///
+/// ```
+/// use reflet::host::file::{MAX_BYTES, SceneFile};
+///
+/// let camera = r#"{"position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50}"#;
+/// let text = format!(r#"{{"camera": {camera}, "background": [0, 0, 9]}}"#);
+/// assert!((text.len() as u64) < MAX_BYTES);
+/// let file = SceneFile::parse(&text, None).unwrap();
+/// let (scene, camera) = file.runtime().unwrap();
+/// assert_eq!(scene.description().background, [0, 0, 9].map(reflet::Number::from));
+/// assert_eq!(scene.description().camera, Some(camera));
+///
+/// let (reference, _) = file.reference();
+/// assert_eq!(reference.background, [0.0, 0.0, 9.0]);
+/// assert!(file.materials().is_empty() && file.build().is_ok());
+/// assert!(SceneFile::read("no such file", None).is_err());
+/// ```
 #[derive(Clone, Debug)]
 pub struct SceneFile {
     path: Option<PathBuf>,

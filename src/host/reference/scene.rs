@@ -68,6 +68,11 @@ macro_rules! scene {
 
         /// Names of the parts that the const parameters of [`crate::Scene`] count, such as `spheres`, in
         /// the order of the parameters.
+        ///
+        /// ```
+        /// use reflet::host::reference::PARAMETERS;
+        /// assert_eq!(PARAMETERS, ["spheres", "planes", "cylinders", "lights", "materials", "discs"]);
+        /// ```
         pub const PARAMETERS: &[&str] = {
             $(const $room: &str = stringify!($list);)*
             const L: &str = "lights";
@@ -97,6 +102,21 @@ macro_rules! scene {
 kinds!(shapes, scene);
 
 /// A shape of any kind, as names and a list of its fields.
+///
+/// ```
+/// use reflet::host::reference::{Cylinder, Disc, Plane, Scene, Shape};
+///
+/// let up = [0.0, 0.0, 1.0];
+/// let wall = Cylinder { center: [0.0; 3], axis: up, radius: 0.5, height: 2.0, material: 0 };
+/// let lid = Disc { center: up, normal: up, radius: 0.5, material: 1 };
+/// let floor = Plane { point: [0.0; 3], normal: up, material: 2 };
+/// let (cylinders, discs, planes) = (vec![wall], vec![lid], vec![floor]);
+/// let scene = Scene { cylinders, discs, planes, ..Scene::default() };
+///
+/// let disc: Shape<'_> = scene.shapes().find(|shape| shape.material == 1).unwrap();
+/// assert_eq!((disc.list, disc.kind), ("discs", "disc"));
+/// assert_eq!(format!("{:?}", disc.fields), "[[0.0, 0.0, 1.0], [0.0, 0.0, 1.0], 0.5]");
+/// ```
 #[derive(Clone, Debug)]
 pub struct Shape<'a> {
     /// Name of the list that holds the shape, such as `spheres`.

@@ -1,10 +1,11 @@
-//! Limits: the most that a scene may need. What lies beyond a limit is not linked.
+//! Limits of needs: the features that a scene may use. Code beyond a limit is not linked.
 
 use super::{Mirrors, Needs, Shininess};
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 
-/// The most that a scene may need, as a type; see [`Limited`](crate::needs::Limited).
+/// A limit of needs as a type: the most that a scene may need. [`Limited`](crate::needs::Limited) uses
+/// it.
 ///
 /// ```
 /// use reflet::needs::{Mirrors, Needs, NeedsLimit};
@@ -18,15 +19,35 @@ use crate::error_kind::ErrorKind;
 /// assert!(Matte::NEEDS.mirrors == Mirrors::None);
 /// ```
 pub trait NeedsLimit {
-    /// The most that is needed.
+    /// Largest needs that a scene may have.
     const NEEDS: Needs;
 }
 
 impl Needs {
-    /// Whether a scene that needs this needs no more than `bound`.
+    /// Checks that these needs are no more than `bound`.
+    ///
+    /// ```
+    /// use reflet::ErrorKind;
+    /// use reflet::needs::{Mirrors, Needs};
+    ///
+    /// const ROUND: Needs = Needs::ALL.without_planes().without_cylinders().without_discs();
+    /// assert!(ROUND.spheres && ROUND.within(&Needs::ALL).is_ok());
+    /// assert!(ROUND.without_spheres().is_nothing());
+    ///
+    /// let error = Needs::ALL.within(&ROUND).unwrap_err();
+    /// assert_eq!((error.part(), error.kind()), ("cylinders", ErrorKind::Limit));
+    ///
+    /// let dim = Needs::ALL.without_lights().without_highlights().without_colors();
+    /// let both = ROUND.both(&dim.with_mirrors(Mirrors::All).with_reflections(2));
+    /// assert!(both.spheres && !both.planes && !both.lights && !both.highlights && !both.colors);
+    /// assert_eq!((both.mirrors, both.reflections), (Mirrors::All, 2));
+    /// let mirrors = both.list().into_iter().find(|need| need.name == "mirrors").unwrap();
+    /// assert!(mirrors.is_needed && mirrors.why.contains("every mirror is 1"));
+    /// ```
     ///
     /// # Errors
-    /// The first thing that the bound leaves out.
+    /// [`ErrorKind::Limit`] with the name of the first need that is more; reflections and the choice of
+    /// shadow candidates are never refused.
     pub const fn within(&self, bound: &Self) -> Result<(), Error> {
         let (needed, allowed) = (self.levels(), bound.levels());
         let mut index = 0;
@@ -40,7 +61,7 @@ impl Needs {
         Ok(())
     }
 
-    /// The same without planes.
+    /// Returns these needs without planes.
     #[must_use]
     pub const fn without_planes(self) -> Self {
         Self {
@@ -49,7 +70,7 @@ impl Needs {
         }
     }
 
-    /// The same without lights, and so without shadows and highlights.
+    /// Returns these needs without lights, and so without shadows and highlights.
     #[must_use]
     pub const fn without_lights(self) -> Self {
         Self {
@@ -60,7 +81,7 @@ impl Needs {
         }
     }
 
-    /// The same without highlights.
+    /// Returns these needs without highlights.
     #[must_use]
     pub const fn without_highlights(self) -> Self {
         Self {
@@ -70,13 +91,13 @@ impl Needs {
         }
     }
 
-    /// The same with no powers but these.
+    /// Returns these needs with highlights of no other powers than `shininess`.
     #[must_use]
     pub const fn with_shininess(self, shininess: Shininess) -> Self {
         Self { shininess, ..self }
     }
 
-    /// The same without mirrors.
+    /// Returns these needs without mirrors, and so without reflections.
     #[must_use]
     pub const fn without_mirrors(self) -> Self {
         Self {
@@ -87,7 +108,7 @@ impl Needs {
         }
     }
 
-    /// The same with no mirrors but these.
+    /// Returns these needs with no other mirrors than `mirrors`.
     #[must_use]
     pub const fn with_mirrors(self, mirrors: Mirrors) -> Self {
         match mirrors {
@@ -96,7 +117,8 @@ impl Needs {
         }
     }
 
-    /// The same with so many reflections at most. What lies beyond is cut off, not refused.
+    /// Returns these needs with at most `reflections` reflections of a path, 0 to 255. A scene that
+    /// could use more is not refused: its paths are cut off.
     #[must_use]
     pub const fn with_reflections(self, reflections: u8) -> Self {
         Self {
@@ -105,7 +127,7 @@ impl Needs {
         }
     }
 
-    /// The same in grey.
+    /// Returns these needs for scenes in grey, whose colours are computed in one channel.
     #[must_use]
     pub const fn without_colors(self) -> Self {
         Self {
@@ -115,7 +137,21 @@ impl Needs {
     }
 }
 
-/// Limits a path to `N` reflections when the program is compiled: with 0, no code for mirrors is linked.
+/// A limit of `N` reflections for each path, 0 to 255, set when the program is compiled.
+///
+/// With 0, no code for mirrors is linked.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
+/// use reflet::needs::{Limited, MostReflections};
+/// use reflet::scenes::{BuiltIn, Mirror2};
+///
+/// let once = Limited::<_, MostReflections<1>>::new(&Mirror2)?;
+/// let mut display = MockDisplay::<Rgb888>::new();
+/// let report = once.frame(&Mirror2::CAMERA).reflections(1).draw(&mut display).unwrap();
+/// assert!(report.rays <= 2 * 64 * 64); // a camera ray and one reflection for each pixel
+/// # Ok::<(), reflet::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct MostReflections<const N: u8>;
 

@@ -1,4 +1,4 @@
-//! What the materials and the lights of a scene come to.
+//! The needs that follow from the materials and the lights of a scene.
 
 use super::Shininess;
 use crate::color::Color;
@@ -7,13 +7,13 @@ use crate::material::PreparedMaterial;
 use crate::number::{Brightness, Exponent, Unit};
 use crate::shape::MaterialId;
 
-/// What the lights and the materials that shapes are made of come to.
+/// The properties of a scene's lights and used materials that its needs depend on.
 pub(super) struct Finish {
     pub(super) shininess: Shininess,
-    /// Whether there is a surface that mirrors something, and one that does not mirror all.
+    /// Whether a surface mirrors some light, and whether a surface has a colour of its own (α below 1).
     pub(super) mirrors: [bool; 2],
     pub(super) is_grey: bool,
-    /// Whether all lights are grey.
+    /// Whether the colours of all lights are grey.
     pub(super) is_lit_grey: bool,
 }
 
@@ -33,7 +33,7 @@ impl Finish {
         finish
     }
 
-    /// Adds a shape of a material.
+    /// Includes the material of a shape.
     pub(super) const fn add(&mut self, materials: &[PreparedMaterial], id: MaterialId) {
         if id.index() >= materials.len() {
             return;

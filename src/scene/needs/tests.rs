@@ -6,7 +6,7 @@ use crate::scene::{Capacity, Room, RuntimeScene};
 
 type Scenery = RuntimeScene<Room<4, 3, 2, 2, 4, 1>>;
 
-/// What a scene needs that a function has filled.
+/// Returns the needs of a scene that `fill` has filled.
 fn needs<T>(fill: impl FnOnce(&mut Scenery) -> Result<T, Error>) -> Needs {
     let mut scene = Scenery::new();
     fill(&mut scene).unwrap();

@@ -1,16 +1,16 @@
-//! What a scene needs, in words.
+//! The needs of a scene in English words, with the reasons.
 
 use super::{KINDS, Mirrors, Needs, Shininess};
 
-/// One thing that a scene may need, in words.
+/// One feature that a scene may need, described in words. [`Needs::list`] returns them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Need {
-    /// The name of the field of [`Needs`].
+    /// Name of the field of [`Needs`], such as `"mirrors"`.
     pub name: &'static str,
-    /// Whether it is in the program.
+    /// Whether the code for this feature is in the program.
     pub is_needed: bool,
-    /// Why it is, or why not.
+    /// Reason why the feature is needed, or why it is not.
     pub why: &'static str,
 }
 
@@ -28,7 +28,7 @@ impl Need {
     }
 }
 
-/// Why a need is in the program, and why not.
+/// Two reasons: the first if a feature is needed, the second if it is not.
 type Reasons = [&'static str; 2];
 
 const SHAPES: Reasons = ["there are some", "there are none"];
@@ -58,11 +58,11 @@ const COLORS: Reasons = [
     "all is grey: one channel is worked out",
 ];
 
-/// How many needs there are but for the kinds of bounded shapes.
+/// Number of needs in the list that are not kinds of bounded shapes.
 const OTHERS: usize = 11;
 
 impl Needs {
-    /// Each need in words.
+    /// Returns every need in words, the kinds of bounded shapes first.
     pub const fn list(&self) -> [Need; KINDS + OTHERS] {
         let (levels, others) = (self.levels(), self.others());
         let mut list = [others[0]; KINDS + OTHERS];
@@ -79,7 +79,7 @@ impl Needs {
         list
     }
 
-    /// All but the kinds of bounded shapes.
+    /// Returns the needs that are not kinds of bounded shapes, in words.
     const fn others(&self) -> [Need; OTHERS] {
         let has_shininess = !matches!(self.shininess, Shininess::None);
         let has_mirrors = !matches!(self.mirrors, Mirrors::None);

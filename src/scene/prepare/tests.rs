@@ -8,7 +8,7 @@ use crate::vector::Position;
 
 type Scenery = RuntimeScene<Room<4, 4, 4, 4, 4>>;
 
-/// A scene that a function has filled with shapes of one white material.
+/// Returns a prepared scene of one white material, whose shapes `fill` has added.
 fn scenery<T>(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId) -> T) -> Scenery {
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
@@ -16,7 +16,7 @@ fn scenery<T>(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId) -> T) ->
     scene
 }
 
-/// One sphere of radius 1 around the origin, and what a function adds.
+/// Returns a scene with a sphere of radius 1 at the origin, and the parts that `add` has added.
 fn marble<T>(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId) -> T) -> Scenery {
     scenery(|scene, white| {
         scene.add_sphere([0, 0, 0], 1, white).unwrap();
@@ -24,7 +24,7 @@ fn marble<T>(fill: impl FnOnce(&mut Scenery, crate::shape::MaterialId) -> T) -> 
     })
 }
 
-/// How many bits of a step lie behind the point of a scene unit.
+/// Returns the number of fraction bits of the scene's grid: a step is 2 to the power of minus this.
 fn fraction_bits(scene: &Scenery) -> i32 {
     scene.plain().unwrap().grid.fraction_bits()
 }
@@ -55,7 +55,7 @@ fn shapes_fill_the_ball_but_for_less_than_half() {
             square.sqrt() + f64::from(grid.length(sphere.radius).to_bits())
         });
         let furthest = furthest.fold(0.0, f64::max);
-        // A coordinate and a radius are rounded by half a step each.
+        // Rounding moves a coordinate and a radius by half a step each.
         let ball = f64::from(BALL);
         assert!(
             (ball * 0.499..ball + 2.0).contains(&furthest),
@@ -146,7 +146,7 @@ fn scene_of_planes_alone_goes_by_the_nearest() {
         (1e9, 17),
     ] {
         let scene = scenery(|scene, white| {
-            // One through the middle says nothing about the size.
+            // A plane through the middle does not affect the size.
             scene.add_plane([1e9, 0.0, 7.0], [0, 1, 0], white).unwrap();
             scene.add_plane([0, 0, 5], [0, 0, 1], white).unwrap();
             scene.add_plane([away, 0.0, 0.0], [1, 0, 0], white).unwrap();
@@ -230,7 +230,7 @@ fn epsilon_is_at_least_what_a_hit_may_be_off() {
     };
     let step = 2f64.powi(-28);
     assert_eq!(with(1000.0 * step), Ok(1000));
-    // What leaves a surface must not be stopped by it: the tests of shading find out.
+    // A ray that leaves a surface must not hit it again; the tests of shading check this.
     assert_eq!(with(step), Ok(SMALLEST_EPSILON));
     let more = SMALLEST_EPSILON + 1;
     assert_eq!(with(f64::from(more) * step), Ok(more));
@@ -305,7 +305,7 @@ fn material_may_shine_up_to_thirty() {
     assert_eq!(with(1.0, 2.1, 14.0, 0.0, &[1.0, 1.0]), too_bright);
     assert_eq!(with(2.0, 1.0, 14.0, 0.0, &[1.0]), Ok(()));
     assert_eq!(with(2.1, 1.0, 14.0, 0.0, &[1.0]), too_bright);
-    // What is summed up before the colour counts by itself, dark as that may be.
+    // The sum before the multiplication by the colour is limited, too, even if the colour is dark.
     assert_eq!(with(0.0, 1.0, 2.0, 0.0, &[16.0]), too_bright);
     assert_eq!(with(0.0, 1.0, 15.0, 16.0, &[0.1]), too_bright);
     assert_eq!(with(16.0, 1.8, 16.0, 16.0, &[]), too_bright);
@@ -412,7 +412,7 @@ fn sphere_touches_what_epsilon_may_lift_points_from() {
             "{gap}"
         );
     }
-    // The ball around a cylinder counts.
+    // The test compares the ball around a cylinder.
     for (away, is_touching) in [(2.0, true), (2.4, true), (2.5, false)] {
         let touches = touches(&|scene, white| {
             let center = [away, 0.0, 0.0];

@@ -45,6 +45,38 @@ use super::prepared::{self, Prepared};
 use super::{Camera, Picture, Scene, Shading};
 
 /// The paths of all pixels of a picture, followed in double precision.
+///
+/// ```
+/// use reflet::host::reference::bound::{Bound, Ending, Followed, Paths, Precision, Stage};
+/// use reflet::host::reference::{Camera, Material, Plane, Scene, Shading};
+///
+/// // A mirror under a sky of 0.5.
+/// let glass = Material {
+///     color: [1.0; 3], ambient: 1.0, diffuse: 0.0, specular: 0.0, shininess: 1.0, mirror: 0.5,
+/// };
+/// let scene = Scene {
+///     planes: vec![Plane { point: [0.0; 3], normal: [0.0, 0.0, 1.0], material: 0 }],
+///     materials: vec![glass],
+///     background: [0.5; 3],
+///     ..Scene::default()
+/// };
+/// let (position, up) = ([0.0, 0.0, 2.0], [0.0, 1.0, 0.0]);
+/// let camera = Camera { position, target: [0.0; 3], up, fov: 40.0 };
+/// let grid = Precision { step: 1.0 / 1_048_576.0, middle: [0.0; 3], dimness: 1.0 };
+/// let paths = Paths::follow(&scene, &camera, (5, 5), 4, Shading::BlinnPhong, &grid);
+///
+/// let path: &Followed = paths.path(2, 2);
+/// assert_eq!(path.stages.len(), 2); // the plane, then the sky
+/// let hit: &Stage = path.ended(0, 0.0);
+/// assert_eq!((hit.color, hit.weight, hit.is_unsure), ([0.5; 3], 0.5, false));
+/// assert_ne!(hit.trail, path.ended(4, 0.0).trail);
+///
+/// let ending = Ending { reflections: 0, smallest_weight: 0.0, stride: 1, tolerance: 0.0 };
+/// let bound: Bound = paths.bounds(&ending)[12];
+/// assert_eq!((bound.truncation, bound.between, bound.is_unsure), (0.5, 0.0, false));
+/// assert!(bound.rounding < 1e-5 && bound.share() > 0.5 && bound.levels() > 128.0);
+/// assert_eq!((paths.brightest(), paths.picture(&ending).pixels[12]), (1.0, [128; 3]));
+/// ```
 #[derive(Clone, Debug)]
 pub struct Paths {
     width: u32,

@@ -66,6 +66,13 @@ impl Vector {
     }
 
     /// Returns the product component by component, as a surface's colour filters light.
+    ///
+    /// ```
+    /// # use reflet::host::reference::Vector;
+    /// let orange = Vector([1.0, 0.5, 0.0]);
+    /// assert_eq!(orange.filtered(Vector::grey(0.5)), Vector([0.5, 0.25, 0.0]));
+    /// assert_eq!(orange.filtered(Vector::ZERO), Vector::ZERO);
+    /// ```
     #[inline]
     pub fn filtered(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
