@@ -345,11 +345,14 @@ fn assert_refused<S: Drawable>(frame: &PreparedFrame<S>, scene: &S) {
     assert_eq!(found, ("scene", None, ErrorKind::Changed));
 }
 
+/// A change of a scene that is refused.
+type Change = fn(&mut Built) -> Result<(), Error>;
+
 #[test]
 fn prepared_frame_refuses_a_scene_that_has_changed() {
     let mut built = START.built();
     let frame = |scene: &Scene<Parts>| scene.frame(&CAMERA).prepare(Size::new(9, 9));
-    let changes: [fn(&mut Built) -> Result<(), Error>; 4] = [
+    let changes: [Change; 4] = [
         |it| it.scene.set_sphere(it.spheres[2], [0.5, 0.5, 2.5], 0.5),
         |it| {
             it.scene

@@ -5,7 +5,7 @@ use std::cell::Cell;
 
 use embedded_graphics::prelude::Size;
 use proptest::{prelude::*, test_runner::TestRunner};
-use reflet::__private::{Drawable, Everything, StaticScene};
+use reflet::__private::{Drawable, Everything};
 use reflet::description::Description;
 use reflet::host::{painted, reference::Picture};
 use reflet::needs::{Limited, Mirrors, MostReflections, Needs, NeedsLimit, Shininess};

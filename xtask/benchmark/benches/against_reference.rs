@@ -18,7 +18,7 @@ use benchmark::Order;
 use criterion::Criterion;
 use embedded_graphics::prelude::Size;
 use rayon::ThreadPoolBuilder;
-use reflet::__private::{Drawable, StaticScene};
+use reflet::__private::Drawable;
 use reflet::FrameBuilder;
 use reflet::host::compare::compare;
 use reflet::host::file::SceneFile;

@@ -103,12 +103,13 @@ fn counter_readings(log: &str, registers: &BTreeMap<u32, String>) -> Vec<u32> {
         for pair in words.chunks_exact(2) {
             match (pair[0], hexadecimal(pair[1])) {
                 ("pc", Some(at)) => wanted = registers.get(&at),
-                (name, Some(value)) if wanted.is_some_and(|wanted| name.starts_with(wanted)) => {
-                    // QEMU may enter a block twice. Two readings are never equal: each takes an
-                    // instruction.
-                    if readings.last() != Some(&value) {
-                        readings.push(value);
-                    }
+                // QEMU may enter a block twice. Two readings are never equal: each takes an
+                // instruction.
+                (name, Some(value))
+                    if wanted.is_some_and(|wanted| name.starts_with(wanted))
+                        && readings.last() != Some(&value) =>
+                {
+                    readings.push(value);
                 }
                 _ => {}
             }

@@ -15,6 +15,7 @@ pub(crate) mod firmware;
 pub(crate) mod float_source;
 mod images;
 pub mod moving;
+mod moving_record;
 pub(crate) mod outcome;
 mod page;
 pub mod profiles;

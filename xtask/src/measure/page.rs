@@ -5,9 +5,10 @@ use reflet::scenes;
 use super::boards::BOARDS;
 use super::cores::{CORES, Core};
 use super::figures::Figures;
+use super::moving_record::{self, Kept};
 use crate::table::{filled, markdown};
 
-pub fn write(rows: &[Figures]) -> String {
+pub fn write(rows: &[Figures], moving: &[Kept]) -> String {
     let page = Page(rows);
     let values = [
         ("fast", page.instructions("fast")),
@@ -19,6 +20,7 @@ pub fn write(rows: &[Figures]) -> String {
         ("flash", page.by_core("fast", |row| row.flash.to_string())),
         ("stack", page.by_core("fast", |row| row.stack.to_string())),
         ("statics", page.statics()),
+        ("moving", moving_record::table(moving)),
         ("cycles", page.cycles()),
         ("seconds", page.seconds()),
     ];

@@ -10,7 +10,7 @@ use super::cores::{CORES, Core};
 use super::figures::Figures;
 use super::scene::Scene;
 use super::task::{Quality, Size, Task};
-use super::{measure, page};
+use super::{measure, moving_record, page};
 use crate::{kept, root};
 
 /// How everything is measured, but for the quality.
@@ -29,8 +29,12 @@ pub fn renew(core: Option<&'static Core>) -> Result<()> {
             .collect()
     });
     renewed.into_iter().collect::<Result<()>>()?;
+    if core.is_none_or(|core| moving_record::CORE_NAMES.contains(&core.name)) {
+        moving_record::renew()?;
+    }
     let rows = CORES.iter().map(read).collect::<Result<Vec<_>>>()?;
-    kept::write(&root().join("docs/boards.md"), &page::write(&rows.concat()))
+    let page = page::write(&rows.concat(), &moving_record::read()?);
+    kept::write(&root().join("docs/boards.md"), &page)
 }
 
 fn renew_core(core: &'static Core) -> Result<()> {

@@ -162,7 +162,6 @@ mod ball;
 
 #[test]
 fn source_describes_the_scene_of_the_file() {
-    use reflet::__private::StaticScene;
     use reflet::host::file::SceneFile;
 
     let file = SceneFile::parse(SCENES, Some("ball")).unwrap();
