@@ -62,6 +62,7 @@ impl Grid {
     }
 
     /// Converts a length to steps, rounded to nearest and limited to 2³⁰.
+    #[inline(never)]
     pub(crate) const fn length(&self, number: Number) -> Length {
         let steps = (number.to_bits() + (1 << (self.drop - 1))) >> self.drop;
         Length::from_bits(if steps > 1 << 30 {
@@ -73,6 +74,7 @@ impl Grid {
 
     /// Converts a position to steps from the middle of the scene, rounded to the nearest step. A far
     /// position gets coarser steps.
+    #[inline(never)]
     pub(crate) const fn place(&self, position: Position) -> ScaledPoint {
         let [x, y, z] = position.minus(self.middle).0;
         let mut drop = self.drop;

@@ -36,7 +36,7 @@ macro_rules! fingerprint {
                     let mut index = 0;
                     while index < scene.$list.len() {
                         let $kind = &scene.$list[index];
-                        hash = hash.$kind(index, $kind).word($kind.material.index());
+                        hash = hash.$kind(index, $kind).index($kind.material.index());
                         index += 1;
                     }
                 )*
@@ -50,7 +50,7 @@ macro_rules! fingerprint {
                     index: usize,
                     $kind: &crate::shape::$described,
                 ) -> Self {
-                    let hash = self.word(index);
+                    let hash = self.index(index);
                     $(let hash = add!(hash, $type, $kind.$field);)*
                     hash
                 }
@@ -67,7 +67,7 @@ impl Fingerprint {
         while index < scene.planes.len() {
             let plane = &scene.planes[index];
             hash = hash.position(&plane.point).position(&plane.normal);
-            hash = hash.word(plane.material.index());
+            hash = hash.index(plane.material.index());
             index += 1;
         }
         index = 0;
@@ -111,7 +111,7 @@ impl Fingerprint {
 
     /// Adds the place of a light.
     pub(super) const fn light(self, index: usize, position: &Position) -> Self {
-        self.word(index).position(position)
+        self.index(index).position(position)
     }
 
     const fn color(self, [red, green, blue]: &[Number; 3]) -> Self {
@@ -122,19 +122,19 @@ impl Fingerprint {
         self.color(&position.0)
     }
 
+    #[inline(never)]
     const fn number(self, number: Number) -> Self {
-        let bytes = number.to_bits().to_le_bytes();
-        let mut hash = self.0;
-        let mut index = 0;
-        while index < bytes.len() {
-            hash = spread(hash.rotate_left(5) ^ bytes[index] as u32);
-            index += 1;
-        }
-        Self(hash)
+        let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = number.to_bits().to_le_bytes();
+        let low = self.word([a, b, c, d]).word([e, f, g, h]);
+        low.word([i, j, k, l]).word([m, n, o, p])
     }
 
-    const fn word(self, word: usize) -> Self {
-        Self(spread(self.0.rotate_left(5) ^ to_u32(word)))
+    const fn index(self, index: usize) -> Self {
+        self.word(to_u32(index).to_le_bytes())
+    }
+
+    const fn word(self, bytes: [u8; 4]) -> Self {
+        Self(spread(self.0.rotate_left(5) ^ u32::from_le_bytes(bytes)))
     }
 }
 

@@ -29,22 +29,24 @@ macro_rules! motion {
                     index: usize,
                     $kind: &crate::shape::$described,
                 ) -> Result<(), Error> {
-                    let error = |fault| Error::at(stringify!($kind), index, fault);
-                    if let Some(fault) = $kind.fault() {
-                        return Err(error(fault));
-                    }
-                    // A shape that is larger than the motion box may not fit the grid.
-                    if !self.is_in_motion_box(&$kind.extent()) {
-                        return Err(error(ErrorKind::Motion));
-                    }
-                    let moved = crate::shape::$prepared::prepare($kind, &self.grid).map_err(error)?;
-                    let known = self.counts.$list;
-                    let old = self.$list.as_mut().get_mut(index).filter(|_| index < known);
-                    let old = old.ok_or(error(ErrorKind::UnknownHandle))?;
-                    let material = old.material;
-                    *old = moved.touching(true);
-                    old.material = material;
-                    Ok(())
+                    let mut put = || {
+                        if let Some(fault) = $kind.fault() {
+                            return Err(fault);
+                        }
+                        // A shape that is larger than the motion box may not fit the grid.
+                        if !self.is_in_motion_box(&$kind.extent()) {
+                            return Err(ErrorKind::Motion);
+                        }
+                        let moved = crate::shape::$prepared::prepare($kind, &self.grid)?;
+                        let known = self.counts.$list;
+                        let old = self.$list.as_mut().get_mut(index).filter(|_| index < known);
+                        let old = old.ok_or(ErrorKind::UnknownHandle)?;
+                        let material = old.material;
+                        *old = moved.touching(true);
+                        old.material = material;
+                        Ok(())
+                    };
+                    put().map_err(|kind| Error::at(stringify!($kind), index, kind))
                 }
             )*
         }
