@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 30820 | 1056 | 11668 | 198 |
-//! | Cargo's default release | 43200 | 1087 | 16756 | 203 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 28956 | 1563 | 12556 | 248 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 29148 | 2216 | 12908 | 369 |
-//! | Cargo's default dev (debug) | 267756 | 23587 | 237184 | 5072 |
+//! | lto = true, codegen-units = 1 | 30800 | 1056 | 11736 | 198 |
+//! | Cargo's default release | 39284 | 1084 | 14616 | 203 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 28404 | 1563 | 12128 | 248 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 28336 | 2216 | 12180 | 369 |
+//! | Cargo's default dev (debug) | 261256 | 23587 | 232620 | 5072 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
