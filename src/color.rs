@@ -177,7 +177,7 @@ impl Sum {
         self.each(other, |sum, other| sum + other - (other >> 2))
     }
 
-    /// Subtracts another sum.
+    /// Subtracts another sum of a pixel's colour, channel by channel.
     #[inline(always)]
     pub fn less(self, other: Self) -> Self {
         self.each(other, |sum, other| sum - other)

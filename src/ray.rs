@@ -243,14 +243,14 @@ impl PathSignature {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScreenAxis {
     pub(crate) origin: Point,
-    /// Direction into the picture.
+    /// Direction of the camera's view, at right angles to the screen axis.
     pub(crate) ahead: Direction,
     /// Direction from one column to the next.
     pub(crate) aside: Direction,
     /// Distance from the point to the picture along `ahead`: `distance` · 2^`scale` half pixels.
     pub(crate) distance: i32,
     pub(crate) scale: i32,
-    /// Number of columns.
+    /// Number of pixels along the screen axis.
     pub(crate) width: u32,
 }
 

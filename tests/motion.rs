@@ -59,7 +59,7 @@ struct Places {
     lights: [[f64; 3]; 2],
 }
 
-/// The places of [`Tower`].
+/// Places of all parts of the scene [`Tower`] before anything moves.
 const START: Places = Places {
     spheres: [
         ([0.0, 0.0, 1.0], 0.75),

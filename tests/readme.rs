@@ -38,6 +38,31 @@ fn the_readmes_limits_are_the_librarys() {
 }
 
 #[test]
+fn figures_of_moving_scenes_are_the_measured_ones() {
+    let measured = read("docs/measured/moving.jsonl");
+    let rows = measured.lines().map(|line| {
+        let row: Value = serde_json::from_str(line).unwrap();
+        let number = |key: &str| row[key].as_f64().unwrap();
+        let percent = 100.0 * number("flash") / number("constant_flash");
+        assert!(percent <= 115.0, "{line}");
+        format!(
+            "| {} | {} | {} | {} | {percent:.1} % |",
+            row["core"].as_str().unwrap(),
+            row["scene"].as_str().unwrap(),
+            row["move_instructions"],
+            row["prepare_instructions"]
+        )
+    });
+    let rows: Vec<_> = rows.collect();
+    assert!(rows.len() > 5);
+    let source = read("src/accel/motion.rs");
+    let lines = source.lines().map(|line| line.trim_start_matches("/// "));
+    let table = lines.skip_while(|line| !line.starts_with("| core | scene | move |"));
+    let table: Vec<_> = table.skip(2).take(rows.len()).collect();
+    assert_eq!(table, rows);
+}
+
+#[test]
 fn figures_of_the_build_profiles_are_the_measured_ones() {
     const COLUMNS: &str =
         "| profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |";

@@ -74,7 +74,7 @@ pub trait Storage<T>: Default + Debug + AsRef<[T]> + AsMut<[T]> {
     /// Keeps the items for which `stays` is true.
     fn keep(&mut self, stays: impl FnMut(&T) -> bool);
 
-    /// Drops all items.
+    /// Empties an active list; its memory stays.
     fn empty(&mut self);
 }
 

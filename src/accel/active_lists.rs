@@ -3,14 +3,16 @@
 
 use heapless::Vec;
 
+use super::Scene;
 use super::active_list::{ActiveList, ActiveShape, Storage, Window};
 use super::screen_bounds::Rects;
+use crate::error::Error;
 use crate::number::Length;
 use crate::ray::{PathSignature, Ray};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, Nearest, nearest_of};
 use crate::scene::shape_set::ShapeSet;
-use crate::scene::{Capacity, Room, used};
+use crate::scene::{Description, Fillable, Room, used};
 use crate::vector::{Direction, Point};
 
 macro_rules! active_lists {
@@ -20,7 +22,10 @@ macro_rules! active_lists {
             [$active_list:ident $active:tt] $($more:tt)* })*
     ) => {
         /// The capacity of a scene, with the memory for the active lists of each kind of shape.
-        pub trait ActiveRoom: Capacity {
+        pub trait ActiveRoom: Fillable {
+            /// Prepares a description whose parts have been checked and fit the room.
+            fn prepare(description: &Description<'_>) -> Result<Scene<Self>, Error>;
+
             $(
                 #[doc = concat!("Memory for the active list of ", stringify!($list), ".")]
                 type $active_list<'a>: Storage<ActiveShape<'a, crate::shape::$prepared>>;
@@ -28,6 +33,10 @@ macro_rules! active_lists {
         }
 
         impl<$($header)*> ActiveRoom for Room<$($arguments)*> {
+            fn prepare(description: &Description<'_>) -> Result<Scene<Self>, Error> {
+                Scene::of_description(description)
+            }
+
             $(
                 type $active_list<'a> = Vec<ActiveShape<'a, crate::shape::$prepared>, $active>;
             )*

@@ -77,7 +77,7 @@ impl<const SIDE: usize, const CELLS: usize, const SETS: usize> DirectionTable<SI
 pub(super) struct CellSets<const SIDE: usize, const CELLS: usize>([ShapeSet; CELLS]);
 
 impl<const SIDE: usize, const CELLS: usize> CellSets<SIDE, CELLS> {
-    /// All cells empty.
+    /// A table in the making, with an empty set of shapes in every cell.
     pub(super) const NONE: Self = Self([ShapeSet::NONE; CELLS]);
 
     /// Adds a shape to all cells.

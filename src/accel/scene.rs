@@ -74,7 +74,7 @@ macro_rules! scene {
     ) => {
         impl<$($header)*> Scene<Room<$($arguments)*>> {
             /// Prepares a scene from a description whose parts were checked and fit the room.
-            const fn prepare(description: &Description<'_>) -> Result<Self, Error> {
+            pub(super) const fn of_description(description: &Description<'_>) -> Result<Self, Error> {
                 let plain = match PlainScene::prepare(description) {
                     Ok(plain) => plain,
                     Err(error) => return Err(error),
@@ -99,6 +99,7 @@ macro_rules! scene {
             }
         }
 
+        #[doc(hidden)]
         impl<$($header)*> SceneBuilder<Room<$($arguments)*>> {
             /// Chooses the scene's grid and prepares the scene, for constants.
             ///
@@ -135,20 +136,20 @@ macro_rules! scene {
                 }
             }
         }
-
-        impl<$($header)*> RuntimeScene<Room<$($arguments)*>> {
-            /// Chooses the scene's grid and prepares the scene. No float instruction is executed.
-            ///
-            /// # Errors
-            /// Mistakes of the scene as a whole: [`ErrorKind::Tiny`], [`ErrorKind::Extent`],
-            /// [`ErrorKind::Epsilon`], [`ErrorKind::Brightness`].
-            pub fn build(&self) -> Result<Scene<Room<$($arguments)*>>, Error> {
-                Scene::prepare(&self.description())
-            }
-        }
     };
 }
 kinds!(scene);
+
+impl<R: ActiveRoom> RuntimeScene<R> {
+    /// Chooses the scene's grid and prepares the scene. No float instruction is executed.
+    ///
+    /// # Errors
+    /// Mistakes of the scene as a whole: [`ErrorKind::Tiny`], [`ErrorKind::Extent`],
+    /// [`ErrorKind::Epsilon`], [`ErrorKind::Brightness`].
+    pub fn build(&self) -> Result<Scene<R>, Error> {
+        R::prepare(&self.description())
+    }
+}
 
 impl<R: Capacity> Scene<R> {
     /// Returns the scene with a table for each light: the shapes that lie in each direction from it.

@@ -6,13 +6,13 @@ use crate::number::{difference_modulo_2_16, to_u16, to_u32, unsigned};
 /// A rectangle of pixels outside of which no ray hits a shape. The last row and column are included.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScreenRect {
-    /// First column.
+    /// First pixel column of the rectangle that a shape covers on the screen.
     pub(super) left: u16,
-    /// Last column.
+    /// Last pixel column of the rectangle that a shape covers on the screen.
     pub(super) right: u16,
-    /// First row plus [`BESIDE`].
+    /// First pixel row of the rectangle that a shape covers on the screen, plus [`BESIDE`].
     top: u16,
-    /// Last row minus [`BESIDE`].
+    /// Last pixel row of the rectangle that a shape covers on the screen, minus [`BESIDE`].
     bottom: u16,
     /// Columns of the highest and of the lowest point of the shape.
     tips: [u16; 2],

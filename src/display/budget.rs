@@ -16,9 +16,9 @@ use crate::shade::Shading;
 /// The quality of a [`FrontPoint`], as a value instead of a type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum QualityLevel {
-    /// Quality [`Fast`].
+    /// The quality [`Fast`], as a value.
     Fast,
-    /// Quality [`Fine`].
+    /// The quality [`Fine`], as a value.
     Fine,
 }
 

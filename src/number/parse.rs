@@ -156,7 +156,7 @@ fn exponent(text: &[u8]) -> Option<i64> {
     Some(if is_negative { -magnitude } else { magnitude })
 }
 
-/// A number of digits.
+/// Converts a number of digits from `usize` to `i64`.
 fn wide(count: usize) -> i64 {
     i64::try_from(count).unwrap_or(i64::MAX)
 }

@@ -32,7 +32,7 @@ impl Exponent {
         self.fraction == 0
     }
 
-    /// Largest exponent: 2²⁰.
+    /// Largest shininess of a highlight: 2²⁰.
     pub const MAX: i64 = 1 << 20;
 
     /// Splits a number into integer part and fraction. The fraction is rounded down to 2⁻³². The caller

@@ -152,6 +152,7 @@ macro_rules! builder {
             $set:ident $too_many:ident $without:ident
             $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*) })*
     ) => {
+        #[doc(hidden)]
         impl<$($header)*> SceneBuilder<Room<$($arguments)*>> {
             /// Creates an empty scene with a black background and an epsilon of 0.001.
             pub const fn new() -> Self {
@@ -221,6 +222,7 @@ macro_rules! builder {
 
         }
 
+        #[doc(hidden)]
         impl<$($header)*> Default for SceneBuilder<Room<$($arguments)*>> {
             fn default() -> Self {
                 Self::new()

@@ -37,7 +37,7 @@ pub use handle::Handle;
 pub(crate) use needs::FEW;
 pub use needs::{Mirrors, MostReflections, Need, Needs, NeedsLimit, Shininess};
 pub(crate) use prepare::PlainScene;
-pub use runtime::RuntimeScene;
+pub use runtime::{Fillable, RuntimeScene};
 pub(crate) use surface::Surface;
 
 /// Returns the first `count` items, or all items if there are fewer. Never panics.

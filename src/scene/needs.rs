@@ -171,7 +171,7 @@ pub enum Shininess {
     Even,
     /// Whole numbers: no logarithm is computed.
     Whole,
-    /// Any real numbers.
+    /// Highlights take any real power.
     Real,
 }
 

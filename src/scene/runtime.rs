@@ -203,24 +203,43 @@ macro_rules! runtime {
             )*
         }
 
-        impl<$($header)*> RuntimeScene<Room<$($arguments)*>> {
-            /// Creates an empty scene with a black background and an epsilon of 0.001.
-            pub const fn new() -> Self {
-                Self(Described::new())
+        impl<$($header)*> Fillable for Room<$($arguments)*> {
+            fn empty() -> Described<Self> {
+                Described::new()
             }
 
-            /// Returns the description of the parts added so far.
-            pub fn description(&self) -> Description<'_> {
-                self.0.description()
-            }
-
-        }
-
-        impl<$($header)*> Default for RuntimeScene<Room<$($arguments)*>> {
-            fn default() -> Self {
-                Self::new()
+            fn description(described: &Described<Self>) -> Description<'_> {
+                described.description()
             }
         }
     };
 }
 kinds!(runtime);
+
+/// The room of a scene that is filled while the program runs. Each room implements it, because constant
+/// functions cannot be generic over rooms.
+pub trait Fillable: Capacity {
+    /// Returns an empty description with a black background and an epsilon of 0.001.
+    fn empty() -> Described<Self>;
+
+    /// Returns what is read of a description.
+    fn description(described: &Described<Self>) -> Description<'_>;
+}
+
+impl<R: Fillable> RuntimeScene<R> {
+    /// Creates an empty scene with a black background and an epsilon of 0.001.
+    pub fn new() -> Self {
+        Self(R::empty())
+    }
+
+    /// Returns the description of the parts added so far.
+    pub fn description(&self) -> Description<'_> {
+        R::description(&self.0)
+    }
+}
+
+impl<R: Fillable> Default for RuntimeScene<R> {
+    fn default() -> Self {
+        Self::new()
+    }
+}

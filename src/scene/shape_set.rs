@@ -12,7 +12,7 @@ use crate::number::{low_word, to_u32};
 pub(crate) struct ShapeSet(u64);
 
 impl ShapeSet {
-    /// The empty set.
+    /// The set without any shape.
     pub(crate) const NONE: Self = Self(0);
 
     /// The set of all shapes.

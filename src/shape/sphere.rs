@@ -74,7 +74,7 @@ impl Sphere {
 pub struct PreparedSphere {
     center: Point,
     radius: i32,
-    /// Square of the radius.
+    /// Square of the sphere's radius, in squared steps.
     square: i64,
     normaliser: Normaliser,
     pub(crate) material: MaterialId,

@@ -279,7 +279,7 @@ struct Wrong {
     items: String,
     /// First line of the compiler's message.
     first_line: String,
-    /// What its message shows.
+    /// The lines of source that the compiler's message shows.
     shown: String,
 }
 

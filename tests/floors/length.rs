@@ -7,7 +7,7 @@ use crate::source::{lines_of_code, tokens};
 
 /// Lengths of a file and its functions, without its tests.
 pub struct Lengths {
-    /// Number of lines.
+    /// Number of lines of a file.
     pub lines: usize,
     /// Number of lines that are neither blank nor a comment.
     pub code: usize,

@@ -164,7 +164,7 @@ impl spi::SpiBus for Spi {
     }
 }
 
-/// An output pin.
+/// A pin of a port, set up as an output.
 pub struct Output {
     level: Register,
 }

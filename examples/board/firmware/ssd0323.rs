@@ -49,7 +49,7 @@ const SET_UP: &[&[u8]] = &[
 /// Error of drawing on the display.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error<S, P> {
-    /// SPI failed.
+    /// The bus that sends to the display failed.
     Bus(S),
     /// The data/command pin failed.
     Pin(P),

@@ -78,7 +78,7 @@ pub enum Problem {
     },
     /// No scene of the file has the requested name.
     NotFound {
-        /// The requested name.
+        /// Name of the scene that was asked for and is not in the file.
         wanted: String,
         /// Names of all scenes in the file.
         names: Vec<String>,

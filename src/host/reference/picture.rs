@@ -14,7 +14,7 @@ use super::{Camera, Scene, Shading, trace};
 pub struct Picture {
     /// Number of pixels in a row.
     pub width: u32,
-    /// Number of rows.
+    /// Height of the picture in pixels.
     pub height: u32,
     /// Red, green and blue of `width` × `height` pixels, row by row from the top.
     pub pixels: Vec<[u8; 3]>,

@@ -26,7 +26,7 @@ pub type Scenery =
 pub struct Wild {
     /// The description of the scene.
     pub scene: Scenery,
-    /// The camera.
+    /// Camera of a random scene.
     pub camera: Camera,
     /// Largest number of reflections, 0 to 255.
     pub reflections: u8,

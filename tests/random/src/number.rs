@@ -34,7 +34,7 @@ impl Numbers {
         Ok(number)
     }
 
-    /// Makes a position.
+    /// Makes a random position from the bytes of a fuzzer.
     pub fn place(&mut self, bytes: &mut Unstructured) -> Result<[f64; 3]> {
         let mut coordinate = || self.coordinate(bytes);
         Ok([coordinate()?, coordinate()?, coordinate()?])

@@ -59,7 +59,7 @@ struct Surface {
 /// Position of the camera relative to the scene's cube, and its field of view in degrees.
 #[derive(Clone, Debug)]
 enum Eye {
-    /// Somewhere among the shapes.
+    /// Puts the camera at a random place among the shapes.
     Within(Triple, f64),
     /// In the sphere of this number, or at a fixed point if there are no spheres.
     InSphere(usize, f64),

@@ -1,8 +1,8 @@
 //! Counts executed instructions.
 
-/// A running count of instructions.
+/// Counter of executed instructions; it starts with the program.
 pub struct Clock {
-    /// What reading it twice costs.
+    /// Instructions between two readings of the clock in a row, which every difference contains.
     overhead: u32,
 }
 
@@ -11,7 +11,7 @@ pub struct Clock {
 pub struct Reading(u32);
 
 impl Clock {
-    /// Starts to count.
+    /// Starts the clock, which counts executed instructions.
     pub fn start() -> Self {
         source::start();
         let mut clock = Self { overhead: 0 };
@@ -19,7 +19,7 @@ impl Clock {
         clock
     }
 
-    /// The count as it is now.
+    /// Reads the clock.
     #[inline(always)]
     pub fn now(&self) -> Reading {
         Reading(source::now())

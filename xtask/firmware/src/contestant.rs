@@ -16,12 +16,12 @@ use crate::{Clock, report};
 /// A renderer, ready to be measured. What a program may learn only while it runs (camera, size,
 /// reflections) is hidden from the optimiser, for all contestants alike.
 pub trait Contestant {
-    /// What is drawn.
+    /// Type of the scene that the renderer draws.
     type Scene;
-    /// A frame made ready for one size.
+    /// Type of a frame that is prepared for one size of picture.
     type Picture;
 
-    /// All that is done once a program. It is not counted.
+    /// Makes the scene, once a program. Its instructions are not counted.
     fn scene() -> Self::Scene;
 
     /// Moves a part of the scene and returns the instructions that it took; `None` if nothing moves.
@@ -29,20 +29,20 @@ pub trait Contestant {
         None
     }
 
-    /// All that is done once a frame.
+    /// Prepares a frame of the scene for one size of picture.
     fn prepare(scene: &Self::Scene, size: (u32, u32)) -> Self::Picture;
 
-    /// Fills the row `y`.
+    /// Renders row `y` of the picture into `row`.
     fn row(seen: (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]);
 }
 
-/// How the library's scene is seen.
+/// View of a scene of the library: its camera.
 pub trait View {
-    /// From where.
+    /// Camera that the frame is seen with.
     const CAMERA: Camera;
 }
 
-/// The library, with scene `S`, view `V`, quality `Q`, shading `K` and at most `N` reflections.
+/// Renders scene `S` with the library: view `V`, quality `Q`, shading `K`, at most `N` reflections.
 pub struct Fixed<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
 
 /// A constant scene, of which mirrors are linked for at most `N` reflections.
@@ -74,7 +74,7 @@ impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant for Fixe
     }
 }
 
-/// The same with everything linked that any scene needs.
+/// Renders scene `S` with the library, and links all code that any scene needs.
 pub struct Everything<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
 
 impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant
@@ -105,15 +105,15 @@ impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant
     }
 }
 
-/// How the float port's scene is seen.
+/// Scene, camera and settings that the float port renders.
 pub trait FloatView {
-    /// The scene.
+    /// Scene that the float port renders.
     const SCENE: float_port::Scene<'static>;
-    /// From where.
+    /// Camera that the frame is seen with.
     const CAMERA: float_port::Camera;
-    /// With at most this many reflections.
+    /// Largest number of reflections of a path.
     const REFLECTIONS: u32;
-    /// How light shines.
+    /// Shading model of the float port.
     const SHADING: float_port::Shading;
 }
 
@@ -142,7 +142,7 @@ impl<V: FloatView> Contestant for Float<V> {
     }
 }
 
-/// The empty frame.
+/// A renderer that draws nothing: its firmware is what other firmware is compared with.
 pub struct Nothing;
 
 impl Contestant for Nothing {

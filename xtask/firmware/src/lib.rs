@@ -30,11 +30,11 @@ pub use contestant::{Contestant, Everything, Fixed, Float, FloatView, Nothing, V
 pub use moving::{Moves, Moving};
 pub use sweep::{Run, Swept, Varied, sweep, swept};
 
-/// What a program is asked for.
+/// Task of a measuring program.
 pub struct Order {
     /// Width and height of the picture.
     pub size: (u32, u32),
-    /// Printed with the report, so that no report is taken for another's.
+    /// Number that the program prints with its report; it tells the reports of two programs apart.
     pub ticket: u64,
 }
 

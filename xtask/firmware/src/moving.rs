@@ -15,7 +15,7 @@ use crate::{Clock, report};
 
 /// A constant scene with a shape that moves.
 pub trait Moves: Apart {
-    /// Moves the shape, to where it is already.
+    /// Moves the shape to the place where it already is, so that the picture stays the same.
     fn move_shape(scene: &mut MovingScene<Self>) -> Result<(), Error>;
 }
 

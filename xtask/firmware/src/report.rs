@@ -2,7 +2,7 @@
 
 use semihosting::io::{Write, stdout};
 
-/// Writes words.
+/// Writes text to the emulator's console.
 pub fn text(words: &str) {
     if let Ok(mut console) = stdout() {
         // Whoever reads the report misses what could not be written.
@@ -19,7 +19,7 @@ pub fn number(name: &str, value: u64) {
     }
 }
 
-/// Says what is wrong and ends the emulation.
+/// Prints an error message and ends the emulation.
 pub fn stop(what: &str) -> ! {
     text("refused: ");
     text(what);

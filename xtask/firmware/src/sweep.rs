@@ -16,13 +16,13 @@ use crate::{Float, FloatView, Order, View, report};
 
 /// A contestant whose number of reflections is known only while it runs.
 pub trait Swept {
-    /// A frame made ready for one size.
+    /// Type of a frame that is prepared for one size of picture.
     type Picture;
 
-    /// All that is done once a frame.
+    /// Prepares a frame for one size of picture.
     fn prepare(size: (u32, u32), reflections: u8) -> Self::Picture;
 
-    /// Fills the row `y`.
+    /// Renders row `y` of the picture into `row`.
     fn row(picture: &Self::Picture, y: u32, row: &mut [Rgb888]);
 }
 
@@ -68,26 +68,26 @@ impl<V: FloatView> Swept for Float<V> {
     }
 }
 
-/// One setting.
+/// One setting of a sweep: size, reflections, quality and shading of a frame.
 pub struct Run {
-    /// At most this many reflections.
+    /// Largest number of reflections of a path.
     pub reflections: u8,
-    /// A pixel that is drawn covers so many by so many of the picture's.
+    /// Side of a drawn pixel, in pixels of the picture.
     pub scale: u32,
-    /// Whether it is known already: it stays in the program, which is the same but for this.
+    /// Whether the figures of this setting are known, so that the program skips it.
     pub skip: bool,
-    /// Draws with it: [`swept`] for a contestant.
+    /// Function that draws a frame with this setting: [`swept`] of a renderer.
     pub draw: fn(&Clock, (u32, u32), &Run, &mut [Rgb888]) -> Drawn,
 }
 
-/// What one setting took.
+/// Instructions and hash of the frame that one setting of a sweep drew.
 pub struct Drawn {
     instructions: u64,
     prepare: u32,
     hash: FrameHash,
 }
 
-/// Goes through the settings, reports each and ends the emulation.
+/// Draws a frame with each setting, reports each, and ends the emulation.
 pub fn sweep(order: &Order, runs: &[Run], row: &mut [Rgb888]) -> ! {
     let clock = Clock::start();
     for (index, run) in (0..).zip(black_box(runs)) {

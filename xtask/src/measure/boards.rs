@@ -7,7 +7,7 @@ pub struct Board {
     pub name: &'static str,
     /// The core's name on the command line; the M0+ is measured as an M0.
     core: &'static str,
-    /// How fast the core runs, in MHz.
+    /// Clock frequency of the board's core, in MHz.
     pub clock: f64,
     pub display: Display,
 }
@@ -17,7 +17,7 @@ pub struct Display {
     chip: &'static str,
     width: u32,
     height: u32,
-    /// Clocks of the bus that a pixel takes.
+    /// Clock cycles of the bus to send one pixel.
     clocks: f64,
     bus: Bus,
 }
@@ -74,7 +74,7 @@ pub const BOARDS: [Board; 8] = [
 ];
 
 impl Board {
-    /// The name of the core whose cycles stand for its own.
+    /// Returns the name of the core whose cycles are used for this board.
     pub fn core(&self) -> &'static str {
         self.core.trim_end_matches('+')
     }
@@ -84,7 +84,7 @@ impl Board {
         title.to_owned() + self.core.trim_start_matches(self.core())
     }
 
-    /// The seconds that a frame takes, an estimate.
+    /// Estimates the seconds that the board takes to draw a frame.
     pub fn frame(&self, cycles_per_pixel: f64) -> f64 {
         cycles_per_pixel * self.display.pixels() / (self.clock * 1e6)
     }
@@ -99,7 +99,7 @@ impl Display {
         format!("{}x{} {}, {bus}", self.width, self.height, self.chip)
     }
 
-    /// The seconds that it takes to send a frame.
+    /// Returns the seconds that the bus takes to send a frame.
     pub fn transfer(&self) -> f64 {
         let (Bus::Spi(clock) | Bus::I2c(clock)) = self.bus;
         self.pixels() * self.clocks / (clock * 1e6)

@@ -3,11 +3,11 @@
 /// A build profile of the package `xtask/firmware`.
 #[derive(Debug, PartialEq, Eq)]
 pub struct BuildProfile {
-    /// How tables name it.
+    /// Name of the build profile in tables.
     pub name: &'static str,
-    /// What `cargo build` is told. The package's own release profile is the recommended one.
+    /// Arguments of `cargo build` that choose the build profile.
     pub arguments: &'static [&'static str],
-    /// Where Cargo puts what it builds.
+    /// Folder in which Cargo puts the programs of the build profile.
     pub folder: &'static str,
 }
 

@@ -11,7 +11,7 @@ use object::{Object, ObjectSection, SectionKind};
 
 use super::cores::{Clock, Core, TIMER_SHIFT};
 
-/// What the emulator is told to log of a program's clock.
+/// How the emulator logs the clock readings of a program.
 pub enum ClockLog {
     /// A timer that counts down once in so many nanoseconds.
     Timer { nanoseconds_per_tick: u32 },
@@ -34,7 +34,7 @@ impl ClockLog {
         })
     }
 
-    /// The emulator's options.
+    /// Returns the options with which QEMU logs the readings of the clock.
     pub fn options(&self) -> Vec<String> {
         match self {
             Self::Timer { .. } => vec!["-trace".to_owned(), TIMER_EVENT.to_owned()],
@@ -65,7 +65,7 @@ impl ClockLog {
         counts.map(|count| count.saturating_sub(overhead)).collect()
     }
 
-    /// The instructions between two readings.
+    /// Returns the executed instructions between two clock readings.
     fn instructions(&self, start: u32, end: u32) -> u64 {
         match self {
             Self::Timer {

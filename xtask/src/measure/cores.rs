@@ -8,10 +8,10 @@ use crate::{cycles::Timing, emulator::qemu::Qemu, toolchain::CORTEX_M_SCRIPT};
 pub struct Core {
     /// Its name on the command line.
     pub name: &'static str,
-    /// Its name in prose.
+    /// Name of the processor core in text, such as `Cortex-M3`.
     pub title: &'static str,
     pub target: &'static str,
-    /// By which cycles are estimated, where Arm publishes timings.
+    /// Timings that Arm publishes for the core, to estimate cycles; `None` if there are none.
     pub timing: Option<Timing>,
     machine: Machine,
 }
@@ -24,9 +24,9 @@ enum Machine {
 
 /// Where a core's firmware reads how many instructions it has executed.
 pub enum Clock {
-    /// From a timer of the board, which runs by the machine's time.
+    /// The firmware reads a timer of the board, which follows the machine's time.
     Timer { nanoseconds_per_tick: u32 },
-    /// From the core's own count.
+    /// The firmware reads the core's own counter of instructions.
     Counter,
 }
 

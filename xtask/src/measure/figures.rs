@@ -21,7 +21,7 @@ pub struct Figures {
     pub prepare_instructions: u64,
     /// The most executed instructions that one row took.
     pub worst_row_instructions: u64,
-    /// That row, counted from 0 at the top.
+    /// Number of the row that took the most instructions, from 0 at the top.
     pub worst_row: u32,
     /// Bytes of code and constants that belong to the library and the scene.
     pub flash: u64,

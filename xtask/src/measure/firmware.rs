@@ -23,16 +23,16 @@ pub const RUN_LIMIT: Duration = Duration::from_secs(10 * 60);
 /// Bytes of a linked program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Weight {
-    /// Machine code.
+    /// Bytes of machine code in a firmware.
     pub code: u64,
-    /// Code, constants, and first values of variables.
+    /// Bytes in flash: code, constants, and first values of variables.
     pub flash: u64,
-    /// Static variables.
+    /// Bytes of static variables in a firmware.
     pub ram: u64,
 }
 
 impl Weight {
-    /// What is beyond another program.
+    /// Returns how many bytes more this program has than another.
     fn beyond(self, other: Self) -> Self {
         Self {
             code: self.code.saturating_sub(other.code),
@@ -57,7 +57,7 @@ pub fn is_counted(symbol: &str) -> bool {
     symbol.contains("Contestant") && (symbol.contains("7prepare") || symbol.contains("3row"))
 }
 
-/// The two programs of the firmware.
+/// Two linked programs: one draws the scene, the other an empty frame.
 pub(super) struct Programs {
     pub(super) scene: PathBuf,
     empty: PathBuf,
@@ -65,7 +65,7 @@ pub(super) struct Programs {
 }
 
 impl Programs {
-    /// What the scene's program has beyond the empty one.
+    /// Returns the bytes that the program of the scene has beyond the empty one.
     pub(super) fn weight(&self) -> Result<Weight> {
         Ok(weigh(&self.scene)?.beyond(weigh(&self.empty)?))
     }
@@ -75,7 +75,7 @@ impl Programs {
 struct Place {
     /// The job, and the source of a scene from a file.
     jobs: PathBuf,
-    /// What cargo builds. Cores of one target share it.
+    /// Folder in which cargo builds. Cores of one target share it.
     target: PathBuf,
 }
 
@@ -88,7 +88,7 @@ impl Place {
         }
     }
 
-    /// Where the source of a file's scene lies.
+    /// Returns the path of the Rust source that is written for a scene file.
     fn scene(&self) -> PathBuf {
         self.jobs.join("scene.rs")
     }
@@ -107,7 +107,7 @@ impl Place {
     }
 }
 
-/// The programs for a task.
+/// Returns the programs that measure a task, and builds them if they are not there.
 pub(super) fn build(task: &Task) -> Result<Programs> {
     let place = Place::of(task.core);
     let job = task.job(&place.scene());

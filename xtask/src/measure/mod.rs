@@ -82,7 +82,7 @@ pub fn estimate(task: &Task) -> Result<Option<Estimate>> {
 /// The same task with so few pixels that every instruction can be looked at: what one takes on
 /// average is much the same.
 fn small(task: &Task, figures: &Figures) -> Task {
-    /// A second or two.
+    /// Instructions after which an emulated run takes a second or two.
     const INSTRUCTIONS: f64 = 1e6;
     let side = (INSTRUCTIONS / figures.instructions_per_pixel).sqrt();
     let side = side.clamp(4.0, 16.0) as u32;

@@ -14,14 +14,14 @@ use crate::print;
 /// One row. In JSON the keys are the names of the fields, after those of [`Figures`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MovingFigures {
-    /// Of a frame after the move. The stack holds the scene.
+    /// Figures of a frame that is drawn after the move. The scene is on the stack.
     #[serde(flatten)]
     pub frame: Figures,
     /// Executed instructions of one move, such as `set_sphere`.
     pub move_instructions: u64,
     /// Flash of the constant scene.
     pub constant_flash: u64,
-    /// Its executed instructions, preparation included, over its pixels.
+    /// Executed instructions a pixel of the constant scene, preparation included.
     pub constant_instructions_per_pixel: f64,
 }
 

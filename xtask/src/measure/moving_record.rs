@@ -49,7 +49,7 @@ impl From<MovingFigures> for Kept {
     }
 }
 
-/// Measures all of them again and writes the file.
+/// Measures the moving scenes again and writes their file of kept figures.
 pub fn renew() -> Result<()> {
     let mut lines = String::new();
     for core in CORES.iter().filter(|core| CORE_NAMES.contains(&core.name)) {
@@ -62,7 +62,7 @@ pub fn renew() -> Result<()> {
     kept::write(&file(), &lines)
 }
 
-/// Reads the file.
+/// Reads the kept figures of moving scenes.
 pub fn read() -> Result<Vec<Kept>> {
     kept::read(&file(), "measure --all")
 }
@@ -71,7 +71,7 @@ fn file() -> PathBuf {
     root().join("docs/measured/moving.jsonl")
 }
 
-/// Writes the rows as a table of the page.
+/// Formats the kept figures as a table of docs/boards.md.
 pub fn table(rows: &[Kept]) -> String {
     const HEAD: [&str; 8] = [
         "core",

@@ -8,18 +8,18 @@ use super::clock_log::ClockLog;
 use super::firmware::{self, RUN_LIMIT, Weight};
 use super::task::Task;
 
-/// What a task came to.
+/// Counts of one measured task: instructions, stack, hash and bytes.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// Instructions of the whole frame.
     pub instructions: u64,
-    /// Those of its preparation.
+    /// Executed instructions of the frame's preparation, before its first row.
     pub prepare: u64,
-    /// Those of each row, from the top down.
+    /// Executed instructions of each row, from the top down.
     pub rows: Vec<u64>,
     /// Most bytes of stack at a time.
     pub stack: u64,
-    /// Hash of the frame.
+    /// Hash of the pixels of the frame.
     pub hash: u64,
     /// What is in flash and static RAM beyond the same firmware with an empty frame.
     pub weight: Weight,
@@ -76,7 +76,7 @@ impl Outcome {
     }
 }
 
-/// The firmware's line of numbers.
+/// Line with which a measuring program reports its numbers.
 pub(crate) struct Report<'a>(&'a str);
 
 impl<'a> Report<'a> {

@@ -47,7 +47,7 @@ impl Page<'_> {
         self.by_core("fast", |row| row.prepare_instructions.to_string())
     }
 
-    /// A row a scene, a column a core.
+    /// Formats a table with a row for each scene and a column for each core.
     fn by_core(&self, quality: &str, cell: impl Fn(&Figures) -> String) -> String {
         let titles = CORES.iter().map(|core| core.title.to_owned());
         by_scene(titles, |scene| {
@@ -105,7 +105,7 @@ impl Page<'_> {
         })
     }
 
-    /// A row a board, a column a scene.
+    /// Formats a table with a row for each board and a column for each scene.
     fn seconds(&self) -> String {
         const SCENES: [&str; 5] = [
             "castle",
@@ -142,7 +142,7 @@ impl Page<'_> {
     }
 }
 
-/// A row a scene.
+/// Writes a table with one row for each built-in scene.
 fn by_scene(
     columns: impl IntoIterator<Item = String>,
     cells: impl Fn(&str) -> Vec<Option<String>>,
@@ -157,7 +157,7 @@ fn by_scene(
     markdown(1, &head, &rows)
 }
 
-/// Two digits that count.
+/// Formats a time in seconds or milliseconds with two significant digits.
 fn seconds(time: f64) -> String {
     match time {
         _ if time >= 10.0 => format!("{time:.0} s"),

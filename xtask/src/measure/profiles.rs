@@ -13,10 +13,10 @@ use super::{Core, Quality, Scene, Size, Task, count};
 use crate::table::{filled, markdown};
 use crate::{kept, root};
 
-/// A large scene and a small one.
+/// Scenes from which build profiles are measured: a large one and a small one.
 const SCENES: [&str; 2] = ["castle", "corner1"];
 
-/// As docs/boards.md is measured.
+/// Size of the pictures from which build profiles are measured: as in docs/boards.md.
 const SIZE: Size = Size::new(64, 64);
 
 /// The flash of the default board, an LM3S6965, in bytes.

@@ -155,7 +155,7 @@ pub enum Ray {
     /// The pixel's first ray, not followed yet.
     #[default]
     New,
-    /// The pixel's first ray.
+    /// The camera ray of a pixel.
     First,
     /// A ray after the first reflection.
     Mirrored,

@@ -7,7 +7,7 @@ use super::catalogue::judge::{Verdict, judge};
 
 /// A case that was tried, and its verdict.
 pub struct Tried {
-    /// Title of the chapter.
+    /// Title of the page's chapter in which a case stands.
     pub chapter: &'static str,
     /// Name of the case.
     pub name: String,
@@ -133,7 +133,7 @@ pub const AIM: f64 = 0.9;
 
 /// Numbers of cases that are compared with single precision, and of those that are no worse.
 pub struct Compared {
-    /// Number of compared cases.
+    /// Number of cases in which fixed point and single precision are compared.
     pub all: usize,
     /// Cases that are no worse by the rule of the page, in `Exact`, `Fine` and `Fast`.
     pub no_worse: [usize; 3],

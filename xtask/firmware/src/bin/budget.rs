@@ -17,7 +17,7 @@ use frame_hash::FrameHash;
 use reflet::budget::{Budgeted, FrontPoint, ParetoFront, QualityLevel};
 use reflet::scenes::{BuiltIn, Castle};
 
-/// What was measured, and the size it was measured at.
+/// Measured points of a Pareto front, and the picture size for which they hold.
 mod measured {
     // Only the castle is drawn.
     #![allow(dead_code)]
@@ -32,7 +32,7 @@ mod measured {
 static mut FRAME: [Rgb888; measured::SIZE.0 * measured::SIZE.1] =
     [Rgb888::BLACK; measured::SIZE.0 * measured::SIZE.1];
 
-/// Made up, so that both kinds of pixels are drawn.
+/// Invented points of a front, of which one draws larger pixels and one single pixels.
 const CHEAP: FrontPoint = FrontPoint {
     prepare: 0,
     instructions: 400,

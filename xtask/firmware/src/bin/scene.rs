@@ -10,7 +10,7 @@ mod job {
     include!(env!("MEASURE_JOB"));
 }
 
-/// The row that is being drawn. Not on the stack, so that the stack is the contestant's.
+/// Pixels of the row that is drawn. They are static, so the stack holds only what the renderer needs.
 static mut ROW: [Rgb888; job::ORDER.size.0 as usize] = [Rgb888::BLACK; job::ORDER.size.0 as usize];
 
 #[unsafe(no_mangle)]

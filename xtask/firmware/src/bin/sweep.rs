@@ -10,7 +10,7 @@ mod job {
     include!(env!("MEASURE_JOB"));
 }
 
-/// The row that is being drawn.
+/// Pixels of the row that is drawn.
 static mut ROW: [Rgb888; job::ORDER.size.0 as usize] = [Rgb888::BLACK; job::ORDER.size.0 as usize];
 
 #[unsafe(no_mangle)]

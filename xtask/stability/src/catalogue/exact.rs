@@ -16,9 +16,9 @@ pub trait Real:
     + Mul<Output = Self>
     + Div<Output = Self>
 {
-    /// Converts a double, rounded.
+    /// Converts a double to the number type, rounded to nearest.
     fn of(value: f64) -> Self;
-    /// Returns the square root.
+    /// Returns the square root of a number.
     fn root(self) -> Self;
 }
 

@@ -57,7 +57,7 @@ pub enum Trial {
     Picture(Picture),
     /// A picture of one colour, which a closed form gives.
     Closed {
-        /// The scene.
+        /// Scene of the case.
         draft: Draft,
         /// Largest number of reflections.
         reflections: u8,
@@ -72,7 +72,7 @@ pub enum Trial {
 
 /// A picture to draw, and the bar that it has to meet.
 pub struct Picture {
-    /// The scene.
+    /// Scene of the case.
     pub draft: Draft,
     /// Largest number of reflections.
     pub reflections: u8,
@@ -86,18 +86,18 @@ pub struct Picture {
 pub struct Measured {
     /// What the result is compared with.
     pub reference: &'static str,
-    /// Unit of the errors.
+    /// Unit in which the errors of a case are stated.
     pub unit: &'static str,
-    /// Error of fixed point.
+    /// Measured error of the fixed-point picture of a case.
     pub fixed: f64,
-    /// Error of single precision.
+    /// Measured error of the single-precision picture of a case.
     pub single: f64,
     /// Largest error of fixed point that meets the bar.
     pub bar: f64,
     /// Uncertainty of the errors. If that of fixed point is not larger than this, it counts as no
     /// worse.
     pub uncertain: f64,
-    /// Further observations, as text.
+    /// Further observations about a case, as text for the page.
     pub note: String,
 }
 
