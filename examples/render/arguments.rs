@@ -98,7 +98,7 @@ impl Arguments {
         paths.any(|path| is_standard_output(path))
     }
 
-    /// Returns how the picture is drawn.
+    /// Returns the settings with which the picture is drawn: size, reflections, quality, shading.
     pub fn settings(&self) -> Settings {
         let Self {
             reflections,

@@ -60,7 +60,7 @@ impl<'a, S: Drawable, L: NeedsLimit> Limited<'a, S, L> {
         })
     }
 
-    /// Returns the scene without its limit.
+    /// Returns the scene that is limited, as it is without its limit of needs.
     pub(super) fn scene(&self) -> &'a S {
         self.scene
     }

@@ -107,7 +107,7 @@ pub struct LightRay {
 /// Whether the end of a shadow ray lies on the surface of the shape under test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Own {
-    /// The end lies on the surface of another shape.
+    /// The end of the light's ray lies on the surface of another shape.
     No,
     /// The end lies on the outer side of this shape's surface.
     Outside,

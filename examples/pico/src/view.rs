@@ -35,7 +35,7 @@ impl View {
         NAMES[self.scene]
     }
 
-    /// Returns the view that a request leads to.
+    /// Returns the view, scene and camera, that follows this one after a key was pressed.
     pub fn after(self, request: Request) -> Self {
         match request {
             Request::Orbit(azimuth, elevation) => {

@@ -17,7 +17,7 @@ struct Fate {
     lost: u64,
     /// Rays that came to an open end.
     left_by_end: u64,
-    /// Rays that hit the wall where they had left it.
+    /// Number of rays that left a cylinder's wall and wrongly hit it again in the same place.
     met_again: u64,
     /// Hits that were dark although a light is inside.
     dark: u64,

@@ -51,7 +51,7 @@ struct Fate {
     grazed_by_light: u64,
     /// Hits that must be lit by a light that is clear to the culling.
     clear: u64,
-    /// Hits that must be lit but were black, with culling or without.
+    /// Number of hits that must be lit but were black, with culling tables or without them.
     dark: u64,
     /// Mirrored rays that hit the shape again.
     met_again: u64,

@@ -57,7 +57,7 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// The task that it comes to.
+    /// Returns the measurement that the arguments ask for.
     ///
     /// # Errors
     /// [`Misuse`](crate::misuse::Misuse) where the scene cannot be used.
