@@ -98,7 +98,7 @@ impl Arguments {
         paths.any(|path| is_standard_output(path))
     }
 
-    /// Returns the settings with which the picture is drawn: size, reflections, quality, shading.
+    /// Returns the settings with which the picture is drawn: reflections, shading and quality.
     pub fn settings(&self) -> Settings {
         let Self {
             reflections,
