@@ -42,7 +42,7 @@ impl Number {
         }
         // The value is (2^52 + fraction) · 2^(exponent - 1075); the format adds 2^64.
         let shift = exponent - 1075 + 64;
-        if shift > 73 {
+        if shift > 74 {
             return Self::OUT_OF_RANGE;
         }
         let mantissa = (1 << 52) | fraction;

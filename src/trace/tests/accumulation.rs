@@ -70,7 +70,8 @@ fn bound(reflections: usize, brightest: f64) -> (f64, f64) {
     (weights + 0.375, count + 1.0 + weights + 0.125)
 }
 
-/// Returns by how many steps a sum is too small, without what its throughput leaves out.
+/// Returns by how many steps rounding made a sum too small. Light that was cut off because the throughput
+/// was too small does not count.
 fn missing(chain: &Chain, summed: &Summed) -> f64 {
     let (first, later) = chain.hits.split_at(summed.reflections + 1);
     let next = recursion(later, chain.end);

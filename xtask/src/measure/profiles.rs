@@ -172,7 +172,8 @@ fn fit(rows: &[Row]) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// A row a profile; `cells` of the row of each scene and of the first profile's row of that scene.
+/// Writes a table with one row for each compiler profile and one column for each scene. `cells` compares a
+/// profile's figures of a scene with those of the first profile.
 fn table<const N: usize>(
     rows: &[Row],
     names: [&str; N],
