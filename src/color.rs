@@ -3,7 +3,7 @@
 
 use crate::number::{
     Brightness, Number, Unit, add_high_positive, high_positive, narrowed, offset_modulo_2_32,
-    to_u8, unsigned, wide_positive,
+    signed, to_u8, unsigned, wide_positive,
 };
 
 /// Linear colour: red, green and blue in Q6.26, each from 0 to below 32.
@@ -143,38 +143,36 @@ impl Sum {
         self.0 = [red, green, blue];
     }
 
-    /// Interpolates between this sum and `end` with a cubic. Returns this sum and the values at 1/4, 1/2
-    /// and 3/4 of the distance. `first` and `last` are the second differences at the two ends. If they
-    /// are [`Bend::of`] the neighbouring sums, the cubic is Lagrange's through all four sums.
-    #[inline(always)]
-    pub fn towards(self, end: Self, [first, last]: [Bend; 2]) -> [Self; 4] {
-        let mut sums = [self; 4];
-        for axis in 0..3 {
-            let (start, way) = (self.0[axis], end.0[axis] - self.0[axis]);
-            // A second difference is within ±2³⁰, so twelve times 1/32 of it fit 32 bits.
-            let (first, last) = (first.0[axis] >> 5, last.0[axis] >> 5);
-            // At u: the straight line minus (u - u²) / 6 · ((2 - u) first + (1 + u) last).
-            let both = 5 * (first + last);
-            sums[1].0[axis] = start + (way >> 2) - ((both + 2 * first) >> 2);
-            sums[2].0[axis] = start + (way >> 1) - (2 * (first + last));
-            sums[3].0[axis] = end.0[axis] - (way >> 2) - ((both + 2 * last) >> 2);
+    /// Fills `sums` with the parabola through three sums at distances of `half`, 2 to 8, up to the last of
+    /// the three.
+    pub fn parabola([start, middle, end]: [Self; 3], half: u32, sums: &mut [Self]) {
+        let bits = half.trailing_zeros();
+        let bend = Bend::of(start, middle, end);
+        // Second difference for a distance of 1, and the first one at the start.
+        let second = bend.each(bend, |bend, _| bend >> (2 * bits));
+        let slope = middle.each(start, |middle, start| (middle - start) >> bits);
+        let half = signed(half);
+        let mut first = slope.each(second, |slope, second| slope - second * (half - 1) / 2);
+        let mut sum = start;
+        for place in sums.iter_mut().take(2 * half.unsigned_abs() as usize) {
+            *place = sum;
+            sum = sum.each(first, |sum, first| sum + first);
+            first = first.each(second, |first, second| first + second);
         }
-        sums
     }
 
-    /// Interpolates the sum half way between this sum and `end`, on the cubic with the second
-    /// differences `first` and `last` at the two ends.
+    /// Returns a quarter of a second difference: that for half the distance.
     #[inline(always)]
-    pub fn half_way(self, end: Self, [first, last]: [Bend; 2]) -> Self {
-        let bend = first.each(last, |first, last| (first >> 4) + (last >> 4));
+    pub fn quarter(self) -> Self {
+        self.each(self, |bend, _| bend >> 2)
+    }
+
+    /// Interpolates the sum half way between this sum and `end`. `bend` is the second difference of the
+    /// three.
+    #[inline(always)]
+    pub fn half_way(self, end: Self, bend: Bend) -> Self {
         let middle = self.each(end, |start, end| (start + end) >> 1);
-        middle.less(bend)
-    }
-
-    /// Adds three quarters of another sum.
-    #[inline(always)]
-    pub fn with_most_of(self, other: Self) -> Self {
-        self.each(other, |sum, other| sum + other - (other >> 2))
+        middle.each(bend, |middle, bend| middle - (bend >> 1))
     }
 
     /// Subtracts another sum of a pixel's colour, channel by channel.
@@ -224,18 +222,6 @@ impl Bend {
         let ends = before.each(after, |before, after| before + after);
         ends.each(middle, |ends, middle| ends - 2 * middle)
     }
-
-    /// Returns the second difference of three sums at unequal distances: `after` is half as far from
-    /// `middle` as `before`. The result is for the distance of `after`, and 1/16 too small.
-    #[inline(always)]
-    pub fn of_uneven(before: Sum, middle: Sum, after: Sum) -> Self {
-        let ends = before.each(after, |before, after| before + 2 * after);
-        ends.each(middle, |ends, middle| {
-            let bends = ends - 3 * middle;
-            // A third, approximately: 1/4 + 1/16.
-            (bends >> 2) + (bends >> 4)
-        })
-    }
 }
 
 /// Converts a coordinate of a normal to a brightness: (1 + `unit`) / 2. The view of normals shows it.
@@ -278,20 +264,5 @@ mod tests {
     #[test]
     fn what_is_brighter_than_white_is_white() {
         assert_eq!(quantised(16.0), 255);
-    }
-
-    #[test]
-    fn three_sums_at_uneven_distances_tell_how_much_a_parabola_bends() {
-        // Sums at x = 0, 2 and 3. For the distance 1, the second difference is twice the factor of x².
-        for factor in [-(1 << 24), -123_457, -1, 0, 1, 98_765, 1 << 24] {
-            let at = |x: i32| Sum([0, 7, -9].map(|slope| factor * x * x + slope * x + 1_000));
-            let Sum(bends) = Bend::of_uneven(at(0), at(2), at(3));
-            let truth = 2 * factor;
-            for bend in bends {
-                // The result is 1/16 too small, and two shifts are rounded down.
-                let short = (truth - bend).abs();
-                assert!(short <= truth.abs() / 16 + 2, "{bend}, not {truth}");
-            }
-        }
     }
 }

@@ -6,6 +6,12 @@
 //! kernels work on it directly. Else it is *far*: its point is in steps of 2ˢ, and a ray that starts
 //! there is first moved to the ball.
 
+mod row_plane;
+mod screen_axis;
+
+pub(crate) use row_plane::{Chord, NO_COLUMN, RowPlane, Span, column};
+pub(crate) use screen_axis::ScreenAxis;
+
 use crate::number::{
     Length, high, narrowed, offset_modulo_2_32, product_modulo_2_32, shifted, signed,
     sum_modulo_2_32, unsigned,
@@ -195,14 +201,13 @@ pub(crate) const fn spread(number: u32) -> u32 {
     product_modulo_2_32(number, 0x9e37_79b1)
 }
 
-/// Hash of what a path hits: shapes, lights and the sides on which it passes thin shapes. Paths with the
-/// same hits have the same signature.
+/// Hash of what a path hits: shapes and lights. Paths with the same hits have the same signature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PathSignature(u32);
 
 impl PathSignature {
-    /// Highest bit of a signature: whether the path was reflected at a curved surface.
-    const BENT: u32 = 1 << 31;
+    /// Highest bit of a signature: whether part of the path has no known bounds.
+    const COARSE: u32 = 1 << 31;
 
     /// Creates the signature of a path that has hit nothing yet. It is not 0, because notes of 0 would
     /// leave 0 unchanged.
@@ -224,34 +229,19 @@ impl PathSignature {
         self.0 = sum_modulo_2_32(sum_modulo_2_32(self.0, self.0 << 10), met);
     }
 
-    /// Returns the final signature of a path. `is_bent` says whether the path was reflected at a curved
-    /// surface and went on; it is stored in the highest bit.
+    /// Returns the final signature of a path. `is_coarse` says whether part of the path has no known
+    /// bounds; it is stored in the highest bit.
     #[inline(always)]
-    pub(crate) fn ended(self, is_bent: bool) -> Self {
-        Self(self.0 & !Self::BENT | u32::from(is_bent) << Self::BENT.trailing_zeros())
+    pub(crate) fn ended(self, is_coarse: bool) -> Self {
+        Self(self.0 & !Self::COARSE | u32::from(is_coarse) << Self::COARSE.trailing_zeros())
     }
 
-    /// Tests whether the path was reflected at a curved surface.
+    /// Tests whether part of the path has no known bounds: it was reflected at a curved surface, or at
+    /// more than one plane.
     #[inline(always)]
-    pub(crate) fn is_bent(self) -> bool {
-        self.0 & Self::BENT != 0
+    pub(crate) fn is_coarse(self) -> bool {
+        self.0 & Self::COARSE != 0
     }
-}
-
-/// Rays through the centres of a picture's columns, projected along the columns: all start at one near
-/// point and lie in one plane. It also serves for rows; then rows take the place of columns.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ScreenAxis {
-    pub(crate) origin: Point,
-    /// Direction of the camera's view, at right angles to the screen axis.
-    pub(crate) ahead: Direction,
-    /// Direction from one column to the next.
-    pub(crate) aside: Direction,
-    /// Distance from the point to the picture along `ahead`: `distance` · 2^`scale` half pixels.
-    pub(crate) distance: i32,
-    pub(crate) scale: i32,
-    /// Number of pixels along the screen axis.
-    pub(crate) width: u32,
 }
 
 #[cfg(test)]

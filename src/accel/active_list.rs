@@ -10,13 +10,12 @@ use core::marker::PhantomData;
 
 use heapless::Vec;
 
-use super::LONGEST_STRIDE;
 use super::screen_rect::ScreenRect;
 use crate::number::{difference_modulo_2_32, to_u16, to_u32};
-use crate::ray::spread;
+use crate::ray::{RowPlane, Span};
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::Nearest;
-use crate::shape::bounded::Bounded;
+use crate::shape::bordered::Bordered;
 use crate::vector::{Direction, Point};
 
 /// The range of columns that a row has advanced to, the last one included. A ray is traced only through
@@ -29,40 +28,22 @@ pub(crate) struct Window {
 
 /// A shape in an active list, prepared for the rays of the row.
 #[derive(Clone, Copy, Debug)]
-pub struct ActiveShape<'a, K: Bounded> {
+pub struct ActiveShape<'a, K: Bordered> {
     /// The shape, prepared for rays from the eye.
-    from: K::FromPoint,
-    shape: &'a K,
+    pub(super) from: K::FromPoint,
+    pub(super) shape: &'a K,
+    /// Columns in which rays can hit the shape.
+    pub(super) span: Span<K::Rims>,
     /// Index of the shape among its kind.
-    index: u16,
-    /// First column of the shape's rectangle.
-    left: u16,
-    /// Last column of the shape's rectangle.
-    right: u16,
-    /// Centre column if the shape is thin in this row, else `u16::MAX`.
-    middle: u16,
+    pub(super) index: u16,
 }
 
-impl<K: Bounded> ActiveShape<'_, K> {
+impl<K: Bordered> ActiveShape<'_, K> {
     /// Tests whether rays through a column can hit the shape.
     #[inline(always)]
     fn has_column(&self, column: u32) -> bool {
-        let left = u32::from(self.left);
-        difference_modulo_2_32(column, left) <= difference_modulo_2_32(self.right.into(), left)
-    }
-
-    /// Tests whether the shape is thin in this row and the rays of a column pass to the right of its
-    /// centre.
-    #[inline(always)]
-    fn is_left_of(&self, column: u32) -> bool {
-        column > u32::from(self.middle)
-    }
-
-    /// Tests whether the shape ends more than [`LONGEST_STRIDE`] columns before a column. At least one
-    /// traced pixel then lies between them.
-    #[inline(always)]
-    fn has_ended_before(&self, column: u32) -> bool {
-        column > u32::from(self.right) + LONGEST_STRIDE
+        let (first, last) = (u32::from(self.span.first), u32::from(self.span.last));
+        difference_modulo_2_32(column, first) <= difference_modulo_2_32(last, first)
     }
 }
 
@@ -97,18 +78,15 @@ impl<T: Debug, const N: usize> Storage<T> for Vec<T, N> {
 
 /// The active list of one kind of shape.
 #[derive(Debug)]
-pub(super) struct ActiveList<'a, K: Bounded, V> {
+pub(super) struct ActiveList<'a, K: Bordered, V> {
     /// The active shapes; balls are sorted from front to back.
-    active: V,
+    pub(super) active: V,
     /// Index of the first rectangle that `advance` has not yet reached.
     next: usize,
-    /// Sum (XOR) of the notes of all thin balls that were dropped. All further rays pass on their
-    /// right.
-    passed: u32,
     kind: PhantomData<&'a K>,
 }
 
-impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
+impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
     /// Returns an empty list. If the list is never read, `USED` is false and nothing is stored.
     #[inline(always)]
     pub(super) fn new<const USED: bool>() -> Self {
@@ -119,21 +97,22 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
                 true => black_box(0),
                 false => 0,
             },
-            passed: 0,
             kind: PhantomData,
         }
     }
 
     /// Empties the list and goes back to the first column of the row.
     pub(super) fn restart(&mut self) {
-        (self.next, self.passed) = (0, 0);
+        self.next = 0;
         self.active.empty();
     }
 
-    /// Tests whether all active shapes end before a column.
-    pub(super) fn has_ended_before(&self, column: u32) -> bool {
-        let mut active = self.active.as_ref().iter();
-        active.all(|it| u32::from(it.right) < column)
+    /// Returns the first column of a window, or after it, in which a ray can hit an active shape.
+    pub(super) fn first_column(&self, window: &Window) -> u32 {
+        let active = self.active.as_ref().iter();
+        let reached = active.filter(|it| u32::from(it.span.last) >= window.first);
+        let first = reached.map(|it| u32::from(it.span.first)).min();
+        first.unwrap_or(u32::MAX)
     }
 
     /// Advances to the columns from `first` to `last`: drops shapes that end before, adds shapes that
@@ -147,16 +126,9 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         (shapes, rects): (&'a [K], &[ScreenRect]),
         y: u16,
         (first, last): (u32, u32),
-        eye: Point,
+        (eye, row): (Point, &RowPlane),
     ) -> Option<u32> {
-        let passed = &mut self.passed;
-        self.active.keep(|it| {
-            let stays = u32::from(it.right) >= first;
-            if K::IS_BALL && !stays && it.middle < u16::MAX {
-                *passed ^= ShapeId::at(it.index.into()).passed();
-            }
-            stays
-        });
+        self.active.keep(|it| u32::from(it.span.last) >= first);
         let mut until = u32::MAX;
         while let Some(rect) = rects.get(self.next) {
             if rect.has_row(y) {
@@ -166,21 +138,38 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
                     break;
                 }
                 if u32::from(rect.right) >= first {
-                    if let Some(shape) = shapes.get(rect.shape()) {
-                        self.insert(ActiveShape {
-                            from: shape.seen_from_eye(eye),
-                            shape,
-                            index: to_u16(to_u32(rect.shape())),
-                            left: rect.left,
-                            right: rect.right,
-                            middle: rect.middle(y),
-                        })?;
-                    }
+                    self.begin(shapes, rect, first, (eye, row))?;
                 }
             }
             self.next += 1;
         }
         Some(until)
+    }
+
+    /// Inserts the shape of a rectangle if the row's rays can hit it in column `first` or after it. Returns
+    /// `None` if there is no room.
+    #[inline(never)]
+    fn begin(
+        &mut self,
+        shapes: &'a [K],
+        rect: &ScreenRect,
+        first: u32,
+        (eye, row): (Point, &RowPlane),
+    ) -> Option<()> {
+        let Some(shape) = shapes.get(rect.shape()) else {
+            return Some(());
+        };
+        let from = shape.seen_from_eye(eye);
+        let span = shape.span(&from, row, [rect.left, rect.right]);
+        match span.filter(|span| u32::from(span.last) >= first) {
+            None => Some(()),
+            Some(span) => self.insert(ActiveShape {
+                from,
+                shape,
+                span,
+                index: to_u16(to_u32(rect.shape())),
+            }),
+        }
     }
 
     /// Inserts a shape: a ball behind all balls in front of it, any other shape at the end. Returns
@@ -204,51 +193,9 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
 
     /// Intersects a ray with the active shapes of its column, and keeps the nearest hit in `nearest`.
     ///
-    /// Notes on which side of thin shapes the ray passes. `first` is the number of the first shape of
-    /// this kind.
+    /// `first` is the number of the first shape of this kind.
     #[inline(always)]
     pub(super) fn ask(
-        &self,
-        (column, direction): (u32, &Direction),
-        first: usize,
-        nearest: &mut Nearest,
-    ) {
-        match K::IS_BALL {
-            true => self.ask_balls((column, direction), first, nearest),
-            false => self.ask_others((column, direction), first, nearest),
-        }
-    }
-
-    /// Intersects a ray with the active balls of its column, front to back.
-    ///
-    /// Notes the thin balls that the ray passes on their right.
-    #[inline(always)]
-    fn ask_balls(
-        &self,
-        (column, direction): (u32, &Direction),
-        first: usize,
-        nearest: &mut Nearest,
-    ) {
-        nearest.pass(self.passed);
-        for it in self.active.as_ref() {
-            let id = ShapeId::at(first + usize::from(it.index));
-            if it.has_column(column) && nearest.ask_from(it.shape, &it.from, direction, (id, false))
-            {
-                continue;
-            }
-            // Whether something nearer hides the ball counts only close to it. So dropping the ball
-            // later changes nothing.
-            if it.is_left_of(column)
-                && (it.has_ended_before(column) || nearest.may_see::<K>(&it.from))
-            {
-                nearest.pass(id.passed());
-            }
-        }
-    }
-
-    /// Intersects a ray with the active shapes of its column, for kinds that are not balls.
-    #[inline(always)]
-    fn ask_others(
         &self,
         (column, direction): (u32, &Direction),
         first: usize,
@@ -257,13 +204,7 @@ impl<'a, K: Bounded, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         for it in self.active.as_ref() {
             if it.has_column(column) {
                 let id = ShapeId::at(first + usize::from(it.index));
-                let is_thin = it.middle < u16::MAX;
-                let is_hit = nearest.ask_from(it.shape, &it.from, direction, (id, is_thin));
-                if K::IS_FLAT && is_thin && !is_hit {
-                    // It is unknown on which side the ray passes, so the signature equals no other
-                    // ray's.
-                    nearest.pass(spread(column + 1));
-                }
+                nearest.ask_from(it.shape, &it.from, direction, id);
             }
         }
     }

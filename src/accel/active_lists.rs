@@ -8,7 +8,7 @@ use super::active_list::{ActiveList, ActiveShape, Storage, Window};
 use super::screen_bounds::Rects;
 use crate::error::Error;
 use crate::number::Length;
-use crate::ray::{PathSignature, Ray};
+use crate::ray::{Ray, RowPlane};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, Nearest, nearest_of};
 use crate::scene::shape_set::ShapeSet;
@@ -49,21 +49,24 @@ macro_rules! active_lists {
         #[derive(Debug)]
         pub(super) struct ActiveLists<'a, R: ActiveRoom> {
             /// Origin of the rays.
-            eye: Point,
+            pub(super) eye: Point,
+            /// Plane of the row's rays.
+            pub(super) row: RowPlane,
             /// The lists stay valid for windows whose first column is below this one.
             until: u32,
-            $($list: ActiveList<'a, crate::shape::$prepared, R::$active_list<'a>>,)*
+            $(pub(super) $list: ActiveList<'a, crate::shape::$prepared, R::$active_list<'a>>,)*
             /// Whether the rays of all columns test every shape.
-            is_full: bool,
+            pub(super) is_full: bool,
         }
 
         impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
             /// Returns empty lists. If `is_full`, the rays of all columns test every shape. If the
             /// lists are never read, `USED` is false.
             #[inline(always)]
-            pub(super) fn new<const USED: bool>(eye: Point, is_full: bool) -> Self {
+            pub(super) fn new<const USED: bool>((eye, row): (Point, RowPlane), is_full: bool) -> Self {
                 Self {
                     eye,
+                    row,
                     until: if is_full { u32::MAX } else { 0 },
                     $($list: ActiveList::new::<USED>(),)*
                     is_full,
@@ -71,19 +74,22 @@ macro_rules! active_lists {
             }
 
             /// Empties the lists and goes back to the row's first column, for rays from another eye.
-            pub(super) fn restart(&mut self, eye: Point, is_full: bool) {
-                self.eye = eye;
+            pub(super) fn restart(&mut self, (eye, row): (Point, RowPlane), is_full: bool) {
+                (self.eye, self.row) = (eye, row);
                 (self.is_full, self.until) = (is_full, if is_full { u32::MAX } else { 0 });
                 $(self.$list.restart();)*
             }
 
             /// Returns the column before which no ray of the row hits a bounded shape, from the
-            /// window's first column on. Returns `None` if a shape reaches the window's first column or
-            /// a column after it.
+            /// window's first column on. Returns `None` if a ray of the window may hit one.
             pub(super) fn clear_until<W: SceneAccess>(&self, window: &Window) -> Option<u32> {
-                let is_clear = !self.is_full
-                    $(&& (!W::NEEDS.$list || self.$list.has_ended_before(window.first)))*;
-                is_clear.then_some(self.until)
+                let mut first = u32::MAX;
+                $(
+                    if W::NEEDS.$list {
+                        first = first.min(self.$list.first_column(window));
+                    }
+                )*
+                (!self.is_full && first > window.last).then_some(first.min(self.until))
             }
 
             /// Advances the lists of all kinds to the columns of a window.
@@ -95,13 +101,13 @@ macro_rules! active_lists {
                 y: u16,
                 columns: (u32, u32),
             ) {
-                let (parts, eye) = (world.parts(), self.eye);
+                let (parts, eye, row) = (world.parts(), self.eye, self.row);
                 let mut until = Some(u32::MAX);
                 $(
                     if W::NEEDS.$list {
                         let shapes = parts.$list;
                         let rects = used(rects.$list.as_ref(), shapes.len());
-                        let own = self.$list.advance((shapes, rects), y, columns, eye);
+                        let own = self.$list.advance((shapes, rects), y, columns, (eye, &row));
                         until = earlier(until, own);
                     }
                 )*
@@ -110,7 +116,7 @@ macro_rules! active_lists {
                     None => {
                         // Rebuild the lists for the next columns: they must not depend on where a row
                         // began.
-                        self.restart(eye, false);
+                        self.restart((eye, self.row), false);
                         (self.is_full, self.until) = (true, columns.0 + 1);
                     }
                 }
@@ -124,7 +130,6 @@ macro_rules! active_lists {
                 world: &W,
                 column: u32,
                 (direction, start): (&Direction, Length),
-                signature: &mut PathSignature,
             ) -> Hit {
                 let mut nearest = Nearest::beyond(start);
                 let lengths = world.parts().lengths();
@@ -136,7 +141,7 @@ macro_rules! active_lists {
                     let (kind, first) = (kind + 1, first + lengths[kind]);
                 )*
                 let _ = (kind, first);
-                nearest.hit(signature)
+                nearest.hit()
             }
         }
     };
@@ -168,20 +173,18 @@ impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
     /// Returns the nearest hit of a ray among the bounded shapes, beyond `start`. The distance counts
     /// from there.
     ///
-    /// The ray starts at the eye and goes through a column of the latest window. Notes on which side of
-    /// thin shapes the ray passes.
+    /// The ray starts at the eye and goes through a column of the latest window.
     #[inline(always)]
     pub(super) fn nearest<W: SceneAccess>(
         &self,
         world: &W,
         column: u32,
         (direction, start): (&Direction, Length),
-        signature: &mut PathSignature,
     ) -> Hit {
         if self.is_full {
-            return self.nearest_of_all(world, column, (direction, start), signature);
+            return self.nearest_of_all(world, (direction, start));
         }
-        self.nearest_of_active(world, column, (direction, start), signature)
+        self.nearest_of_active(world, column, (direction, start))
     }
 
     /// Returns the nearest hit of a ray among all bounded shapes. Used when a list had no room.
@@ -190,23 +193,13 @@ impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
     fn nearest_of_all<W: SceneAccess>(
         &self,
         world: &W,
-        column: u32,
         (direction, start): (&Direction, Length),
-        signature: &mut PathSignature,
     ) -> Hit {
-        // It is unknown which shapes are thin, so the signature must equal no other ray's.
-        signature.note(column);
         let ray = Ray {
             origin: self.eye,
             direction: *direction,
         };
-        nearest_of(
-            world,
-            ShapeSet::ALL,
-            (&ray, start),
-            ShapeId::NONE,
-            signature,
-        )
+        nearest_of(world, ShapeSet::ALL, (&ray, start), ShapeId::NONE)
     }
 }
 

@@ -41,6 +41,17 @@ const fn cell_number<const SIDE: usize>(coordinate: i32) -> i32 {
     (coordinate - (coordinate >> 25)) >> cell_bits::<SIDE>()
 }
 
+/// Returns the numbers of the first and the last cell along an axis that hold a coordinate within `spread`
+/// of `middle`.
+pub(super) fn cells_within<const SIDE: usize>(middle: i32, spread: i32) -> (i32, i32) {
+    const ONE: i32 = 1 << 30;
+    let spread = spread + MARGIN;
+    (
+        cell_number::<SIDE>((middle - spread).max(-ONE)),
+        cell_number::<SIDE>((middle + spread).min(ONE)),
+    )
+}
+
 /// Returns the index of a cell from its numbers along the three axes, each -SIDE / 2 to SIDE / 2 - 1.
 #[inline(always)]
 pub(super) const fn cell<const SIDE: usize>(x: i32, y: i32, z: i32) -> usize {

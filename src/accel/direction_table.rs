@@ -4,8 +4,8 @@
 //! shapes that reach into the cell. Neighbouring cells mostly have equal sets, so each different set is
 //! stored once.
 
-use super::cap::{Cap, cell, cell_of};
-use crate::number::{signed, to_u8, to_u32};
+use super::cap::{Cap, cell, cell_of, cells_within};
+use crate::number::{Unit, signed, to_u8, to_u32};
 use crate::scene::shape_set::ShapeSet;
 use crate::vector::{Direction, Vector};
 
@@ -33,6 +33,23 @@ impl<const SIDE: usize, const CELLS: usize, const SETS: usize> DirectionTable<SI
         let number = self.numbers.get(cell).copied().unwrap_or(0);
         let set = self.sets.get(usize::from(number) % SETS);
         set.unwrap_or(ShapeSet::ALL)
+    }
+
+    /// Returns the shapes that rays can hit whose direction differs by at most `spread` from this one.
+    pub(crate) fn around_direction(&self, direction: Direction, spread: Unit) -> ShapeSet {
+        let Vector { x, y, z } = direction.raw();
+        let [x, y, z] = [x, y, z].map(|middle| cells_within::<SIDE>(middle, spread.to_bits()));
+        let mut set = ShapeSet::NONE;
+        for x in x.0..=x.1 {
+            for y in y.0..=y.1 {
+                for z in z.0..=z.1 {
+                    let number = self.numbers.get(cell::<SIDE>(x, y, z) % CELLS);
+                    let number = usize::from(number.copied().unwrap_or(0));
+                    set = set.with(*self.sets.get(number % SETS).unwrap_or(ShapeSet::ALL));
+                }
+            }
+        }
+        set
     }
 
     /// Makes a table from the sets of all cells. Equal sets are stored once.

@@ -62,6 +62,14 @@ macro_rules! light_occluders {
 
         impl<R: Capacity> LightOccluders<R> {
             $(
+                #[doc = concat!("Returns the ", stringify!($list), " as the light sees them.")]
+                #[inline(always)]
+                pub(super) fn $list(&self) -> &[<crate::shape::$prepared as Bounded>::FromLight] {
+                    self.$list.as_ref()
+                }
+            )*
+
+            $(
                 #[doc = concat!("Prepares the view of a ", stringify!($kind), " that has changed.")]
                 pub(super) fn $kind(&mut self, index: usize, parts: &Parts<'_>) {
                     let view = self.$list.as_mut().get_mut(index);

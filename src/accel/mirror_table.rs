@@ -5,9 +5,7 @@
 //! large as both together. So each mirror has a [`DirectionTable`], as each light has. It has 4 x 4 x 4
 //! cells and 16 sets: 192 bytes of flash.
 //!
-//! Bound: a shape is left out of a cell only if every such ray misses it. If rays note on which side
-//! they pass the shape, it is left out only if they pass by the ball around it
-//! ([`passes_by`](crate::vector::Vector::passes_by)). So path signatures do not change either.
+//! Bound: a shape is left out of a cell only if every such ray misses it.
 //!
 //! The compiler makes these tables for constant scenes that have bounded mirrors and 4 to [`MOST`]
 //! bounded shapes.
@@ -17,7 +15,7 @@ use crate::number::{narrowed, square_root, unsigned_wide, wide};
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::scene::{FEW, Parts};
-use crate::vector::{Direction, Point, Vector};
+use crate::vector::{Direction, Point};
 
 /// Largest number of bounded shapes in a scene with mirror tables.
 pub(super) const MOST: usize = 16;
@@ -153,10 +151,9 @@ macro_rules! mirror_table {
                 let mut index = 0;
                 while index < parts.$list.len() {
                     let shape = ShapeSet::of(layout.bit(kind, index));
-                    let is_noted = crate::shape::$prepared::IS_SIDE_NOTED;
                     match parts.moving.meets(shape) {
                         true => cells.add_everywhere(shape),
-                        false => add(cells, from, parts.$list[index].ball(), (shape, is_noted)),
+                        false => add(cells, from, parts.$list[index].ball(), shape),
                     }
                     index += 1;
                 }
@@ -181,13 +178,12 @@ const UNSURE: u64 = 32 << 32;
 
 /// Adds a shape to the cells of all rays that start in one ball and can hit the shape's ball.
 ///
-/// `from` is the radius of the first ball, `origin` its centre. If `is_noted`, also adds the shape to
-/// the cells of rays that may note on which side they pass it.
+/// `from` is the radius of the first ball, `origin` its centre.
 const fn add(
     cells: &mut Cells,
     (origin, from): (Point, i32),
     (center, radius): (Point, i32),
-    (shape, is_noted): (ShapeSet, bool),
+    shape: ShapeSet,
 ) {
     let way = origin.to(center);
     let radius = square_root(unsigned_wide(wide(radius, radius)) + UNSURE) + 16;
@@ -198,12 +194,6 @@ const fn add(
         return cells.add_everywhere(shape);
     }
     cells.add_ball(way, narrowed(both), shape);
-    // A ray away from the shape passes by it for sure if the distance is more than √2 times the sum of
-    // the radii: the shape then lies further behind the ray than its radius. If it is nearer, add the
-    // shape.
-    if is_noted && 2 * distance <= 3 * both {
-        cells.add_ball(Vector::ZERO.minus(way), narrowed(both), shape);
-    }
 }
 
 #[cfg(test)]

@@ -11,6 +11,7 @@ mod direction_table;
 pub(crate) mod drawable;
 mod fingerprint;
 pub(crate) mod light_occluders;
+mod light_stretch;
 pub(crate) mod light_table;
 pub(crate) mod light_visibility;
 pub(crate) mod mirror_table;
@@ -21,9 +22,11 @@ pub(crate) mod screen_bounds;
 pub(crate) mod screen_culling;
 mod screen_rect;
 mod static_scene;
+pub(crate) mod stretch;
 mod within;
 
 pub(crate) use active_list::Window;
+pub(crate) use light_stretch::{LitStretch, lights_all};
 pub use motion::MovingScene;
 pub use scene::{Scene, Tabled};
 pub use static_scene::{Apart, Static, StaticScene};
@@ -34,13 +37,13 @@ use light_occluders::LightOccluders;
 use light_table::LightTable;
 use mirror_table::MirrorTables;
 
-use crate::ray::{PathSignature, Ray};
+use crate::ray::Ray;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
 use crate::scene::shape_set::ShapeSet;
 
 /// Largest stride in pixels: how many columns lie at most from one traced pixel of a row to the next.
-pub(crate) const LONGEST_STRIDE: u32 = 4;
+pub(crate) const LONGEST_STRIDE: u32 = 16;
 
 /// Switches of the culling techniques.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,13 +96,12 @@ pub(crate) fn nearest_ahead<W: World, Q: CullingQuality>(
     world: &W,
     ray: &Ray,
     (mirror, skip): (ShapeId, ShapeId),
-    signature: &mut PathSignature,
 ) -> Hit {
     let candidates = match W::CHOOSES_HITS && Q::CULLING.mirror_tables {
         true => world.tables().mirror_tables.ahead(mirror, ray.direction),
         false => ShapeSet::ALL,
     };
-    nearest_of(world, candidates, (ray, NOWHERE), skip, signature)
+    nearest_of(world, candidates, (ray, NOWHERE), skip)
 }
 
 /// A scene that the kernels can read, together with the tables that make it fast.

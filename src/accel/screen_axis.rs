@@ -3,10 +3,7 @@
 //! same way. All bounds are widened by more than the rounding error.
 
 use super::LONGEST_STRIDE;
-use crate::number::{
-    Quotient, Unit, divide, narrowed_unsigned, ratio, scaled_by_unit, signed, square_root,
-    unsigned_wide, wide,
-};
+use crate::number::{signed, square_root, unsigned_wide};
 use crate::ray::ScreenAxis;
 use crate::vector::Vector;
 
@@ -16,43 +13,20 @@ use crate::vector::Vector;
 pub(super) struct Columns {
     pub(super) first: i32,
     pub(super) last: i32,
-    /// Whether part of the shape may be so narrow that it lies between two traced pixels.
-    pub(super) is_thin: bool,
 }
 
-/// Largest difference of last and first column of a shape that counts as thin. It is more than a
-/// stride, because the bounds are wider than the shape.
-pub(super) const THIN: i32 = signed(LONGEST_STRIDE) + 4;
-
 impl Columns {
-    /// All columns. Used where nothing is known about a shape, so it may be thin.
+    /// All columns. Used where nothing is known about a shape.
     pub(super) const ALL: Self = Self {
         first: 0,
         last: i32::MAX,
-        is_thin: true,
     };
 
-    /// Widens the range of a thin shape by [`LONGEST_STRIDE`] columns on both sides.
-    ///
-    /// The range then includes traced pixels on both sides of the shape. Their rays tell on which side
-    /// they pass it.
-    pub(super) fn with_neighbours(self) -> Self {
-        match self.is_thin {
-            true => Self {
-                first: self.first.saturating_sub(signed(LONGEST_STRIDE)),
-                last: self.last.saturating_add(signed(LONGEST_STRIDE)),
-                ..self
-            },
-            false => self,
-        }
-    }
-
-    /// Returns the smallest range that holds both ranges. It is thin if one of them is.
+    /// Returns the smallest range that holds both ranges.
     fn with(self, other: Self) -> Self {
         Self {
             first: self.first.min(other.first),
             last: self.last.max(other.last),
-            is_thin: self.is_thin || other.is_thin,
         }
     }
 }
@@ -111,43 +85,10 @@ impl ScreenAxis {
         let spread = radius * i64::from(tangent);
         let scale = self.columns_for_each(ahead * ahead - radius * radius);
         let middle = ahead * aside;
-        let first = self.column(middle - spread, scale) - 1;
-        let last = self.column(middle + spread, scale) + 2;
         Columns {
-            first,
-            last,
-            is_thin: last - first <= THIN,
+            first: self.column(middle - spread, scale) - 1,
+            last: self.column(middle + spread, scale) + 2,
         }
-    }
-
-    /// Returns the columns of the highest and the lowest visible point of a sphere, rounded down.
-    /// Returns `None` if the sphere is not wholly in front of the eye. `rows` is the axis of the
-    /// picture's rows.
-    ///
-    /// At these points the sphere touches two planes through the eye that run along the rows of pixels.
-    /// The points have the same `aside` as the sphere's centre. Let the centre be a `ahead` and b down,
-    /// r the radius and t the length of the tangents to the circle that is the sphere seen along the
-    /// rows. The points then lie t (a t ± b r) / (a² + b²) ahead.
-    pub(super) fn tips(&self, rows: &ScreenAxis, way: Vector, radius: i32) -> Option<[i32; 2]> {
-        let ahead = way.dot(self.ahead);
-        if ahead <= radius {
-            return None;
-        }
-        let (aside, down) = (i64::from(way.dot(self.aside)), way.dot(rows.aside));
-        let square = wide(ahead, ahead) + wide(down, down);
-        let tangent = square_root(unsigned_wide(square - wide(radius, radius)));
-        let (along, across) = (wide(ahead, tangent), wide(down, radius));
-        // Keep 30 bits of the square.
-        let drop = 34_u32.saturating_sub(square.leading_zeros());
-        let square = narrowed_unsigned(unsigned_wide(square >> drop));
-        Some([along + across, along - across].map(|touched| {
-            let share = ratio(
-                narrowed_unsigned(unsigned_wide(touched >> drop)).min(square - 1),
-                square,
-            );
-            let ahead = scaled_by_unit(tangent, Unit::from_bits(share)).max(1);
-            self.column(aside, self.columns_for_each(ahead.into()))
-        }))
     }
 
     /// Returns a range that cuts the picture or the columns that are traced to the right of it, else
@@ -155,41 +96,6 @@ impl ScreenAxis {
     fn visible(&self, columns: Columns) -> Option<Columns> {
         let end = signed(self.width + LONGEST_STRIDE);
         (columns.last >= 0 && columns.first < end).then_some(columns)
-    }
-
-    /// Returns the factor from a numerator over `denominator` to half pixels: `distance` · 2^`scale` /
-    /// `denominator`.
-    fn columns_for_each(&self, denominator: i64) -> Quotient {
-        let drop = 33_u32.saturating_sub(denominator.leading_zeros());
-        let Quotient { mantissa, exponent } = divide(
-            unsigned_wide(self.distance.into()) << 31,
-            narrowed_unsigned(unsigned_wide(denominator >> drop)),
-        );
-        Quotient {
-            mantissa,
-            exponent: exponent - 31 - signed(drop) + self.scale,
-        }
-    }
-
-    /// Returns the column of a ray whose tangent is `numerator` over the denominator that made `scale`.
-    /// Rounds down. Columns further than 2¹⁹ from the picture's middle are clamped.
-    fn column(&self, numerator: i64, scale: Quotient) -> i32 {
-        let size = numerator.unsigned_abs();
-        let drop = 32_u32.saturating_sub(size.leading_zeros());
-        let product = (size >> drop) * u64::from(scale.mantissa);
-        // In half pixels: further to the side than any picture is wide.
-        const BESIDE: u64 = 1 << 20;
-        let half_pixels = signed(narrowed_unsigned(match scale.exponent + signed(drop) {
-            0.. => BESIDE,
-            shift @ -63..0 => (product >> -shift).min(BESIDE),
-            _ => 0,
-        }));
-        let half_pixels = if numerator < 0 {
-            !half_pixels
-        } else {
-            half_pixels
-        };
-        (half_pixels + signed(self.width) - 1) >> 1
     }
 }
 

@@ -4,8 +4,8 @@
 //! shapes mirrored in it, as the camera sees them there. Bound: a radius is widened by 2⁻¹⁰ of it and
 //! 64 steps, and by two epsilon more if mirrored. A rectangle is widened by one or two pixels.
 
-use super::screen_axis::{Columns, THIN, widened};
-use super::screen_rect::{ScreenRect, THIN_SHAPE, insert};
+use super::screen_axis::{Columns, widened};
+use super::screen_rect::{ScreenRect, insert};
 use crate::number::Length;
 use crate::ray::ScreenAxis;
 use crate::scene::access::SceneAccess;
@@ -38,7 +38,7 @@ macro_rules! rects {
             fn look<W: SceneAccess>(&mut self, world: &W, eye: &Eye<'_>) {
                 const {
                     assert!(
-                        $(R::COUNTS.$list <= THIN_SHAPE as usize)&&*,
+                        $(R::COUNTS.$list <= 1 << 15)&&*,
                         "a scene has room for at most 32768 shapes of a kind"
                     );
                 }
@@ -116,9 +116,9 @@ impl Eye<'_> {
             let (center, half_axis, radius) = shape.outline();
             let rect = match self.seen(center, half_axis) {
                 Some((way, _)) if K::IS_BALL => self.ball(index, way, radius),
-                Some((way, normal)) if K::IS_FLAT => self.flat(index, (way, normal), radius),
+                Some((way, _)) if K::IS_FLAT => self.capsule(index, (way, Vector::ZERO), radius),
                 Some((way, half_axis)) => self.capsule(index, (way, half_axis), radius),
-                None => ScreenRect::new(index, Columns::ALL, Columns::ALL, None),
+                None => ScreenRect::new(index, Columns::ALL, Columns::ALL),
             };
             insert(rects, index, rect);
         }
@@ -137,52 +137,23 @@ impl Eye<'_> {
             .axes
             .each_ref()
             .map(|axis| axis.sphere_columns(way, widened(radius) + lift));
-        let (Some(mut columns), Some(rows)) = (columns, rows) else {
-            return ScreenRect::of_nothing(index);
-        };
-        // If `lift` is half a pixel or more, the bounds do not tell where the tips are: thin in all
-        // rows.
-        let height = i64::from(rows.last) - i64::from(rows.first);
-        columns.is_thin |= i64::from(lift) * height >= i64::from(radius);
-        let tips = self.axes[0].tips(&self.axes[1], way, radius);
-        ScreenRect::new(index, columns, rows, tips)
-    }
-
-    /// Returns the rectangle of a disc. `way` is the vector from the camera to its centre, and `normal`
-    /// its normal, as long as the radius.
-    fn flat(&self, index: usize, (way, normal): (Vector, Vector), radius: i32) -> ScreenRect {
-        let rect = self.capsule_columns((way, Vector::ZERO), radius);
-        let Some((mut columns, rows)) = rect else {
-            return ScreenRect::of_nothing(index);
-        };
-        // A disc that is seen edge-on is narrower than its columns.
-        let (direction, _) = way.direction_and_length();
-        let width = i64::from(columns.last) - i64::from(columns.first);
-        let thickness = width * i64::from(normal.dot(direction).abs());
-        columns.is_thin |= thickness <= i64::from(THIN) * i64::from(radius);
-        ScreenRect::new(index, columns.with_neighbours(), rows, None)
-    }
-
-    /// Returns the rectangle of a capsule: the vector from the camera to its middle, and its half axis.
-    fn capsule(&self, index: usize, capsule: (Vector, Vector), radius: i32) -> ScreenRect {
-        match self.capsule_columns(capsule, radius) {
-            Some((columns, rows)) => ScreenRect::new(index, columns.with_neighbours(), rows, None),
-            None => ScreenRect::of_nothing(index),
+        match (columns, rows) {
+            (Some(columns), Some(rows)) => ScreenRect::new(index, columns, rows),
+            _ => ScreenRect::of_nothing(index),
         }
     }
 
-    /// Returns the columns and the rows that a capsule covers, `None` if the picture does not show it.
-    fn capsule_columns(
-        &self,
-        (way, half): (Vector, Vector),
-        radius: i32,
-    ) -> Option<(Columns, Columns)> {
+    /// Returns the rectangle of a capsule: the vector from the camera to its middle, and its half axis.
+    fn capsule(&self, index: usize, (way, half): (Vector, Vector), radius: i32) -> ScreenRect {
         let radius = widened(radius) + self.lift();
         let [columns, rows] = self
             .axes
             .each_ref()
             .map(|axis| axis.capsule_columns(way, half, radius));
-        columns.zip(rows)
+        match (columns, rows) {
+            (Some(columns), Some(rows)) => ScreenRect::new(index, columns, rows),
+            _ => ScreenRect::of_nothing(index),
+        }
     }
 
     /// Returns the vector from the camera to a shape's middle, and the shape's half axis. Both are

@@ -9,12 +9,13 @@ use super::World;
 use super::active_list::Window;
 use super::active_lists::ActiveLists;
 use super::screen_bounds::ScreenBounds;
-use crate::ray::{PathSignature, Ray, ScaledPoint};
+use super::stretch::Stretch;
+use crate::ray::{Ray, RowPlane, ScaledPoint};
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
 use crate::scene::shape_set::ShapeSet;
 use crate::shape::plane::PreparedPlane;
-use crate::vector::Point;
+use crate::vector::{Direction, Point};
 
 /// The active lists of one row: for the camera's rays, and for rays that a plane has mirrored.
 pub(crate) struct ScreenCulling<'a, W: World> {
@@ -42,7 +43,7 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     #[inline(always)]
     pub(crate) fn new<const USED: bool>(
         bounds: Option<&'a ScreenBounds<W::Room>>,
-        from: ScaledPoint,
+        (from, row): (ScaledPoint, RowPlane),
         y: u32,
         is_full: bool,
     ) -> Self {
@@ -52,9 +53,9 @@ impl<'a, W: World> ScreenCulling<'a, W> {
             // `to_u16` would change what the compiler inlines. `RayGenerator::row` asserts the range.
             y: (y & 0xffff) as u16,
             is_full,
-            direct: ActiveLists::new::<USED>(from.point, is_full || !from.is_near()),
+            direct: ActiveLists::new::<USED>((from.point, row), is_full || !from.is_near()),
             plane: ShapeId::NONE,
-            mirrored: ActiveLists::new::<USED>(Point::ORIGIN, true),
+            mirrored: ActiveLists::new::<USED>((Point::ORIGIN, row), true),
         }
     }
 
@@ -81,24 +82,12 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     /// Returns the nearest bounded shape that a ray of the camera hits. The ray goes through a column
     /// of the latest window.
     #[inline(always)]
-    pub(crate) fn direct(
-        &self,
-        world: &W,
-        column: u32,
-        ray: &Ray,
-        signature: &mut PathSignature,
-    ) -> Hit {
+    pub(crate) fn direct(&self, world: &W, column: u32, ray: &Ray) -> Hit {
         if self.camera.is_none() {
-            return nearest_of(
-                world,
-                ShapeSet::ALL,
-                (ray, NOWHERE),
-                ShapeId::NONE,
-                signature,
-            );
+            return nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), ShapeId::NONE);
         }
-        let ray = (&ray.direction, NOWHERE);
-        self.direct.nearest(world, column, ray, signature)
+        self.direct
+            .nearest(world, column, (&ray.direction, NOWHERE))
     }
 
     /// Returns the nearest bounded shape that a ray of the camera hits after its first reflection in a
@@ -112,20 +101,69 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         (id, plane): (ShapeId, &PreparedPlane),
         (window, column): (&Window, u32),
         ray: &Ray,
-        signature: &mut PathSignature,
     ) -> Hit {
+        if !self.has_mirrored(world, (id, plane), window) {
+            return nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), id);
+        }
+        let ray = (&ray.direction, self.mirrored.distance(ray));
+        self.mirrored.nearest(world, column, ray)
+    }
+
+    /// Makes the second list that of a plane and advances it to a window. Returns whether that is possible.
+    #[inline(always)]
+    fn has_mirrored(
+        &mut self,
+        world: &'a W,
+        (id, plane): (ShapeId, &PreparedPlane),
+        window: &Window,
+    ) -> bool {
         let index = world.parts().plane_index(id);
         let bounds = self.bounds.zip(index);
         let rects = bounds.and_then(|(bounds, index)| bounds.mirrored(index));
         let is_known = self.plane == id || self.look_into(world, id, plane).is_some();
         let (Some(rects), true) = (rects, is_known) else {
-            // It is unknown which shapes are thin, so the signature must equal no other ray's.
-            signature.note(column);
-            return nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), id, signature);
+            return false;
         };
         self.mirrored.advance(world, rects, self.y, window);
-        let ray = (&ray.direction, self.mirrored.distance(ray));
-        self.mirrored.nearest(world, column, ray, signature)
+        true
+    }
+
+    /// Tests whether all rays of a stretch surely hit what its ends hit: rays of the camera, or their first
+    /// reflection in a plane. The stretch lies in `window`.
+    pub(crate) fn keeps(
+        &mut self,
+        world: &'a W,
+        mirror: Option<(ShapeId, &PreparedPlane)>,
+        window: &Window,
+        stretch: &Stretch<'_>,
+    ) -> bool {
+        if !world.parts().has_bounded() {
+            return true;
+        }
+        match mirror {
+            None => self.bounds.is_some() && self.direct.keep::<W>(world, stretch),
+            Some((id, plane)) => {
+                self.has_mirrored(world, (id, plane), window)
+                    && self.mirrored.keep::<W>(world, stretch)
+            }
+        }
+    }
+
+    /// Returns the point at which the rays of a stretch start: the camera, or its image in a plane. `None`
+    /// if that is not known.
+    pub(crate) fn eye(
+        &self,
+        world: &W,
+        mirror: Option<(ShapeId, &PreparedPlane)>,
+    ) -> Option<(Point, Direction)> {
+        let camera = self.camera?;
+        match mirror {
+            None => Some((camera, self.direct.row.normal)),
+            Some((_, plane)) => Some((
+                plane.mirrored(camera, world.parts().epsilon)?,
+                self.direct.row.mirrored(plane.normal).normal,
+            )),
+        }
     }
 
     /// Prepares the active list for rays mirrored in another plane. Returns `None` if the camera or its
@@ -134,7 +172,8 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     fn look_into(&mut self, world: &W, id: ShapeId, plane: &PreparedPlane) -> Option<()> {
         let eye = plane.mirrored(self.camera?, world.parts().epsilon)?;
         self.plane = id;
-        self.mirrored.restart(eye, self.is_full);
+        let row = self.direct.row.mirrored(plane.normal);
+        self.mirrored.restart((eye, row), self.is_full);
         Some(())
     }
 }

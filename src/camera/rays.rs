@@ -2,7 +2,7 @@
 
 use super::Camera;
 use crate::number::{Scaled, shifted, signed, signed_wide, stepped, unsigned_wide, wide};
-use crate::ray::ScreenAxis;
+use crate::ray::{RowPlane, ScreenAxis};
 use crate::vector::{Direction, Point, Vector};
 
 impl Camera {
@@ -64,9 +64,9 @@ impl RayGenerator {
     /// picture.
     pub(crate) fn row(&self, y: u32) -> RowDirections {
         debug_assert!(y < self.height && self.height < 1 << 16);
-        let vertical = i64::from(self.height) - 1 - 2 * i64::from(y);
+        let vertical = self.vertical(y);
         let horizontal = 1 - i64::from(self.width);
-        let middle = [0, 1, 2].map(|axis| self.ahead[axis] + self.up[axis] * vertical);
+        let middle = self.middle(vertical);
         let [x, y, z] = middle.map(|coordinate| (coordinate >> 32) as i32);
         let side = shifted(1 << 32, self.scale);
         RowDirections {
@@ -76,6 +76,35 @@ impl RayGenerator {
             aside: side * horizontal,
             step_aside: 2 * side,
         }
+    }
+
+    /// Returns the plane of row `y`, for rays from `origin`.
+    pub(crate) fn row_plane(&self, y: u32, origin: Point) -> RowPlane {
+        let [x, y, z] = self
+            .middle(self.vertical(y))
+            .map(|coordinate| (coordinate >> 32) as i32);
+        let (ahead, distance) = Vector::new(x, y, z).direction_and_length();
+        RowPlane {
+            axis: ScreenAxis {
+                origin,
+                ahead,
+                aside: self.right,
+                distance: distance.to_bits(),
+                scale: 2 - self.scale,
+                width: self.width,
+            },
+            normal: self.right.crossed(ahead),
+        }
+    }
+
+    /// Returns the distance of a row from the middle of the picture, in half pixels, upwards.
+    fn vertical(&self, y: u32) -> i64 {
+        i64::from(self.height) - 1 - 2 * i64::from(y)
+    }
+
+    /// Returns the vector to the middle of a row, scaled as [`RowDirections`] says.
+    fn middle(&self, vertical: i64) -> [i64; 3] {
+        [0, 1, 2].map(|axis| self.ahead[axis] + self.up[axis] * vertical)
     }
 }
 

@@ -62,7 +62,7 @@ pub fn follow<S: Drawable>(
     let mut left = ShapeId::NONE;
     let mut rays = vec![plain(world, &path)];
     for _ in 0..reflections {
-        let hit = nearest_hit(world, &path, left, &mut PathSignature::new());
+        let hit = nearest_hit(world, &path, left);
         let Some((at, shape)) = hit else {
             break;
         };

@@ -26,6 +26,12 @@ impl Exponent {
         self.is_whole() && self.whole & 1 == 0
     }
 
+    /// Returns the smallest integer above the exponent.
+    #[inline(always)]
+    pub const fn next_integer(self) -> u32 {
+        self.whole + 1
+    }
+
     /// Tests whether the exponent is an integer.
     #[inline(always)]
     pub const fn is_whole(self) -> bool {

@@ -245,7 +245,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         [x, y]: [u32; 2],
         draw: impl FnOnce(&mut Colors<'_, '_, S::World<'a>, K, Q>) -> T,
     ) -> (T, Report) {
-        let mut tracer = self.tracer(y);
+        let mut tracer = self.tracer(generator, y);
         let mut colors = Colors::new(&mut tracer, generator.row(y), x, self.frame.width);
         let drawn = draw(&mut colors);
         (drawn, Report::of(&tracer))
@@ -267,8 +267,9 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
 
     /// Returns the tracer for the rays of row `y`.
     #[inline(always)]
-    fn tracer(&self, y: u32) -> Tracer<'_, S::World<'a>, K, Q> {
+    fn tracer(&self, generator: &RayGenerator, y: u32) -> Tracer<'_, S::World<'a>, K, Q> {
         let (bounds, from) = (self.frame.bounds.as_ref(), self.frame.lights.from);
+        let from = (from, generator.row_plane(y, from.point));
         let culling = match Tracer::<S::World<'a>, K, Q>::IS_PLAIN {
             true => ScreenCulling::new::<false>(bounds, from, y, true),
             false => ScreenCulling::new::<true>(bounds, from, y, !Q::CULLING.screen_bounds),

@@ -23,8 +23,7 @@ use crate::trace::PathQuality;
 ///
 /// impl Quality for Calm {
 ///     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 26);
-///     const STRIDE: u32 = 2;
-///     const TOLERANCE: Unit = Fast::TOLERANCE;
+/// ///     const TOLERANCE: Unit = Fast::TOLERANCE;
 /// }
 /// assert!(!Calm::IS_SMALL && !Calm::IS_PRECISE);
 /// ```
@@ -35,17 +34,6 @@ pub trait Quality {
     /// so the light left out is less. If no colour of the scene is brighter than white, the throughput
     /// itself is compared.
     const SMALLEST_WEIGHT: Unit;
-
-    /// Stride: the largest distance in columns from one traced pixel of a row to the next, 1, 2 or 4.
-    ///
-    /// If the paths of two traced pixels hit the same surfaces, the pixels between them are
-    /// interpolated, where that is exact to [`Quality::TOLERANCE`]. A detail that is narrower than a
-    /// stride and is hit by no traced ray may be lost: the tip of a shadow, a highlight, the end of an
-    /// open cylinder, a reflection in a curved mirror. Spheres that are visible directly or in a plane
-    /// are never lost, up to 60 degrees from the middle of the picture. In a scene of planes nothing is
-    /// lost; its stride is 4, unless this constant is 1. Pixels whose rays are known to hit nothing are
-    /// not traced.
-    const STRIDE: u32;
 
     /// Tolerance of interpolation along a row, as a share of white, 0 to 1.
     ///
@@ -84,7 +72,6 @@ pub struct Fast;
 
 impl Quality for Fast {
     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 22);
-    const STRIDE: u32 = 4;
     const TOLERANCE: Unit = Unit::from_bits(1 << 22);
 }
 
@@ -98,7 +85,6 @@ pub struct Small;
 
 impl Quality for Small {
     const SMALLEST_WEIGHT: Unit = <Fast as Quality>::SMALLEST_WEIGHT;
-    const STRIDE: u32 = 1;
     const TOLERANCE: Unit = Unit::ZERO;
     const IS_SMALL: bool = true;
 }
@@ -112,7 +98,6 @@ pub struct Fine;
 
 impl Quality for Fine {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const STRIDE: u32 = 2;
     const TOLERANCE: Unit = Unit::from_bits(1 << 20);
 }
 
@@ -126,7 +111,6 @@ pub struct Exact;
 
 impl Quality for Exact {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const STRIDE: u32 = 1;
     const TOLERANCE: Unit = Unit::ZERO;
     const IS_PRECISE: bool = true;
 }
@@ -144,6 +128,7 @@ impl<Q: Quality> CullingQuality for Q {
 
 impl<Q: Quality> PathQuality for Q {
     const SMALLEST_WEIGHT: Unit = <Q as Quality>::SMALLEST_WEIGHT;
+    const TOLERANCE: Unit = <Q as Quality>::TOLERANCE;
 }
 
 #[cfg(test)]

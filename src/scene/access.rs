@@ -10,7 +10,6 @@ use crate::grid::Grid;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{Brightness, Length, Unit, to_u32, unit_product};
-use crate::ray::spread;
 use crate::shape::MaterialId;
 use crate::shape::bounded::Bounded;
 use crate::shape::plane::PreparedPlane;
@@ -88,7 +87,7 @@ macro_rules! parts {
 
             /// Returns the outward normal of a shape at a near point on it, and the shape's material.
             #[inline(always)]
-            pub(super) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
+            pub(crate) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
                 let index = shape.index();
                 $(
                     if let Some(shape) = self.$list.get(index) {
@@ -246,13 +245,6 @@ impl ShapeId {
     /// Returns a number for the shape's inside or its outside, different for each side of each shape.
     pub(crate) const fn side(self, is_inside: bool) -> u32 {
         self.0 << 1 | is_inside as u32
-    }
-
-    /// Returns the hash that a path notes if it passes the shape on one of the two sides. Its bits are
-    /// spread, so that combinations of several hashes differ.
-    #[inline(always)]
-    pub(crate) const fn passed(self) -> u32 {
-        spread(self.0 + 1)
     }
 
     /// Returns the index of the shape among all shapes of the scene.

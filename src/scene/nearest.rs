@@ -4,7 +4,7 @@
 use super::access::{SceneAccess, ShapeId};
 use super::shape_set::ShapeSet;
 use crate::number::Length;
-use crate::ray::{PathSignature, REACH, Ray};
+use crate::ray::{REACH, Ray};
 use crate::shape::bounded::{Bounded, Range};
 use crate::vector::Direction;
 
@@ -40,15 +40,13 @@ macro_rules! questions {
         /// Returns the nearest hit of a ray among the candidates, beyond `start`. The distance counts
         /// from there.
         ///
-        /// Skips the shape `skip`, which the ray leaves from outside. Notes in the path's signature on
-        /// which side the ray certainly passes a shape.
+        /// Skips the shape `skip`, which the ray leaves from outside.
         #[inline(never)]
         pub(crate) fn nearest_of<W: SceneAccess>(
             world: &W,
             candidates: &ShapeSet,
             (ray, start): (&Ray, Length),
             skip: ShapeId,
-            signature: &mut PathSignature,
         ) -> Hit {
             let mut nearest = Nearest::beyond(start);
             let parts = world.parts();
@@ -61,7 +59,7 @@ macro_rules! questions {
                 let (kind, first) = (kind + 1, first + lengths[kind]);
             )*
             let _ = (kind, first);
-            nearest.hit(signature)
+            nearest.hit()
         }
 
         /// Tests whether a ray hits a candidate before `reach`. Skips the shape `skip`, which the ray
@@ -98,8 +96,6 @@ pub(crate) struct Nearest {
     start: Length,
     /// The nearest hit so far; its distance counts from the ray's origin.
     hit: Hit,
-    /// XOR of the notes of all shapes that the ray passes on their noted side.
-    passed: u32,
 }
 
 impl Nearest {
@@ -109,7 +105,6 @@ impl Nearest {
         Self {
             start,
             hit: Hit::NONE,
-            passed: 0,
         }
     }
 
@@ -118,38 +113,21 @@ impl Nearest {
     #[inline(always)]
     fn ask<K: Bounded>(&mut self, shape: &K, ray: &Ray, id: ShapeId, skip: ShapeId) -> bool {
         if id != skip {
-            let mut is_passed = false;
-            if let Some(distance) = shape.intersect(ray, self.range(), &mut is_passed) {
-                self.hit = Hit {
-                    distance,
-                    shape: id,
-                };
-            }
-            if is_passed {
-                self.pass(id.passed());
-            }
+            self.take(shape.intersect(ray, self.range()), id);
         }
         false
     }
 
-    /// Intersects a ray with a shape that is prepared for rays from one point. Returns whether it is
-    /// the nearest hit so far.
-    ///
-    /// Notes the side on which the ray passes the shape if `is_thin`.
+    /// Intersects a ray with a shape that is prepared for rays from one point.
     #[inline(always)]
     pub(crate) fn ask_from<K: Bounded>(
         &mut self,
         shape: &K,
         from: &K::FromPoint,
         direction: &Direction,
-        (id, is_thin): (ShapeId, bool),
-    ) -> bool {
-        let mut is_passed = false;
-        let distance = shape.intersect_from(from, direction, self.range(), &mut is_passed);
-        if is_passed && is_thin {
-            self.pass(id.passed());
-        }
-        self.take(distance, id)
+        id: ShapeId,
+    ) {
+        self.take(shape.intersect_from(from, direction, self.range()), id);
     }
 
     /// Returns the range of distances in which a hit is nearer than the one so far.
@@ -161,31 +139,17 @@ impl Nearest {
         }
     }
 
-    /// Stores a hit of a shape. Returns whether there is one.
+    /// Stores a hit of a shape, if there is one.
     #[inline(always)]
-    fn take(&mut self, distance: Option<Length>, shape: ShapeId) -> bool {
+    fn take(&mut self, distance: Option<Length>, shape: ShapeId) {
         if let Some(distance) = distance {
             self.hit = Hit { distance, shape };
         }
-        distance.is_some()
     }
 
-    /// Tests whether part of a shape may be nearer than the hit so far.
+    /// Returns the nearest hit, with its distance from `start`.
     #[inline(always)]
-    pub(crate) fn may_see<K: Bounded>(&self, from: &K::FromPoint) -> bool {
-        K::may_be_nearer(from, self.hit.distance)
-    }
-
-    /// Adds to the notes that the ray passes a shape on one side.
-    #[inline(always)]
-    pub(crate) fn pass(&mut self, passed: u32) {
-        self.passed ^= passed;
-    }
-
-    /// Returns the nearest hit, with its distance from `start`. Adds the notes to the path's signature.
-    #[inline(always)]
-    pub(crate) fn hit(self, signature: &mut PathSignature) -> Hit {
-        signature.note(self.passed);
+    pub(crate) fn hit(self) -> Hit {
         let distance = self.hit.distance.to_bits() - self.start.to_bits();
         Hit {
             distance: if self.hit.shape == ShapeId::NONE {

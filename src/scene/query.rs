@@ -7,7 +7,7 @@ use super::nearest::{Hit, NOWHERE, any_blocks, nearest_of};
 use super::planes;
 use super::shape_set::ShapeSet;
 use crate::number::{Length, unsigned};
-use crate::ray::{PathSignature, ScaledPoint, ScaledRay};
+use crate::ray::{ScaledPoint, ScaledRay};
 use crate::shape::plane::NOT_MET;
 
 /// Returns the first hit of a ray: point and shape; `None` if nothing is hit. Skips the shape that the
@@ -17,7 +17,6 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
     world: &W,
     ray: &ScaledRay,
     skip: ShapeId,
-    signature: &mut PathSignature,
 ) -> Option<(ScaledPoint, ShapeId)> {
     let (mut distance, mut shape) = (NOT_MET, ShapeId::NONE);
     for (id, plane) in planes::others(world, skip) {
@@ -32,7 +31,7 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
             false => into_ball(ray),
         };
         if let Some((ray, skipped)) = start {
-            let hit = nearest_of(world, ShapeSet::ALL, (&ray, NOWHERE), skip, signature);
+            let hit = nearest_of(world, ShapeSet::ALL, (&ray, NOWHERE), skip);
             let own = skipped + u64::from(unsigned(hit.distance.to_bits()));
             if hit.shape != ShapeId::NONE && own < distance {
                 let at = ray.origin.along(ray.direction, hit.distance);
@@ -56,7 +55,6 @@ pub(crate) fn located<W: SceneAccess, const PRECISE: bool>(
     ray: &ScaledRay,
     skip: ShapeId,
     hit: Hit,
-    signature: &mut PathSignature,
 ) -> Option<(ScaledPoint, ShapeId)> {
     if hit.shape == ShapeId::NONE {
         return None;
@@ -72,7 +70,7 @@ pub(crate) fn located<W: SceneAccess, const PRECISE: bool>(
         }
     }
     // Unpacked and packed again, or the compiler keeps near hits in memory, too.
-    let (at, shape) = far_hit(world, ray, skip, signature)?;
+    let (at, shape) = far_hit(world, ray, skip)?;
     Some((at, shape))
 }
 
@@ -83,9 +81,8 @@ fn far_hit<W: SceneAccess>(
     world: &W,
     ray: &ScaledRay,
     skip: ShapeId,
-    signature: &mut PathSignature,
 ) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(world, ray, skip, signature)
+    nearest_hit(world, ray, skip)
 }
 
 /// Tests whether a shape occludes a light: whether the ray to it hits one more than epsilon before it.

@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use super::smooth::{Glance, is_smooth, quarter};
 use super::{LightQuality, Lit, Visibility, lit_color};
 use crate::color::{Color, halved};
 use crate::number::{
@@ -10,6 +11,7 @@ use crate::number::{
 };
 use crate::scene::access::SceneAccess;
 use crate::scene::{Shininess, Surface};
+use crate::vector::Vector;
 
 /// A shading model. Choose one with [`crate::FrameBuilder::shading`].
 ///
@@ -32,8 +34,10 @@ pub trait Shading: sealed::Shading {}
 impl<T: sealed::Shading> Shading for T {}
 
 pub(crate) mod sealed {
+    use super::super::smooth::Glance;
     use super::super::{LightQuality, Lit, Visibility};
     use crate::color::Color;
+    use crate::number::Exponent;
     use crate::scene::Surface;
     use crate::scene::access::SceneAccess;
 
@@ -41,12 +45,19 @@ pub(crate) mod sealed {
         /// Whether paths are reflected at mirrors.
         const REFLECTS: bool;
 
+        /// Whether shapes cast shadows.
+        const SHADOWS: bool;
+
         /// Returns the colour of a surface without reflections, and the lights that shine on it.
         fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
             world: &W,
             surface: &Surface<'_>,
             visibility: &V,
         ) -> Lit;
+
+        /// Tests whether the highlight of a light changes so little between two points of a surface that
+        /// it can be interpolated.
+        fn is_smooth(ends: &[Glance; 2], shininess: Exponent) -> bool;
 
         /// Returns the colour of a ray that hits nothing.
         fn missed<W: SceneAccess>(world: &W) -> Color;
@@ -82,10 +93,15 @@ impl<K: Highlight> Highlight for Unshadowed<K> {
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
         K::highlight(cosines, shininess, kind)
     }
+
+    fn deviation(glance: &Glance) -> Vector {
+        K::deviation(glance)
+    }
 }
 
 impl<H: Highlight> sealed::Shading for H {
     const REFLECTS: bool = true;
+    const SHADOWS: bool = <H as Highlight>::SHADOWS;
 
     #[inline(always)]
     fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
@@ -96,6 +112,10 @@ impl<H: Highlight> sealed::Shading for H {
         lit_color::<W, Q, V, Self>(world, surface, visibility)
     }
 
+    fn is_smooth(ends: &[Glance; 2], shininess: Exponent) -> bool {
+        is_smooth(ends.each_ref().map(H::deviation), shininess)
+    }
+
     fn missed<W: SceneAccess>(world: &W) -> Color {
         world.parts().background
     }
@@ -103,6 +123,7 @@ impl<H: Highlight> sealed::Shading for H {
 
 impl sealed::Shading for Normals {
     const REFLECTS: bool = false;
+    const SHADOWS: bool = false;
 
     fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
         _: &W,
@@ -113,6 +134,10 @@ impl sealed::Shading for Normals {
             color: Color::new(surface.normal.components().map(halved)).in_levels(),
             lights: 0,
         }
+    }
+
+    fn is_smooth(_: &[Glance; 2], _: Exponent) -> bool {
+        true
     }
 
     fn missed<W: SceneAccess>(_: &W) -> Color {
@@ -137,6 +162,9 @@ pub(crate) trait Highlight {
 
     /// Returns the strength of a highlight, 0 to 1. `kind` says which powers occur in the scene.
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit;
+
+    /// Returns the difference of the two unit vectors whose cosine is raised to a power, in Q4.28.
+    fn deviation(glance: &Glance) -> Vector;
 }
 
 /// The highlight (h · n)ˢʰⁱⁿⁱⁿᵉˢˢ, where h is the unit vector half way between light and viewer.
@@ -153,6 +181,10 @@ impl Highlight for BlinnPhong {
             power_of(root_of_unit(square), shininess, kind)
         }
     }
+
+    fn deviation(glance: &Glance) -> Vector {
+        glance.half_way().minus(quarter(glance.normal))
+    }
 }
 
 /// The highlight (r · v)ˢʰⁱⁿⁱⁿᵉˢˢ, where r is the light direction mirrored in the normal.
@@ -166,6 +198,13 @@ impl Highlight for Phong {
             return cosine;
         }
         power_of(cosine, shininess, kind)
+    }
+
+    fn deviation(glance: &Glance) -> Vector {
+        // The light's direction is that from the light to the surface, mirrored it leaves the surface.
+        let cosine = glance.along.dot(glance.normal);
+        let mirrored = glance.along.reflected(glance.normal, cosine);
+        quarter(mirrored).plus(quarter(glance.view))
     }
 }
 

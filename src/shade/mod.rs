@@ -2,6 +2,9 @@
 //! visibility of a light is found.
 
 pub(crate) mod highlight;
+mod smooth;
+
+pub(crate) use smooth::Glance;
 
 pub use highlight::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 

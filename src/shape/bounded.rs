@@ -40,31 +40,22 @@ pub trait Bounded: Copy + Debug + 'static {
         false
     }
 
-    /// Tests whether the shape's outline, as visible from the point, may be nearer than `_distance`.
-    /// Called for balls only; the default is `true`.
-    #[inline(always)]
-    fn may_be_nearer(_from: &Self::FromPoint, _distance: Length) -> bool {
-        true
-    }
-
     /// Tests whether a near point lies inside the shape. The shape is closed, so every ray from such a
     /// point hits it. Defaults to `false`, for shapes that enclose no space.
     fn holds(&self, _point: Point) -> bool {
         false
     }
 
-    /// Returns the distance from the ray's origin to the first hit within `range`. Sets `side` if the
-    /// ray misses the shape on the negative side of its axis.
-    fn intersect(&self, ray: &Ray, range: Range, side: &mut bool) -> Option<Length>;
+    /// Returns the distance from the ray's origin to the first hit within `range`.
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<Length>;
 
     /// Returns the distance to the first hit within `range` of a ray that starts at the point for which
-    /// `from` was prepared. Sets `side` if the ray misses the shape on the negative side of its axis.
+    /// `from` was prepared.
     fn intersect_from(
         &self,
         from: &Self::FromPoint,
         direction: &Direction,
         range: Range,
-        side: &mut bool,
     ) -> Option<Length>;
 
     /// Tests whether the ray hits the shape at a distance above 0 and below `reach`.

@@ -4,6 +4,7 @@
 //! between the ray's line and the axis comes from a cross product of the axis and the vector to the
 //! centre. The product is computed once for all rays from one point.
 
+mod borders;
 mod from_point;
 mod intersect;
 
@@ -177,9 +178,6 @@ impl PreparedCylinder {
         self
     }
 
-    /// Whether the hit test of a cylinder reports on which side a ray passes. It does.
-    pub(crate) const IS_SIDE_NOTED: bool = true;
-
     /// Number of balls in the chain that covers the wall of a cylinder.
     pub(crate) const LINKS: i32 = 8;
 
@@ -232,12 +230,12 @@ impl Bounded for PreparedCylinder {
     }
 
     #[inline(always)]
-    fn intersect(&self, ray: &Ray, range: Range, side: &mut bool) -> Option<Length> {
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<Length> {
         match self.is_passed_by(ray) {
             true => None,
             false => {
                 let from = self.seen_from(ray.origin);
-                self.intersect_from(&from, &ray.direction, range, side)
+                self.intersect_from(&from, &ray.direction, range)
             }
         }
     }
@@ -248,11 +246,9 @@ impl Bounded for PreparedCylinder {
         from: &CylinderFromPoint,
         direction: &Direction,
         range: Range,
-        side: &mut bool,
     ) -> Option<Length> {
         let sideways = from.sideways(*direction);
         if self.is_beside(sideways) {
-            *side = sideways < 0;
             return None;
         }
         self.met_beside(from, direction, sideways, range.start, range.reach)

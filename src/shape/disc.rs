@@ -3,6 +3,8 @@
 //! A ray hits the disc's plane where its height above the plane becomes 0. That point lies on the disc
 //! if its distance from the centre, computed as a vector, is not larger than the radius.
 
+mod borders;
+
 use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, SMALLEST, size_fault};
 use crate::error_kind::ErrorKind;
@@ -111,9 +113,6 @@ impl PreparedDisc {
     /// smallest epsilon of any surface.
     pub(crate) const SMALLEST_INSIDE: i32 = 2;
 
-    /// Whether the hit test of a disc reports on which side a ray passes. It does not.
-    pub(crate) const IS_SIDE_NOTED: bool = false;
-
     /// Number of balls that together cover a disc.
     pub(crate) const LINKS: i32 = 1;
 
@@ -220,7 +219,7 @@ impl Bounded for PreparedDisc {
     }
 
     #[inline(always)]
-    fn intersect(&self, ray: &Ray, range: Range, _: &mut bool) -> Option<Length> {
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<Length> {
         let from = self.seen_from(ray.origin);
         match from.way.passes_by(from.way.dot(ray.direction), self.radius) {
             true => None,
@@ -234,7 +233,6 @@ impl Bounded for PreparedDisc {
         from: &DiscFromPoint,
         direction: &Direction,
         range: Range,
-        _: &mut bool,
     ) -> Option<Length> {
         self.met(from, direction, range)
     }

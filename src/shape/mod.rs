@@ -2,6 +2,7 @@
 //! as the kernels read it (`Prepared…`), and the kernels: the distance at which a ray hits the shape,
 //! whether the shape blocks a ray, and the normal at a point. Knows no scene.
 
+pub(crate) mod bordered;
 pub(crate) mod bounded;
 pub mod cylinder;
 pub mod disc;

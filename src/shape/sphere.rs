@@ -5,6 +5,7 @@
 //! Improvements for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7). An error along the ray does
 //! not change the discriminant, so a small sphere far away keeps a clean edge.
 
+mod borders;
 mod from_point;
 mod intersect;
 
@@ -161,9 +162,6 @@ impl PreparedSphere {
         (self.center, self.radius)
     }
 
-    /// Whether the hit test of a sphere reports on which side a ray passes. It does not.
-    pub(crate) const IS_SIDE_NOTED: bool = false;
-
     /// Number of balls that together cover a sphere.
     pub(crate) const LINKS: i32 = 1;
 
@@ -221,17 +219,12 @@ impl Bounded for PreparedSphere {
         one.is_in_front_of(other)
     }
 
-    #[inline(always)]
-    fn may_be_nearer(from: &SphereFromPoint, distance: Length) -> bool {
-        from.is_nearer_than(distance)
-    }
-
     fn holds(&self, point: Point) -> bool {
         self.seen_from(point).is_around()
     }
 
     #[inline(always)]
-    fn intersect(&self, ray: &Ray, range: Range, _: &mut bool) -> Option<Length> {
+    fn intersect(&self, ray: &Ray, range: Range) -> Option<Length> {
         let way = ray.origin.to(self.center);
         match way.passes_by(way.dot(ray.direction), self.radius) {
             true => None,
@@ -245,7 +238,6 @@ impl Bounded for PreparedSphere {
         from: &SphereFromPoint,
         direction: &Direction,
         range: Range,
-        _: &mut bool,
     ) -> Option<Length> {
         match from.may_be_met(from.nearest_approach(*direction)) {
             true => self.met(from.way(), *direction, range.start, range.reach),

@@ -5,6 +5,7 @@
 //! carried along. The path ends when the throughput is zero or too small, when nothing is hit, or after
 //! the last reflection.
 
+mod stretch;
 mod visibility;
 
 use core::marker::PhantomData;
@@ -16,7 +17,7 @@ use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{CullingQuality, Window, World, nearest_ahead};
 use crate::color::Sum;
 use crate::number::{Unit, share};
-use crate::ray::{PathSignature, ScaledRay};
+use crate::ray::{PathSignature, ScaledPoint, ScaledRay};
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::Hit;
 use crate::scene::query::{located, nearest_hit};
@@ -30,13 +31,37 @@ pub trait PathQuality: CullingQuality + LightQuality {
     /// Smallest brightness that a path still follows, as a share of white. A path ends when its
     /// throughput times the brightest colour of the scene falls below it.
     const SMALLEST_WEIGHT: Unit;
+
+    /// Tolerance of interpolated pixels, as a share of white. If it is 0, every pixel is traced.
+    const TOLERANCE: Unit;
 }
 
-/// The result of a path: its colour, and its signature, a hash of what it hit.
+/// The result of a path: its colour, its signature, a hash of what it hit, and its first two hits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Traced {
     pub(crate) sum: Sum,
     pub(crate) signature: PathSignature,
+    /// The first hit, and the second if the first mirrored the path.
+    stops: [Stop; 2],
+}
+
+/// A hit of a path.
+#[derive(Clone, Copy, Debug)]
+struct Stop {
+    /// The shape; [`ShapeId::NONE`] if the path hit nothing, [`ShapeId::BEYOND`] if it ended before.
+    shape: ShapeId,
+    is_inside: bool,
+    /// Point epsilon above the surface.
+    place: ScaledPoint,
+}
+
+impl Stop {
+    /// The path ended before.
+    const UNSEEN: Self = Self {
+        shape: ShapeId::BEYOND,
+        is_inside: false,
+        place: ScaledPoint::ORIGIN,
+    };
 }
 
 impl Traced {
@@ -44,19 +69,21 @@ impl Traced {
     pub(crate) const NONE: Self = Self {
         sum: Sum::ZERO,
         signature: PathSignature::new(),
+        stops: [Stop::UNSEEN; 2],
     };
 
     /// Sentinel for a column beyond the picture: black; its signature equals no real path's.
     pub(crate) const BEYOND: Self = Self {
         sum: Sum::ZERO,
         signature: PathSignature::of_none(),
+        stops: [Stop::UNSEEN; 2],
     };
 
-    /// Returns the result of a path that hits nothing and passes no thin shape: the background.
+    /// Returns the result of a path that hits nothing: the background.
     pub(crate) fn missed<W: World, K: Shading>(world: &W) -> Self {
         let mut missed = Self::NONE;
         missed.sum.add(Unit::ONE, K::missed(world));
-        missed.signature.note(0);
+        missed.stops[0].shape = ShapeId::NONE;
         missed.signature.note(u32::MAX);
         missed.signature = missed.signature.ended(false);
         missed
@@ -82,6 +109,9 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Whether no culling is used and every pixel is traced.
     pub(crate) const IS_PLAIN: bool = !Q::CULLING.is_any();
+
+    /// Whether pixels are interpolated.
+    pub(crate) const IS_INTERPOLATED: bool = Q::TOLERANCE.to_bits() > 0 && !Self::IS_PLAIN;
 
     /// Makes the tracer of one row of pixels. `reflections` is limited to what the scene needs.
     #[inline(always)]
@@ -129,10 +159,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         Traced::missed::<W, K>(self.world)
     }
 
-    /// Tests whether signatures tell on which side a path passes a thin shape. They do not if the
-    /// camera is far: then it is not known which shapes are thin.
+    /// Tests whether the camera is near. If it is far, it is not known what lies between two pixels.
     #[inline(always)]
-    pub(crate) fn notes_what_is_thin(&self) -> bool {
+    pub(crate) fn is_near(&self) -> bool {
         self.visibility.from.is_near()
     }
 
@@ -146,17 +175,30 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let Traced {
             mut sum,
             mut signature,
+            mut stops,
         } = Traced::NONE;
         let mut throughput = Unit::ONE;
         let mut bounce = Bounce::NONE;
-        let mut is_bent = false;
+        let mut is_coarse = false;
         loop {
-            let Some(surface) = self.surface(pixel, &ray, &bounce, &mut signature) else {
+            let Some(surface) = self.surface(pixel, &ray, &bounce) else {
                 sum.add(throughput, K::missed(world));
                 signature.note(u32::MAX);
+                if let Some(stop) = stops.get_mut(bounce.count as usize) {
+                    stop.shape = ShapeId::NONE;
+                }
                 break;
             };
             signature.note(surface.shape.side(surface.is_inside));
+            if Self::IS_INTERPOLATED
+                && let Some(stop) = stops.get_mut(bounce.count as usize)
+            {
+                *stop = Stop {
+                    shape: surface.shape,
+                    is_inside: surface.is_inside,
+                    place: surface.place,
+                };
+            }
             let reflected = Self::reflected(world, &surface, throughput);
             // A view of normals does not reflect: it shows the surface's own colour even of a mirror.
             let is_seen = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
@@ -174,13 +216,30 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 sum.add(throughput, K::missed(world));
                 break;
             }
-            is_bent |= !world.parts().is_flat(surface.shape);
+            if Self::IS_INTERPOLATED {
+                is_coarse |= self.is_beyond_bounds(&surface, bounce.count, throughput);
+            }
             surface.reflect(world, &mut ray);
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
         }
         self.rays += bounce.count + 1;
-        let signature = signature.ended(is_bent);
-        Traced { sum, signature }
+        let signature = signature.ended(is_coarse);
+        Traced {
+            sum,
+            signature,
+            stops,
+        }
+    }
+
+    /// Tests whether the rays after a reflection have no known bounds: they do not start at the image of
+    /// the camera in a plane. Reflections that cannot be seen do not count. `count` is the number of the
+    /// reflection.
+    #[inline(always)]
+    fn is_beyond_bounds(&self, surface: &Surface<'_>, count: u32, throughput: Unit) -> bool {
+        let parts = self.world.parts();
+        (count > 1 || parts.plane_index(surface.shape).is_none())
+            && parts.has_bounded()
+            && throughput >= parts.smallest_weight(Q::TOLERANCE)
     }
 
     /// Returns the throughput of a path after a surface: `throughput` times the share that the surface
@@ -226,16 +285,15 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         pixel: (&Window, u32),
         ray: &ScaledRay,
         bounce: &Bounce,
-        signature: &mut PathSignature,
     ) -> Option<Surface<'a>> {
         let (world, skip) = (self.world, bounce.skip);
         let (at, shape) = if !Q::CULLING.is_any() {
-            nearest_hit(world, ray, skip, signature)
+            nearest_hit(world, ray, skip)
         } else {
-            let hit = self.near_hit(pixel, ray, bounce, signature);
+            let hit = self.near_hit(pixel, ray, bounce);
             match Q::IS_PRECISE {
-                true => located::<W, true>(world, ray, skip, hit, signature),
-                false => located::<W, false>(world, ray, skip, hit, signature),
+                true => located::<W, true>(world, ray, skip, hit),
+                false => located::<W, false>(world, ray, skip, hit),
             }
         }?;
         Surface::new(world, at, shape, ray.direction())
@@ -249,7 +307,6 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         (window, column): (&Window, u32),
         ray: &ScaledRay,
         bounce: &Bounce,
-        signature: &mut PathSignature,
     ) -> Hit {
         if !ray.from().is_near() {
             return Hit::BEYOND;
@@ -259,15 +316,14 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let bounded = if !parts.has_bounded() {
             Hit::NONE
         } else if bounce.count == 0 {
-            self.culling.direct(world, column, ray, signature)
+            self.culling.direct(world, column, ray)
         } else {
             match parts.plane(skip) {
                 Some(plane) if bounce.count == 1 => {
                     let pixel = (window, column);
-                    self.culling
-                        .mirrored(world, (skip, plane), pixel, ray, signature)
+                    self.culling.mirrored(world, (skip, plane), pixel, ray)
                 }
-                _ => nearest_ahead::<W, Q>(world, ray, (bounce.mirror, skip), signature),
+                _ => nearest_ahead::<W, Q>(world, ray, (bounce.mirror, skip)),
             }
         };
         planes::nearest(world, ray, skip, bounded)

@@ -18,11 +18,11 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         if Tracer::<W, K, Q>::IS_PLAIN {
             return self.traced(column).sum;
         }
-        let place = column % Self::stride(self.tracer);
+        let place = column % self.block;
         if place == 0 {
             self.follow(column);
         }
-        self.stretch[place as usize]
+        self.colors[place as usize]
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
@@ -35,35 +35,27 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
             }
             return;
         }
-        let stride = Self::stride(self.tracer);
         while !pixels.is_empty() {
-            let place = self.column % stride;
+            let place = (self.column % self.block) as usize;
             if place == 0 {
                 self.follow(self.column);
             }
             let clear = self.clear_until.saturating_sub(self.column) as usize;
-            let whole = match clear > 0 || place > 0 {
-                true => 0,
-                false => stride,
-            };
-            let (count, later) = match (whole, pixels) {
-                (4, [a, b, c, d, later @ ..]) => {
-                    [*a, *b, *c, *d] = self.stretch.map(&shown);
-                    (4, later)
+            let colors = self.colors.get(place..self.block as usize).unwrap_or(&[]);
+            let count = pixels.len().min(match clear {
+                0 => colors.len(),
+                _ => clear,
+            });
+            let (now, later) = pixels.split_at_mut(count);
+            match clear {
+                0 => {
+                    for (pixel, color) in now.iter_mut().zip(colors) {
+                        *pixel = shown(*color);
+                    }
                 }
-                (2, [a, b, later @ ..]) => {
-                    let [first, second, ..] = self.stretch;
-                    [*a, *b] = [first, second].map(&shown);
-                    (2, later)
-                }
-                (_, pixels) => {
-                    // All pixels of a clear part have one colour. Else write one pixel of a stretch.
-                    let count = pixels.len().min(clear.max(1));
-                    let (now, later) = pixels.split_at_mut(count);
-                    now.fill(shown(self.stretch[place as usize]));
-                    (count, later)
-                }
-            };
+                // All pixels of a clear part have one colour.
+                _ => now.fill(shown(self.colors[0])),
+            }
             self.column += to_u32(count);
             pixels = later;
         }

@@ -37,13 +37,6 @@ impl SphereFromPoint {
         self.tangent < other.tangent
     }
 
-    /// Tests whether the tangents to the sphere are shorter than `distance`: whether the sphere's
-    /// outline, as visible from the point, is nearer.
-    #[inline(always)]
-    pub(crate) const fn is_nearer_than(&self, distance: Length) -> bool {
-        self.tangent < distance.to_bits()
-    }
-
     /// Returns the vector from the point to the sphere's centre, in steps.
     #[inline(always)]
     pub(crate) const fn way(&self) -> Vector {

@@ -1,0 +1,164 @@
+//! Whether all rays of a stretch, the pixels between two traced ones, hit what its ends hit.
+//!
+//! The rays of a stretch start at one eye, the camera or its image in a plane, and lie in one plane. Both
+//! ends hit the same side of the same shape. Bound: docs/edges.md proves the rules below.
+
+use super::active_list::{ActiveList, ActiveShape, Storage};
+use super::active_lists::{ActiveLists, ActiveRoom};
+use crate::ray::Span;
+use crate::scene::access::{SceneAccess, ShapeId};
+use crate::shape::bordered::{Ball, Bordered};
+use crate::shape::plane::PreparedPlane;
+
+/// The pixels between two traced ones, and the surface that both ends hit.
+pub(crate) struct Stretch<'a> {
+    /// Columns of the two ends.
+    pub(crate) columns: [u32; 2],
+    /// The shape that both ends hit; [`ShapeId::NONE`] if they hit nothing.
+    pub(crate) shape: ShapeId,
+    /// What bounds the shape.
+    pub(crate) body: Body<'a>,
+    /// Ball around all points of the shape that the stretch can show. `None` if they are not near, or if
+    /// nothing is hit.
+    pub(crate) ball: Option<Ball>,
+    /// Upper bound of the distance from the eye to these points, in steps. `None` if the shape is hit from
+    /// inside.
+    pub(crate) reach: Option<i32>,
+    /// The plane that mirrored the rays.
+    pub(crate) mirror: Option<&'a PreparedPlane>,
+}
+
+/// What bounds a shape: the set of points that a shape of its kind cannot leave.
+pub(crate) enum Body<'a> {
+    /// Nothing is hit.
+    None,
+    /// A bounded shape lies in a ball.
+    Ball(Ball),
+    /// A plane.
+    Plane(&'a PreparedPlane),
+}
+
+impl Body<'_> {
+    /// Tests whether a ball surely does not meet the body.
+    fn is_apart_from(&self, (center, radius): Ball) -> bool {
+        match self {
+            Body::None => true,
+            Body::Ball((own, size)) => {
+                let reach = u64::from((radius + size).unsigned_abs());
+                own.to(center).square() > reach * reach
+            }
+            Body::Plane(plane) => {
+                (plane.height(center) >> 30).unsigned_abs() > u64::from(radius.unsigned_abs())
+            }
+        }
+    }
+}
+
+/// How a shape lies to the rays of a stretch.
+enum Meeting {
+    /// No ray between the ends hits the shape's solid.
+    Never,
+    /// Every ray cuts the solid, in the same part of its surface.
+    Always,
+    /// The solid begins or ends between the ends, or may do so.
+    Changes,
+}
+
+/// Returns how a shape with this span lies to the rays between two columns.
+#[inline(always)]
+fn meeting<T: AsRef<[u16]>>(span: &Span<T>, [start, end]: [u32; 2]) -> Meeting {
+    let (first, last) = (u32::from(span.first), u32::from(span.last));
+    if end <= first || last <= start {
+        Meeting::Never
+    } else if span.is_sure && first <= start && end <= last && !has_rim(span, [start, end]) {
+        Meeting::Always
+    } else {
+        Meeting::Changes
+    }
+}
+
+/// Tests whether a rim of a shape lies between two columns.
+#[inline(always)]
+fn has_rim<T: AsRef<[u16]>>(span: &Span<T>, [start, end]: [u32; 2]) -> bool {
+    span.rims.as_ref().iter().any(|&rim| {
+        let rim = u32::from(rim);
+        rim < end && start < rim + 2
+    })
+}
+
+macro_rules! keep {
+    (
+        $header:tt
+        $({ $list:ident $($more:tt)* })*
+    ) => {
+        impl<R: ActiveRoom> ActiveLists<'_, R> {
+            /// Tests whether all rays of a stretch surely hit the shape that both ends hit.
+            #[inline(never)]
+            pub(super) fn keep<W: SceneAccess>(&self, world: &W, stretch: &Stretch<'_>) -> bool {
+                if self.is_full {
+                    return false;
+                }
+                let lengths = world.parts().lengths();
+                let (kind, first) = (0, 0);
+                $(
+                    if W::NEEDS.$list && !self.$list.keeps(first, stretch) {
+                        return false;
+                    }
+                    let (kind, first) = (kind + 1, first + lengths[kind]);
+                )*
+                let _ = (kind, first);
+                true
+            }
+        }
+    };
+}
+kinds!(keep);
+
+impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
+    /// Tests whether no shape of this kind comes to the front in a stretch. `first` is the number of the
+    /// first shape of this kind.
+    #[inline(always)]
+    fn keeps(&self, first: usize, stretch: &Stretch<'_>) -> bool {
+        self.active.as_ref().iter().all(|it| {
+            let id = ShapeId::at(first + usize::from(it.index));
+            match meeting(&it.span, stretch.columns) {
+                Meeting::Never => true,
+                _ if id == stretch.shape => {
+                    it.span.rims.as_ref().is_empty()
+                        || it.span.is_sure && !has_rim(&it.span, stretch.columns)
+                }
+                Meeting::Always => it.never_crosses(stretch),
+                Meeting::Changes => it.begins_behind(stretch) && it.never_crosses(stretch),
+            }
+        })
+    }
+}
+
+impl<K: Bordered> ActiveShape<'_, K> {
+    /// Tests whether the shape surely crosses no point that the stretch shows.
+    fn never_crosses(&self, stretch: &Stretch<'_>) -> bool {
+        match stretch.ball {
+            None => true,
+            Some(ball) => {
+                self.shape.is_apart_from(ball)
+                    || stretch.body.is_apart_from(self.shape.bounding_ball())
+            }
+        }
+    }
+
+    /// Tests whether the shape begins and ends behind the surface that the stretch shows.
+    fn begins_behind(&self, stretch: &Stretch<'_>) -> bool {
+        let (Some(reach), Some(_)) = (stretch.reach, stretch.ball) else {
+            return false;
+        };
+        // An end that cuts a closed shape shows that the shape is behind there.
+        let (first, last) = (u32::from(self.span.first), u32::from(self.span.last));
+        let is_seen = (K::IS_BALL || K::IS_FLAT)
+            && self.span.is_sure
+            && stretch.columns.iter().any(|&end| first < end && end < last)
+            && stretch
+                .mirror
+                .is_none_or(|mirror| Body::Plane(mirror).is_apart_from(self.shape.bounding_ball()));
+        is_seen || self.shape.outline_distance(&self.from) > reach
+    }
+}

@@ -1,0 +1,182 @@
+//! A row of pixels as a plane through the eye, and the columns in which it shows what it cuts.
+//!
+//! The rays of a row lie in one plane. It cuts a sphere in a circle and a disc in a chord. Seen from the
+//! eye, each covers one interval of columns. A shape's interval is widened by an eighth of a column, which
+//! is more than the rounding error where [`Span::is_sure`].
+
+use super::ScreenAxis;
+use crate::number::{
+    Unit, ratio, root_of_unit, scaled_by_unit, square_root, to_u16, unit_product, unsigned,
+    unsigned_wide, wide,
+};
+use crate::vector::{Direction, Vector};
+
+/// A row of pixels as a plane through the eye.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RowPlane {
+    /// The columns of the row: `ahead` leads to the middle of the row.
+    pub(crate) axis: ScreenAxis,
+    /// Normal of the plane.
+    pub(crate) normal: Direction,
+}
+
+/// What a radius is enlarged by, in steps: more than the error of a distance from the row's plane, and
+/// more than rounding moves the edge of a shape.
+const SLACK: i32 = 16;
+
+/// Sentinel for no column.
+pub(crate) const NO_COLUMN: u16 = u16::MAX;
+
+/// The columns of a row in which rays can hit a shape, and where hits begin and end.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Span<T> {
+    /// First column whose ray can hit the shape.
+    pub(crate) first: u16,
+    /// Last column whose ray can hit the shape.
+    pub(crate) last: u16,
+    /// Whether all rays between the first and the last column cut the shape. Rays through these two
+    /// columns may pass it.
+    pub(crate) is_sure: bool,
+    /// Further columns after which another part of the shape may come to the front: where the rims of an
+    /// open cylinder begin and end. Exact to one column to the right.
+    pub(crate) rims: T,
+}
+
+impl<T> Span<T> {
+    /// Returns the span between two borders in sixteenths of a column, `None` if no column lies between.
+    pub(crate) fn new([first, last]: [i32; 2], is_sure: bool, rims: T) -> Option<Self> {
+        // The borders are rounded down. Widen the span by an eighth of a column on both sides.
+        let (first, last) = ((first + 13) >> 4, (last + 3) >> 4);
+        (first <= last && last >= 0).then(|| Self {
+            first: column(first),
+            last: column(last),
+            is_sure,
+            rims,
+        })
+    }
+
+    /// Returns the span of a shape of which only its columns on the screen are known.
+    pub(crate) fn unsure([first, last]: [u16; 2], rims: T) -> Self {
+        Self {
+            first,
+            last,
+            is_sure: false,
+            rims,
+        }
+    }
+}
+
+/// Returns a column as 16 bits, clamped.
+pub(crate) fn column(column: i32) -> u16 {
+    to_u16(unsigned(column.clamp(0, 0xffff)))
+}
+
+/// The chord in which a row's plane cuts a disc.
+pub(crate) enum Chord {
+    /// The plane passes the disc.
+    None,
+    /// The disc is almost in the plane, or reaches beside the eye.
+    Unknown,
+    /// The columns of both ends in sixteenths, in ascending order, and whether they are exact to an eighth
+    /// of a column.
+    Ends([i32; 2], bool),
+}
+
+impl RowPlane {
+    /// Returns the span of a ball. `way` is the vector from the eye to its centre.
+    ///
+    /// The plane cuts the ball in a circle of radius ρ, ρ² = (r - w) (r + w), where w is the distance of
+    /// the centre from the plane. With the circle's centre u ahead and v aside, its tangents from the eye
+    /// are at (u v ± ρ √(u² + v² - ρ²)) / (u² - ρ²).
+    pub(crate) fn ball(&self, way: Vector, radius: i32) -> Option<Span<[u16; 0]>> {
+        let apart = way.dot(self.normal).abs();
+        let radius = radius + SLACK;
+        if apart >= radius {
+            return None;
+        }
+        let square = wide(radius - apart, radius + apart);
+        let circle = square_root(unsigned_wide(square));
+        let (ahead, aside) = (way.dot(self.axis.ahead), way.dot(self.axis.aside));
+        if ahead - circle < (ahead >> 10) + 64 * SLACK {
+            // The circle holds the eye or reaches beside it.
+            return match ahead + circle < -SLACK {
+                true => None,
+                false => Some(Span::unsure([0, u16::MAX], [])),
+            };
+        }
+        let rest = wide(ahead, ahead) - square;
+        let tangent = square_root(unsigned_wide(rest + wide(aside, aside)));
+        let (middle, spread) = (wide(ahead, aside), wide(circle, tangent));
+        let scale = self.axis.columns_for_each(rest);
+        let ends = [middle - spread, middle + spread];
+        let ends = ends.map(|numerator| self.axis.sixteenths(numerator, scale));
+        Span::new(ends, is_exact(ends, radius, square), [])
+    }
+
+    /// Returns the chord in which the plane cuts a disc. `way` is the vector from the eye to its centre.
+    pub(crate) fn chord(&self, way: Vector, normal: Direction, radius: i32) -> Chord {
+        let across = normal.crossed_with(self.normal.raw());
+        let apart = way.dot(self.normal);
+        let radius = radius + SLACK;
+        let sine = square_root(across.square()).min(Unit::ONE.to_bits());
+        let reach = scaled_by_unit(radius, Unit::from_bits(sine));
+        if apart.abs() > reach + SLACK {
+            return Chord::None;
+        }
+        if sine < Unit::ONE.to_bits() >> 4 {
+            return Chord::Unknown;
+        }
+        // Distance of the chord from the centre, and half of its length, as shares of the radius.
+        let share = match apart.abs() < reach {
+            true => Unit::from_bits(ratio(apart.unsigned_abs(), unsigned(reach))),
+            false => Unit::ONE,
+        };
+        let half = root_of_unit(Unit::ONE - unit_product(share, share));
+        let (along, _) = across.direction_and_length();
+        let offset = scaled_by_unit(radius, share);
+        let towards = normal.crossed(along);
+        let foot = way.plus(towards.scaled(if apart < 0 { -offset } else { offset }));
+        let half = scaled_by_unit(radius, half);
+        let half_chord = along.scaled(half);
+        let (Some(one), Some(other)) = (
+            self.column_of(foot.minus(half_chord)),
+            self.column_of(foot.plus(half_chord)),
+        ) else {
+            return Chord::Unknown;
+        };
+        let ends = [one.min(other), one.max(other)];
+        let square = (wide(half, half) >> 30) * i64::from(sine);
+        Chord::Ends(ends, is_exact(ends, radius, square))
+    }
+
+    /// Returns the column of a point in sixteenths, `None` if it does not lie ahead of the eye.
+    fn column_of(&self, way: Vector) -> Option<i32> {
+        let ahead = way.dot(self.axis.ahead);
+        (ahead > 64 * SLACK).then(|| {
+            let scale = self.axis.columns_for_each(ahead.into());
+            self.axis.sixteenths(way.dot(self.axis.aside).into(), scale)
+        })
+    }
+
+    /// Returns the plane of the row as it appears in a mirror with this normal.
+    pub(crate) fn mirrored(&self, mirror: Direction) -> Self {
+        let turned = |direction: Direction| direction.reflected(mirror, direction.dot(mirror));
+        Self {
+            axis: ScreenAxis {
+                ahead: turned(self.axis.ahead),
+                aside: turned(self.axis.aside),
+                ..self.axis
+            },
+            normal: turned(self.normal),
+        }
+    }
+}
+
+/// Tests whether the ends of a chord are exact to an eighth of a column. `square` is the square of half of
+/// its length.
+///
+/// If the distance of a chord of half length h from the centre of a circle of radius r changes by one step,
+/// h changes by r / h steps. The chord has `ends[1] - ends[0]` sixteenths, so h steps are half of them.
+fn is_exact([first, last]: [i32; 2], radius: i32, square: i64) -> bool {
+    i64::from(last - first) * i64::from(radius) < square >> 2
+}

@@ -1,0 +1,77 @@
+//! Whether a highlight can be interpolated between two points of a surface.
+//!
+//! A highlight is a power s of the cosine of an angle δ, about exp(-s δ² / 2). Between two points the
+//! vector of length δ changes along a line, almost. The highlight is smooth if that change is small
+//! against 1 / √s. It is dark if the line stays away from zero.
+
+use crate::number::{
+    Exponent, narrowed_unsigned, ratio, square_root, unsigned_wide, wide, wide_unsigned,
+};
+use crate::vector::{Direction, Vector};
+
+/// What a highlight depends on at one point of a surface.
+#[derive(Debug)]
+pub struct Glance {
+    /// The normal on the viewer's side.
+    pub(crate) normal: Direction,
+    /// Direction of the ray that hit the surface.
+    pub(crate) view: Direction,
+    /// Direction from the light to the surface.
+    pub(crate) along: Direction,
+}
+
+impl Glance {
+    /// Returns the unit vector half way between the directions to the light and to the viewer, in Q4.28.
+    pub(super) fn half_way(&self) -> Vector {
+        let sum = quarter(self.view).plus(quarter(self.along));
+        let (direction, _) = sum.direction_and_length();
+        quarter(direction.reversed())
+    }
+}
+
+/// Returns a direction in Q4.28.
+pub(super) fn quarter(direction: Direction) -> Vector {
+    let Vector { x, y, z } = direction.raw();
+    Vector::new(x >> 2, y >> 2, z >> 2)
+}
+
+/// Largest square of the change times s, in Q2.30, for which samples show how a highlight changes.
+const SMOOTH: u64 = 1 << 29;
+
+/// Smallest square of the distance from zero times s, in Q34.30, for which a highlight is dark: below e⁻⁸.
+const DARK: u64 = 16 << 30;
+
+/// Tests whether a highlight can be interpolated between two points, from its deviations there in Q4.28.
+pub(super) fn is_smooth([one, other]: [Vector; 2], shininess: Exponent) -> bool {
+    let shininess = u64::from(shininess.next_integer());
+    let change = other.minus(one);
+    let square = change.square() >> 26;
+    if square * shininess <= SMOOTH {
+        return true;
+    }
+    // The line is bent: in its middle it is off by an eighth of the square of its change.
+    let bent = narrowed_unsigned(square >> 5).cast_signed();
+    let nearest = nearest(one, other, change) - bent;
+    nearest > 0 && (unsigned_wide(wide(nearest, nearest)) >> 26) * shininess >= DARK
+}
+
+/// Returns the distance of the line between two points from zero, in Q4.28.
+fn nearest(one: Vector, other: Vector, change: Vector) -> i32 {
+    let dot = |a: Vector, b: Vector| wide(a.x, b.x) + wide(a.y, b.y) + wide(a.z, b.z);
+    let (start, end) = (dot(one, change), dot(other, change));
+    if start >= 0 {
+        return square_root(one.square());
+    }
+    if end <= 0 {
+        return square_root(other.square());
+    }
+    // The nearest point lies at the share start / (start - end) of the line.
+    let (back, whole) = (start.unsigned_abs(), change.square());
+    let drop = 34_u32.saturating_sub(whole.leading_zeros());
+    let share = ratio(
+        narrowed_unsigned(back >> drop),
+        narrowed_unsigned(whole >> drop).max(1),
+    );
+    let along = wide_unsigned(narrowed_unsigned(back >> 28), share.unsigned_abs()) >> 2;
+    square_root(one.square().saturating_sub(along))
+}
