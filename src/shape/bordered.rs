@@ -94,12 +94,17 @@ impl Beam {
     /// The distance to the cone is at least p cos β - s sin β. The cosine of β is above 31/32.
     pub(super) fn passes(&self, way: Vector, radius: i32) -> bool {
         let along = way.dot(self.direction);
-        if along + radius < -SLACK || along - radius > self.length + self.radius {
+        if along + radius < -SLACK {
             return true;
         }
+        let aside = way.without(self.direction, along).square();
+        let beyond = along - self.length;
+        if beyond > 0 {
+            // The nearest ray ends in the beam's ball.
+            return aside + square(beyond) > square(radius + self.radius);
+        }
         let reach = radius + self.width(along);
-        let reach = reach + (reach >> 4);
-        way.without(self.direction, along).square() > square(reach)
+        aside > square(reach + (reach >> 4))
     }
 }
 
