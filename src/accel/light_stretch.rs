@@ -114,6 +114,30 @@ macro_rules! any_hides {
         $header:tt
         $({ $list:ident $($more:tt)* })*
     ) => {
+        /// Tests whether no shape lies between an eye and the points of a stretch, but the shape that the
+        /// stretch shows.
+        #[inline(never)]
+        pub(crate) fn is_clear_way<W: World>(world: &W, eye: Point, stretch: &LitStretch) -> bool {
+            let Some(beam) = Beam::new(eye, stretch.ball) else {
+                return false;
+            };
+            let parts = world.parts();
+            let first = 0;
+            $(
+                let is_clear = parts.$list.iter().enumerate().all(|(index, shape)| {
+                    stretch.shape == ShapeId::at(first + index)
+                        || beam.passes(eye.to(shape.bounding_ball().0), shape.bounding_ball().1)
+                        || shape.spares(&shape.seen_from_light(eye), &beam)
+                });
+                if !is_clear {
+                    return false;
+                }
+                let first = first + parts.$list.len();
+            )*
+            let _ = first;
+            !stretch.is_inside || stretch.is_flat
+        }
+
         /// Tests whether a shape of `set` surely hides all points of a stretch from a light.
         #[inline(always)]
         fn any_hides<W: World>(

@@ -92,13 +92,13 @@ impl Beam {
     ///
     /// The beam is a cone. At a right angle to its middle ray, the distance of the ball's centre is p.
     /// The distance to the cone is at least p cos β - s sin β. The cosine of β is above 31/32.
-    pub(super) fn passes(&self, way: Vector, radius: i32) -> bool {
+    pub(crate) fn passes(&self, way: Vector, radius: i32) -> bool {
         let along = way.dot(self.direction);
-        if along + radius < -SLACK {
+        let beyond = along - self.length;
+        if along < -radius - SLACK || beyond > radius + self.radius {
             return true;
         }
         let aside = way.without(self.direction, along).square();
-        let beyond = along - self.length;
         if beyond > 0 {
             // The nearest ray ends in the beam's ball.
             return aside + square(beyond) > square(radius + self.radius);

@@ -3,68 +3,118 @@
 //! It is known for the first hit, and for the second if a plane mirrored the path: these rays start at one
 //! eye and lie in one plane. docs/edges.md has the proof.
 
-use super::{PathQuality, Stop, Traced, Tracer};
+use super::{PathQuality, STOPS, Stop, Stops, Tracer};
 use crate::accel::light_occluders::LightOccluders;
 use crate::accel::stretch::{Body, Stretch};
-use crate::accel::{LitStretch, Window, World, lights_all};
+use crate::accel::{LitStretch, Window, World, is_clear_way, lights_all};
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
-use crate::number::{Brightness, square_root, unit_product};
+use crate::number::{Brightness, ratio, square_root, unit_product, unsigned, unsigned_wide, wide};
 use crate::scene::access::ShapeId;
 use crate::shade::Glance;
 use crate::shade::highlight::sealed::Shading;
 use crate::shape::bordered::Ball;
 use crate::shape::plane::PreparedPlane;
-use crate::vector::{Direction, Point};
+use crate::vector::{Direction, Point, Vector};
 
 /// Pixels between two traced ones: the window of the row, and the columns of the two.
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);
 
-/// The plane that mirrored a stretch, if one did.
-type Mirror<'a> = Option<(ShapeId, &'a PreparedPlane)>;
+/// What is known of all paths between two traced ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Steadiness {
+    /// Nothing.
+    None,
+    /// The camera's rays, and their first reflection in a plane, meet the same shapes, lit by the same
+    /// lights.
+    First,
+    /// All rays meet the same shapes, lit by the same lights.
+    All,
+}
+
+/// Where the rays of a stretch come from.
+#[derive(Clone, Copy)]
+struct Origin<'a> {
+    /// The camera, or its image in one plane after another.
+    eye: Point,
+    /// Normal of the plane in which the rays lie.
+    row: Direction,
+    /// Number of reflections.
+    level: usize,
+    /// The plane that mirrored the rays last.
+    mirror: Option<(ShapeId, &'a PreparedPlane)>,
+}
 
 /// The surface that a stretch shows.
 struct Shown<'a> {
     material: &'a PreparedMaterial,
     lit: LitStretch,
-    /// The point from which the rays come: the camera or its image.
+    /// Change of the normal from one end to the other.
+    turn: Vector,
+    /// Direction and distance from the eye to the middle.
+    view: (Direction, i32),
     eye: Point,
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Tests whether all paths between two traced ones surely meet the same shapes, lit by the same lights,
-    /// as far as the paths have known bounds. The two have equal signatures.
+    /// Returns what is known of all paths between two traced ones that have equal signatures.
     #[inline(never)]
-    pub(crate) fn is_steady(&mut self, between: Between<'_>, ends: [&Traced; 2]) -> bool {
+    pub(crate) fn steadiness(&mut self, between: Between<'_>, ends: [&Stops; 2]) -> Steadiness {
         let parts = self.world.parts();
-        let mut mirror = None;
-        for level in 0..2 {
-            let [first, last] = ends.map(|end| &end.stops[level]);
-            if first.shape == ShapeId::BEYOND {
-                return true;
-            }
+        let mut known = Steadiness::None;
+        let Some((eye, row)) = self.culling.eye() else {
+            return known;
+        };
+        let mut origin = Origin {
+            eye,
+            row,
+            level: 0,
+            mirror: None,
+        };
+        let [start, end] = ends.map(Stops::all);
+        for (first, last) in start.iter().zip(end) {
             let is_one = first.shape == last.shape && first.is_inside == last.is_inside;
-            let is_near = first.place.is_near() && last.place.is_near();
-            if !is_one || !self.keeps_shape(between, mirror, [first, last], is_near) {
-                return false;
+            let is_near = first.is_near && last.is_near;
+            if !is_one || !self.keeps_shape(between, &origin, [first, last], is_near) {
+                return known;
             }
             let Some(plane) = parts.plane(first.shape) else {
-                return true;
+                return Steadiness::All;
             };
             // Rays that a far point mirrors have no known bounds.
-            if !is_near && K::REFLECTS && parts.material(plane.material).mirrors() {
-                return !parts.has_bounded();
+            let mirrors = K::REFLECTS && parts.material(plane.material).mirrors();
+            if !mirrors || !parts.has_bounded() {
+                return Steadiness::All;
             }
-            mirror = Some((first.shape, plane));
+            if origin.level > 0 {
+                known = Steadiness::First;
+            }
+            let Some(eye) = plane
+                .mirrored(origin.eye, parts.epsilon)
+                .filter(|_| is_near)
+            else {
+                return known;
+            };
+            origin = Origin {
+                eye,
+                row: origin
+                    .row
+                    .reflected(plane.normal, origin.row.dot(plane.normal)),
+                level: origin.level + 1,
+                mirror: Some((first.shape, plane)),
+            };
         }
-        true
+        match start.len() == end.len() && start.len() < STOPS {
+            true => Steadiness::All,
+            false => Steadiness::First,
+        }
     }
 
     /// Tests whether all rays between two hit the same shape, lit by the same lights.
     fn keeps_shape(
         &mut self,
         between: Between<'_>,
-        mirror: Mirror<'_>,
+        origin: &Origin<'_>,
         stops: [&Stop; 2],
         is_near: bool,
     ) -> bool {
@@ -75,24 +125,29 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             body: Body::None,
             ball: None,
             reach: None,
-            mirror: mirror.map(|(_, plane)| plane),
+            mirror: origin.mirror.map(|(_, plane)| plane),
         };
         if first.shape == ShapeId::NONE || !is_near {
-            return self.culling.keeps(self.world, mirror, between.0, &stretch)
+            return origin.level < 2
+                && self
+                    .culling
+                    .keeps(self.world, origin.mirror, between.0, &stretch)
                 && (first.shape == ShapeId::NONE || self.keeps_far_light(first.shape));
         }
-        let Some((shown, row)) = self.shown(mirror, stops) else {
+        let Some(shown) = self.shown(origin.eye, stops) else {
             return false;
         };
         let parts = self.world.parts();
         let is_curved = !parts.is_flat(first.shape);
         let [(_, one), (_, other)] = shown.lit.ends;
         // The line from end to end turns by less than a right angle.
-        if is_curved && one.dot(other) < unit_product(one.dot(row), other.dot(row)) {
+        if is_curved && one.dot(other) < unit_product(one.dot(origin.row), other.dot(origin.row)) {
             return false;
         }
-        let (middle, radius) = shown.lit.ball;
-        let (_, distance) = shown.eye.to(middle).direction_and_length();
+        let (_, radius) = shown.lit.ball;
+        if origin.level > 1 {
+            return is_clear_way(self.world, origin.eye, &shown.lit) && self.keeps_lights(&shown);
+        }
         let stretch = Stretch {
             body: match parts.plane(first.shape) {
                 Some(plane) => Body::Plane(plane),
@@ -101,18 +156,19 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                     .map_or(Body::None, |(ball, _)| Body::Ball(ball)),
             },
             ball: Some(shown.lit.ball),
-            reach: (!is_curved || !first.is_inside).then_some(distance.to_bits() + radius),
+            reach: (!is_curved || !first.is_inside).then_some(shown.view.1 + radius),
             ..stretch
         };
-        self.culling.keeps(self.world, mirror, between.0, &stretch) && self.keeps_lights(&shown)
+        self.culling
+            .keeps(self.world, origin.mirror, between.0, &stretch)
+            && self.keeps_lights(&shown)
     }
 
-    /// Returns the surface that a stretch shows, and the normal of the row's plane.
-    fn shown(&self, mirror: Mirror<'_>, stops: [&Stop; 2]) -> Option<(Shown<'a>, Direction)> {
+    /// Returns the surface that a stretch shows.
+    fn shown(&self, eye: Point, stops: [&Stop; 2]) -> Option<Shown<'a>> {
         let parts = self.world.parts();
-        let (eye, row) = self.culling.eye(self.world, mirror)?;
         let [first, last] = stops.map(|stop| {
-            let point = stop.place.point;
+            let point = stop.point;
             let (outward, material) = parts.outside(stop.shape, point)?;
             Some(((point, outward.reversed_if(stop.is_inside)), material))
         });
@@ -126,8 +182,14 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             ball: ball_over(first.0, last.0, 2 * epsilon),
             ends: [first, last],
         };
-        let material = parts.material(material);
-        Some((Shown { material, lit, eye }, row))
+        let (direction, distance) = eye.to(lit.ball.0).direction_and_length();
+        Some(Shown {
+            material: parts.material(material),
+            lit,
+            turn: last.1.raw().minus(first.1.raw()),
+            view: (direction, distance.to_bits()),
+            eye,
+        })
     }
 
     /// Tests whether each light shines on a whole stretch or on nothing of it, with a highlight that can be
@@ -177,6 +239,9 @@ fn world_lights<W: World>(world: &W) -> &[LightOccluders<W::Room>] {
 
 /// Tests whether the highlight of a light can be interpolated.
 fn keeps_highlight<K: Shading>(shown: &Shown<'_>, light: &PreparedLight) -> bool {
+    if is_surely_smooth(shown, light) {
+        return true;
+    }
     let glances = shown.lit.ends.map(|(point, normal)| Glance {
         normal,
         view: shown.eye.to(point).direction_and_length().0,
@@ -188,6 +253,38 @@ fn keeps_highlight<K: Shading>(shown: &Shown<'_>, light: &PreparedLight) -> bool
             .0,
     });
     K::is_smooth(&glances, shown.material.shininess)
+}
+
+/// Tests whether the highlight of a near light surely changes little, from bounds of the changes of the
+/// normal and of the directions to the light and to the eye.
+///
+/// Each of these directions changes by at most the diameter of the ball over the distance. The half-way
+/// vector is their sum over its length, which is at least the sum of the cosines to the normal.
+fn is_surely_smooth(shown: &Shown<'_>, light: &PreparedLight) -> bool {
+    let (middle, radius) = shown.lit.ball;
+    let (view, distance) = shown.view;
+    let [(_, normal), _] = shown.lit.ends;
+    if !light.place.is_near() {
+        return false;
+    }
+    let (along, length) = light.place.point.to(middle).direction_and_length();
+    let nearest = distance.min(length.to_bits());
+    // Bounds in Q2.30, of which 2⁻⁴ is the largest that counts.
+    let turn = shown.turn.square();
+    let cosines = -(normal.dot(view).to_bits() >> 1) - (normal.dot(along).to_bits() >> 1);
+    if nearest >> 3 <= radius || turn > 1 << 52 || cosines < 1 << 26 {
+        return false;
+    }
+    let change = ratio(unsigned(4 * radius), unsigned(nearest));
+    let change = match change < cosines {
+        true => ratio(unsigned(change), unsigned(cosines)) >> 1,
+        false => return false,
+    };
+    let turn = square_root(turn);
+    // Twice as much for Phong's mirrored light.
+    let both = 2 * (turn >> 2) + 2 * (change >> 2);
+    let square = unsigned_wide(wide(both, both)) >> 26;
+    square * u64::from(shown.material.shininess.next_integer()) <= 1 << 29
 }
 
 /// Returns the ball over the distance between two points, enlarged by `more`.
