@@ -156,7 +156,7 @@ impl Draft {
             let Vector([x, y, z]) = self.random.direction();
             let far = distance * self.random.between(0.7, 1.5);
             let position = Vector([x, y, z.abs() + 0.15]).unit() * far;
-            let bright = self.random.between(0.4, 1.0);
+            let bright = self.random.between(0.7, 1.2);
             let color = self.random.color().map(|it| (it * bright).max(0.1));
             let position = position.0;
             self.scene.lights.push(Light { position, color });

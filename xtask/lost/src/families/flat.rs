@@ -17,11 +17,11 @@ pub fn sunk(draft: &mut Draft) {
         let material = draft.any_material();
         draft.plane(point, normal, material);
     }
-    for _ in 0..draft.random.count(3, 12) {
+    for _ in 0..draft.random.count(8, 25) {
         let (point, normal) = draft.random.pick(&planes);
         let across = draft.random.across(normal);
         let place = point + across * draft.random.between(0.0, 2.0);
-        let radius = draft.random.log_between(0.05, 4.0);
+        let radius = draft.random.log_between(0.1, 4.0);
         let depth = radius * (1.0 - draft.random.log_between(2e-4, 0.2));
         let material = draft.any_material();
         let axis = draft.random.across(normal);
@@ -49,7 +49,7 @@ pub fn sunk(draft: &mut Draft) {
     }
     let lights = draft.random.count(1, 2);
     draft.lights(lights, 8.0);
-    draft.usual_camera(1.8);
+    draft.usual_camera(1.3);
 }
 
 /// Adds rows of equal caps to the plane z = 0.
@@ -77,14 +77,16 @@ pub fn wide(draft: &mut Draft) {
         let material = draft.any_material();
         draft.plane(point, normal, material);
     }
-    for _ in 0..draft.random.count(5, 25) {
-        let center = draft.random.direction() * draft.random.between(1.2, 3.5);
-        let radius = draft.random.log_between(0.01, 0.6);
+    let (position, view) = (draft.random.point() * 0.4, draft.random.direction());
+    for _ in 0..draft.random.count(8, 30) {
+        // Most shapes are in front of the camera, many of them near the edges of the picture.
+        let toward = (view + draft.random.direction() * 1.2).unit();
+        let center = toward * draft.random.between(1.2, 3.5);
+        let radius = draft.random.log_between(0.02, 0.6);
         draft.any_shape(center, radius);
     }
     let lights = draft.random.count(1, 3);
     draft.lights(lights, 6.0);
-    let (position, view) = (draft.random.point() * 0.4, draft.random.direction());
     let fov = draft.random.between(90.0, 150.0);
     draft.camera(position + view, view * -1.0, fov);
 }
@@ -159,8 +161,8 @@ pub fn far(draft: &mut Draft) {
     let lights = draft.random.count(1, 2);
     let away = draft.random.log_between(8.0, 1e5);
     draft.lights(lights, away);
-    // From half of the shapes to four times as much; not below the smallest field of view.
-    let width = draft.random.log_between(1.5, 12.0);
+    // From a third of the shapes to twice as much; not below the smallest field of view.
+    let width = draft.random.log_between(1.0, 6.0);
     let fov = (2.0 * (width / 2.0 / distance).atan().to_degrees()).max(0.002);
     draft.camera(UP, eye * distance, fov);
 }

@@ -91,7 +91,7 @@ pub fn touching(draft: &mut Draft) {
     }
     let lights = draft.random.count(1, 3);
     draft.lights(lights, 9.0);
-    draft.usual_camera(2.0);
+    draft.usual_camera(1.3);
 }
 
 /// Adds a rod through the middle of a ball, as thick as the ball or thinner, with a lid or without.
