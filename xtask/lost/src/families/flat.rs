@@ -158,6 +158,15 @@ pub fn far(draft: &mut Draft) {
         let radius = draft.random.log_between(0.01, 0.8);
         draft.any_shape(center, radius);
     }
+    for _ in 0..draft.random.count(0, 5) {
+        let (center, axis) = (draft.random.point() * 1.5 + UP, draft.random.direction());
+        let size = (
+            draft.random.log_between(0.003, 0.05),
+            draft.random.between(0.5, 4.0),
+        );
+        let material = draft.any_material();
+        draft.cylinder(center, axis, size, material);
+    }
     let lights = draft.random.count(1, 2);
     let away = draft.random.log_between(8.0, 1e5);
     draft.lights(lights, away);
