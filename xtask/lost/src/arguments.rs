@@ -57,16 +57,16 @@ pub struct Arguments {
         long = "scenes",
         value_name = "N",
         default_value_t = 300,
-        requires = "families"
+        conflicts_with = "scenes"
     )]
     pub count: usize,
 
     /// Seed of the random scenes
-    #[arg(long, value_name = "N", default_value_t = 1, requires = "families")]
+    #[arg(long, value_name = "N", default_value_t = 1, conflicts_with = "scenes")]
     pub seed: u64,
 
     /// Write the random scenes as scene files into this folder, and draw nothing
-    #[arg(long, value_name = "DIR", requires = "families")]
+    #[arg(long, value_name = "DIR", conflicts_with = "scenes")]
     pub write: Option<PathBuf>,
 
     /// Write the pictures into this folder, with lost pixels in magenta; of random scenes only

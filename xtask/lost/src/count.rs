@@ -115,7 +115,7 @@ mod tests {
     /// One pixel for each way to be right or wrong. `truth` is grey everywhere.
     const EXACT: [[u8; 3]; 7] = [
         [100, 101, 99],
-        GREY,
+        [101, 99, 100],
         [100, 100, 102],
         GREY,
         GREY,

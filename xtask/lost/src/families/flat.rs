@@ -144,7 +144,9 @@ pub fn far(draft: &mut Draft) {
         let floor = draft.any_material();
         draft.plane(Vector::ZERO, UP, floor);
     }
-    let distance = draft.random.log_between(50.0, 1e5);
+    // Not always so far that nothing is interpolated.
+    let furthest = draft.random.pick(&[200.0, 1e5]);
+    let distance = draft.random.log_between(8.0, furthest);
     let Vector([x, y, z]) = draft.random.direction();
     let eye = Vector([x, y, z.abs() + 0.05]).unit();
     if draft.random.chance(0.6) {
