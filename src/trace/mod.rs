@@ -18,14 +18,14 @@ use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{CullingQuality, Window, World, nearest_ahead};
 use crate::color::Sum;
 use crate::number::{Unit, share};
-use crate::ray::{PathSignature, ScaledRay};
+use crate::ray::{PathSignature, ScaledPoint, ScaledRay};
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::Hit;
 use crate::scene::query::{located, nearest_hit};
 use crate::scene::{Mirrors, Surface, planes};
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{LightQuality, Lit};
-use crate::vector::{Direction, Point};
+use crate::vector::Direction;
 
 /// The part of a quality that says how exactly paths are followed.
 pub trait PathQuality: CullingQuality + LightQuality {
@@ -77,10 +77,8 @@ struct Stop {
     /// The shape; [`ShapeId::NONE`] if the path hit nothing.
     shape: ShapeId,
     is_inside: bool,
-    /// Whether the hit is near.
-    is_near: bool,
-    /// Point epsilon above the surface, if it is near.
-    point: Point,
+    /// Point epsilon above the surface.
+    place: ScaledPoint,
 }
 
 impl Stops {
@@ -89,8 +87,7 @@ impl Stops {
         stops: [Stop {
             shape: ShapeId::NONE,
             is_inside: false,
-            is_near: false,
-            point: Point::ORIGIN,
+            place: ScaledPoint::ORIGIN,
         }; STOPS],
         count: 0,
     };
@@ -108,8 +105,7 @@ impl Stops {
                 *stop = Stop {
                     shape: surface.shape,
                     is_inside: surface.is_inside,
-                    is_near: surface.place.is_near(),
-                    point: surface.place.point,
+                    place: surface.place,
                 }
             }
         }
