@@ -22,6 +22,8 @@ pub(crate) struct LitStretch {
     pub(crate) is_hollow: bool,
     /// Upper bound of the distance of a point from the straight line between the ends, in steps.
     pub(crate) bulge: i32,
+    /// What rounding and epsilon may add, in steps.
+    pub(crate) slack: i32,
     /// Points at the two ends.
     pub(crate) ends: [ScaledPoint; 2],
 }

@@ -187,13 +187,20 @@ impl Fan {
         else {
             return self.avoids(way, |_| radius);
         };
+        let apart = way.dot(self.normal).abs();
+        let reach = radius + self.thickness;
+        if apart >= reach {
+            return true;
+        }
         let beyond = way.dot(outward) - distance;
-        if beyond > self.thickness
-            && middle.minus(way).square() > square(radius + half + self.thickness)
+        if beyond > self.thickness && middle.minus(way).square() > square(reach + half)
+            || beyond < -distance - reach
         {
             return true;
         }
-        self.avoids(way, |_| radius)
+        let [one, other] = self.sides.map(|side| way.dot(side));
+        let aside = beyond.max(one).max(other);
+        aside > 0 && square(aside) + square(apart) > square(reach)
     }
 
     /// Tests whether the fan surely avoids a rod.

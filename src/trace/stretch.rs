@@ -3,9 +3,9 @@
 //! It is known for the first hit, and for the second if a plane mirrored the path: these rays start at one
 //! eye and lie in one plane. docs/edges.md has the proof.
 
-use super::{PathQuality, STOPS, Stop, Stops, Tracer};
+use super::{PathQuality, Stop, Stops, Tracer};
 use crate::accel::light_occluders::LightOccluders;
-use crate::accel::stretch::{Body, Stretch};
+use crate::accel::stretch::{Body, Chord, Stretch};
 use crate::accel::{LitStretch, Window, World, is_clear_way, lights_all};
 use crate::material::PreparedMaterial;
 use crate::number::{
@@ -56,8 +56,8 @@ struct Shown<'a> {
     normals: [Direction; 2],
     /// Length of their difference.
     turn: Unit,
-    /// Ball around all points, and the distance of its centre from the eye, if they are near.
-    ball: Option<(Ball, i32)>,
+    /// Ball around all points, if they are near.
+    ball: Option<Ball>,
     eye: Point,
 }
 
@@ -107,10 +107,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 mirror: Some((first.shape, plane)),
             };
         }
-        match start.len() == end.len() && start.len() < STOPS {
-            true => Steadiness::All,
-            false => Steadiness::First,
-        }
+        // Hits that are not stored make the signature coarse.
+        Steadiness::All
     }
 
     /// Tests whether all rays between two hit the same shape, lit by the same lights.
@@ -126,7 +124,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             columns: between.1,
             shape: first.shape,
             body: Body::None,
-            ball: None,
+            chord: None,
             reach: None,
             mirror: origin.mirror.map(|(_, plane)| plane),
         };
@@ -146,11 +144,17 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                     None => Body::None,
                 },
             };
-            let reach = shown.ball.map(|((_, radius), distance)| radius + distance);
+            // The curve is not further from the eye than its chord.
+            let reach = stops.map(|stop| square_root(origin.eye.to(stop.place.point).square()));
+            let reach = reach[0].max(reach[1]) + shown.lit.slack;
             let stretch = Stretch {
                 body,
-                ball: shown.ball.map(|(ball, _)| ball),
-                reach: reach.filter(|_| !shown.lit.is_hollow),
+                chord: shown.ball.map(|ball| Chord {
+                    ball,
+                    ends: stops.map(|stop| stop.place.point),
+                    bulge: shown.lit.bulge + shown.lit.slack,
+                }),
+                reach: (!shown.lit.is_hollow).then_some(reach),
                 ..stretch
             };
             self.keeps(between, origin, &stretch)
@@ -180,6 +184,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 shape: first.shape,
                 is_hollow: is_curved && first.is_inside,
                 bulge: 0,
+                slack: 0,
                 ends: [first.place, last.place],
             },
             normals: [one, other],
@@ -190,8 +195,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         if first.place.is_near() && last.place.is_near() {
             let epsilon = parts.epsilon.to_bits().max(parts.inner_epsilon.to_bits());
             let ball = ball_over(first.place.point, last.place.point, 2 * epsilon);
-            let (_, distance) = origin.eye.to(ball.0).direction_and_length();
-            shown.ball = Some((ball, distance.to_bits()));
+            shown.ball = Some(ball);
+            shown.lit.slack = 2 * epsilon + 8;
             if is_curved {
                 let turn = turn_in_plane([one, other], origin.row)?;
                 // The curve lies in the triangle of its chord and its tangents. With the angle τ between
@@ -277,15 +282,16 @@ impl Shown<'_> {
     /// vector is the sum of both directions over its length, which is at least the sum of their cosines to
     /// the normal.
     fn is_surely_smooth<K: Shading>(&self, fan: &Fan) -> bool {
-        let Some(((middle, radius), distance)) = self.ball else {
+        let Some((middle, radius)) = self.ball else {
             return false;
         };
+        let (view, distance) = self.eye.to(middle).direction_and_length();
+        let distance = distance.to_bits();
         if distance >> 3 <= radius {
             return false;
         }
         let [first, last] = fan.ends;
         let light = square_root(last.raw().minus(first.raw()).square());
-        let (view, _) = self.eye.to(middle).direction_and_length();
         let [normal, _] = self.normals;
         // Half of each, so that sums fit.
         let moves = (light >> 1) + ratio(unsigned(radius), unsigned(distance));
