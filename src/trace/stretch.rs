@@ -129,7 +129,17 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             mirror: origin.mirror.map(|(_, plane)| plane),
         };
         if first.shape == ShapeId::NONE {
-            return origin.level < 2 && self.keeps(between, origin, &stretch);
+            if origin.level < 2 {
+                return self.keeps(between, origin, &stretch);
+            }
+            let beyond = LitStretch {
+                shape: ShapeId::NONE,
+                is_hollow: false,
+                bulge: 0,
+                slack: 0,
+                ends: stops.map(|stop| stop.place),
+            };
+            return is_clear_way(self.world, origin.eye, &beyond);
         }
         let Some(shown) = self.shown(origin, stops) else {
             return false;
