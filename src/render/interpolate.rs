@@ -19,7 +19,7 @@ use crate::number::Unit;
 use crate::ray::PathSignature;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
-use crate::trace::{Steadiness, Stops, Traced, Tracer};
+use crate::trace::{Progress, Steadiness, Stops, Traced, Tracer};
 
 /// Number of columns below which a picture has blocks of eight columns.
 const SMALL: u32 = 128;
@@ -154,7 +154,11 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         // The two ends of a block take turns.
         let end = self.trace(first + block, 1 - start.slot);
         self.end = (first + block, end);
-        self.between((first, block), [&start, &end], Known::Nothing);
+        self.between(
+            (first, block),
+            [&start, &end],
+            Known::Nothing(Progress::NONE),
+        );
     }
 
     /// Takes a block as clear if no path in the current window hits a shape. Returns whether it is.
@@ -200,10 +204,13 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         }
         let columns = [first, first + length];
         let mut known = match known {
-            Known::Nothing if is_alike => {
+            Known::Nothing(mut proved) if is_alike => {
                 let stops = [&self.stops[start.slot], &self.stops[end.slot]];
-                match self.tracer.steadiness((&self.window, columns), stops) {
-                    Steadiness::None => Known::Nothing,
+                match self
+                    .tracer
+                    .steadiness((&self.window, columns), stops, &mut proved)
+                {
+                    Steadiness::None => Known::Nothing(proved),
                     Steadiness::All if !start.signature.is_coarse() => Known::Steady,
                     Steadiness::First | Steadiness::All => Known::Coarse,
                 }
@@ -244,7 +251,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
 /// What is known of the paths between two traced ones.
 #[derive(Clone, Copy)]
 enum Known {
-    Nothing,
+    /// Nothing but this.
+    Nothing(Progress),
     /// All surely meet the same, as far as paths have known bounds. Others are guessed, but not more than
     /// one pixel between two.
     Coarse,
@@ -267,7 +275,7 @@ impl Known {
     /// times the tolerance, or the expected second difference is at most four times the tolerance.
     fn allows(self, [start, end]: [&End; 2], tolerance: i32) -> bool {
         match self {
-            Self::Nothing => false,
+            Self::Nothing(_) => false,
             Self::Bend(bend) if bend.is_within(4 * tolerance) => true,
             _ => end.sum.less(start.sum).is_within(3 * tolerance),
         }

@@ -35,6 +35,20 @@ pub(crate) enum Steadiness {
     All,
 }
 
+/// How much is proved of the paths of a stretch. It holds for each part of the stretch, too.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Progress {
+    /// Number of hits that are proved.
+    hits: usize,
+    /// Of the next hit, 0 if nothing is proved, else 1 + the number of lights.
+    steps: usize,
+}
+
+impl Progress {
+    /// Nothing is proved.
+    pub(crate) const NONE: Self = Self { hits: 0, steps: 0 };
+}
+
 /// Where the rays of a stretch come from.
 #[derive(Clone, Copy)]
 struct Origin<'a> {
@@ -62,9 +76,15 @@ struct Shown<'a> {
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Returns what is known of all paths between two traced ones that have equal signatures.
+    /// Returns what is known of all paths between two traced ones that have equal signatures. `proved` is
+    /// known before, and gets what is proved now.
     #[inline(never)]
-    pub(crate) fn steadiness(&mut self, between: Between<'_>, ends: [&Stops; 2]) -> Steadiness {
+    pub(crate) fn steadiness(
+        &mut self,
+        between: Between<'_>,
+        ends: [&Stops; 2],
+        proved: &mut Progress,
+    ) -> Steadiness {
         let parts = self.world.parts();
         let mut known = Steadiness::None;
         let Some((eye, row)) = self.culling.eye() else {
@@ -79,14 +99,28 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let [start, end] = ends.map(Stops::all);
         for (first, last) in start.iter().zip(end) {
             let is_one = first.shape == last.shape && first.is_inside == last.is_inside;
-            if !is_one || !self.keeps_shape(between, &origin, [first, last]) {
+            if !is_one {
                 return known;
+            }
+            if origin.level == proved.hits {
+                match self.keeps_shape(between, &origin, [first, last], proved.steps) {
+                    Ok(()) => {
+                        *proved = Progress {
+                            hits: proved.hits + 1,
+                            steps: 0,
+                        }
+                    }
+                    Err(steps) => {
+                        proved.steps = steps;
+                        return known;
+                    }
+                }
             }
             let Some(plane) = parts.plane(first.shape) else {
                 return Steadiness::All;
             };
             let mirrors = K::REFLECTS && parts.material(plane.material).mirrors();
-            if !mirrors || !parts.has_bounded() {
+            if !mirrors {
                 return Steadiness::All;
             }
             if origin.level > 0 {
@@ -111,13 +145,15 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         Steadiness::All
     }
 
-    /// Tests whether all rays between two hit the same shape, lit by the same lights.
+    /// Tests whether all rays between two hit the same shape, lit by the same lights. `steps` are proved
+    /// before. Returns how many are if not all are.
     fn keeps_shape(
         &mut self,
         between: Between<'_>,
         origin: &Origin<'_>,
         stops: [&Stop; 2],
-    ) -> bool {
+        steps: usize,
+    ) -> Result<(), usize> {
         let [first, _] = stops;
         let parts = self.world.parts();
         let stretch = Stretch {
@@ -130,7 +166,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         };
         if first.shape == ShapeId::NONE {
             if origin.level < 2 {
-                return self.keeps(between, origin, &stretch);
+                return sure(self.keeps(between, origin, &stretch), 0);
             }
             let beyond = LitStretch {
                 shape: ShapeId::NONE,
@@ -139,12 +175,14 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 slack: 0,
                 ends: stops.map(|stop| stop.place),
             };
-            return is_clear_way(self.world, origin.eye, &beyond);
+            return sure(is_clear_way(self.world, origin.eye, &beyond), 0);
         }
         let Some(shown) = self.shown(origin, stops) else {
-            return false;
+            return Err(steps);
         };
-        let keeps = if origin.level > 1 {
+        let keeps = if steps > 0 || !parts.has_bounded() {
+            true
+        } else if origin.level > 1 {
             shown.ball.is_some() && is_clear_way(self.world, origin.eye, &shown.lit)
         } else {
             let body = match parts.plane(first.shape) {
@@ -169,7 +207,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             };
             self.keeps(between, origin, &stretch)
         };
-        keeps && self.keeps_lights(&shown)
+        sure(keeps, 0)?;
+        self.keeps_lights(&shown, steps.max(1))
     }
 
     /// Tests whether no other shape comes to the front in a stretch.
@@ -220,13 +259,17 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     }
 
     /// Tests whether each light shines on a whole stretch or on nothing of it, with a highlight that can be
-    /// interpolated.
-    fn keeps_lights(&self, shown: &Shown<'_>) -> bool {
+    /// interpolated. `steps` are proved before. Returns how many are if not all are.
+    fn keeps_lights(&self, shown: &Shown<'_>, steps: usize) -> Result<(), usize> {
         let lights = self.world.tables().light_occluders;
-        let mut lights = lights.iter().enumerate();
-        lights.all(|(index, light)| {
-            self.visibility.is_hidden(index) || self.keeps_light(shown, light, index)
-        })
+        for (index, light) in lights.iter().enumerate().skip(steps - 1) {
+            let is_hidden = self.visibility.is_hidden(index);
+            sure(
+                is_hidden || self.keeps_light(shown, light, index),
+                1 + index,
+            )?;
+        }
+        Ok(())
     }
 
     /// Tests whether a light shines on a whole stretch or on nothing of it, with a highlight that can be
@@ -314,6 +357,14 @@ impl Shown<'_> {
         let change = (change + i64::from(self.turn.to_bits())) >> 2;
         let change = narrowed(change) << K::TURNS;
         is_little(change, self.material.shininess)
+    }
+}
+
+/// Returns an error with the number of steps before if a step is not proved.
+fn sure(is_proved: bool, steps: usize) -> Result<(), usize> {
+    match is_proved {
+        true => Ok(()),
+        false => Err(steps),
     }
 }
 
