@@ -44,7 +44,7 @@ impl Chord {
         let [first, last] = self.ends;
         let (direction, length) = first.to(last).direction_and_length();
         let way = first.to(center);
-        let along = way.dot(direction).clamp(0, length.to_bits());
+        let along = way.dot(direction).max(0).min(length.to_bits());
         let reach = u64::from((radius + self.bulge).unsigned_abs());
         way.without(direction, along).square() > reach * reach
     }

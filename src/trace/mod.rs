@@ -10,7 +10,7 @@ mod visibility;
 
 use core::marker::PhantomData;
 
-pub(crate) use stretch::{Progress, Steadiness};
+pub(crate) use stretch::Progress;
 use visibility::{Culled, Plain};
 
 use crate::accel::light_visibility::LightVisibility;

@@ -16,24 +16,12 @@ use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{Glance, is_little};
-use crate::shape::bordered::{Ball, Fan};
+use crate::shape::bordered::{Ball, Rays};
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
 /// Pixels between two traced ones: the window of the row, and the columns of the two.
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);
-
-/// What is known of all paths between two traced ones.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Steadiness {
-    /// Nothing.
-    None,
-    /// The camera's rays, and their first reflection in a plane, meet the same shapes, lit by the same
-    /// lights.
-    First,
-    /// All rays meet the same shapes, lit by the same lights.
-    All,
-}
 
 /// How much is proved of the paths of a stretch. It holds for each part of the stretch, too.
 #[derive(Clone, Copy, Debug)]
@@ -47,6 +35,11 @@ pub(crate) struct Progress {
 impl Progress {
     /// Nothing is proved.
     pub(crate) const NONE: Self = Self { hits: 0, steps: 0 };
+
+    /// Tests whether the camera's rays, and their first reflection in a plane, are proved.
+    pub(crate) fn has_first(self) -> bool {
+        self.hits > 1
+    }
 }
 
 /// Where the rays of a stretch come from.
@@ -76,19 +69,19 @@ struct Shown<'a> {
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Returns what is known of all paths between two traced ones that have equal signatures. `proved` is
-    /// known before, and gets what is proved now.
+    /// Tests whether all paths between two traced ones surely meet the same shapes, lit by the same lights, as
+    /// far as the paths have known bounds. The two have equal signatures. `proved` is known before, and gets
+    /// what is proved now.
     #[inline(never)]
-    pub(crate) fn steadiness(
+    pub(crate) fn is_steady(
         &mut self,
         between: Between<'_>,
         ends: [&Stops; 2],
         proved: &mut Progress,
-    ) -> Steadiness {
+    ) -> bool {
         let parts = self.world.parts();
-        let mut known = Steadiness::None;
         let Some((eye, row)) = self.culling.eye() else {
-            return known;
+            return false;
         };
         let mut origin = Origin {
             eye,
@@ -100,7 +93,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         for (first, last) in start.iter().zip(end) {
             let is_one = first.shape == last.shape && first.is_inside == last.is_inside;
             if !is_one {
-                return known;
+                return false;
             }
             if origin.level == proved.hits {
                 match self.keeps_shape(between, &origin, [first, last], proved.steps) {
@@ -112,25 +105,22 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                     }
                     Err(steps) => {
                         proved.steps = steps;
-                        return known;
+                        return false;
                     }
                 }
             }
             let Some(plane) = parts.plane(first.shape) else {
-                return Steadiness::All;
+                return true;
             };
             let mirrors = K::REFLECTS && parts.material(plane.material).mirrors();
             if !mirrors {
-                return Steadiness::All;
-            }
-            if origin.level > 0 {
-                known = Steadiness::First;
+                return true;
             }
             // Rays that a far point mirrors have no known bounds.
             let is_near = first.place.is_near() && last.place.is_near();
             let image = plane.mirrored(origin.eye, parts.epsilon);
             let Some(eye) = image.filter(|_| is_near) else {
-                return known;
+                return false;
             };
             origin = Origin {
                 eye,
@@ -142,7 +132,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             };
         }
         // Hits that are not stored make the signature coarse.
-        Steadiness::All
+        true
     }
 
     /// Tests whether all rays between two hit the same shape, lit by the same lights. `steps` are proved
@@ -193,8 +183,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 },
             };
             // The curve is not further from the eye than its chord.
-            let reach = stops.map(|stop| square_root(origin.eye.to(stop.place.point).square()));
-            let reach = reach[0].max(reach[1]) + shown.lit.slack;
+            let [one, other] =
+                stops.map(|stop| square_root(origin.eye.to(stop.place.point).square()));
+            let reach = one.max(other) + shown.lit.slack;
             let stretch = Stretch {
                 body,
                 chord: shown.ball.map(|ball| Chord {
@@ -284,8 +275,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let has_shadows = K::SHADOWS && W::NEEDS.shadows && world.parts().has_bounded();
         let has_highlight = W::NEEDS.highlights && shown.material.specular > Brightness::ZERO;
         let place = light.light().place;
-        let faces = |end: usize| shown.lit.ends[end].to(place).0.dot(shown.normals[end]) > 0;
-        match [faces(0), faces(1)] {
+        let ([first, last], [one, other]) = (shown.lit.ends, shown.normals);
+        let faces = |end: ScaledPoint, normal| end.to(place).0.dot(normal) > 0;
+        match [faces(first, one), faces(last, other)] {
             [false, false] => return true,
             [true, true] => {}
             _ => return false,
@@ -293,39 +285,40 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         if !(has_shadows || has_highlight) {
             return true;
         }
-        let Some(fan) = shown.lit.fan(place) else {
-            return false;
-        };
+        let rays = Rays::new(place, shown.lit.ends);
         if has_shadows {
             if !self.visibility.is_clear(index) {
                 return false;
             }
-            match lights_all::<W, Q>(world, (light, index), &shown.lit, &fan) {
+            match lights_all::<W, Q>(world, (light, index), &shown.lit, &rays) {
                 None => return false,
                 Some(false) => return true,
                 Some(true) => {}
             }
         }
-        !has_highlight || shown.keeps_highlight::<K>(&fan)
+        !has_highlight || shown.keeps_highlight::<K>(&rays)
     }
 }
 
 impl Shown<'_> {
-    /// Tests whether the highlight of a light can be interpolated. `fan` are the light's rays.
-    fn keeps_highlight<K: Shading>(&self, fan: &Fan) -> bool {
-        if self.is_surely_smooth::<K>(fan) {
+    /// Tests whether the highlight of a light can be interpolated. `rays` are those of the light.
+    fn keeps_highlight<K: Shading>(&self, rays: &Rays) -> bool {
+        if self.is_surely_smooth::<K>(rays) {
             return true;
         }
         let eye = ScaledPoint {
             point: self.eye,
             scale: 0,
         };
-        let glance = |end: usize| Glance {
-            normal: self.normals[end],
-            view: eye.to(self.lit.ends[end]).0.direction_and_length().0,
-            along: fan.ends[end],
+        let glance = |normal, end, along| Glance {
+            normal,
+            view: eye.to(end).0.direction_and_length().0,
+            along,
         };
-        K::is_smooth(&[glance(0), glance(1)], self.material.shininess)
+        let ([first, last], [one, other]) = (self.lit.ends, self.normals);
+        let [start, end] = rays.ends;
+        let glances = [glance(one, first, start), glance(other, last, end)];
+        K::is_smooth(&glances, self.material.shininess)
     }
 
     /// Tests whether a highlight surely changes little, from bounds of the changes of the normal and of the
@@ -334,7 +327,7 @@ impl Shown<'_> {
     /// The direction to the eye changes by at most the diameter of the ball over the distance. The half-way
     /// vector is the sum of both directions over its length, which is at least the sum of their cosines to
     /// the normal.
-    fn is_surely_smooth<K: Shading>(&self, fan: &Fan) -> bool {
+    fn is_surely_smooth<K: Shading>(&self, rays: &Rays) -> bool {
         let Some((middle, radius)) = self.ball else {
             return false;
         };
@@ -343,7 +336,7 @@ impl Shown<'_> {
         if distance >> 3 <= radius {
             return false;
         }
-        let [first, last] = fan.ends;
+        let [first, last] = rays.ends;
         let light = square_root(last.raw().minus(first.raw()).square());
         let [normal, _] = self.normals;
         // Half of each, so that sums fit.

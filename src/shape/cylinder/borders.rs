@@ -4,7 +4,7 @@ use super::{CylinderFromLight, CylinderFromPoint, PreparedCylinder};
 use crate::number::{Length, signed_wide, square_root, wide};
 use crate::ray::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
 use crate::shape::bordered::{Ball, Bordered, Fan, Rod, SLACK, square};
-use crate::vector::Vector;
+use crate::vector::{Direction, Vector};
 
 impl Bordered for PreparedCylinder {
     /// Where the rims of both ends begin and end.
@@ -73,17 +73,17 @@ impl Bordered for PreparedCylinder {
         if fan.thickness > SLACK {
             return false;
         }
-        let [first, last] = [0, 1].map(|end| {
-            let direction = fan.ends[end];
+        let entry = |direction: Direction, reach: Length| {
             let start = Length::from_bits(0);
-            let hit = self.met(&from.from, &direction, start, fan.reaches[end])?;
+            let hit = self.met(&from.from, &direction, start, reach)?;
             let at = direction.scaled(hit.to_bits()).minus(from.from.way);
             let height = at.dot(self.axis);
             let outward = at.without(self.axis, height);
             // The wall is hit from outside.
             (outward.dot(direction) < 0).then_some((at, height, outward))
-        });
-        let (Some(first), Some(last)) = (first, last) else {
+        };
+        let ([one, other], [near, far]) = (fan.ends, fan.reaches);
+        let (Some(first), Some(last)) = (entry(one, near), entry(other, far)) else {
             return false;
         };
         let chord = square_root(first.0.minus(last.0).square());
