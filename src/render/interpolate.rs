@@ -22,7 +22,7 @@ use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Progress, Stops, Traced, Tracer};
 
 /// Number of columns below which a picture has blocks of eight columns.
-const SMALL: u32 = 128;
+const SMALL: u32 = 192;
 
 /// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block; 2, 3 and 4 are in the
 /// middle of 4, 8 and 16 pixels; the last is never read again.
@@ -91,7 +91,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     fn block(tracer: &Tracer<'a, W, K, Q>, width: u32) -> u32 {
         match Tracer::<W, K, Q>::IS_INTERPOLATED && tracer.is_near() {
             false => 1,
-            true if width < SMALL => 8,
+            true if width < SMALL => 16,
             true => LONGEST_STRIDE,
         }
     }
@@ -199,7 +199,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             };
             return self.set(place + 1, between);
         }
-        if let (Known::Part(proved), true) = (&mut known, is_alike) {
+        if let (Known::Part(proved), true) = (&mut known, is_alike && length > 4) {
             let stops = [start, end].map(|end| &self.stops[end.slot % SLOTS]);
             let window = (&self.window, [first, first + length]);
             if self.tracer.is_steady(window, stops, proved) {
