@@ -8,7 +8,7 @@ use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{Scene, Static, World};
 use crate::number::sweep::Sweep;
 use crate::number::{Length, Unit};
-use crate::ray::{PathSignature, REACH, ScaledPoint, ScaledRay};
+use crate::ray::{REACH, ScaledPoint, ScaledRay};
 use crate::render::Fine;
 use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
@@ -36,8 +36,9 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         bounds
     });
     for y in 0..SIZE.1 {
+        let row = generator.row_plane(y, from.point);
         let tracer = |bounds, is_full| {
-            let culling = ScreenCulling::new::<true>(bounds, from, y, is_full);
+            let culling = ScreenCulling::new::<true>(bounds, (from, row), y, is_full);
             Tracer::<W, BlinnPhong, Fine>::new(world, &view, culling, 3)
         };
         let mut some = tracer(bounds.as_ref(), false);
@@ -321,7 +322,7 @@ fn light_tables_miss_no_shape() {
 
 /// Returns the point and the shape of a ray's nearest hit, by the plain path that tests every shape.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(world, ray, skip, &mut PathSignature::new())
+    nearest_hit(world, ray, skip)
 }
 
 /// Asserts that the shadow test from a clear light's side agrees with the plain shadow ray to the light,

@@ -8,7 +8,7 @@ use crate::scene::Room;
 use crate::scene::access::SceneAccess;
 use crate::scene::{Description, RuntimeScene, SceneBuilder};
 use crate::shape::{PreparedCylinder, PreparedSphere};
-use crate::vector::Direction;
+use crate::vector::{Direction, Vector};
 
 type Scenery = RuntimeScene<Room<6, 1, 5, 1, 2>>;
 pub(crate) type Built = Scene<Room<6, 1, 5, 1, 2>>;
