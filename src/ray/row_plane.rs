@@ -139,22 +139,29 @@ impl RowPlane {
         let half = scaled_by_unit(radius, half);
         let half_chord = along.scaled(half);
         let (Some(one), Some(other)) = (
-            self.column_of(foot.minus(half_chord)),
-            self.column_of(foot.plus(half_chord)),
+            self.columns_of(foot.minus(half_chord)),
+            self.columns_of(foot.plus(half_chord)),
         ) else {
             return Chord::Unknown;
         };
-        let ends = [one.min(other), one.max(other)];
+        let ends = [one[0].min(other[0]), one[1].max(other[1])];
         let square = (wide(half, half) >> 30) * i64::from(sine);
-        Chord::Ends(ends, is_exact(ends, radius, square))
+        let is_narrow = |[low, high]: [i32; 2]| high - low <= 4;
+        Chord::Ends(
+            ends,
+            is_narrow(one) && is_narrow(other) && is_exact(ends, radius, square),
+        )
     }
 
-    /// Returns the column of a point in sixteenths, `None` if it does not lie ahead of the eye.
-    fn column_of(&self, way: Vector) -> Option<i32> {
-        let ahead = way.dot(self.axis.ahead);
+    /// Returns the smallest and the largest column, in sixteenths, of a point that is known to four steps.
+    /// Returns `None` if it does not lie ahead of the eye.
+    fn columns_of(&self, way: Vector) -> Option<[i32; 2]> {
+        let (ahead, aside) = (way.dot(self.axis.ahead), way.dot(self.axis.aside));
         (ahead > 64 * SLACK).then(|| {
             let scale = self.axis.columns_for_each(ahead.into());
-            self.axis.sixteenths(way.dot(self.axis.aside).into(), scale)
+            // The tangent aside / ahead changes by (4 + 4 aside / ahead) / ahead.
+            let off = 4 + (aside.abs() >> (29 - ahead.leading_zeros()));
+            [aside - off, aside + off].map(|aside| self.axis.sixteenths(aside.into(), scale))
         })
     }
 

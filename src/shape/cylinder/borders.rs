@@ -2,7 +2,7 @@
 
 use super::{CylinderFromLight, CylinderFromPoint, PreparedCylinder};
 use crate::number::{
-    Length, Unit, root_of_unit, scaled_by_unit, signed_wide, square_root, unit_product, wide,
+    Length, Unit, root_of_unit, scaled_by_unit, signed, signed_wide, square_root, unit_product, wide,
 };
 use crate::ray::{Chord, NO_COLUMN, RowPlane, Span, column};
 use crate::shape::bordered::{Ball, Beam, Bordered, SLACK, square};
@@ -114,7 +114,8 @@ impl PreparedCylinder {
         let rest = from.across.square();
         if rest <= square(radius + (radius >> 6)) {
             // The eye is inside of the infinite cylinder, or close to it.
-            return Some((ALL, rest < square(radius - (radius >> 6))));
+            let inner = (radius - (radius >> 6) - 2 * SLACK).max(0);
+            return Some((ALL, rest < square(inner)));
         }
         let touching = square_root(rest - square(radius));
         let toward = from.way.without(self.axis, from.rise);
@@ -125,21 +126,30 @@ impl PreparedCylinder {
         let ([mut first, mut last], mut is_sure) = (ALL, true);
         // Smaller than this, a coefficient is not exact enough.
         let least = signed_wide(rest) >> 10;
+        // Rounding of the products moves a normal by less than this.
+        let off = 5 * (i64::from(square_root(rest)) + 1);
         for (ahead, aside) in [
             (toward_ahead + across_ahead, toward_aside + across_aside),
             (toward_ahead - across_ahead, toward_aside - across_aside),
         ] {
             if aside.abs() < least {
-                if ahead < -16 * least {
+                if row.axis.is_beside(-ahead - off, least + off) {
                     return None;
                 }
                 is_sure = false;
                 continue;
             }
+            let tangent = 2 + (ahead.abs() >> (63 - signed(aside.unsigned_abs().leading_zeros())));
             let scale = row.axis.columns_for_each(aside.abs());
+            let ends = [-1, 1].map(|sign| {
+                let numerator = if aside > 0 { -ahead } else { ahead };
+                row.axis.sixteenths(numerator + sign * off * tangent, scale)
+            });
+            is_sure &= row.axis.is_exact(signed_wide(rest), scale, touching);
+            is_sure &= ends[1] - ends[0] <= 4;
             match aside > 0 {
-                true => first = first.max(row.axis.sixteenths(-ahead, scale)),
-                false => last = last.min(row.axis.sixteenths(ahead, scale)),
+                true => first = first.max(ends[0]),
+                false => last = last.min(ends[1]),
             }
         }
         Some(([first, last], is_sure))
@@ -158,7 +168,7 @@ impl PreparedCylinder {
                 Chord::Ends(ends, is_exact) => {
                     is_sure &= is_exact;
                     for (rim, end) in rims.iter_mut().zip(ends) {
-                        *rim = column((end - 2) >> 4);
+                        *rim = column((end - 6) >> 4);
                     }
                 }
             }

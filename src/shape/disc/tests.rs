@@ -1,3 +1,5 @@
+mod borders;
+
 use super::*;
 use crate::number::sweep::Sweep;
 use crate::ray::{NEAR, ScaledPoint};
