@@ -136,7 +136,8 @@ impl PreparedCylinder {
                 if row.axis.is_beside(-ahead - off, least + off) {
                     return None;
                 }
-                is_sure = false;
+                // Almost the same for all columns.
+                is_sure &= row.axis.is_beside(ahead - off, least + off);
                 continue;
             }
             let tangent = 2 + (ahead.abs() >> (63 - signed(aside.unsigned_abs().leading_zeros())));

@@ -48,10 +48,11 @@ impl Cut {
     }
 }
 
-/// Tests whether a rim lies between two columns, as `accel::stretch` does.
+/// Tests whether a rim may lie between two columns, as `accel::stretch` does.
 fn has_rim(span: &Span<[u16; 4]>, [start, end]: [u32; 2]) -> bool {
+    // Where it is not known where a rim lies, its column is the last but one of all 16-bit numbers.
     let mut rims = span.rims.iter().map(|&rim| u32::from(rim));
-    rims.any(|rim| rim < end && start < rim + 2)
+    rims.any(|rim| rim == 0xfffe || rim < end && start < rim + 2)
 }
 
 /// Returns a cylinder of any shape, from a needle to a ring, with its row.
