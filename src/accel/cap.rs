@@ -41,14 +41,14 @@ const fn cell_number<const SIDE: usize>(coordinate: i32) -> i32 {
     (coordinate - (coordinate >> 25)) >> cell_bits::<SIDE>()
 }
 
-/// Returns the numbers of the first and the last cell along an axis that hold a coordinate within `spread`
-/// of `middle`.
-pub(super) fn cells_within<const SIDE: usize>(middle: i32, spread: i32) -> (i32, i32) {
+/// Returns the numbers of the first and the last cell along an axis that hold a coordinate between two, or
+/// within `more` of them.
+pub(super) fn cells_between<const SIDE: usize>([low, high]: [i32; 2], more: i32) -> (i32, i32) {
     const ONE: i32 = 1 << 30;
-    let spread = spread + MARGIN;
+    let more = more + MARGIN;
     (
-        cell_number::<SIDE>((middle - spread).max(-ONE)),
-        cell_number::<SIDE>((middle + spread).min(ONE)),
+        cell_number::<SIDE>((low - more).max(-ONE)),
+        cell_number::<SIDE>((high + more).min(ONE)),
     )
 }
 

@@ -4,7 +4,7 @@
 //! shapes that reach into the cell. Neighbouring cells mostly have equal sets, so each different set is
 //! stored once.
 
-use super::cap::{Cap, cell, cell_of, cells_within};
+use super::cap::{Cap, cell, cell_of, cells_between};
 use crate::number::{Unit, signed, to_u8, to_u32};
 use crate::scene::shape_set::ShapeSet;
 use crate::vector::{Direction, Vector};
@@ -35,10 +35,16 @@ impl<const SIDE: usize, const CELLS: usize, const SETS: usize> DirectionTable<SI
         set.unwrap_or(ShapeSet::ALL)
     }
 
-    /// Returns the shapes that rays can hit whose direction differs by at most `spread` from this one.
-    pub(crate) fn around_direction(&self, direction: Direction, spread: Unit) -> ShapeSet {
-        let Vector { x, y, z } = direction.raw();
-        let [x, y, z] = [x, y, z].map(|middle| cells_within::<SIDE>(middle, spread.to_bits()));
+    /// Returns the shapes that rays can hit whose direction lies between two, or differs from such a one by
+    /// at most `more`.
+    pub(crate) fn between(&self, [first, last]: [Direction; 2], more: Unit) -> ShapeSet {
+        let (first, last) = (first.raw(), last.raw());
+        let within = |first: i32, last: i32| {
+            cells_between::<SIDE>([first.min(last), first.max(last)], more.to_bits())
+        };
+        let x = within(first.x, last.x);
+        let y = within(first.y, last.y);
+        let z = within(first.z, last.z);
         let mut set = ShapeSet::NONE;
         for x in x.0..=x.1 {
             for y in y.0..=y.1 {

@@ -8,7 +8,7 @@ use super::{CullingQuality, World};
 use crate::light::PreparedLight;
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
-use crate::shape::bordered::Beam;
+use crate::shape::bordered::Fan;
 use crate::vector::{Direction, Point};
 
 /// Table of the bounded shapes in each direction from one light.
@@ -71,18 +71,14 @@ impl LightTable {
     }
 }
 
-/// Returns the bounded shapes that rays of a beam from a light can hit, by the light's index.
-pub(super) fn beam_set<W: World, Q: CullingQuality>(
-    world: &W,
-    light: usize,
-    beam: &Beam,
-) -> ShapeSet {
+/// Returns the bounded shapes that rays of a fan from a light can hit, by the light's index.
+pub(super) fn fan_set<W: World, Q: CullingQuality>(world: &W, light: usize, fan: &Fan) -> ShapeSet {
     let table = match W::NEEDS.sets && Q::CULLING.light_tables {
         true => world.tables().light_tables.get(light),
         false => None,
     };
     table.map_or(*ShapeSet::ALL, |table| {
-        table.around_direction(beam.direction, beam.spread)
+        table.between(fan.ends, fan.widening())
     })
 }
 

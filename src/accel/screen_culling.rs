@@ -149,21 +149,10 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         }
     }
 
-    /// Returns the point at which the rays of a stretch start: the camera, or its image in a plane. `None`
-    /// if that is not known.
-    pub(crate) fn eye(
-        &self,
-        world: &W,
-        mirror: Option<(ShapeId, &PreparedPlane)>,
-    ) -> Option<(Point, Direction)> {
-        let camera = self.camera?;
-        match mirror {
-            None => Some((camera, self.direct.row.normal)),
-            Some((_, plane)) => Some((
-                plane.mirrored(camera, world.parts().epsilon)?,
-                self.direct.row.mirrored(plane.normal).normal,
-            )),
-        }
+    /// Returns the camera, and the normal of the plane in which the row's rays lie. `None` if the camera is
+    /// far.
+    pub(crate) fn eye(&self) -> Option<(Point, Direction)> {
+        Some((self.camera?, self.direct.row.normal))
     }
 
     /// Prepares the active list for rays mirrored in another plane. Returns `None` if the camera or its

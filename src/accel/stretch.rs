@@ -9,6 +9,7 @@ use crate::ray::Span;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::shape::bordered::{Ball, Bordered};
 use crate::shape::plane::PreparedPlane;
+use crate::vector::Point;
 
 /// The pixels between two traced ones, and the surface that both ends hit.
 pub(crate) struct Stretch<'a> {
@@ -18,14 +19,35 @@ pub(crate) struct Stretch<'a> {
     pub(crate) shape: ShapeId,
     /// What bounds the shape.
     pub(crate) body: Body<'a>,
-    /// Ball around all points of the shape that the stretch can show. `None` if they are not near, or if
+    /// Where all points of the shape lie that the stretch can show. `None` if they are not near, or if
     /// nothing is hit.
-    pub(crate) ball: Option<Ball>,
+    pub(crate) chord: Option<Chord>,
     /// Upper bound of the distance from the eye to these points, in steps. `None` if the shape is hit from
     /// inside.
     pub(crate) reach: Option<i32>,
     /// The plane that mirrored the rays.
     pub(crate) mirror: Option<&'a PreparedPlane>,
+}
+
+/// The straight line between the points at both ends. All points between are close to it.
+pub(crate) struct Chord {
+    /// Ball around all points.
+    pub(crate) ball: Ball,
+    pub(crate) ends: [Point; 2],
+    /// Upper bound of the distance of a point from the line, in steps.
+    pub(crate) bulge: i32,
+}
+
+impl Chord {
+    /// Tests whether a ball surely holds no point of the chord.
+    pub(crate) fn misses(&self, (center, radius): Ball) -> bool {
+        let [first, last] = self.ends;
+        let (direction, length) = first.to(last).direction_and_length();
+        let way = first.to(center);
+        let along = way.dot(direction).clamp(0, length.to_bits());
+        let reach = u64::from((radius + self.bulge).unsigned_abs());
+        way.without(direction, along).square() > reach * reach
+    }
 }
 
 /// What bounds a shape: the set of points that a shape of its kind cannot leave.
@@ -137,18 +159,16 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
 impl<K: Bordered> ActiveShape<'_, K> {
     /// Tests whether the shape surely crosses no point that the stretch shows.
     fn never_crosses(&self, stretch: &Stretch<'_>) -> bool {
-        match stretch.ball {
-            None => true,
-            Some(ball) => {
-                self.shape.is_apart_from(ball)
-                    || stretch.body.is_apart_from(self.shape.bounding_ball())
-            }
-        }
+        stretch.chord.as_ref().is_none_or(|chord| {
+            self.shape.is_apart_from(chord.ball)
+                || stretch.body.is_apart_from(self.shape.bounding_ball())
+                || chord.misses(self.shape.bounding_ball())
+        })
     }
 
     /// Tests whether the shape begins and ends behind the surface that the stretch shows.
     fn begins_behind(&self, stretch: &Stretch<'_>) -> bool {
-        let (Some(reach), Some(_)) = (stretch.reach, stretch.ball) else {
+        let (Some(reach), Some(_)) = (stretch.reach, &stretch.chord) else {
             return false;
         };
         // An end that cuts a closed shape shows that the shape is behind there.

@@ -115,8 +115,7 @@ impl RowPlane {
         let ends = ends.map(|numerator| self.axis.sixteenths(numerator, scale));
         // Near the eye, a border is further off than in proportion: by 1 / (u - ρ) of its tangent.
         let [first, last] = ends.map(|end| (end - 8 * signed(self.axis.width)).abs());
-        let is_far_ahead =
-            8 * wide(first.max(last), radius) <= wide(circle, ahead - circle);
+        let is_far_ahead = 8 * wide(first.max(last), radius) <= wide(circle, ahead - circle);
         let is_sure = is_narrow && is_far_ahead && is_exact(ends, radius, square);
         Span::new(ends, is_sure, [])
     }

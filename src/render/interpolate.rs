@@ -16,12 +16,38 @@ use crate::accel::{LONGEST_STRIDE, Window, World};
 use crate::camera::RowDirections;
 use crate::color::{Bend, Sum};
 use crate::number::Unit;
+use crate::ray::PathSignature;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
-use crate::trace::{Traced, Tracer};
+use crate::trace::{Steadiness, Stops, Traced, Tracer};
 
 /// Number of columns below which a picture has blocks of eight columns.
 const SMALL: u32 = 128;
+
+/// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block; 2, 3 and 4 are in the
+/// middle of 4, 8 and 16 pixels; the last is never read again.
+const SLOTS: usize = 6;
+
+/// A traced pixel.
+#[derive(Clone, Copy)]
+struct End {
+    sum: Sum,
+    signature: PathSignature,
+    /// Where its hits are stored.
+    slot: usize,
+}
+
+impl End {
+    #[inline(always)]
+    fn new(traced: Traced, slot: usize) -> Self {
+        let Traced { sum, signature } = traced;
+        Self {
+            sum,
+            signature,
+            slot,
+        }
+    }
+}
 
 /// The colours of a row of pixels, computed from one column on to the right.
 pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
@@ -38,8 +64,10 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     block: u32,
     /// Colours of the block that `column` lies in.
     colors: [Sum; LONGEST_STRIDE as usize],
-    /// The traced pixel after the block, at this column.
-    end: (u32, Traced),
+    /// The traced pixel after the block, and its column.
+    end: (u32, End),
+    /// What the paths of the traced pixels hit.
+    stops: [Stops; SLOTS],
     /// Column before which no path hits anything, if it is to the right of `column`. The colours in
     /// `colors` then are those of such paths.
     clear_until: u32,
@@ -90,7 +118,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             },
             block,
             colors: [Sum::ZERO; LONGEST_STRIDE as usize],
-            end: (u32::MAX, Traced::NONE),
+            end: (u32::MAX, End::new(Traced::NONE, 0)),
+            stops: [Stops::NONE; SLOTS],
             clear_until: 0,
         };
         if first < column && !Tracer::<W, K, Q>::IS_PLAIN {
@@ -108,7 +137,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         let block = self.block;
         self.window = self.tracer.advance(first, first + block);
         if block == 1 {
-            self.colors[0] = self.trace(first).sum;
+            self.colors[0] = self.trace(first, 0).sum;
             return;
         }
         if self.clear(first) {
@@ -120,11 +149,12 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         }
         let start = match self.end {
             (column, end) if column == first => end,
-            _ => self.trace(first),
+            _ => self.trace(first, 0),
         };
-        let end = self.trace(first + block);
+        // The two ends of a block take turns.
+        let end = self.trace(first + block, 1 - start.slot);
         self.end = (first + block, end);
-        self.between((first, block), [&start, &end], None);
+        self.between((first, block), [&start, &end], Known::Nothing);
     }
 
     /// Takes a block as clear if no path in the current window hits a shape. Returns whether it is.
@@ -145,79 +175,101 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     fn trace_each(&mut self, first: u32) {
         for place in 0..self.block {
             if first + place <= self.last {
-                self.colors[place as usize] = self.trace(first + place).sum;
+                self.colors[place as usize] = self.trace(first + place, 0).sum;
             }
         }
     }
 
     /// Computes the colours of `length` pixels, a power of two, from the traced pixel at column `first` up
     /// to the traced pixel after the last. `ends` are these two.
-    ///
-    /// If it is known that all paths between meet the same, `expected` is the second difference that a
-    /// parabola through pixels further away has here.
-    fn between(&mut self, (first, length): (u32, u32), ends: [&Traced; 2], expected: Option<Bend>) {
+    fn between(&mut self, (first, length): (u32, u32), ends: [&End; 2], known: Known) {
         let [start, end] = ends;
         let place = (first % self.block) as usize;
         self.colors[place] = start.sum;
         if length == 1 {
             return;
         }
-        let is_steady = expected.is_some() || self.is_steady((first, length), ends);
+        let is_alike = start.signature == end.signature;
         if length == 2 {
-            self.colors[place + 1] = match is_steady && Self::is_even(ends, expected) {
-                true => start.sum.half_way(end.sum, expected.unwrap_or(Bend::ZERO)),
-                false => self.trace(first + 1).sum,
+            // To find out what lies between would take longer than to trace the one pixel.
+            self.colors[place + 1] = match is_alike && known.allows(ends, Self::TOLERANCE) {
+                true => start.sum.half_way(end.sum, known.bend()),
+                false => self.trace(first + 1, SLOTS - 1).sum,
             };
             return;
         }
+        let columns = [first, first + length];
+        let mut known = match known {
+            Known::Nothing if is_alike => {
+                let stops = [&self.stops[start.slot], &self.stops[end.slot]];
+                match self.tracer.steadiness((&self.window, columns), stops) {
+                    Steadiness::None => Known::Nothing,
+                    Steadiness::All if !start.signature.is_coarse() => Known::Steady,
+                    Steadiness::First | Steadiness::All => Known::Coarse,
+                }
+            }
+            known => known,
+        };
         let half = length / 2;
-        let middle = self.trace(first + half);
-        let bend = Bend::of(start.sum, middle.sum, end.sum);
-        let mut expected_of_halves = None;
-        if is_steady {
-            if bend
-                .less(expected.unwrap_or(Bend::ZERO))
-                .is_within(4 * Self::TOLERANCE)
-            {
+        let middle = self.trace(first + half, length.trailing_zeros() as usize);
+        if is_alike && matches!(known, Known::Steady | Known::Bend(_)) {
+            let bend = Bend::of(start.sum, middle.sum, end.sum);
+            if bend.less(known.bend()).is_within(4 * Self::TOLERANCE) {
                 let sums = [start.sum, middle.sum, end.sum];
                 Sum::parabola(sums, half, &mut self.colors[place..]);
                 return;
             }
-            expected_of_halves = Some(bend.quarter());
+            known = Known::Bend(bend.quarter());
         }
-        self.between((first, half), [start, &middle], expected_of_halves);
-        self.between((first + half, half), [&middle, end], expected_of_halves);
-    }
-
-    /// Tests whether all paths between two traced pixels surely meet the same. Paths without known bounds
-    /// count as such only if a single pixel lies between.
-    fn is_steady(&mut self, (first, length): (u32, u32), ends: [&Traced; 2]) -> bool {
-        let [start, end] = ends;
-        start.signature == end.signature
-            && (length == 2 || !start.signature.is_coarse())
-            && self
-                .tracer
-                .is_steady((&self.window, [first, first + length]), ends)
-    }
-
-    /// Tests whether the one pixel between two is exact enough if it is interpolated: their colours differ
-    /// by at most three times the tolerance, or the expected second difference is at most four times the
-    /// tolerance.
-    fn is_even([start, end]: [&Traced; 2], expected: Option<Bend>) -> bool {
-        end.sum.less(start.sum).is_within(3 * Self::TOLERANCE)
-            || expected.is_some_and(|bend| bend.is_within(4 * Self::TOLERANCE))
+        self.between((first, half), [start, &middle], known);
+        self.between((first + half, half), [&middle, end], known);
     }
 
     /// Traces the pixel of a column, out of line.
     #[inline(never)]
-    fn trace(&mut self, column: u32) -> Traced {
-        self.traced(column)
+    fn trace(&mut self, column: u32, slot: usize) -> End {
+        End::new(self.traced(column, slot), slot)
     }
 
     /// Traces the pixel of a column, inlined into the caller.
     #[inline(always)]
-    fn traced(&mut self, column: u32) -> Traced {
+    fn traced(&mut self, column: u32, slot: usize) -> Traced {
         let direction = self.directions.of(column);
-        self.tracer.trace((&self.window, column), direction)
+        let pixel = (&self.window, column);
+        self.tracer
+            .trace(pixel, direction, &mut self.stops[slot % SLOTS])
+    }
+}
+
+/// What is known of the paths between two traced ones.
+#[derive(Clone, Copy)]
+enum Known {
+    Nothing,
+    /// All surely meet the same, as far as paths have known bounds. Others are guessed, but not more than
+    /// one pixel between two.
+    Coarse,
+    /// All surely meet the same.
+    Steady,
+    /// All surely meet the same. A parabola through pixels further away has this second difference.
+    Bend(Bend),
+}
+
+impl Known {
+    /// Returns the expected second difference of three traced pixels.
+    fn bend(self) -> Bend {
+        match self {
+            Self::Bend(bend) => bend,
+            _ => Bend::ZERO,
+        }
+    }
+
+    /// Tests whether the one pixel between two can be interpolated: their colours differ by at most three
+    /// times the tolerance, or the expected second difference is at most four times the tolerance.
+    fn allows(self, [start, end]: [&End; 2], tolerance: i32) -> bool {
+        match self {
+            Self::Nothing => false,
+            Self::Bend(bend) if bend.is_within(4 * tolerance) => true,
+            _ => end.sum.less(start.sum).is_within(3 * tolerance),
+        }
     }
 }

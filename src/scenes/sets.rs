@@ -17,7 +17,7 @@ use crate::scene::{RuntimeScene, Surface};
 use crate::shade::BlinnPhong;
 use crate::shape::MaterialId;
 use crate::shape::plane::{PreparedPlane, Side};
-use crate::trace::Tracer;
+use crate::trace::{Stops, Tracer};
 use crate::vector::{Direction, Point, Position};
 use crate::{Camera, Material};
 
@@ -47,7 +47,8 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         for x in 0..SIZE.0 {
             let [some, all] = [&mut some, &mut all].map(|it| {
                 let window = it.advance(x / 4 * 4, x / 4 * 4 + 4);
-                it.trace((&window, x), directions.of(x)).sum
+                let stops = &mut Stops::NONE;
+                it.trace((&window, x), directions.of(x), stops).sum
             });
             assert_eq!(some, all, "{name}: pixel {x}, {y} of {camera:?}");
         }

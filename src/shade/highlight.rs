@@ -48,6 +48,9 @@ pub(crate) mod sealed {
         /// Whether shapes cast shadows.
         const SHADOWS: bool;
 
+        /// Power of two by which a highlight changes faster than the half-way vector.
+        const TURNS: u32;
+
         /// Returns the colour of a surface without reflections, and the lights that shine on it.
         fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
             world: &W,
@@ -88,6 +91,7 @@ pub struct Unshadowed<K = BlinnPhong>(PhantomData<K>);
 
 impl<K: Highlight> Highlight for Unshadowed<K> {
     const SHADOWS: bool = false;
+    const TURNS: u32 = K::TURNS;
 
     #[inline(always)]
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
@@ -102,6 +106,7 @@ impl<K: Highlight> Highlight for Unshadowed<K> {
 impl<H: Highlight> sealed::Shading for H {
     const REFLECTS: bool = true;
     const SHADOWS: bool = <H as Highlight>::SHADOWS;
+    const TURNS: u32 = <H as Highlight>::TURNS;
 
     #[inline(always)]
     fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
@@ -124,6 +129,7 @@ impl<H: Highlight> sealed::Shading for H {
 impl sealed::Shading for Normals {
     const REFLECTS: bool = false;
     const SHADOWS: bool = false;
+    const TURNS: u32 = 0;
 
     fn color<W: SceneAccess, Q: LightQuality, V: Visibility>(
         _: &W,
@@ -160,6 +166,9 @@ pub(crate) trait Highlight {
     /// Whether shapes cast shadows in this shading.
     const SHADOWS: bool = true;
 
+    /// Power of two by which the highlight changes faster than the half-way vector.
+    const TURNS: u32 = 0;
+
     /// Returns the strength of a highlight, 0 to 1. `kind` says which powers occur in the scene.
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit;
 
@@ -189,6 +198,8 @@ impl Highlight for BlinnPhong {
 
 /// The highlight (r · v)ˢʰⁱⁿⁱⁿᵉˢˢ, where r is the light direction mirrored in the normal.
 impl Highlight for Phong {
+    const TURNS: u32 = 1;
+
     #[inline(always)]
     fn highlight(cosines: &Cosines, shininess: Exponent, kind: Shininess) -> Unit {
         let cosine = mirrored_cosine(cosines);

@@ -43,9 +43,9 @@ const DARK: u64 = 16 << 30;
 
 /// Tests whether a highlight can be interpolated between two points, from its deviations there in Q4.28.
 pub(super) fn is_smooth([one, other]: [Vector; 2], shininess: Exponent) -> bool {
-    let shininess = u64::from(shininess.next_integer());
     let change = other.minus(one);
     let square = change.square() >> 26;
+    let shininess = u64::from(shininess.next_integer());
     if square * shininess <= SMOOTH {
         return true;
     }
@@ -53,6 +53,13 @@ pub(super) fn is_smooth([one, other]: [Vector; 2], shininess: Exponent) -> bool 
     let bent = narrowed_unsigned(square >> 5).cast_signed();
     let nearest = nearest(one, other, change) - bent;
     nearest > 0 && (unsigned_wide(wide(nearest, nearest)) >> 26) * shininess >= DARK
+}
+
+/// Tests whether samples show how a highlight changes, if the vectors that it depends on change by at most
+/// `change`, in Q4.28.
+pub(crate) fn is_little(change: i32, shininess: Exponent) -> bool {
+    let square = unsigned_wide(wide(change, change)) >> 26;
+    square * u64::from(shininess.next_integer()) <= SMOOTH
 }
 
 /// Returns the distance of the line between two points from zero, in Q4.28.

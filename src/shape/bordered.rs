@@ -3,9 +3,11 @@
 
 use core::fmt::Debug;
 
-use super::bounded::{Bounded, LightRay};
-use crate::number::{Unit, ratio, scaled_by_unit, unsigned, unsigned_wide, wide};
-use crate::ray::{RowPlane, Span};
+use super::bounded::Bounded;
+use crate::number::{
+    Length, Unit, narrowed_unsigned, ratio, scaled_by_unit, signed, unsigned, unsigned_wide, wide,
+};
+use crate::ray::{REACH, RowPlane, ScaledPoint, Span};
 use crate::vector::{Direction, Point, Vector};
 
 /// Ball in steps: centre and radius.
@@ -35,76 +37,177 @@ pub trait Bordered: Bounded {
     /// Tests whether the solid surely has no point in a ball.
     fn is_apart_from(&self, ball: Ball) -> bool;
 
-    /// Tests whether the shape surely hides no end of a beam from the light.
-    fn spares(&self, from: &Self::FromLight, beam: &Beam) -> bool;
+    /// Tests whether the shape surely hides no point of a fan from its apex.
+    fn spares(&self, from: &Self::FromLight, fan: &Fan) -> bool;
 
-    /// Tests whether the shape surely hides all ends of a beam from the light. It hides the two ends in
-    /// `ends`. If `is_flat`, all ends lie on the straight line between the two.
-    fn hides(
-        &self,
-        from: &Self::FromLight,
-        beam: &Beam,
-        ends: &[LightRay; 2],
-        is_flat: bool,
-    ) -> bool;
+    /// Tests whether the shape surely hides all points of a fan from its apex. It hides those at its two
+    /// ends.
+    fn hides(&self, from: &Self::FromLight, fan: &Fan) -> bool;
 }
 
-/// All rays from a light to points in a ball.
+/// All rays from a point, the apex, to a curve on a surface. The curve is close to a straight line, so the
+/// rays are close to a triangle.
 #[derive(Clone, Copy, Debug)]
-pub struct Beam {
-    /// Direction from the light to the middle of the ball.
-    pub(crate) direction: Direction,
-    /// Distance from the light to the middle of the ball, in steps.
-    pub(crate) length: i32,
-    /// Radius of the ball, in steps.
-    pub(crate) radius: i32,
-    /// Upper bound of the sine of the angle between a ray and the direction. At most 1/4.
-    pub(crate) spread: Unit,
+pub struct Fan {
+    /// Directions from the apex to the two ends of the curve.
+    pub(crate) ends: [Direction; 2],
+    /// Distances from the apex to the two ends, in steps; [`REACH`] if they are far.
+    pub(crate) reaches: [Length; 2],
+    /// Upper bound of the distance of the rays from the triangle, in steps.
+    pub(crate) thickness: i32,
+    /// Normal of the triangle.
+    normal: Direction,
+    /// Outward normals of the two sides in the plane of the triangle.
+    sides: [Direction; 2],
+    /// The third side, `None` if it is far.
+    base: Option<Base>,
+}
+
+/// The side of a fan opposite to its apex.
+#[derive(Clone, Copy, Debug)]
+struct Base {
+    /// Outward normal.
+    outward: Direction,
+    /// Distance from the apex, in steps.
+    distance: i32,
+    /// Vector from the apex to the middle.
+    middle: Vector,
+    /// Half of the length, in steps, rounded up.
+    half: i32,
 }
 
 /// What a distance is enlarged by, in steps, because products are rounded.
-pub(super) const SLACK: i32 = 32;
+pub(super) const SLACK: i32 = 64;
 
-impl Beam {
-    /// Returns the beam from a light to a ball, `None` if it is too wide.
-    pub(crate) fn new(light: Point, (middle, radius): Ball) -> Option<Self> {
-        let (direction, length) = light.to(middle).direction_and_length();
-        let (length, radius) = (length.to_bits(), radius + SLACK);
-        (length > 8 * radius).then(|| Self {
-            direction,
-            length,
-            radius,
-            // The tangent is larger than the sine by less than 1/64 of it.
-            spread: Unit::from_bits(ratio(unsigned(radius + (radius >> 5)), unsigned(length)) + 4),
+/// A capsule without its round ends: half of its axis along a direction, and its radius.
+pub(super) struct Rod {
+    pub(super) axis: Direction,
+    pub(super) half: i32,
+    pub(super) radius: i32,
+}
+
+impl Fan {
+    /// Returns the fan from an apex to two ends. The curve between them is at most `bulge` steps away from
+    /// the straight line. `None` if the apex lies almost on that line.
+    pub(crate) fn new(apex: ScaledPoint, places: [ScaledPoint; 2], bulge: i32) -> Option<Self> {
+        let rays = places.map(|place| {
+            let (way, scale) = apex.to(place);
+            let (direction, length) = way.direction_and_length();
+            (direction, if scale == 0 { length } else { REACH })
+        });
+        let [first, last] = rays.map(|(direction, _)| direction);
+        let is_near = rays.iter().all(|&(_, reach)| reach < REACH);
+        // The direction across the fan: from end to end, or, if they are far, between the directions.
+        let along = match is_near {
+            true => places[0].point.to(places[1].point),
+            false => last.raw().minus(first.raw()),
+        };
+        let (along, length) = along.direction_and_length();
+        let across = first.crossed_with(along.raw());
+        if across.square() < 1 << 50 {
+            return None;
+        }
+        let (normal, _) = across.direction_and_length();
+        // From the first side, the other end lies in this direction.
+        let inner = |side: Direction, other: Direction| {
+            let outward = side.crossed(normal);
+            outward.reversed_if(other.dot(outward) > Unit::ZERO)
+        };
+        let outward = along.crossed(normal);
+        let base = is_near.then(|| {
+            let [one, other] = places.map(|place| apex.point.to(place.point));
+            let distance = one.dot(outward);
+            Base {
+                outward: outward.reversed_if(distance < 0),
+                distance: distance.abs(),
+                middle: Vector::new(
+                    (one.x + other.x) >> 1,
+                    (one.y + other.y) >> 1,
+                    (one.z + other.z) >> 1,
+                ),
+                half: (length.to_bits() >> 1) + 2,
+            }
+        });
+        Some(Self {
+            ends: [first, last],
+            reaches: rays.map(|(_, reach)| reach),
+            thickness: bulge + SLACK,
+            normal,
+            sides: [inner(first, last), inner(last, first)],
+            base,
         })
     }
 
-    /// Returns the largest distance of the beam's rays from its middle ray, at a distance from the light.
-    pub(super) fn width(&self, distance: i32) -> i32 {
-        match distance > 0 {
-            true => scaled_by_unit(distance, self.spread) + SLACK,
-            false => SLACK,
-        }
+    /// Returns by how much a coordinate of a ray's direction may exceed those of the two ends.
+    ///
+    /// The directions from end to end lie on an arc. It bulges by at most an eighth of the square of its
+    /// chord; a ray is off the triangle by the thickness over the distance.
+    pub(crate) fn widening(&self) -> Unit {
+        let [first, last] = self.ends;
+        let chord = (last.raw().minus(first.raw()).square() >> 33) + 1;
+        let [one, other] = self.reaches;
+        let nearest = unsigned(one.min(other).to_bits().max(1));
+        let thickness = unsigned(self.thickness);
+        let aside = match thickness < nearest {
+            true => ratio(thickness, nearest),
+            false => Unit::ONE.to_bits(),
+        };
+        Unit::from_bits(aside + signed(narrowed_unsigned(chord)))
     }
 
-    /// Tests whether a ball surely hides no end of the beam. `way` is the vector from the light to the
-    /// ball's centre.
-    ///
-    /// The beam is a cone. At a right angle to its middle ray, the distance of the ball's centre is p.
-    /// The distance to the cone is at least p cos β - s sin β. The cosine of β is above 31/32.
-    pub(super) fn passes(&self, way: Vector, radius: i32) -> bool {
-        let along = way.dot(self.direction);
-        if along + radius < -SLACK {
+    /// Tests whether no point of the fan lies in a body. `way` is the vector from the apex to the body's
+    /// centre, `size` returns its extent along a direction.
+    #[inline(always)]
+    fn avoids(&self, way: Vector, size: impl Fn(Direction) -> i32) -> bool {
+        if way.dot(self.normal).abs() > size(self.normal) + self.thickness {
             return true;
         }
-        let aside = way.without(self.direction, along).square();
-        let beyond = along - self.length;
-        if beyond > 0 {
-            // The nearest ray ends in the beam's ball.
-            return aside + square(beyond) > square(radius + self.radius);
+        let passes = |side: Direction| way.dot(side) > size(side) + self.thickness;
+        if self.sides.into_iter().any(passes) {
+            return true;
         }
-        let reach = radius + self.width(along);
-        aside > square(reach + (reach >> 4))
+        self.base.is_some_and(|base| {
+            let size = size(base.outward) + self.thickness;
+            let along = way.dot(base.outward);
+            along > base.distance + size || along < -size
+        })
+    }
+
+    /// Tests whether the fan surely avoids a ball. `way` is the vector from the apex to its centre.
+    ///
+    /// If the ball's centre lies beyond the third side, the nearest point of the fan is on that side, in the
+    /// ball over its two ends.
+    pub(crate) fn avoids_ball(&self, way: Vector, radius: i32) -> bool {
+        let Some(Base {
+            outward,
+            distance,
+            middle,
+            half,
+        }) = self.base
+        else {
+            return self.avoids(way, |_| radius);
+        };
+        let apart = way.dot(self.normal).abs();
+        let reach = radius + self.thickness;
+        if apart >= reach {
+            return true;
+        }
+        let beyond = way.dot(outward) - distance;
+        if beyond > self.thickness && middle.minus(way).square() > square(reach + half)
+            || beyond < -distance - reach
+        {
+            return true;
+        }
+        let [one, other] = self.sides.map(|side| way.dot(side));
+        let aside = beyond.max(one).max(other);
+        aside > 0 && square(aside) + square(apart) > square(reach)
+    }
+
+    /// Tests whether the fan surely avoids a rod.
+    pub(super) fn avoids_rod(&self, way: Vector, rod: &Rod) -> bool {
+        self.avoids(way, |direction| {
+            scaled_by_unit(rod.half, rod.axis.dot(direction)).abs() + rod.radius + SLACK
+        })
     }
 }
 

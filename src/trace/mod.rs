@@ -10,6 +10,7 @@ mod visibility;
 
 use core::marker::PhantomData;
 
+pub(crate) use stretch::Steadiness;
 use visibility::{Culled, Plain};
 
 use crate::accel::light_visibility::LightVisibility;
@@ -36,32 +37,11 @@ pub trait PathQuality: CullingQuality + LightQuality {
     const TOLERANCE: Unit;
 }
 
-/// The result of a path: its colour, its signature, a hash of what it hit, and its first two hits.
+/// The result of a path: its colour, and its signature, a hash of what it hit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Traced {
     pub(crate) sum: Sum,
     pub(crate) signature: PathSignature,
-    /// The first hit, and the second if the first mirrored the path.
-    stops: [Stop; 2],
-}
-
-/// A hit of a path.
-#[derive(Clone, Copy, Debug)]
-struct Stop {
-    /// The shape; [`ShapeId::NONE`] if the path hit nothing, [`ShapeId::BEYOND`] if it ended before.
-    shape: ShapeId,
-    is_inside: bool,
-    /// Point epsilon above the surface.
-    place: ScaledPoint,
-}
-
-impl Stop {
-    /// The path ended before.
-    const UNSEEN: Self = Self {
-        shape: ShapeId::BEYOND,
-        is_inside: false,
-        place: ScaledPoint::ORIGIN,
-    };
 }
 
 impl Traced {
@@ -69,24 +49,71 @@ impl Traced {
     pub(crate) const NONE: Self = Self {
         sum: Sum::ZERO,
         signature: PathSignature::new(),
-        stops: [Stop::UNSEEN; 2],
-    };
-
-    /// Sentinel for a column beyond the picture: black; its signature equals no real path's.
-    pub(crate) const BEYOND: Self = Self {
-        sum: Sum::ZERO,
-        signature: PathSignature::of_none(),
-        stops: [Stop::UNSEEN; 2],
     };
 
     /// Returns the result of a path that hits nothing: the background.
     pub(crate) fn missed<W: World, K: Shading>(world: &W) -> Self {
         let mut missed = Self::NONE;
         missed.sum.add(Unit::ONE, K::missed(world));
-        missed.stops[0].shape = ShapeId::NONE;
         missed.signature.note(u32::MAX);
         missed.signature = missed.signature.ended(false);
         missed
+    }
+}
+
+/// The hits of a path that can be seen, the first of them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stops {
+    stops: [Stop; STOPS],
+    count: usize,
+}
+
+/// Largest number of hits that are stored.
+const STOPS: usize = 5;
+
+/// A hit of a path.
+#[derive(Clone, Copy, Debug)]
+struct Stop {
+    /// The shape; [`ShapeId::NONE`] if the path hit nothing.
+    shape: ShapeId,
+    is_inside: bool,
+    /// Point epsilon above the surface.
+    place: ScaledPoint,
+}
+
+impl Stops {
+    /// No hit.
+    pub(crate) const NONE: Self = Self {
+        stops: [Stop {
+            shape: ShapeId::NONE,
+            is_inside: false,
+            place: ScaledPoint::ORIGIN,
+        }; STOPS],
+        count: 0,
+    };
+
+    /// Adds a hit if there is room.
+    #[inline(always)]
+    fn add(&mut self, surface: Option<&Surface<'_>>) {
+        let Some(stop) = self.stops.get_mut(self.count) else {
+            return;
+        };
+        self.count += 1;
+        match surface {
+            None => stop.shape = ShapeId::NONE,
+            Some(surface) => {
+                *stop = Stop {
+                    shape: surface.shape,
+                    is_inside: surface.is_inside,
+                    place: surface.place,
+                }
+            }
+        }
+    }
+
+    /// Returns the stored hits.
+    fn all(&self) -> &[Stop] {
+        self.stops.get(..self.count).unwrap_or(&[])
     }
 }
 
@@ -148,12 +175,6 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         self.culling.clear_until(self.world, window)
     }
 
-    /// Tests whether the scene has bounded shapes.
-    #[inline(always)]
-    pub(crate) fn has_bounded(&self) -> bool {
-        self.world.parts().has_bounded()
-    }
-
     /// Returns the result of a path that hits nothing.
     pub(crate) fn missed(&self) -> Traced {
         Traced::missed::<W, K>(self.world)
@@ -165,44 +186,46 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         self.visibility.from.is_near()
     }
 
-    /// Follows one path from the camera in `direction`, and returns its colour and signature.
+    /// Follows one path from the camera in `direction`, and returns its colour and signature. Stores its
+    /// hits in `stops` if pixels are interpolated.
     ///
     /// The path goes through the pixel of a column that lies in the window.
     #[inline(always)]
-    pub(crate) fn trace(&mut self, pixel: (&Window, u32), direction: Direction) -> Traced {
+    pub(crate) fn trace(
+        &mut self,
+        pixel: (&Window, u32),
+        direction: Direction,
+        stops: &mut Stops,
+    ) -> Traced {
         let world = self.world;
         let mut ray = ScaledRay::new(self.visibility.from, direction);
         let Traced {
             mut sum,
             mut signature,
-            mut stops,
         } = Traced::NONE;
+        stops.count = 0;
         let mut throughput = Unit::ONE;
         let mut bounce = Bounce::NONE;
         let mut is_coarse = false;
+        // Smallest throughput of a hit that can be seen.
+        let least = world.parts().smallest_weight(Q::TOLERANCE);
         loop {
             let Some(surface) = self.surface(pixel, &ray, &bounce) else {
                 sum.add(throughput, K::missed(world));
                 signature.note(u32::MAX);
-                if let Some(stop) = stops.get_mut(bounce.count as usize) {
-                    stop.shape = ShapeId::NONE;
+                if Self::IS_INTERPOLATED && throughput >= least {
+                    stops.add(None);
                 }
                 break;
             };
             signature.note(surface.shape.side(surface.is_inside));
-            if Self::IS_INTERPOLATED
-                && let Some(stop) = stops.get_mut(bounce.count as usize)
-            {
-                *stop = Stop {
-                    shape: surface.shape,
-                    is_inside: surface.is_inside,
-                    place: surface.place,
-                };
+            if Self::IS_INTERPOLATED && throughput >= least {
+                stops.add(Some(&surface));
             }
             let reflected = Self::reflected(world, &surface, throughput);
             // A view of normals does not reflect: it shows the surface's own colour even of a mirror.
-            let is_seen = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
-            if is_seen && reflected < throughput {
+            let has_own = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
+            if has_own && reflected < throughput {
                 let lit = self.shade(&surface);
                 signature.note(lit.lights);
                 sum.add(throughput - reflected, lit.color);
@@ -217,29 +240,23 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 break;
             }
             if Self::IS_INTERPOLATED {
-                is_coarse |= self.is_beyond_bounds(&surface, bounce.count, throughput);
+                is_coarse |= throughput >= least && self.is_beyond_bounds(&surface, bounce.count);
             }
             surface.reflect(world, &mut ray);
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
         }
         self.rays += bounce.count + 1;
         let signature = signature.ended(is_coarse);
-        Traced {
-            sum,
-            signature,
-            stops,
-        }
+        Traced { sum, signature }
     }
 
-    /// Tests whether the rays after a reflection have no known bounds: they do not start at the image of
-    /// the camera in a plane. Reflections that cannot be seen do not count. `count` is the number of the
-    /// reflection.
+    /// Tests whether the rays after a reflection have no known bounds: a curved surface mirrors them, or too
+    /// many planes. `count` is the number of the reflection.
     #[inline(always)]
-    fn is_beyond_bounds(&self, surface: &Surface<'_>, count: u32, throughput: Unit) -> bool {
+    fn is_beyond_bounds(&self, surface: &Surface<'_>, count: u32) -> bool {
         let parts = self.world.parts();
-        (count > 1 || parts.plane_index(surface.shape).is_none())
-            && parts.has_bounded()
-            && throughput >= parts.smallest_weight(Q::TOLERANCE)
+        let is_plane = parts.plane_index(surface.shape).is_some();
+        parts.has_bounded() && !(is_plane && (count as usize) < STOPS)
     }
 
     /// Returns the throughput of a path after a surface: `throughput` times the share that the surface

@@ -3,191 +3,328 @@
 //! It is known for the first hit, and for the second if a plane mirrored the path: these rays start at one
 //! eye and lie in one plane. docs/edges.md has the proof.
 
-use super::{PathQuality, Stop, Traced, Tracer};
+use super::{PathQuality, Stop, Stops, Tracer};
 use crate::accel::light_occluders::LightOccluders;
-use crate::accel::stretch::{Body, Stretch};
-use crate::accel::{LitStretch, Window, World, lights_all};
-use crate::light::PreparedLight;
+use crate::accel::stretch::{Body, Chord, Stretch};
+use crate::accel::{LitStretch, Window, World, is_clear_way, lights_all};
 use crate::material::PreparedMaterial;
-use crate::number::{Brightness, square_root, unit_product};
+use crate::number::{
+    Brightness, Unit, narrowed, ratio, root_of_unit, scaled_by_unit, square_root, unit_product,
+    unsigned, unsigned_wide, wide,
+};
+use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
-use crate::shade::Glance;
 use crate::shade::highlight::sealed::Shading;
-use crate::shape::bordered::Ball;
+use crate::shade::{Glance, is_little};
+use crate::shape::bordered::{Ball, Fan};
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
 /// Pixels between two traced ones: the window of the row, and the columns of the two.
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);
 
-/// The plane that mirrored a stretch, if one did.
-type Mirror<'a> = Option<(ShapeId, &'a PreparedPlane)>;
+/// What is known of all paths between two traced ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Steadiness {
+    /// Nothing.
+    None,
+    /// The camera's rays, and their first reflection in a plane, meet the same shapes, lit by the same
+    /// lights.
+    First,
+    /// All rays meet the same shapes, lit by the same lights.
+    All,
+}
+
+/// Where the rays of a stretch come from.
+#[derive(Clone, Copy)]
+struct Origin<'a> {
+    /// The camera, or its image in one plane after another.
+    eye: Point,
+    /// Normal of the plane in which the rays lie.
+    row: Direction,
+    /// Number of reflections.
+    level: usize,
+    /// The plane that mirrored the rays last.
+    mirror: Option<(ShapeId, &'a PreparedPlane)>,
+}
 
 /// The surface that a stretch shows.
 struct Shown<'a> {
     material: &'a PreparedMaterial,
     lit: LitStretch,
-    /// The point from which the rays come: the camera or its image.
+    /// Normals at the two ends.
+    normals: [Direction; 2],
+    /// Length of their difference.
+    turn: Unit,
+    /// Ball around all points, if they are near.
+    ball: Option<Ball>,
     eye: Point,
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Tests whether all paths between two traced ones surely meet the same shapes, lit by the same lights,
-    /// as far as the paths have known bounds. The two have equal signatures.
+    /// Returns what is known of all paths between two traced ones that have equal signatures.
     #[inline(never)]
-    pub(crate) fn is_steady(&mut self, between: Between<'_>, ends: [&Traced; 2]) -> bool {
+    pub(crate) fn steadiness(&mut self, between: Between<'_>, ends: [&Stops; 2]) -> Steadiness {
         let parts = self.world.parts();
-        let mut mirror = None;
-        for level in 0..2 {
-            let [first, last] = ends.map(|end| &end.stops[level]);
-            if first.shape == ShapeId::BEYOND {
-                return true;
-            }
+        let mut known = Steadiness::None;
+        let Some((eye, row)) = self.culling.eye() else {
+            return known;
+        };
+        let mut origin = Origin {
+            eye,
+            row,
+            level: 0,
+            mirror: None,
+        };
+        let [start, end] = ends.map(Stops::all);
+        for (first, last) in start.iter().zip(end) {
             let is_one = first.shape == last.shape && first.is_inside == last.is_inside;
-            let is_near = first.place.is_near() && last.place.is_near();
-            if !is_one || !self.keeps_shape(between, mirror, [first, last], is_near) {
-                return false;
+            if !is_one || !self.keeps_shape(between, &origin, [first, last]) {
+                return known;
             }
             let Some(plane) = parts.plane(first.shape) else {
-                return true;
+                return Steadiness::All;
             };
-            // Rays that a far point mirrors have no known bounds.
-            if !is_near && K::REFLECTS && parts.material(plane.material).mirrors() {
-                return !parts.has_bounded();
+            let mirrors = K::REFLECTS && parts.material(plane.material).mirrors();
+            if !mirrors || !parts.has_bounded() {
+                return Steadiness::All;
             }
-            mirror = Some((first.shape, plane));
+            if origin.level > 0 {
+                known = Steadiness::First;
+            }
+            // Rays that a far point mirrors have no known bounds.
+            let is_near = first.place.is_near() && last.place.is_near();
+            let image = plane.mirrored(origin.eye, parts.epsilon);
+            let Some(eye) = image.filter(|_| is_near) else {
+                return known;
+            };
+            origin = Origin {
+                eye,
+                row: origin
+                    .row
+                    .reflected(plane.normal, origin.row.dot(plane.normal)),
+                level: origin.level + 1,
+                mirror: Some((first.shape, plane)),
+            };
         }
-        true
+        // Hits that are not stored make the signature coarse.
+        Steadiness::All
     }
 
     /// Tests whether all rays between two hit the same shape, lit by the same lights.
     fn keeps_shape(
         &mut self,
         between: Between<'_>,
-        mirror: Mirror<'_>,
+        origin: &Origin<'_>,
         stops: [&Stop; 2],
-        is_near: bool,
     ) -> bool {
         let [first, _] = stops;
+        let parts = self.world.parts();
         let stretch = Stretch {
             columns: between.1,
             shape: first.shape,
             body: Body::None,
-            ball: None,
+            chord: None,
             reach: None,
-            mirror: mirror.map(|(_, plane)| plane),
+            mirror: origin.mirror.map(|(_, plane)| plane),
         };
-        if first.shape == ShapeId::NONE || !is_near {
-            return self.culling.keeps(self.world, mirror, between.0, &stretch)
-                && (first.shape == ShapeId::NONE || self.keeps_far_light(first.shape));
+        if first.shape == ShapeId::NONE {
+            return origin.level < 2 && self.keeps(between, origin, &stretch);
         }
-        let Some((shown, row)) = self.shown(mirror, stops) else {
+        let Some(shown) = self.shown(origin, stops) else {
             return false;
         };
-        let parts = self.world.parts();
-        let is_curved = !parts.is_flat(first.shape);
-        let [(_, one), (_, other)] = shown.lit.ends;
-        // The line from end to end turns by less than a right angle.
-        if is_curved && one.dot(other) < unit_product(one.dot(row), other.dot(row)) {
-            return false;
-        }
-        let (middle, radius) = shown.lit.ball;
-        let (_, distance) = shown.eye.to(middle).direction_and_length();
-        let stretch = Stretch {
-            body: match parts.plane(first.shape) {
+        let keeps = if origin.level > 1 {
+            shown.ball.is_some() && is_clear_way(self.world, origin.eye, &shown.lit)
+        } else {
+            let body = match parts.plane(first.shape) {
                 Some(plane) => Body::Plane(plane),
-                None => parts
-                    .ball(first.shape.index())
-                    .map_or(Body::None, |(ball, _)| Body::Ball(ball)),
-            },
-            ball: Some(shown.lit.ball),
-            reach: (!is_curved || !first.is_inside).then_some(distance.to_bits() + radius),
-            ..stretch
+                None => match parts.ball(first.shape.index()) {
+                    Some((ball, _)) => Body::Ball(ball),
+                    None => Body::None,
+                },
+            };
+            // The curve is not further from the eye than its chord.
+            let reach = stops.map(|stop| square_root(origin.eye.to(stop.place.point).square()));
+            let reach = reach[0].max(reach[1]) + shown.lit.slack;
+            let stretch = Stretch {
+                body,
+                chord: shown.ball.map(|ball| Chord {
+                    ball,
+                    ends: stops.map(|stop| stop.place.point),
+                    bulge: shown.lit.bulge + shown.lit.slack,
+                }),
+                reach: (!shown.lit.is_hollow).then_some(reach),
+                ..stretch
+            };
+            self.keeps(between, origin, &stretch)
         };
-        self.culling.keeps(self.world, mirror, between.0, &stretch) && self.keeps_lights(&shown)
+        keeps && self.keeps_lights(&shown)
     }
 
-    /// Returns the surface that a stretch shows, and the normal of the row's plane.
-    fn shown(&self, mirror: Mirror<'_>, stops: [&Stop; 2]) -> Option<(Shown<'a>, Direction)> {
+    /// Tests whether no other shape comes to the front in a stretch.
+    fn keeps(&mut self, between: Between<'_>, origin: &Origin<'_>, stretch: &Stretch<'_>) -> bool {
+        self.culling
+            .keeps(self.world, origin.mirror, between.0, stretch)
+    }
+
+    /// Returns the surface that a stretch shows. `None` if it turns too much.
+    fn shown(&self, origin: &Origin<'_>, stops: [&Stop; 2]) -> Option<Shown<'a>> {
         let parts = self.world.parts();
-        let (eye, row) = self.culling.eye(self.world, mirror)?;
         let [first, last] = stops.map(|stop| {
-            let point = stop.place.point;
-            let (outward, material) = parts.outside(stop.shape, point)?;
-            Some(((point, outward.reversed_if(stop.is_inside)), material))
+            let (outward, material) = parts.outside(stop.shape, stop.place.point)?;
+            Some((outward.reversed_if(stop.is_inside), material))
         });
-        let ((first, material), (last, _)) = (first?, last?);
-        let [stop, _] = stops;
-        let epsilon = parts.epsilon.to_bits().max(parts.inner_epsilon.to_bits());
-        let lit = LitStretch {
-            shape: stop.shape,
-            is_inside: stop.is_inside,
-            is_flat: parts.is_flat(stop.shape),
-            ball: ball_over(first.0, last.0, 2 * epsilon),
-            ends: [first, last],
+        let ((one, material), (other, _)) = (first?, last?);
+        let [first, last] = stops;
+        let is_curved = !parts.is_flat(first.shape);
+        let mut shown = Shown {
+            material: parts.material(material),
+            lit: LitStretch {
+                shape: first.shape,
+                is_hollow: is_curved && first.is_inside,
+                bulge: 0,
+                slack: 0,
+                ends: [first.place, last.place],
+            },
+            normals: [one, other],
+            turn: Unit::ZERO,
+            ball: None,
+            eye: origin.eye,
         };
-        let material = parts.material(material);
-        Some((Shown { material, lit, eye }, row))
+        if first.place.is_near() && last.place.is_near() {
+            let epsilon = parts.epsilon.to_bits().max(parts.inner_epsilon.to_bits());
+            let ball = ball_over(first.place.point, last.place.point, 2 * epsilon);
+            shown.ball = Some(ball);
+            shown.lit.slack = 2 * epsilon + 8;
+            if is_curved {
+                let turn = turn_in_plane([one, other], origin.row)?;
+                // The curve lies in the triangle of its chord and its tangents. With the angle τ between
+                // them its height is at most half the chord times tan(τ / 2).
+                shown.lit.bulge = scaled_by_unit(ball.1 + (ball.1 >> 2), turn) / 2 + 1;
+                let change = other.raw().minus(one.raw()).square();
+                shown.turn = Unit::from_bits(square_root(change));
+            }
+        }
+        Some(shown)
     }
 
     /// Tests whether each light shines on a whole stretch or on nothing of it, with a highlight that can be
     /// interpolated.
     fn keeps_lights(&self, shown: &Shown<'_>) -> bool {
-        let world = self.world;
-        let has_shadows = K::SHADOWS && W::NEEDS.shadows && world.parts().has_bounded();
-        let has_highlight = W::NEEDS.highlights && shown.material.specular > Brightness::ZERO;
-        let lights = world.tables().light_occluders.iter().enumerate();
-        lights.into_iter().all(|(index, light)| {
-            if self.visibility.is_hidden(index) {
-                return true;
-            }
-            let is_lit = match has_shadows {
-                false => Some(true),
-                true if !self.visibility.is_clear(index) => None,
-                true => lights_all::<W, Q>(world, (light, index), &shown.lit),
-            };
-            match is_lit {
-                None => false,
-                Some(false) => true,
-                Some(true) => !has_highlight || keeps_highlight::<K>(shown, light.light()),
-            }
+        let lights = self.world.tables().light_occluders;
+        let mut lights = lights.iter().enumerate();
+        lights.all(|(index, light)| {
+            self.visibility.is_hidden(index) || self.keeps_light(shown, light, index)
         })
     }
 
-    /// Tests whether each light shines on a whole far stretch of a plane or on nothing of it. That is only
-    /// known if nothing can throw a shadow there.
-    fn keeps_far_light(&self, shape: ShapeId) -> bool {
-        let parts = self.world.parts();
-        let Some(plane) = parts.plane(shape) else {
+    /// Tests whether a light shines on a whole stretch or on nothing of it, with a highlight that can be
+    /// interpolated.
+    fn keeps_light(
+        &self,
+        shown: &Shown<'_>,
+        light: &LightOccluders<W::Room>,
+        index: usize,
+    ) -> bool {
+        let world = self.world;
+        let has_shadows = K::SHADOWS && W::NEEDS.shadows && world.parts().has_bounded();
+        let has_highlight = W::NEEDS.highlights && shown.material.specular > Brightness::ZERO;
+        let place = light.light().place;
+        let faces = |end: usize| shown.lit.ends[end].to(place).0.dot(shown.normals[end]) > 0;
+        match [faces(0), faces(1)] {
+            [false, false] => return true,
+            [true, true] => {}
+            _ => return false,
+        }
+        if !(has_shadows || has_highlight) {
+            return true;
+        }
+        let Some(fan) = shown.lit.fan(place) else {
             return false;
         };
-        let has_shadows = K::SHADOWS && W::NEEDS.shadows && parts.has_bounded();
-        let has_highlight =
-            W::NEEDS.highlights && parts.material(plane.material).specular > Brightness::ZERO;
-        let lights = world_lights(self.world);
-        !(has_shadows || has_highlight)
-            || (0..lights.len()).all(|index| self.visibility.is_hidden(index))
+        if has_shadows {
+            if !self.visibility.is_clear(index) {
+                return false;
+            }
+            match lights_all::<W, Q>(world, (light, index), &shown.lit, &fan) {
+                None => return false,
+                Some(false) => return true,
+                Some(true) => {}
+            }
+        }
+        !has_highlight || shown.keeps_highlight::<K>(&fan)
     }
 }
 
-/// Returns the lights of a scene.
-fn world_lights<W: World>(world: &W) -> &[LightOccluders<W::Room>] {
-    world.tables().light_occluders
+impl Shown<'_> {
+    /// Tests whether the highlight of a light can be interpolated. `fan` are the light's rays.
+    fn keeps_highlight<K: Shading>(&self, fan: &Fan) -> bool {
+        if self.is_surely_smooth::<K>(fan) {
+            return true;
+        }
+        let eye = ScaledPoint {
+            point: self.eye,
+            scale: 0,
+        };
+        let glance = |end: usize| Glance {
+            normal: self.normals[end],
+            view: eye.to(self.lit.ends[end]).0.direction_and_length().0,
+            along: fan.ends[end],
+        };
+        K::is_smooth(&[glance(0), glance(1)], self.material.shininess)
+    }
+
+    /// Tests whether a highlight surely changes little, from bounds of the changes of the normal and of the
+    /// directions to the light and to the eye.
+    ///
+    /// The direction to the eye changes by at most the diameter of the ball over the distance. The half-way
+    /// vector is the sum of both directions over its length, which is at least the sum of their cosines to
+    /// the normal.
+    fn is_surely_smooth<K: Shading>(&self, fan: &Fan) -> bool {
+        let Some((middle, radius)) = self.ball else {
+            return false;
+        };
+        let (view, distance) = self.eye.to(middle).direction_and_length();
+        let distance = distance.to_bits();
+        if distance >> 3 <= radius {
+            return false;
+        }
+        let [first, last] = fan.ends;
+        let light = square_root(last.raw().minus(first.raw()).square());
+        let [normal, _] = self.normals;
+        // Half of each, so that sums fit.
+        let moves = (light >> 1) + ratio(unsigned(radius), unsigned(distance));
+        let cosines = -(normal.dot(view).to_bits() >> 1) - (normal.dot(first).to_bits() >> 1);
+        let cosines = cosines - moves;
+        if cosines <= moves {
+            return false;
+        }
+        let change = i64::from(ratio(unsigned(moves), unsigned(cosines)));
+        let change = (change + i64::from(self.turn.to_bits())) >> 2;
+        let change = narrowed(change) << K::TURNS;
+        is_little(change, self.material.shininess)
+    }
 }
 
-/// Tests whether the highlight of a light can be interpolated.
-fn keeps_highlight<K: Shading>(shown: &Shown<'_>, light: &PreparedLight) -> bool {
-    let glances = shown.lit.ends.map(|(point, normal)| Glance {
-        normal,
-        view: shown.eye.to(point).direction_and_length().0,
-        along: light
-            .place
-            .to(crate::ray::ScaledPoint::new(point, 0))
-            .0
-            .direction_and_length()
-            .0,
-    });
-    K::is_smooth(&glances, shown.material.shininess)
+/// Returns an upper bound of the angle by which a curve in a plane turns between two points, as the length
+/// of a chord of the unit circle, Q2.30. The curve lies on a surface with these normals. `None` if it may
+/// turn by more than 60 degrees.
+fn turn_in_plane([one, other]: [Direction; 2], plane: Direction) -> Option<Unit> {
+    let change = other.raw().minus(one.raw());
+    let across = change.dot(plane);
+    let square = change
+        .square()
+        .saturating_sub(unsigned_wide(wide(across, across)));
+    let turn = square_root(square) + 4;
+    let steepest = one
+        .dot(plane)
+        .to_bits()
+        .abs()
+        .max(other.dot(plane).to_bits().abs());
+    let steepest = Unit::from_bits(steepest.min(Unit::ONE.to_bits()));
+    let least = root_of_unit(Unit::ONE - unit_product(steepest, steepest)).to_bits();
+    (turn < least).then(|| Unit::from_bits(ratio(unsigned(turn), unsigned(least))))
 }
 
 /// Returns the ball over the distance between two points, enlarged by `more`.

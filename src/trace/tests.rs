@@ -68,7 +68,9 @@ fn followed_by<K: Shading, Q: PathQuality, W: World>(
     let mut tracer = Tracer::<_, K, Q>::new(world, &view, culling, reflections);
     let window = tracer.advance(0, 0);
     Followed {
-        sum: tracer.trace((&window, 0), path.direction()).sum,
+        sum: tracer
+            .trace((&window, 0), path.direction(), &mut Stops::NONE)
+            .sum,
         rays: tracer.rays,
         cut_off: tracer.cut_off,
     }

@@ -169,6 +169,7 @@ fn tests(all: bool) -> Result<Vec<Step>> {
         "tests",
         "tests/random/tests",
         "xtask/float_picture/tests",
+        "xtask/lost/tests",
         "xtask/stability/tests",
     ];
     let mut others = test_programs(&all_others)?;

@@ -1,8 +1,8 @@
 use super::*;
 use crate::accel::{Scene, Static, StaticScene, World};
 use crate::material::Material;
-use crate::number::{Length, scaled_by_unit};
 use crate::number::sweep::Sweep;
+use crate::number::{Length, scaled_by_unit};
 use crate::ray::{REACH, Ray};
 use crate::scene::Room;
 use crate::scene::access::SceneAccess;

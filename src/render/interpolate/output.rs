@@ -16,7 +16,7 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         let column = self.column;
         self.column += 1;
         if Tracer::<W, K, Q>::IS_PLAIN {
-            return self.traced(column).sum;
+            return self.traced(column, 0).sum;
         }
         let place = column % self.block;
         if place == 0 {

@@ -13,7 +13,7 @@ use crate::render::Exact;
 use crate::scene::access::SceneAccess;
 use crate::scene::{Needs, Parts};
 use crate::shade::BlinnPhong;
-use crate::trace::{Traced, Tracer};
+use crate::trace::{Stops, Traced, Tracer};
 
 /// A scene filled at run time with the mirror tables that a constant scene would have.
 struct Tabled<'a> {
@@ -55,7 +55,8 @@ fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, PathSigna
         let mut pixels = std::vec::Vec::new();
         for x in 0..SIDE {
             let window = tracer.advance(x, x);
-            let Traced { sum, signature, .. } = tracer.trace((&window, x), directions.of(x));
+            let stops = &mut Stops::NONE;
+            let Traced { sum, signature } = tracer.trace((&window, x), directions.of(x), stops);
             pixels.push((sum, signature));
         }
         pixels

@@ -69,7 +69,7 @@ fn traced_by<W: World, Q: PathQuality>(
         let directions = generator.row(y);
         let pixels = (0..SIZE.0).map(|x| {
             let window = tracer.advance(x, x);
-            let traced = tracer.trace((&window, x), directions.of(x));
+            let traced = tracer.trace((&window, x), directions.of(x), &mut Stops::NONE);
             (traced.sum, traced.signature)
         });
         pixels.collect::<std::vec::Vec<_>>()

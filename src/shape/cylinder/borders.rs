@@ -1,12 +1,9 @@
 //! Where a cylinder begins and ends in a row, and what it surely does to a stretch.
 
 use super::{CylinderFromLight, CylinderFromPoint, PreparedCylinder};
-use crate::number::{
-    Length, Unit, root_of_unit, scaled_by_unit, signed, signed_wide, square_root, unit_product, wide,
-};
+use crate::number::{Length, signed, signed_wide, square_root, wide};
 use crate::ray::{Chord, NO_COLUMN, RowPlane, Span, column};
-use crate::shape::bordered::{Ball, Beam, Bordered, SLACK, square};
-use crate::shape::bounded::LightRay;
+use crate::shape::bordered::{Ball, Bordered, Fan, Rod, SLACK, square};
 use crate::vector::Vector;
 
 impl Bordered for PreparedCylinder {
@@ -44,60 +41,56 @@ impl Bordered for PreparedCylinder {
             || way.without(self.axis, along).square() > square(self.radius + radius + SLACK)
     }
 
-    fn spares(&self, from: &CylinderFromLight, beam: &Beam) -> bool {
-        if from.nearest > beam.length + beam.radius {
+    fn spares(&self, from: &CylinderFromLight, fan: &Fan) -> bool {
+        if fan
+            .reaches
+            .iter()
+            .all(|reach| reach.to_bits() < from.nearest)
+        {
             return true;
         }
         let from = &from.from;
-        // Distance between axis and middle ray, times the sine of the angle between them. It changes by
-        // less than the distance of the light from the axis times the spread.
-        let sideways = from.sideways(beam.direction).abs();
-        let change = scaled_by_unit(square_root(from.across.square()), beam.spread) + SLACK;
-        let climb = beam.direction.dot(self.axis);
-        let sine = root_of_unit(Unit::ONE - unit_product(climb, climb).min(Unit::ONE));
-        let steepest = Unit::from_bits(sine.to_bits() + beam.spread.to_bits() + 64);
-        if sideways - change > scaled_by_unit(self.radius + SLACK, steepest.min(Unit::ONE)) {
+        // If both ends pass the axis on the same side, further away than the radius, all rays do.
+        let [one, other] = fan.ends.map(|end| from.sideways(end));
+        let reach = self.radius + fan.thickness;
+        if one.min(other) > reach || one.max(other) < -reach {
             return true;
         }
-        // Heights of the light and of the ball above the middle, along the axis.
-        let light = -from.rise;
-        let middle = light + scaled_by_unit(beam.length, climb);
-        let low = light.min(middle - beam.radius);
-        let high = light.max(middle + beam.radius);
-        let limit = self.half_height + 2 * SLACK;
-        low > limit || high < -limit
+        fan.avoids_rod(
+            from.way,
+            &Rod {
+                axis: self.axis,
+                half: self.half_height,
+                radius: self.radius,
+            },
+        )
     }
 
-    /// The light's rays to a straight line lie in one plane, which cuts the wall in an ellipse. If the
+    /// The rays of the apex to a straight line lie in one plane, which cuts the wall in an ellipse. If the
     /// normals at two of its points differ by less than a right angle, the part between them lies in the
     /// ball over their distance. If that ball does not reach the rims, all rays between hit the wall.
-    fn hides(
-        &self,
-        from: &CylinderFromLight,
-        _: &Beam,
-        ends: &[LightRay; 2],
-        is_flat: bool,
-    ) -> bool {
-        if !is_flat {
+    fn hides(&self, from: &CylinderFromLight, fan: &Fan) -> bool {
+        if fan.thickness > SLACK {
             return false;
         }
-        let hits = ends.each_ref().map(|ray| {
-            let hit = self.met(&from.from, &ray.direction, ray.epsilon, ray.reach);
-            ray.direction
-                .scaled(hit.unwrap_or(Length::from_bits(0)).to_bits())
+        let [first, last] = [0, 1].map(|end| {
+            let direction = fan.ends[end];
+            let start = Length::from_bits(0);
+            let hit = self.met(&from.from, &direction, start, fan.reaches[end])?;
+            let at = direction.scaled(hit.to_bits()).minus(from.from.way);
+            let height = at.dot(self.axis);
+            let outward = at.without(self.axis, height);
+            // The wall is hit from outside.
+            (outward.dot(direction) < 0).then_some((at, height, outward))
         });
-        let [one, other] = hits.map(|hit| hit.minus(from.from.way));
-        let heights = [one, other].map(|at| at.dot(self.axis));
-        let [first, last] = [(one, heights[0]), (other, heights[1])]
-            .map(|(at, height)| at.without(self.axis, height));
-        // The wall is hit from outside.
-        let is_entry = |at: Vector, ray: &LightRay| at.dot(ray.direction) < 0;
-        let chord = square_root(one.minus(other).square());
-        let turn = wide(first.x, last.x) + wide(first.y, last.y) + wide(first.z, last.z);
-        is_entry(first, &ends[0])
-            && is_entry(last, &ends[1])
-            && turn > wide(self.radius, self.radius) >> 1
-            && (heights[0] + heights[1]).abs() + chord < 2 * self.half_height - SLACK
+        let (Some(first), Some(last)) = (first, last) else {
+            return false;
+        };
+        let chord = square_root(first.0.minus(last.0).square());
+        let turn =
+            wide(first.2.x, last.2.x) + wide(first.2.y, last.2.y) + wide(first.2.z, last.2.z);
+        turn > wide(self.radius, self.radius) >> 1
+            && (first.1 + last.1).abs() + chord < 2 * self.half_height - SLACK
     }
 }
 
@@ -136,8 +129,10 @@ impl PreparedCylinder {
                 if row.axis.is_beside(-ahead - off, least + off) {
                     return None;
                 }
-                // Almost the same for all columns.
-                is_sure &= row.axis.is_beside(ahead - off, least + off);
+                // Almost the same for all columns. The slack of the radius turns the plane by less than
+                // 2^-10.
+                is_sure &= touching > SLACK << 10
+                    && row.axis.is_beside(ahead - least - off, 2 * least + off);
                 continue;
             }
             let tangent = 2 + (ahead.abs() >> (63 - signed(aside.unsigned_abs().leading_zeros())));

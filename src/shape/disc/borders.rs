@@ -3,8 +3,7 @@
 use super::{DiscFromPoint, PreparedDisc};
 use crate::number::{scaled_by_unit, square_root};
 use crate::ray::{Chord, RowPlane, Span};
-use crate::shape::bordered::{Ball, Beam, Bordered, SLACK, square};
-use crate::shape::bounded::LightRay;
+use crate::shape::bordered::{Ball, Bordered, Fan, SLACK, square};
 
 impl Bordered for PreparedDisc {
     type Rims = [u16; 0];
@@ -36,18 +35,20 @@ impl Bordered for PreparedDisc {
         way.dot(self.normal).abs() > radius + SLACK || way.square() > square(self.radius + radius)
     }
 
-    fn spares(&self, from: &DiscFromPoint, beam: &Beam) -> bool {
-        // Heights of the light and of the ball above the disc.
-        let light = -from.height;
-        let middle = light + scaled_by_unit(beam.length, beam.direction.dot(self.normal));
-        let reach = beam.radius + SLACK;
-        let is_on_one_side =
-            (light > SLACK && middle > reach) || (light < -SLACK && middle < -reach);
-        is_on_one_side || beam.passes(from.way, self.radius)
+    fn spares(&self, from: &DiscFromPoint, fan: &Fan) -> bool {
+        // Heights of the apex and of the ends above the disc.
+        let apex = -from.height;
+        let is_above = fan.ends.iter().zip(fan.reaches).map(|(end, reach)| {
+            let height = apex + scaled_by_unit(reach.to_bits(), end.dot(self.normal));
+            let reach = fan.thickness + SLACK;
+            i32::from(height > reach) - i32::from(height < -reach)
+        });
+        let sides = is_above.sum::<i32>() + i32::from(apex > SLACK) - i32::from(apex < -SLACK);
+        sides.abs() == 3 || fan.avoids_ball(from.way, self.radius)
     }
 
     /// A convex body that hides two points hides the straight line between them.
-    fn hides(&self, _: &DiscFromPoint, _: &Beam, _: &[LightRay; 2], is_flat: bool) -> bool {
-        is_flat
+    fn hides(&self, _: &DiscFromPoint, fan: &Fan) -> bool {
+        fan.thickness <= SLACK
     }
 }

@@ -2,8 +2,7 @@
 
 use super::{PreparedSphere, SphereFromPoint};
 use crate::ray::{RowPlane, Span};
-use crate::shape::bordered::{Ball, Beam, Bordered, SLACK, square};
-use crate::shape::bounded::LightRay;
+use crate::shape::bordered::{Ball, Bordered, Fan, square};
 
 impl Bordered for PreparedSphere {
     type Rims = [u16; 0];
@@ -28,20 +27,19 @@ impl Bordered for PreparedSphere {
     }
 
     #[inline(always)]
-    fn spares(&self, from: &SphereFromPoint, beam: &Beam) -> bool {
-        beam.passes(from.way, self.radius)
+    fn spares(&self, from: &SphereFromPoint, fan: &Fan) -> bool {
+        fan.avoids_ball(from.way, self.radius)
     }
 
-    /// A convex body that hides two points hides the straight line between them. Points that are not on
-    /// a line are hidden if the whole beam cuts the sphere.
-    fn hides(&self, from: &SphereFromPoint, beam: &Beam, _: &[LightRay; 2], is_flat: bool) -> bool {
-        if is_flat {
-            return true;
-        }
-        let along = from.way.dot(beam.direction);
-        let inner = self.radius - beam.width(along);
-        along < beam.length - beam.radius - SLACK
-            && inner > 0
-            && from.way.without(beam.direction, along).square() < square(inner)
+    /// A convex body that hides two points hides the straight line between them. The points of the fan are
+    /// at most its thickness away from that line, so a sphere that is smaller by as much must hide the two.
+    fn hides(&self, from: &SphereFromPoint, fan: &Fan) -> bool {
+        let inner = self.radius - fan.thickness;
+        inner > 0
+            && fan.ends.iter().zip(fan.reaches).all(|(end, reach)| {
+                let along = from.way.dot(*end);
+                along < reach.to_bits() - fan.thickness
+                    && from.way.without(*end, along).square() < square(inner)
+            })
     }
 }

@@ -105,7 +105,11 @@ impl Part<'_> {
         let half_way = |bend: Vector| (start + end) * 0.5 - bend * 0.5;
         debug_assert!(middle == self.color(x));
         let is_even = self.allows(end - start, 3.0);
-        let line = if is_even { miss(half_way(Vector::ZERO)) } else { 0.0 };
+        let line = if is_even {
+            miss(half_way(Vector::ZERO))
+        } else {
+            0.0
+        };
         match expected {
             Some(bend) if is_even || self.allows(bend, 4.0) => line.max(miss(half_way(bend))),
             _ => line,

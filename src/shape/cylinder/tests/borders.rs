@@ -103,7 +103,10 @@ fn span_begins_and_ends_with_the_cylinder() {
             let is_along = row.direction(column).dot(tube.axis).to_num::<f64>().abs() > 0.998;
             let is_hit = hit.is_some() && !is_along || cut.is_solid;
             let is_within = (first..=last).contains(&column);
-            assert!(!is_hit || is_within, "{column}, {span:?}, {hit:?} {cut:?}: {tube:?} {row:?}");
+            assert!(
+                !is_hit || is_within,
+                "{column}, {span:?}, {hit:?} {cut:?}: {tube:?} {row:?}"
+            );
             hits += u32::from(is_hit);
             if let (Some(span), Some((start, other)), true) = (&span, before, is_sure)
                 && start + 1 == column
@@ -117,5 +120,8 @@ fn span_begins_and_ends_with_the_cylinder() {
             before = Some((column, cut));
         }
     }
-    assert!(hits > 300_000 && sure > 5_000 && inner > 50_000, "{hits} {sure} {inner}");
+    assert!(
+        hits > 300_000 && sure > 5_000 && inner > 50_000,
+        "{hits} {sure} {inner}"
+    );
 }

@@ -40,10 +40,16 @@ fn span_begins_and_ends_with_the_disc() {
             assert!(!is_hit || is_within, "{column}, {span:?}: {disc:?} {row:?}");
             hits += u32::from(is_hit);
             if is_sure && u32::from(first) < column && column < u32::from(last) {
-                assert!(is_cut && hit.is_some(), "{column}, {span:?}: {disc:?} {row:?}");
+                assert!(
+                    is_cut && hit.is_some(),
+                    "{column}, {span:?}: {disc:?} {row:?}"
+                );
                 inner += 1;
             }
         }
     }
-    assert!(hits > 300_000 && sure > 5_000 && inner > 50_000, "{hits} {sure} {inner}");
+    assert!(
+        hits > 300_000 && sure > 5_000 && inner > 50_000,
+        "{hits} {sure} {inner}"
+    );
 }

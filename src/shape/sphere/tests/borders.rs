@@ -29,7 +29,10 @@ fn span_begins_and_ends_with_the_sphere() {
             let hit = sphere.intersect_from(&from, &row.direction(column), range);
             let is_hit = hit.is_some() || aside <= f64::from(radius) && ahead > 0.0;
             let is_within = (u32::from(first)..=u32::from(last)).contains(&column);
-            assert!(!is_hit || is_within, "{column}, {span:?}: {sphere:?} {row:?}");
+            assert!(
+                !is_hit || is_within,
+                "{column}, {span:?}: {sphere:?} {row:?}"
+            );
             hits += u32::from(is_hit);
             if is_sure && u32::from(first) < column && column < u32::from(last) {
                 let is_cut = aside <= f64::from(radius) && ahead > 0.0 && hit.is_some();
@@ -38,5 +41,8 @@ fn span_begins_and_ends_with_the_sphere() {
             }
         }
     }
-    assert!(hits > 500_000 && sure > 10_000 && inner > 100_000, "{hits} {sure} {inner}");
+    assert!(
+        hits > 500_000 && sure > 10_000 && inner > 100_000,
+        "{hits} {sure} {inner}"
+    );
 }

@@ -1,0 +1,193 @@
+//! A scene that is being made: adds parts with random materials, lights and cameras. Never chooses
+//! which parts a scene has.
+
+use reflet::host::reference::{
+    Camera, Cylinder, Disc, Light, Material, Plane, Scene, Sphere, Vector,
+};
+
+use super::random::Random;
+use crate::case::Case;
+
+/// Direction of z.
+pub const UP: Vector = Vector([0.0, 0.0, 1.0]);
+
+/// Number of reflections of most scenes: the library's default.
+const REFLECTIONS: u8 = 4;
+
+/// A scene that is being made, with its random numbers.
+pub struct Draft {
+    /// Source of all random numbers of the scene.
+    pub random: Random,
+    /// The scene so far.
+    pub scene: Scene,
+    /// Number of reflections.
+    pub reflections: u8,
+    camera: Camera,
+}
+
+impl Draft {
+    /// Starts a scene with a random background.
+    pub fn new(mut random: Random) -> Self {
+        let background = random.color().map(|channel| 0.8 * channel);
+        Self {
+            random,
+            scene: Scene {
+                background,
+                ..Scene::default()
+            },
+            reflections: REFLECTIONS,
+            camera: Camera {
+                position: [0.0; 3],
+                target: [0.0; 3],
+                up: UP.0,
+                fov: 50.0,
+            },
+        }
+    }
+
+    /// Returns the finished scene.
+    pub fn case(self, name: String) -> Case {
+        Case {
+            name,
+            scene: self.scene,
+            camera: self.camera,
+            reflections: self.reflections,
+        }
+    }
+
+    /// Adds a material with this highlight and mirror share, and returns its number.
+    pub fn material(&mut self, (specular, shininess): (f64, f64), mirror: f64) -> usize {
+        let material = Material {
+            color: self.random.color(),
+            ambient: self.random.between(0.1, 0.4),
+            diffuse: self.random.between(0.3, 0.8),
+            specular,
+            shininess,
+            mirror,
+        };
+        self.scene.materials.push(material);
+        self.scene.materials.len() - 1
+    }
+
+    /// Adds a material that shines with probability one half, and mirrors with one quarter.
+    pub fn any_material(&mut self) -> usize {
+        let highlight = match self.random.chance(0.5) {
+            true => (
+                self.random.between(0.2, 1.0),
+                self.random.log_between(2.0, 60.0),
+            ),
+            false => (0.0, 1.0),
+        };
+        let mirror = match self.random.chance(0.25) {
+            true => self.random.between(0.1, 0.6),
+            false => 0.0,
+        };
+        self.material(highlight, mirror)
+    }
+
+    /// Adds a matt material.
+    pub fn matt(&mut self) -> usize {
+        self.material((0.0, 1.0), 0.0)
+    }
+
+    /// Adds a sphere.
+    pub fn sphere(&mut self, center: Vector, radius: f64, material: usize) {
+        let center = center.0;
+        self.scene.spheres.push(Sphere {
+            center,
+            radius,
+            material,
+        });
+    }
+
+    /// Adds a cylinder of this radius and height.
+    pub fn cylinder(
+        &mut self,
+        center: Vector,
+        axis: Vector,
+        (radius, height): (f64, f64),
+        material: usize,
+    ) {
+        self.scene.cylinders.push(Cylinder {
+            center: center.0,
+            axis: axis.0,
+            radius,
+            height,
+            material,
+        });
+    }
+
+    /// Adds a disc.
+    pub fn disc(&mut self, center: Vector, normal: Vector, radius: f64, material: usize) {
+        self.scene.discs.push(Disc {
+            center: center.0,
+            normal: normal.0,
+            radius,
+            material,
+        });
+    }
+
+    /// Adds a plane.
+    pub fn plane(&mut self, point: Vector, normal: Vector, material: usize) {
+        self.scene.planes.push(Plane {
+            point: point.0,
+            normal: normal.0,
+            material,
+        });
+    }
+
+    /// Adds a sphere, cylinder or disc of about this radius with any material.
+    pub fn any_shape(&mut self, center: Vector, radius: f64) {
+        let material = self.any_material();
+        let direction = self.random.direction();
+        match self.random.count(0, 3) {
+            0 => self.disc(center, direction, radius, material),
+            1 => {
+                let size = (radius * 0.5, radius * self.random.log_between(0.5, 6.0));
+                self.cylinder(center, direction, size, material);
+            }
+            _ => self.sphere(center, radius, material),
+        }
+    }
+
+    /// Adds `count` lights above z = 0 at about this distance.
+    pub fn lights(&mut self, count: usize, distance: f64) {
+        for _ in 0..count {
+            let Vector([x, y, z]) = self.random.direction();
+            let far = distance * self.random.between(0.7, 1.5);
+            let position = Vector([x, y, z.abs() + 0.15]).unit() * far;
+            let bright = self.random.between(0.7, 1.2);
+            let color = self.random.color().map(|it| (it * bright).max(0.1));
+            let position = position.0;
+            self.scene.lights.push(Light { position, color });
+        }
+    }
+
+    /// Points a camera at `target` from this offset, with a field of view in degrees. One of five
+    /// cameras is tilted to one side.
+    pub fn camera(&mut self, target: Vector, offset: Vector, fov: f64) {
+        let up = match self.random.chance(0.2) {
+            true => self.random.across(offset.unit()),
+            // Not parallel to the view, even straight from above.
+            false if offset.unit().across(UP).length() < 1e-3 => Vector([0.0, 1.0, 0.0]),
+            false => UP,
+        };
+        self.camera = Camera {
+            position: (target + offset).0,
+            target: target.0,
+            up: up.0,
+            fov,
+        };
+    }
+
+    /// Points a camera at the middle of things of this size, from above z = 0.
+    pub fn usual_camera(&mut self, size: f64) {
+        let target = self.random.point() * (0.3 * size);
+        let target = target + UP * (0.3 * size);
+        let Vector([x, y, z]) = self.random.direction();
+        let distance = size * self.random.between(1.5, 3.5);
+        let offset = Vector([x, y, z.abs() + 0.1]).unit() * distance;
+        let fov = self.random.between(30.0, 70.0);
+        self.camera(target, offset, fov);
+    }
+}
