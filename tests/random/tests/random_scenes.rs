@@ -287,8 +287,8 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
             lit(&built, frame().quality::<Fine>(), SIDE, shading),
         ];
         let endings = [
-            ending::<Fast>(reflections, side),
-            ending::<Fine>(reflections, side),
+            ending::<Fast>(reflections, SIDE),
+            ending::<Fine>(reflections, SIDE),
         ];
         let (exact, camera) = ((&scene.description()).into(), (&camera).into());
         let precision = precision(&built);
