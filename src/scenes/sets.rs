@@ -47,8 +47,8 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         for x in 0..SIZE.0 {
             let [some, all] = [&mut some, &mut all].map(|it| {
                 let window = it.advance(x / 4 * 4, x / 4 * 4 + 4);
-                let stops = &mut Stops::NONE;
-                it.trace((&window, x), directions.of(x), stops).sum
+                let mut stops = Stops::NONE;
+                it.trace((&window, x), directions.of(x), &mut stops).sum
             });
             assert_eq!(some, all, "{name}: pixel {x}, {y} of {camera:?}");
         }

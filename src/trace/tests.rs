@@ -67,10 +67,9 @@ fn followed_by<K: Shading, Q: PathQuality, W: World>(
     let culling = ScreenCulling::new::<true>(Some(&bounds), (path.from(), row), 0, true);
     let mut tracer = Tracer::<_, K, Q>::new(world, &view, culling, reflections);
     let window = tracer.advance(0, 0);
+    let mut stops = Stops::NONE;
     Followed {
-        sum: tracer
-            .trace((&window, 0), path.direction(), &mut Stops::NONE)
-            .sum,
+        sum: tracer.trace((&window, 0), path.direction(), &mut stops).sum,
         rays: tracer.rays,
         cut_off: tracer.cut_off,
     }

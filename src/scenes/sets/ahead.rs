@@ -55,8 +55,9 @@ fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, PathSigna
         let mut pixels = std::vec::Vec::new();
         for x in 0..SIDE {
             let window = tracer.advance(x, x);
-            let stops = &mut Stops::NONE;
-            let Traced { sum, signature } = tracer.trace((&window, x), directions.of(x), stops);
+            let mut stops = Stops::NONE;
+            let Traced { sum, signature } =
+                tracer.trace((&window, x), directions.of(x), &mut stops);
             pixels.push((sum, signature));
         }
         pixels

@@ -69,7 +69,8 @@ fn traced_by<W: World, Q: PathQuality>(
         let directions = generator.row(y);
         let pixels = (0..SIZE.0).map(|x| {
             let window = tracer.advance(x, x);
-            let traced = tracer.trace((&window, x), directions.of(x), &mut Stops::NONE);
+            let mut stops = Stops::NONE;
+            let traced = tracer.trace((&window, x), directions.of(x), &mut stops);
             (traced.sum, traced.signature)
         });
         pixels.collect::<std::vec::Vec<_>>()

@@ -81,7 +81,8 @@ fn scene_of_planes_loses_nothing() {
 }
 
 /// A scene of few shapes in front of the camera, and a ball behind it.
-type Few = RuntimeScene<room!(spheres: 2, cylinders: 1, discs: 1, planes: 1, lights: 1, materials: 2)>;
+type Few =
+    RuntimeScene<room!(spheres: 2, cylinders: 1, discs: 1, planes: 1, lights: 1, materials: 2)>;
 
 /// A scene with at most thirty balls, more than an active list holds, and one behind the camera.
 type Balls = RuntimeScene<room!(spheres: 31, lights: 1, materials: 1)>;
