@@ -125,8 +125,9 @@ impl Part<'_> {
         8.0 * rounding.fold(0.0, f64::max) + f64::exp2(-16.0)
     }
 
-    /// Tests whether fixed point may take `difference` for at most `tolerances` times the tolerance.
+    /// Tests whether fixed point may take `difference` for at most `tolerances` times the tolerance. It
+    /// compares with sums of colours, which are 255/256 of the colours.
     fn allows(&self, difference: Vector, tolerances: f64) -> bool {
-        largest(difference) <= tolerances * self.tolerance + self.slack()
+        largest(difference) <= tolerances * self.tolerance * (256.0 / 255.0) + self.slack()
     }
 }
