@@ -9,7 +9,7 @@
 mod row_plane;
 mod screen_axis;
 
-pub(crate) use row_plane::{Chord, NO_COLUMN, RowPlane, Span, column};
+pub(crate) use row_plane::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
 pub(crate) use screen_axis::ScreenAxis;
 
 use crate::number::{
@@ -75,6 +75,17 @@ impl ScaledPoint {
             ),
             shift,
         )
+    }
+
+    /// Returns a point so far away in a direction that rays from all near points to it are parallel, within
+    /// rounding.
+    #[inline(always)]
+    pub(crate) const fn beyond(direction: Direction) -> Self {
+        let Vector { x, y, z } = direction.raw();
+        Self {
+            point: Point::new(x >> 2, y >> 2, z >> 2),
+            scale: 30,
+        }
     }
 
     /// Tests whether the point is near: its scale is 0.

@@ -4,13 +4,13 @@
 //! proves the rules by which a shape surely hides all points of the fan, or none.
 
 use super::light_occluders::LightOccluders;
-use super::light_table::fan_set;
+use super::light_table::rays_set;
 use super::{CullingQuality, World};
 use crate::number::Length;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::ShapeSet;
-use crate::shape::bordered::{Bordered, Fan};
+use crate::shape::bordered::{Bordered, Fan, Rays};
 use crate::shape::bounded::{Bounded, LightRay, Own};
 use crate::vector::Point;
 
@@ -28,27 +28,21 @@ pub(crate) struct LitStretch {
     pub(crate) ends: [ScaledPoint; 2],
 }
 
-impl LitStretch {
-    /// Returns the rays from a point to the stretch.
-    pub(crate) fn fan(&self, apex: ScaledPoint) -> Option<Fan> {
-        Fan::new(apex, self.ends, self.bulge)
-    }
-}
-
 /// Returns whether a clear light shines on all points of a stretch, or on none; `None` if that is not sure.
 /// The stretch faces the light.
 ///
-/// `light` is the light and its index, `fan` its rays to the stretch.
+/// `light` is the light and its index, `rays` its rays to the ends of the stretch.
 pub(crate) fn lights_all<W: World, Q: CullingQuality>(
     world: &W,
     (light, index): (&LightOccluders<W::Room>, usize),
     stretch: &LitStretch,
-    fan: &Fan,
+    rays: &Rays,
 ) -> Option<bool> {
-    let set = fan_set::<W, Q>(world, index, fan);
+    let set = rays_set::<W, Q>(world, index, rays, stretch.bulge);
     let mut found = Found {
         stretch,
-        fan,
+        rays,
+        fan: None,
         epsilon: world.parts().epsilon,
         is_unsure: false,
     };
@@ -61,7 +55,9 @@ pub(crate) fn lights_all<W: World, Q: CullingQuality>(
 /// What is known of the shapes between a light and a stretch.
 struct Found<'a> {
     stretch: &'a LitStretch,
-    fan: &'a Fan,
+    rays: &'a Rays,
+    /// The fan of the rays, made when it is needed.
+    fan: Option<Fan>,
     epsilon: Length,
     /// Whether a shape may hide some points and spare others.
     is_unsure: bool,
@@ -78,22 +74,38 @@ impl Found<'_> {
     ) -> bool {
         // A convex surface hides no part of itself that faces the light.
         let is_closed = K::IS_BALL || K::IS_FLAT || !self.stretch.is_hollow;
-        if is_own && is_closed || shape.spares(from, self.fan) {
+        if is_own && is_closed {
             return false;
         }
-        let hides = !is_own && self.hides_ends(shape, from) && shape.hides(from, self.fan);
+        let hides = match self.fan() {
+            Some(fan) if shape.spares(from, fan) => return false,
+            Some(fan) => {
+                let fan = *fan;
+                !is_own && self.hides_ends(shape, from) && shape.hides(from, &fan)
+            }
+            None => false,
+        };
         self.is_unsure |= !hides;
         hides
+    }
+
+    /// Returns the fan of the light's rays.
+    #[inline(never)]
+    fn fan(&mut self) -> Option<&Fan> {
+        if self.fan.is_none() {
+            self.fan = Fan::new(self.rays, self.stretch.bulge);
+        }
+        self.fan.as_ref()
     }
 
     /// Tests whether a shape hides both ends of the stretch.
     fn hides_ends<K: Bordered>(&self, shape: &K, from: &<K as Bounded>::FromLight) -> bool {
         let mut ends = self
-            .stretch
-            .ends
+            .rays
+            .places
             .iter()
-            .zip(self.fan.ends)
-            .zip(self.fan.reaches);
+            .zip(self.rays.ends)
+            .zip(self.rays.reaches);
         ends.all(|((end, direction), reach)| {
             let ray = LightRay {
                 direction,
@@ -115,7 +127,8 @@ macro_rules! any_hides {
         /// stretch shows.
         #[inline(never)]
         pub(crate) fn is_clear_way<W: World>(world: &W, eye: Point, stretch: &LitStretch) -> bool {
-            let Some(fan) = stretch.fan(ScaledPoint { point: eye, scale: 0 }) else {
+            let apex = ScaledPoint { point: eye, scale: 0 };
+            let Some(fan) = Fan::new(&Rays::new(apex, stretch.ends), stretch.bulge) else {
                 return false;
             };
             let parts = world.parts();

@@ -8,7 +8,7 @@ use super::{CullingQuality, World};
 use crate::light::PreparedLight;
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
-use crate::shape::bordered::Fan;
+use crate::shape::bordered::Rays;
 use crate::vector::{Direction, Point};
 
 /// Table of the bounded shapes in each direction from one light.
@@ -71,14 +71,20 @@ impl LightTable {
     }
 }
 
-/// Returns the bounded shapes that rays of a fan from a light can hit, by the light's index.
-pub(super) fn fan_set<W: World, Q: CullingQuality>(world: &W, light: usize, fan: &Fan) -> ShapeSet {
+/// Returns the bounded shapes that rays from a light to a curve can hit, by the light's index. `bulge` is
+/// that of the curve.
+pub(super) fn rays_set<W: World, Q: CullingQuality>(
+    world: &W,
+    light: usize,
+    rays: &Rays,
+    bulge: i32,
+) -> ShapeSet {
     let table = match W::NEEDS.sets && Q::CULLING.light_tables {
         true => world.tables().light_tables.get(light),
         false => None,
     };
     table.map_or(*ShapeSet::ALL, |table| {
-        table.between(fan.ends, fan.widening())
+        table.between(rays.ends, rays.widening(bulge))
     })
 }
 

@@ -5,7 +5,7 @@
 
 use super::active_list::{ActiveList, ActiveShape, Storage};
 use super::active_lists::{ActiveLists, ActiveRoom};
-use crate::ray::Span;
+use crate::ray::{ANY_COLUMN, Span};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::shape::bordered::{Ball, Bordered};
 use crate::shape::plane::PreparedPlane;
@@ -44,7 +44,7 @@ impl Chord {
         let [first, last] = self.ends;
         let (direction, length) = first.to(last).direction_and_length();
         let way = first.to(center);
-        let along = way.dot(direction).clamp(0, length.to_bits());
+        let along = way.dot(direction).max(0).min(length.to_bits());
         let reach = u64::from((radius + self.bulge).unsigned_abs());
         way.without(direction, along).square() > reach * reach
     }
@@ -103,8 +103,8 @@ fn meeting<T: AsRef<[u16]>>(span: &Span<T>, [start, end]: [u32; 2]) -> Meeting {
 #[inline(always)]
 fn has_rim<T: AsRef<[u16]>>(span: &Span<T>, [start, end]: [u32; 2]) -> bool {
     span.rims.as_ref().iter().any(|&rim| {
-        let rim = u32::from(rim);
-        rim < end && start < rim + 2
+        let column = u32::from(rim);
+        rim == ANY_COLUMN || column < end && start < column + 2
     })
 }
 
@@ -146,8 +146,8 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
             match meeting(&it.span, stretch.columns) {
                 Meeting::Never => true,
                 _ if id == stretch.shape => {
-                    it.span.rims.as_ref().is_empty()
-                        || it.span.is_sure && !has_rim(&it.span, stretch.columns)
+                    // The two ends hit a convex body, so all rays between do.
+                    !has_rim(&it.span, stretch.columns)
                 }
                 Meeting::Always => it.never_crosses(stretch),
                 Meeting::Changes => it.begins_behind(stretch) && it.never_crosses(stretch),

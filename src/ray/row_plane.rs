@@ -27,6 +27,9 @@ const SLACK: i32 = 16;
 /// Sentinel for no column.
 pub(crate) const NO_COLUMN: u16 = u16::MAX;
 
+/// Sentinel for a column that is not known.
+pub(crate) const ANY_COLUMN: u16 = u16::MAX - 1;
+
 /// The columns of a row in which rays can hit a shape, and where hits begin and end.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span<T> {

@@ -19,14 +19,14 @@ use crate::number::Unit;
 use crate::ray::PathSignature;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
-use crate::trace::{Steadiness, Stops, Traced, Tracer};
+use crate::trace::{Progress, Stops, Traced, Tracer};
 
 /// Number of columns below which a picture has blocks of eight columns.
 const SMALL: u32 = 128;
 
 /// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block; 2, 3 and 4 are in the
 /// middle of 4, 8 and 16 pixels; the last is never read again.
-const SLOTS: usize = 6;
+const SLOTS: usize = 7;
 
 /// A traced pixel.
 #[derive(Clone, Copy)]
@@ -106,7 +106,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     ) -> Self {
         const { Self::IS_SOUND };
         let block = Self::block(tracer, width);
-        let first = column - column % block;
+        let first = column & !(block - 1);
         let mut colors = Self {
             window: tracer.advance(first, first + block),
             tracer,
@@ -154,7 +154,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         // The two ends of a block take turns.
         let end = self.trace(first + block, 1 - start.slot);
         self.end = (first + block, end);
-        self.between((first, block), [&start, &end], Known::Nothing);
+        self.between((first, block), [&start, &end], Known::Part(Progress::NONE));
     }
 
     /// Takes a block as clear if no path in the current window hits a shape. Returns whether it is.
@@ -165,7 +165,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         let Some(until) = self.tracer.clear_until(&self.window) else {
             return false;
         };
-        self.clear_until = (until - until % self.block).max(first + self.block);
+        self.clear_until = (until & !(self.block - 1)).max(first + self.block);
         self.colors = [self.tracer.missed().sum; LONGEST_STRIDE as usize];
         true
     }
@@ -175,54 +175,65 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     fn trace_each(&mut self, first: u32) {
         for place in 0..self.block {
             if first + place <= self.last {
-                self.colors[place as usize] = self.trace(first + place, 0).sum;
+                let color = self.trace(first + place, 0).sum;
+                self.set(place as usize, color);
             }
         }
     }
 
     /// Computes the colours of `length` pixels, a power of two, from the traced pixel at column `first` up
     /// to the traced pixel after the last. `ends` are these two.
-    fn between(&mut self, (first, length): (u32, u32), ends: [&End; 2], known: Known) {
+    fn between(&mut self, (first, length): (u32, u32), ends: [&End; 2], mut known: Known) {
         let [start, end] = ends;
-        let place = (first % self.block) as usize;
-        self.colors[place] = start.sum;
+        let place = self.place(first);
+        self.set(place, start.sum);
         if length == 1 {
             return;
         }
         let is_alike = start.signature == end.signature;
         if length == 2 {
             // To find out what lies between would take longer than to trace the one pixel.
-            self.colors[place + 1] = match is_alike && known.allows(ends, Self::TOLERANCE) {
+            let between = match is_alike && known.allows(ends, Self::TOLERANCE) {
                 true => start.sum.half_way(end.sum, known.bend()),
                 false => self.trace(first + 1, SLOTS - 1).sum,
             };
-            return;
+            return self.set(place + 1, between);
         }
-        let columns = [first, first + length];
-        let mut known = match known {
-            Known::Nothing if is_alike => {
-                let stops = [&self.stops[start.slot], &self.stops[end.slot]];
-                match self.tracer.steadiness((&self.window, columns), stops) {
-                    Steadiness::None => Known::Nothing,
-                    Steadiness::All if !start.signature.is_coarse() => Known::Steady,
-                    Steadiness::First | Steadiness::All => Known::Coarse,
-                }
+        if let (Known::Part(proved), true) = (&mut known, is_alike) {
+            let stops = [start, end].map(|end| &self.stops[end.slot % SLOTS]);
+            let window = (&self.window, [first, first + length]);
+            if self.tracer.is_steady(window, stops, proved) {
+                known = match start.signature.is_coarse() {
+                    true => Known::Coarse,
+                    false => Known::Steady,
+                };
             }
-            known => known,
-        };
+        }
         let half = length / 2;
         let middle = self.trace(first + half, length.trailing_zeros() as usize);
         if is_alike && matches!(known, Known::Steady | Known::Bend(_)) {
             let bend = Bend::of(start.sum, middle.sum, end.sum);
             if bend.less(known.bend()).is_within(4 * Self::TOLERANCE) {
                 let sums = [start.sum, middle.sum, end.sum];
-                Sum::parabola(sums, half, &mut self.colors[place..]);
-                return;
+                let colors = self.colors.get_mut(place..).unwrap_or_default();
+                return Sum::parabola(sums, half, colors);
             }
             known = Known::Bend(bend.quarter());
         }
         self.between((first, half), [start, &middle], known);
         self.between((first + half, half), [&middle, end], known);
+    }
+
+    /// Returns the place of a column in its block, whose length is a power of two.
+    #[inline(always)]
+    fn place(&self, column: u32) -> usize {
+        (column & (self.block - 1)) as usize
+    }
+
+    /// Sets the colour at a place of the block.
+    #[inline(always)]
+    fn set(&mut self, place: usize, color: Sum) {
+        self.colors[place % LONGEST_STRIDE as usize] = color;
     }
 
     /// Traces the pixel of a column, out of line.
@@ -244,7 +255,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
 /// What is known of the paths between two traced ones.
 #[derive(Clone, Copy)]
 enum Known {
-    Nothing,
+    /// Not all of it. If the first reflection is proved, one pixel between two is guessed.
+    Part(Progress),
     /// All surely meet the same, as far as paths have known bounds. Others are guessed, but not more than
     /// one pixel between two.
     Coarse,
@@ -267,7 +279,7 @@ impl Known {
     /// times the tolerance, or the expected second difference is at most four times the tolerance.
     fn allows(self, [start, end]: [&End; 2], tolerance: i32) -> bool {
         match self {
-            Self::Nothing => false,
+            Self::Part(proved) if !proved.has_first() => false,
             Self::Bend(bend) if bend.is_within(4 * tolerance) => true,
             _ => end.sum.less(start.sum).is_within(3 * tolerance),
         }

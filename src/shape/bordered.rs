@@ -45,6 +45,51 @@ pub trait Bordered: Bounded {
     fn hides(&self, from: &Self::FromLight, fan: &Fan) -> bool;
 }
 
+/// Rays from a point, the apex, to two places.
+#[derive(Clone, Copy, Debug)]
+pub struct Rays {
+    pub(crate) apex: ScaledPoint,
+    pub(crate) places: [ScaledPoint; 2],
+    /// Directions from the apex to the two places.
+    pub(crate) ends: [Direction; 2],
+    /// Distances from the apex to the two places, in steps; [`REACH`] if they are far.
+    pub(crate) reaches: [Length; 2],
+}
+
+impl Rays {
+    /// Returns the rays from an apex to two places.
+    pub(crate) fn new(apex: ScaledPoint, places: [ScaledPoint; 2]) -> Self {
+        let [one, other] = places.map(|place| {
+            let (way, scale) = apex.to(place);
+            let (direction, length) = way.direction_and_length();
+            (direction, if scale == 0 { length } else { REACH })
+        });
+        Self {
+            apex,
+            places,
+            ends: [one.0, other.0],
+            reaches: [one.1, other.1],
+        }
+    }
+
+    /// Returns by how much a coordinate of a direction between the two may exceed theirs.
+    ///
+    /// The directions from end to end lie on an arc. It bulges by at most an eighth of the square of its
+    /// chord; a ray to a curve is off the triangle by the curve's bulge over the distance.
+    pub(crate) fn widening(&self, bulge: i32) -> Unit {
+        let [first, last] = self.ends;
+        let chord = (last.raw().minus(first.raw()).square() >> 33) + 1;
+        let [one, other] = self.reaches;
+        let nearest = unsigned(one.min(other).to_bits().max(1));
+        let thickness = unsigned(bulge + SLACK);
+        let aside = match thickness < nearest {
+            true => ratio(thickness, nearest),
+            false => Unit::ONE.to_bits(),
+        };
+        Unit::from_bits(aside + signed(narrowed_unsigned(chord)))
+    }
+}
+
 /// All rays from a point, the apex, to a curve on a surface. The curve is close to a straight line, so the
 /// rays are close to a triangle.
 #[derive(Clone, Copy, Debug)]
@@ -87,16 +132,12 @@ pub(super) struct Rod {
 }
 
 impl Fan {
-    /// Returns the fan from an apex to two ends. The curve between them is at most `bulge` steps away from
-    /// the straight line. `None` if the apex lies almost on that line.
-    pub(crate) fn new(apex: ScaledPoint, places: [ScaledPoint; 2], bulge: i32) -> Option<Self> {
-        let rays = places.map(|place| {
-            let (way, scale) = apex.to(place);
-            let (direction, length) = way.direction_and_length();
-            (direction, if scale == 0 { length } else { REACH })
-        });
-        let [first, last] = rays.map(|(direction, _)| direction);
-        let is_near = rays.iter().all(|&(_, reach)| reach < REACH);
+    /// Returns the fan between two rays. The curve between them is at most `bulge` steps away from the
+    /// straight line. `None` if the apex lies almost on that line.
+    pub(crate) fn new(rays: &Rays, bulge: i32) -> Option<Self> {
+        let Rays { apex, places, .. } = *rays;
+        let [first, last] = rays.ends;
+        let is_near = rays.reaches.iter().all(|&reach| reach < REACH);
         // The direction across the fan: from end to end, or, if they are far, between the directions.
         let along = match is_near {
             true => places[0].point.to(places[1].point),
@@ -129,30 +170,13 @@ impl Fan {
             }
         });
         Some(Self {
-            ends: [first, last],
-            reaches: rays.map(|(_, reach)| reach),
+            ends: rays.ends,
+            reaches: rays.reaches,
             thickness: bulge + SLACK,
             normal,
             sides: [inner(first, last), inner(last, first)],
             base,
         })
-    }
-
-    /// Returns by how much a coordinate of a ray's direction may exceed those of the two ends.
-    ///
-    /// The directions from end to end lie on an arc. It bulges by at most an eighth of the square of its
-    /// chord; a ray is off the triangle by the thickness over the distance.
-    pub(crate) fn widening(&self) -> Unit {
-        let [first, last] = self.ends;
-        let chord = (last.raw().minus(first.raw()).square() >> 33) + 1;
-        let [one, other] = self.reaches;
-        let nearest = unsigned(one.min(other).to_bits().max(1));
-        let thickness = unsigned(self.thickness);
-        let aside = match thickness < nearest {
-            true => ratio(thickness, nearest),
-            false => Unit::ONE.to_bits(),
-        };
-        Unit::from_bits(aside + signed(narrowed_unsigned(chord)))
     }
 
     /// Tests whether no point of the fan lies in a body. `way` is the vector from the apex to the body's

@@ -10,7 +10,7 @@ mod visibility;
 
 use core::marker::PhantomData;
 
-pub(crate) use stretch::Steadiness;
+pub(crate) use stretch::Progress;
 use visibility::{Culled, Plain};
 
 use crate::accel::light_visibility::LightVisibility;
@@ -77,7 +77,7 @@ struct Stop {
     /// The shape; [`ShapeId::NONE`] if the path hit nothing.
     shape: ShapeId,
     is_inside: bool,
-    /// Point epsilon above the surface.
+    /// Point epsilon above the surface; if nothing is hit, a point very far away.
     place: ScaledPoint,
 }
 
@@ -94,13 +94,19 @@ impl Stops {
 
     /// Adds a hit if there is room.
     #[inline(always)]
-    fn add(&mut self, surface: Option<&Surface<'_>>) {
+    fn add(&mut self, surface: Option<&Surface<'_>>, direction: Direction) {
         let Some(stop) = self.stops.get_mut(self.count) else {
             return;
         };
         self.count += 1;
         match surface {
-            None => stop.shape = ShapeId::NONE,
+            None => {
+                *stop = Stop {
+                    shape: ShapeId::NONE,
+                    is_inside: false,
+                    place: ScaledPoint::beyond(direction),
+                }
+            }
             Some(surface) => {
                 *stop = Stop {
                     shape: surface.shape,
@@ -214,13 +220,13 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 sum.add(throughput, K::missed(world));
                 signature.note(u32::MAX);
                 if Self::IS_INTERPOLATED && throughput >= least {
-                    stops.add(None);
+                    stops.add(None, ray.direction());
                 }
                 break;
             };
             signature.note(surface.shape.side(surface.is_inside));
             if Self::IS_INTERPOLATED && throughput >= least {
-                stops.add(Some(&surface));
+                stops.add(Some(&surface), surface.view);
             }
             let reflected = Self::reflected(world, &surface, throughput);
             // A view of normals does not reflect: it shows the surface's own colour even of a mirror.

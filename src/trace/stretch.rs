@@ -16,23 +16,30 @@ use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{Glance, is_little};
-use crate::shape::bordered::{Ball, Fan};
+use crate::shape::bordered::{Ball, Rays};
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
 /// Pixels between two traced ones: the window of the row, and the columns of the two.
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);
 
-/// What is known of all paths between two traced ones.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Steadiness {
-    /// Nothing.
-    None,
-    /// The camera's rays, and their first reflection in a plane, meet the same shapes, lit by the same
-    /// lights.
-    First,
-    /// All rays meet the same shapes, lit by the same lights.
-    All,
+/// How much is proved of the paths of a stretch. It holds for each part of the stretch, too.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Progress {
+    /// Number of hits that are proved.
+    hits: usize,
+    /// Of the next hit, 0 if nothing is proved, else 1 + the number of lights.
+    steps: usize,
+}
+
+impl Progress {
+    /// Nothing is proved.
+    pub(crate) const NONE: Self = Self { hits: 0, steps: 0 };
+
+    /// Tests whether the camera's rays, and their first reflection in a plane, are proved.
+    pub(crate) fn has_first(self) -> bool {
+        self.hits > 1
+    }
 }
 
 /// Where the rays of a stretch come from.
@@ -62,13 +69,19 @@ struct Shown<'a> {
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Returns what is known of all paths between two traced ones that have equal signatures.
+    /// Tests whether all paths between two traced ones surely meet the same shapes, lit by the same lights, as
+    /// far as the paths have known bounds. The two have equal signatures. `proved` is known before, and gets
+    /// what is proved now.
     #[inline(never)]
-    pub(crate) fn steadiness(&mut self, between: Between<'_>, ends: [&Stops; 2]) -> Steadiness {
+    pub(crate) fn is_steady(
+        &mut self,
+        between: Between<'_>,
+        ends: [&Stops; 2],
+        proved: &mut Progress,
+    ) -> bool {
         let parts = self.world.parts();
-        let mut known = Steadiness::None;
         let Some((eye, row)) = self.culling.eye() else {
-            return known;
+            return false;
         };
         let mut origin = Origin {
             eye,
@@ -79,24 +92,35 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let [start, end] = ends.map(Stops::all);
         for (first, last) in start.iter().zip(end) {
             let is_one = first.shape == last.shape && first.is_inside == last.is_inside;
-            if !is_one || !self.keeps_shape(between, &origin, [first, last]) {
-                return known;
+            if !is_one {
+                return false;
+            }
+            if origin.level == proved.hits {
+                match self.keeps_shape(between, &origin, [first, last], proved.steps) {
+                    Ok(()) => {
+                        *proved = Progress {
+                            hits: proved.hits + 1,
+                            steps: 0,
+                        }
+                    }
+                    Err(steps) => {
+                        proved.steps = steps;
+                        return false;
+                    }
+                }
             }
             let Some(plane) = parts.plane(first.shape) else {
-                return Steadiness::All;
+                return true;
             };
             let mirrors = K::REFLECTS && parts.material(plane.material).mirrors();
-            if !mirrors || !parts.has_bounded() {
-                return Steadiness::All;
-            }
-            if origin.level > 0 {
-                known = Steadiness::First;
+            if !mirrors {
+                return true;
             }
             // Rays that a far point mirrors have no known bounds.
             let is_near = first.place.is_near() && last.place.is_near();
             let image = plane.mirrored(origin.eye, parts.epsilon);
             let Some(eye) = image.filter(|_| is_near) else {
-                return known;
+                return false;
             };
             origin = Origin {
                 eye,
@@ -108,16 +132,18 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             };
         }
         // Hits that are not stored make the signature coarse.
-        Steadiness::All
+        true
     }
 
-    /// Tests whether all rays between two hit the same shape, lit by the same lights.
+    /// Tests whether all rays between two hit the same shape, lit by the same lights. `steps` are proved
+    /// before. Returns how many are if not all are.
     fn keeps_shape(
         &mut self,
         between: Between<'_>,
         origin: &Origin<'_>,
         stops: [&Stop; 2],
-    ) -> bool {
+        steps: usize,
+    ) -> Result<(), usize> {
         let [first, _] = stops;
         let parts = self.world.parts();
         let stretch = Stretch {
@@ -129,12 +155,24 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             mirror: origin.mirror.map(|(_, plane)| plane),
         };
         if first.shape == ShapeId::NONE {
-            return origin.level < 2 && self.keeps(between, origin, &stretch);
+            if origin.level < 2 {
+                return sure(self.keeps(between, origin, &stretch), 0);
+            }
+            let beyond = LitStretch {
+                shape: ShapeId::NONE,
+                is_hollow: false,
+                bulge: 0,
+                slack: 0,
+                ends: stops.map(|stop| stop.place),
+            };
+            return sure(is_clear_way(self.world, origin.eye, &beyond), 0);
         }
         let Some(shown) = self.shown(origin, stops) else {
-            return false;
+            return Err(steps);
         };
-        let keeps = if origin.level > 1 {
+        let keeps = if steps > 0 || !parts.has_bounded() {
+            true
+        } else if origin.level > 1 {
             shown.ball.is_some() && is_clear_way(self.world, origin.eye, &shown.lit)
         } else {
             let body = match parts.plane(first.shape) {
@@ -145,8 +183,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 },
             };
             // The curve is not further from the eye than its chord.
-            let reach = stops.map(|stop| square_root(origin.eye.to(stop.place.point).square()));
-            let reach = reach[0].max(reach[1]) + shown.lit.slack;
+            let [one, other] =
+                stops.map(|stop| square_root(origin.eye.to(stop.place.point).square()));
+            let reach = one.max(other) + shown.lit.slack;
             let stretch = Stretch {
                 body,
                 chord: shown.ball.map(|ball| Chord {
@@ -159,7 +198,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             };
             self.keeps(between, origin, &stretch)
         };
-        keeps && self.keeps_lights(&shown)
+        sure(keeps, 0)?;
+        self.keeps_lights(&shown, steps.max(1))
     }
 
     /// Tests whether no other shape comes to the front in a stretch.
@@ -210,13 +250,17 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     }
 
     /// Tests whether each light shines on a whole stretch or on nothing of it, with a highlight that can be
-    /// interpolated.
-    fn keeps_lights(&self, shown: &Shown<'_>) -> bool {
+    /// interpolated. `steps` are proved before. Returns how many are if not all are.
+    fn keeps_lights(&self, shown: &Shown<'_>, steps: usize) -> Result<(), usize> {
         let lights = self.world.tables().light_occluders;
-        let mut lights = lights.iter().enumerate();
-        lights.all(|(index, light)| {
-            self.visibility.is_hidden(index) || self.keeps_light(shown, light, index)
-        })
+        for (index, light) in lights.iter().enumerate().skip(steps - 1) {
+            let is_hidden = self.visibility.is_hidden(index);
+            sure(
+                is_hidden || self.keeps_light(shown, light, index),
+                1 + index,
+            )?;
+        }
+        Ok(())
     }
 
     /// Tests whether a light shines on a whole stretch or on nothing of it, with a highlight that can be
@@ -231,8 +275,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let has_shadows = K::SHADOWS && W::NEEDS.shadows && world.parts().has_bounded();
         let has_highlight = W::NEEDS.highlights && shown.material.specular > Brightness::ZERO;
         let place = light.light().place;
-        let faces = |end: usize| shown.lit.ends[end].to(place).0.dot(shown.normals[end]) > 0;
-        match [faces(0), faces(1)] {
+        let ([first, last], [one, other]) = (shown.lit.ends, shown.normals);
+        let faces = |end: ScaledPoint, normal| end.to(place).0.dot(normal) > 0;
+        match [faces(first, one), faces(last, other)] {
             [false, false] => return true,
             [true, true] => {}
             _ => return false,
@@ -240,39 +285,40 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         if !(has_shadows || has_highlight) {
             return true;
         }
-        let Some(fan) = shown.lit.fan(place) else {
-            return false;
-        };
+        let rays = Rays::new(place, shown.lit.ends);
         if has_shadows {
             if !self.visibility.is_clear(index) {
                 return false;
             }
-            match lights_all::<W, Q>(world, (light, index), &shown.lit, &fan) {
+            match lights_all::<W, Q>(world, (light, index), &shown.lit, &rays) {
                 None => return false,
                 Some(false) => return true,
                 Some(true) => {}
             }
         }
-        !has_highlight || shown.keeps_highlight::<K>(&fan)
+        !has_highlight || shown.keeps_highlight::<K>(&rays)
     }
 }
 
 impl Shown<'_> {
-    /// Tests whether the highlight of a light can be interpolated. `fan` are the light's rays.
-    fn keeps_highlight<K: Shading>(&self, fan: &Fan) -> bool {
-        if self.is_surely_smooth::<K>(fan) {
+    /// Tests whether the highlight of a light can be interpolated. `rays` are those of the light.
+    fn keeps_highlight<K: Shading>(&self, rays: &Rays) -> bool {
+        if self.is_surely_smooth::<K>(rays) {
             return true;
         }
         let eye = ScaledPoint {
             point: self.eye,
             scale: 0,
         };
-        let glance = |end: usize| Glance {
-            normal: self.normals[end],
-            view: eye.to(self.lit.ends[end]).0.direction_and_length().0,
-            along: fan.ends[end],
+        let glance = |normal, end, along| Glance {
+            normal,
+            view: eye.to(end).0.direction_and_length().0,
+            along,
         };
-        K::is_smooth(&[glance(0), glance(1)], self.material.shininess)
+        let ([first, last], [one, other]) = (self.lit.ends, self.normals);
+        let [start, end] = rays.ends;
+        let glances = [glance(one, first, start), glance(other, last, end)];
+        K::is_smooth(&glances, self.material.shininess)
     }
 
     /// Tests whether a highlight surely changes little, from bounds of the changes of the normal and of the
@@ -281,7 +327,7 @@ impl Shown<'_> {
     /// The direction to the eye changes by at most the diameter of the ball over the distance. The half-way
     /// vector is the sum of both directions over its length, which is at least the sum of their cosines to
     /// the normal.
-    fn is_surely_smooth<K: Shading>(&self, fan: &Fan) -> bool {
+    fn is_surely_smooth<K: Shading>(&self, rays: &Rays) -> bool {
         let Some((middle, radius)) = self.ball else {
             return false;
         };
@@ -290,7 +336,7 @@ impl Shown<'_> {
         if distance >> 3 <= radius {
             return false;
         }
-        let [first, last] = fan.ends;
+        let [first, last] = rays.ends;
         let light = square_root(last.raw().minus(first.raw()).square());
         let [normal, _] = self.normals;
         // Half of each, so that sums fit.
@@ -304,6 +350,14 @@ impl Shown<'_> {
         let change = (change + i64::from(self.turn.to_bits())) >> 2;
         let change = narrowed(change) << K::TURNS;
         is_little(change, self.material.shininess)
+    }
+}
+
+/// Returns an error with the number of steps before if a step is not proved.
+fn sure(is_proved: bool, steps: usize) -> Result<(), usize> {
+    match is_proved {
+        true => Ok(()),
+        false => Err(steps),
     }
 }
 

@@ -2,7 +2,7 @@
 //! found.
 
 use super::Colors;
-use crate::accel::World;
+use crate::accel::{LONGEST_STRIDE, World};
 use crate::color::Sum;
 use crate::number::to_u32;
 use crate::render::Quality;
@@ -18,11 +18,11 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         if Tracer::<W, K, Q>::IS_PLAIN {
             return self.traced(column, 0).sum;
         }
-        let place = column % self.block;
+        let place = self.place(column);
         if place == 0 {
             self.follow(column);
         }
-        self.colors[place as usize]
+        self.colors[place % LONGEST_STRIDE as usize]
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
@@ -36,7 +36,7 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
             return;
         }
         while !pixels.is_empty() {
-            let place = (self.column % self.block) as usize;
+            let place = self.place(self.column);
             if place == 0 {
                 self.follow(self.column);
             }

@@ -2,9 +2,9 @@
 
 use super::{CylinderFromLight, CylinderFromPoint, PreparedCylinder};
 use crate::number::{Length, signed, signed_wide, square_root, wide};
-use crate::ray::{Chord, NO_COLUMN, RowPlane, Span, column};
+use crate::ray::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
 use crate::shape::bordered::{Ball, Bordered, Fan, Rod, SLACK, square};
-use crate::vector::Vector;
+use crate::vector::{Direction, Vector};
 
 impl Bordered for PreparedCylinder {
     /// Where the rims of both ends begin and end.
@@ -17,10 +17,10 @@ impl Bordered for PreparedCylinder {
         [left, right]: [u16; 2],
     ) -> Option<Span<[u16; 4]>> {
         let (borders, is_wall_sure) = self.wall(from, row)?;
-        let (rims, are_rims_sure) = self.rims(from, row);
+        let rims = self.rims(from, row);
         let screen = [i32::from(left) << 4, i32::from(right) << 4];
         let ends = [screen[0].max(borders[0]), screen[1].min(borders[1])];
-        Span::new(ends, is_wall_sure && are_rims_sure, rims)
+        Span::new(ends, is_wall_sure, rims)
     }
 
     fn outline_distance(&self, from: &CylinderFromPoint) -> i32 {
@@ -73,17 +73,17 @@ impl Bordered for PreparedCylinder {
         if fan.thickness > SLACK {
             return false;
         }
-        let [first, last] = [0, 1].map(|end| {
-            let direction = fan.ends[end];
+        let entry = |direction: Direction, reach: Length| {
             let start = Length::from_bits(0);
-            let hit = self.met(&from.from, &direction, start, fan.reaches[end])?;
+            let hit = self.met(&from.from, &direction, start, reach)?;
             let at = direction.scaled(hit.to_bits()).minus(from.from.way);
             let height = at.dot(self.axis);
             let outward = at.without(self.axis, height);
             // The wall is hit from outside.
             (outward.dot(direction) < 0).then_some((at, height, outward))
-        });
-        let (Some(first), Some(last)) = (first, last) else {
+        };
+        let ([one, other], [near, far]) = (fan.ends, fan.reaches);
+        let (Some(first), Some(last)) = (entry(one, near), entry(other, far)) else {
             return false;
         };
         let chord = square_root(first.0.minus(last.0).square());
@@ -151,24 +151,22 @@ impl PreparedCylinder {
         Some(([first, last], is_sure))
     }
 
-    /// Returns where the rims of both ends begin and end, and whether that is exact.
-    fn rims(&self, from: &CylinderFromPoint, row: &RowPlane) -> ([u16; 4], bool) {
+    /// Returns where the rims of both ends begin and end.
+    fn rims(&self, from: &CylinderFromPoint, row: &RowPlane) -> [u16; 4] {
         let (_, half_axis, radius) = self.capsule();
         let mut rims = [NO_COLUMN; 4];
-        let mut is_sure = true;
         let ends = [from.way.plus(half_axis), from.way.minus(half_axis)];
         for (rims, way) in rims.chunks_exact_mut(2).zip(ends) {
             match row.chord(way, self.axis, radius) {
                 Chord::None => {}
-                Chord::Unknown => is_sure = false,
-                Chord::Ends(ends, is_exact) => {
-                    is_sure &= is_exact;
+                Chord::Ends(ends, true) => {
                     for (rim, end) in rims.iter_mut().zip(ends) {
-                        *rim = column((end - 6) >> 4);
+                        *rim = column((end - 6) >> 4).min(ANY_COLUMN - 1);
                     }
                 }
+                Chord::Unknown | Chord::Ends(_, false) => rims.fill(ANY_COLUMN),
             }
         }
-        (rims, is_sure)
+        rims
     }
 }

@@ -1,7 +1,7 @@
 //! Tests of the columns of a row in which a cylinder lies.
 
 use super::*;
-use crate::ray::Span;
+use crate::ray::{ANY_COLUMN, Span};
 use crate::shape::bordered::Bordered;
 use crate::shape::fixture::rows::{Row, any_row};
 
@@ -50,9 +50,8 @@ impl Cut {
 
 /// Tests whether a rim may lie between two columns, as `accel::stretch` does.
 fn has_rim(span: &Span<[u16; 4]>, [start, end]: [u32; 2]) -> bool {
-    // Where it is not known where a rim lies, its column is the last but one of all 16-bit numbers.
     let mut rims = span.rims.iter().map(|&rim| u32::from(rim));
-    rims.any(|rim| rim == 0xfffe || rim < end && start < rim + 2)
+    rims.any(|rim| rim == u32::from(ANY_COLUMN) || rim < end && start < rim + 2)
 }
 
 /// Returns a cylinder of any shape, from a needle to a ring, with its row.
