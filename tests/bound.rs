@@ -21,19 +21,14 @@ struct Short;
 
 impl Quality for Short {
     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 27);
-    const STRIDE: u32 = 4;
     const TOLERANCE: Unit = Fast::TOLERANCE;
 }
 
-fn ending<Q: Quality>(reflections: u8, is_plane: bool) -> Ending {
+fn ending<Q: Quality>(reflections: u8) -> Ending {
     Ending {
         reflections: reflections.into(),
         smallest_weight: Q::SMALLEST_WEIGHT.to_num(),
-        // In a scene of planes only, every stride except 1 becomes 4.
-        stride: match is_plane {
-            true if Q::STRIDE > 1 => 4,
-            _ => Q::STRIDE,
-        },
+        block: Ending::block_of(SIDE, Q::TOLERANCE.to_num()),
         tolerance: Q::TOLERANCE.to_num(),
     }
 }
@@ -116,13 +111,12 @@ impl Visitor for Check {
 }
 
 fn pictures<S: BuiltIn, K: Shading>(reflections: u8) -> [(&'static str, Ending, Picture); 4] {
-    let is_plane = S::with_description(|it| it.spheres.is_empty() && it.cylinders.is_empty());
     let size = Size::new(SIDE, SIDE);
     let frame = || S::frame(&S::CAMERA).reflections(reflections).shading::<K>();
     [
         (
             "fast",
-            ending::<Fast>(reflections, is_plane),
+            ending::<Fast>(reflections),
             painted(
                 &frame()
                     .quality::<Fast>()
@@ -133,7 +127,7 @@ fn pictures<S: BuiltIn, K: Shading>(reflections: u8) -> [(&'static str, Ending, 
         ),
         (
             "fine",
-            ending::<Fine>(reflections, is_plane),
+            ending::<Fine>(reflections),
             painted(
                 &frame()
                     .quality::<Fine>()
@@ -144,7 +138,7 @@ fn pictures<S: BuiltIn, K: Shading>(reflections: u8) -> [(&'static str, Ending, 
         ),
         (
             "exact",
-            ending::<Exact>(reflections, is_plane),
+            ending::<Exact>(reflections),
             painted(
                 &frame()
                     .quality::<Exact>()
@@ -155,7 +149,7 @@ fn pictures<S: BuiltIn, K: Shading>(reflections: u8) -> [(&'static str, Ending, 
         ),
         (
             "short",
-            ending::<Short>(reflections, is_plane),
+            ending::<Short>(reflections),
             painted(
                 &frame()
                     .quality::<Short>()

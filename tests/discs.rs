@@ -98,7 +98,7 @@ fn assert_near<K: Shading>((scene, camera): (Scenery, Camera), shading: referenc
         render(&scene, &camera, SIDE, SIDE, REFLECTIONS.into(), shading)
     };
     let built = scene.build().unwrap();
-    // `Fast` loses highlights that are narrower than a stride.
+    // `Fast` loses highlights that are narrower than a block.
     for (name, picture, same, within1) in [
         (
             "fast",
@@ -154,7 +154,7 @@ fn no_pixel_of_a_disc_is_further_off_than_its_bound() {
         let ending = Ending {
             reflections: REFLECTIONS.into(),
             smallest_weight: Fast::SMALLEST_WEIGHT.to_num(),
-            stride: Fast::STRIDE,
+            block: Ending::block_of(SIDE, Fast::TOLERANCE.to_num()),
             tolerance: Fast::TOLERANCE.to_num(),
         };
         let (mut sure, mut decided) = (0, 0);

@@ -98,6 +98,3 @@ impl ScreenAxis {
         (columns.last >= 0 && columns.first < end).then_some(columns)
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -14,7 +14,7 @@ impl<S: Drawable, Q, K> Rows<'_, S, Q, K> {
     /// throughput. The bound is computed in integers, rounded up to 2⁻³⁰, and at most 1, because a
     /// display shows nothing above white. Materials that no shape uses count, too.
     ///
-    /// The bound does not cover interpolated pixels (see [`crate::quality::Quality::STRIDE`]) or
+    /// The bound does not cover interpolated pixels (see [`crate::quality::Quality::TOLERANCE`]) or
     /// rounding. `docs/error-time` in the repository shows the whole error for every built-in scene.
     ///
     /// ```

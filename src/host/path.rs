@@ -6,7 +6,6 @@ use std::vec::Vec;
 use crate::accel::drawable::Drawable;
 use crate::camera::Camera;
 use crate::number::Number;
-use crate::ray::PathSignature;
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::scene::Surface;
 use crate::scene::access::SceneAccess;

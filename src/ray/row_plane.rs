@@ -6,7 +6,7 @@
 
 use super::ScreenAxis;
 use crate::number::{
-    Unit, ratio, root_of_unit, scaled_by_unit, square_root, to_u16, unit_product, unsigned,
+    Unit, ratio, root_of_unit, scaled_by_unit, signed, square_root, to_u16, unit_product, unsigned,
     unsigned_wide, wide,
 };
 use crate::vector::{Direction, Vector};
@@ -111,24 +111,34 @@ impl RowPlane {
         let tangent = square_root(unsigned_wide(rest + wide(aside, aside)));
         let (middle, spread) = (wide(ahead, aside), wide(circle, tangent));
         let scale = self.axis.columns_for_each(rest);
-        let ends = [middle - spread, middle + spread];
+        // Both roots are rounded by up to one step.
+        let off = 2 * (i64::from(circle) + i64::from(tangent));
+        let is_narrow = self.axis.sixteenths(off, scale) - self.axis.sixteenths(0, scale) <= 2;
+        let ends = [middle - spread - off, middle + spread + off];
         let ends = ends.map(|numerator| self.axis.sixteenths(numerator, scale));
-        Span::new(ends, is_exact(ends, radius, square), [])
+        // Near the eye, a border is further off than in proportion: by 1 / (u - ρ) of its tangent.
+        let [first, last] = ends.map(|end| (end - 8 * signed(self.axis.width)).abs());
+        let is_far_ahead = 8 * wide(first.max(last), radius) <= wide(circle, ahead - circle);
+        let is_sure = is_narrow && is_far_ahead && is_exact(ends, radius, square);
+        Span::new(ends, is_sure, [])
     }
 
     /// Returns the chord in which the plane cuts a disc. `way` is the vector from the eye to its centre.
     pub(crate) fn chord(&self, way: Vector, normal: Direction, radius: i32) -> Chord {
         let across = normal.crossed_with(self.normal.raw());
         let apart = way.dot(self.normal);
-        let radius = radius + SLACK;
         let sine = square_root(across.square()).min(Unit::ONE.to_bits());
-        let reach = scaled_by_unit(radius, Unit::from_bits(sine));
+        let reach = scaled_by_unit(radius + SLACK, Unit::from_bits(sine));
         if apart.abs() > reach + SLACK {
             return Chord::None;
         }
         if sine < Unit::ONE.to_bits() >> 4 {
             return Chord::Unknown;
         }
+        // The chord is off by what `apart` is off by, over the sine, which is at least 2^-bits.
+        let bits = sine.leading_zeros() - 1;
+        let radius = radius + SLACK - 4 + (4 << bits);
+        let reach = scaled_by_unit(radius, Unit::from_bits(sine));
         // Distance of the chord from the centre, and half of its length, as shares of the radius.
         let share = match apart.abs() < reach {
             true => Unit::from_bits(ratio(apart.unsigned_abs(), unsigned(reach))),
@@ -142,22 +152,29 @@ impl RowPlane {
         let half = scaled_by_unit(radius, half);
         let half_chord = along.scaled(half);
         let (Some(one), Some(other)) = (
-            self.column_of(foot.minus(half_chord)),
-            self.column_of(foot.plus(half_chord)),
+            self.columns_of(foot.minus(half_chord), bits),
+            self.columns_of(foot.plus(half_chord), bits),
         ) else {
             return Chord::Unknown;
         };
-        let ends = [one.min(other), one.max(other)];
+        let ends = [one[0].min(other[0]), one[1].max(other[1])];
         let square = (wide(half, half) >> 30) * i64::from(sine);
-        Chord::Ends(ends, is_exact(ends, radius, square))
+        let is_narrow = |[low, high]: [i32; 2]| high - low <= 4;
+        Chord::Ends(
+            ends,
+            is_narrow(one) && is_narrow(other) && is_exact(ends, radius, square >> bits),
+        )
     }
 
-    /// Returns the column of a point in sixteenths, `None` if it does not lie ahead of the eye.
-    fn column_of(&self, way: Vector) -> Option<i32> {
-        let ahead = way.dot(self.axis.ahead);
+    /// Returns the smallest and the largest column, in sixteenths, of a point that is known to 4 << `bits`
+    /// steps. Returns `None` if it does not lie ahead of the eye.
+    fn columns_of(&self, way: Vector, bits: u32) -> Option<[i32; 2]> {
+        let (ahead, aside) = (way.dot(self.axis.ahead), way.dot(self.axis.aside));
         (ahead > 64 * SLACK).then(|| {
             let scale = self.axis.columns_for_each(ahead.into());
-            self.axis.sixteenths(way.dot(self.axis.aside).into(), scale)
+            // If both change by 4, the tangent aside / ahead changes by (4 + 4 aside / ahead) / ahead.
+            let off = (4 + (aside.abs() >> (29 - ahead.leading_zeros()))) << bits;
+            [aside - off, aside + off].map(|aside| self.axis.sixteenths(aside.into(), scale))
         })
     }
 

@@ -1,6 +1,6 @@
 //! The columns of a picture as points on a line: where a ray in a given direction crosses it.
 
-use crate::number::{Quotient, divide, narrowed_unsigned, signed, unsigned_wide};
+use crate::number::{Quotient, divide, narrowed_unsigned, signed, unsigned_wide, wide};
 use crate::vector::{Direction, Point};
 
 /// Rays through the centres of a picture's columns, projected along the columns: all start at one near
@@ -43,6 +43,26 @@ impl ScreenAxis {
     /// As [`ScreenAxis::column`], in sixteenths of a column.
     pub(crate) fn sixteenths(&self, numerator: i64, scale: Quotient) -> i32 {
         half_pixels::<3>(numerator, scale) + 8 * (signed(self.width) - 1)
+    }
+
+    /// Tests whether a tangent of `numerator` / `denominator` and its negative are beside the columns that
+    /// may be traced. The denominator is above 0.
+    pub(crate) fn is_beside(&self, numerator: i64, denominator: i64) -> bool {
+        let beyond = self.column(numerator, self.columns_for_each(denominator));
+        beyond > signed(2 * self.width)
+    }
+
+    /// Tests whether the column where a plane through the eye cuts the row is exact to an eighth of a
+    /// column. The plane touches a cylinder, and what the cylinder's radius is off by, 32 steps, turns it
+    /// by 32 / `touching`.
+    ///
+    /// With a normal of length n, the column is at the tangent p / q, where q is the normal's part aside.
+    /// `scale` is made for q. If the plane turns by an angle, the tangent changes by at most (n / q)²
+    /// times the angle.
+    pub(crate) fn is_exact(&self, normal: i64, scale: Quotient, touching: i32) -> bool {
+        let each = half_pixels::<3>(1 << 30, self.columns_for_each(1 << 30));
+        let turned = half_pixels::<3>(normal, scale);
+        turned < 1 << 22 && 16 * wide(turned, turned) <= wide(each, touching)
     }
 }
 

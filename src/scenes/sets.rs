@@ -8,7 +8,7 @@ use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{Scene, Static, World};
 use crate::number::sweep::Sweep;
 use crate::number::{Length, Unit};
-use crate::ray::{PathSignature, REACH, ScaledPoint, ScaledRay};
+use crate::ray::{REACH, ScaledPoint, ScaledRay};
 use crate::render::Fine;
 use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
@@ -17,7 +17,7 @@ use crate::scene::{RuntimeScene, Surface};
 use crate::shade::BlinnPhong;
 use crate::shape::MaterialId;
 use crate::shape::plane::{PreparedPlane, Side};
-use crate::trace::Tracer;
+use crate::trace::{Stops, Tracer};
 use crate::vector::{Direction, Point, Position};
 use crate::{Camera, Material};
 
@@ -36,8 +36,9 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         bounds
     });
     for y in 0..SIZE.1 {
+        let row = generator.row_plane(y, from.point);
         let tracer = |bounds, is_full| {
-            let culling = ScreenCulling::new::<true>(bounds, from, y, is_full);
+            let culling = ScreenCulling::new::<true>(bounds, (from, row), y, is_full);
             Tracer::<W, BlinnPhong, Fine>::new(world, &view, culling, 3)
         };
         let mut some = tracer(bounds.as_ref(), false);
@@ -46,7 +47,8 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         for x in 0..SIZE.0 {
             let [some, all] = [&mut some, &mut all].map(|it| {
                 let window = it.advance(x / 4 * 4, x / 4 * 4 + 4);
-                it.trace((&window, x), directions.of(x)).sum
+                let mut stops = Stops::NONE;
+                it.trace((&window, x), directions.of(x), &mut stops).sum
             });
             assert_eq!(some, all, "{name}: pixel {x}, {y} of {camera:?}");
         }
@@ -321,7 +323,7 @@ fn light_tables_miss_no_shape() {
 
 /// Returns the point and the shape of a ray's nearest hit, by the plain path that tests every shape.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(world, ray, skip, &mut PathSignature::new())
+    nearest_hit(world, ray, skip)
 }
 
 /// Asserts that the shadow test from a clear light's side agrees with the plain shadow ray to the light,

@@ -1,5 +1,7 @@
 //! Helpers for the tests of all shapes: rays, and vectors in double precision.
 
+pub(super) mod rows;
+
 pub(super) use std::vec::Vec;
 
 use crate::number::Length;

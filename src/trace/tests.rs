@@ -11,6 +11,7 @@ use std::vec::Vec;
 use qualities::{Fast, Fine, Small};
 
 use super::*;
+use crate::Camera;
 use crate::accel::Scene;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::material::Material;
@@ -41,7 +42,7 @@ fn path(from: ScaledPoint, towards: [f64; 3]) -> ScaledRay {
 
 /// Returns the first hit of a ray: point and shape. Tests every shape.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(world, ray, skip, &mut PathSignature::new())
+    nearest_hit(world, ray, skip)
 }
 
 /// The result of one path.
@@ -60,11 +61,15 @@ fn followed_by<K: Shading, Q: PathQuality, W: World>(
 ) -> Followed {
     let view = LightVisibility::new(world, path.from());
     let bounds = ScreenBounds::empty();
-    let culling = ScreenCulling::new::<true>(Some(&bounds), path.from(), 0, true);
+    // Every shape is tested, so the plane of the row does not matter.
+    let camera = Camera::look_at([1.0, 0.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
+    let row = camera.generator(1, 1).row_plane(0, path.from().point);
+    let culling = ScreenCulling::new::<true>(Some(&bounds), (path.from(), row), 0, true);
     let mut tracer = Tracer::<_, K, Q>::new(world, &view, culling, reflections);
     let window = tracer.advance(0, 0);
+    let mut stops = Stops::NONE;
     Followed {
-        sum: tracer.trace((&window, 0), path.direction()).sum,
+        sum: tracer.trace((&window, 0), path.direction(), &mut stops).sum,
         rays: tracer.rays,
         cut_off: tracer.cut_off,
     }

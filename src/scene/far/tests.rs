@@ -2,7 +2,6 @@ use super::*;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::NEAR;
-use crate::ray::PathSignature;
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::{Hit, NOWHERE, any_blocks, nearest_of};
 use crate::scene::query::{located, nearest_hit};
@@ -37,21 +36,21 @@ fn scene() -> Built {
 
 /// Returns the first hit of a ray, by the near kernels where they can tell.
 fn first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
-    let (skip, mut signature) = (ShapeId::NONE, PathSignature::new());
+    let skip = ShapeId::NONE;
     let hit = match path.from().is_near() {
         true => {
             let ray = (&path.ray, NOWHERE);
-            let bounded = nearest_of(scene, ShapeSet::ALL, ray, skip, &mut signature);
+            let bounded = nearest_of(scene, ShapeSet::ALL, ray, skip);
             planes::nearest(scene, &path.ray, skip, bounded)
         }
         false => Hit::BEYOND,
     };
-    located::<_, false>(scene, path, skip, hit, &mut signature)
+    located::<_, false>(scene, path, skip, hit)
 }
 
 /// Returns the first hit of a ray, by the plain query.
 fn far_first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(scene, path, ShapeId::NONE, &mut PathSignature::new())
+    nearest_hit(scene, path, ShapeId::NONE)
 }
 
 /// Returns a ray from a point, aimed at a random point among the shapes.

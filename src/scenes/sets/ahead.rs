@@ -13,7 +13,7 @@ use crate::render::Exact;
 use crate::scene::access::SceneAccess;
 use crate::scene::{Needs, Parts};
 use crate::shade::BlinnPhong;
-use crate::trace::{Traced, Tracer};
+use crate::trace::{Stops, Traced, Tracer};
 
 /// A scene filled at run time with the mirror tables that a constant scene would have.
 struct Tabled<'a> {
@@ -48,13 +48,16 @@ fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, PathSigna
     let from = world.parts().grid.place(camera.description().position);
     let view = LightVisibility::new(world, from);
     let rows = (0..SIDE).flat_map(|y| {
-        let culling = ScreenCulling::new::<true>(None, from, y, true);
+        let row = (from, generator.row_plane(y, from.point));
+        let culling = ScreenCulling::new::<true>(None, row, y, true);
         let mut tracer = Tracer::<W, BlinnPhong, Exact>::new(world, &view, culling, 5);
         let directions = generator.row(y);
         let mut pixels = std::vec::Vec::new();
         for x in 0..SIDE {
             let window = tracer.advance(x, x);
-            let Traced { sum, signature } = tracer.trace((&window, x), directions.of(x));
+            let mut stops = Stops::NONE;
+            let Traced { sum, signature } =
+                tracer.trace((&window, x), directions.of(x), &mut stops);
             pixels.push((sum, signature));
         }
         pixels

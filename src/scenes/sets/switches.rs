@@ -4,6 +4,7 @@
 use super::*;
 use crate::accel::{Culling, CullingQuality};
 use crate::color::Sum;
+use crate::ray::PathSignature;
 use crate::shade::LightQuality;
 use crate::trace::PathQuality;
 
@@ -24,6 +25,7 @@ impl<const L: bool, const M: bool> CullingQuality for With<L, M> {
 
 impl<const L: bool, const M: bool> PathQuality for With<L, M> {
     const SMALLEST_WEIGHT: Unit = <Fine as PathQuality>::SMALLEST_WEIGHT;
+    const TOLERANCE: Unit = <Fine as PathQuality>::TOLERANCE;
 }
 
 /// The quality [`Fine`] with all culling switched off: the plain path.
@@ -39,6 +41,7 @@ impl CullingQuality for PlainPath {
 
 impl PathQuality for PlainPath {
     const SMALLEST_WEIGHT: Unit = <Fine as PathQuality>::SMALLEST_WEIGHT;
+    const TOLERANCE: Unit = <Fine as PathQuality>::TOLERANCE;
 }
 
 /// Returns the sum and the signature of the path through each pixel. Camera rays test every shape.
@@ -60,12 +63,14 @@ fn traced_by<W: World, Q: PathQuality>(
     let generator = camera.generator(SIZE.0, SIZE.1);
     let from = view.from;
     let rows = (0..SIZE.1).flat_map(|y| {
-        let culling = ScreenCulling::new::<true>(None, from, y, true);
+        let row = (from, generator.row_plane(y, from.point));
+        let culling = ScreenCulling::new::<true>(None, row, y, true);
         let mut tracer = Tracer::<W, BlinnPhong, Q>::new(world, view, culling, 5);
         let directions = generator.row(y);
         let pixels = (0..SIZE.0).map(|x| {
             let window = tracer.advance(x, x);
-            let traced = tracer.trace((&window, x), directions.of(x));
+            let mut stops = Stops::NONE;
+            let traced = tracer.trace((&window, x), directions.of(x), &mut stops);
             (traced.sum, traced.signature)
         });
         pixels.collect::<std::vec::Vec<_>>()

@@ -1,7 +1,7 @@
 //! Where a cylinder begins and ends in a row, and what it surely does to a stretch.
 
 use super::{CylinderFromLight, CylinderFromPoint, PreparedCylinder};
-use crate::number::{Length, signed_wide, square_root, wide};
+use crate::number::{Length, signed, signed_wide, square_root, wide};
 use crate::ray::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
 use crate::shape::bordered::{Ball, Bordered, Fan, Rod, SLACK, square};
 use crate::vector::{Direction, Vector};
@@ -107,7 +107,8 @@ impl PreparedCylinder {
         let rest = from.across.square();
         if rest <= square(radius + (radius >> 6)) {
             // The eye is inside of the infinite cylinder, or close to it.
-            return Some((ALL, rest < square(radius - (radius >> 6))));
+            let inner = (radius - (radius >> 6) - 2 * SLACK).max(0);
+            return Some((ALL, rest < square(inner)));
         }
         let touching = square_root(rest - square(radius));
         let toward = from.way.without(self.axis, from.rise);
@@ -118,22 +119,33 @@ impl PreparedCylinder {
         let ([mut first, mut last], mut is_sure) = (ALL, true);
         // Smaller than this, a coefficient is not exact enough.
         let least = signed_wide(rest) >> 10;
+        // Rounding of the products moves a normal by less than this.
+        let off = 5 * (i64::from(square_root(rest)) + 1);
         for (ahead, aside) in [
             (toward_ahead + across_ahead, toward_aside + across_aside),
             (toward_ahead - across_ahead, toward_aside - across_aside),
         ] {
             if aside.abs() < least {
-                // Almost the same for all columns.
-                if ahead < -16 * least {
+                if row.axis.is_beside(-ahead - off, least + off) {
                     return None;
                 }
-                is_sure &= ahead > 16 * least;
+                // Almost the same for all columns. The slack of the radius turns the plane by less than
+                // 2^-10.
+                is_sure &= touching > SLACK << 10
+                    && row.axis.is_beside(ahead - least - off, 2 * least + off);
                 continue;
             }
+            let tangent = 2 + (ahead.abs() >> (63 - signed(aside.unsigned_abs().leading_zeros())));
             let scale = row.axis.columns_for_each(aside.abs());
+            let ends = [-1, 1].map(|sign| {
+                let numerator = if aside > 0 { -ahead } else { ahead };
+                row.axis.sixteenths(numerator + sign * off * tangent, scale)
+            });
+            is_sure &= row.axis.is_exact(signed_wide(rest), scale, touching);
+            is_sure &= ends[1] - ends[0] <= 4;
             match aside > 0 {
-                true => first = first.max(row.axis.sixteenths(-ahead, scale)),
-                false => last = last.min(row.axis.sixteenths(ahead, scale)),
+                true => first = first.max(ends[0]),
+                false => last = last.min(ends[1]),
             }
         }
         Some(([first, last], is_sure))
@@ -149,7 +161,7 @@ impl PreparedCylinder {
                 Chord::None => {}
                 Chord::Ends(ends, true) => {
                     for (rim, end) in rims.iter_mut().zip(ends) {
-                        *rim = column((end - 2) >> 4).min(ANY_COLUMN - 1);
+                        *rim = column((end - 6) >> 4).min(ANY_COLUMN - 1);
                     }
                 }
                 Chord::Unknown | Chord::Ends(_, false) => rims.fill(ANY_COLUMN),

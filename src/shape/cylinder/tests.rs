@@ -1,3 +1,5 @@
+mod borders;
+
 use super::super::LIFT;
 use super::intersect::{STEEP, root_of_lifted};
 use super::*;

@@ -1,3 +1,5 @@
+mod borders;
+
 use super::*;
 use crate::number::sweep::Sweep;
 use crate::ray::{NEAR, ScaledPoint};
@@ -242,10 +244,10 @@ fn disc_that_is_met_is_left_out_by_nothing() {
         let start = Length::from_bits(0);
         let reach = EVERYWHERE;
         let range = || Range { start, reach };
-        let alone = Bounded::intersect(&disc, &ray, range(), &mut false);
+        let alone = Bounded::intersect(&disc, &ray, range());
         assert_eq!(alone, found, "{disc:?} {ray:?}");
         let from = disc.seen_from_eye(ray.origin);
-        let seen = disc.intersect_from(&from, &ray.direction, range(), &mut false);
+        let seen = disc.intersect_from(&from, &ray.direction, range());
         assert_eq!(seen, found, "{disc:?} {ray:?}");
         hits += u32::from(found.is_some());
     }

@@ -1,3 +1,5 @@
+mod borders;
+
 use super::super::LIFT;
 use super::*;
 use crate::number::sweep::Sweep;

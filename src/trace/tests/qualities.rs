@@ -7,7 +7,7 @@ use crate::shade::LightQuality;
 use crate::trace::PathQuality;
 
 macro_rules! qualities {
-    ($($name:ident: $smallest:expr, $culling:ident, $is_precise:expr;)*) => {
+    ($($name:ident: $smallest:expr, $tolerance:expr, $culling:ident, $is_precise:expr;)*) => {
         $(
             pub(crate) struct $name;
 
@@ -21,14 +21,15 @@ macro_rules! qualities {
 
             impl PathQuality for $name {
                 const SMALLEST_WEIGHT: Unit = $smallest;
+                const TOLERANCE: Unit = $tolerance;
             }
         )*
     };
 }
 
 qualities! {
-    Fast: Unit::from_bits(1 << 22), ALL, false;
-    Small: Unit::from_bits(1 << 22), NONE, false;
-    Fine: Unit::DELTA, ALL, false;
-    Exact: Unit::DELTA, ALL, true;
+    Fast: Unit::from_bits(1 << 22), Unit::from_bits(1 << 22), ALL, false;
+    Small: Unit::from_bits(1 << 22), Unit::ZERO, NONE, false;
+    Fine: Unit::DELTA, Unit::from_bits(1 << 20), ALL, false;
+    Exact: Unit::DELTA, Unit::ZERO, ALL, true;
 }

@@ -52,8 +52,9 @@ impl Wild {
         let mut row = vec![Rgb888::BLACK; width as usize];
         let mut report = Report::NONE;
         // Only this many pixels of a row may be traced: those of the picture and, with interpolation,
-        // two stretches beside it and the one before.
-        let beside = if Q::STRIDE == 1 { 0 } else { 12 };
+        // those of a block up to 15 columns beside it and the pixel after.
+        let is_traced = Q::IS_SMALL || Q::TOLERANCE == Unit::ZERO;
+        let beside = if is_traced { 0 } else { 16 };
         let most = u64::from(width + beside) * (u64::from(self.reflections) + 1);
         for y in 0..height {
             let of_row = picture.row(y, 0, &mut row);

@@ -286,7 +286,10 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
             lit(&built, frame().quality::<Fast>(), SIDE, shading),
             lit(&built, frame().quality::<Fine>(), SIDE, shading),
         ];
-        let endings = [ending::<Fast>(reflections), ending::<Fine>(reflections)];
+        let endings = [
+            ending::<Fast>(reflections, SIDE),
+            ending::<Fine>(reflections, SIDE),
+        ];
         let (exact, camera) = ((&scene.description()).into(), (&camera).into());
         let precision = precision(&built);
         let paths = Paths::follow(&exact, &camera, (SIDE, SIDE), ALL, shading, &precision);
@@ -337,11 +340,11 @@ fn lit<S: Drawable, Q: Quality>(
     }
 }
 
-fn ending<Q: Quality>(reflections: usize) -> Ending {
+fn ending<Q: Quality>(reflections: usize, side: u32) -> Ending {
     Ending {
         reflections,
         smallest_weight: Q::SMALLEST_WEIGHT.to_num(),
-        stride: Q::STRIDE,
+        block: Ending::block_of(side, Q::TOLERANCE.to_num()),
         tolerance: Q::TOLERANCE.to_num(),
     }
 }

@@ -199,14 +199,10 @@ impl Truth {
 /// Returns where the paths of a level end, and which pixels are traced.
 fn ending(painter: &Painter, level: Level, reflections: u8) -> Ending {
     let numbers = level.numbers();
-    let is_of_planes = painter.scene.shapes().all(|it| it.kind == "plane");
     Ending {
         reflections: reflections.into(),
         smallest_weight: numbers.smallest_weight.to_num(),
-        stride: match numbers.stride {
-            2.. if is_of_planes => 4,
-            stride => stride,
-        },
+        block: Ending::block_of(painter.size.width, numbers.tolerance.to_num()),
         tolerance: numbers.tolerance.to_num(),
     }
 }

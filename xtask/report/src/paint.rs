@@ -93,12 +93,11 @@ pub fn hash(picture: &Picture) -> u64 {
     hash.value()
 }
 
-/// A quality like `Q`, but with stride 1: every pixel is traced.
+/// A quality like `Q`, but with a tolerance of 0: every pixel is traced.
 struct Traced<Q>(PhantomData<Q>);
 
 impl<Q: Quality> Quality for Traced<Q> {
     const SMALLEST_WEIGHT: Unit = Q::SMALLEST_WEIGHT;
-    const STRIDE: u32 = 1;
     const TOLERANCE: Unit = Unit::ZERO;
     const IS_SMALL: bool = Q::IS_SMALL;
     const IS_PRECISE: bool = Q::IS_PRECISE;

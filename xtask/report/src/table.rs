@@ -47,7 +47,6 @@ fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {
         ("size", size.to_owned()),
         ("contestant", contestant.to_owned()),
         ("quality", level.map_or("", Level::name).to_owned()),
-        ("stride", of_level(|it| it.stride.to_string())),
         ("tolerance", of_level(|it| text(it.tolerance))),
         ("smallest_weight", of_level(|it| text(it.smallest_weight))),
         ("shadows", shadows.to_string()),

@@ -56,7 +56,7 @@ pub enum Rule {
 
 /// The rules of functions, by the beginning of the function's [`path`]. The first rule that matches
 /// counts. A function without a rule belongs to its caller's stage.
-const RULES: [(&str, Rule); 34] = [
+const RULES: [(&str, Rule); 37] = [
     (
         "firmware::contestant::Fixed::prepare",
         Rule::AllIs(Stage::Preparation),
@@ -74,6 +74,9 @@ const RULES: [(&str, Rule); 34] = [
     ("reflet::accel::screen_bounds", Rule::Is(Stage::Spans)),
     ("reflet::accel::screen_culling", Rule::Is(Stage::Spans)),
     ("reflet::accel::screen_rect", Rule::Is(Stage::Spans)),
+    ("reflet::accel::stretch", Rule::Is(Stage::Spans)),
+    ("reflet::accel::light_stretch", Rule::Is(Stage::Shadow)),
+    ("reflet::ray::row_plane", Rule::Is(Stage::Spans)),
     ("reflet::accel::nearest_ahead", Rule::Meets),
     ("reflet::accel::mirror_table", Rule::Meets),
     ("reflet::accel::light_occluders", Rule::Is(Stage::Shadow)),

@@ -62,14 +62,13 @@ fn type_name(setting: &Setting) -> String {
 /// Returns the type name and the source of a level that the library does not have.
 fn quality(level: Level) -> (String, String) {
     let numbers = level.numbers();
-    let (stride, tolerance) = (numbers.stride, numbers.tolerance.to_bits());
+    let tolerance = numbers.tolerance.to_bits();
     let weight = numbers.smallest_weight.to_bits();
-    let name = format!("Own{stride}T{tolerance}W{weight}");
+    let name = format!("OwnT{tolerance}W{weight}");
     let source = format!(
         "pub struct {name};\n\n\
          impl reflet::quality::Quality for {name} {{\n    \
              const SMALLEST_WEIGHT: reflet::Unit = reflet::Unit::from_bits({weight});\n    \
-             const STRIDE: u32 = {stride};\n    \
              const TOLERANCE: reflet::Unit = reflet::Unit::from_bits({tolerance});\n\
          }}\n\n"
     );
@@ -91,7 +90,7 @@ mod tests {
         let expected = [
             "firmware::Float<Seen>",
             "firmware::Varied<Scene, Seen, reflet::quality::Fine, reflet::shading::BlinnPhong>",
-            "firmware::Varied<Scene, Seen, Own4T4194304W67108864, \
+            "firmware::Varied<Scene, Seen, OwnT4194304W67108864, \
              reflet::shading::Unshadowed<reflet::shading::BlinnPhong>>",
         ];
         assert_eq!(names, expected);

@@ -41,7 +41,6 @@ struct Own<const WEIGHT: i32, const TOLERANCES: i32>;
 
 impl<const WEIGHT: i32, const TOLERANCES: i32> Quality for Own<WEIGHT, TOLERANCES> {
     const SMALLEST_WEIGHT: Unit = Unit::from_bits(WEIGHT);
-    const STRIDE: u32 = Fast::STRIDE;
     const TOLERANCE: Unit = Unit::from_bits(TOLERANCES * Fast::TOLERANCE.to_bits());
 }
 
@@ -57,7 +56,6 @@ pub trait Visitor {
 #[derive(Clone, Copy, Debug)]
 pub struct Numbers {
     pub smallest_weight: Unit,
-    pub stride: u32,
     pub tolerance: Unit,
 }
 
@@ -69,7 +67,6 @@ impl Visitor for AsNumbers {
     fn visit<Q: Quality>(self) -> Numbers {
         Numbers {
             smallest_weight: Q::SMALLEST_WEIGHT,
-            stride: Q::STRIDE,
             tolerance: Q::TOLERANCE,
         }
     }

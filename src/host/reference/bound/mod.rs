@@ -71,7 +71,7 @@ use super::{Camera, Picture, Scene, Shading};
 /// assert_eq!((hit.color, hit.weight, hit.is_unsure), ([0.5; 3], 0.5, false));
 /// assert_ne!(hit.trail, path.ended(4, 0.0).trail);
 ///
-/// let ending = Ending { reflections: 0, smallest_weight: 0.0, stride: 1, tolerance: 0.0 };
+/// let ending = Ending { reflections: 0, smallest_weight: 0.0, block: 1, tolerance: 0.0 };
 /// let bound: Bound = paths.bounds(&ending)[12];
 /// assert_eq!((bound.truncation, bound.between, bound.is_unsure), (0.5, 0.0, false));
 /// assert!(bound.rounding < 1e-5 && bound.share() > 0.5 && bound.levels() > 128.0);
@@ -95,8 +95,9 @@ pub struct Ending {
     /// Weight below which a path ends: the `SMALLEST_WEIGHT` of the quality. In a scene brighter than
     /// white it is a share of white, so it is divided by the brightest colour.
     pub smallest_weight: f64,
-    /// Distance from one pixel of a row that is always traced to the next, in pixels: 1, 2 or 4.
-    pub stride: u32,
+    /// Number of columns of the blocks into which a row is divided: a power of two, 1 if every pixel is
+    /// traced. [`Ending::block_of`] returns it.
+    pub block: u32,
     /// Tolerance for interpolated pixels, as a share of white: the `TOLERANCE` of the quality.
     pub tolerance: f64,
 }
@@ -130,7 +131,7 @@ impl Bound {
 }
 
 /// Number of columns to the right of a picture that fixed point may trace for interpolation.
-const MARGIN: u32 = 8;
+const MARGIN: u32 = 16;
 
 /// Distance from a pixel's ray at which four rays beside it must take the same path, in pixels; else the
 /// pixel is unsure.
@@ -223,23 +224,25 @@ impl Paths {
     }
 
     fn bound(&self, row: &[&Stage], x: usize, ending: &Ending) -> Bound {
-        let (own, stride) = (row[x], ending.stride as usize);
-        // The pixel's stretch of interpolated columns lies within `stride - 1` columns of it.
-        let near = |reach: usize| x.saturating_sub(reach)..(x + reach + 1).min(row.len());
-        let stretch = &row[near(stride - 1)];
-        let is_alike = |stage: &&Stage| stage.trail == own.trail;
-        // The curve of a stretch depends on traced pixels up to one stride beyond both of its ends.
-        let start = x - x % stride;
-        let traced = (start.saturating_sub(stride)..start + 2 * stride + 1).step_by(stride);
-        let mut laid_by = traced.filter_map(|column| row.get(column));
-        let is_unsure = stretch.iter().any(|it| it.is_unsure)
-            || !stretch.iter().all(is_alike)
-            || x != start && laid_by.any(|it| it.is_unsure);
+        let own = row[x];
+        let between = between::error(row, x, ending.block as usize, ending.tolerance);
         Bound {
             truncation: own.weight * self.brightest,
             rounding: own.rounding,
-            between: between::error(row, x, stride, ending.tolerance),
-            is_unsure,
+            between: between.unwrap_or(0.0),
+            is_unsure: own.is_unsure || between.is_none(),
+        }
+    }
+}
+
+impl Ending {
+    /// Returns the number of columns of a block in a picture of `width` columns, in a quality with this
+    /// tolerance that does not leave out the code for speed.
+    pub fn block_of(width: u32, tolerance: f64) -> u32 {
+        match width {
+            _ if tolerance == 0.0 => 1,
+            0..128 => 8,
+            _ => 16,
         }
     }
 }

@@ -193,11 +193,15 @@ impl Hit {
         let mut received = Vector::grey(material.ambient);
         let mut error = Vector::grey(to_the_minus(20));
         for (index, lamp) in scene.lights.iter().enumerate() {
-            let lit = scene.strength(surface, lamp, shading);
+            let Some(arrival) = scene.arrival(surface, lamp) else {
+                continue;
+            };
+            // Even if nothing is sent on: a highlight fades out smoothly.
+            lights |= 1_u64.wrapping_shl(index as u32);
+            let lit = Scene::sent_on(surface, arrival, shading);
             if lit <= 0.0 {
                 continue;
             }
-            lights |= 1_u64.wrapping_shl(index as u32);
             let way = lamp.position - surface.outside;
             let distance = way.length();
             let light = (self.place + 3.0 * precision.step) / distance + to_the_minus(26);

@@ -30,6 +30,16 @@ impl Scene<'_> {
     /// blocked.
     #[inline]
     pub fn strength(&self, surface: &Surface, lamp: &Light, shading: Shading) -> Real {
+        match self.arrival(surface, lamp) {
+            Some(arrival) => Self::sent_on(surface, arrival, shading),
+            None => 0.0,
+        }
+    }
+
+    /// Returns the direction to a light and the cosine of its angle to the normal. Returns `None` if the
+    /// light is behind the surface or blocked.
+    #[inline]
+    pub fn arrival(&self, surface: &Surface, lamp: &Light) -> Option<(Vector, Real)> {
         let to_lamp = lamp.position - surface.outside;
         let distance = to_lamp.length();
         let ray = Ray {
@@ -39,15 +49,23 @@ impl Scene<'_> {
         let facing = surface.normal.dot(ray.direction);
         // For a light exactly at this point `facing` is not a number, and so not above zero.
         let is_lit = facing > 0.0 && !self.is_blocked(&ray, distance - self.epsilon);
-        if !is_lit {
-            return 0.0;
-        }
+        is_lit.then_some((ray.direction, facing))
+    }
+
+    /// Returns the share of the light that a surface sends on, from the direction and the cosine of
+    /// [`Scene::arrival`].
+    #[inline]
+    pub fn sent_on(
+        surface: &Surface,
+        (to_light, facing): (Vector, Real),
+        shading: Shading,
+    ) -> Real {
         let material = surface.material;
         let diffuse = material.diffuse * facing;
         if material.specular == 0.0 {
             return diffuse;
         }
-        let cosine = surface.gleam(ray.direction, shading);
+        let cosine = surface.gleam(to_light, shading);
         // There is no highlight if the mirrored light points away from the viewer, not even with
         // shininess 0.
         if cosine > 0.0 {

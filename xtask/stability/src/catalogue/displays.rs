@@ -31,10 +31,10 @@ fn within8(size: (u32, u32), lines: &[u32]) -> f64 {
     let mut row = vec![Rgb888::BLACK; size.0 as usize];
     let (mut near, mut all) = (0, 0);
     // For a very wide display, 512 to 1023 columns are enough.
-    let stride = (size.0 / 512).max(1);
+    let step = (size.0 / 512).max(1);
     for &y in lines {
         rows.row(y, 0, &mut row);
-        for x in (0..size.0).step_by(stride as usize) {
+        for x in (0..size.0).step_by(step as usize) {
             let color = reference::pixel(&scene, &eye, size, (x, y), 4, Shading::BlinnPhong);
             let found = row[x as usize];
             let found = [found.r(), found.g(), found.b()];
