@@ -5,7 +5,8 @@ use core::fmt::Debug;
 
 use super::bounded::Bounded;
 use crate::number::{
-    Length, Unit, narrowed_unsigned, ratio, scaled_by_unit, signed, unsigned, unsigned_wide, wide,
+    Length, Unit, narrowed_unsigned, ratio, scaled_by_unit, signed, square_root, unsigned,
+    unsigned_wide, wide,
 };
 use crate::ray::{REACH, RowPlane, ScaledPoint, Span};
 use crate::vector::{Direction, Point, Vector};
@@ -70,6 +71,12 @@ impl Rays {
             ends: [one.0, other.0],
             reaches: [one.1, other.1],
         }
+    }
+
+    /// Returns the length of the difference of the two directions.
+    pub(crate) fn turn(&self) -> Unit {
+        let [first, last] = self.ends;
+        Unit::from_bits(square_root(last.raw().minus(first.raw()).square()))
     }
 
     /// Returns by how much a coordinate of a direction between the two may exceed theirs.

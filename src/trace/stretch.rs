@@ -23,6 +23,10 @@ use crate::vector::{Direction, Point};
 /// Pixels between two traced ones: the window of the row, and the columns of the two.
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);
 
+/// Largest change of a direction, the normal or that to a light, for which three pixels show how diffuse light
+/// changes: about 20 degrees.
+const LARGEST_TURN: Unit = Unit::from_bits(3 << 27);
+
 /// How much is proved of the paths of a stretch. It holds for each part of the stretch, too.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Progress {
@@ -282,10 +286,10 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             [true, true] => {}
             _ => return false,
         }
-        if !(has_shadows || has_highlight) {
-            return true;
-        }
         let rays = Rays::new(place, shown.lit.ends);
+        if rays.turn() > LARGEST_TURN || shown.turn > LARGEST_TURN {
+            return false;
+        }
         if has_shadows {
             if !self.visibility.is_clear(index) {
                 return false;
@@ -336,8 +340,8 @@ impl Shown<'_> {
         if distance >> 3 <= radius {
             return false;
         }
-        let [first, last] = rays.ends;
-        let light = square_root(last.raw().minus(first.raw()).square());
+        let [first, _] = rays.ends;
+        let light = rays.turn().to_bits();
         let [normal, _] = self.normals;
         // Half of each, so that sums fit.
         let moves = (light >> 1) + ratio(unsigned(radius), unsigned(distance));
