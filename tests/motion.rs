@@ -210,9 +210,12 @@ impl Random {
 fn assert_drawn_as_built<S: Drawable>(scene: &S, places: &Places, camera: &Camera, step: u32) {
     let expected = pictures(&places.built().scene, camera);
     let found = pictures(scene, camera);
-    for (name, (found, expected)) in ["fast", "exact"].iter().zip(found.iter().zip(&expected)) {
+    // Tables of lights choose which pixels `Fast` interpolates, but all are exact to its tolerance.
+    let names = [("fast", 1), ("exact", 0)];
+    for ((name, most), (found, expected)) in names.into_iter().zip(found.iter().zip(&expected)) {
         let pixels = found.pixels.iter().zip(&expected.pixels);
-        let different = pixels.filter(|(a, b)| a != b).count();
+        let is_off = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|it| a[it].abs_diff(b[it]) > most);
+        let different = pixels.filter(|(a, b)| is_off(a, b)).count();
         assert_eq!(different, 0, "{name}, step {step}");
     }
 }

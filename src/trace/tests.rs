@@ -11,9 +11,9 @@ use std::vec::Vec;
 use qualities::{Fast, Fine, Small};
 
 use super::*;
-use crate::Camera;
 use crate::accel::Scene;
 use crate::accel::screen_bounds::ScreenBounds;
+use crate::camera::Camera;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::ScaledPoint;
