@@ -92,7 +92,13 @@ fn meeting<T: AsRef<[u16]>>(span: &Span<T>, [start, end]: [u32; 2]) -> Meeting {
     let (first, last) = (u32::from(span.first), u32::from(span.last));
     if end <= first || last <= start {
         Meeting::Never
-    } else if span.is_sure && first <= start && end <= last && !has_rim(span, [start, end]) {
+    } else if span.is_sure
+        && first <= start
+        && end <= last
+        // The ray of at least one end surely cuts the shape.
+        && (first < start || end < last)
+        && !has_rim(span, [start, end])
+    {
         Meeting::Always
     } else {
         Meeting::Changes

@@ -80,9 +80,11 @@ impl RayGenerator {
 
     /// Returns the plane of row `y`, for rays from `origin`.
     pub(crate) fn row_plane(&self, y: u32, origin: Point) -> RowPlane {
-        let [x, y, z] = self
-            .middle(self.vertical(y))
-            .map(|coordinate| (coordinate >> 32) as i32);
+        let middle = self.middle(self.vertical(y));
+        // In a wide view the middle of a row is near. Its largest coordinate is scaled to 2⁶⁰.
+        let bits = middle.map(|it| it.unsigned_abs().leading_zeros());
+        let up = signed(bits[0].min(bits[1]).min(bits[2]).saturating_sub(4));
+        let [x, y, z] = middle.map(|coordinate| (shifted(coordinate, up) >> 32) as i32);
         let (ahead, distance) = Vector::new(x, y, z).direction_and_length();
         RowPlane {
             axis: ScreenAxis {
@@ -90,7 +92,7 @@ impl RayGenerator {
                 ahead,
                 aside: self.right,
                 distance: distance.to_bits(),
-                scale: 2 - self.scale,
+                scale: 2 - self.scale - up,
                 width: self.width,
             },
             normal: self.right.crossed(ahead),

@@ -255,7 +255,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
 /// What is known of the paths between two traced ones.
 #[derive(Clone, Copy)]
 enum Known {
-    /// Not all of it. If the first reflection is proved, one pixel between two is guessed.
+    /// Not all of it.
     Part(Progress),
     /// All surely meet the same, as far as paths have known bounds. Others are guessed, but not more than
     /// one pixel between two.
@@ -279,7 +279,7 @@ impl Known {
     /// times the tolerance, or the expected second difference is at most four times the tolerance.
     fn allows(self, [start, end]: [&End; 2], tolerance: i32) -> bool {
         match self {
-            Self::Part(proved) if !proved.has_first() => false,
+            Self::Part(_) => false,
             Self::Bend(bend) if bend.is_within(4 * tolerance) => true,
             _ => end.sum.less(start.sum).is_within(3 * tolerance),
         }

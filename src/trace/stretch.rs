@@ -39,11 +39,6 @@ pub(crate) struct Progress {
 impl Progress {
     /// Nothing is proved.
     pub(crate) const NONE: Self = Self { hits: 0, steps: 0 };
-
-    /// Tests whether the camera's rays, and their first reflection in a plane, are proved.
-    pub(crate) fn has_first(self) -> bool {
-        self.hits > 1
-    }
 }
 
 /// Where the rays of a stretch come from.
