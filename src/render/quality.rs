@@ -15,15 +15,14 @@ use crate::trace::PathQuality;
 ///
 /// ```
 /// use reflet::Unit;
-/// use reflet::quality::{Fast, Quality};
+/// use reflet::quality::Quality;
 ///
-/// /// As [`Fast`], but that every second pixel is traced, and no mirror is followed for less than a
-/// /// sixteenth.
+/// /// As [`Fast`], but every pixel is traced, and no mirror is followed for less than a sixteenth.
 /// struct Calm;
 ///
 /// impl Quality for Calm {
 ///     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 26);
-/// ///     const TOLERANCE: Unit = Fast::TOLERANCE;
+///     const TOLERANCE: Unit = Unit::ZERO;
 /// }
 /// assert!(!Calm::IS_SMALL && !Calm::IS_PRECISE);
 /// ```
@@ -35,19 +34,17 @@ pub trait Quality {
     /// itself is compared.
     const SMALLEST_WEIGHT: Unit;
 
-    /// Tolerance of interpolation along a row, as a share of white, 0 to 1.
+    /// Tolerance of interpolated pixels, as a share of white, 0 to 1. If it is 0, every pixel is traced.
     ///
-    /// Pixels between traced ones are interpolated only if one of these holds:
-    /// - the second difference of the colours changes by no more than the tolerance;
-    /// - the second difference is known on one side only, and is no more than twice the tolerance;
-    /// - a pixel traced half way differs from the curve by no more than the tolerance;
-    /// - a single pixel is missing, and the colours on both sides of it differ by no more than three
-    ///   times the tolerance, or have a second difference of no more than four times the tolerance.
+    /// A pixel is interpolated only if its path is certain to meet the same shapes, lit by the same lights,
+    /// as two traced pixels beside it. No shape, shadow or highlight that is seen directly or in flat
+    /// mirrors is lost, however thin. In a round mirror, what is narrower than two columns may lose one of
+    /// them. The tolerance bounds by how much the colours may differ from a parabola.
     const TOLERANCE: Unit;
 
     /// Whether frames leave out all code and tables for speed, to save flash. Defaults to `false`.
     ///
-    /// If `true`, every pixel is traced, whatever [`Quality::STRIDE`] says, every ray tests every shape,
+    /// If `true`, every pixel is traced, whatever [`Quality::TOLERANCE`] says, every ray tests every shape,
     /// and no tables for the pixels of a row or for the lights are prepared, neither in flash nor in
     /// RAM.
     const IS_SMALL: bool = false;
@@ -64,9 +61,8 @@ pub trait Quality {
 
 /// The default quality: the approximations are expected to change an 8-bit channel by at most one level.
 ///
-/// A path ends when the light it can still add is less than one 8-bit level. At least every fourth pixel
-/// is traced, and every second if a path was mirrored in a round shape. The others are interpolated,
-/// exact to one level, or to one and a half if only the pixels on both sides are known.
+/// A path ends when the light it can still add is less than one 8-bit level. Pixels are interpolated to about
+/// one level where it is certain what they show.
 #[derive(Clone, Copy, Debug)]
 pub struct Fast;
 
@@ -91,8 +87,8 @@ impl Quality for Small {
 
 /// The quality for pictures that are viewed closely: more exact than [`Fast`], and still interpolated.
 ///
-/// A path ends when its throughput is exactly zero. At least every second pixel is traced, and the
-/// others are exact to a quarter of an 8-bit level.
+/// A path ends when its throughput is exactly zero. Pixels are interpolated to about a quarter of an 8-bit level
+/// where it is certain what they show.
 #[derive(Clone, Copy, Debug)]
 pub struct Fine;
 
