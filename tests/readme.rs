@@ -21,12 +21,23 @@ fn the_readmes_example_is_the_example() {
     assert_eq!(block, read("examples/harbour.rs"));
 }
 
-/// Returns the table with these columns in a text. Removes the `//!` of documentation lines.
+/// Returns the table with these columns in a text. Removes the `//!` and `///` of documentation lines.
 fn table(text: &str, columns: &str) -> Vec<String> {
-    let lines = text.lines().map(|line| line.trim_start_matches("//! "));
+    let lines = text
+        .lines()
+        .map(|line| line.trim_start_matches("//! ").trim_start_matches("/// "));
     let rows = lines.skip_while(|line| *line != columns);
     let rows = rows.take_while(|line| line.starts_with('|'));
     rows.map(str::to_owned).collect()
+}
+
+/// Returns the measured figures of a file in `docs/measured`, one for each line.
+fn measured(file: &str) -> Vec<Value> {
+    let lines = read(&format!("docs/measured/{file}"));
+    let rows = lines
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap());
+    rows.collect()
 }
 
 #[test]
@@ -39,12 +50,12 @@ fn the_readmes_limits_are_the_librarys() {
 
 #[test]
 fn figures_of_moving_scenes_are_the_measured_ones() {
-    let measured = read("docs/measured/moving.jsonl");
-    let rows = measured.lines().map(|line| {
-        let row: Value = serde_json::from_str(line).unwrap();
+    const COLUMNS: &str = "| core | scene | move | preparation | flash |";
+    let mut expected = vec![COLUMNS.to_owned(), "|---|---|--:|--:|--:|".to_owned()];
+    expected.extend(measured("moving.jsonl").iter().map(|row| {
         let number = |key: &str| row[key].as_f64().unwrap();
         let percent = 100.0 * number("flash") / number("constant_flash");
-        assert!(percent <= 115.0, "{line}");
+        assert!(percent <= 115.0, "{row}");
         format!(
             "| {} | {} | {} | {} | {percent:.1} % |",
             row["core"].as_str().unwrap(),
@@ -52,27 +63,17 @@ fn figures_of_moving_scenes_are_the_measured_ones() {
             row["move_instructions"],
             row["prepare_instructions"]
         )
-    });
-    let rows: Vec<_> = rows.collect();
-    assert!(rows.len() > 5);
-    let source = read("src/accel/motion.rs");
-    let lines = source.lines().map(|line| line.trim_start_matches("/// "));
-    let table = lines.skip_while(|line| !line.starts_with("| core | scene | move |"));
-    let table: Vec<_> = table.skip(2).take(rows.len()).collect();
-    assert_eq!(table, rows);
+    }));
+    assert!(expected.len() > 7, "{expected:?}");
+    assert_eq!(table(&read("src/accel/motion.rs"), COLUMNS), expected);
 }
 
 #[test]
 fn figures_of_the_build_profiles_are_the_measured_ones() {
     const COLUMNS: &str =
         "| profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |";
-    let measured = read("docs/measured/profiles.jsonl");
-    let measured: Vec<Value> = measured
-        .lines()
-        .map(|line| serde_json::from_str(line).unwrap())
-        .collect();
     let mut expected = vec![COLUMNS.to_owned(), "|---|--:|--:|--:|--:|".to_owned()];
-    for scenes in measured.chunks(2) {
+    for scenes in measured("profiles.jsonl").chunks(2) {
         let figures = scenes
             .iter()
             .zip(["castle", "corner1"])
@@ -96,10 +97,7 @@ fn figures_of_the_build_profiles_are_the_measured_ones() {
 #[test]
 fn the_readmes_limits_of_scene_files_are_the_librarys() {
     let readme = read("README.md");
-    let rows = readme
-        .lines()
-        .skip_while(|&line| line != "| part | number |");
-    let rows: Vec<_> = rows.take_while(|line| line.starts_with('|')).collect();
+    let rows = table(&readme, "| part | number |");
     let expected = [
         ("spheres", file::MAX_SPHERES),
         ("planes", file::MAX_PLANES),
@@ -109,10 +107,7 @@ fn the_readmes_limits_of_scene_files_are_the_librarys() {
         ("materials", file::MAX_MATERIALS),
     ]
     .map(|(part, most)| format!("| {part} | {most} |"));
-    assert_eq!(
-        rows.get(2..),
-        Some(&expected.each_ref().map(|it| it.as_str())[..])
-    );
+    assert_eq!(rows.get(2..), Some(&expected[..]));
     let megabytes = file::MAX_BYTES / 1_000_000;
     let size = format!("\nThe file itself has at most {megabytes} MB.\n");
     assert!(readme.contains(&size), "{size}");

@@ -144,7 +144,7 @@ impl<R: ActiveRoom> RuntimeScene<R> {
     /// Chooses the scene's grid and prepares the scene. No float instruction is executed.
     ///
     /// # Errors
-    /// Mistakes of the scene as a whole: [`ErrorKind::Tiny`], [`ErrorKind::Extent`],
+    /// Mistakes that show only in the whole scene: [`ErrorKind::Tiny`], [`ErrorKind::Extent`],
     /// [`ErrorKind::Epsilon`], [`ErrorKind::Brightness`].
     pub fn build(&self) -> Result<Scene<R>, Error> {
         R::prepare(&self.description())

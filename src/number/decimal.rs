@@ -179,6 +179,8 @@ mod tests {
             1e9,
             2f64.powi(-64),
             123456.789,
+            2f64.powi(62),
+            -2f64.powi(63).next_down(),
         ] {
             assert_eq!(Number::new(value).to_f64(), value, "{value}");
         }
@@ -196,7 +198,14 @@ mod tests {
 
     #[test]
     fn what_is_not_finite_is_out_of_range() {
-        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e30, -1e30] {
+        for value in [
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            1e30,
+            -1e30,
+            2f64.powi(63),
+        ] {
             assert_eq!(Number::new(value), Number::OUT_OF_RANGE, "{value}");
             assert_eq!(Number::from(value as f32), Number::OUT_OF_RANGE, "{value}");
         }

@@ -94,7 +94,7 @@ fn what_f64_reads_is_read_and_nothing_else() {
 #[track_caller]
 fn assert_near_f64(text: &str) {
     let (found, float) = (bits(text), text.parse::<f64>().unwrap());
-    if float.abs() < 2f64.powi(62) {
+    if float.abs() < 2f64.powi(63) {
         let expected = Number::new(float).to_bits();
         let allowed = (expected.abs() >> 53) + 1;
         assert!(

@@ -76,7 +76,7 @@ impl Outcome {
     }
 }
 
-/// Line with which a measuring program reports its numbers.
+/// The line of text in which a measuring program reports its numbers.
 pub(crate) struct Report<'a>(&'a str);
 
 impl<'a> Report<'a> {

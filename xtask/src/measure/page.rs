@@ -142,7 +142,7 @@ impl Page<'_> {
     }
 }
 
-/// Writes a table with one row for each built-in scene.
+/// Formats a table with a row for each built-in scene.
 fn by_scene(
     columns: impl IntoIterator<Item = String>,
     cells: impl Fn(&str) -> Vec<Option<String>>,

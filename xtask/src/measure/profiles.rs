@@ -172,8 +172,8 @@ fn fit(rows: &[Row]) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// Writes a table with one row for each compiler profile and one column for each scene. `cells` compares a
-/// profile's figures of a scene with those of the first profile.
+/// Formats a table with a row for each build profile. `cells` makes the columns of one scene, from the
+/// profile's figures and those of the first profile.
 fn table<const N: usize>(
     rows: &[Row],
     names: [&str; N],

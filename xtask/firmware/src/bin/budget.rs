@@ -32,7 +32,7 @@ mod measured {
 static mut FRAME: [Rgb888; measured::SIZE.0 * measured::SIZE.1] =
     [Rgb888::BLACK; measured::SIZE.0 * measured::SIZE.1];
 
-/// Invented points of a front, of which one draws larger pixels and one single pixels.
+/// An invented point of a front: each of its pixels covers 2 x 2 pixels of the picture.
 const CHEAP: FrontPoint = FrontPoint {
     prepare: 0,
     instructions: 400,

@@ -43,7 +43,7 @@ const TIMES_NOISE: f64 = 1.5;
 pub struct Verdict {
     /// What the result was compared with.
     pub reference: &'static str,
-    /// Unit in which the errors of a case are stated.
+    /// Unit of the errors of a case, such as radians.
     pub unit: &'static str,
     /// Errors of fixed point and of single precision; `None` for a case without numbers.
     pub errors: Option<[f64; 2]>,

@@ -86,7 +86,7 @@ pub struct Picture {
 pub struct Measured {
     /// What the result is compared with.
     pub reference: &'static str,
-    /// Unit in which the errors of a case are stated.
+    /// Unit of the errors of a case, such as radians.
     pub unit: &'static str,
     /// Measured error of the fixed-point picture of a case.
     pub fixed: f64,
