@@ -9,7 +9,8 @@
 mod row_plane;
 mod screen_axis;
 
-pub(crate) use row_plane::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
+pub(crate) use row_plane::{ANY_COLUMN, Chord, NO_COLUMN, column};
+pub use row_plane::{RowPlane, Span};
 pub(crate) use screen_axis::ScreenAxis;
 
 use crate::number::{
@@ -224,11 +225,6 @@ impl PathSignature {
     /// leave 0 unchanged.
     pub(crate) const fn new() -> Self {
         Self(1)
-    }
-
-    /// Returns a sentinel that equals the signature of no real path.
-    pub(crate) const fn of_none() -> Self {
-        Self(u32::MAX)
     }
 
     /// Adds what the path hits or passes to the hash. `met` is a number for it.

@@ -34,11 +34,10 @@ mod zeros;
 pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;
 pub use narrow::{
-    absolute, bit_modulo_32, difference_modulo_2_16, difference_modulo_2_32, fitting,
-    from_twos_complement, low_word, magnitude, minus_wide, narrowed, narrowed_128,
-    narrowed_unsigned, narrowed_unsigned_128, offset_modulo_2_32, product_modulo_2_32, signed,
-    signed_wide, sum_modulo_2_32, sum_modulo_2_64, to_u8, to_u16, to_u32, twos_complement,
-    unsigned, unsigned_128, unsigned_wide, word_and_sign,
+    absolute, bit_modulo_32, difference_modulo_2_32, fitting, from_twos_complement, low_word,
+    magnitude, minus_wide, narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128,
+    offset_modulo_2_32, product_modulo_2_32, signed, signed_wide, sum_modulo_2_32, sum_modulo_2_64,
+    to_u8, to_u16, to_u32, twos_complement, unsigned, unsigned_128, unsigned_wide, word_and_sign,
 };
 pub use power::{Exponent, even_power, power, whole_power};
 pub use product::{

@@ -206,12 +206,6 @@ pub const fn offset_modulo_2_32(value: i32, limit: i32) -> u32 {
     value.wrapping_add(limit) as u32
 }
 
-/// Returns `a` - `b` modulo 2¹⁶.
-#[inline(always)]
-pub const fn difference_modulo_2_16(a: u16, b: u16) -> u16 {
-    a.wrapping_sub(b)
-}
-
 /// Returns `a` + `b` modulo 2³².
 #[inline(always)]
 pub const fn sum_modulo_2_32(a: u32, b: u32) -> u32 {
@@ -297,7 +291,6 @@ mod tests {
         assert_eq!(low_word(u64::MAX - 1), u32::MAX - 1);
         assert_eq!(fitting(1 << 31), None);
         assert_eq!(fitting(i128::MIN), None);
-        assert_eq!(difference_modulo_2_16(1, 2), u16::MAX);
         assert_eq!(sum_modulo_2_32(u32::MAX, 2), 1);
         assert_eq!(difference_modulo_2_32(1, 2), u32::MAX);
         assert_eq!(product_modulo_2_32(1 << 31, 3), 1 << 31);

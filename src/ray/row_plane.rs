@@ -13,7 +13,7 @@ use crate::vector::{Direction, Vector};
 
 /// A row of pixels as a plane through the eye.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RowPlane {
+pub struct RowPlane {
     /// The columns of the row: `ahead` leads to the middle of the row.
     pub(crate) axis: ScreenAxis,
     /// Normal of the plane.
@@ -32,7 +32,7 @@ pub(crate) const ANY_COLUMN: u16 = u16::MAX - 1;
 
 /// The columns of a row in which rays can hit a shape, and where hits begin and end.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Span<T> {
+pub struct Span<T> {
     /// First column whose ray can hit the shape.
     pub(crate) first: u16,
     /// Last column whose ray can hit the shape.

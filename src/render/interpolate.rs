@@ -21,8 +21,14 @@ use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Progress, Stops, Traced, Tracer};
 
-/// Number of columns below which a picture has blocks of eight columns.
-const SMALL: u32 = 192;
+/// Returns the number of columns of a block in a picture of `width` columns. The wider the picture, the less
+/// changes from one pixel to the next.
+pub(crate) const fn block_of(width: u32) -> u32 {
+    match width {
+        0..192 => LONGEST_STRIDE / 2,
+        _ => LONGEST_STRIDE,
+    }
+}
 
 /// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block; 2, 3 and 4 are in the
 /// middle of 4, 8 and 16 pixels; the last is never read again.
@@ -86,13 +92,12 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     };
 
     /// Returns the number of columns of a block in a picture of `width` columns: 1 if every pixel is
-    /// traced. The wider the picture, the less changes from one pixel to the next.
+    /// traced.
     #[inline(always)]
     fn block(tracer: &Tracer<'a, W, K, Q>, width: u32) -> u32 {
         match Tracer::<W, K, Q>::IS_INTERPOLATED && tracer.is_near() {
             false => 1,
-            true if width < SMALL => 16,
-            true => LONGEST_STRIDE,
+            true => block_of(width),
         }
     }
 
@@ -199,7 +204,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             };
             return self.set(place + 1, between);
         }
-        if let (Known::Part(proved), true) = (&mut known, is_alike && length > 4) {
+        let is_lost = Q::IS_SURE_IN_ROUND_MIRRORS && start.signature.is_coarse();
+        if let (Known::Part(proved), true) = (&mut known, is_alike && length > 4 && !is_lost) {
             let stops = [start, end].map(|end| &self.stops[end.slot % SLOTS]);
             let window = (&self.window, [first, first + length]);
             if self.tracer.is_steady(window, stops, proved) {

@@ -14,3 +14,5 @@ pub use quality::{Exact, Fast, Fine, Quality, Small};
 pub use report::Report;
 
 use interpolate::Colors;
+#[cfg(feature = "host")]
+pub(crate) use interpolate::block_of;

@@ -38,9 +38,14 @@ pub trait Quality {
     ///
     /// A pixel is interpolated only if its path is certain to meet the same shapes, lit by the same lights,
     /// as two traced pixels beside it. No shape, shadow or highlight that is seen directly or in flat
-    /// mirrors is lost, however thin. In a round mirror, what is narrower than two columns may lose one of
-    /// them. The tolerance bounds by how much the colours may differ from a parabola.
+    /// mirrors is lost, however thin. The tolerance bounds by how much the colours may differ from a parabola.
     const TOLERANCE: Unit;
+
+    /// Whether pixels that show something in a round mirror are all traced. Defaults to `true`.
+    ///
+    /// If `false`, every second of them may be interpolated between two that show the same. What is
+    /// narrower than two columns there may lose one of them.
+    const IS_SURE_IN_ROUND_MIRRORS: bool = true;
 
     /// Whether frames leave out all code and tables for speed, to save flash. Defaults to `false`.
     ///
@@ -69,6 +74,7 @@ pub struct Fast;
 impl Quality for Fast {
     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 22);
     const TOLERANCE: Unit = Unit::from_bits(1 << 22);
+    const IS_SURE_IN_ROUND_MIRRORS: bool = false;
 }
 
 /// The quality that takes the least flash: at least as exact as [`Fast`], but without the code and the
@@ -94,7 +100,7 @@ pub struct Fine;
 
 impl Quality for Fine {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const TOLERANCE: Unit = Unit::from_bits(1 << 20);
+    const TOLERANCE: Unit = Unit::from_bits(1 << 15);
 }
 
 /// The most exact quality: every pixel is traced, and points and light are rounded more finely than in
@@ -125,6 +131,7 @@ impl<Q: Quality> CullingQuality for Q {
 impl<Q: Quality> PathQuality for Q {
     const SMALLEST_WEIGHT: Unit = <Q as Quality>::SMALLEST_WEIGHT;
     const TOLERANCE: Unit = <Q as Quality>::TOLERANCE;
+    const IS_SURE_IN_ROUND_MIRRORS: bool = <Q as Quality>::IS_SURE_IN_ROUND_MIRRORS;
 }
 
 #[cfg(test)]
@@ -134,8 +141,10 @@ mod tests {
 
     #[test]
     fn paths_are_tested_with_these_qualities() {
-        fn known_to_paths<Q: PathQuality>() -> (Unit, Culling, bool) {
-            (Q::SMALLEST_WEIGHT, Q::CULLING, Q::IS_PRECISE)
+        fn known_to_paths<Q: PathQuality>() -> (Unit, Unit, bool, Culling, bool) {
+            let (weight, tolerance) = (Q::SMALLEST_WEIGHT, Q::TOLERANCE);
+            let is_sure = Q::IS_SURE_IN_ROUND_MIRRORS;
+            (weight, tolerance, is_sure, Q::CULLING, Q::IS_PRECISE)
         }
         let these = [
             known_to_paths::<Fast>(),

@@ -5,24 +5,27 @@
 //! carried along. The path ends when the throughput is zero or too small, when nothing is hit, or after
 //! the last reflection.
 
+mod bounce;
+mod shown;
+mod stops;
 mod stretch;
 mod visibility;
 
 use core::marker::PhantomData;
 
+use bounce::Bounce;
+use stops::STOPS;
+pub(crate) use stops::Stops;
 pub(crate) use stretch::Progress;
 use visibility::{Culled, Plain};
 
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::screen_culling::ScreenCulling;
-use crate::accel::{CullingQuality, Window, World, nearest_ahead};
+use crate::accel::{CullingQuality, Window, World};
 use crate::color::Sum;
 use crate::number::{Unit, share};
-use crate::ray::{PathSignature, ScaledPoint, ScaledRay};
-use crate::scene::access::ShapeId;
-use crate::scene::nearest::Hit;
-use crate::scene::query::{located, nearest_hit};
-use crate::scene::{Mirrors, Surface, planes};
+use crate::ray::{PathSignature, ScaledRay};
+use crate::scene::{Mirrors, Surface};
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{LightQuality, Lit};
 use crate::vector::Direction;
@@ -35,6 +38,9 @@ pub trait PathQuality: CullingQuality + LightQuality {
 
     /// Tolerance of interpolated pixels, as a share of white. If it is 0, every pixel is traced.
     const TOLERANCE: Unit;
+
+    /// Whether pixels that show something in a round mirror are all traced.
+    const IS_SURE_IN_ROUND_MIRRORS: bool;
 }
 
 /// The result of a path: its colour, and its signature, a hash of what it hit.
@@ -58,68 +64,6 @@ impl Traced {
         missed.signature.note(u32::MAX);
         missed.signature = missed.signature.ended(false);
         missed
-    }
-}
-
-/// The hits of a path that can be seen, the first of them.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Stops {
-    stops: [Stop; STOPS],
-    count: usize,
-}
-
-/// Largest number of hits that are stored.
-const STOPS: usize = 5;
-
-/// A hit of a path.
-#[derive(Clone, Copy, Debug)]
-struct Stop {
-    /// The shape; [`ShapeId::NONE`] if the path hit nothing.
-    shape: ShapeId,
-    is_inside: bool,
-    /// Point epsilon above the surface; if nothing is hit, a point very far away.
-    place: ScaledPoint,
-}
-
-impl Stops {
-    /// No hit.
-    pub(crate) const NONE: Self = Self {
-        stops: [Stop {
-            shape: ShapeId::NONE,
-            is_inside: false,
-            place: ScaledPoint::ORIGIN,
-        }; STOPS],
-        count: 0,
-    };
-
-    /// Adds a hit if there is room.
-    #[inline(always)]
-    fn add(&mut self, surface: Option<&Surface<'_>>, direction: Direction) {
-        let Some(stop) = self.stops.get_mut(self.count) else {
-            return;
-        };
-        self.count += 1;
-        match surface {
-            None => {
-                *stop = Stop {
-                    shape: ShapeId::NONE,
-                    is_inside: false,
-                    place: ScaledPoint::beyond(direction),
-                }
-            }
-            Some(surface) => {
-                *stop = Stop {
-                    shape: surface.shape,
-                    is_inside: surface.is_inside,
-                    place: surface.place,
-                }
-            }
-        }
-    }
-
-    /// Returns the stored hits.
-    fn all(&self) -> &[Stop] {
-        self.stops.get(..self.count).unwrap_or(&[])
     }
 }
 
@@ -209,23 +153,24 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             mut sum,
             mut signature,
         } = Traced::NONE;
-        stops.count = 0;
+        stops.clear();
         let mut throughput = Unit::ONE;
         let mut bounce = Bounce::NONE;
         let mut is_coarse = false;
         // Smallest throughput of a hit that can be seen.
         let least = world.parts().smallest_weight(Q::TOLERANCE);
+        let is_seen = |throughput| Self::IS_INTERPOLATED && throughput >= least;
         loop {
             let Some(surface) = self.surface(pixel, &ray, &bounce) else {
                 sum.add(throughput, K::missed(world));
                 signature.note(u32::MAX);
-                if Self::IS_INTERPOLATED && throughput >= least {
+                if is_seen(throughput) {
                     stops.add(None, ray.direction());
                 }
                 break;
             };
             signature.note(surface.shape.side(surface.is_inside));
-            if Self::IS_INTERPOLATED && throughput >= least {
+            if is_seen(throughput) {
                 stops.add(Some(&surface), surface.view);
             }
             let reflected = Self::reflected(world, &surface, throughput);
@@ -245,9 +190,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 sum.add(throughput, K::missed(world));
                 break;
             }
-            if Self::IS_INTERPOLATED {
-                is_coarse |= throughput >= least && self.is_beyond_bounds(&surface, bounce.count);
-            }
+            is_coarse |= is_seen(throughput) && self.is_beyond_bounds(&surface, bounce.count);
             surface.reflect(world, &mut ray);
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
         }
@@ -300,76 +243,6 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             false => K::color::<W, Q, _>(world, surface, &Plain(world)),
         }
     }
-
-    /// Returns the surface that a ray hits first, `None` if it hits nothing.
-    #[inline(always)]
-    fn surface(
-        &mut self,
-        pixel: (&Window, u32),
-        ray: &ScaledRay,
-        bounce: &Bounce,
-    ) -> Option<Surface<'a>> {
-        let (world, skip) = (self.world, bounce.skip);
-        let (at, shape) = if !Q::CULLING.is_any() {
-            nearest_hit(world, ray, skip)
-        } else {
-            let hit = self.near_hit(pixel, ray, bounce);
-            match Q::IS_PRECISE {
-                true => located::<W, true>(world, ray, skip, hit),
-                false => located::<W, false>(world, ray, skip, hit),
-            }
-        }?;
-        Surface::new(world, at, shape, ray.direction())
-    }
-
-    /// Returns the first hit of a ray in the near region. Returns [`Hit::BEYOND`] for a ray that starts
-    /// far away.
-    #[inline(always)]
-    fn near_hit(
-        &mut self,
-        (window, column): (&Window, u32),
-        ray: &ScaledRay,
-        bounce: &Bounce,
-    ) -> Hit {
-        if !ray.from().is_near() {
-            return Hit::BEYOND;
-        }
-        let (world, ray, skip) = (self.world, &ray.ray, bounce.skip);
-        let parts = world.parts();
-        let bounded = if !parts.has_bounded() {
-            Hit::NONE
-        } else if bounce.count == 0 {
-            self.culling.direct(world, column, ray)
-        } else {
-            match parts.plane(skip) {
-                Some(plane) if bounce.count == 1 => {
-                    let pixel = (window, column);
-                    self.culling.mirrored(world, (skip, plane), pixel, ray)
-                }
-                _ => nearest_ahead::<W, Q>(world, ray, (bounce.mirror, skip)),
-            }
-        };
-        planes::nearest(world, ray, skip, bounded)
-    }
-}
-
-/// The latest reflection of a path, and the number of reflections.
-struct Bounce {
-    /// Number of reflections up to now.
-    count: u32,
-    /// The shape that mirrored the ray.
-    mirror: ShapeId,
-    /// The shape that the ray skips: the mirror, or none if the ray can hit the mirror again.
-    skip: ShapeId,
-}
-
-impl Bounce {
-    /// No reflection: a ray from the camera.
-    const NONE: Self = Self {
-        count: 0,
-        mirror: ShapeId::NONE,
-        skip: ShapeId::NONE,
-    };
 }
 
 #[cfg(test)]

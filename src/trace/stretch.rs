@@ -3,20 +3,17 @@
 //! It is known for the first hit, and for the second if a plane mirrored the path: these rays start at one
 //! eye and lie in one plane. docs/edges.md has the proof.
 
-use super::{PathQuality, Stop, Stops, Tracer};
+use super::shown::Shown;
+use super::stops::Stop;
+use super::{PathQuality, Stops, Tracer};
 use crate::accel::light_occluders::LightOccluders;
 use crate::accel::stretch::{Body, Chord, Stretch};
 use crate::accel::{LitStretch, Window, World, is_clear_way, lights_all};
-use crate::material::PreparedMaterial;
-use crate::number::{
-    Brightness, Unit, narrowed, ratio, root_of_unit, scaled_by_unit, square_root, unit_product,
-    unsigned, unsigned_wide, wide,
-};
+use crate::number::{Brightness, Length, Unit, square_root};
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::shade::highlight::sealed::Shading;
-use crate::shade::{Glance, is_little};
-use crate::shape::bordered::{Ball, Rays};
+use crate::shape::bordered::Rays;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
@@ -54,17 +51,18 @@ struct Origin<'a> {
     mirror: Option<(ShapeId, &'a PreparedPlane)>,
 }
 
-/// The surface that a stretch shows.
-struct Shown<'a> {
-    material: &'a PreparedMaterial,
-    lit: LitStretch,
-    /// Normals at the two ends.
-    normals: [Direction; 2],
-    /// Length of their difference.
-    turn: Unit,
-    /// Ball around all points, if they are near.
-    ball: Option<Ball>,
-    eye: Point,
+impl<'a> Origin<'a> {
+    /// Returns where the rays come from after a plane mirrored them, `None` if that is far.
+    fn mirrored(&self, mirror: (ShapeId, &'a PreparedPlane), epsilon: Length) -> Option<Self> {
+        let (_, plane) = mirror;
+        let across = self.row.dot(plane.normal);
+        Some(Self {
+            eye: plane.mirrored(self.eye, epsilon)?,
+            row: self.row.reflected(plane.normal, across),
+            level: self.level + 1,
+            mirror: Some(mirror),
+        })
+    }
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
@@ -95,43 +93,38 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 return false;
             }
             if origin.level == proved.hits {
-                match self.keeps_shape(between, &origin, [first, last], proved.steps) {
-                    Ok(()) => {
-                        *proved = Progress {
-                            hits: proved.hits + 1,
-                            steps: 0,
-                        }
-                    }
-                    Err(steps) => {
-                        proved.steps = steps;
-                        return false;
-                    }
+                let steps = self.keeps_shape(between, &origin, [first, last], proved.steps);
+                *proved = match steps {
+                    Ok(()) => Progress {
+                        hits: proved.hits + 1,
+                        steps: 0,
+                    },
+                    Err(steps) => Progress { steps, ..*proved },
+                };
+                if steps.is_err() {
+                    return false;
                 }
             }
-            let Some(plane) = parts.plane(first.shape) else {
+            let plane = parts.plane(first.shape);
+            let Some(plane) = plane.filter(|plane| self.mirrors(plane)) else {
                 return true;
             };
-            let mirrors = K::REFLECTS && parts.material(plane.material).mirrors();
-            if !mirrors {
-                return true;
-            }
             // Rays that a far point mirrors have no known bounds.
             let is_near = first.place.is_near() && last.place.is_near();
-            let image = plane.mirrored(origin.eye, parts.epsilon);
-            let Some(eye) = image.filter(|_| is_near) else {
+            let image = origin.mirrored((first.shape, plane), parts.epsilon);
+            let Some(image) = image.filter(|_| is_near) else {
                 return false;
             };
-            origin = Origin {
-                eye,
-                row: origin
-                    .row
-                    .reflected(plane.normal, origin.row.dot(plane.normal)),
-                level: origin.level + 1,
-                mirror: Some((first.shape, plane)),
-            };
+            origin = image;
         }
         // Hits that are not stored make the signature coarse.
         true
+    }
+
+    /// Tests whether paths go on after a plane.
+    #[inline(always)]
+    fn mirrors(&self, plane: &PreparedPlane) -> bool {
+        K::REFLECTS && self.world.parts().material(plane.material).mirrors()
     }
 
     /// Tests whether all rays between two hit the same shape, lit by the same lights. `steps` are proved
@@ -144,108 +137,84 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         steps: usize,
     ) -> Result<(), usize> {
         let [first, _] = stops;
-        let parts = self.world.parts();
-        let stretch = Stretch {
-            columns: between.1,
-            shape: first.shape,
-            body: Body::None,
-            chord: None,
-            reach: None,
-            mirror: origin.mirror.map(|(_, plane)| plane),
-        };
         if first.shape == ShapeId::NONE {
-            if origin.level < 2 {
-                return sure(self.keeps(between, origin, &stretch), 0);
-            }
-            let beyond = LitStretch {
-                shape: ShapeId::NONE,
-                is_hollow: false,
-                bulge: 0,
-                slack: 0,
-                ends: stops.map(|stop| stop.place),
-            };
-            return sure(is_clear_way(self.world, origin.eye, &beyond), 0);
+            return sure(self.keeps_none(between, origin, stops), 0);
         }
-        let Some(shown) = self.shown(origin, stops) else {
+        let Some(shown) = self.shown(origin.eye, origin.row, stops) else {
             return Err(steps);
         };
-        let keeps = if steps > 0 || !parts.has_bounded() {
-            true
-        } else if origin.level > 1 {
-            shown.ball.is_some() && is_clear_way(self.world, origin.eye, &shown.lit)
-        } else {
-            let body = match parts.plane(first.shape) {
-                Some(plane) => Body::Plane(plane),
-                None => match parts.ball(first.shape.index()) {
-                    Some((ball, _)) => Body::Ball(ball),
-                    None => Body::None,
-                },
+        let keeps = steps > 0
+            || !self.world.parts().has_bounded()
+            || match origin.level > 1 {
+                true => shown.ball.is_some() && is_clear_way(self.world, origin.eye, &shown.lit),
+                false => self.keeps_front(between, origin, stops, &shown),
             };
-            // The curve is not further from the eye than its chord.
-            let [one, other] =
-                stops.map(|stop| square_root(origin.eye.to(stop.place.point).square()));
-            let reach = one.max(other) + shown.lit.slack;
-            let stretch = Stretch {
-                body,
-                chord: shown.ball.map(|ball| Chord {
-                    ball,
-                    ends: stops.map(|stop| stop.place.point),
-                    bulge: shown.lit.bulge + shown.lit.slack,
-                }),
-                reach: (!shown.lit.is_hollow).then_some(reach),
-                ..stretch
-            };
-            self.keeps(between, origin, &stretch)
-        };
         sure(keeps, 0)?;
         self.keeps_lights(&shown, steps.max(1))
+    }
+
+    /// Tests whether all rays between two that hit nothing hit nothing.
+    fn keeps_none(&mut self, between: Between<'_>, origin: &Origin<'_>, stops: [&Stop; 2]) -> bool {
+        if origin.level < 2 {
+            let stretch = Stretch {
+                columns: between.1,
+                shape: ShapeId::NONE,
+                body: Body::None,
+                chord: None,
+                reach: None,
+                mirror: origin.mirror.map(|(_, plane)| plane),
+            };
+            return self.keeps(between, origin, &stretch);
+        }
+        let beyond = LitStretch {
+            shape: ShapeId::NONE,
+            is_hollow: false,
+            bulge: 0,
+            slack: 0,
+            ends: stops.map(|stop| stop.place),
+        };
+        is_clear_way(self.world, origin.eye, &beyond)
+    }
+
+    /// Tests whether no other shape comes in front of the one that is shown, directly or in one plane.
+    fn keeps_front(
+        &mut self,
+        between: Between<'_>,
+        origin: &Origin<'_>,
+        stops: [&Stop; 2],
+        shown: &Shown<'_>,
+    ) -> bool {
+        let parts = self.world.parts();
+        let shape = shown.lit.shape;
+        let body = match parts.plane(shape) {
+            Some(plane) => Body::Plane(plane),
+            None => match parts.ball(shape.index()) {
+                Some((ball, _)) => Body::Ball(ball),
+                None => Body::None,
+            },
+        };
+        // The curve is not further from the eye than its chord.
+        let [one, other] = stops.map(|stop| square_root(origin.eye.to(stop.place.point).square()));
+        let reach = one.max(other) + shown.lit.slack;
+        let stretch = Stretch {
+            columns: between.1,
+            shape,
+            body,
+            chord: shown.ball.map(|ball| Chord {
+                ball,
+                ends: stops.map(|stop| stop.place.point),
+                bulge: shown.lit.bulge + shown.lit.slack,
+            }),
+            reach: (!shown.lit.is_hollow).then_some(reach),
+            mirror: origin.mirror.map(|(_, plane)| plane),
+        };
+        self.keeps(between, origin, &stretch)
     }
 
     /// Tests whether no other shape comes to the front in a stretch.
     fn keeps(&mut self, between: Between<'_>, origin: &Origin<'_>, stretch: &Stretch<'_>) -> bool {
         self.culling
             .keeps(self.world, origin.mirror, between.0, stretch)
-    }
-
-    /// Returns the surface that a stretch shows. `None` if it turns too much.
-    fn shown(&self, origin: &Origin<'_>, stops: [&Stop; 2]) -> Option<Shown<'a>> {
-        let parts = self.world.parts();
-        let [first, last] = stops.map(|stop| {
-            let (outward, material) = parts.outside(stop.shape, stop.place.point)?;
-            Some((outward.reversed_if(stop.is_inside), material))
-        });
-        let ((one, material), (other, _)) = (first?, last?);
-        let [first, last] = stops;
-        let is_curved = !parts.is_flat(first.shape);
-        let mut shown = Shown {
-            material: parts.material(material),
-            lit: LitStretch {
-                shape: first.shape,
-                is_hollow: is_curved && first.is_inside,
-                bulge: 0,
-                slack: 0,
-                ends: [first.place, last.place],
-            },
-            normals: [one, other],
-            turn: Unit::ZERO,
-            ball: None,
-            eye: origin.eye,
-        };
-        if first.place.is_near() && last.place.is_near() {
-            let epsilon = parts.epsilon.to_bits().max(parts.inner_epsilon.to_bits());
-            let ball = ball_over(first.place.point, last.place.point, 2 * epsilon);
-            shown.ball = Some(ball);
-            shown.lit.slack = 2 * epsilon + 8;
-            if is_curved {
-                let turn = turn_in_plane([one, other], origin.row)?;
-                // The curve lies in the triangle of its chord and its tangents. With the angle τ between
-                // them its height is at most half the chord times tan(τ / 2).
-                shown.lit.bulge = scaled_by_unit(ball.1 + (ball.1 >> 2), turn) / 2 + 1;
-                let change = other.raw().minus(one.raw()).square();
-                shown.turn = Unit::from_bits(square_root(change));
-            }
-        }
-        Some(shown)
     }
 
     /// Tests whether each light shines on a whole stretch or on nothing of it, with a highlight that can be
@@ -299,94 +268,10 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     }
 }
 
-impl Shown<'_> {
-    /// Tests whether the highlight of a light can be interpolated. `rays` are those of the light.
-    fn keeps_highlight<K: Shading>(&self, rays: &Rays) -> bool {
-        if self.is_surely_smooth::<K>(rays) {
-            return true;
-        }
-        let eye = ScaledPoint {
-            point: self.eye,
-            scale: 0,
-        };
-        let glance = |normal, end, along| Glance {
-            normal,
-            view: eye.to(end).0.direction_and_length().0,
-            along,
-        };
-        let ([first, last], [one, other]) = (self.lit.ends, self.normals);
-        let [start, end] = rays.ends;
-        let glances = [glance(one, first, start), glance(other, last, end)];
-        K::is_smooth(&glances, self.material.shininess)
-    }
-
-    /// Tests whether a highlight surely changes little, from bounds of the changes of the normal and of the
-    /// directions to the light and to the eye.
-    ///
-    /// The direction to the eye changes by at most the diameter of the ball over the distance. The half-way
-    /// vector is the sum of both directions over its length, which is at least the sum of their cosines to
-    /// the normal.
-    fn is_surely_smooth<K: Shading>(&self, rays: &Rays) -> bool {
-        let Some((middle, radius)) = self.ball else {
-            return false;
-        };
-        let (view, distance) = self.eye.to(middle).direction_and_length();
-        let distance = distance.to_bits();
-        if distance >> 3 <= radius {
-            return false;
-        }
-        let [first, _] = rays.ends;
-        let light = rays.turn().to_bits();
-        let [normal, _] = self.normals;
-        // Half of each, so that sums fit.
-        let moves = (light >> 1) + ratio(unsigned(radius), unsigned(distance));
-        let cosines = -(normal.dot(view).to_bits() >> 1) - (normal.dot(first).to_bits() >> 1);
-        let cosines = cosines - moves;
-        if cosines <= moves {
-            return false;
-        }
-        let change = i64::from(ratio(unsigned(moves), unsigned(cosines)));
-        let change = (change + i64::from(self.turn.to_bits())) >> 2;
-        let change = narrowed(change) << K::TURNS;
-        is_little(change, self.material.shininess)
-    }
-}
-
 /// Returns an error with the number of steps before if a step is not proved.
 fn sure(is_proved: bool, steps: usize) -> Result<(), usize> {
     match is_proved {
         true => Ok(()),
         false => Err(steps),
     }
-}
-
-/// Returns an upper bound of the angle by which a curve in a plane turns between two points, as the length
-/// of a chord of the unit circle, Q2.30. The curve lies on a surface with these normals. `None` if it may
-/// turn by more than 60 degrees.
-fn turn_in_plane([one, other]: [Direction; 2], plane: Direction) -> Option<Unit> {
-    let change = other.raw().minus(one.raw());
-    let across = change.dot(plane);
-    let square = change
-        .square()
-        .saturating_sub(unsigned_wide(wide(across, across)));
-    let turn = square_root(square) + 4;
-    let steepest = one
-        .dot(plane)
-        .to_bits()
-        .abs()
-        .max(other.dot(plane).to_bits().abs());
-    let steepest = Unit::from_bits(steepest.min(Unit::ONE.to_bits()));
-    let least = root_of_unit(Unit::ONE - unit_product(steepest, steepest)).to_bits();
-    (turn < least).then(|| Unit::from_bits(ratio(unsigned(turn), unsigned(least))))
-}
-
-/// Returns the ball over the distance between two points, enlarged by `more`.
-fn ball_over(one: Point, other: Point, more: i32) -> Ball {
-    let way = one.to(other);
-    let middle = Point::new(
-        one.x + (way.x >> 1),
-        one.y + (way.y >> 1),
-        one.z + (way.z >> 1),
-    );
-    (middle, (square_root(way.square()) >> 1) + more + 8)
 }

@@ -43,6 +43,7 @@ pub use self::path::{Followed, Precision, Stage};
 use super::model::{Vector, View, quantised};
 use super::prepared::{self, Prepared};
 use super::{Camera, Picture, Scene, Shading};
+use crate::render::block_of;
 
 /// The paths of all pixels of a picture, followed in double precision.
 ///
@@ -239,10 +240,9 @@ impl Ending {
     /// Returns the number of columns of a block in a picture of `width` columns, in a quality with this
     /// tolerance that does not leave out the code for speed.
     pub fn block_of(width: u32, tolerance: f64) -> u32 {
-        match width {
-            _ if tolerance == 0.0 => 1,
-            0..128 => 8,
-            _ => 16,
+        match tolerance == 0.0 {
+            true => 1,
+            false => block_of(width),
         }
     }
 }

@@ -1,0 +1,82 @@
+//! What a ray hits first, as a camera ray or after reflections.
+
+use super::{PathQuality, Tracer};
+use crate::accel::{Window, World, nearest_ahead};
+use crate::ray::ScaledRay;
+use crate::scene::access::ShapeId;
+use crate::scene::nearest::Hit;
+use crate::scene::query::{located, nearest_hit};
+use crate::scene::{Surface, planes};
+use crate::shade::highlight::sealed::Shading;
+
+/// The latest reflection of a path, and the number of reflections.
+pub(super) struct Bounce {
+    /// Number of reflections up to now.
+    pub(super) count: u32,
+    /// The shape that mirrored the ray.
+    pub(super) mirror: ShapeId,
+    /// The shape that the ray skips: the mirror, or none if the ray can hit the mirror again.
+    pub(super) skip: ShapeId,
+}
+
+impl Bounce {
+    /// No reflection: a ray from the camera.
+    pub(super) const NONE: Self = Self {
+        count: 0,
+        mirror: ShapeId::NONE,
+        skip: ShapeId::NONE,
+    };
+}
+
+impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
+    /// Returns the surface that a ray hits first, `None` if it hits nothing.
+    #[inline(always)]
+    pub(super) fn surface(
+        &mut self,
+        pixel: (&Window, u32),
+        ray: &ScaledRay,
+        bounce: &Bounce,
+    ) -> Option<Surface<'a>> {
+        let (world, skip) = (self.world, bounce.skip);
+        let (at, shape) = if !Q::CULLING.is_any() {
+            nearest_hit(world, ray, skip)
+        } else {
+            let hit = self.near_hit(pixel, ray, bounce);
+            match Q::IS_PRECISE {
+                true => located::<W, true>(world, ray, skip, hit),
+                false => located::<W, false>(world, ray, skip, hit),
+            }
+        }?;
+        Surface::new(world, at, shape, ray.direction())
+    }
+
+    /// Returns the first hit of a ray in the near region. Returns [`Hit::BEYOND`] for a ray that starts
+    /// far away.
+    #[inline(always)]
+    fn near_hit(
+        &mut self,
+        (window, column): (&Window, u32),
+        ray: &ScaledRay,
+        bounce: &Bounce,
+    ) -> Hit {
+        if !ray.from().is_near() {
+            return Hit::BEYOND;
+        }
+        let (world, ray, skip) = (self.world, &ray.ray, bounce.skip);
+        let parts = world.parts();
+        let bounded = if !parts.has_bounded() {
+            Hit::NONE
+        } else if bounce.count == 0 {
+            self.culling.direct(world, column, ray)
+        } else {
+            match parts.plane(skip) {
+                Some(plane) if bounce.count == 1 => {
+                    let pixel = (window, column);
+                    self.culling.mirrored(world, (skip, plane), pixel, ray)
+                }
+                _ => nearest_ahead::<W, Q>(world, ray, (bounce.mirror, skip)),
+            }
+        };
+        planes::nearest(world, ray, skip, bounded)
+    }
+}

@@ -1,0 +1,156 @@
+//! The surface that a stretch of pixels shows: where its points lie, how its normal turns, and whether a
+//! highlight on it can be interpolated. docs/edges.md has the proofs.
+
+use super::stops::Stop;
+use super::{PathQuality, Tracer};
+use crate::accel::{LitStretch, World};
+use crate::material::PreparedMaterial;
+use crate::number::{
+    Unit, narrowed, ratio, root_of_unit, scaled_by_unit, square_root, unit_product, unsigned,
+    unsigned_wide, wide,
+};
+use crate::ray::ScaledPoint;
+use crate::shade::highlight::sealed::Shading;
+use crate::shade::{Glance, is_little};
+use crate::shape::bordered::{Ball, Rays};
+use crate::vector::{Direction, Point};
+
+/// The surface that a stretch shows.
+pub(super) struct Shown<'a> {
+    pub(super) material: &'a PreparedMaterial,
+    pub(super) lit: LitStretch,
+    /// Normals at the two ends.
+    pub(super) normals: [Direction; 2],
+    /// Length of their difference.
+    pub(super) turn: Unit,
+    /// Ball around all points, if they are near.
+    pub(super) ball: Option<Ball>,
+    pub(super) eye: Point,
+}
+
+impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
+    /// Returns the surface that a stretch shows. `None` if it turns too much.
+    pub(super) fn shown(&self, eye: Point, row: Direction, stops: [&Stop; 2]) -> Option<Shown<'a>> {
+        let parts = self.world.parts();
+        let [first, last] = stops.map(|stop| {
+            let (outward, material) = parts.outside(stop.shape, stop.place.point)?;
+            Some((outward.reversed_if(stop.is_inside), material))
+        });
+        let ((one, material), (other, _)) = (first?, last?);
+        let [first, last] = stops;
+        let is_curved = !parts.is_flat(first.shape);
+        let mut shown = Shown {
+            material: parts.material(material),
+            lit: LitStretch {
+                shape: first.shape,
+                is_hollow: is_curved && first.is_inside,
+                bulge: 0,
+                slack: 0,
+                ends: [first.place, last.place],
+            },
+            normals: [one, other],
+            turn: Unit::ZERO,
+            ball: None,
+            eye,
+        };
+        if first.place.is_near() && last.place.is_near() {
+            let epsilon = parts.epsilon.to_bits().max(parts.inner_epsilon.to_bits());
+            let ball = ball_over(first.place.point, last.place.point, 2 * epsilon);
+            shown.ball = Some(ball);
+            shown.lit.slack = 2 * epsilon + 8;
+            if is_curved {
+                let turn = turn_in_plane([one, other], row)?;
+                // The curve lies in the triangle of its chord and its tangents. With the angle τ between
+                // them its height is at most half the chord times tan(τ / 2).
+                shown.lit.bulge = scaled_by_unit(ball.1 + (ball.1 >> 2), turn) / 2 + 1;
+                let change = other.raw().minus(one.raw()).square();
+                shown.turn = Unit::from_bits(square_root(change));
+            }
+        }
+        Some(shown)
+    }
+}
+
+impl Shown<'_> {
+    /// Tests whether the highlight of a light can be interpolated. `rays` are those of the light.
+    pub(super) fn keeps_highlight<K: Shading>(&self, rays: &Rays) -> bool {
+        if self.is_surely_smooth::<K>(rays) {
+            return true;
+        }
+        let eye = ScaledPoint {
+            point: self.eye,
+            scale: 0,
+        };
+        let glance = |normal, end, along| Glance {
+            normal,
+            view: eye.to(end).0.direction_and_length().0,
+            along,
+        };
+        let ([first, last], [one, other]) = (self.lit.ends, self.normals);
+        let [start, end] = rays.ends;
+        let glances = [glance(one, first, start), glance(other, last, end)];
+        K::is_smooth(&glances, self.material.shininess)
+    }
+
+    /// Tests whether a highlight surely changes little, from bounds of the changes of the normal and of the
+    /// directions to the light and to the eye.
+    ///
+    /// The direction to the eye changes by at most the diameter of the ball over the distance. The half-way
+    /// vector is the sum of both directions over its length, which is at least the sum of their cosines to
+    /// the normal.
+    fn is_surely_smooth<K: Shading>(&self, rays: &Rays) -> bool {
+        let Some((middle, radius)) = self.ball else {
+            return false;
+        };
+        let (view, distance) = self.eye.to(middle).direction_and_length();
+        let distance = distance.to_bits();
+        if distance >> 3 <= radius {
+            return false;
+        }
+        let [first, _] = rays.ends;
+        let light = rays.turn().to_bits();
+        let [normal, _] = self.normals;
+        // Half of each, so that sums fit.
+        let moves = (light >> 1) + ratio(unsigned(radius), unsigned(distance));
+        let cosines = -(normal.dot(view).to_bits() >> 1) - (normal.dot(first).to_bits() >> 1);
+        let cosines = cosines - moves;
+        if cosines <= moves {
+            return false;
+        }
+        let change = i64::from(ratio(unsigned(moves), unsigned(cosines)));
+        let change = (change + i64::from(self.turn.to_bits())) >> 2;
+        let change = narrowed(change) << K::TURNS;
+        is_little(change, self.material.shininess)
+    }
+}
+
+/// Returns an upper bound of the angle by which a curve in a plane turns between two points, as the length
+/// of a chord of the unit circle, Q2.30. The curve lies on a surface with these normals. `None` if it may
+/// turn by more than 60 degrees.
+fn turn_in_plane([one, other]: [Direction; 2], plane: Direction) -> Option<Unit> {
+    let change = other.raw().minus(one.raw());
+    let across = change.dot(plane);
+    let square = change
+        .square()
+        .saturating_sub(unsigned_wide(wide(across, across)));
+    let turn = square_root(square) + 4;
+    let steepest = one
+        .dot(plane)
+        .to_bits()
+        .abs()
+        .max(other.dot(plane).to_bits().abs());
+    let steepest = Unit::from_bits(steepest.min(Unit::ONE.to_bits()));
+    let least = root_of_unit(Unit::ONE - unit_product(steepest, steepest)).to_bits();
+    (turn < least).then(|| Unit::from_bits(ratio(unsigned(turn), unsigned(least))))
+}
+
+/// Returns the ball over the distance between two points, enlarged by `more`.
+fn ball_over(one: Point, other: Point, more: i32) -> Ball {
+    let way = one.to(other);
+    let middle = Point::new(
+        one.x + (way.x >> 1),
+        one.y + (way.y >> 1),
+        one.z + (way.z >> 1),
+    );
+    (middle, (square_root(way.square()) >> 1) + more + 8)
+}
