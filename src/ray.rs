@@ -218,8 +218,8 @@ pub(crate) const fn spread(number: u32) -> u32 {
 pub(crate) struct PathSignature(u32);
 
 impl PathSignature {
-    /// Highest bit of a signature: whether part of the path has no known bounds.
-    const COARSE: u32 = 1 << 31;
+    /// Signature of each path of which a part has no known bounds.
+    const UNBOUNDED: Self = Self(0);
 
     /// Creates the signature of a path that has hit nothing yet. It is not 0, because notes of 0 would
     /// leave 0 unchanged.
@@ -236,18 +236,19 @@ impl PathSignature {
         self.0 = sum_modulo_2_32(sum_modulo_2_32(self.0, self.0 << 10), met);
     }
 
-    /// Returns the final signature of a path. `is_coarse` says whether part of the path has no known
-    /// bounds; it is stored in the highest bit.
+    /// Returns the final signature of a path. `is_bounded` says whether the whole path has known bounds.
     #[inline(always)]
-    pub(crate) fn ended(self, is_coarse: bool) -> Self {
-        Self(self.0 & !Self::COARSE | u32::from(is_coarse) << Self::COARSE.trailing_zeros())
+    pub(crate) fn ended(self, is_bounded: bool) -> Self {
+        match is_bounded {
+            true => self,
+            false => Self::UNBOUNDED,
+        }
     }
 
-    /// Tests whether part of the path has no known bounds: it was reflected at a curved surface, or at
-    /// more than one plane.
+    /// Tests whether two paths hit the same and have known bounds.
     #[inline(always)]
-    pub(crate) fn is_coarse(self) -> bool {
-        self.0 & Self::COARSE != 0
+    pub(crate) fn is_same_as(self, other: Self) -> bool {
+        self == other && self != Self::UNBOUNDED
     }
 }
 

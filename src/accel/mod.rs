@@ -42,8 +42,8 @@ use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
 use crate::scene::shape_set::ShapeSet;
 
-/// Largest stride in pixels: how many columns lie at most from one traced pixel of a row to the next.
-pub(crate) const LONGEST_STRIDE: u32 = 32;
+/// Largest number of columns of a block: how many lie at most from one traced pixel of a row to the next.
+pub(crate) const LONGEST_BLOCK: u32 = 32;
 
 /// Switches of the culling techniques.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 //! so the problem is two-dimensional: the shape lies between its two tangents. Rows are treated in the
 //! same way. All bounds are widened by more than the rounding error.
 
-use super::LONGEST_STRIDE;
+use super::LONGEST_BLOCK;
 use crate::number::{signed, square_root, unsigned_wide};
 use crate::ray::ScreenAxis;
 use crate::vector::Vector;
@@ -94,7 +94,7 @@ impl ScreenAxis {
     /// Returns a range that cuts the picture or the columns that are traced to the right of it, else
     /// `None`.
     fn visible(&self, columns: Columns) -> Option<Columns> {
-        let end = signed(self.width + LONGEST_STRIDE);
+        let end = signed(self.width + LONGEST_BLOCK);
         (columns.last >= 0 && columns.first < end).then_some(columns)
     }
 }

@@ -121,7 +121,7 @@ fn trails_of_different_lengths_differ() {
         let mut signature = PathSignature::new();
         (0..zeros).for_each(|_| signature.note(0));
         signature.note(u32::MAX);
-        signature.ended(false)
+        signature.ended(true)
     };
     for longer in 0..24 {
         for shorter in 0..longer {

@@ -12,7 +12,7 @@
 
 mod output;
 
-use crate::accel::{LONGEST_STRIDE, Window, World};
+use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
 use crate::color::{Bend, Sum};
 use crate::number::Unit;
@@ -25,8 +25,8 @@ use crate::trace::{Progress, Stops, Traced, Tracer};
 /// changes from one pixel to the next.
 pub(crate) const fn block_of(width: u32) -> u32 {
     match width {
-        0..192 => LONGEST_STRIDE / 2,
-        _ => LONGEST_STRIDE,
+        0..192 => LONGEST_BLOCK / 2,
+        _ => LONGEST_BLOCK,
     }
 }
 
@@ -69,7 +69,7 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     /// Number of columns of a block.
     block: u32,
     /// Colours of the block that `column` lies in.
-    colors: [Sum; LONGEST_STRIDE as usize],
+    colors: [Sum; LONGEST_BLOCK as usize],
     /// The traced pixel after the block, and its column.
     end: (u32, End),
     /// What the paths of the traced pixels hit.
@@ -122,7 +122,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
                 false => width - 1,
             },
             block,
-            colors: [Sum::ZERO; LONGEST_STRIDE as usize],
+            colors: [Sum::ZERO; LONGEST_BLOCK as usize],
             end: (u32::MAX, End::new(Traced::NONE, 0)),
             stops: [Stops::NONE; SLOTS],
             clear_until: 0,
@@ -171,7 +171,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             return false;
         };
         self.clear_until = (until & !(self.block - 1)).max(first + self.block);
-        self.colors = [self.tracer.missed().sum; LONGEST_STRIDE as usize];
+        self.colors = [self.tracer.missed().sum; LONGEST_BLOCK as usize];
         true
     }
 
@@ -195,36 +195,33 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         if length == 1 {
             return;
         }
-        let is_alike = start.signature == end.signature;
+        let is_alike = start.signature.is_same_as(end.signature);
         if length == 2 {
             // To find out what lies between would take longer than to trace the one pixel.
-            let between = match is_alike && known.allows(ends, Self::TOLERANCE) {
-                true => start.sum.half_way(end.sum, known.bend()),
-                false => self.trace(first + 1, SLOTS - 1).sum,
+            let bend = known.bend(ends, Self::TOLERANCE).filter(|_| is_alike);
+            let between = match bend {
+                Some(bend) => start.sum.half_way(end.sum, bend),
+                None => self.trace(first + 1, SLOTS - 1).sum,
             };
             return self.set(place + 1, between);
         }
-        let is_lost = Q::IS_SURE_IN_ROUND_MIRRORS && start.signature.is_coarse();
-        if let (Known::Part(proved), true) = (&mut known, is_alike && length > 4 && !is_lost) {
+        if let (Known::Part(proved), true) = (&mut known, is_alike && length > 4) {
             let stops = [start, end].map(|end| &self.stops[end.slot % SLOTS]);
             let window = (&self.window, [first, first + length]);
             if self.tracer.is_steady(window, stops, proved) {
-                known = match start.signature.is_coarse() {
-                    true => Known::Coarse,
-                    false => Known::Steady,
-                };
+                known = Known::Steady(Bend::ZERO);
             }
         }
         let half = length / 2;
         let middle = self.trace(first + half, length.trailing_zeros() as usize);
-        if is_alike && matches!(known, Known::Steady | Known::Bend(_)) {
+        if let (Known::Steady(expected), true) = (known, is_alike) {
             let bend = Bend::of(start.sum, middle.sum, end.sum);
-            if bend.less(known.bend()).is_within(4 * Self::TOLERANCE) {
+            if bend.less(expected).is_within(4 * Self::TOLERANCE) {
                 let sums = [start.sum, middle.sum, end.sum];
                 let colors = self.colors.get_mut(place..).unwrap_or_default();
                 return Sum::parabola(sums, half, colors);
             }
-            known = Known::Bend(bend.quarter());
+            known = Known::Steady(bend.quarter());
         }
         self.between((first, half), [start, &middle], known);
         self.between((first + half, half), [&middle, end], known);
@@ -239,7 +236,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// Sets the colour at a place of the block.
     #[inline(always)]
     fn set(&mut self, place: usize, color: Sum) {
-        self.colors[place % LONGEST_STRIDE as usize] = color;
+        self.colors[place % LONGEST_BLOCK as usize] = color;
     }
 
     /// Traces the pixel of a column, out of line.
@@ -263,31 +260,19 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
 enum Known {
     /// Not all of it.
     Part(Progress),
-    /// All surely meet the same, as far as paths have known bounds. Others are guessed, but not more than
-    /// one pixel between two.
-    Coarse,
-    /// All surely meet the same.
-    Steady,
-    /// All surely meet the same. A parabola through pixels further away has this second difference.
-    Bend(Bend),
+    /// All surely meet the same. The second difference of three traced pixels is expected to be this.
+    Steady(Bend),
 }
 
 impl Known {
-    /// Returns the expected second difference of three traced pixels.
-    fn bend(self) -> Bend {
-        match self {
-            Self::Bend(bend) => bend,
-            _ => Bend::ZERO,
-        }
-    }
-
-    /// Tests whether the one pixel between two can be interpolated: their colours differ by at most three
-    /// times the tolerance, or the expected second difference is at most four times the tolerance.
-    fn allows(self, [start, end]: [&End; 2], tolerance: i32) -> bool {
-        match self {
-            Self::Part(_) => false,
-            Self::Bend(bend) if bend.is_within(4 * tolerance) => true,
-            _ => end.sum.less(start.sum).is_within(3 * tolerance),
-        }
+    /// Returns the expected second difference of three traced pixels if the one between the other two can be
+    /// interpolated: the second difference is at most four times the tolerance, or the colours of the two
+    /// differ by at most three times the tolerance.
+    fn bend(self, [start, end]: [&End; 2], tolerance: i32) -> Option<Bend> {
+        let Self::Steady(bend) = self else {
+            return None;
+        };
+        let is_flat = || end.sum.less(start.sum).is_within(3 * tolerance);
+        (bend.is_within(4 * tolerance) || is_flat()).then_some(bend)
     }
 }

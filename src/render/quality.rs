@@ -37,15 +37,9 @@ pub trait Quality {
     /// Tolerance of interpolated pixels, as a share of white, 0 to 1. If it is 0, every pixel is traced.
     ///
     /// A pixel is interpolated only if its path is certain to meet the same shapes, lit by the same lights,
-    /// as two traced pixels beside it. No shape, shadow or highlight that is seen directly or in flat
-    /// mirrors is lost, however thin. The tolerance bounds by how much the colours may differ from a parabola.
+    /// as two traced pixels beside it. No shape, shadow or highlight is lost, however thin. The tolerance
+    /// bounds by how much the colours may differ from a parabola.
     const TOLERANCE: Unit;
-
-    /// Whether pixels that show something in a round mirror are all traced. Defaults to `true`.
-    ///
-    /// If `false`, every second of them may be interpolated between two that show the same. What is
-    /// narrower than two columns there may lose one of them.
-    const IS_SURE_IN_ROUND_MIRRORS: bool = true;
 
     /// Whether frames leave out all code and tables for speed, to save flash. Defaults to `false`.
     ///
@@ -74,7 +68,6 @@ pub struct Fast;
 impl Quality for Fast {
     const SMALLEST_WEIGHT: Unit = Unit::from_bits(1 << 22);
     const TOLERANCE: Unit = Unit::from_bits(1 << 22);
-    const IS_SURE_IN_ROUND_MIRRORS: bool = false;
 }
 
 /// The quality that takes the least flash: at least as exact as [`Fast`], but without the code and the
@@ -131,7 +124,6 @@ impl<Q: Quality> CullingQuality for Q {
 impl<Q: Quality> PathQuality for Q {
     const SMALLEST_WEIGHT: Unit = <Q as Quality>::SMALLEST_WEIGHT;
     const TOLERANCE: Unit = <Q as Quality>::TOLERANCE;
-    const IS_SURE_IN_ROUND_MIRRORS: bool = <Q as Quality>::IS_SURE_IN_ROUND_MIRRORS;
 }
 
 #[cfg(test)]
@@ -141,10 +133,9 @@ mod tests {
 
     #[test]
     fn paths_are_tested_with_these_qualities() {
-        fn known_to_paths<Q: PathQuality>() -> (Unit, Unit, bool, Culling, bool) {
+        fn known_to_paths<Q: PathQuality>() -> (Unit, Unit, Culling, bool) {
             let (weight, tolerance) = (Q::SMALLEST_WEIGHT, Q::TOLERANCE);
-            let is_sure = Q::IS_SURE_IN_ROUND_MIRRORS;
-            (weight, tolerance, is_sure, Q::CULLING, Q::IS_PRECISE)
+            (weight, tolerance, Q::CULLING, Q::IS_PRECISE)
         }
         let these = [
             known_to_paths::<Fast>(),

@@ -38,9 +38,6 @@ pub trait PathQuality: CullingQuality + LightQuality {
 
     /// Tolerance of interpolated pixels, as a share of white. If it is 0, every pixel is traced.
     const TOLERANCE: Unit;
-
-    /// Whether pixels that show something in a round mirror are all traced.
-    const IS_SURE_IN_ROUND_MIRRORS: bool;
 }
 
 /// The result of a path: its colour, and its signature, a hash of what it hit.
@@ -62,7 +59,7 @@ impl Traced {
         let mut missed = Self::NONE;
         missed.sum.add(Unit::ONE, K::missed(world));
         missed.signature.note(u32::MAX);
-        missed.signature = missed.signature.ended(false);
+        missed.signature = missed.signature.ended(true);
         missed
     }
 }
@@ -149,14 +146,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     ) -> Traced {
         let world = self.world;
         let mut ray = ScaledRay::new(self.visibility.from, direction);
-        let Traced {
-            mut sum,
-            mut signature,
-        } = Traced::NONE;
+        let (mut sum, mut signature) = (Sum::ZERO, PathSignature::new());
         stops.clear();
-        let mut throughput = Unit::ONE;
-        let mut bounce = Bounce::NONE;
-        let mut is_coarse = false;
+        let (mut throughput, mut bounce, mut is_bounded) = (Unit::ONE, Bounce::NONE, true);
         // Smallest throughput of a hit that can be seen.
         let least = world.parts().smallest_weight(Q::TOLERANCE);
         let is_seen = |throughput| Self::IS_INTERPOLATED && throughput >= least;
@@ -190,22 +182,22 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 sum.add(throughput, K::missed(world));
                 break;
             }
-            is_coarse |= is_seen(throughput) && self.is_beyond_bounds(&surface, bounce.count);
+            is_bounded &= !is_seen(throughput) || self.is_bounded_after(&surface, bounce.count);
             surface.reflect(world, &mut ray);
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
         }
         self.rays += bounce.count + 1;
-        let signature = signature.ended(is_coarse);
+        let signature = signature.ended(is_bounded);
         Traced { sum, signature }
     }
 
-    /// Tests whether the rays after a reflection have no known bounds: a curved surface mirrors them, or too
-    /// many planes. `count` is the number of the reflection.
+    /// Tests whether the rays after a reflection have known bounds: only planes mirrored them, and not too
+    /// many. `count` is the number of the reflection.
     #[inline(always)]
-    fn is_beyond_bounds(&self, surface: &Surface<'_>, count: u32) -> bool {
+    fn is_bounded_after(&self, surface: &Surface<'_>, count: u32) -> bool {
         let parts = self.world.parts();
         let is_plane = parts.plane_index(surface.shape).is_some();
-        parts.has_bounded() && !(is_plane && (count as usize) < STOPS)
+        !parts.has_bounded() || is_plane && (count as usize) < STOPS
     }
 
     /// Returns the throughput of a path after a surface: `throughput` times the share that the surface

@@ -117,7 +117,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             };
             origin = image;
         }
-        // Hits that are not stored make the signature coarse.
+        // All hits that can be seen are stored, or the path has no known bounds.
         true
     }
 

@@ -18,7 +18,8 @@ use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::ScaledPoint;
 use crate::scene::RuntimeScene;
-use crate::scene::access::SceneAccess;
+use crate::scene::access::{SceneAccess, ShapeId};
+use crate::scene::query::nearest_hit;
 use crate::shade::{BlinnPhong, Normals, Phong};
 use crate::vector::{Position, Vector};
 

@@ -2,7 +2,7 @@
 //! found.
 
 use super::Colors;
-use crate::accel::{LONGEST_STRIDE, World};
+use crate::accel::{LONGEST_BLOCK, World};
 use crate::color::Sum;
 use crate::number::to_u32;
 use crate::render::Quality;
@@ -22,7 +22,7 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         if place == 0 {
             self.follow(column);
         }
-        self.colors[place % LONGEST_STRIDE as usize]
+        self.colors[place % LONGEST_BLOCK as usize]
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the

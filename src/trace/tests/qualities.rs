@@ -7,7 +7,7 @@ use crate::shade::LightQuality;
 use crate::trace::PathQuality;
 
 macro_rules! qualities {
-    ($($name:ident: $smallest:expr, $tolerance:expr, $is_sure:expr, $culling:ident, $is_precise:expr;)*) => {
+    ($($name:ident: $smallest:expr, $tolerance:expr, $culling:ident, $is_precise:expr;)*) => {
         $(
             pub(crate) struct $name;
 
@@ -22,15 +22,14 @@ macro_rules! qualities {
             impl PathQuality for $name {
                 const SMALLEST_WEIGHT: Unit = $smallest;
                 const TOLERANCE: Unit = $tolerance;
-                const IS_SURE_IN_ROUND_MIRRORS: bool = $is_sure;
             }
         )*
     };
 }
 
 qualities! {
-    Fast: Unit::from_bits(1 << 22), Unit::from_bits(1 << 22), false, ALL, false;
-    Small: Unit::from_bits(1 << 22), Unit::ZERO, true, NONE, false;
-    Fine: Unit::DELTA, Unit::from_bits(1 << 20), true, ALL, false;
-    Exact: Unit::DELTA, Unit::ZERO, true, ALL, true;
+    Fast: Unit::from_bits(1 << 22), Unit::from_bits(1 << 22), ALL, false;
+    Small: Unit::from_bits(1 << 22), Unit::ZERO, NONE, false;
+    Fine: Unit::DELTA, Unit::from_bits(1 << 15), ALL, false;
+    Exact: Unit::DELTA, Unit::ZERO, ALL, true;
 }
