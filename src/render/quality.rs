@@ -86,8 +86,8 @@ impl Quality for Small {
 
 /// The quality for pictures that are viewed closely: more exact than [`Fast`], and still interpolated.
 ///
-/// A path ends when its throughput is exactly zero. Pixels are interpolated to about a quarter of an 8-bit level
-/// where it is certain what they show.
+/// A path ends when its throughput is exactly zero. Pixels are interpolated to about a hundredth of an 8-bit
+/// level where it is certain what they show.
 #[derive(Clone, Copy, Debug)]
 pub struct Fine;
 

@@ -61,10 +61,6 @@ impl Part<'_> {
     fn sameness(&self, x: usize) -> Sameness {
         let part = &self.row[self.start..=self.start + self.length];
         let is_alike = |it: &&Stage| it.trail == self.row[x].trail;
-        if self.length == 2 && part[0].trail == part[2].trail && !is_alike(&part[0]) {
-            // Paths without known bounds are guessed from both sides.
-            return Sameness::Unsure;
-        }
         if !part.iter().all(|it| it.is_unsure || is_alike(it)) {
             return Sameness::Other;
         }
