@@ -88,7 +88,7 @@
 //!
 //! | what | where |
 //! |---|---|
-//! | qualities, which say how exact a picture is: `Fast`, `Fine`, `Exact`, `Small` | [`quality`] |
+//! | qualities, which say how exact a picture is: `Fast`, `Fine`, `Exact`, `Small`, `Draft` | [`quality`] |
 //! | shading models: Phong, Blinn-Phong | [`shading`] |
 //! | dithering for displays with few levels, larger pixels | [`display`] |
 //! | frames with a budget of instructions or time | [`budget`] |
@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 30800 | 1056 | 11736 | 198 |
-//! | Cargo's default release | 39284 | 1084 | 14616 | 203 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 28404 | 1563 | 12128 | 248 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 28336 | 2216 | 12180 | 369 |
-//! | Cargo's default dev (debug) | 261256 | 23587 | 232620 | 5072 |
+//! | lto = true, codegen-units = 1 | 51840 | 1580 | 17504 | 306 |
+//! | Cargo's default release | 64964 | 1655 | 20708 | 342 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 42776 | 2265 | 15092 | 363 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 41160 | 3203 | 15112 | 464 |
+//! | Cargo's default dev (debug) | 353008 | 33022 | 317028 | 6479 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
@@ -232,7 +232,7 @@ pub use vector::Position;
 
 /// Qualities: types that say how exact a picture is, and which approximations a frame uses.
 pub mod quality {
-    pub use crate::render::{Exact, Fast, Fine, Quality, Small};
+    pub use crate::render::{Draft, Exact, Fast, Fine, Quality, Small};
 }
 
 /// Shading models: types that say how the colour of a surface is computed.

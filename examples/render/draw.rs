@@ -7,7 +7,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::__private::Drawable;
-use reflet::quality::{self, Exact, Fast, Fine, Small};
+use reflet::quality::{self, Draft, Exact, Fast, Fine, Small};
 use reflet::scenes::{BuiltIn, Visitor};
 use reflet::shading::{self, BlinnPhong, Normals, Phong};
 use reflet::{Camera, FrameBuilder, Report};
@@ -42,6 +42,7 @@ impl Draw<'_> {
 
     fn drawn<S: Drawable>(self, scene: &S) -> Report {
         match self.settings.quality {
+            Quality::Draft => self.with_quality::<S, Draft>(scene),
             Quality::Fast => self.with_quality::<S, Fast>(scene),
             Quality::Fine => self.with_quality::<S, Fine>(scene),
             Quality::Small => self.with_quality::<S, Small>(scene),

@@ -30,6 +30,9 @@ pub(crate) const fn block_of(width: u32) -> u32 {
     }
 }
 
+/// Number of columns of a block in a quality that guesses.
+const GUESSED: u32 = 8;
+
 /// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block; 2, 3 and 4 are in the
 /// middle of 4, 8 and 16 pixels; the last is never read again.
 const SLOTS: usize = 7;
@@ -83,6 +86,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// Tolerance of interpolated colours, in steps of a [`Sum`].
     const TOLERANCE: i32 = Q::TOLERANCE.to_bits() >> 6;
 
+    /// Length of the shortest stretch of which it is found out what lies between: in shorter ones, that would
+    /// take longer than to trace what is left.
+    const SHORTEST: u32 = if Q::IS_SURE { 8 } else { 4 };
+
     /// Compile-time check of a quality: its tolerance is 0 to 1.
     const IS_SOUND: () = {
         assert!(
@@ -97,6 +104,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     fn block(tracer: &Tracer<'a, W, K, Q>, width: u32) -> u32 {
         match Tracer::<W, K, Q>::IS_INTERPOLATED && tracer.is_near() {
             false => 1,
+            true if !Q::IS_SURE => GUESSED,
             true => block_of(width),
         }
     }
@@ -205,10 +213,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             };
             return self.set(place + 1, between);
         }
-        if let (Known::Part(proved), true) = (&mut known, is_alike && length > 4) {
+        if let (Known::Part(proved), true) = (&mut known, is_alike && length >= Self::SHORTEST) {
             let stops = [start, end].map(|end| &self.stops[end.slot % SLOTS]);
             let window = (&self.window, [first, first + length]);
-            if self.tracer.is_steady(window, stops, proved) {
+            if !Q::IS_SURE || self.tracer.is_steady(window, stops, proved) {
                 known = Known::Steady(Bend::ZERO);
             }
         }

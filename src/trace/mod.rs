@@ -38,6 +38,9 @@ pub trait PathQuality: CullingQuality + LightQuality {
 
     /// Tolerance of interpolated pixels, as a share of white. If it is 0, every pixel is traced.
     const TOLERANCE: Unit;
+
+    /// Whether pixels are interpolated only if it is certain what they show.
+    const IS_SURE: bool;
 }
 
 /// The result of a path: its colour, and its signature, a hash of what it hit.
@@ -151,7 +154,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let (mut throughput, mut bounce, mut is_bounded) = (Unit::ONE, Bounce::NONE, true);
         // Smallest throughput of a hit that can be seen.
         let least = world.parts().smallest_weight(Q::TOLERANCE);
-        let is_seen = |throughput| Self::IS_INTERPOLATED && throughput >= least;
+        let is_seen = |throughput| Self::IS_INTERPOLATED && Q::IS_SURE && throughput >= least;
         loop {
             let Some(surface) = self.surface(pixel, &ray, &bounce) else {
                 sum.add(throughput, K::missed(world));

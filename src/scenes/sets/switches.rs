@@ -26,6 +26,7 @@ impl<const L: bool, const M: bool> CullingQuality for With<L, M> {
 impl<const L: bool, const M: bool> PathQuality for With<L, M> {
     const SMALLEST_WEIGHT: Unit = <Fine as PathQuality>::SMALLEST_WEIGHT;
     const TOLERANCE: Unit = <Fine as PathQuality>::TOLERANCE;
+    const IS_SURE: bool = true;
 }
 
 /// The quality [`Fine`] with all culling switched off: the plain path.
@@ -42,6 +43,7 @@ impl CullingQuality for PlainPath {
 impl PathQuality for PlainPath {
     const SMALLEST_WEIGHT: Unit = <Fine as PathQuality>::SMALLEST_WEIGHT;
     const TOLERANCE: Unit = <Fine as PathQuality>::TOLERANCE;
+    const IS_SURE: bool = true;
 }
 
 /// Returns the sum and the signature of the path through each pixel. Camera rays test every shape.

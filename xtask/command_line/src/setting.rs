@@ -60,6 +60,7 @@ impl From<Shading> for reference::Shading {
 /// A quality of the library as a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, ValueEnum)]
 pub enum Quality {
+    Draft,
     Fast,
     Fine,
     Small,
@@ -70,6 +71,7 @@ impl Quality {
     /// Returns the name of the quality on the command line.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Draft => "draft",
             Self::Fast => "fast",
             Self::Fine => "fine",
             Self::Small => "small",

@@ -96,7 +96,10 @@ pub enum Families {
 
 impl ValueEnum for TestedQuality {
     fn value_variants<'a>() -> &'a [Self] {
-        &const { [Self(case::Quality::Fast), Self(case::Quality::Fine)] }
+        &const {
+            let [fast, fine, draft] = case::Quality::ALL;
+            [Self(fast), Self(fine), Self(draft)]
+        }
     }
 
     fn to_possible_value(&self) -> Option<PossibleValue> {

@@ -17,17 +17,23 @@ pub enum Quality {
     Fast,
     /// [`quality::Fine`].
     Fine,
+    /// [`quality::Draft`], which guesses.
+    Draft,
 }
 
 impl Quality {
-    /// All tested qualities.
-    pub const ALL: [Self; 2] = [Self::Fast, Self::Fine];
+    /// All qualities that interpolate.
+    pub const ALL: [Self; 3] = [Self::Fast, Self::Fine, Self::Draft];
+
+    /// The qualities that lose nothing.
+    pub const SURE: [Self; 2] = [Self::Fast, Self::Fine];
 
     /// Returns the quality's name in tables and on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fast => "fast",
             Self::Fine => "fine",
+            Self::Draft => "draft",
         }
     }
 }
@@ -176,6 +182,7 @@ impl<K: Shading> Drawing<K> {
         match quality {
             Quality::Fast => self.drawn::<quality::Fast>(),
             Quality::Fine => self.drawn::<quality::Fine>(),
+            Quality::Draft => self.drawn::<quality::Draft>(),
         }
     }
 }

@@ -50,6 +50,7 @@ pub enum Quality {
 }
 
 impl Quality {
+    pub const DRAFT: Self = Self::Fixed(Fixed::Draft);
     pub const FAST: Self = Self::Fixed(Fixed::Fast);
     pub const FINE: Self = Self::Fixed(Fixed::Fine);
     pub const SMALL: Self = Self::Fixed(Fixed::Small);
@@ -66,6 +67,7 @@ impl Quality {
 impl ValueEnum for Quality {
     fn value_variants<'a>() -> &'a [Self] {
         &[
+            Self::DRAFT,
             Self::FAST,
             Self::FINE,
             Self::SMALL,

@@ -2,7 +2,7 @@
 
 use command_line::Quality as Named;
 use reflet::Unit;
-use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::quality::{Draft, Exact, Fast, Fine, Quality, Small};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Setting {
@@ -90,6 +90,7 @@ impl Level {
 
     pub fn visit<V: Visitor>(self, visitor: V) -> V::Output {
         match self {
+            Self::Named(Named::Draft) => visitor.visit::<Draft>(),
             Self::Named(Named::Fast) => visitor.visit::<Fast>(),
             Self::Named(Named::Fine) => visitor.visit::<Fine>(),
             Self::Named(Named::Small) => visitor.visit::<Small>(),
