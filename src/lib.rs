@@ -116,10 +116,10 @@
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
 //! | lto = true, codegen-units = 1 | 51840 | 1580 | 17504 | 306 |
-//! | Cargo's default release | 64964 | 1655 | 20708 | 342 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 42776 | 2265 | 15092 | 363 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 41160 | 3203 | 15112 | 464 |
-//! | Cargo's default dev (debug) | 353008 | 33022 | 317028 | 6479 |
+//! | Cargo's default release | 64920 | 1646 | 20708 | 342 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 42692 | 2267 | 15092 | 363 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 41100 | 3195 | 15112 | 464 |
+//! | Cargo's default dev (debug) | 352980 | 33028 | 317000 | 6478 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

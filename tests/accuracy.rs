@@ -7,7 +7,7 @@ use embedded_graphics::prelude::Size;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::reference::{self, render};
-use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::quality::{Draft, Exact, Fast, Fine, Quality, Small};
 use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
 use reflet::{Camera, Material, Scene, SceneBuilder, room};
@@ -36,6 +36,14 @@ const FINE: Bar = Bar {
     same: 0.998,
     within1: 0.999,
     psnr: 55.0,
+};
+
+/// Bar of the quality `Draft`, which guesses.
+const DRAFT: Bar = Bar {
+    name: "draft",
+    same: 0.0,
+    within1: 0.998,
+    psnr: 40.0,
 };
 
 /// Bar of the quality `Small`: that of `Fast`.
@@ -102,6 +110,7 @@ impl<K: Shading> Visitor for Check<K> {
         let bars = match self.shading {
             reference::Shading::Normals => vec![(NORMALS, difference::<S, Fast, K>(&truth))],
             _ => vec![
+                (DRAFT, difference::<S, Draft, K>(&truth)),
                 (FAST, difference::<S, Fast, K>(&truth)),
                 (FINE, difference::<S, Fine, K>(&truth)),
                 (SMALL, difference::<S, Small, K>(&truth)),

@@ -262,7 +262,7 @@ fn wrong_arguments_are_named_in_one_line() {
         "--reflections -1 => -1 is not in 0..=255",
         "--reflections many => invalid digit found in string",
         "--shading gouraud => possible values: blinn-phong, phong, normals",
-        "--quality best => possible values: fast, fine, small, exact",
+        "--quality best => possible values: draft, fast, fine, small, exact",
         "--out => a value is required for '--out <F.png>'",
         "--json --json => cannot be used multiple times",
         "--bogus => unexpected argument '--bogus' found",

@@ -212,11 +212,21 @@ impl Pictures {
         self.all().map(|picture| within8_of(picture, &self.truth))
     }
 
-    /// Returns the number of pixels, over all three qualities, that differ from those of `other`.
+    /// Returns the number of pixels, over all three qualities, that differ from those of `other`: at all in
+    /// `Exact`, and by more than one level in the others, which may trace a pixel in one of the two scenes
+    /// and interpolate it in the other.
     pub fn differing(&self, other: &Self) -> usize {
-        let pixels = |it: &Self| it.fixed().map(|picture| picture.pixels.clone()).concat();
-        let (all, others) = (pixels(self), pixels(other));
-        all.iter().zip(&others).filter(|(a, b)| a != b).count()
+        let differing = |one: &reference::Picture, other: &reference::Picture, most: u8| {
+            let pixels = one.pixels.iter().zip(&other.pixels);
+            let is_further = |(a, b): &(&[u8; 3], &[u8; 3])| {
+                a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > most)
+            };
+            pixels.filter(is_further).count()
+        };
+        let pairs = self.fixed().into_iter().zip(other.fixed());
+        let most = [0, 1, 1];
+        let counts = pairs.zip(most).map(|((a, b), most)| differing(a, b, most));
+        counts.sum()
     }
 
     fn off(&self) -> Off {
