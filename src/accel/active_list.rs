@@ -23,7 +23,7 @@ use crate::vector::{Direction, Point};
 #[derive(Debug, Default)]
 pub(crate) struct Window {
     pub(super) first: u32,
-    pub(super) last: u32,
+    pub(crate) last: u32,
 }
 
 /// A shape in an active list, prepared for the rays of the row.

@@ -30,8 +30,8 @@ pub(crate) const fn block_of(width: u32) -> u32 {
     }
 }
 
-/// Number of columns of a block in a quality that guesses.
-const GUESSED: u32 = 8;
+/// Number of columns of a block in a quality that guesses, and of a window if every pixel is traced.
+const SHORT: u32 = 8;
 
 /// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block; 2, 3 and 4 are in the
 /// middle of 4, 8 and 16 pixels; the last is never read again.
@@ -98,14 +98,19 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         );
     };
 
-    /// Returns the number of columns of a block in a picture of `width` columns: 1 if every pixel is
-    /// traced.
+    /// Tests whether every pixel is traced.
+    #[inline(always)]
+    fn traces_each(tracer: &Tracer<'a, W, K, Q>) -> bool {
+        !Tracer::<W, K, Q>::IS_INTERPOLATED || !tracer.is_near()
+    }
+
+    /// Returns the number of columns of a block in a picture of `width` columns: 1 if every pixel is traced.
     #[inline(always)]
     fn block(tracer: &Tracer<'a, W, K, Q>, width: u32) -> u32 {
-        match Tracer::<W, K, Q>::IS_INTERPOLATED && tracer.is_near() {
-            false => 1,
-            true if !Q::IS_SURE => GUESSED,
-            true => block_of(width),
+        match Self::traces_each(tracer) {
+            true => 1,
+            false if !Q::IS_SURE => SHORT,
+            false => block_of(width),
         }
     }
 
@@ -121,7 +126,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         let block = Self::block(tracer, width);
         let first = column & !(block - 1);
         let mut colors = Self {
-            window: tracer.advance(first, first + block),
+            window: tracer.advance(first, first + block.max(SHORT)),
             tracer,
             directions,
             column,
@@ -135,7 +140,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             stops: [Stops::NONE; SLOTS],
             clear_until: 0,
         };
-        if first < column && !Tracer::<W, K, Q>::IS_PLAIN {
+        if first < column {
             colors.follow(first);
         }
         colors
@@ -147,12 +152,15 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         if first < self.clear_until {
             return;
         }
-        let block = self.block;
-        self.window = self.tracer.advance(first, first + block);
-        if block == 1 {
+        if Self::traces_each(self.tracer) {
+            if first > self.window.last {
+                self.window = self.tracer.advance(first, first + SHORT);
+            }
             self.colors[0] = self.trace(first, 0).sum;
             return;
         }
+        let block = self.block;
+        self.window = self.tracer.advance(first, first + block);
         if self.clear(first) {
             return;
         }
