@@ -1,6 +1,7 @@
 //! Scenes in RAM: prepared parts, and the shapes prepared from the position of each light.
 
 use super::fingerprint::Fingerprint;
+use super::hierarchy::{Hierarchy, HierarchyNode};
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::MirrorTables;
@@ -185,6 +186,7 @@ impl<R: Capacity> Scene<R> {
         Tabled {
             scene: self,
             light_tables,
+            hierarchy: Hierarchy::NONE,
         }
     }
 }
@@ -194,6 +196,20 @@ impl<R: Capacity> Scene<R> {
 pub struct Tabled<'a, R: Capacity> {
     pub(super) scene: &'a Scene<R>,
     light_tables: R::Lights<LightTable>,
+    hierarchy: Hierarchy<'a>,
+}
+
+impl<'a, R: Capacity> Tabled<'a, R> {
+    /// Returns the scene with a hierarchy of balls around its shapes, made in `memory`.
+    ///
+    /// Rays off mirrors and to distant lights then test few shapes of many. The picture stays the same, to
+    /// the bit. The hierarchy takes as many nodes as there are bounded shapes, rounded up to a power of
+    /// two: 64 shapes take 64 nodes, 1536 bytes. If the scene has 16 bounded shapes or fewer, or if the
+    /// memory is too small, there is no hierarchy, and rays test more shapes.
+    pub fn with_hierarchy(mut self, memory: &'a mut [HierarchyNode]) -> Self {
+        self.hierarchy = Hierarchy::of(&self.scene.plain.parts(), memory);
+        self
+    }
 }
 
 impl<R: Capacity> SceneAccess for Scene<R> {
@@ -208,6 +224,7 @@ impl<R: Capacity> SceneAccess for Scene<R> {
 
 impl<R: ActiveRoom> World for Scene<R> {
     type Room = R;
+    const IS_CROWD: bool = false;
 
     #[inline(always)]
     fn tables(&self) -> Tables<'_, R> {
@@ -215,6 +232,7 @@ impl<R: ActiveRoom> World for Scene<R> {
             light_occluders: used(self.light_occluders.as_ref(), self.plain.counts.lights),
             light_tables: &[],
             mirror_tables: MirrorTables::NONE,
+            hierarchy: Hierarchy::NONE,
         }
     }
 }
@@ -231,11 +249,13 @@ impl<R: Capacity> SceneAccess for Tabled<'_, R> {
 
 impl<R: ActiveRoom> World for Tabled<'_, R> {
     type Room = R;
+    const IS_CROWD: bool = Hierarchy::room(R::COUNTS.bounded()) > 0;
 
     #[inline(always)]
     fn tables(&self) -> Tables<'_, R> {
         Tables {
             light_tables: used(self.light_tables.as_ref(), self.scene.plain.counts.lights),
+            hierarchy: self.hierarchy,
             ..self.scene.tables()
         }
     }

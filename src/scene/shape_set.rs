@@ -99,6 +99,16 @@ impl SetLayout {
         self.starts[kind] + index / self.run
     }
 
+    /// Returns the bit of a bounded shape. `number` counts the shapes of all kinds.
+    pub(crate) const fn bit_of(self, lengths: [usize; KINDS], number: usize) -> usize {
+        let (mut kind, mut index) = (0, number);
+        while kind + 1 < KINDS && index >= lengths[kind] {
+            index -= lengths[kind];
+            kind += 1;
+        }
+        self.bit(kind, index)
+    }
+
     /// Calls `is_it` for each shape of one kind in a set, until it returns `true`. Goes through the
     /// bits a word at a time. The last run of a kind may give indices past the last shape.
     #[inline(always)]
