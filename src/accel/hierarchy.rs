@@ -16,7 +16,7 @@
 
 mod build;
 
-pub(super) use build::fill;
+pub(super) use build::{fill, is_useful};
 
 use super::{CullingQuality, World};
 use crate::number::{Length, high, to_u32};
@@ -97,7 +97,7 @@ impl Hierarchy<'_> {
 
     /// Returns whether there is no hierarchy.
     #[inline(always)]
-    pub(super) const fn is_empty(&self) -> bool {
+    pub(crate) const fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
 
@@ -154,7 +154,10 @@ pub(super) fn nearest<W: World>(world: &W, ray: &Ray, (mirror, skip): (ShapeId, 
         };
         let nearer = nearest.distance.to_bits() - distance.to_bits();
         if nearer > SURE || nearest.shape == ShapeId::NONE {
-            nearest = Hit { distance, shape: id };
+            nearest = Hit {
+                distance,
+                shape: id,
+            };
             return false;
         }
         nearer >= -SURE && nearest.shape != id
@@ -174,6 +177,18 @@ fn of_all<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId) -> Hit {
 
 /// Tests whether rays of `Q` ask the hierarchy of a scene.
 #[inline(always)]
-pub(super) fn is_used<W: World, Q: CullingQuality>(world: &W) -> bool {
+pub(crate) fn is_used<W: World, Q: CullingQuality>(world: &W) -> bool {
     W::IS_CROWD && Q::CULLING.hierarchy && !world.tables().hierarchy.is_empty()
 }
+
+/// Tests whether a bounded shape blocks a ray before `reach`. Skips the shape that the ray leaves.
+#[inline(never)]
+pub(crate) fn is_blocked<W: World>(world: &W, ray: &Ray, skip: ShapeId, reach: Length) -> bool {
+    let parts = world.parts();
+    world.tables().hierarchy.any(ray, skip, |index| {
+        ShapeId::at(index) != skip && parts.blocks(ShapeId::at(index), ray, reach)
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -34,8 +34,8 @@ pub use static_scene::{Apart, Static, StaticScene};
 pub use within::Limited;
 
 pub use active_lists::ActiveRoom;
-pub use hierarchy::HierarchyNode;
 use hierarchy::Hierarchy;
+pub use hierarchy::HierarchyNode;
 use light_occluders::LightOccluders;
 use light_table::LightTable;
 use mirror_table::MirrorTables;

@@ -3,7 +3,7 @@
 
 use core::marker::PhantomData;
 
-use super::hierarchy::{Hierarchy, HierarchyNode, fill};
+use super::hierarchy::{Hierarchy, HierarchyNode, fill, is_useful};
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::{MirrorTable, MirrorTables};
@@ -147,9 +147,14 @@ impl<T: Apart, const N: usize> NodeList<T, N> {
     };
 }
 
-/// Returns the hierarchy of a constant scene. It has none if it needs none, or more nodes than 1024.
+/// Returns the hierarchy of a constant scene. It has none if few rays would read it, or if it would have
+/// more nodes than 1024.
 const fn hierarchy<T: Apart>() -> Hierarchy<'static> {
-    let nodes: &[HierarchyNode] = match Hierarchy::room(T::PARTS.bounded()) {
+    let room = match is_useful(&T::PARTS) {
+        true => Hierarchy::room(T::PARTS.bounded()),
+        false => 0,
+    };
+    let nodes: &[HierarchyNode] = match room {
         32 => &NodeList::<T, 32>::OF_SCENE,
         64 => &NodeList::<T, 64>::OF_SCENE,
         128 => &NodeList::<T, 128>::OF_SCENE,

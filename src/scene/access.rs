@@ -10,8 +10,8 @@ use crate::grid::Grid;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{Brightness, Length, Unit, to_u32, unit_product};
-use crate::shape::MaterialId;
 use crate::ray::Ray;
+use crate::shape::MaterialId;
 use crate::shape::bounded::{Bounded, Range};
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
@@ -112,6 +112,20 @@ macro_rules! parts {
                 )*
                 let _ = index;
                 None
+            }
+
+            /// Tests whether a ray hits the bounded shape `id` before `reach`.
+            #[inline(always)]
+            pub(crate) fn blocks(&self, id: ShapeId, ray: &Ray, reach: Length) -> bool {
+                let index = id.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        return shape.blocks(ray, reach);
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let _ = index;
+                false
             }
 
             /// Tests whether a shape is flat, such as a disc or a plane.

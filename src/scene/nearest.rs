@@ -65,7 +65,7 @@ macro_rules! questions {
         /// Tests whether a ray hits a candidate before `reach`. Skips the shape `skip`, which the ray
         /// leaves from outside.
         #[inline(never)]
-        pub(super) fn any_blocks<W: SceneAccess>(
+        pub(crate) fn any_blocks<W: SceneAccess>(
             world: &W,
             candidates: &ShapeSet,
             ray: &Ray,

@@ -11,6 +11,7 @@ use crate::number::{square_root, to_u16, to_u32, unsigned_wide, wide};
 use crate::ray::BALL;
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
+use crate::shape::MaterialId;
 use crate::vector::Point;
 
 impl<'a> Hierarchy<'a> {
@@ -39,10 +40,34 @@ impl<'a> Hierarchy<'a> {
         }
     }
 
-    /// Returns a hierarchy whose nodes [`fill`] has made.
+    /// Returns the hierarchy whose nodes [`fill`] has made.
     pub(in crate::accel) const fn filled(nodes: &'a [HierarchyNode]) -> Self {
         Self { nodes }
     }
+}
+
+/// Tests whether so many rays leave mirrors that a constant scene gains by a hierarchy: at least two planes
+/// mirror, or at least an eighth of the shapes, each counted as the square of its ball's radius.
+pub(in crate::accel) const fn is_useful(parts: &Parts<'_>) -> bool {
+    let (mut planes, mut index) = (0, 0);
+    while index < parts.planes.len() {
+        planes += mirrors(parts, parts.planes[index].material) as u32;
+        index += 1;
+    }
+    let (mut all, mut mirroring, mut shape) = (0, 0, 0);
+    while let Some(((_, radius), material)) = parts.ball(shape) {
+        // Radii are below 2²⁹, so the sum of 2¹⁵ squares fits.
+        let square = unsigned_wide(wide(radius, radius)) >> 16;
+        all += square;
+        mirroring += square * mirrors(parts, material) as u64;
+        shape += 1;
+    }
+    planes > 1 || 8 * mirroring >= all
+}
+
+/// Tests whether a material of a scene mirrors.
+const fn mirrors(parts: &Parts<'_>, material: MaterialId) -> bool {
+    material.index() < parts.materials.len() && parts.materials[material.index()].mirrors()
 }
 
 /// Makes all nodes of a hierarchy if their number is [`Hierarchy::room`]. Else nothing reads them.
@@ -63,7 +88,10 @@ pub(in crate::accel) const fn fill(parts: &Parts<'_>, nodes: &mut [HierarchyNode
         let width = leaves >> level;
         // The leaves below the node, and their shapes.
         let first = (node << (leaves.ilog2() - level)) - leaves;
-        let range = (start(first, count, leaves), start(first + width, count, leaves));
+        let range = (
+            start(first, count, leaves),
+            start(first + width, count, leaves),
+        );
         let bounds = Bounds::of(parts, nodes, range);
         if width > 1 {
             sort(parts, nodes, range, bounds.widest_axis());
@@ -104,7 +132,11 @@ const fn note_leaves(nodes: &mut [HierarchyNode], count: usize) {
 
 /// Returns the shape at a place of the order.
 const fn shape_at(nodes: &[HierarchyNode], place: usize) -> u16 {
-    if place < nodes.len() { nodes[place].leaf } else { 0 }
+    if place < nodes.len() {
+        nodes[place].leaf
+    } else {
+        0
+    }
 }
 
 /// Returns the widened ball of a shape. A shape that moves may be anywhere.
