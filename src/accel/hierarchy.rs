@@ -102,9 +102,14 @@ impl Hierarchy<'_> {
     }
 
     /// Calls `ask` for each shape that a ray can hit, until it returns `true`. Returns whether it did.
-    /// A shape may come twice. `mirror` is the shape that the ray leaves, if it is bounded.
+    /// A shape may come twice. `mirror` is the shape where the ray starts or ends, if it is bounded.
     #[inline(always)]
-    fn any(&self, ray: &Ray, mirror: ShapeId, mut ask: impl FnMut(usize) -> bool) -> bool {
+    pub(super) fn any(
+        &self,
+        ray: &Ray,
+        mirror: ShapeId,
+        mut ask: impl FnMut(usize) -> bool,
+    ) -> bool {
         let leaves = to_u32(self.nodes.len() / 2);
         // A node's number, in a tree that is turned so that the mirror's leaf comes first; what turns
         // its level; how far the level is above the leaves.

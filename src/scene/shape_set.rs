@@ -7,6 +7,9 @@
 use super::access::KINDS;
 use crate::number::{low_word, to_u32};
 
+/// Largest number of bounded shapes of which each has a bit of its own.
+pub(crate) const SETS: usize = 64;
+
 /// A set of bounded shapes, one bit for each run of shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ShapeSet(u64);
@@ -81,7 +84,7 @@ impl SetLayout {
             kind += 1;
         }
         // The last run of each kind may have fewer shapes.
-        let run = match total <= 64 {
+        let run = match total <= SETS {
             true => 1,
             false => total.div_ceil(65 - KINDS),
         };
