@@ -10,9 +10,8 @@ use crate::grid::Grid;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{Brightness, Length, Unit, to_u32, unit_product};
-use crate::ray::Ray;
 use crate::shape::MaterialId;
-use crate::shape::bounded::{Bounded, Range};
+use crate::shape::bounded::Bounded;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
@@ -98,34 +97,6 @@ macro_rules! parts {
                 )*
                 let plane = self.planes.get(index)?;
                 Some((plane.normal, plane.material))
-            }
-
-            /// Returns the distance at which a ray hits the bounded shape `id`, within `range`.
-            #[inline(always)]
-            pub(crate) fn intersect(&self, id: ShapeId, ray: &Ray, range: Range) -> Option<Length> {
-                let index = id.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        return shape.intersect(ray, range);
-                    }
-                    let index = index - self.$list.len();
-                )*
-                let _ = index;
-                None
-            }
-
-            /// Tests whether a ray hits the bounded shape `id` before `reach`.
-            #[inline(always)]
-            pub(crate) fn blocks(&self, id: ShapeId, ray: &Ray, reach: Length) -> bool {
-                let index = id.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        return shape.blocks(ray, reach);
-                    }
-                    let index = index - self.$list.len();
-                )*
-                let _ = index;
-                false
             }
 
             /// Tests whether a shape is flat, such as a disc or a plane.
