@@ -247,7 +247,7 @@ pub mod budget {
 
 /// Needs: the features of the library that a scene uses. Code for other features is not linked.
 pub mod needs {
-    pub use crate::accel::{Limited, Tabled};
+    pub use crate::accel::{HierarchyNode, Limited, Tabled};
     pub use crate::scene::{Mirrors, MostReflections, Need, Needs, NeedsLimit, Shininess};
 }
 

@@ -6,13 +6,14 @@
 //! rounding decides, by a few steps of the grid: the ray runs from the light to the surface, not from
 //! the surface to the light.
 
+use super::hierarchy;
 use super::light_table::light_set;
 use super::{CullingQuality, World};
 use crate::light::PreparedLight;
 use crate::number::Length;
-use crate::ray::ScaledPoint;
+use crate::ray::{Ray, ScaledPoint};
 use crate::scene::access::ShapeId;
-use crate::scene::shape_set::ShapeSet;
+use crate::scene::shape_set::{SETS, ShapeSet};
 use crate::scene::{Capacity, Parts, Room, Surface};
 use crate::shape::bounded::{Bounded, LightRay, Own};
 use crate::vector::Direction;
@@ -99,6 +100,33 @@ macro_rules! light_occluders {
             }
         }
 
+        /// Tests whether a bounded shape lies between a light and the point on `surface` where `ray` ends.
+        /// Asks the scene's hierarchy.
+        #[inline(always)]
+        fn is_occluded_in_crowd<W: World, const PRECISE: bool>(
+            world: &W,
+            surface: &Surface<'_>,
+            light: &LightOccluders<W::Room>,
+            ray: &LightRay,
+        ) -> bool {
+            let parts = world.parts();
+            let line = Ray {
+                origin: light.light.place.point,
+                direction: ray.direction,
+            };
+            world.tables().hierarchy.any(&line, surface.shape, |index| {
+                let own = own(surface, index);
+                $(
+                    if let Some((shape, from)) = parts.$list.get(index).zip(light.$list.as_ref().get(index)) {
+                        return shape.occludes::<PRECISE>(from, ray, own);
+                    }
+                    let index = index - parts.$list.len();
+                )*
+                let _ = index;
+                false
+            })
+        }
+
         /// Tests whether a shape of `set` lies between a light and the point on `surface` where `ray`
         /// ends.
         #[inline(always)]
@@ -111,17 +139,12 @@ macro_rules! light_occluders {
         ) -> bool {
             let parts = world.parts();
             let lengths = parts.lengths();
-            let own = |index: usize| match surface.shape == ShapeId::at(index) {
-                false => Own::No,
-                true if surface.is_inside => Own::Inside,
-                true => Own::Outside,
-            };
             let (kind, first) = (0, 0);
             $(
                 let from = light.$list.as_ref();
                 if set.any(W::NEEDS.sets, (kind, lengths), parts.$list, |index, shape| {
                     let from = from.get(index);
-                    from.is_some_and(|from| shape.occludes::<PRECISE>(from, ray, own(first + index)))
+                    from.is_some_and(|from| shape.occludes::<PRECISE>(from, ray, own(surface, first + index)))
                 }) {
                     return true;
                 }
@@ -133,6 +156,16 @@ macro_rules! light_occluders {
     };
 }
 kinds!(light_occluders);
+
+/// Returns whether the surface is that of the bounded shape with this number.
+#[inline(always)]
+fn own(surface: &Surface<'_>, number: usize) -> Own {
+    match surface.shape == ShapeId::at(number) {
+        false => Own::No,
+        true if surface.is_inside => Own::Inside,
+        true => Own::Outside,
+    }
+}
 
 impl<R: Capacity> LightOccluders<R> {
     /// Returns the light without the shapes around it.
@@ -166,6 +199,11 @@ pub(crate) fn occluded<W: World, Q: CullingQuality, const PRECISE: bool>(
         epsilon: world.parts().epsilon,
         end: surface.place.point,
     };
+    // In a larger scene a table cannot tell a shape from those that follow it in the list. Up to about two
+    // shapes a bit, the table still takes less time.
+    if hierarchy::is_used::<W, Q>(world) && world.parts().bounded() > 2 * SETS {
+        return is_occluded_in_crowd::<W, PRECISE>(world, surface, light, &ray);
+    }
     let set = light_set::<W, Q>(world, index, direction);
     any_occludes::<W, PRECISE>(world, set, surface, light, &ray)
 }

@@ -174,7 +174,7 @@ const SLACK: i32 = 1 << 10;
 /// In units of 2³², the parts are: 24 for the length of a direction and the term that corrects it (2⁻²⁴
 /// and 2⁻²⁵ of a square below 2⁶⁰), 4 for the constant that `passes_by` adds because products are
 /// rounded down, and one for each of these products.
-const UNSURE: u64 = 32 << 32;
+pub(super) const UNSURE: u64 = 32 << 32;
 
 /// Adds a shape to the cells of all rays that start in one ball and can hit the shape's ball.
 ///

@@ -10,6 +10,7 @@ mod cap;
 mod direction_table;
 pub(crate) mod drawable;
 mod fingerprint;
+pub(crate) mod hierarchy;
 pub(crate) mod light_occluders;
 mod light_stretch;
 pub(crate) mod light_table;
@@ -33,6 +34,8 @@ pub use static_scene::{Apart, Static, StaticScene};
 pub use within::Limited;
 
 pub use active_lists::ActiveRoom;
+use hierarchy::Hierarchy;
+pub use hierarchy::HierarchyNode;
 use light_occluders::LightOccluders;
 use light_table::LightTable;
 use mirror_table::MirrorTables;
@@ -54,6 +57,9 @@ pub struct Culling {
     pub(crate) light_occluders: bool,
     /// Whether shadow rays test only the shapes that [`light_table`] lists for their direction.
     pub(crate) light_tables: bool,
+    /// Whether rays that no table covers test only the shapes in the balls of the [`hierarchy`] that they
+    /// meet.
+    pub(crate) hierarchy: bool,
     /// Whether rays reflected by round mirrors test only the shapes that [`mirror_table`] lists.
     pub(crate) mirror_tables: bool,
 }
@@ -64,6 +70,7 @@ impl Culling {
         screen_bounds: true,
         light_occluders: true,
         light_tables: true,
+        hierarchy: true,
         mirror_tables: true,
     };
 
@@ -72,12 +79,17 @@ impl Culling {
         screen_bounds: false,
         light_occluders: false,
         light_tables: false,
+        hierarchy: false,
         mirror_tables: false,
     };
 
     /// Tests whether at least one technique is on.
     pub(crate) const fn is_any(self) -> bool {
-        self.screen_bounds || self.light_occluders || self.light_tables || self.mirror_tables
+        self.screen_bounds
+            || self.light_occluders
+            || self.light_tables
+            || self.hierarchy
+            || self.mirror_tables
     }
 }
 
@@ -89,14 +101,18 @@ pub trait CullingQuality {
 
 /// Returns the nearest bounded shape hit by a ray that a mirror reflects.
 ///
-/// Tests only the shapes that lie ahead of the mirror in the ray's direction, if the mirror has a table
-/// of them; all shapes otherwise. `skip` is the shape that the ray leaves.
+/// Tests the shapes near the ray if the scene has a hierarchy. Else it tests those that lie ahead of the
+/// mirror in the ray's direction, if the mirror has a table of them; all shapes otherwise. `skip` is the
+/// shape that the ray leaves.
 #[inline(always)]
 pub(crate) fn nearest_ahead<W: World, Q: CullingQuality>(
     world: &W,
     ray: &Ray,
     (mirror, skip): (ShapeId, ShapeId),
 ) -> Hit {
+    if hierarchy::is_used::<W, Q>(world) {
+        return hierarchy::nearest(world, ray, (mirror, skip));
+    }
     let candidates = match W::CHOOSES_HITS && Q::CULLING.mirror_tables {
         true => world.tables().mirror_tables.ahead(mirror, ray.direction),
         false => ShapeSet::ALL,
@@ -112,6 +128,9 @@ pub trait World: SceneAccess {
     /// Room of the scene: the capacities of its lists.
     type Room: ActiveRoom;
 
+    /// Whether the scene may have a hierarchy of balls. If not, the code that reads it is not linked.
+    const IS_CROWD: bool;
+
     /// Returns the tables of the scene.
     fn tables(&self) -> Tables<'_, Self::Room>;
 }
@@ -125,10 +144,13 @@ pub struct Tables<'a, R: ActiveRoom> {
     pub(crate) light_tables: &'a [LightTable],
     /// For each round mirror, the shapes that lie ahead of rays that leave it.
     pub(crate) mirror_tables: &'a MirrorTables,
+    /// The balls around the shapes of a crowd.
+    pub(crate) hierarchy: Hierarchy<'a>,
 }
 
 impl<W: World> World for &W {
     type Room = W::Room;
+    const IS_CROWD: bool = W::IS_CROWD;
 
     #[inline(always)]
     fn tables(&self) -> Tables<'_, W::Room> {

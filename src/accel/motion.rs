@@ -204,6 +204,7 @@ kinds!(motion);
 
 impl<T: Apart> World for MovingScene<T> {
     type Room = T::Room;
+    const IS_CROWD: bool = !T::HIERARCHY.is_empty();
 
     #[inline(always)]
     fn tables(&self) -> Tables<'_, T::Room> {
@@ -211,6 +212,7 @@ impl<T: Apart> World for MovingScene<T> {
             light_occluders: used(self.0.light_occluders.as_ref(), T::PARTS.lights.len()),
             light_tables: T::LIGHT_TABLES,
             mirror_tables: T::MIRROR_TABLES,
+            hierarchy: T::HIERARCHY,
         }
     }
 }

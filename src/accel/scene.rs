@@ -1,6 +1,7 @@
 //! Scenes in RAM: prepared parts, and the shapes prepared from the position of each light.
 
 use super::fingerprint::Fingerprint;
+use super::hierarchy::{Hierarchy, HierarchyNode};
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::MirrorTables;
@@ -185,6 +186,7 @@ impl<R: Capacity> Scene<R> {
         Tabled {
             scene: self,
             light_tables,
+            hierarchy: Hierarchy::NONE,
         }
     }
 }
@@ -194,6 +196,45 @@ impl<R: Capacity> Scene<R> {
 pub struct Tabled<'a, R: Capacity> {
     pub(super) scene: &'a Scene<R>,
     light_tables: R::Lights<LightTable>,
+    hierarchy: Hierarchy<'a>,
+}
+
+impl<'a, R: Capacity> Tabled<'a, R> {
+    /// Returns the scene with a hierarchy of balls around its shapes, made in `memory`.
+    ///
+    /// Rays off mirrors and to distant lights then test few shapes of many. The picture stays the same, to
+    /// the bit. The hierarchy takes as many nodes as there are bounded shapes, rounded up to a power of
+    /// two: 64 shapes take 64 nodes, 1536 bytes. If the scene has 16 bounded shapes or fewer, or if the
+    /// memory is too small, there is no hierarchy, and rays test more shapes.
+    ///
+    /// To make it for 64 spheres takes 677 thousand instructions on an emulated Cortex-M0. A frame of 64
+    /// mirroring beads (`cargo xtask scale --mirrors --core m0`) takes 10.7 thousand instructions a pixel
+    /// at 64x64 without it, and 6.4 thousand with it.
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
+    /// use reflet::needs::HierarchyNode;
+    /// use reflet::{Camera, Material, RuntimeScene, room};
+    ///
+    /// const CAMERA: Camera = Camera::look_at([0.0, -9.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
+    ///
+    /// let mut scene = RuntimeScene::<room!(spheres: 25, lights: 1, materials: 1)>::new();
+    /// let mirror = scene.add_material(Material::new([0.9; 3]).mirror(0.7))?;
+    /// for bead in 0..25 {
+    ///     scene.add_sphere([bead % 5 - 2, 0, bead / 5 - 2], 0.4, mirror)?;
+    /// }
+    /// scene.add_light([9, -4, 6], [1, 1, 1])?;
+    /// let scene = scene.build()?;
+    /// let mut memory = [HierarchyNode::NONE; 32];
+    /// let tabled = scene.tabled().with_hierarchy(&mut memory);
+    /// let mut display = MockDisplay::<Rgb888>::new();
+    /// tabled.frame(&CAMERA).draw(&mut display).unwrap();
+    /// # Ok::<(), reflet::Error>(())
+    /// ```
+    pub fn with_hierarchy(mut self, memory: &'a mut [HierarchyNode]) -> Self {
+        self.hierarchy = Hierarchy::of(&self.scene.plain.parts(), memory);
+        self
+    }
 }
 
 impl<R: Capacity> SceneAccess for Scene<R> {
@@ -208,6 +249,7 @@ impl<R: Capacity> SceneAccess for Scene<R> {
 
 impl<R: ActiveRoom> World for Scene<R> {
     type Room = R;
+    const IS_CROWD: bool = false;
 
     #[inline(always)]
     fn tables(&self) -> Tables<'_, R> {
@@ -215,6 +257,7 @@ impl<R: ActiveRoom> World for Scene<R> {
             light_occluders: used(self.light_occluders.as_ref(), self.plain.counts.lights),
             light_tables: &[],
             mirror_tables: MirrorTables::NONE,
+            hierarchy: Hierarchy::NONE,
         }
     }
 }
@@ -231,11 +274,13 @@ impl<R: Capacity> SceneAccess for Tabled<'_, R> {
 
 impl<R: ActiveRoom> World for Tabled<'_, R> {
     type Room = R;
+    const IS_CROWD: bool = Hierarchy::room(R::COUNTS.bounded()) > 0;
 
     #[inline(always)]
     fn tables(&self) -> Tables<'_, R> {
         Tables {
             light_tables: used(self.light_tables.as_ref(), self.scene.plain.counts.lights),
+            hierarchy: self.hierarchy,
             ..self.scene.tables()
         }
     }

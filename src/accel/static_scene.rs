@@ -3,6 +3,7 @@
 
 use core::marker::PhantomData;
 
+use super::hierarchy::{Hierarchy, HierarchyNode, fill, is_useful};
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::{MirrorTable, MirrorTables};
@@ -46,6 +47,8 @@ pub trait Apart: StaticScene {
     const LIGHT_TABLES: &'static [LightTable];
     /// For each round mirror, the shapes ahead of rays that leave it; empty if no ray would read them.
     const MIRROR_TABLES: &'static MirrorTables;
+    /// The balls around the shapes of a crowd; empty if no ray would read them.
+    const HIERARCHY: Hierarchy<'static>;
 }
 
 impl Needs {
@@ -85,6 +88,8 @@ macro_rules! apart {
                 used(&Copied::<T>::LIGHT_TABLES, T::SCENE.plain.counts.lights);
 
             const MIRROR_TABLES: &'static MirrorTables = &mirror_tables::<T>();
+
+            const HIERARCHY: Hierarchy<'static> = hierarchy::<T>();
         }
 
         #[allow(non_upper_case_globals, reason = "a constant has the name of its list")]
@@ -130,6 +135,37 @@ const fn mirror_tables<T: Apart>() -> MirrorTables {
     MirrorTables { numbers, tables }
 }
 
+/// Holder of the `N` nodes of the hierarchy of the scene `T`. As for mirror tables, [`hierarchy`] chooses
+/// among fixed lengths.
+struct NodeList<T, const N: usize>(PhantomData<T>);
+
+impl<T: Apart, const N: usize> NodeList<T, N> {
+    const OF_SCENE: [HierarchyNode; N] = {
+        let mut nodes = [HierarchyNode::NONE; N];
+        fill(&T::PARTS, &mut nodes);
+        nodes
+    };
+}
+
+/// Returns the hierarchy of a constant scene. It has none if few rays would read it, or if it would have
+/// more nodes than 1024.
+const fn hierarchy<T: Apart>() -> Hierarchy<'static> {
+    let room = match is_useful(&T::PARTS) {
+        true => Hierarchy::room(T::PARTS.bounded()),
+        false => 0,
+    };
+    let nodes: &[HierarchyNode] = match room {
+        32 => &NodeList::<T, 32>::OF_SCENE,
+        64 => &NodeList::<T, 64>::OF_SCENE,
+        128 => &NodeList::<T, 128>::OF_SCENE,
+        256 => &NodeList::<T, 256>::OF_SCENE,
+        512 => &NodeList::<T, 512>::OF_SCENE,
+        1024 => &NodeList::<T, 1024>::OF_SCENE,
+        _ => &[],
+    };
+    Hierarchy::filled(nodes)
+}
+
 /// Access of the kernels to the constant scene `T`. The value takes no memory.
 pub struct Static<T>(PhantomData<T>);
 
@@ -159,6 +195,7 @@ impl<T: Apart> SceneAccess for Static<T> {
 
 impl<T: Apart> World for Static<T> {
     type Room = T::Room;
+    const IS_CROWD: bool = !T::HIERARCHY.is_empty();
 
     #[inline(always)]
     fn tables(&self) -> Tables<'_, Self::Room> {
@@ -166,6 +203,7 @@ impl<T: Apart> World for Static<T> {
             light_occluders: T::LIGHT_OCCLUDERS,
             light_tables: T::LIGHT_TABLES,
             mirror_tables: T::MIRROR_TABLES,
+            hierarchy: T::HIERARCHY,
         }
     }
 }

@@ -116,6 +116,7 @@ impl<W: SceneAccess> SceneAccess for Whole<W> {
 
 impl<W: World, B: NeedsLimit> World for Within<W, B> {
     type Room = W::Room;
+    const IS_CROWD: bool = W::IS_CROWD;
 
     #[inline(always)]
     fn tables(&self) -> Tables<'_, W::Room> {
@@ -129,6 +130,7 @@ impl<W: World, B: NeedsLimit> World for Within<W, B> {
 
 impl<W: World> World for Whole<W> {
     type Room = W::Room;
+    const IS_CROWD: bool = W::IS_CROWD;
 
     #[inline(always)]
     fn tables(&self) -> Tables<'_, W::Room> {

@@ -1,7 +1,7 @@
 //! The bounded shapes on a near ray: finds the nearest hit, or whether any shape blocks the ray. Tests
 //! all shapes or a set of candidates.
 
-use super::access::{SceneAccess, ShapeId};
+use super::access::{Parts, SceneAccess, ShapeId};
 use super::shape_set::ShapeSet;
 use crate::number::Length;
 use crate::ray::{REACH, Ray};
@@ -37,6 +37,36 @@ macro_rules! questions {
         $header:tt
         $({ $list:ident $($more:tt)* })*
     ) => {
+        impl Parts<'_> {
+            /// Returns the distance at which a ray hits the bounded shape `id`, within `range`.
+            #[inline(always)]
+            pub(crate) fn intersect(&self, id: ShapeId, ray: &Ray, range: Range) -> Option<Length> {
+                let index = id.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        return shape.intersect(ray, range);
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let _ = index;
+                None
+            }
+
+            /// Tests whether a ray hits the bounded shape `id` before `reach`.
+            #[inline(always)]
+            pub(crate) fn blocks(&self, id: ShapeId, ray: &Ray, reach: Length) -> bool {
+                let index = id.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        return shape.blocks(ray, reach);
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let _ = index;
+                false
+            }
+        }
+
         /// Returns the nearest hit of a ray among the candidates, beyond `start`. The distance counts
         /// from there.
         ///
@@ -65,7 +95,7 @@ macro_rules! questions {
         /// Tests whether a ray hits a candidate before `reach`. Skips the shape `skip`, which the ray
         /// leaves from outside.
         #[inline(never)]
-        pub(super) fn any_blocks<W: SceneAccess>(
+        pub(crate) fn any_blocks<W: SceneAccess>(
             world: &W,
             candidates: &ShapeSet,
             ray: &Ray,

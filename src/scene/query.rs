@@ -7,7 +7,7 @@ use super::nearest::{Hit, NOWHERE, any_blocks, nearest_of};
 use super::planes;
 use super::shape_set::ShapeSet;
 use crate::number::{Length, unsigned};
-use crate::ray::{ScaledPoint, ScaledRay};
+use crate::ray::{Ray, ScaledPoint, ScaledRay};
 use crate::shape::plane::NOT_MET;
 
 /// Returns the first hit of a ray: point and shape; `None` if nothing is hit. Skips the shape that the
@@ -94,7 +94,26 @@ pub(crate) fn occluded<W: SceneAccess>(
     candidates: &ShapeSet,
     ray: &ScaledRay,
     skip: ShapeId,
+    light: (ScaledPoint, Length, u32),
+) -> bool {
+    let candidates = match light.2 {
+        0 => candidates,
+        _ => ShapeSet::ALL,
+    };
+    occluded_by(world, ray, skip, light, |ray, reach| {
+        any_blocks(world, candidates, ray, skip, reach)
+    })
+}
+
+/// Tests whether a plane occludes a light, or `blocks` says that a bounded shape does. It is given the near
+/// part of the ray, and its length.
+#[inline(always)]
+pub(crate) fn occluded_by<W: SceneAccess>(
+    world: &W,
+    ray: &ScaledRay,
+    skip: ShapeId,
     (light, distance, scale): (ScaledPoint, Length, u32),
+    blocks: impl Fn(&Ray, Length) -> bool,
 ) -> bool {
     let epsilon = world.parts().epsilon;
     let own = epsilon.to_bits() >> scale.min(31);
@@ -103,10 +122,9 @@ pub(crate) fn occluded<W: SceneAccess>(
         return true;
     }
     if scale == 0 {
-        return any_blocks(world, candidates, &ray.ray, skip, reach);
+        return blocks(&ray.ray, reach);
     }
-    between(ray, (light, reach, scale), epsilon)
-        .is_some_and(|(ray, reach)| any_blocks(world, ShapeSet::ALL, &ray, skip, reach))
+    between(ray, (light, reach, scale), epsilon).is_some_and(|(ray, reach)| blocks(&ray, reach))
 }
 
 #[cfg(test)]

@@ -7,6 +7,9 @@
 use super::access::KINDS;
 use crate::number::{low_word, to_u32};
 
+/// Largest number of bounded shapes of which each has a bit of its own.
+pub(crate) const SETS: usize = 64;
+
 /// A set of bounded shapes, one bit for each run of shapes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ShapeSet(u64);
@@ -81,7 +84,7 @@ impl SetLayout {
             kind += 1;
         }
         // The last run of each kind may have fewer shapes.
-        let run = match total <= 64 {
+        let run = match total <= SETS {
             true => 1,
             false => total.div_ceil(65 - KINDS),
         };
@@ -97,6 +100,16 @@ impl SetLayout {
     /// Returns the bit of a shape. `index` counts the shapes of its kind.
     pub(crate) const fn bit(self, kind: usize, index: usize) -> usize {
         self.starts[kind] + index / self.run
+    }
+
+    /// Returns the bit of a bounded shape. `number` counts the shapes of all kinds.
+    pub(crate) const fn bit_of(self, lengths: [usize; KINDS], number: usize) -> usize {
+        let (mut kind, mut index) = (0, number);
+        while kind + 1 < KINDS && index >= lengths[kind] {
+            index -= lengths[kind];
+            kind += 1;
+        }
+        self.bit(kind, index)
     }
 
     /// Calls `is_it` for each shape of one kind in a set, until it returns `true`. Goes through the

@@ -47,6 +47,9 @@ pub trait Bounded: Copy + Debug + 'static {
     }
 
     /// Returns the distance from the ray's origin to the first hit within `range`.
+    ///
+    /// The distance does not depend on `range`. A hit is found if it lies at least [`SURE`] steps before
+    /// the end of the range.
     fn intersect(&self, ray: &Ray, range: Range) -> Option<Length>;
 
     /// Returns the distance to the first hit within `range` of a ray that starts at the point for which
@@ -76,6 +79,11 @@ pub trait Bounded: Copy + Debug + 'static {
     /// Returns the material of the shape.
     fn material(&self) -> MaterialId;
 }
+
+/// Largest distance in steps between a hit and the end of a range that may leave it out. A sphere is left
+/// out by its distance minus its radius, a disc by an exact fraction: both may differ from the distance of
+/// the hit by 16 steps and its rounding.
+pub const SURE: i32 = 64;
 
 /// Interval of distances along a ray, in steps: above `start` and below `reach`.
 #[derive(Clone, Copy, Debug)]

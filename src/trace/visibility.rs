@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use crate::accel::hierarchy;
 use crate::accel::light_occluders::{self, LightOccluders};
 use crate::accel::light_table::light_set;
 use crate::accel::light_visibility::LightVisibility;
@@ -11,7 +12,7 @@ use crate::number::Length;
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::scene::Surface;
 use crate::scene::access::SceneAccess;
-use crate::scene::query::occluded;
+use crate::scene::query::{occluded, occluded_by};
 use crate::scene::shape_set::ShapeSet;
 use crate::shade::Visibility;
 use crate::vector::Direction;
@@ -125,7 +126,13 @@ impl<W: World, Q: CullingQuality> Visibility for Culled<'_, W, Q> {
         index: usize,
         light: (ScaledPoint, Length, u32),
     ) -> bool {
-        let set = light_set::<W, Q>(self.world, index, ray.direction().reversed());
-        occluded(self.world, set, ray, surface.skip(self.world), light)
+        let (world, skip) = (self.world, surface.skip(self.world));
+        if hierarchy::is_used::<W, Q>(world) {
+            return occluded_by(world, ray, skip, light, |ray, reach| {
+                hierarchy::is_blocked(world, ray, skip, reach)
+            });
+        }
+        let set = light_set::<W, Q>(world, index, ray.direction().reversed());
+        occluded(world, set, ray, skip, light)
     }
 }

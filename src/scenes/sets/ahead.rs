@@ -32,6 +32,7 @@ impl SceneAccess for Tabled<'_> {
 
 impl World for Tabled<'_> {
     type Room = <Built as World>::Room;
+    const IS_CROWD: bool = false;
 
     fn tables(&self) -> Tables<'_, Self::Room> {
         Tables {

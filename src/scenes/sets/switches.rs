@@ -2,28 +2,29 @@
 //! path; switching off one that replaces a computation changes few pixels.
 
 use super::*;
-use crate::accel::{Culling, CullingQuality};
+use crate::accel::{Culling, CullingQuality, HierarchyNode};
 use crate::color::Sum;
 use crate::ray::PathSignature;
 use crate::shade::LightQuality;
 use crate::trace::PathQuality;
 
-/// The quality [`Fine`] with light tables and mirror tables switched on or off.
-struct With<const LIGHT_TABLES: bool, const MIRROR_TABLES: bool>;
+/// The quality [`Fine`] with light tables, mirror tables and the hierarchy switched on or off.
+struct With<const LIGHT_TABLES: bool, const MIRROR_TABLES: bool, const HIERARCHY: bool = true>;
 
-impl<const L: bool, const M: bool> LightQuality for With<L, M> {
+impl<const L: bool, const M: bool, const H: bool> LightQuality for With<L, M, H> {
     const IS_PRECISE: bool = <Fine as LightQuality>::IS_PRECISE;
 }
 
-impl<const L: bool, const M: bool> CullingQuality for With<L, M> {
+impl<const L: bool, const M: bool, const H: bool> CullingQuality for With<L, M, H> {
     const CULLING: Culling = Culling {
         light_tables: L,
         mirror_tables: M,
+        hierarchy: H,
         ..Culling::ALL
     };
 }
 
-impl<const L: bool, const M: bool> PathQuality for With<L, M> {
+impl<const L: bool, const M: bool, const H: bool> PathQuality for With<L, M, H> {
     const SMALLEST_WEIGHT: Unit = <Fine as PathQuality>::SMALLEST_WEIGHT;
     const TOLERANCE: Unit = <Fine as PathQuality>::TOLERANCE;
     const IS_SURE: bool = true;
@@ -101,6 +102,24 @@ fn paths_in_built_in_scenes_come_to_the_same_without_tables() {
     let found = NAMES.map(|name| visit(name, Paths).expect("a built-in scene"));
     for table in [0, 1] {
         assert!(found.iter().any(|tables| tables[table]), "{found:?}");
+    }
+}
+
+#[test]
+fn paths_in_crowds_come_to_the_same_without_a_hierarchy() {
+    let mut random = Sweep::new(0x510e_527f_ade6_82d1);
+    for number in 0..8 {
+        let scene = crowd::<24, 8>(&mut random);
+        let mut memory = [HierarchyNode::NONE; 32];
+        let tabled = scene.tabled().with_hierarchy(&mut memory);
+        assert!(!tabled.tables().hierarchy.is_empty());
+        // Every other camera is among the shapes.
+        let distance = if number % 2 == 0 { 2.5 } else { 0.25 };
+        let position = random.place().map(|x| distance * x);
+        let camera = camera(&mut random, position);
+        let with = traced::<_, With<true, true>>(&tabled, &camera);
+        assert!(with == traced::<_, With<true, true, false>>(&tabled, &camera));
+        assert!(with == traced::<_, With<true, true>>(&scene.tabled(), &camera));
     }
 }
 

@@ -14,7 +14,7 @@ use std::error::Error;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use benchmark::Order;
+use benchmark::{Mirrors, Order};
 use criterion::Criterion;
 use embedded_graphics::prelude::Size;
 use rayon::ThreadPoolBuilder;
@@ -75,7 +75,8 @@ fn castle() -> Result<Pair, Box<dyn Error>> {
 
 /// Returns the scene with this number of spheres, which `cargo xtask scale` also measures.
 fn spheres(count: usize) -> Result<Pair, Box<dyn Error>> {
-    let file = SceneFile::parse(&benchmark::scene(count, Order::Spiral), None)?;
+    let text = benchmark::scene(count, Mirrors::EveryOther, Order::Spiral);
+    let file = SceneFile::parse(&text, None)?;
     let (built, (_, camera)) = (file.build()?, file.runtime()?);
     let (scene, reference_camera) = file.reference();
     Pair::new(

@@ -4,7 +4,7 @@
 //! Beads hang over a mirroring floor along a spiral that faces the camera, with one light. The turns
 //! of the spiral are as far apart as the beads along it. The more beads there are, the smaller they
 //! are, so that they always fill the same share of the picture. Camera, floor and light never
-//! change. Every other bead is a mirror, beginning with the first.
+//! change. Every other bead is a mirror, beginning with the first, or all of them are.
 //!
 //! Each scene is the text of a scene file, which the library and its reference both read.
 
@@ -20,6 +20,15 @@ pub enum Order {
     Spiral,
     /// In random order: the position in the list says nothing about the position in space.
     Shuffled,
+}
+
+/// Which of the beads are mirrors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mirrors {
+    /// Every other bead, beginning with the first.
+    EveryOther,
+    /// All beads.
+    All,
 }
 
 /// Radius of a single bead. n beads with this radius divided by √n fill the same area.
@@ -58,22 +67,27 @@ const MATERIALS: [(&str, [f64; 3], f64, f64); 5] = [
 ///
 /// ```
 /// use reflet::host::file::SceneFile;
-/// use benchmark::{Order, scene};
+/// use benchmark::{Mirrors, Order, scene};
 ///
-/// let file = SceneFile::parse(&scene(100, Order::Spiral), None).unwrap();
+/// let text = scene(100, Mirrors::EveryOther, Order::Spiral);
+/// let file = SceneFile::parse(&text, None).unwrap();
 /// assert_eq!(file.name(), Some("spiral_100"));
 /// let (scene, _camera) = file.reference();
 /// assert_eq!((scene.spheres.len(), scene.planes.len(), scene.lights.len()), (100, 1, 1));
 /// assert!(file.build().is_ok());
 /// ```
-pub fn scene(count: usize, order: Order) -> String {
-    let mut spheres = beads(count);
-    let name = match order {
-        Order::Spiral => format!("spiral_{count}"),
+pub fn scene(count: usize, mirrors: Mirrors, order: Order) -> String {
+    let mut spheres = beads(count, mirrors);
+    let order = match order {
+        Order::Spiral => "spiral",
         Order::Shuffled => {
             shuffle(&mut spheres);
-            format!("shuffled_{count}")
+            "shuffled"
         }
+    };
+    let name = match mirrors {
+        Mirrors::EveryOther => format!("{order}_{count}"),
+        Mirrors::All => format!("{order}_mirrors_{count}"),
     };
     let materials = MATERIALS.map(|(name, color, specular, mirror)| {
         json!({
@@ -97,8 +111,12 @@ pub fn scene(count: usize, order: Order) -> String {
     scene.to_string()
 }
 
-/// Returns the beads as JSON, from the centre outwards.
-fn beads(count: usize) -> Vec<Value> {
+/// Returns the beads as JSON, from the centre outwards. If all are mirrors, silver and gold take turns.
+fn beads(count: usize, mirrors: Mirrors) -> Vec<Value> {
+    let step = match mirrors {
+        Mirrors::EveryOther => 1,
+        Mirrors::All => 2,
+    };
     let radius = RADIUS / (count as f64).sqrt();
     let places: Vec<_> = (0..count)
         .map(|index| place(index, APART * radius))
@@ -110,7 +128,7 @@ fn beads(count: usize) -> Vec<Value> {
         json!({
             "center": [short(aside), short(back), short(up)],
             "radius": short(radius),
-            "material": MATERIALS[index % 4].0,
+            "material": MATERIALS[index * step % 4].0,
         })
     };
     places.iter().enumerate().map(bead).collect()
@@ -164,7 +182,8 @@ mod tests {
     const COUNTS: [usize; 9] = [1, 2, 4, 8, 16, 32, 64, 128, 256];
 
     fn read(count: usize, order: Order) -> (Scene, Camera) {
-        let file = SceneFile::parse(&scene(count, order), None).unwrap();
+        let text = scene(count, Mirrors::EveryOther, order);
+        let file = SceneFile::parse(&text, None).unwrap();
         file.reference()
     }
 
@@ -238,12 +257,15 @@ mod tests {
     }
 
     #[test]
-    fn every_other_bead_is_a_mirror() {
+    fn every_other_bead_is_a_mirror_or_all_are() {
         for count in COUNTS {
-            let (scene, _) = read(count, Order::Spiral);
-            let is_mirror = |bead: &&Sphere| scene.materials[bead.material].mirror > 0.0;
-            let mirrors = scene.spheres.iter().filter(is_mirror).count();
-            assert_eq!(mirrors, count.div_ceil(2));
+            let mirrors = [Mirrors::EveryOther, Mirrors::All].map(|mirrors| {
+                let text = scene(count, mirrors, Order::Spiral);
+                let (scene, _) = SceneFile::parse(&text, None).unwrap().reference();
+                let is_mirror = |bead: &&Sphere| scene.materials[bead.material].mirror > 0.0;
+                scene.spheres.iter().filter(is_mirror).count()
+            });
+            assert_eq!(mirrors, [count.div_ceil(2), count]);
         }
     }
 }

@@ -56,7 +56,7 @@ pub enum Rule {
 
 /// The rules of functions, by the beginning of the function's [`path`]. The first rule that matches
 /// counts. A function without a rule belongs to its caller's stage.
-const RULES: [(&str, Rule); 37] = [
+const RULES: [(&str, Rule); 39] = [
     (
         "firmware::contestant::Fixed::prepare",
         Rule::AllIs(Stage::Preparation),
@@ -78,6 +78,11 @@ const RULES: [(&str, Rule); 37] = [
     ("reflet::accel::light_stretch", Rule::Is(Stage::Shadow)),
     ("reflet::ray::row_plane", Rule::Is(Stage::Spans)),
     ("reflet::accel::nearest_ahead", Rule::Meets),
+    (
+        "reflet::accel::hierarchy::is_blocked",
+        Rule::Is(Stage::Shadow),
+    ),
+    ("reflet::accel::hierarchy", Rule::Meets),
     ("reflet::accel::mirror_table", Rule::Meets),
     ("reflet::accel::light_occluders", Rule::Is(Stage::Shadow)),
     ("reflet::accel::light_table", Rule::Is(Stage::Shadow)),

@@ -2,10 +2,10 @@
 //!
 //! The scenes come from [`benchmark`] and differ only in the number and size of their spheres. Each
 //! becomes a constant scene and is measured like any other ([`crate::measure`]). `page.md` is the
-//! template of `docs/scale.md`.
+//! template of `docs/scale.md`, `mirrors.md` that of `docs/mirrors.md`.
 
 use anyhow::{Context, Result};
-use benchmark::Order;
+use benchmark::{Mirrors, Order};
 use clap::Args;
 use reflet::host::{file::SceneFile, reference};
 use serde::Serialize;
@@ -15,7 +15,7 @@ use crate::table::{filled, markdown};
 use crate::{kept, measure, print, root};
 
 /// Measures what a frame takes with 1, 2, 4 and so on to 256 spheres; without options it also
-/// writes docs/scale.md.
+/// writes docs/scale.md, and docs/mirrors.md with `--mirrors` alone.
 #[derive(Args, Debug)]
 #[command(after_long_help = include_str!("help.txt").trim_end())]
 pub struct Arguments {
@@ -26,6 +26,10 @@ pub struct Arguments {
     /// Width and height in pixels [default: 64x64]
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
+
+    /// Measure beads that are all mirrors, 4 to 256 of them
+    #[arg(long)]
+    mirrors: bool,
 
     /// Print a line of JSON instead of a table
     #[arg(long)]
@@ -43,6 +47,12 @@ pub const MANY: usize = 256;
 /// Upper limit of the quotient: [`MANY`] spheres have to cost less than this times the cost of
 /// [`FEW`] spheres. A kernel that tests every sphere costs [`MANY`] / [`FEW`] times as much.
 pub const BAR: f64 = 6.0;
+
+/// Fewest spheres of the measured scenes in which all are mirrors.
+const FEWEST_MIRRORS: usize = 4;
+
+/// [`BAR`] for scenes in which all spheres are mirrors.
+pub const MIRRORS_BAR: f64 = 3.5;
 
 /// Default size of the measured pictures, in pixels.
 pub const SIZE: Size = Size::new(64, 64);
@@ -83,26 +93,48 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if !arguments.json {
         print(line(&head()) + "\n")?;
     }
-    for count in COUNTS {
-        let member = Member::measure(core, size, count, members.last())?;
+    let mirrors = match arguments.mirrors {
+        true => Mirrors::All,
+        false => Mirrors::EveryOther,
+    };
+    for count in counts(mirrors) {
+        let member = Member::measure(core, size, (count, mirrors), members.last())?;
         if !arguments.json {
             print(line(&member.cells()) + "\n")?;
         }
         members.push(member);
     }
-    let scale = Scale::new(core, size, members)?;
+    let scale = Scale::new(core, size, mirrors, members)?;
     match arguments.json {
         true => print(serde_json::to_string(&scale)? + "\n")?,
         false => print(format!("\n{}\n", scale.verdict()))?,
     }
     if arguments.core.is_none() && arguments.size.is_none() && !arguments.json {
-        kept::write(&root().join("docs/scale.md"), &scale.page(core))?;
+        let (page, template) = match mirrors {
+            Mirrors::EveryOther => ("docs/scale.md", include_str!("page.md")),
+            Mirrors::All => ("docs/mirrors.md", include_str!("mirrors.md")),
+        };
+        kept::write(&root().join(page), &scale.page(core, template))?;
     }
     Ok(())
 }
 
-pub fn count(core: &'static Core, size: Size, spheres: usize, order: Order) -> Result<Figures> {
-    let scene = Scene::parse(&benchmark::scene(spheres, order))?;
+/// Returns the numbers of spheres of the measured scenes.
+fn counts(mirrors: Mirrors) -> impl Iterator<Item = usize> {
+    let fewest = match mirrors {
+        Mirrors::EveryOther => 1,
+        Mirrors::All => FEWEST_MIRRORS,
+    };
+    COUNTS.into_iter().filter(move |count| *count >= fewest)
+}
+
+pub fn count(
+    core: &'static Core,
+    size: Size,
+    (spheres, mirrors): (usize, Mirrors),
+    order: Order,
+) -> Result<Figures> {
+    let scene = Scene::parse(&benchmark::scene(spheres, mirrors, order))?;
     measure::count(&Task::new(core, scene, size, Quality::FAST))
 }
 
@@ -115,11 +147,11 @@ impl Member {
     fn measure(
         core: &'static Core,
         size: Size,
-        spheres: usize,
+        (spheres, mirrors): (usize, Mirrors),
         before: Option<&Self>,
     ) -> Result<Self> {
-        let figures = count(core, size, spheres, Order::Spiral)?;
-        let shuffled = count(core, size, spheres, Order::Shuffled)?;
+        let figures = count(core, size, (spheres, mirrors), Order::Spiral)?;
+        let shuffled = count(core, size, (spheres, mirrors), Order::Shuffled)?;
         let instructions = figures.instructions_per_pixel;
         Ok(Self {
             spheres,
@@ -155,7 +187,7 @@ fn line(cells: &[String]) -> String {
 }
 
 impl Scale {
-    fn new(core: &Core, size: Size, members: Vec<Member>) -> Result<Self> {
+    fn new(core: &Core, size: Size, mirrors: Mirrors, members: Vec<Member>) -> Result<Self> {
         let member = |spheres| {
             let found = members.iter().find(|member| member.spheres == spheres);
             found.context("a scene was not measured")
@@ -167,12 +199,15 @@ impl Scale {
             times: many.instructions_per_pixel / few.instructions_per_pixel,
             shuffled_times: many.shuffled_instructions_per_pixel
                 / few.shuffled_instructions_per_pixel,
-            bar: BAR,
+            bar: match mirrors {
+                Mirrors::EveryOther => BAR,
+                Mirrors::All => MIRRORS_BAR,
+            },
             members,
         })
     }
 
-    fn page(&self, core: &Core) -> String {
+    fn page(&self, core: &Core, template: &str) -> String {
         let rows: Vec<_> = self.members.iter().map(Member::cells).collect();
         let values = [
             ("last", COUNTS[COUNTS.len() - 1].to_string()),
@@ -182,13 +217,13 @@ impl Scale {
             ("full", (MANY / FEW).to_string()),
             ("table", markdown(0, &head(), &rows)),
         ];
-        filled(include_str!("page.md"), &values)
+        filled(template, &values)
     }
 
     fn verdict(&self) -> String {
-        let (times, shuffled_times) = (self.times, self.shuffled_times);
+        let (times, shuffled_times, bar) = (self.times, self.shuffled_times, self.bar);
         format!(
-            "{MANY} spheres cost {times:.2} times what {FEW} cost; the bar is less than {BAR}. \
+            "{MANY} spheres cost {times:.2} times what {FEW} cost; the bar is less than {bar}. \
              In random order {shuffled_times:.2} times."
         )
     }
@@ -196,7 +231,8 @@ impl Scale {
 
 /// Returns the share of the pixels that show a sphere directly: 0 to 1.
 fn seen(size: Size, spheres: usize) -> Result<f64> {
-    let file = SceneFile::parse(&benchmark::scene(spheres, Order::Spiral), None)?;
+    let text = benchmark::scene(spheres, Mirrors::EveryOther, Order::Spiral);
+    let file = SceneFile::parse(&text, None)?;
     let (mut scene, camera) = file.reference();
     scene.planes.clear();
     let shading = reference::Shading::Normals;
@@ -224,7 +260,8 @@ mod tests {
             flash: 6,
             seen: 0.25,
         };
-        Scale::new(Core::M3, SIZE, COUNTS.map(member).to_vec()).unwrap()
+        let members = COUNTS.map(member).to_vec();
+        Scale::new(Core::M3, SIZE, Mirrors::EveryOther, members).unwrap()
     }
 
     #[test]
@@ -253,7 +290,7 @@ mod tests {
 
     #[test]
     fn page_has_a_row_for_every_scene() {
-        let page = scale().page(Core::M3);
+        let page = scale().page(Core::M3, include_str!("page.md"));
         for spheres in COUNTS {
             assert!(
                 page.contains(&format!("\n| {spheres} | {spheres}.0 | ")),

@@ -1,0 +1,199 @@
+//! A hierarchy of balls around the bounded shapes: rays that no table covers test few shapes of many.
+//!
+//! A complete binary tree, in the order of a heap: the balls of node n hold those of the nodes 2n and
+//! 2n + 1. A leaf has one or two shapes. A ray that leaves a bounded shape starts at that shape's leaf and
+//! visits the sibling of each node on the way to the root, but no node on that way: they hold the ray's
+//! start. No stack is needed: after node n and all below it comes n + 1 without its trailing zeros.
+//!
+//! Bound: a node is left out only if the ray's line passes a ball that holds the balls of all of its
+//! shapes, each widened by [`build`]. So the shapes that are left out have no hit.
+//!
+//! The nearest hit is that of the plain path, to the bit. The kernels of the shapes promise
+//! ([`Bounded::intersect`](crate::shape::bounded::Bounded::intersect)) that a hit's distance does not
+//! depend on the range, and that each hit is found that is nearer than the range's end by [`SURE`] steps.
+//! If the nearest hit found is nearer than all others by more than that, the plain path finds it in any
+//! order of the shapes, and none after it. If not, the plain path decides.
+
+mod build;
+
+pub(super) use build::{fill, is_useful};
+
+use super::{CullingQuality, World};
+use crate::number::{Length, high, to_u32};
+use crate::ray::{REACH, Ray};
+use crate::scene::access::{SceneAccess, ShapeId};
+use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
+use crate::scene::shape_set::ShapeSet;
+use crate::shape::bounded::{Range, SURE};
+use crate::vector::Point;
+
+/// A node of the hierarchy of balls that [`Tabled::with_hierarchy`](super::Tabled::with_hierarchy) makes.
+/// It takes 24 bytes.
+#[derive(Clone, Copy, Debug)]
+pub struct HierarchyNode {
+    center: Point,
+    /// A quarter of the radius of the node's ball, in steps, rounded up; below 0.
+    behind: i32,
+    /// Square of the radius in 2³² squared steps, with a margin for the rounding of [`Self::is_passed_by`].
+    square: i32,
+    /// The shapes of a leaf. Both are the same if it has one.
+    shapes: [u16; 2],
+    /// The leaf of the shape with this node's number, counted from the first leaf.
+    leaf: u16,
+}
+
+impl HierarchyNode {
+    /// A node that is not used yet.
+    pub const NONE: Self = Self {
+        center: Point::ORIGIN,
+        behind: 0,
+        square: 0,
+        shapes: [0; 2],
+        leaf: 0,
+    };
+
+    /// Makes a node around a ball.
+    const fn around(center: Point, radius: i32) -> Self {
+        Self {
+            center,
+            behind: -(radius >> 2) - 1,
+            square: high(radius, radius) + MARGIN,
+            ..Self::NONE
+        }
+    }
+
+    /// Tests whether a ray surely misses the node's ball, as
+    /// [`passes_by`](crate::vector::Vector::passes_by) does. Takes the length along the ray in steps of
+    /// four, rounded down, which is the high word of the product.
+    #[inline(always)]
+    fn is_passed_by(&self, ray: &Ray) -> bool {
+        let way = ray.origin.to(self.center);
+        let quarter = way.quarter_dot(ray.direction);
+        if quarter < self.behind {
+            return true;
+        }
+        let along = high(quarter << 2, quarter << 2);
+        (way.square() >> 32) as i32 - along - (along >> 24) > self.square
+    }
+}
+
+/// Margin of a node's square, in 2³² squared steps.
+///
+/// High words of three squares are rounded down: 1 for that of the node's way, which only makes the
+/// distance smaller; 1 for the radius. The length along the ray is up to 4 steps too small, and below 2³¹:
+/// so its square is too small by 8 · 2³¹ at most, which are 4; 1 more for rounding it down.
+const MARGIN: i32 = 8;
+
+/// A hierarchy of balls; without nodes if the scene has none.
+#[derive(Clone, Copy, Debug)]
+pub struct Hierarchy<'a> {
+    /// The nodes by their numbers. Their count is a power of two; the second half are the leaves.
+    nodes: &'a [HierarchyNode],
+}
+
+impl Hierarchy<'_> {
+    /// The hierarchy of a scene that has none.
+    pub(super) const NONE: Self = Self { nodes: &[] };
+
+    /// Returns whether there is no hierarchy.
+    #[inline(always)]
+    pub(crate) const fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// Calls `ask` for each shape that a ray can hit, until it returns `true`. Returns whether it did.
+    /// A shape may come twice. `mirror` is the shape where the ray starts or ends, if it is bounded.
+    #[inline(always)]
+    pub(super) fn any(
+        &self,
+        ray: &Ray,
+        mirror: ShapeId,
+        mut ask: impl FnMut(usize) -> bool,
+    ) -> bool {
+        let leaves = to_u32(self.nodes.len() / 2);
+        // A node's number, in a tree that is turned so that the mirror's leaf comes first; what turns
+        // its level; how far the level is above the leaves.
+        let levels = leaves.trailing_zeros();
+        let (mut node, turn, mut above) = match self.nodes.get(mirror.index()) {
+            Some(own) => (leaves, u32::from(own.leaf), 0),
+            None => (1, 0, levels),
+        };
+        while let Some(ball) = self.nodes.get((node ^ (turn >> above)) as usize) {
+            if !ball.is_passed_by(ray) {
+                if above > 0 {
+                    (node, above) = (2 * node, above - 1);
+                    continue;
+                }
+                if ball.shapes.into_iter().any(|shape| ask(shape.into())) {
+                    return true;
+                }
+            }
+            node += 1;
+            let up = node.trailing_zeros();
+            (node, above) = (node >> (up & 31), (above + up) & 31);
+            if node == 1 {
+                return false;
+            }
+        }
+        false
+    }
+}
+
+/// Returns the nearest bounded hit of a ray that leaves `mirror`. `skip` is as in [`nearest_of`].
+#[inline(never)]
+pub(super) fn nearest<W: World>(world: &W, ray: &Ray, (mirror, skip): (ShapeId, ShapeId)) -> Hit {
+    let parts = world.parts();
+    let mut nearest = Hit::NONE;
+    let is_close = world.tables().hierarchy.any(ray, mirror, |index| {
+        let id = ShapeId::at(index);
+        if id == skip {
+            return false;
+        }
+        let reach = nearest.distance.to_bits() + 2 * SURE;
+        let range = Range {
+            start: NOWHERE,
+            reach: Length::from_bits(reach.min(REACH.to_bits())),
+        };
+        let Some(distance) = parts.intersect(id, ray, range) else {
+            return false;
+        };
+        let nearer = nearest.distance.to_bits() - distance.to_bits();
+        if nearer > SURE || nearest.shape == ShapeId::NONE {
+            nearest = Hit {
+                distance,
+                shape: id,
+            };
+            return false;
+        }
+        nearer >= -SURE && nearest.shape != id
+    });
+    match is_close {
+        true => of_all(world, ray, skip),
+        false => nearest,
+    }
+}
+
+/// Returns the nearest bounded hit of a ray as the plain path does.
+#[cold]
+#[inline(never)]
+fn of_all<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId) -> Hit {
+    nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), skip)
+}
+
+/// Tests whether rays of `Q` ask the hierarchy of a scene.
+#[inline(always)]
+pub(crate) fn is_used<W: World, Q: CullingQuality>(world: &W) -> bool {
+    W::IS_CROWD && Q::CULLING.hierarchy && !world.tables().hierarchy.is_empty()
+}
+
+/// Tests whether a bounded shape blocks a ray before `reach`. Skips the shape that the ray leaves.
+#[inline(never)]
+pub(crate) fn is_blocked<W: World>(world: &W, ray: &Ray, skip: ShapeId, reach: Length) -> bool {
+    let parts = world.parts();
+    world.tables().hierarchy.any(ray, skip, |index| {
+        ShapeId::at(index) != skip && parts.blocks(ShapeId::at(index), ray, reach)
+    })
+}
+
+#[cfg(test)]
+mod tests;
