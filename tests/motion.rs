@@ -330,6 +330,73 @@ fn constant_scene_whose_parts_have_moved_is_drawn_as_one_that_is_built_there() {
     }
 }
 
+scene! {
+    /// Mirrors so many that rays off them ask a hierarchy; one of them moves.
+    struct Swarm {
+        motion([-4.0, -4.0, -0.5], [4.0, 4.0, 5.0]);
+        sphere BALL([0.0, 0.0, 1.0], 0.75, GOLD);
+        sphere([-3.0, -2.0, 0.5], 0.5, GLASS);
+        sphere([-1.5, -2.0, 0.5], 0.5, GLASS);
+        sphere([1.5, -2.0, 0.5], 0.5, GLASS);
+        sphere([3.0, -2.0, 0.5], 0.5, GLASS);
+        sphere([-3.0, 0.0, 0.5], 0.5, GLASS);
+        sphere([-1.5, 0.0, 0.5], 0.5, GLASS);
+        sphere([1.5, 0.0, 0.5], 0.5, GLASS);
+        sphere([3.0, 0.0, 0.5], 0.5, GLASS);
+        sphere([-3.0, 2.0, 0.5], 0.5, GLASS);
+        sphere([-1.5, 2.0, 0.5], 0.5, GLASS);
+        sphere([0.0, 2.0, 0.5], 0.5, GLASS);
+        sphere([1.5, 2.0, 0.5], 0.5, GLASS);
+        sphere([3.0, 2.0, 0.5], 0.5, GLASS);
+        sphere([-1.0, 1.0, 2.0], 0.5, GLASS);
+        sphere([1.0, 1.0, 2.0], 0.5, GLASS);
+        sphere([-1.0, -1.0, 2.0], 0.5, GLASS);
+        sphere([1.0, -1.0, 2.0], 0.5, GLASS);
+        light([2.5, -2.5, 4.5], [0.9, 0.9, 0.8]);
+        background([0.2, 0.3, 0.5]);
+        camera(CAMERA);
+    }
+}
+
+/// Returns the scene [`Swarm`], built at run time, without a hierarchy, with its ball in another place.
+fn swarm(center: [f64; 3], radius: f64) -> Scene<room!(spheres: 18, lights: 1, materials: 2)> {
+    let mut scene = RuntimeScene::new();
+    let [gold, glass] = [GOLD, GLASS].map(|it| scene.add_material(it).unwrap());
+    scene.add_sphere(center, radius, gold).unwrap();
+    Swarm::with_description(|swarm| {
+        for ball in swarm.spheres.iter().skip(1) {
+            scene.add_sphere(ball.center, ball.radius, glass).unwrap();
+        }
+    });
+    scene.add_light([2.5, -2.5, 4.5], [0.9, 0.9, 0.8]).unwrap();
+    scene.set_background([0.2, 0.3, 0.5]).unwrap();
+    scene.set_motion(LOW, HIGH).unwrap();
+    scene.build().unwrap()
+}
+
+#[test]
+fn mirror_that_moves_among_many_is_drawn_as_one_that_is_built_there() {
+    let mut random = Random(0x5a4);
+    let mut scene = MovingScene::<Swarm>::new();
+    for step in 0..40 {
+        let (center, radius) = random.sphere();
+        scene.set_sphere(Swarm::BALL, center, radius).unwrap();
+        let camera = random.camera();
+        let built = swarm(center, radius);
+        let [fast, exact] = pictures(&scene, &camera);
+        let [built_fast, built_exact] = pictures(&built, &camera);
+        assert!(exact == built_exact, "{step}");
+        // How much is certain between two pixels depends on the tables, which know where a ball may move.
+        let pixels = fast.pixels.iter().zip(&built_fast.pixels);
+        let is_further = |(one, other): (&[u8; 3], &[u8; 3])| {
+            one.iter()
+                .zip(other)
+                .any(|(one, other)| one.abs_diff(*other) > 1)
+        };
+        assert_eq!(pixels.filter(|it| is_further(*it)).count(), 0, "{step}");
+    }
+}
+
 #[test]
 fn handle_of_a_constant_scene_counts_parts_of_its_kind() {
     assert_eq!((Tower::BALL.index(), Tower::MARBLE.index()), (0, 1));

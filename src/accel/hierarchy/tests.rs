@@ -4,7 +4,6 @@ use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::scene::nearest::any_blocks;
 use crate::scene::{Room, RuntimeScene};
-use crate::shape::bounded::Bounded;
 use crate::vector::{Direction, Vector};
 
 type Scenery = RuntimeScene<Room<40, 1, 16, 1, 2, 16>>;

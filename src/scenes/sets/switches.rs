@@ -123,6 +123,21 @@ fn paths_in_crowds_come_to_the_same_without_a_hierarchy() {
     }
 }
 
+#[test]
+fn paths_come_to_the_same_where_the_hierarchy_decides_all_shadows() {
+    let mut random = Sweep::new(0x9b05_688c_2b3e_6c1f);
+    for _ in 0..2 {
+        let scene = crowd::<100, 40>(&mut random);
+        let mut memory = [HierarchyNode::NONE; 256];
+        let tabled = scene.tabled().with_hierarchy(&mut memory);
+        assert!(!tabled.tables().hierarchy.is_empty());
+        let position = random.place().map(|x| 2.5 * x);
+        let camera = camera(&mut random, position);
+        let with = traced::<_, With<true, true>>(&tabled, &camera);
+        assert!(with == traced::<_, With<true, true, false>>(&tabled, &camera));
+    }
+}
+
 /// Counts the pixels that differ by more than one level from the picture with all techniques: with the
 /// plain shadow test, and on the plain path. The third number is the count of all pixels.
 fn differing<W: World>(world: &W, camera: &Camera) -> [usize; 3] {
