@@ -5,7 +5,7 @@ use std::thread;
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
 use reflet::host::painted;
-use reflet::quality::{Exact, Fast, Fine, Quality as Exactness, Small};
+use reflet::quality::{Draft, Exact, Fast, Fine, Quality as Exactness, Small};
 use reflet::scenes;
 use reflet::scenes::{BuiltIn, Visitor};
 use xtask::measure::{CORES, Core, Quality, Scene, Size as Pixels, Task, count};
@@ -19,6 +19,7 @@ impl Visitor for Hash {
 
     fn visit<S: BuiltIn>(self) -> String {
         match self.0 {
+            Quality::DRAFT => hash::<S, Draft>(),
             Quality::FAST => hash::<S, Fast>(),
             Quality::FINE => hash::<S, Fine>(),
             Quality::SMALL => hash::<S, Small>(),
@@ -59,6 +60,7 @@ fn every_core_draws_the_same_pictures() {
         ("castle", &[Quality::FAST][..]),
         ("mirror1", &[Quality::FINE]),
         ("columns", &[Quality::SMALL]),
+        ("primitives", &[Quality::DRAFT]),
     ];
     // Each core has its own target, so their builds do not wait for each other.
     thread::scope(|scope| {
@@ -71,7 +73,13 @@ fn every_core_draws_the_same_pictures() {
 #[test]
 #[ignore = "long: all scenes in all qualities, on every core"]
 fn every_core_draws_every_scene_in_every_quality() {
-    let qualities = [Quality::FAST, Quality::FINE, Quality::SMALL, Quality::EXACT];
+    let qualities = [
+        Quality::DRAFT,
+        Quality::FAST,
+        Quality::FINE,
+        Quality::SMALL,
+        Quality::EXACT,
+    ];
     let pictures = scenes::NAMES.map(|name| (name, &qualities[..]));
     for core in CORES {
         are_the_same_pictures_as_here(core.name, &pictures);
