@@ -245,14 +245,18 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let place = light.light().place;
         let ([first, last], [one, other]) = (shown.lit.ends, shown.normals);
         let faces = |end: ScaledPoint, normal| end.to(place).0.dot(normal) > 0;
-        match [faces(first, one), faces(last, other)] {
-            [false, false] => return true,
-            [true, true] => {}
-            _ => return false,
+        let is_facing = faces(first, one);
+        // What is flat and faces away at both ends faces away between.
+        let is_flat = shown.turn == Unit::ZERO;
+        if is_facing != faces(last, other) || !is_facing && is_flat {
+            return !is_facing && is_flat;
         }
         let rays = Rays::new(place, shown.lit.ends);
         if rays.turn() > LARGEST_TURN || shown.turn > LARGEST_TURN {
             return false;
+        }
+        if !is_facing {
+            return true;
         }
         if has_shadows {
             if !self.visibility.is_clear(index) {
