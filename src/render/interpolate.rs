@@ -66,6 +66,8 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     window: Window,
     /// Column of the next colour.
     column: u32,
+    /// Column from which on colours are not known yet.
+    until: u32,
     /// Last column that may be traced. It lies up to a block beyond the picture; in a picture narrower
     /// than two blocks it is the last column, because rays beyond it would exceed the formats.
     last: u32,
@@ -130,6 +132,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             tracer,
             directions,
             column,
+            until: first,
             last: match width >= 2 * block {
                 true => (width + block - 1).min(u16::MAX.into()),
                 false => width - 1,
@@ -149,6 +152,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// Computes the colours of the block that begins at column `first`.
     #[inline(never)]
     fn follow(&mut self, first: u32) {
+        self.until = first + self.block;
         if first < self.clear_until {
             return;
         }
@@ -156,8 +160,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             if first > self.window.last {
                 self.window = self.tracer.advance(first, first + SHORT);
             }
-            self.colors[0] = self.trace(first, 0).sum;
-            return;
+            let color = self.trace(first, 0).sum;
+            return self.set(first, color);
         }
         let block = self.block;
         self.window = self.tracer.advance(first, first + block);
@@ -194,11 +198,9 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// Traces each pixel of a block up to the last column. Nothing is interpolated.
     #[inline(always)]
     fn trace_each(&mut self, first: u32) {
-        for place in 0..self.block {
-            if first + place <= self.last {
-                let color = self.trace(first + place, 0).sum;
-                self.set(place as usize, color);
-            }
+        for column in first..=self.last.min(first + self.block - 1) {
+            let color = self.trace(column, 0).sum;
+            self.set(column, color);
         }
     }
 
@@ -206,8 +208,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// to the traced pixel after the last. `ends` are these two.
     fn between(&mut self, (first, length): (u32, u32), ends: [&End; 2], mut known: Known) {
         let [start, end] = ends;
-        let place = self.place(first);
-        self.set(place, start.sum);
+        self.set(first, start.sum);
         if length == 1 {
             return;
         }
@@ -219,7 +220,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
                 Some(bend) => start.sum.half_way(end.sum, bend),
                 None => self.trace(first + 1, SLOTS - 1).sum,
             };
-            return self.set(place + 1, between);
+            return self.set(first + 1, between);
         }
         if let (Known::Part(proved), true) = (&mut known, is_alike && length >= Self::SHORTEST) {
             let stops = [start, end].map(|end| &self.stops[end.slot % SLOTS]);
@@ -234,8 +235,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             let bend = Bend::of(start.sum, middle.sum, end.sum);
             if bend.less(expected).is_within(4 * Self::TOLERANCE) {
                 let sums = [start.sum, middle.sum, end.sum];
-                let colors = self.colors.get_mut(place..).unwrap_or_default();
-                return Sum::parabola(sums, half, colors);
+                let colors = self.colors.get_mut(Self::place(first)..);
+                return Sum::parabola(sums, half, colors.unwrap_or_default());
             }
             known = Known::Steady(bend.quarter());
         }
@@ -243,16 +244,16 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         self.between((first + half, half), [&middle, end], known);
     }
 
-    /// Returns the place of a column in its block, whose length is a power of two.
+    /// Returns the place of a column among the colours.
     #[inline(always)]
-    fn place(&self, column: u32) -> usize {
-        (column & (self.block - 1)) as usize
+    fn place(column: u32) -> usize {
+        (column % LONGEST_BLOCK) as usize
     }
 
-    /// Sets the colour at a place of the block.
+    /// Sets the colour of a column.
     #[inline(always)]
-    fn set(&mut self, place: usize, color: Sum) {
-        self.colors[place % LONGEST_BLOCK as usize] = color;
+    fn set(&mut self, column: u32, color: Sum) {
+        self.colors[Self::place(column)] = color;
     }
 
     /// Traces the pixel of a column, out of line.

@@ -64,7 +64,7 @@ fn target_takes(point: &FrontPoint) -> u64 {
     let Size { width, height } = measured::SIZE;
     let scale = u32::from(point.scale);
     let pixels = u64::from(width.div_ceil(scale) * height.div_ceil(scale));
-    pixels * if scale == 1 { 16 } else { 256 }
+    pixels * if scale == 1 { 24 } else { 256 }
 }
 
 #[test]

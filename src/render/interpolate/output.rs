@@ -2,7 +2,7 @@
 //! found.
 
 use super::Colors;
-use crate::accel::{LONGEST_BLOCK, World};
+use crate::accel::World;
 use crate::color::Sum;
 use crate::number::to_u32;
 use crate::render::Quality;
@@ -14,15 +14,14 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
     #[inline(always)]
     pub(crate) fn next_color(&mut self) -> Sum {
         let column = self.column;
-        self.column += 1;
+        self.column = column + 1;
         if Tracer::<W, K, Q>::IS_PLAIN {
             return self.traced(column, 0).sum;
         }
-        let place = self.place(column);
-        if place == 0 {
+        if column >= self.until {
             self.follow(column);
         }
-        self.colors[place % LONGEST_BLOCK as usize]
+        self.colors[Self::place(column)]
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
@@ -36,12 +35,13 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
             return;
         }
         while !pixels.is_empty() {
-            let place = self.place(self.column);
-            if place == 0 {
+            if self.column >= self.until {
                 self.follow(self.column);
             }
             let clear = self.clear_until.saturating_sub(self.column) as usize;
-            let colors = self.colors.get(place..self.block as usize).unwrap_or(&[]);
+            let place = Self::place(self.column);
+            let after = place + (self.until - self.column) as usize;
+            let colors = self.colors.get(place..after).unwrap_or(&[]);
             let count = pixels.len().min(match clear {
                 0 => colors.len(),
                 _ => clear,
