@@ -6,55 +6,55 @@ pub const CASTLE: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 85461, instructions: 82, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1309, largest: 231 },
     FrontPoint { prepare: 85461, instructions: 125, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2177, largest: 231 },
     FrontPoint { prepare: 84641, instructions: 395, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2550, largest: 211 },
-    FrontPoint { prepare: 84476, instructions: 1238, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4252, largest: 76 },
-    FrontPoint { prepare: 84476, instructions: 1265, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5909, largest: 16 },
-    FrontPoint { prepare: 84476, instructions: 1269, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7772, largest: 3 },
-    FrontPoint { prepare: 84476, instructions: 1373, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 8274, largest: 3 },
-    FrontPoint { prepare: 84476, instructions: 1374, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8726, largest: 1 },
+    FrontPoint { prepare: 84476, instructions: 1240, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4252, largest: 76 },
+    FrontPoint { prepare: 84476, instructions: 1267, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5909, largest: 16 },
+    FrontPoint { prepare: 84476, instructions: 1271, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7788, largest: 3 },
+    FrontPoint { prepare: 84476, instructions: 1376, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 8274, largest: 3 },
+    FrontPoint { prepare: 84476, instructions: 1377, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8726, largest: 1 },
 ]);
 /// shading_lights
 pub const SHADING_LIGHTS: ParetoFront = ParetoFront::new(&[
-    FrontPoint { prepare: 2455, instructions: 67, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 2214, largest: 184 },
-    FrontPoint { prepare: 2455, instructions: 89, reflections: 1, level: QualityLevel::Fine, scale: 4, psnr: 2658, largest: 181 },
-    FrontPoint { prepare: 2455, instructions: 300, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2889, largest: 180 },
-    FrontPoint { prepare: 2455, instructions: 714, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 6915, largest: 1 },
-    FrontPoint { prepare: 2455, instructions: 1000, reflections: 1, level: QualityLevel::Fine, scale: 1, psnr: 8805, largest: 1 },
+    FrontPoint { prepare: 2455, instructions: 68, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 2214, largest: 184 },
+    FrontPoint { prepare: 2455, instructions: 90, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2658, largest: 181 },
+    FrontPoint { prepare: 2455, instructions: 303, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2889, largest: 180 },
+    FrontPoint { prepare: 2455, instructions: 746, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 6915, largest: 1 },
+    FrontPoint { prepare: 2455, instructions: 1030, reflections: 1, level: QualityLevel::Fine, scale: 1, psnr: 8805, largest: 1 },
 ]);
 /// shading_speculars
 pub const SHADING_SPECULARS: ParetoFront = ParetoFront::new(&[
-    FrontPoint { prepare: 9430, instructions: 65, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1870, largest: 173 },
+    FrontPoint { prepare: 9430, instructions: 66, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1870, largest: 173 },
     FrontPoint { prepare: 9430, instructions: 86, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2228, largest: 147 },
-    FrontPoint { prepare: 9430, instructions: 256, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2618, largest: 155 },
-    FrontPoint { prepare: 9430, instructions: 754, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4776, largest: 10 },
-    FrontPoint { prepare: 9430, instructions: 813, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 6422, largest: 2 },
-    FrontPoint { prepare: 9430, instructions: 827, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 6715, largest: 1 },
-    FrontPoint { prepare: 9430, instructions: 1046, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 7948, largest: 1 },
-    FrontPoint { prepare: 9430, instructions: 1048, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8300, largest: 1 },
+    FrontPoint { prepare: 9430, instructions: 258, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2618, largest: 155 },
+    FrontPoint { prepare: 9430, instructions: 760, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4776, largest: 10 },
+    FrontPoint { prepare: 9430, instructions: 818, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 6423, largest: 2 },
+    FrontPoint { prepare: 9430, instructions: 832, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 6717, largest: 1 },
+    FrontPoint { prepare: 9430, instructions: 1051, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 7948, largest: 1 },
+    FrontPoint { prepare: 9430, instructions: 1053, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8300, largest: 1 },
 ]);
 /// columns
 pub const COLUMNS: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 22336, instructions: 84, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 2647, largest: 177 },
-    FrontPoint { prepare: 22336, instructions: 107, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2677, largest: 178 },
-    FrontPoint { prepare: 22459, instructions: 261, reflections: 0, level: QualityLevel::Fast, scale: 2, psnr: 2936, largest: 163 },
-    FrontPoint { prepare: 22459, instructions: 326, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2980, largest: 173 },
-    FrontPoint { prepare: 22543, instructions: 766, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 3829, largest: 56 },
-    FrontPoint { prepare: 22543, instructions: 979, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 5797, largest: 16 },
-    FrontPoint { prepare: 22543, instructions: 1032, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 7421, largest: 2 },
-    FrontPoint { prepare: 22543, instructions: 1044, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7463, largest: 1 },
-    FrontPoint { prepare: 22543, instructions: 1154, reflections: 2, level: QualityLevel::Fine, scale: 1, psnr: 8249, largest: 2 },
-    FrontPoint { prepare: 22543, instructions: 1165, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 8659, largest: 1 },
+    FrontPoint { prepare: 22336, instructions: 108, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2677, largest: 178 },
+    FrontPoint { prepare: 22459, instructions: 263, reflections: 0, level: QualityLevel::Fast, scale: 2, psnr: 2936, largest: 163 },
+    FrontPoint { prepare: 22459, instructions: 328, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2980, largest: 173 },
+    FrontPoint { prepare: 22543, instructions: 773, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 3829, largest: 56 },
+    FrontPoint { prepare: 22543, instructions: 986, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 5797, largest: 16 },
+    FrontPoint { prepare: 22543, instructions: 1039, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 7421, largest: 2 },
+    FrontPoint { prepare: 22543, instructions: 1051, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7463, largest: 1 },
+    FrontPoint { prepare: 22543, instructions: 1161, reflections: 2, level: QualityLevel::Fine, scale: 1, psnr: 8249, largest: 2 },
+    FrontPoint { prepare: 22543, instructions: 1173, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 8659, largest: 1 },
 ]);
 /// mirror1
 pub const MIRROR1: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 13446, instructions: 65, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1574, largest: 255 },
     FrontPoint { prepare: 13446, instructions: 93, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2297, largest: 255 },
     FrontPoint { prepare: 13446, instructions: 333, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2508, largest: 234 },
-    FrontPoint { prepare: 13446, instructions: 1114, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4363, largest: 47 },
+    FrontPoint { prepare: 13446, instructions: 1125, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4363, largest: 47 },
     FrontPoint { prepare: 13446, instructions: 1245, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5691, largest: 17 },
-    FrontPoint { prepare: 13446, instructions: 1274, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7500, largest: 3 },
+    FrontPoint { prepare: 13446, instructions: 1273, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7500, largest: 3 },
     FrontPoint { prepare: 13446, instructions: 1278, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 8027, largest: 1 },
-    FrontPoint { prepare: 13446, instructions: 1310, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8659, largest: 1 },
-    FrontPoint { prepare: 13446, instructions: 1312, reflections: 5, level: QualityLevel::Fine, scale: 1, psnr: 8902, largest: 1 },
+    FrontPoint { prepare: 13446, instructions: 1311, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8659, largest: 1 },
+    FrontPoint { prepare: 13446, instructions: 1313, reflections: 5, level: QualityLevel::Fine, scale: 1, psnr: 8902, largest: 1 },
 ]);
 /// mirror2
 pub const MIRROR2: ParetoFront = ParetoFront::new(&[
@@ -62,28 +62,28 @@ pub const MIRROR2: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 21150, instructions: 146, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2046, largest: 224 },
     FrontPoint { prepare: 21150, instructions: 211, reflections: 2, level: QualityLevel::Fast, scale: 4, psnr: 2226, largest: 224 },
     FrontPoint { prepare: 21150, instructions: 255, reflections: 3, level: QualityLevel::Fast, scale: 4, psnr: 2334, largest: 224 },
-    FrontPoint { prepare: 21150, instructions: 808, reflections: 2, level: QualityLevel::Fast, scale: 2, psnr: 2403, largest: 224 },
-    FrontPoint { prepare: 21150, instructions: 1073, reflections: 3, level: QualityLevel::Fast, scale: 2, psnr: 2601, largest: 224 },
-    FrontPoint { prepare: 21144, instructions: 2205, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 2770, largest: 164 },
-    FrontPoint { prepare: 21144, instructions: 2991, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 5384, largest: 26 },
-    FrontPoint { prepare: 21144, instructions: 3174, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 6379, largest: 12 },
-    FrontPoint { prepare: 21144, instructions: 3198, reflections: 5, level: QualityLevel::Fast, scale: 1, psnr: 7062, largest: 6 },
-    FrontPoint { prepare: 21144, instructions: 3208, reflections: 6, level: QualityLevel::Fast, scale: 1, psnr: 7404, largest: 2 },
-    FrontPoint { prepare: 21144, instructions: 3211, reflections: 8, level: QualityLevel::Fast, scale: 1, psnr: 7436, largest: 1 },
-    FrontPoint { prepare: 21144, instructions: 3712, reflections: 6, level: QualityLevel::Fine, scale: 1, psnr: 8328, largest: 2 },
-    FrontPoint { prepare: 21144, instructions: 3716, reflections: 7, level: QualityLevel::Fine, scale: 1, psnr: 8601, largest: 1 },
-    FrontPoint { prepare: 21144, instructions: 3718, reflections: 8, level: QualityLevel::Fine, scale: 1, psnr: 8726, largest: 1 },
+    FrontPoint { prepare: 21150, instructions: 812, reflections: 2, level: QualityLevel::Fast, scale: 2, psnr: 2403, largest: 224 },
+    FrontPoint { prepare: 21150, instructions: 1077, reflections: 3, level: QualityLevel::Fast, scale: 2, psnr: 2601, largest: 224 },
+    FrontPoint { prepare: 21144, instructions: 2222, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 2770, largest: 164 },
+    FrontPoint { prepare: 21144, instructions: 3012, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 5384, largest: 26 },
+    FrontPoint { prepare: 21144, instructions: 3195, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 6379, largest: 12 },
+    FrontPoint { prepare: 21144, instructions: 3219, reflections: 5, level: QualityLevel::Fast, scale: 1, psnr: 7062, largest: 6 },
+    FrontPoint { prepare: 21144, instructions: 3229, reflections: 6, level: QualityLevel::Fast, scale: 1, psnr: 7404, largest: 2 },
+    FrontPoint { prepare: 21144, instructions: 3233, reflections: 8, level: QualityLevel::Fast, scale: 1, psnr: 7436, largest: 1 },
+    FrontPoint { prepare: 21144, instructions: 3734, reflections: 6, level: QualityLevel::Fine, scale: 1, psnr: 8328, largest: 2 },
+    FrontPoint { prepare: 21144, instructions: 3738, reflections: 7, level: QualityLevel::Fine, scale: 1, psnr: 8601, largest: 1 },
+    FrontPoint { prepare: 21144, instructions: 3740, reflections: 8, level: QualityLevel::Fine, scale: 1, psnr: 8726, largest: 1 },
 ]);
 /// primitives
 pub const PRIMITIVES: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 5754, instructions: 57, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1923, largest: 255 },
     FrontPoint { prepare: 5754, instructions: 78, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2343, largest: 196 },
     FrontPoint { prepare: 5754, instructions: 251, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2659, largest: 212 },
-    FrontPoint { prepare: 5754, instructions: 793, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4326, largest: 20 },
-    FrontPoint { prepare: 5754, instructions: 823, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5820, largest: 20 },
-    FrontPoint { prepare: 5754, instructions: 832, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7550, largest: 3 },
-    FrontPoint { prepare: 5754, instructions: 834, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 7986, largest: 1 },
-    FrontPoint { prepare: 5754, instructions: 907, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8902, largest: 1 },
+    FrontPoint { prepare: 5754, instructions: 795, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4326, largest: 20 },
+    FrontPoint { prepare: 5754, instructions: 824, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5820, largest: 20 },
+    FrontPoint { prepare: 5754, instructions: 834, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7550, largest: 3 },
+    FrontPoint { prepare: 5754, instructions: 835, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 7986, largest: 1 },
+    FrontPoint { prepare: 5754, instructions: 910, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8902, largest: 1 },
 ]);
 /// empty
 pub const EMPTY: ParetoFront = ParetoFront::new(&[
@@ -96,16 +96,16 @@ pub const FLOOR: ParetoFront = ParetoFront::new(&[
 ]);
 /// corner1
 pub const CORNER1: ParetoFront = ParetoFront::new(&[
-    FrontPoint { prepare: 748, instructions: 36, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 3026, largest: 101 },
-    FrontPoint { prepare: 748, instructions: 87, reflections: 0, level: QualityLevel::Fast, scale: 2, psnr: 3777, largest: 66 },
-    FrontPoint { prepare: 748, instructions: 201, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 6003, largest: 43 },
+    FrontPoint { prepare: 748, instructions: 37, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 3026, largest: 101 },
+    FrontPoint { prepare: 748, instructions: 90, reflections: 0, level: QualityLevel::Fast, scale: 2, psnr: 3777, largest: 66 },
+    FrontPoint { prepare: 748, instructions: 209, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 6003, largest: 43 },
 ]);
 /// cylinders
 pub const CYLINDERS: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 4462, instructions: 30, reflections: 0, level: QualityLevel::Fine, scale: 4, psnr: 2041, largest: 255 },
     FrontPoint { prepare: 4462, instructions: 85, reflections: 0, level: QualityLevel::Fine, scale: 2, psnr: 2410, largest: 255 },
     FrontPoint { prepare: 4462, instructions: 231, reflections: 0, level: QualityLevel::Fine, scale: 1, psnr: 3907, largest: 35 },
-    FrontPoint { prepare: 4462, instructions: 301, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 6310, largest: 3 },
-    FrontPoint { prepare: 4462, instructions: 335, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 7986, largest: 1 },
+    FrontPoint { prepare: 4462, instructions: 301, reflections: 1, level: QualityLevel::Fine, scale: 1, psnr: 6310, largest: 3 },
+    FrontPoint { prepare: 4462, instructions: 336, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 7986, largest: 1 },
     FrontPoint { prepare: 4462, instructions: 352, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 65535, largest: 0 },
 ]);

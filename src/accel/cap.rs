@@ -47,8 +47,8 @@ pub(super) fn cells_between<const SIDE: usize>([low, high]: [i32; 2], more: i32)
     const ONE: i32 = 1 << 30;
     let more = more + MARGIN;
     (
-        cell_number::<SIDE>((low - more).max(-ONE)),
-        cell_number::<SIDE>((high + more).min(ONE)),
+        cell_number::<SIDE>(low.saturating_sub(more).max(-ONE)),
+        cell_number::<SIDE>(high.saturating_add(more).min(ONE)),
     )
 }
 

@@ -28,7 +28,7 @@ use crate::shape::bounded::{Range, SURE};
 use crate::vector::Point;
 
 /// A node of the hierarchy of balls that [`Tabled::with_hierarchy`](super::Tabled::with_hierarchy) makes.
-/// It takes 24 bytes.
+/// It takes 28 bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct HierarchyNode {
     center: Point,

@@ -128,7 +128,8 @@ macro_rules! any_hides {
         #[inline(never)]
         pub(crate) fn is_clear_way<W: World>(world: &W, eye: Point, stretch: &LitStretch) -> bool {
             let apex = ScaledPoint { point: eye, scale: 0 };
-            let Some(fan) = Fan::new(&Rays::new(apex, stretch.ends), stretch.bulge) else {
+            let thickness = stretch.bulge + stretch.slack;
+            let Some(fan) = Fan::new(&Rays::new(apex, stretch.ends), thickness) else {
                 return false;
             };
             let parts = world.parts();

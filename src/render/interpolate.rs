@@ -33,8 +33,8 @@ pub(crate) const fn block_of(width: u32) -> u32 {
 /// Number of columns of a block in a quality that guesses, and of a window if every pixel is traced.
 const SHORT: u32 = 8;
 
-/// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block; 2, 3 and 4 are in the
-/// middle of 4, 8 and 16 pixels; the last is never read again.
+/// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block; 2 to 5 are in the
+/// middle of 4, 8, 16 and 32 pixels; the last is never read again.
 const SLOTS: usize = 7;
 
 /// A traced pixel.

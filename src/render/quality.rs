@@ -43,7 +43,8 @@ pub trait Quality {
     /// lights, as two traced pixels beside it. Defaults to `true`: no shape, shadow or highlight is lost,
     /// however thin.
     ///
-    /// If `false`, it suffices that three traced pixels in a stretch of eight meet the same. What is
+    /// If `false`, it suffices that two traced pixels at most eight columns apart meet the same, and that the
+    /// colour half way fits. What is
     /// narrower than four columns may be lost.
     const IS_SURE: bool = true;
 

@@ -60,7 +60,7 @@ pub(crate) mod sealed {
 
         /// Tests whether the highlight of a light changes so little between two points of a surface that
         /// it can be interpolated.
-        fn is_smooth(ends: &[Glance; 2], shininess: Exponent) -> bool;
+        fn is_smooth(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> bool;
 
         /// Returns the colour of a ray that hits nothing.
         fn missed<W: SceneAccess>(world: &W) -> Color;
@@ -117,8 +117,8 @@ impl<H: Highlight> sealed::Shading for H {
         lit_color::<W, Q, V, Self>(world, surface, visibility)
     }
 
-    fn is_smooth(ends: &[Glance; 2], shininess: Exponent) -> bool {
-        is_smooth(ends.each_ref().map(H::deviation), shininess)
+    fn is_smooth(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> bool {
+        is_smooth(ends.each_ref().map(H::deviation), bend, shininess)
     }
 
     fn missed<W: SceneAccess>(world: &W) -> Color {
@@ -142,7 +142,7 @@ impl sealed::Shading for Normals {
         }
     }
 
-    fn is_smooth(_: &[Glance; 2], _: Exponent) -> bool {
+    fn is_smooth(_: &[Glance; 2], _: i32, _: Exponent) -> bool {
         true
     }
 

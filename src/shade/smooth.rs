@@ -42,16 +42,15 @@ const SMOOTH: u64 = 1 << 29;
 const DARK: u64 = 16 << 30;
 
 /// Tests whether a highlight can be interpolated between two points, from its deviations there in Q4.28.
-pub(super) fn is_smooth([one, other]: [Vector; 2], shininess: Exponent) -> bool {
+/// Between them, the deviation is at most `bend` off the line, in Q4.28.
+pub(super) fn is_smooth([one, other]: [Vector; 2], bend: i32, shininess: Exponent) -> bool {
     let change = other.minus(one);
     let square = change.square() >> 26;
     let shininess = u64::from(shininess.next_integer());
     if square * shininess <= SMOOTH {
         return true;
     }
-    // The line is bent: in its middle it is off by an eighth of the square of its change.
-    let bent = narrowed_unsigned(square >> 5).cast_signed();
-    let nearest = nearest(one, other, change) - bent;
+    let nearest = nearest(one, other, change) - bend;
     nearest > 0 && (unsigned_wide(wide(nearest, nearest)) >> 26) * shininess >= DARK
 }
 

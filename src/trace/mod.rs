@@ -200,7 +200,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     fn is_bounded_after(&self, surface: &Surface<'_>, count: u32) -> bool {
         let parts = self.world.parts();
         let is_plane = parts.plane_index(surface.shape).is_some();
-        !parts.has_bounded() || is_plane && (count as usize) < STOPS
+        is_plane && (count as usize) < STOPS
     }
 
     /// Returns the throughput of a path after a surface: `throughput` times the share that the surface

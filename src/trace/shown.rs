@@ -23,6 +23,8 @@ pub(super) struct Shown<'a> {
     pub(super) normals: [Direction; 2],
     /// Length of their difference.
     pub(super) turn: Unit,
+    /// Least radius of the circle on which the normals turn.
+    circle: Unit,
     /// Ball around all points, if they are near.
     pub(super) ball: Option<Ball>,
     pub(super) eye: Point,
@@ -39,6 +41,16 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let ((one, material), (other, _)) = (first?, last?);
         let [first, last] = stops;
         let is_curved = !parts.is_flat(first.shape);
+        if first.place.is_near() != last.place.is_near() {
+            return None;
+        }
+        // From inside, an arc may be longer than half a circle.
+        if is_curved && first.is_inside {
+            let view = |stop: &Stop| eye.to(stop.place.point).direction_and_length().0;
+            if view(first).dot(view(last)) <= Unit::ZERO {
+                return None;
+            }
+        }
         let mut shown = Shown {
             material: parts.material(material),
             lit: LitStretch {
@@ -50,6 +62,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             },
             normals: [one, other],
             turn: Unit::ZERO,
+            circle: Unit::ONE,
             ball: None,
             eye,
         };
@@ -59,7 +72,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             shown.ball = Some(ball);
             shown.lit.slack = 2 * epsilon + 8;
             if is_curved {
-                let turn = turn_in_plane([one, other], row)?;
+                let (turn, circle) = turn_in_plane([one, other], row)?;
+                shown.circle = circle;
                 // The curve lies in the triangle of its chord and its tangents. With the angle τ between
                 // them its height is at most half the chord times tan(τ / 2).
                 shown.lit.bulge = scaled_by_unit(ball.1 + (ball.1 >> 2), turn) / 2 + 1;
@@ -89,7 +103,32 @@ impl Shown<'_> {
         let ([first, last], [one, other]) = (self.lit.ends, self.normals);
         let [start, end] = rays.ends;
         let glances = [glance(one, first, start), glance(other, last, end)];
-        K::is_smooth(&glances, self.material.shininess)
+        self.bend::<K>(rays)
+            .is_some_and(|bend| K::is_smooth(&glances, bend, self.material.shininess))
+    }
+
+    /// Returns by how much the vector that the highlight depends on may be off a straight line, in Q4.28.
+    ///
+    /// The normals turn on a circle of radius k, the directions to the light on one of radius 1. A chord c of
+    /// a circle of radius k is off the arc by c² / (8 k), and by a fifteenth more up to 60 degrees. Twice
+    /// that is taken for the sum of both, because they do not turn in step.
+    fn bend<K: Shading>(&self, rays: &Rays) -> Option<i32> {
+        let half = scaled_by_unit(
+            self.turn.to_bits() + rays.turn().to_bits(),
+            Unit::from_bits(1 << 29),
+        );
+        let square = scaled_by_unit(half, Unit::from_bits(half));
+        let circle = self.circle.to_bits();
+        let bend = (square < circle).then(|| ratio(unsigned(square), unsigned(circle)))?;
+        Some((bend >> 2) << (2 * K::TURNS))
+    }
+
+    /// Tests whether the normal is at right angles to the light at a point between the ends, or may be. There
+    /// a highlight ends at once.
+    pub(super) fn may_turn_away(&self, rays: &Rays) -> bool {
+        let cosines = [0, 1].map(|end| self.normals[end].dot(rays.ends[end]).to_bits().abs());
+        let turns = (self.turn.to_bits() >> 1) + (rays.turn().to_bits() >> 1);
+        cosines[0].min(cosines[1]) <= turns + (turns >> 3)
     }
 
     /// Tests whether a highlight surely changes little, from bounds of the changes of the normal and of the
@@ -126,8 +165,8 @@ impl Shown<'_> {
 
 /// Returns an upper bound of the angle by which a curve in a plane turns between two points, as the length
 /// of a chord of the unit circle, Q2.30. The curve lies on a surface with these normals. `None` if it may
-/// turn by more than 60 degrees.
-fn turn_in_plane([one, other]: [Direction; 2], plane: Direction) -> Option<Unit> {
+/// turn by more than 60 degrees. Also returns the least radius of the circle on which the normals turn.
+fn turn_in_plane([one, other]: [Direction; 2], plane: Direction) -> Option<(Unit, Unit)> {
     let change = other.raw().minus(one.raw());
     let across = change.dot(plane);
     let square = change
@@ -141,7 +180,10 @@ fn turn_in_plane([one, other]: [Direction; 2], plane: Direction) -> Option<Unit>
         .max(other.dot(plane).to_bits().abs());
     let steepest = Unit::from_bits(steepest.min(Unit::ONE.to_bits()));
     let least = root_of_unit(Unit::ONE - unit_product(steepest, steepest)).to_bits();
-    (turn < least).then(|| Unit::from_bits(ratio(unsigned(turn), unsigned(least))))
+    (turn < least).then(|| {
+        let angle = ratio(unsigned(turn), unsigned(least));
+        (Unit::from_bits(angle), Unit::from_bits(least))
+    })
 }
 
 /// Returns the ball over the distance between two points, enlarged by `more`.

@@ -240,7 +240,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         index: usize,
     ) -> bool {
         let world = self.world;
-        let has_shadows = K::SHADOWS && W::NEEDS.shadows && world.parts().has_bounded();
+        let has_shadows = K::SHADOWS && W::NEEDS.shadows;
         let has_highlight = W::NEEDS.highlights && shown.material.specular > Brightness::ZERO;
         let place = light.light().place;
         let ([first, last], [one, other]) = (shown.lit.ends, shown.normals);
@@ -248,11 +248,17 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let is_facing = faces(first, one);
         // What is flat and faces away at both ends faces away between.
         let is_flat = shown.turn == Unit::ZERO;
-        if is_facing != faces(last, other) || !is_facing && is_flat {
-            return !is_facing && is_flat;
+        if is_facing != faces(last, other) {
+            return false;
+        }
+        if !is_facing && is_flat {
+            return true;
         }
         let rays = Rays::new(place, shown.lit.ends);
         if rays.turn() > LARGEST_TURN || shown.turn > LARGEST_TURN {
+            return false;
+        }
+        if has_highlight && !is_flat && shown.may_turn_away(&rays) {
             return false;
         }
         if !is_facing {

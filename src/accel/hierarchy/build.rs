@@ -78,8 +78,13 @@ pub(in crate::accel) const fn fill(parts: &Parts<'_>, nodes: &mut [HierarchyNode
     }
     // While the nodes are made, `leaf` is the list of the shapes in their order.
     let mut index = 0;
-    while index < count && index < nodes.len() {
-        nodes[index].leaf = to_u16(to_u32(index));
+    while index < nodes.len() {
+        // Lent memory may hold what it was used for before.
+        nodes[index].leaf = if index < count {
+            to_u16(to_u32(index))
+        } else {
+            0
+        };
         index += 1;
     }
     let mut node = 1;

@@ -202,3 +202,19 @@ fn too_little_memory_gives_no_hierarchy() {
     let tabled = scene.tabled().with_hierarchy(&mut memory);
     assert!(tabled.tables().hierarchy.is_empty());
 }
+
+#[test]
+fn lent_memory_may_hold_what_it_was_used_for_before() {
+    let scene = crowd(&mut Sweep::new(22), 1);
+    let used = HierarchyNode {
+        leaf: 99,
+        ..HierarchyNode::NONE
+    };
+    let (mut fresh, mut used) = ([HierarchyNode::NONE; 128], [used; 128]);
+    let leaves = |memory: &mut [HierarchyNode]| {
+        let tabled = scene.tabled().with_hierarchy(memory);
+        let nodes = tabled.tables().hierarchy.nodes;
+        nodes.iter().map(|node| node.leaf).collect::<std::vec::Vec<_>>()
+    };
+    assert_eq!(leaves(&mut used), leaves(&mut fresh));
+}

@@ -45,7 +45,7 @@ impl Bordered for PreparedCylinder {
         if fan
             .reaches
             .iter()
-            .all(|reach| reach.to_bits() < from.nearest)
+            .all(|reach| reach.to_bits() + fan.thickness < from.nearest)
         {
             return true;
         }
@@ -118,7 +118,7 @@ impl PreparedCylinder {
         let [toward_ahead, toward_aside] = [ahead, aside].map(|it| wide(radius, toward.dot(it)));
         let ([mut first, mut last], mut is_sure) = (ALL, true);
         // Smaller than this, a coefficient is not exact enough.
-        let least = signed_wide(rest) >> 10;
+        let least = (signed_wide(rest) >> 10).max(1);
         // Rounding of the products moves a normal by less than this.
         let off = 5 * (i64::from(square_root(rest)) + 1);
         for (ahead, aside) in [

@@ -304,10 +304,10 @@ fn is_within_2_percent(kept: &Figures, found: &Figures) -> bool {
 }
 
 #[test]
-fn castle_240_pixels_wide_needs_at_most_6_kib_on_m0() {
+fn castle_240_pixels_wide_needs_at_most_9_kib_on_m0() {
     let figures = measured("--core m0 --size 240x16");
     let bytes = |key: &str| figures[key].as_u64().unwrap();
     // And a row of three bytes a pixel, though a display that takes pixels as they come needs none.
     let ram = bytes("ram") + bytes("stack") + 3 * 240;
-    assert!(ram <= 6 * 1024, "{ram} bytes");
+    assert!(ram <= 9 * 1024, "{ram} bytes");
 }

@@ -43,6 +43,7 @@ pub use self::path::{Followed, Precision, Stage};
 use super::model::{Vector, View, quantised};
 use super::prepared::{self, Prepared};
 use super::{Camera, Picture, Scene, Shading};
+use crate::accel::LONGEST_BLOCK;
 use crate::render::block_of;
 
 /// The paths of all pixels of a picture, followed in double precision.
@@ -132,7 +133,7 @@ impl Bound {
 }
 
 /// Number of columns to the right of a picture that fixed point may trace for interpolation.
-const MARGIN: u32 = 16;
+const MARGIN: u32 = LONGEST_BLOCK + 1;
 
 /// Distance from a pixel's ray at which four rays beside it must take the same path, in pixels; else the
 /// pixel is unsure.
