@@ -214,7 +214,10 @@ fn lent_memory_may_hold_what_it_was_used_for_before() {
     let leaves = |memory: &mut [HierarchyNode]| {
         let tabled = scene.tabled().with_hierarchy(memory);
         let nodes = tabled.tables().hierarchy.nodes;
-        nodes.iter().map(|node| node.leaf).collect::<std::vec::Vec<_>>()
+        nodes
+            .iter()
+            .map(|node| node.leaf)
+            .collect::<std::vec::Vec<_>>()
     };
     assert_eq!(leaves(&mut used), leaves(&mut fresh));
 }

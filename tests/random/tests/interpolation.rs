@@ -56,48 +56,6 @@ impl Visitor for Traced {
     }
 }
 
-/// Returns a unit sphere with a highlight and its light, seen from 10 units in front of it.
-fn glossy(light: [f64; 3], shininess: f64) -> RuntimeScene<room!(spheres: 1, lights: 1)> {
-    let mut scene = RuntimeScene::new();
-    let gloss = Material::new([1.0; 3]).ambient(0.0).diffuse(0.1);
-    let gloss = scene.add_material(gloss.specular(1.0, shininess)).unwrap();
-    scene.add_sphere([0, 0, 0], 1, gloss).unwrap();
-    scene.add_light(light.map(|it| 1e3 * it), [1.0; 3]).unwrap();
-    scene
-}
-
-/// A highlight ends at once where the sphere turns away from the light. A narrow one lies on an arc, not on
-/// the line between two normals.
-#[test]
-fn no_part_of_a_highlight_on_a_sphere_is_lost() {
-    let mut shown = 0;
-    for (fov, shininess) in [(14.0, 8.0), (16.0, 5e3), (16.0, 1e4), (16.0, 2e4)] {
-        for turn in 0..12 {
-            let (sine, cosine) = (f64::from(turn) * 0.5).sin_cos();
-            for back in [0.0, 0.6, 0.8578] {
-                let aside = f64::sqrt(1.0 - back * back);
-                let scene = glossy([aside * sine, back, aside * cosine], shininess);
-                let scene = scene.build().unwrap();
-                let camera = Camera::new([0, -10, 0], [0, 0, 0], [0, 0, 1], fov).unwrap();
-                let size = Size::new(240, 191);
-                let (all, fast) = (
-                    scene.frame(&camera).quality::<All<Fast>>().prepare(size),
-                    scene.frame(&camera).quality::<Fast>().prepare(size),
-                );
-                let (all, fast) = (all.on(&scene).unwrap(), fast.on(&scene).unwrap());
-                let (all, fast) = (painted(&all), painted(&fast));
-                shown += all.pixels.iter().filter(|pixel| pixel[0] > 40).count();
-                let difference = compare(&fast, &all).unwrap();
-                assert!(
-                    difference.max <= 4,
-                    "{fov} {shininess} {turn} {back}: {difference:?}"
-                );
-            }
-        }
-    }
-    assert!(shown > 10_000, "{shown}");
-}
-
 #[test]
 fn ends_of_blocks_are_traced_whatever_lies_between() {
     for name in NAMES {
