@@ -13,8 +13,8 @@ use rp2040_hal::sio::SioFifo;
 
 use crate::view::{BLACK_ROW, Row, Rows, View};
 
-/// Stack of the second core: 2048 words.
-static STACK: Stack<2048> = Stack::new();
+/// Stack of the second core: 4096 words. A row of the castle takes 9 KiB at most.
+static STACK: Stack<4096> = Stack::new();
 
 /// Number of words that the FIFO between the cores holds.
 const FIFO_DEPTH: usize = 8;

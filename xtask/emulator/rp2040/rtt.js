@@ -5,6 +5,9 @@ const CONTROL_BLOCK = "_SEGGER_RTT";
 /** Offset of the description of the first buffer to the debugger, in the control block. */
 const BUFFER = 0x18;
 
+/** More than any buffer: a larger size means that something has written over the control block. */
+const LARGEST = 0x10000;
+
 export class Rtt {
   #chip;
   #control;
@@ -27,7 +30,12 @@ export class Rtt {
     }
     const at = this.#control + BUFFER;
     const [buffer, size, written, read] = [4, 8, 12, 16].map((offset) => this.#chip.word(at + offset));
-    if (written >= size) {
+    if (size > LARGEST || written > size) {
+      const { first } = this.#chip;
+      this.#chip.stop(first, "the RTT buffer is overwritten, perhaps by a stack that is too small");
+      return;
+    }
+    if (written === size) {
       return;
     }
     this.#text += written >= read

@@ -98,8 +98,8 @@ function report() {
   const { isInverted, addressMode } = board.display;
   const isDone = semihosting.hasExited || (wanted.length > 0 && frames.length === wanted.length);
   const endless = isDone ? null : { reason: "the limit of cycles was reached" };
-  const fault = chip.fault ?? endless;
   const said = { rtt: rtt.lines, semihosting: semihosting.lines };
+  const fault = chip.fault ?? endless;
   const display = { inverted: isInverted, addressMode };
   console.log(JSON.stringify({ fault, cycles, instructions, frames, said, display }));
 }
