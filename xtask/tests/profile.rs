@@ -90,9 +90,10 @@ fn stages_and_tables_add_up_to_the_total() {
         let calls = rows.map(|row| row["calls_per_pixel"].as_f64().unwrap());
         calls.sum::<f64>()
     };
+    // Each row of eight columns is one block.
     assert_eq!(
         calls("reflet::render::interpolate::Colors<W,K,Q>::follow"),
-        0.25
+        0.125
     );
     // A routine with many callers belongs to the stage of each of them.
     let stages_of = |name: &str| {
@@ -111,8 +112,8 @@ fn stages_and_tables_add_up_to_the_total() {
 fn mirrored_rays_are_told_from_the_first() {
     let of = |reflections| {
         let lines = lines(&format!(
-            // So narrow that every pixel is traced.
-            "mirror1 --size 4x24 --reflections {reflections}"
+            // Every pixel is traced.
+            "mirror1 --size 16x24 --quality exact --reflections {reflections}"
         ));
         ["primary", "reflection", "shading", "shadow"].map(|name| stages(&lines)[name])
     };
