@@ -62,15 +62,18 @@ pub(crate) enum Body<'a> {
 
 impl Body<'_> {
     /// Tests whether a ball surely does not meet the body.
-    fn is_apart_from(&self, (center, radius): Ball) -> bool {
+    fn is_apart_from<W: SceneAccess>(&self, (center, radius): Ball) -> bool {
         match self {
             Body::None => true,
             Body::Ball((own, size)) => {
                 let reach = u64::from((radius + size).unsigned_abs());
                 own.to(center).square() > reach * reach
             }
+            // A scene without planes links no code for them.
             Body::Plane(plane) => {
-                (plane.height(center) >> 30).unsigned_abs() > u64::from(radius.unsigned_abs())
+                W::NEEDS.planes && {
+                    (plane.height(center) >> 30).unsigned_abs() > u64::from(radius.unsigned_abs())
+                }
             }
         }
     }
@@ -129,7 +132,7 @@ macro_rules! keep {
                 let lengths = world.parts().lengths();
                 let (kind, first) = (0, 0);
                 $(
-                    if W::NEEDS.$list && !self.$list.keeps(first, stretch) {
+                    if W::NEEDS.$list && !self.$list.keeps::<W>(first, stretch) {
                         return false;
                     }
                     let (kind, first) = (kind + 1, first + lengths[kind]);
@@ -146,7 +149,7 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
     /// Tests whether no shape of this kind comes to the front in a stretch. `first` is the number of the
     /// first shape of this kind.
     #[inline(always)]
-    fn keeps(&self, first: usize, stretch: &Stretch<'_>) -> bool {
+    fn keeps<W: SceneAccess>(&self, first: usize, stretch: &Stretch<'_>) -> bool {
         self.active.as_ref().iter().all(|it| {
             let id = ShapeId::at(first + usize::from(it.index));
             match meeting(&it.span, stretch.columns) {
@@ -155,8 +158,10 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
                     // The two ends hit a convex body, so all rays between do.
                     !has_rim(&it.span, stretch.columns)
                 }
-                Meeting::Always => it.never_crosses(stretch),
-                Meeting::Changes => it.begins_behind(stretch) && it.never_crosses(stretch),
+                Meeting::Always => it.never_crosses::<W>(stretch),
+                Meeting::Changes => {
+                    it.begins_behind::<W>(stretch) && it.never_crosses::<W>(stretch)
+                }
             }
         })
     }
@@ -164,16 +169,16 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
 
 impl<K: Bordered> ActiveShape<'_, K> {
     /// Tests whether the shape surely crosses no point that the stretch shows.
-    fn never_crosses(&self, stretch: &Stretch<'_>) -> bool {
+    fn never_crosses<W: SceneAccess>(&self, stretch: &Stretch<'_>) -> bool {
         stretch.chord.as_ref().is_none_or(|chord| {
             self.shape.is_apart_from(chord.ball)
-                || stretch.body.is_apart_from(self.shape.bounding_ball())
+                || stretch.body.is_apart_from::<W>(self.shape.bounding_ball())
                 || chord.misses(self.shape.bounding_ball())
         })
     }
 
     /// Tests whether the shape begins and ends behind the surface that the stretch shows.
-    fn begins_behind(&self, stretch: &Stretch<'_>) -> bool {
+    fn begins_behind<W: SceneAccess>(&self, stretch: &Stretch<'_>) -> bool {
         let (Some(reach), Some(_)) = (stretch.reach, &stretch.chord) else {
             return false;
         };
@@ -182,9 +187,9 @@ impl<K: Bordered> ActiveShape<'_, K> {
         let is_seen = (K::IS_BALL || K::IS_FLAT)
             && self.span.is_sure
             && stretch.columns.iter().any(|&end| first < end && end < last)
-            && stretch
-                .mirror
-                .is_none_or(|mirror| Body::Plane(mirror).is_apart_from(self.shape.bounding_ball()));
+            && stretch.mirror.is_none_or(|mirror| {
+                Body::Plane(mirror).is_apart_from::<W>(self.shape.bounding_ball())
+            });
         is_seen || self.shape.outline_distance(&self.from) > reach
     }
 }

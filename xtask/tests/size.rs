@@ -80,7 +80,7 @@ fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
         (plane, "occluded"),
         (with("specular", 0.0), "half_way_square"),
         (with("shininess", 3.0), "fractional_power"),
-        (with("shininess", 4.0), "root_of_unit"),
+        (with("shininess", 4.0), "highlight::power_of"),
         (with("mirror", 0.0), "Surface::reflect"),
         (with("mirror", 1.0), "lit_color"),
     ];
@@ -165,11 +165,12 @@ fn are_not_slower_than_with_everything(names: &[&'static str]) {
 
 /// Largest flash of some scenes on thumbv7m, whatever the budget says: scene, quality, reflections
 /// and bytes.
-const LIMITS: [(&str, Quality, u8, u64); 5] = [
-    ("floor", Quality::FAST, 4, 8 * 1024),
+const LIMITS: [(&str, Quality, u8, u64); 6] = [
+    ("floor", Quality::FAST, 4, 12 * 1024),
     ("corner1", Quality::SMALL, 4, 7 * 1024 + 512),
-    ("shading_lights", Quality::SMALL, 0, 8 * 1024 + 512),
-    ("castle", Quality::FAST, 4, 32 * 1024),
+    ("shading_lights", Quality::SMALL, 0, 9 * 1024 + 256),
+    ("castle", Quality::FAST, 4, 53 * 1024),
+    ("castle", Quality::DRAFT, 4, 38 * 1024),
     ("castle", Quality::SMALL, 4, 14 * 1024),
 ];
 
@@ -228,10 +229,10 @@ fn assert_have_not_grown(is_meant: impl Fn(&Task) -> bool + Sync) {
 }
 
 #[test]
-fn whole_firmware_of_the_castle_is_below_48_kib() {
+fn whole_firmware_of_the_castle_is_below_68_kib() {
     let program = board::build_example(size::BOARD).unwrap();
     let weight = weigh(&program).unwrap();
-    assert!(weight.flash <= 48 * 1024, "{} bytes", weight.flash);
+    assert!(weight.flash <= 68 * 1024, "{} bytes", weight.flash);
     // This firmware does not dither. xtask/no_panic shows that these names are found in a firmware
     // that does.
     let names = Names::read(&program).unwrap().all().unwrap();

@@ -43,12 +43,12 @@ fn hash() -> u64 {
 }
 
 #[test]
-fn castle_on_a_microbit_is_the_same_picture_in_6_kib_of_ram() {
+fn castle_on_a_microbit_is_the_same_picture_in_10_kib_of_ram() {
     let program = build("thumbv6m-none-eabi", "microbit");
     let said = Qemu::arm("microbit").limit(LIMIT).run(&program);
     let stack = stack_of_right_picture(&said.unwrap_or_else(|error| panic!("{error}")));
     let ram = weigh(&program).unwrap().ram + stack;
-    assert!(ram <= 6 * 1024, "{ram} bytes");
+    assert!(ram <= 10 * 1024, "{ram} bytes");
 }
 
 #[test]
