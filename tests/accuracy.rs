@@ -3,12 +3,13 @@
 
 use std::fmt::Display;
 
+use command_line::Source;
 use embedded_graphics::prelude::Size;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::reference::{self, render};
-use reflet::quality::{Draft, Exact, Fast, Fine, Quality, Small};
-use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
+use reflet::quality::{Draft, Exact, Fast, Fine, Small};
+use reflet::scenes::NAMES;
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
 use reflet::{Camera, Material, Scene, SceneBuilder, room};
 
@@ -87,53 +88,32 @@ impl Bar {
 
 /// Draws a scene in one shading and compares it with the reference. Returns a line for each missed
 /// bar.
-struct Check<K> {
-    shading: reference::Shading,
-    kind: std::marker::PhantomData<K>,
-}
-
-fn difference<S: BuiltIn, Q: Quality, K: Shading>(truth: &reference::Picture) -> Difference {
-    let frame = S::frame(&S::CAMERA).reflections(REFLECTIONS);
-    let frame = frame.quality::<Q>().shading::<K>();
-    let prepared = frame.prepare(Size::new(SIDE, SIDE));
-    compare(&painted(&prepared.on(S::INSTANCE).unwrap()), truth).unwrap()
-}
-
-impl<K: Shading> Visitor for Check<K> {
-    type Output = Vec<String>;
-
-    fn visit<S: BuiltIn>(self) -> Vec<String> {
-        let scene = S::with_description(|scene| reference::Scene::from(&scene));
-        let camera = reference::Camera::from(&S::CAMERA);
-        let n = u32::from(REFLECTIONS);
-        let truth = render(&scene, &camera, SIDE, SIDE, n, self.shading);
-        let bars = match self.shading {
-            reference::Shading::Normals => vec![(NORMALS, difference::<S, Fast, K>(&truth))],
-            _ => vec![
-                (DRAFT, difference::<S, Draft, K>(&truth)),
-                (FAST, difference::<S, Fast, K>(&truth)),
-                (FINE, difference::<S, Fine, K>(&truth)),
-                (SMALL, difference::<S, Small, K>(&truth)),
-                (EXACT, difference::<S, Exact, K>(&truth)),
-            ],
-        };
-        let missed = bars
-            .iter()
-            .filter_map(|(bar, found)| bar.missed(S::NAME, found));
-        missed.collect()
-    }
+fn missed<K: Shading>(name: &str, shading: reference::Shading) -> Vec<String> {
+    let source = Source::built_in(name).unwrap();
+    let (scene, camera) = source.reference();
+    let truth = render(&scene, &camera, SIDE, SIDE, REFLECTIONS.into(), shading);
+    let size = Size::new(SIDE, SIDE);
+    let compared = |picture| compare(&picture, &truth).unwrap();
+    let bars = match shading {
+        reference::Shading::Normals => {
+            vec![(NORMALS, source.painted::<Fast, K>(size, REFLECTIONS))]
+        }
+        _ => vec![
+            (DRAFT, source.painted::<Draft, K>(size, REFLECTIONS)),
+            (FAST, source.painted::<Fast, K>(size, REFLECTIONS)),
+            (FINE, source.painted::<Fine, K>(size, REFLECTIONS)),
+            (SMALL, source.painted::<Small, K>(size, REFLECTIONS)),
+            (EXACT, source.painted::<Exact, K>(size, REFLECTIONS)),
+        ],
+    };
+    let bars = bars.into_iter();
+    bars.filter_map(|(bar, picture)| bar.missed(name, &compared(picture)))
+        .collect()
 }
 
 fn assert_bars_are_met<K: Shading>(shading: reference::Shading) {
     println!("{shading:?}");
-    let check = || Check::<K> {
-        shading,
-        kind: std::marker::PhantomData,
-    };
-    let missed = NAMES
-        .into_iter()
-        .flat_map(|name| visit(name, check()).unwrap());
-    let missed: Vec<_> = missed.collect();
+    let missed = NAMES.map(|name| missed::<K>(name, shading)).concat();
     assert!(missed.is_empty(), "{shading:?}: {}", missed.join("\n"));
 }
 

@@ -1,13 +1,14 @@
 //! Tests that the error of a picture stays within its bound, except where rounding changes what a
 //! path hits; and that a room of mirrors converges as the formula says.
 
+use command_line::Source;
 use embedded_graphics::prelude::Size;
 use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture};
 use reflet::quality::{Exact, Fast, Fine, Quality};
-use reflet::scenes::{BuiltIn, NAMES, Visitor, visit};
+use reflet::scenes::NAMES;
 use reflet::shading::{BlinnPhong, Phong, Shading};
 use reflet::{Camera, Material, RuntimeScene, Unit, room};
 
@@ -75,98 +76,53 @@ fn held(paths: &Paths, ending: &Ending, found: &Picture) -> Held {
     held
 }
 
-struct Check;
-
-impl Visitor for Check {
-    type Output = Vec<String>;
-
-    fn visit<S: BuiltIn>(self) -> Vec<String> {
-        let scene = S::with_description(|scene| reference::Scene::from(&scene));
-        let camera = reference::Camera::from(&S::CAMERA);
-        let precision = precision(S::SCENE);
-        let mut complaints = Vec::new();
-        let shadings = [reference::Shading::BlinnPhong, reference::Shading::Phong];
-        for shading in shadings {
-            let paths = Paths::follow(&scene, &camera, (SIDE, SIDE), ALL, shading, &precision);
-            for reflections in [0, 1, 2, 4, 8, 255] {
-                let pictures = match shading {
-                    reference::Shading::Phong => pictures::<S, Phong>(reflections),
-                    _ => pictures::<S, BlinnPhong>(reflections),
-                };
-                for (name, ending, picture) in pictures {
-                    let held = held(&paths, &ending, &picture);
-                    let line = format!("{:<18} {shading:?} {name} {reflections} {held:?}", S::NAME);
-                    println!("{line}");
-                    // Up to two thirds of the pixels may be unsure because of edges, but few of them
-                    // are wrong.
-                    let is_well = held.broken == 0
-                        && 3 * held.sure >= held.pixels
-                        && 100 * held.decided <= held.pixels;
-                    complaints.extend((!is_well).then_some(line));
-                }
+/// Returns a line for each picture of a scene that is further off than its bound.
+fn complaints(name: &str) -> Vec<String> {
+    let source = Source::built_in(name).unwrap();
+    let (scene, camera) = source.reference();
+    let precision = precision(source.scene());
+    let mut complaints = Vec::new();
+    let shadings = [reference::Shading::BlinnPhong, reference::Shading::Phong];
+    for shading in shadings {
+        let paths = Paths::follow(&scene, &camera, (SIDE, SIDE), ALL, shading, &precision);
+        for reflections in [0, 1, 2, 4, 8, 255] {
+            let pictures = match shading {
+                reference::Shading::Phong => pictures::<Phong>(&source, reflections),
+                _ => pictures::<BlinnPhong>(&source, reflections),
+            };
+            for (quality, ending, picture) in pictures {
+                let held = held(&paths, &ending, &picture);
+                let line = format!("{name:<18} {shading:?} {quality} {reflections} {held:?}");
+                println!("{line}");
+                // Up to two thirds of the pixels may be unsure because of edges, but few of them
+                // are wrong.
+                let is_well = held.broken == 0
+                    && 3 * held.sure >= held.pixels
+                    && 100 * held.decided <= held.pixels;
+                complaints.extend((!is_well).then_some(line));
             }
         }
-        complaints
     }
+    complaints
 }
 
-fn pictures<S: BuiltIn, K: Shading>(reflections: u8) -> [(&'static str, Ending, Picture); 4] {
-    let size = Size::new(SIDE, SIDE);
-    let frame = || S::frame(&S::CAMERA).reflections(reflections).shading::<K>();
-    [
-        (
-            "fast",
-            ending::<Fast>(reflections),
-            painted(
-                &frame()
-                    .quality::<Fast>()
-                    .prepare(size)
-                    .on(S::INSTANCE)
-                    .unwrap(),
-            ),
-        ),
-        (
-            "fine",
-            ending::<Fine>(reflections),
-            painted(
-                &frame()
-                    .quality::<Fine>()
-                    .prepare(size)
-                    .on(S::INSTANCE)
-                    .unwrap(),
-            ),
-        ),
-        (
-            "exact",
-            ending::<Exact>(reflections),
-            painted(
-                &frame()
-                    .quality::<Exact>()
-                    .prepare(size)
-                    .on(S::INSTANCE)
-                    .unwrap(),
-            ),
-        ),
-        (
-            "short",
-            ending::<Short>(reflections),
-            painted(
-                &frame()
-                    .quality::<Short>()
-                    .prepare(size)
-                    .on(S::INSTANCE)
-                    .unwrap(),
-            ),
-        ),
-    ]
+fn pictures<K: Shading>(source: &Source, reflections: u8) -> [(&'static str, Ending, Picture); 4] {
+    fn one<Q: Quality, K: Shading>(source: &Source, reflections: u8) -> (Ending, Picture) {
+        let picture = source.painted::<Q, K>(Size::new(SIDE, SIDE), reflections);
+        (ending::<Q>(reflections), picture)
+    }
+    let pictures = [
+        ("fast", one::<Fast, K>(source, reflections)),
+        ("fine", one::<Fine, K>(source, reflections)),
+        ("exact", one::<Exact, K>(source, reflections)),
+        ("short", one::<Short, K>(source, reflections)),
+    ];
+    pictures.map(|(name, (ending, picture))| (name, ending, picture))
 }
 
 #[test]
 fn no_pixel_of_a_scene_is_further_off_than_its_bound() {
-    let complaints = NAMES
-        .into_iter()
-        .flat_map(|name| visit(name, Check).unwrap());
-    let complaints: Vec<_> = complaints.collect();
+    let complaints = NAMES.map(complaints).concat();
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
 }
 

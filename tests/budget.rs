@@ -1,6 +1,7 @@
 //! Tests frames with a budget: the chosen settings, where drawing stops, and the report. Also tests
 //! enlarged pixels, pictures without shadows, and the bound of a report.
 
+use command_line::Source;
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
@@ -13,7 +14,7 @@ use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, pixel};
 use reflet::quality::{Fast, Fine};
-use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES, Visitor, visit};
+use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES};
 use reflet::shading::{BlinnPhong, Phong, Unshadowed};
 use reflet::{Report, Unit};
 
@@ -170,12 +171,6 @@ fn every_pixel_of_a_display_with_larger_ones_is_a_square_inside_of_it() {
     }
 }
 
-/// Returns a built-in scene and its camera in the reference's types.
-fn described<S: BuiltIn>() -> (reference::Scene, reference::Camera) {
-    let scene = S::with_description(|scene| (&scene).into());
-    (scene, (&S::CAMERA).into())
-}
-
 /// Returns the scene with only one shape. Shapes are numbered: first spheres, then planes, then
 /// cylinders.
 fn lone(scene: &reference::Scene, shape: usize) -> reference::Scene {
@@ -222,129 +217,90 @@ fn numbered(scene: &reference::Scene) -> reference::Scene {
 
 #[test]
 fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
-    struct Lit;
-
-    impl Visitor for Lit {
-        /// Number of pixels that are brighter without shadows.
-        type Output = usize;
-
-        fn visit<S: BuiltIn>(self) -> usize {
-            // Without reflections a pixel shows one surface only.
-            let frame = || S::frame(&S::CAMERA).reflections(0).quality::<Fine>();
-            let size = Size::new(48, 48);
-            let pictures = [
-                (
-                    reference::Shading::BlinnPhong,
-                    painted(
-                        &frame()
-                            .shading::<BlinnPhong>()
-                            .prepare(size)
-                            .on(S::INSTANCE)
-                            .unwrap(),
-                    ),
-                    painted(
-                        &frame()
-                            .shading::<Unshadowed>()
-                            .prepare(size)
-                            .on(S::INSTANCE)
-                            .unwrap(),
-                    ),
-                ),
-                (
-                    reference::Shading::Phong,
-                    painted(
-                        &frame()
-                            .shading::<Phong>()
-                            .prepare(size)
-                            .on(S::INSTANCE)
-                            .unwrap(),
-                    ),
-                    painted(
-                        &frame()
-                            .shading::<Unshadowed<Phong>>()
-                            .prepare(size)
-                            .on(S::INSTANCE)
-                            .unwrap(),
-                    ),
-                ),
-            ];
-            let (scene, camera) = described::<S>();
-            let render = |scene: &_, shading| {
-                reference::render(scene, &camera, size.width, size.height, 0, shading).pixels
+    /// Returns the number of pixels that are brighter without shadows.
+    fn brighter(name: &str) -> usize {
+        let source = Source::built_in(name).unwrap();
+        let size = Size::new(48, 48);
+        // Without reflections a pixel shows one surface only.
+        let pictures = [
+            (
+                reference::Shading::BlinnPhong,
+                source.painted::<Fine, BlinnPhong>(size, 0),
+                source.painted::<Fine, Unshadowed>(size, 0),
+            ),
+            (
+                reference::Shading::Phong,
+                source.painted::<Fine, Phong>(size, 0),
+                source.painted::<Fine, Unshadowed<Phong>>(size, 0),
+            ),
+        ];
+        let (scene, camera) = source.reference();
+        let render = |scene: &_, shading| {
+            reference::render(scene, &camera, size.width, size.height, 0, shading).pixels
+        };
+        let met = render(&numbered(&scene), reference::Shading::BlinnPhong);
+        let shapes = scene.spheres.len() + scene.planes.len() + scene.cylinders.len();
+        let compared = pictures.iter().map(|(shading, shadowed, lit)| {
+            // One more than there are shapes: the last scene has only the background.
+            let alone = (0..=shapes).map(|shape| render(&lone(&scene, shape), *shading));
+            let alone: Vec<_> = alone.collect();
+            let apart = |at: usize| {
+                let shape = usize::from(met[at][0]).checked_sub(1).unwrap_or(shapes);
+                let (found, expected) = (lit.pixels[at], alone[shape][at]);
+                // An open tube casts a shadow on its own inside, even alone.
+                let is_tube = shape < shapes && shape >= shapes - scene.cylinders.len();
+                (0..3).any(|i| match is_tube {
+                    true => found[i].saturating_add(1) < expected[i],
+                    false => found[i].abs_diff(expected[i]) > 1,
+                })
             };
-            let met = render(&numbered(&scene), reference::Shading::BlinnPhong);
-            let shapes = scene.spheres.len() + scene.planes.len() + scene.cylinders.len();
-            let compared = pictures.iter().map(|(shading, shadowed, lit)| {
-                // One more than there are shapes: the last scene has only the background.
-                let alone = (0..=shapes).map(|shape| render(&lone(&scene, shape), *shading));
-                let alone: Vec<_> = alone.collect();
-                let apart = |at: usize| {
-                    let shape = usize::from(met[at][0]).checked_sub(1).unwrap_or(shapes);
-                    let (found, expected) = (lit.pixels[at], alone[shape][at]);
-                    // An open tube casts a shadow on its own inside, even alone.
-                    let is_tube = shape < shapes && shape >= shapes - scene.cylinders.len();
-                    (0..3).any(|i| match is_tube {
-                        true => found[i].saturating_add(1) < expected[i],
-                        false => found[i].abs_diff(expected[i]) > 1,
-                    })
-                };
-                // At most one pixel in 200 differs, at rims.
-                let different = (0..met.len()).filter(|at| apart(*at)).count();
-                assert!(200 * different <= met.len(), "{}: {different}", S::NAME);
-                let pixels = shadowed.pixels.iter().zip(&lit.pixels);
-                pixels
-                    .filter(|(a, b)| (0..3).any(|i| b[i] > a[i].saturating_add(8)))
-                    .count()
-            });
-            compared.sum()
-        }
+            // At most one pixel in 200 differs, at rims.
+            let different = (0..met.len()).filter(|at| apart(*at)).count();
+            assert!(200 * different <= met.len(), "{name}: {different}");
+            let pixels = shadowed.pixels.iter().zip(&lit.pixels);
+            pixels
+                .filter(|(a, b)| (0..3).any(|i| b[i] > a[i].saturating_add(8)))
+                .count()
+        });
+        compared.sum()
     }
 
-    let brighter = NAMES.map(|name| (name, visit(name, Lit).unwrap()));
+    let brighter = NAMES.map(|name| (name, brighter(name)));
     let has_shadows = brighter.iter().filter(|(_, pixels)| *pixels > 20).count();
     assert!(has_shadows >= 6, "{brighter:?}");
 }
 
 #[test]
 fn cut_off_bound_holds_and_shrinks_with_each_reflection() {
-    struct Bounds;
-
-    impl Visitor for Bounds {
-        type Output = ();
-
-        fn visit<S: BuiltIn>(self) {
-            let ((scene, camera), side) = (described::<S>(), 24);
-            let at = |x, y, reflections| {
-                let shading = reference::Shading::BlinnPhong;
-                pixel(&scene, &camera, (side, side), (x, y), reflections, shading)
-            };
-            let mut last = Unit::ONE;
-            for reflections in 0..6 {
-                let frame = S::frame(&S::CAMERA).reflections(reflections);
-                let picture = frame.quality::<Fine>().prepare(Size::new(side, side));
-                let picture = picture.on(S::INSTANCE).unwrap();
-                let mut row = vec![Rgb888::BLACK; side as usize];
-                let reports = (0..side).map(|y| picture.row(y, 0, &mut row));
-                let report = reports.fold(Report::NONE, Report::merge);
-                let bound = picture.cut_off_bound(&report);
-                let name = S::NAME;
-                assert!(bound <= last, "{name} {reflections}: {bound} after {last}");
-                last = bound;
-                for (x, y) in (0..side).flat_map(|y| (0..side).map(move |x| (x, y))) {
-                    let found = at(x, y, reflections.into());
-                    let truth = at(x, y, 300);
-                    for (found, truth) in found.into_iter().zip(truth) {
-                        let lost = truth.clamp(0.0, 1.0) - found.clamp(0.0, 1.0);
-                        let bound = bound.to_num::<f64>();
-                        assert!((-1e-9..=bound + 1e-6).contains(&lost), "{lost} {bound}");
-                    }
+    for name in NAMES {
+        let source = Source::built_in(name).unwrap();
+        let (world, view) = (source.scene(), source.camera());
+        let ((scene, camera), side) = (source.reference(), 24);
+        let at = |x, y, reflections| {
+            let shading = reference::Shading::BlinnPhong;
+            pixel(&scene, &camera, (side, side), (x, y), reflections, shading)
+        };
+        let mut last = Unit::ONE;
+        for reflections in 0..6 {
+            let frame = world.frame(&view).reflections(reflections);
+            let picture = frame.quality::<Fine>().prepare(Size::new(side, side));
+            let picture = picture.on(world).unwrap();
+            let mut row = vec![Rgb888::BLACK; side as usize];
+            let reports = (0..side).map(|y| picture.row(y, 0, &mut row));
+            let report = reports.fold(Report::NONE, Report::merge);
+            let bound = picture.cut_off_bound(&report);
+            assert!(bound <= last, "{name} {reflections}: {bound} after {last}");
+            last = bound;
+            for (x, y) in (0..side).flat_map(|y| (0..side).map(move |x| (x, y))) {
+                let found = at(x, y, reflections.into());
+                let truth = at(x, y, 300);
+                for (found, truth) in found.into_iter().zip(truth) {
+                    let lost = truth.clamp(0.0, 1.0) - found.clamp(0.0, 1.0);
+                    let bound = bound.to_num::<f64>();
+                    assert!((-1e-9..=bound + 1e-6).contains(&lost), "{lost} {bound}");
                 }
             }
         }
-    }
-
-    for name in NAMES {
-        visit(name, Bounds).unwrap();
     }
 }
 
@@ -365,42 +321,33 @@ const MEASURED: [ParetoFront; 11] = [
 
 #[test]
 fn error_is_the_one_that_was_promised() {
-    struct Promised(ParetoFront);
-
-    impl Visitor for Promised {
-        type Output = ();
-
-        fn visit<S: BuiltIn>(self) {
-            let (front, size) = (self.0, Size::new(128, 128));
-            let (scene, camera) = described::<S>();
-            let shading = reference::Shading::BlinnPhong;
-            let truth = reference::render(&scene, &camera, size.width, size.height, 300, shading);
-            for point in front.points() {
-                let budget = point.expected(size);
-                let mut display = SimulatorDisplay::<Rgb888>::new(size);
-                let frame = S::frame(&S::CAMERA);
-                let Ok(drawn) = frame.draw_within(&front, budget, || false, &mut display);
-                assert_eq!((drawn.choice.point, drawn.choice.fits), (*point, true));
-                let bytes = display.to_be_bytes();
-                let pixels = bytes.chunks_exact(3).map(|it| [it[0], it[1], it[2]]);
-                let picture = reference::Picture {
-                    pixels: pixels.collect(),
-                    ..truth
-                };
-                let (found, name) = (compare(&picture, &truth).unwrap(), S::NAME);
-                assert_eq!(found.max, point.largest, "{name}: {point:?}");
-                // The promised PSNR is rounded down to a hundredth.
-                let more = found.psnr - f64::from(point.psnr) / 100.0;
-                let is_promised = match point.psnr {
-                    u16::MAX => found.psnr == f64::INFINITY,
-                    _ => (-1e-9..0.01).contains(&more),
-                };
-                assert!(is_promised, "{name}: {point:?} {found:?}");
-            }
-        }
-    }
-
     for (name, front) in NAMES.into_iter().zip(MEASURED) {
-        visit(name, Promised(front)).unwrap();
+        let source = Source::built_in(name).unwrap();
+        let (view, size) = (source.camera(), Size::new(128, 128));
+        let (scene, camera) = source.reference();
+        let shading = reference::Shading::BlinnPhong;
+        let truth = reference::render(&scene, &camera, size.width, size.height, 300, shading);
+        for point in front.points() {
+            let budget = point.expected(size);
+            let mut display = SimulatorDisplay::<Rgb888>::new(size);
+            let frame = source.scene().frame(&view);
+            let Ok(drawn) = frame.draw_within(&front, budget, || false, &mut display);
+            assert_eq!((drawn.choice.point, drawn.choice.fits), (*point, true));
+            let bytes = display.to_be_bytes();
+            let pixels = bytes.chunks_exact(3).map(|it| [it[0], it[1], it[2]]);
+            let picture = reference::Picture {
+                pixels: pixels.collect(),
+                ..truth
+            };
+            let found = compare(&picture, &truth).unwrap();
+            assert_eq!(found.max, point.largest, "{name}: {point:?}");
+            // The promised PSNR is rounded down to a hundredth.
+            let more = found.psnr - f64::from(point.psnr) / 100.0;
+            let is_promised = match point.psnr {
+                u16::MAX => found.psnr == f64::INFINITY,
+                _ => (-1e-9..0.01).contains(&more),
+            };
+            assert!(is_promised, "{name}: {point:?} {found:?}");
+        }
     }
 }

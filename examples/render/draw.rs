@@ -6,13 +6,11 @@ use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
-use reflet::__private::Drawable;
+use reflet::host::file::FileScene;
 use reflet::quality::{self, Draft, Exact, Fast, Fine, Small};
-use reflet::scenes::{BuiltIn, Visitor};
 use reflet::shading::{self, BlinnPhong, Normals, Phong};
-use reflet::{Camera, FrameBuilder, Report};
+use reflet::{Camera, Report};
 
-use command_line::{Kind, Source};
 use command_line::{Quality, Shading};
 
 /// Settings of a picture: reflections, shading and quality.
@@ -33,33 +31,28 @@ pub struct Draw<'a> {
 
 impl Draw<'_> {
     /// Draws a scene in fixed point.
-    pub fn scene(self, source: &Source) -> Report {
-        match &source.kind {
-            Kind::BuiltIn => source.visit(self),
-            Kind::File(_, scene) => self.drawn(&**scene),
-        }
-    }
-
-    fn drawn<S: Drawable>(self, scene: &S) -> Report {
+    pub fn scene(self, scene: &FileScene) -> Report {
         match self.settings.quality {
-            Quality::Draft => self.with_quality::<S, Draft>(scene),
-            Quality::Fast => self.with_quality::<S, Fast>(scene),
-            Quality::Fine => self.with_quality::<S, Fine>(scene),
-            Quality::Small => self.with_quality::<S, Small>(scene),
-            Quality::Exact => self.with_quality::<S, Exact>(scene),
+            Quality::Draft => self.with_quality::<Draft>(scene),
+            Quality::Fast => self.with_quality::<Fast>(scene),
+            Quality::Fine => self.with_quality::<Fine>(scene),
+            Quality::Small => self.with_quality::<Small>(scene),
+            Quality::Exact => self.with_quality::<Exact>(scene),
         }
     }
 
-    fn with_quality<S: Drawable, Q: quality::Quality>(self, scene: &S) -> Report {
+    fn with_quality<Q: quality::Quality>(self, scene: &FileScene) -> Report {
         match self.settings.shading {
-            Shading::BlinnPhong => self.by_rows::<S, Q, BlinnPhong>(scene),
-            Shading::Phong => self.by_rows::<S, Q, Phong>(scene),
-            Shading::Normals => self.by_rows::<S, Q, Normals>(scene),
+            Shading::BlinnPhong => self.by_rows::<Q, BlinnPhong>(scene),
+            Shading::Phong => self.by_rows::<Q, Phong>(scene),
+            Shading::Normals => self.by_rows::<Q, Normals>(scene),
         }
     }
 
-    fn by_rows<S: Drawable, Q: quality::Quality, K: shading::Shading>(self, scene: &S) -> Report {
-        let frame = FrameBuilder::new(scene, self.camera).reflections(self.settings.reflections);
+    fn by_rows<Q: quality::Quality, K: shading::Shading>(self, scene: &FileScene) -> Report {
+        let frame = scene
+            .frame(self.camera)
+            .reflections(self.settings.reflections);
         let frame = frame.quality::<Q>().shading::<K>();
         let prepared = frame.prepare(self.display.size());
         let picture = prepared.on(scene).expect("the scene has not changed");
@@ -70,13 +63,5 @@ impl Draw<'_> {
             self.rows.fetch_add(1, Ordering::Relaxed);
             report.merge(of_row)
         })
-    }
-}
-
-impl Visitor for Draw<'_> {
-    type Output = Report;
-
-    fn visit<S: BuiltIn>(self) -> Report {
-        self.drawn(S::INSTANCE)
     }
 }

@@ -48,7 +48,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         } else {
             needs::text
         };
-        return print(say(name, needs::of(&source), settings) + "\n");
+        return print(say(name, source.scene().needs(), settings) + "\n");
     }
     let outputs = Outputs::new(arguments, source.name())?;
     if outputs.are_wanted() {

@@ -1,29 +1,10 @@
 //! Describes in words what a scene needs of the library.
 
 use reflet::needs::{Need, Needs};
-use reflet::scenes::{BuiltIn, Visitor};
 use serde_json::json;
 
 use crate::draw::Settings;
-use command_line::{Kind, Quality, Source, json_line, one_line};
-
-/// Returns what a scene needs.
-pub fn of(source: &Source) -> Needs {
-    match &source.kind {
-        Kind::BuiltIn => source.visit(Derive),
-        Kind::File(_, scene) => scene.needs(),
-    }
-}
-
-struct Derive;
-
-impl Visitor for Derive {
-    type Output = Needs;
-
-    fn visit<S: BuiltIn>(self) -> Needs {
-        Needs::of::<S>()
-    }
-}
+use command_line::{Quality, json_line, one_line};
 
 /// Returns one line of text for each need: its name, whether the firmware has it, and why.
 pub fn text(scene: &str, needs: Needs, settings: Settings) -> String {

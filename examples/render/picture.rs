@@ -84,7 +84,7 @@ impl Drawing {
                 display: &mut display,
                 rows,
             };
-            timed(|| draw.scene(source))
+            timed(|| draw.scene(source.scene()))
         });
         Ok(Self {
             display,

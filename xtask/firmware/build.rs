@@ -1,4 +1,5 @@
-//! Chooses the board by the core that is built for: puts its memory map where the linker finds it.
+//! Chooses the board by the core that is built for: puts its memory map where the linker finds it, and
+//! names the start-up code's linker script.
 
 use std::{env, fs, path::PathBuf};
 
@@ -20,5 +21,9 @@ fn main() {
         .join(map);
     fs::copy(&map, directory.join("memory.x")).expect("the map is there and OUT_DIR takes it");
     println!("cargo::rustc-link-search={}", directory.display());
+    if map == "virt.x" {
+        println!("cargo::rustc-link-arg-bins=-Tmemory.x");
+    }
+    println!("cargo::rustc-link-arg-bins=-Tlink.x");
     println!("cargo::rerun-if-changed={}", map.display());
 }

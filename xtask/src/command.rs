@@ -9,6 +9,7 @@ use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Output, Stdio};
 use std::sync::mpsc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 use std::{fmt, io, thread};
 
@@ -65,25 +66,30 @@ impl Program {
         Ok(text(&self.run()?.stdout))
     }
 
-    /// Runs the program. Returns its standard output and standard error, in the order in which the
-    /// lines were printed, and whether it succeeded.
-    pub fn watch(self) -> (String, Result<(), Failure>) {
-        let mut said = String::new();
+    /// Runs the program and returns what it said, whether it succeeded, and its processor time.
+    pub fn watch(self) -> Watched {
+        let (mut said, mut processor) = (String::new(), Duration::ZERO);
         let outcome = self.start_with_one_pipe().and_then(|mut running| {
             while let Some(line) = running.line()? {
                 said += &line;
                 said.push('\n');
             }
-            match running.status()? {
-                status if status.success() => Ok(()),
-                status => Err(Failure::Status {
+            let status = running.status()?;
+            processor = running.processor;
+            match status.success() {
+                true => Ok(()),
+                false => Err(Failure::Status {
                     command: running.command.clone(),
                     status,
                     complaints: String::new(),
                 }),
             }
         });
-        (said, outcome)
+        Watched {
+            said,
+            outcome,
+            processor,
+        }
     }
 
     /// Tests whether the program exists, runs, and ends with success.
@@ -123,6 +129,7 @@ impl Program {
             lines,
             limit: self.limit,
             deadline: Instant::now() + self.limit,
+            processor: Duration::ZERO,
         }
     }
 
@@ -165,6 +172,16 @@ impl Program {
     }
 }
 
+/// What came of a program that was watched.
+#[derive(Debug)]
+pub struct Watched {
+    /// Standard output and standard error, in the order in which the lines were printed.
+    pub said: String,
+    pub outcome: Result<(), Failure>,
+    /// Processor time of the program and of all programs that it waited for.
+    pub processor: Duration,
+}
+
 /// Number of output lines that may wait to be read.
 const LINES: usize = 1 << 12;
 
@@ -196,6 +213,8 @@ pub struct Running {
     lines: Receiver<String>,
     limit: Duration,
     deadline: Instant,
+    /// Processor time, once the program has ended.
+    processor: Duration,
 }
 
 impl Running {
@@ -213,7 +232,7 @@ impl Running {
     /// soon.
     pub fn status(&mut self) -> Result<ExitStatus, Failure> {
         loop {
-            match self.child.try_wait() {
+            match self.reap() {
                 Ok(Some(status)) => return Ok(status),
                 Ok(None) if Instant::now() < self.deadline => {
                     thread::sleep(Duration::from_millis(1));
@@ -221,6 +240,19 @@ impl Running {
                 _ => return Err(self.time_out()),
             }
         }
+    }
+
+    /// Takes the exit status if the program has ended, and notes its processor time.
+    fn reap(&mut self) -> io::Result<Option<ExitStatus>> {
+        // One at a time: the system only knows the sum over all children that have been waited for.
+        static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+        let _lock = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
+        let before = time_of_children();
+        let status = self.child.try_wait()?;
+        if status.is_some() {
+            self.processor = time_of_children().saturating_sub(before);
+        }
+        Ok(status)
     }
 
     fn time_out(&self) -> Failure {
@@ -266,6 +298,19 @@ pub(crate) fn after(beginning: &str, words: &str) -> String {
     }
 }
 
+/// Returns the processor time of all children that have been waited for, from fields 16 and 17 of
+/// Linux's `/proc/self/stat`; zero elsewhere.
+fn time_of_children() -> Duration {
+    /// Milliseconds of the unit of these fields, which is the same on every Linux.
+    const TICK: u64 = 10;
+    let line = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    // The second field is the program's name in parentheses, which may contain spaces.
+    let fields = line.rsplit_once(") ").map_or("", |(_, fields)| fields);
+    let ticks = fields.split(' ').skip(13).take(2);
+    let ticks = ticks.filter_map(|field| field.parse::<u64>().ok());
+    Duration::from_millis(TICK * ticks.sum::<u64>())
+}
+
 fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).trim().to_owned()
 }
@@ -297,9 +342,9 @@ mod tests {
     #[test]
     fn program_that_is_watched_is_ended_with_its_children() {
         let slow = shell("sleep 61.75 & wait").limit(Duration::from_millis(200));
-        let (_, outcome) = slow.watch();
         assert!(
-            outcome
+            slow.watch()
+                .outcome
                 .unwrap_err()
                 .to_string()
                 .ends_with("was ended after 0.2 s")
@@ -319,10 +364,20 @@ mod tests {
 
     #[test]
     fn all_that_is_said_is_heard_in_its_order() {
-        let (said, outcome) = shell("echo a; echo b >&2; echo c; exit 3").watch();
-        assert_eq!(said, "a\nb\nc\n");
+        let watched = shell("echo a; echo b >&2; echo c; exit 3").watch();
+        assert_eq!(watched.said, "a\nb\nc\n");
         let words = "`sh -c echo a; echo b >&2; echo c; exit 3` failed (exit status: 3)";
-        assert_eq!(outcome.unwrap_err().to_string(), words);
+        assert_eq!(watched.outcome.unwrap_err().to_string(), words);
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn processor_time_is_that_of_the_program_and_its_children() {
+        let busy = "sh -c 'i=0; while [ $i -lt 200000 ]; do i=$((i+1)); done'";
+        let watched = shell(busy).watch();
+        watched.outcome.unwrap();
+        assert!(watched.processor >= Duration::from_millis(20));
+        assert!(shell("sleep 0.3").watch().processor < Duration::from_millis(200));
     }
 
     #[test]

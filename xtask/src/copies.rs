@@ -4,7 +4,10 @@
 //! A copy has every file of the example's folder. Only the path of reflet in its Cargo.toml is
 //! changed. The copy is built in its own folder by the command that its README names.
 
-use std::{fs, path::Path};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
 
 use anyhow::{Context, Result, ensure};
 use clap::{Args, builder::PossibleValuesParser};
@@ -50,29 +53,35 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 /// # Errors
 /// Fails if any loaded byte differs, or if the firmware contains no code.
 fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
-    let folder = root().join("examples").join(name);
-    let manifest = folder.join("Cargo.toml").display().to_string();
-    let there = toolchain::build(target, &["--manifest-path", &manifest])?;
+    let folder = Path::new("examples").join(name);
+    let there = toolchain::build_alone(target, &folder, &[])?;
+    // The copy is built to the same place.
+    let (weight, content) = (weigh(&there)?, fingerprint(&there)?);
+    ensure!(
+        weight.code > 0,
+        "the firmware of {name} is empty: its linker script is missing"
+    );
+    let copied = build(name)?;
+    let weights = [weight, weigh(&copied)?];
+    let [one, other] = weights.map(|it| it.flash);
+    ensure!(
+        content == fingerprint(&copied)?,
+        "a copy of {name} is not the same firmware: {one} bytes of flash in place, {other} in the copy"
+    );
+    Ok(weights)
+}
+
+/// Copies an example out of the repository and builds the copy as its README says. Returns the
+/// firmware. What other packages for boards have compiled is not compiled again.
+pub fn build(name: &str) -> Result<PathBuf> {
+    let example = EXAMPLES.into_iter().find(|(example, _)| *example == name);
+    let (_, target) = example.with_context(|| format!("there is no firmware package {name}"))?;
     let place = tempfile::tempdir().context("there is no folder for a copy")?;
     let is_outside = !place.path().starts_with(root());
     ensure!(is_outside, "temporary files lie in the repository");
     let copy = place.path().join(name);
-    copy_example(&folder, &copy)?;
-    // This folder is kept, so that the next run compiles only the example itself.
-    let target_directory = toolchain::target_directory().join("copies");
-    let copied = toolchain::build_there(target, &copy, &target_directory)?;
-    let weights = [weigh(&there)?, weigh(&copied)?];
-    ensure!(
-        weights[0].code > 0,
-        "the firmware of {name} is empty: its linker script is missing"
-    );
-    let [one, other] = weights.map(|it| it.flash);
-    let are_equal = fingerprint(&there)? == fingerprint(&copied)?;
-    ensure!(
-        are_equal,
-        "a copy of {name} is not the same firmware: {one} bytes of flash in place, {other} in the copy"
-    );
-    Ok(weights)
+    copy_example(&root().join("examples").join(name), &copy)?;
+    toolchain::build_there(target, &copy)
 }
 
 /// Copies an example's folder. In the copy, the manifest names reflet by its absolute path.

@@ -6,6 +6,7 @@
 use std::{
     collections::VecDeque,
     fs,
+    path::Path,
     sync::Mutex,
     thread,
     time::{Duration, Instant},
@@ -16,7 +17,8 @@ use clap::Args;
 
 use crate::{
     command::Program,
-    toolchain::{BareMetal, OLDEST_RUST, TARGETS, has_oldest_rust, target_directory},
+    measure::ledger,
+    toolchain::{self, BareMetal, OLDEST_RUST, TARGETS, has_oldest_rust, target_directory},
 };
 
 /// Sets up, then runs the gate and stops after the first step that fails.
@@ -54,6 +56,8 @@ struct Step {
 /// Runs the whole gate: formats and the build first, then all other steps side by side.
 pub fn run(arguments: Arguments) -> Result<()> {
     let bare_metal = BareMetal::find().context("the bare-metal targets are gone since setup")?;
+    let start = Instant::now();
+    ledger::clear()?;
     let mut times = Vec::new();
     for step in first() {
         times.push(take(step)?);
@@ -74,10 +78,21 @@ pub fn run(arguments: Arguments) -> Result<()> {
         None => untried.push("the oldest supported Rust: that toolchain cannot be installed here"),
     }
     times.extend(side_by_side(steps)?);
-    println!("\n== all steps");
-    for (name, time) in &times {
-        println!("{:>8.1} s  {name}", time.as_secs_f64());
+    println!("\n== all steps: seconds on the clock, and of the processor");
+    let mut sum = Duration::ZERO;
+    for Taken {
+        name,
+        clock,
+        processor,
+    } in &times
+    {
+        sum += *processor;
+        let [clock, processor] = [clock, processor].map(Duration::as_secs_f64);
+        println!("{clock:>8.1} {processor:>8.1}  {name}");
     }
+    let clock = start.elapsed().as_secs_f64();
+    println!("{clock:>8.1} {:>8.1}  all", sum.as_secs_f64());
+    println!("\n== firmware: seconds on the clock\n{}", ledger::summary());
     for name in &untried {
         println!("untried: {name}");
     }
@@ -85,9 +100,16 @@ pub fn run(arguments: Arguments) -> Result<()> {
     Ok(())
 }
 
-/// Runs the steps, [`LANES`] at a time, until all are done or one fails. Returns the time of each
+/// A step that has passed, with its time on the clock and its processor time.
+struct Taken {
+    name: String,
+    clock: Duration,
+    processor: Duration,
+}
+
+/// Runs the steps, [`LANES`] at a time, until all are done or one fails. Returns the times of each
 /// step.
-fn side_by_side(steps: VecDeque<Step>) -> Result<Vec<(String, Duration)>> {
+fn side_by_side(steps: VecDeque<Step>) -> Result<Vec<Taken>> {
     let (steps, done) = (Mutex::new(steps), Mutex::new(Ok(Vec::new())));
     let next = || match *done.lock().expect("no lane panics") {
         Ok(_) => steps.lock().expect("no lane panics").pop_front(),
@@ -98,7 +120,7 @@ fn side_by_side(steps: VecDeque<Step>) -> Result<Vec<(String, Duration)>> {
             let taken = take(step);
             let mut done = done.lock().expect("no lane panics");
             match (&mut *done, taken) {
-                (Ok(times), Ok(time)) => times.push(time),
+                (Ok(all), Ok(taken)) => all.push(taken),
                 (Ok(_), Err(error)) => *done = Err(error),
                 // Only the first failure is reported.
                 (Err(_), _) => {}
@@ -113,15 +135,24 @@ fn side_by_side(steps: VecDeque<Step>) -> Result<Vec<(String, Duration)>> {
     done.into_inner().expect("no lane panics")
 }
 
-/// Runs one step, prints its output when it is done, and returns its name and time.
-fn take(Step { name, program }: Step) -> Result<(String, Duration)> {
+/// Runs one step, prints its output when it is done, and returns its times.
+fn take(Step { name, program }: Step) -> Result<Taken> {
     println!("== begin: {name}\n   {program}");
     let start = Instant::now();
-    let (said, outcome) = program.limit(LIMIT).watch();
-    let time = start.elapsed();
-    println!("\n== {name}: {:.1} s\n{said}", time.as_secs_f64());
-    match outcome {
-        Ok(()) => Ok((name, time)),
+    let watched = program.limit(LIMIT).watch();
+    let (clock, processor) = (start.elapsed(), watched.processor);
+    println!(
+        "\n== {name}: {:.1} s, processor {:.1} s\n{}",
+        clock.as_secs_f64(),
+        processor.as_secs_f64(),
+        watched.said
+    );
+    match watched.outcome {
+        Ok(()) => Ok(Taken {
+            name,
+            clock,
+            processor,
+        }),
         Err(failure) => Err(anyhow!(failure).context(format!("the step `{name}` failed"))),
     }
 }
@@ -133,6 +164,12 @@ fn step(name: &str, program: Program) -> Step {
 
 fn cargo(subcommand: &str) -> Program {
     Program::new("cargo").args([subcommand])
+}
+
+/// Returns the program that the tests built. `cargo xtask` would build it again, with the features of
+/// its own package only.
+fn xtask() -> Program {
+    Program::new(target_directory().join("debug/xtask"))
 }
 
 /// Returns the steps that run first: format checks, which take no time, and the build of all test
@@ -217,12 +254,7 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let warnings = ["--", "-D", "warnings"];
     let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
     let rays = cargo("test").args(["--workspace", "--lib", "--", "--ignored"]);
-    // Uses the program that the tests built: `cargo xtask` would build it again, with the features
-    // of its own package only.
-    let xtask = || Program::new(target_directory().join("debug/xtask"));
     let fuzz = xtask().args(["fuzz", "--seconds", seconds]);
-    // `cargo xtask copies` without a name copies all examples.
-    let copied: &[_] = if all { &[] } else { &["pico"] };
     vec![
         step("clippy, everything", rest.args(warnings)),
         step(
@@ -230,10 +262,6 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
             cargo("clippy").args(library).args(warnings),
         ),
         step("fuzz", fuzz),
-        step(
-            "copies of examples are the same firmware",
-            xtask().args(["copies"]).args(copied),
-        ),
         step(
             "package",
             cargo("package").args(["--package", "reflet", "--allow-dirty"]),
@@ -251,24 +279,25 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     ]
 }
 
-/// Returns the steps that lint the code for boards. Of the measurement firmware only the library is
-/// linted, because the rest is generated.
+/// Returns the steps that lint the code for boards. They share what is compiled. Of the measurement
+/// firmware only the library is linted, because the rest is generated.
 fn boards() -> Vec<Step> {
-    let clippy = |name: &str, target: &str, what: &[&str]| {
-        let program = cargo("clippy").args(["--target", target]);
-        let program = program.args(what).args(["--", "-D", "warnings"]);
-        step(&format!("clippy, {name}, {target}"), program)
-    };
+    let warnings = ["--", "-D", "warnings"];
     let alone = |package: &str, part: &str, target: &str| {
-        let manifest = format!("{package}/Cargo.toml");
-        clippy(package, target, &["--manifest-path", &manifest, part])
+        let program = cargo("clippy").args(["--target", target]);
+        let program = toolchain::alone(program, Path::new(package)).args([part]);
+        step(
+            &format!("clippy, {package}, {target}"),
+            program.args(warnings),
+        )
     };
     let [m0, m3, .., rv32] = TARGETS;
+    let board = ["--package", "reflet", "--example", "board"];
+    let board = toolchain::alone(cargo("clippy").args(["--target", m3]), Path::new("")).args(board);
     vec![
-        clippy(
-            "examples/board",
-            m3,
-            &["--package", "reflet", "--example", "board"],
+        step(
+            &format!("clippy, examples/board, {m3}"),
+            board.args(warnings),
         ),
         alone("examples/microbit", "--bins", m0),
         alone("examples/pico", "--bins", m0),
@@ -281,10 +310,16 @@ fn boards() -> Vec<Step> {
 /// Returns the steps that only `--all` runs.
 fn long() -> Vec<Step> {
     let rays = cargo("run").args(["--profile", "checked", "--package", "stability", "--"]);
-    vec![step(
-        "10^8 random rays with overflow checks",
-        rays.args(["--rays", "100000000"]),
-    )]
+    vec![
+        step(
+            "10^8 random rays with overflow checks",
+            rays.args(["--rays", "100000000"]),
+        ),
+        step(
+            "copies of examples are the same firmware",
+            xtask().args(["copies"]),
+        ),
+    ]
 }
 
 /// Returns the step that checks the library with the oldest Rust it supports, if that toolchain is

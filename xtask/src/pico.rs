@@ -1,7 +1,7 @@
 //! The Raspberry Pi Pico, examples/pico in rp2040js: builds its firmware, emulates it, and captures
 //! its display.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use image::{Rgb, RgbImage};
@@ -9,7 +9,7 @@ use reflet::scenes::NAMES;
 
 use crate::emulator::rp2040::{Key, Picture, Rp2040, SIDE};
 use crate::screenshot::Arguments;
-use crate::{enter_root, screenshot, toolchain};
+use crate::{screenshot, toolchain};
 
 const TARGET: &str = "thumbv6m-none-eabi";
 
@@ -27,8 +27,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 }
 
 pub fn build() -> Result<PathBuf> {
-    enter_root()?;
-    toolchain::build(TARGET, &["--manifest-path", "examples/pico/Cargo.toml"])
+    toolchain::build_alone(TARGET, Path::new("examples/pico"), &[])
 }
 
 fn as_seen(picture: &Picture) -> RgbImage {

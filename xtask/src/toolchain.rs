@@ -121,36 +121,37 @@ impl BareMetal {
     }
 }
 
-/// Builds one program of a package outside the workspace, in release mode; see [`build_in`].
-pub fn build(target: &str, arguments: &[&str]) -> Result<PathBuf> {
-    build_in("release", target, arguments)
+/// Builds one program of a package outside of the workspace, in release mode. `package` is its folder.
+pub fn build_alone(target: &str, package: &Path, more: &[&str]) -> Result<PathBuf> {
+    let cargo = cargo_build("release", target)?.args(more);
+    built(alone(cargo, package))
 }
 
-/// Builds one program of a package in the folder `xtask`. `place` is its folder inside cargo's
-/// target folder.
-pub fn build_alone(target: &str, package: &str, place: &str, more: &[&str]) -> Result<PathBuf> {
-    enter_root()?;
-    let manifest = format!("xtask/{package}/Cargo.toml");
-    let place = target_directory().join(place).display().to_string();
-    let package = ["--manifest-path", &manifest, "--target-dir", &place];
-    let cargo = cargo_build("release", target)?.args(package).args(more);
-    // Replaces the linker arguments of the repository's configuration, which are for the default
-    // board only.
-    built(cargo.env("CARGO_ENCODED_RUSTFLAGS", CORTEX_M_SCRIPT))
+/// Adds the arguments for a package outside of the workspace to a command of cargo. All of them share
+/// one target folder and one set of flags, so what several need is compiled once for each target.
+pub fn alone(cargo: Program, package: &Path) -> Program {
+    let manifest = root().join(package).join("Cargo.toml");
+    cargo
+        .args(["--manifest-path".as_ref(), manifest.as_os_str()])
+        .args(["--target-dir".as_ref(), alone_directory().as_os_str()])
+        // Instead of the flags in the repository's configuration, which are for the default board.
+        .env("CARGO_ENCODED_RUSTFLAGS", "")
 }
 
-/// rustc argument that gives the linker the script of `cortex-m-rt`.
-pub const CORTEX_M_SCRIPT: &str = "-Clink-arg=-Tlink.x";
+/// Returns cargo's target folder for packages outside of the workspace.
+pub fn alone_directory() -> PathBuf {
+    target_directory().join("alone")
+}
 
-/// Builds one program in a profile and returns its path. `arguments` are the arguments of `cargo
-/// build` that name the program. Uses cargo's configuration of the current folder.
+/// Builds one program of the workspace in a profile and returns its path. `arguments` are the
+/// arguments of `cargo build` that name the program. Uses cargo's configuration of the current folder.
 pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathBuf> {
     built(cargo_build(profile, target)?.args(arguments))
 }
 
-/// Builds the package in a folder with that folder's own configuration. `place` is cargo's target
-/// folder.
-pub fn build_there(target: &str, folder: &Path, place: &Path) -> Result<PathBuf> {
+/// Builds the package in a folder outside of the repository, with that folder's own configuration.
+pub fn build_there(target: &str, folder: &Path) -> Result<PathBuf> {
+    let place = alone_directory();
     let cargo = cargo_build("release", target)?.args(["--target-dir".as_ref(), place.as_os_str()]);
     built(cargo.in_folder(folder))
 }

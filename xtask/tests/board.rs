@@ -1,7 +1,11 @@
 //! Tests the default board in QEMU: its display shows the simulator's picture, pixel for pixel, also
 //! after keys have been pressed. Faults on a board are named and never make a test hang.
 
-use std::{fs, path::PathBuf, time::Duration};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    time::Duration,
+};
 
 use embedded_graphics::{geometry::Size, pixelcolor::Gray4};
 use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
@@ -111,7 +115,8 @@ fn command_saves_what_the_display_shows_and_replaces_nothing() {
 }
 
 fn faulty(name: &str) -> PathBuf {
-    toolchain::build_alone("thumbv7m-none-eabi", "faulty", "faulty", &["--bin", name]).unwrap()
+    let package = Path::new("xtask/faulty");
+    toolchain::build_alone("thumbv7m-none-eabi", package, &["--bin", name]).unwrap()
 }
 
 fn machine() -> Qemu {
@@ -166,7 +171,8 @@ fn file_that_is_no_firmware_is_a_failure() {
 #[test]
 fn board_without_its_linker_script_is_not_linked() {
     let target = "thumbv7m-none-eabi";
-    let place = toolchain::target_directory().join("no_script");
+    // What the package `firmware` needs, too, is compiled there already.
+    let place = toolchain::alone_directory();
     let cargo = BareMetal::find().unwrap().cargo("build", &[target]);
     let cargo = cargo
         .args(["--quiet", "--locked", "--profile", "firmware"])

@@ -1,7 +1,7 @@
 //! Tests a frame with a budget on an emulated Cortex-M3: the chosen settings take no more than the
 //! budget, and the core's own clock ends the frame in time.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, path::Path};
 
 use embedded_graphics::geometry::{OriginDimensions, Size};
 use embedded_graphics::pixelcolor::Rgb888;
@@ -31,10 +31,8 @@ const SIZE: Size = Size::new(64, 48);
 /// Runs the firmware and returns the numbers of each line that it prints.
 fn said() -> Vec<BTreeMap<String, u64>> {
     let core = Core::M3;
-    // The folder in which the other programs of this package are built, too.
-    let place = format!("firmware/{}", core.target);
     let chosen = ["--bin", "budget", "--features", "budget"];
-    let program = toolchain::build_alone(core.target, "firmware", &place, &chosen);
+    let program = toolchain::build_alone(core.target, Path::new("xtask/firmware"), &chosen);
     let said = core.counting_emulator().run(&program.unwrap()).unwrap();
     let lines = said.lines().filter_map(|line| line.strip_prefix("drawn "));
     let number = |word: &str| {

@@ -17,7 +17,7 @@ fn build(target: &str, features: &str) -> Result<Vec<String>> {
     static PLACE: Mutex<()> = Mutex::new(());
     let _one_at_a_time = PLACE.lock().unwrap_or_else(PoisonError::into_inner);
     let chosen = ["--features", features];
-    let program = toolchain::build_alone(target, "no_panic", "no_panic", &chosen)?;
+    let program = toolchain::build_alone(target, Path::new("xtask/no_panic"), &chosen)?;
     if features.is_empty() {
         let names = Names::read(&program)?.all()?;
         let is_there = names.iter().any(|name| name.contains("display::dither::"));

@@ -7,12 +7,13 @@ use embedded_graphics::{geometry::Size, pixelcolor::Rgb565};
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::Camera;
 use reflet::scenes::{BuiltIn, Castle, ShadingLights};
+use xtask::copies;
 use xtask::emulator::rp2040::{Display, Key, Rp2040, SIDE};
-use xtask::pico;
 
 fn firmware() -> &'static PathBuf {
+    // A copy of the example, as a person takes it.
     static FIRMWARE: OnceLock<PathBuf> = OnceLock::new();
-    FIRMWARE.get_or_init(|| pico::build().unwrap())
+    FIRMWARE.get_or_init(|| copies::build("pico").unwrap())
 }
 
 fn simulated<S: BuiltIn>(camera: &Camera) -> Vec<u16> {

@@ -8,17 +8,16 @@ use frame_hash::FrameHash;
 
 use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Castle};
-use xtask::{emulator::qemu::Qemu, measure::weigh, root, toolchain};
+use xtask::{copies, emulator::qemu::Qemu, measure::weigh, root};
 
 const SIDE: u32 = 240;
 
 /// Time limit of a run: a Cortex-M0 takes some thousand million instructions for the frame.
 const LIMIT: Duration = Duration::from_secs(300);
 
-fn build(target: &str, package: &str) -> PathBuf {
-    let manifest = root().join("examples").join(package).join("Cargo.toml");
-    let arguments = ["--manifest-path", &manifest.display().to_string()];
-    toolchain::build(target, &arguments).unwrap_or_else(|error| panic!("{error:#}"))
+/// Builds a copy of an example, as a person takes it.
+fn build(example: &str) -> PathBuf {
+    copies::build(example).unwrap_or_else(|error| panic!("{error:#}"))
 }
 
 /// Returns the stack that the program reports. Panics if its picture differs from this machine's.
@@ -44,7 +43,7 @@ fn hash() -> u64 {
 
 #[test]
 fn castle_on_a_microbit_is_the_same_picture_in_10_kib_of_ram() {
-    let program = build("thumbv6m-none-eabi", "microbit");
+    let program = build("microbit");
     let said = Qemu::arm("microbit").limit(LIMIT).run(&program);
     let stack = stack_of_right_picture(&said.unwrap_or_else(|error| panic!("{error}")));
     let ram = weigh(&program).unwrap().ram + stack;
@@ -53,7 +52,7 @@ fn castle_on_a_microbit_is_the_same_picture_in_10_kib_of_ram() {
 
 #[test]
 fn castle_on_risc_v_is_the_same_picture() {
-    let program = build("riscv32imac-unknown-none-elf", "riscv");
+    let program = build("riscv");
     let said = Qemu::riscv32().limit(LIMIT).run(&program);
     stack_of_right_picture(&said.unwrap_or_else(|error| panic!("{error}")));
 }

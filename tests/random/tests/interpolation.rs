@@ -3,12 +3,14 @@
 
 use std::marker::PhantomData;
 
+use command_line::Source;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use reflet::host::{compare::compare, painted, reference::Picture};
 use reflet::quality::{Fast, Fine, Quality};
-use reflet::scenes::{BuiltIn, Corner1, Floor, NAMES, Visitor, visit};
+use reflet::scenes::NAMES;
+use reflet::shading::BlinnPhong;
 use reflet::{Camera, Material, RuntimeScene, Unit, room};
 
 /// A quality that accepts any interpolation.
@@ -28,55 +30,43 @@ impl<Q: Quality> Quality for All<Q> {
 }
 
 /// Returns the picture of a built-in scene.
-fn built_in<S: BuiltIn, Q: Quality>(size: Size) -> Picture {
-    let frame = S::frame(&S::CAMERA).quality::<Q>();
-    painted(&frame.prepare(size).on(S::INSTANCE).unwrap())
+fn built_in<Q: Quality>(name: &str, size: Size) -> Picture {
+    let source = Source::built_in(name).unwrap();
+    source.painted::<Q, BlinnPhong>(size, 4)
 }
 
-/// Compares the pixels that are traced in both qualities.
-struct Traced;
-
-impl Visitor for Traced {
-    type Output = ();
-
-    fn visit<S: BuiltIn>(self) {
+#[test]
+fn ends_of_blocks_are_traced_whatever_lies_between() {
+    for name in NAMES {
         // All widths end inside a block. In the last picture nothing beyond the edge is traced.
         for (width, height, block) in [(61, 40, 8), (147, 25, 16), (7, 9, 8)] {
             let size = Size::new(width, height);
-            let all = built_in::<S, All<Coarse>>(size);
-            let coarse = built_in::<S, Coarse>(size);
+            let all = built_in::<All<Coarse>>(name, size);
+            let coarse = built_in::<Coarse>(name, size);
             let pixels = all.pixels.iter().zip(&coarse.pixels).enumerate();
             for (index, (all, coarse)) in pixels {
                 let column = index % width as usize;
                 if column.is_multiple_of(block) {
-                    assert_eq!(all, coarse, "{} at {index}", S::NAME);
+                    assert_eq!(all, coarse, "{name} at {index}");
                 }
             }
         }
     }
 }
 
-#[test]
-fn ends_of_blocks_are_traced_whatever_lies_between() {
-    for name in NAMES {
-        visit(name, Traced).unwrap();
-    }
-}
-
 /// Returns the share of the pixels that are within 1 of the picture with every pixel traced.
-fn share<S: BuiltIn, Q: Quality>(size: Size) -> f64 {
-    let found = built_in::<S, Q>(size);
-    compare(&found, &built_in::<S, All<Q>>(size))
-        .unwrap()
-        .within1
+fn share<Q: Quality>(name: &str, size: Size) -> f64 {
+    let found = built_in::<Q>(name, size);
+    let all = built_in::<All<Q>>(name, size);
+    compare(&found, &all).unwrap().within1
 }
 
 #[test]
 fn scene_of_planes_loses_nothing() {
     for (width, height) in [(160, 120), (64, 48), (31, 50), (5, 8)] {
         let size = Size::new(width, height);
-        assert_eq!(share::<Floor, Fine>(size), 1.0, "{size}");
-        assert_eq!(share::<Corner1, Fine>(size), 1.0, "{size}");
+        assert_eq!(share::<Fine>("floor", size), 1.0, "{size}");
+        assert_eq!(share::<Fine>("corner1", size), 1.0, "{size}");
     }
 }
 

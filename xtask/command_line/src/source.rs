@@ -1,11 +1,16 @@
-//! Scenes that commands can draw: built-in scenes and scene files, with the same functions.
+//! Scenes that commands can draw: built-in scenes and scene files, with the same type.
 
 use std::path::Path;
 
 use clap::Args;
-use reflet::host::file::{FileError, FileScene, Problem, SceneFile};
-use reflet::host::reference;
+use embedded_graphics::geometry::Size;
+use reflet::Camera;
+use reflet::host::file::{FileError, FileScene, Problem, SceneFile, built};
+use reflet::host::painted;
+use reflet::host::reference::{self, Picture};
+use reflet::quality::Quality;
 use reflet::scenes::{self, BuiltIn, Visitor};
+use reflet::shading::Shading;
 
 use crate::Failure;
 
@@ -51,16 +56,12 @@ impl Named {
     }
 }
 
-/// A scene, its name and the camera it was made for.
+/// A scene with its name and the camera it was made for. Built-in scenes and files are drawn by the same
+/// code: a built-in scene is filled at run time, which changes no pixel.
 pub struct Source {
     name: String,
-    pub kind: Kind,
-}
-
-/// Whether a scene is built in or comes from a file.
-pub enum Kind {
-    BuiltIn,
-    File(Box<SceneFile>, Box<FileScene>),
+    exact: (reference::Scene, reference::Camera),
+    scene: Box<FileScene>,
 }
 
 impl Source {
@@ -79,9 +80,12 @@ impl Source {
     }
 
     fn known(name: &str) -> Self {
+        let exact = scenes::visit(name, Describe).expect("the name was found in the list of names");
+        let scene = built(&exact.0, &exact.1).expect("a built-in scene is valid");
         Self {
             name: name.to_owned(),
-            kind: Kind::BuiltIn,
+            exact,
+            scene,
         }
     }
 
@@ -97,7 +101,8 @@ impl Source {
         let name = file.name().map_or_else(stem, str::to_owned);
         Ok(Self {
             name,
-            kind: Kind::File(Box::new(file), scene),
+            exact: file.reference(),
+            scene,
         })
     }
 
@@ -106,17 +111,34 @@ impl Source {
         &self.name
     }
 
-    /// Returns the scene and its camera in double precision.
-    pub fn reference(&self) -> (reference::Scene, reference::Camera) {
-        match &self.kind {
-            Kind::BuiltIn => self.visit(Describe),
-            Kind::File(file, _) => file.reference(),
-        }
+    /// Returns the scene, ready to draw.
+    pub fn scene(&self) -> &FileScene {
+        &self.scene
     }
 
-    /// Calls the visitor with the type of a built-in scene. Panics for a scene from a file.
-    pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
-        scenes::visit(&self.name, visitor).expect("the name was found in the list of names")
+    /// Returns the scene, ready to draw, without the rest.
+    pub fn into_scene(self) -> Box<FileScene> {
+        self.scene
+    }
+
+    /// Returns the camera that the scene was made for.
+    pub fn camera(&self) -> Camera {
+        let eye = &self.exact.1;
+        let camera = Camera::new(eye.position, eye.target, eye.up, eye.fov);
+        camera.expect("the scene was built with this camera")
+    }
+
+    /// Draws the scene through its own camera.
+    pub fn painted<Q: Quality, K: Shading>(&self, size: Size, reflections: u8) -> Picture {
+        let camera = self.camera();
+        let frame = self.scene.frame(&camera).reflections(reflections);
+        let frame = frame.quality::<Q>().shading::<K>().prepare(size);
+        painted(&frame.on(&*self.scene).expect("the scene never changes"))
+    }
+
+    /// Returns the scene and its camera in double precision.
+    pub fn reference(&self) -> (reference::Scene, reference::Camera) {
+        self.exact.clone()
     }
 }
 

@@ -9,7 +9,7 @@
 //! formats with `core::fmt` or can panic: where a linked program does, it is the contestant who
 //! needs it.
 //!
-//! A third one, `sweep`, goes through many settings of a scene for the package `report`, and `budget`
+//! A third one, `pictures`, draws several scenes and reports hashes only; `sweep` goes through many settings of a scene for the package `report`, and `budget`
 //! draws frames with a budget, by the core's own clock; nobody weighs these.
 #![no_std]
 
@@ -74,4 +74,21 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
     report::number(" hash=", hash.value());
     report::text("\n");
     semihosting::process::exit(0)
+}
+
+/// Draws a frame of contestant `C` row by row into `row` and reports the hash of its pixels. Counts
+/// nothing.
+pub fn picture<C: Contestant>(size: (u32, u32), row: &mut [Rgb888]) {
+    let mut hash = FrameHash::NONE;
+    let scene = C::scene();
+    let picture = C::prepare(&scene, size);
+    for y in 0..size.1 {
+        C::row((&scene, &picture), y, row);
+        for pixel in row.iter() {
+            hash.add([pixel.r(), pixel.g(), pixel.b()]);
+        }
+    }
+    report::text("picture");
+    report::number(" hash=", hash.value());
+    report::text("\n");
 }

@@ -1,13 +1,10 @@
 //! Measures how far every quality and single precision are from the double-precision reference.
 
-use std::marker::PhantomData;
-
+use command_line::Source;
 use embedded_graphics::prelude::Size;
 use reflet::host::compare::{Difference, compare};
-use reflet::host::painted;
 use reflet::host::reference::{self, Picture};
-use reflet::quality::{Exact, Fast, Fine, Quality, Small};
-use reflet::scenes::{BuiltIn, Visitor, visit};
+use reflet::quality::{Exact, Fast, Fine, Small};
 use reflet::shading::{BlinnPhong, Phong, Shading};
 
 /// Names of the measured qualities and of single precision, in the order of [`Row::differences`].
@@ -38,74 +35,37 @@ impl Row {
 /// Draws a built-in scene `side` by `side` pixels large and measures its accuracy. `None` if there
 /// is no scene of that name, or for [`reference::Shading::Normals`].
 pub fn measure(
-    scene: &str,
+    scene: &'static str,
     side: u32,
     reflections: u8,
     shading: reference::Shading,
 ) -> Option<Row> {
+    let source = Source::built_in(scene)?;
+    let fixed = match shading {
+        reference::Shading::BlinnPhong => painted::<BlinnPhong>(&source, side, reflections),
+        reference::Shading::Phong => painted::<Phong>(&source, side, reflections),
+        reference::Shading::Normals => return None,
+    };
+    let (exact, camera) = source.reference();
+    let n = u32::from(reflections);
+    let truth = reference::render(&exact, &camera, side, side, n, shading);
+    let [fast, fine, small, precise] = fixed;
+    let single = crate::render(&exact, &camera, (side, side), n, shading);
+    Some(Row {
+        scene,
+        differences: [fast, fine, small, precise, single].map(|picture| {
+            compare(&picture, &truth).expect("all have the size that was asked for")
+        }),
+    })
+}
+
+/// Draws a scene in each quality of fixed point.
+fn painted<K: Shading>(source: &Source, side: u32, reflections: u8) -> [Picture; 4] {
     let size = Size::new_equal(side);
-    match shading {
-        reference::Shading::BlinnPhong => visit(
-            scene,
-            Measure::<BlinnPhong>::new(size, reflections, shading),
-        ),
-        reference::Shading::Phong => {
-            visit(scene, Measure::<Phong>::new(size, reflections, shading))
-        }
-        reference::Shading::Normals => None,
-    }
-}
-
-struct Measure<K> {
-    size: Size,
-    reflections: u8,
-    shading: reference::Shading,
-    kind: PhantomData<K>,
-}
-
-impl<K: Shading> Measure<K> {
-    fn new(size: Size, reflections: u8, shading: reference::Shading) -> Self {
-        let kind = PhantomData;
-        Self {
-            size,
-            reflections,
-            shading,
-            kind,
-        }
-    }
-
-    fn painted<S: BuiltIn, Q: Quality>(&self) -> Picture {
-        let frame = S::frame(&S::CAMERA).reflections(self.reflections);
-        let frame = frame.quality::<Q>().shading::<K>().prepare(self.size);
-        painted(
-            &frame
-                .on(S::INSTANCE)
-                .expect("a constant scene never changes"),
-        )
-    }
-}
-
-impl<K: Shading> Visitor for Measure<K> {
-    type Output = Row;
-
-    fn visit<S: BuiltIn>(self) -> Row {
-        let scene = S::with_description(|scene| reference::Scene::from(&scene));
-        let camera = reference::Camera::from(&S::CAMERA);
-        let Size { width, height } = self.size;
-        let n = u32::from(self.reflections);
-        let truth = reference::render(&scene, &camera, width, height, n, self.shading);
-        let pictures = [
-            self.painted::<S, Fast>(),
-            self.painted::<S, Fine>(),
-            self.painted::<S, Small>(),
-            self.painted::<S, Exact>(),
-            crate::render(&scene, &camera, (width, height), n, self.shading),
-        ];
-        Row {
-            scene: S::NAME,
-            differences: pictures.map(|picture| {
-                compare(&picture, &truth).expect("all have the size that was asked for")
-            }),
-        }
-    }
+    [
+        source.painted::<Fast, K>(size, reflections),
+        source.painted::<Fine, K>(size, reflections),
+        source.painted::<Small, K>(size, reflections),
+        source.painted::<Exact, K>(size, reflections),
+    ]
 }

@@ -4,11 +4,11 @@
 use std::marker::PhantomData;
 
 use anyhow::Result;
-use command_line::{Kind, Source};
+use command_line::Source;
 use embedded_graphics::geometry::Size;
 use float_picture::{Shading, render as render_in_f32};
 use frame_hash::FrameHash;
-use reflet::host::file::{FileScene, built};
+use reflet::host::file::FileScene;
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture};
 use reflet::quality::Quality;
@@ -17,9 +17,6 @@ use reflet::{Camera, FrameBuilder, Unit};
 use xtask::sweep::{Contestant, Level, Setting, Visitor};
 
 /// A scene that is ready to be drawn under any setting.
-///
-/// Constant scenes are filled at run time here. Their pictures are the same to the bit, so one type
-/// is enough for all scenes.
 pub struct Painter {
     pub name: String,
     pub world: Box<FileScene>,
@@ -33,14 +30,10 @@ pub struct Painter {
 impl Painter {
     pub fn new(source: Source, size: Size) -> Result<Self> {
         let (scene, exact_camera) = source.reference();
-        let at = &exact_camera;
         Ok(Self {
             name: source.name().to_owned(),
-            camera: Camera::new(at.position, at.target, at.up, at.fov)?,
-            world: match source.kind {
-                Kind::BuiltIn => built(&scene, &exact_camera)?,
-                Kind::File(_, scene) => scene,
-            },
+            camera: source.camera(),
+            world: source.into_scene(),
             scene,
             exact_camera,
             size,

@@ -2,7 +2,7 @@
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use crate::{cycles::Timing, emulator::qemu::Qemu, toolchain::CORTEX_M_SCRIPT};
+use crate::{cycles::Timing, emulator::qemu::Qemu};
 
 #[derive(Debug, PartialEq, Eq)]
 pub struct Core {
@@ -120,14 +120,6 @@ impl Core {
                 nanoseconds_per_tick: 40,
             },
             Machine::Riscv => Clock::Counter,
-        }
-    }
-
-    /// The linker scripts of the start-up code.
-    pub fn link_arguments(&self) -> &'static str {
-        match self.machine {
-            Machine::Arm(_) => CORTEX_M_SCRIPT,
-            Machine::Riscv => "-Clink-arg=-Tmemory.x\u{1f}-Clink-arg=-Tlink.x",
         }
     }
 }

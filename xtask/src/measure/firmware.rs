@@ -11,8 +11,10 @@ use anyhow::{Context, Result, bail};
 use object::{Object, ObjectSection, SectionFlags, elf};
 use rustix::fs::FlockOperation;
 
-use super::{build_profile::BuildProfile, cores::Core, images, scene::Scene, task::Task};
-use crate::{root, toolchain};
+use super::{
+    build_profile::BuildProfile, cores::Core, images, ledger, scene::Scene, task, task::Task,
+};
+use crate::toolchain;
 
 /// A first build compiles a dozen crates; later ones take seconds.
 const BUILD_LIMIT: Duration = Duration::from_secs(10 * 60);
@@ -57,17 +59,17 @@ pub fn is_counted(symbol: &str) -> bool {
     symbol.contains("Contestant") && (symbol.contains("7prepare") || symbol.contains("3row"))
 }
 
-/// Two linked programs: one draws the scene, the other an empty frame.
-pub(super) struct Programs {
+/// The linked program of a task, and what it takes to weigh it.
+pub(super) struct Programs<'a> {
     pub(super) scene: PathBuf,
-    empty: PathBuf,
     pub(super) ticket: u64,
+    task: &'a Task,
 }
 
-impl Programs {
-    /// Returns the bytes that the program of the scene has beyond the empty one.
+impl Programs<'_> {
+    /// Returns the bytes that the program of the scene has beyond one that draws nothing.
     pub(super) fn weight(&self) -> Result<Weight> {
-        Ok(weigh(&self.scene)?.beyond(weigh(&self.empty)?))
+        Ok(weigh(&self.scene)?.beyond(weigh(&empty(self.task)?)?))
     }
 }
 
@@ -75,8 +77,6 @@ impl Programs {
 struct Place {
     /// The job, and the source of a scene from a file.
     jobs: PathBuf,
-    /// Folder in which cargo builds. Cores of one target share it.
-    target: PathBuf,
 }
 
 impl Place {
@@ -84,7 +84,6 @@ impl Place {
         let place = toolchain::target_directory().join("firmware");
         Self {
             jobs: place.join(core.name),
-            target: place.join(core.target),
         }
     }
 
@@ -96,32 +95,71 @@ impl Place {
     /// Waits until nobody else builds there, in this process or another. The lock is held until the
     /// file is dropped.
     fn lock(&self) -> Result<File> {
-        let lock = [&self.jobs, &self.target]
+        let target = toolchain::alone_directory();
+        let lock = [&self.jobs, &target]
             .into_iter()
             .try_for_each(fs::create_dir_all)
-            .and_then(|()| File::create(self.target.join("lock")))
-            .with_context(|| format!("cannot write in {}", self.target.display()))?;
+            .and_then(|()| File::create(target.join("lock")))
+            .with_context(|| format!("cannot write in {}", target.display()))?;
         rustix::fs::flock(&lock, FlockOperation::LockExclusive)
-            .with_context(|| format!("cannot lock {}", self.target.display()))?;
+            .with_context(|| format!("cannot lock {}", target.display()))?;
         Ok(lock)
     }
 }
 
-/// Returns the programs that measure a task, and builds them if they are not there.
-pub(super) fn build(task: &Task) -> Result<Programs> {
-    let place = Place::of(task.core);
-    let job = task.job(&place.scene());
+/// Returns the program that measures a task, and builds it if it is not there.
+pub(super) fn build(task: &Task) -> Result<Programs<'_>> {
+    let job = task.job(&Place::of(task.core).scene());
     let source = job.source;
     let (target, profile) = (task.core.target, task.profile);
-    let programs = Programs {
-        scene: images::place(("scene", &source, task.scene.source(), target, profile.name))?,
-        // It has the job's size and ticket, too.
-        empty: images::place(("empty", &source, target, profile.name))?,
-        ticket: job.ticket,
-    };
-    let wanted = [("scene", &*programs.scene), ("empty", &*programs.empty)];
-    make(task.core, &task.scene, &source, &wanted, profile, &[])?;
-    Ok(programs)
+    let scene = images::place(("scene", &source, task.scene.source(), target, profile.name))?;
+    let chosen = [profile.arguments, &["--bin", "scene"]];
+    let text = task.scene.source();
+    make(
+        task.core,
+        text,
+        &source,
+        ("scene", &scene),
+        profile,
+        &chosen,
+    )?;
+    let ticket = job.ticket;
+    Ok(Programs {
+        scene,
+        ticket,
+        task,
+    })
+}
+
+/// Returns the program that draws nothing at the task's size: one for all scenes and settings.
+fn empty(task: &Task) -> Result<PathBuf> {
+    /// As long as any other, so that the code that reports it is the same.
+    const TICKET: u64 = 0x0123_4567_89ab_cdef;
+    let source = task::order(task.settings.size, TICKET);
+    let (target, profile) = (task.core.target, task.profile);
+    let program = images::place(("empty", &source, target, profile.name))?;
+    let chosen = [profile.arguments, &["--bin", "empty"]];
+    make(
+        task.core,
+        None,
+        &source,
+        ("empty", &program),
+        profile,
+        &chosen,
+    )?;
+    Ok(program)
+}
+
+/// Returns the program that draws several built-in scenes and reports a hash of each picture.
+pub(super) fn build_pictures(core: &Core, source: &str) -> Result<PathBuf> {
+    let program = images::place(("pictures", source, core.target))?;
+    let profile = BuildProfile::RECOMMENDED;
+    let chosen = [
+        profile.arguments,
+        &["--bin", "pictures", "--features", "pictures"],
+    ];
+    make(core, None, source, ("pictures", &program), profile, &chosen)?;
+    Ok(program)
 }
 
 /// The firmware that goes through several settings of a scene; `job` makes its source of the place
@@ -133,56 +171,60 @@ pub(crate) fn build_sweep(
 ) -> Result<PathBuf> {
     let source = job(&Place::of(core).scene());
     let program = images::place(("sweep", &source, scene.source(), core.target))?;
-    let chosen = ["--bin", "sweep", "--features", "sweep"];
-    let (wanted, profile) = ([("sweep", &*program)], BuildProfile::RECOMMENDED);
-    make(core, scene, &source, &wanted, profile, &chosen)?;
+    let profile = BuildProfile::RECOMMENDED;
+    let chosen = [
+        profile.arguments,
+        &["--bin", "sweep", "--features", "sweep"],
+    ];
+    let text = scene.source();
+    make(core, text, &source, ("sweep", &program), profile, &chosen)?;
     Ok(program)
 }
 
-/// Builds the wanted programs of a job and keeps each where it is wanted. What is there is taken as
-/// it is.
+/// Builds the program of a job and keeps it where it is wanted, unless it is there. `scene` is the
+/// source of a file's scene.
 fn make(
     core: &Core,
-    scene: &Scene,
+    scene: Option<&str>,
     job: &str,
-    wanted: &[(&str, &Path)],
+    (name, wanted): (&str, &Path),
     profile: &BuildProfile,
-    chosen: &[&str],
+    chosen: &[&[&str]],
 ) -> Result<()> {
-    let are_there = || wanted.iter().all(|(_, kept)| kept.is_file());
-    if are_there() {
+    if wanted.is_file() {
         return Ok(());
     }
     let place = Place::of(core);
     let _lock = place.lock()?;
-    // Somebody else may have built them in the meantime.
-    if are_there() {
+    // Somebody else may have built it in the meantime.
+    if wanted.is_file() {
         return Ok(());
     }
-    if let Some(text) = scene.source() {
+    if let Some(text) = scene {
         write(&place.scene(), text)?;
     }
     let source = place.jobs.join("job.rs");
     write(&source, job)?;
-    compile(core, &source, &place.target, &[profile.arguments, chosen])?;
-    let built = place.target.join(core.target).join(profile.folder);
-    let keep = |(name, kept): &(&str, &Path)| images::keep(&built.join(name), kept);
-    wanted.iter().try_for_each(keep)
+    let title = format!("{name} on {}: {}", core.name, summary(job));
+    ledger::timed("build", &title, || compile(core, &source, chosen))?;
+    let built = toolchain::alone_directory().join(core.target);
+    images::keep(&built.join(profile.folder).join(name), wanted)
 }
 
-fn compile(core: &Core, job: &Path, target: &Path, chosen: &[&[&str]]) -> Result<()> {
+/// Returns the line of a job that names the scene and its settings.
+fn summary(job: &str) -> String {
+    let mut lines = job.lines().map(str::trim);
+    let named = lines.find(|line| line.starts_with("firmware::") && line.contains('<'));
+    named.unwrap_or("nothing").to_owned()
+}
+
+fn compile(core: &Core, job: &Path, chosen: &[&[&str]]) -> Result<()> {
     let bare_metal = toolchain::BareMetal::find()
         .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
-    let manifest = root().join("xtask/firmware/Cargo.toml");
-    bare_metal
-        .cargo("build", &[core.target])
-        .args(["--quiet", "--locked", "--manifest-path"])
-        .args([&manifest])
-        .args(["--target-dir"])
-        .args([target])
+    let cargo = bare_metal.cargo("build", &[core.target]);
+    toolchain::alone(cargo, Path::new("xtask/firmware"))
+        .args(["--quiet", "--locked"])
         .args(chosen.concat())
-        // Instead of what any configuration says: figures must not depend on it.
-        .env("CARGO_ENCODED_RUSTFLAGS", core.link_arguments())
         .env("MEASURE_JOB", job)
         .limit(BUILD_LIMIT)
         .read()?;

@@ -3,7 +3,7 @@
 //! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds it, and `images`
 //! keeps what was built; [`outcome`](mod@outcome) runs it, with each row's count from `clock_log`;
 //! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
-//! [`profiles`] measures the same code in several build profiles.
+//! [`profiles`] measures the same code in several build profiles, and [`pictures`] only draws.
 
 pub mod arguments;
 mod boards;
@@ -14,10 +14,12 @@ pub mod figures;
 pub(crate) mod firmware;
 pub(crate) mod float_source;
 mod images;
+pub mod ledger;
 pub mod moving;
 mod moving_record;
 pub(crate) mod outcome;
 mod page;
+pub mod pictures;
 pub mod profiles;
 pub mod record;
 pub mod scene;

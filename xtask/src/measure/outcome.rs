@@ -6,6 +6,7 @@ use anyhow::{Context, Result, ensure};
 
 use super::clock_log::ClockLog;
 use super::firmware::{self, RUN_LIMIT, Weight};
+use super::ledger;
 use super::task::Task;
 
 /// Counts of one measured task: instructions, stack, hash and bytes.
@@ -30,12 +31,10 @@ pub fn run(task: &Task) -> Result<Outcome> {
     let programs = firmware::build(task)?;
     let weight = programs.weight()?;
     let clock = ClockLog::of(task.core, &programs.scene)?;
-    let said = task
-        .core
-        .counting_emulator()
-        .args(clock.options())
-        .limit(RUN_LIMIT)
-        .run(&programs.scene)?;
+    let emulator = task.core.counting_emulator().args(clock.options());
+    let title = format!("{} on {}", task.scene.name(), task.core.name);
+    let run = || emulator.limit(RUN_LIMIT).run(&programs.scene);
+    let said = ledger::timed("run", &title, run)?;
     let report = Report::find(&said)?;
     ensure!(
         report.number("ticket")? == programs.ticket,

@@ -142,20 +142,23 @@ impl Task {
     /// The firmware's source for this; `scene` is where the source of a file's scene lies.
     pub fn job(&self, scene: &Path) -> Job {
         let Settings { size, .. } = self.settings;
-        let contestant = match self.settings.quality {
-            Quality::Fixed(quality) => self.fixed(&quality.type_name(), scene),
-            Quality::Float => self.float(),
-        };
+        let contestant = self.contestant(scene);
         let mut hasher = DefaultHasher::new();
         (self.core.name, size.width, size.height, &contestant).hash(&mut hasher);
         let ticket = hasher.finish();
-        let Size { width, height } = size;
         let source = format!(
-            "// Written by `cargo xtask measure`.\n\n\
-             pub const ORDER: firmware::Order =\n    \
-             firmware::Order {{ size: ({width}, {height}), ticket: {ticket:#x} }};\n\n{contestant}"
+            "// Written by `cargo xtask measure`.\n\n{}{contestant}",
+            order(size, ticket)
         );
         Job { source, ticket }
+    }
+
+    /// Returns the source of the type `Job`: what draws the scene with these settings.
+    pub(super) fn contestant(&self, scene: &Path) -> String {
+        match self.settings.quality {
+            Quality::Fixed(quality) => self.fixed(&quality.type_name(), scene),
+            Quality::Float => self.float(),
+        }
     }
 
     fn fixed(&self, quality: &str, scene: &Path) -> String {
@@ -180,4 +183,14 @@ impl Task {
         let view = float_source::view(&self.scene, reflections, shading);
         format!("pub struct Seen;\n\n{view}pub type Job = firmware::Float<Seen>;\n")
     }
+}
+
+/// Returns the source of the firmware's order: the size of the picture, and a number that comes back
+/// with the report.
+pub(super) fn order(size: Size, ticket: u64) -> String {
+    let Size { width, height } = size;
+    format!(
+        "pub const ORDER: firmware::Order =\n    \
+         firmware::Order {{ size: ({width}, {height}), ticket: {ticket:#x} }};\n\n"
+    )
 }
