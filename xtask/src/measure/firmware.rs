@@ -171,10 +171,8 @@ fn make(
 }
 
 fn compile(core: &Core, job: &Path, target: &Path, chosen: &[&[&str]]) -> Result<()> {
-    let bare_metal = toolchain::BareMetal::find()
-        .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
     let manifest = root().join("xtask/firmware/Cargo.toml");
-    bare_metal
+    toolchain::BareMetal::get()?
         .cargo("build", &[core.target])
         .args(["--quiet", "--locked", "--manifest-path"])
         .args([&manifest])
