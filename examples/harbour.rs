@@ -25,6 +25,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let report = Harbour::frame(&CAMERA).reflections(4).draw(&mut display)?;
     let image = display.to_rgb_output_image(&OutputSettings::default());
     image.save_png("harbour.png")?;
-    println!("harbour.png: {} rays", report.rays);
+    println!("harbour.png: {report}");
     Ok(())
 }

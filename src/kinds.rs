@@ -64,12 +64,12 @@ macro_rules! kinds {
 macro_rules! __room {
     ($counts:expr) => {
         $crate::__private::Room<
-            { $counts.parameter("S") },
-            { $counts.parameter("P") },
-            { $counts.parameter("C") },
-            { $counts.parameter("L") },
-            { $counts.parameter("M") },
-            { $counts.parameter("D") },
+            { $crate::__private::Counts::parameter(&$counts, "S") },
+            { $crate::__private::Counts::parameter(&$counts, "P") },
+            { $crate::__private::Counts::parameter(&$counts, "C") },
+            { $crate::__private::Counts::parameter(&$counts, "L") },
+            { $crate::__private::Counts::parameter(&$counts, "M") },
+            { $crate::__private::Counts::parameter(&$counts, "D") },
         >
     };
 }

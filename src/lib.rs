@@ -264,7 +264,13 @@ pub mod description {
 pub mod __private {
     pub use crate::accel::drawable::{Drawable, Everything};
     pub use crate::accel::{Apart, StaticScene};
-    pub use crate::scene::{Capacity, Counts, Room};
+    pub use crate::scene::{Capacity, Counts, Room, SceneLines};
+    pub use core::clone::Clone;
+    pub use core::fmt::Debug;
+    pub use core::marker::Copy;
+    pub use core::ops::FnOnce;
+    pub use core::primitive::str;
+    pub use core::{concat, stringify};
 
     /// Largest room of a constant scene. [`scene!`](crate::scene) counts the parts of a scene in it.
     pub type LargestRoom = Room<512, 32, 128, 16, 256, 128>;

@@ -54,12 +54,12 @@ pub struct Arguments {
     #[arg(value_name = "rgb565|gray4|gray2|binary")]
     pub dither: Option<Levels>,
 
-    /// Write the picture to a new PNG file, or to standard output if F.png is -
+    /// Write the picture to a PNG file, over an older one, or to standard output if F.png is -
     #[arg(short, long, value_name = "F.png")]
     pub out: Option<PathBuf>,
 
-    /// Write the picture to a new file of width * height * 3 bytes, RGB8 from the top left, or to
-    /// standard output if F.rgb is -
+    /// Write the picture to a file of width * height * 3 bytes, RGB8 from the top left, over an older
+    /// one, or to standard output if F.rgb is -
     #[arg(long, value_name = "F.rgb")]
     pub raw: Option<PathBuf>,
 
@@ -122,9 +122,8 @@ Built-in scenes: {}.
 A name with a dot or a slash in it is a file: JSON, one scene or an array of scenes.
 
 With none of --out, --raw, --check, --json, --needs and --window the picture is written to NAME.png in the
-current folder, or to NAME-2.png and so on where that exists. No file is written over: --out and
---raw refuse one that exists. Where one of them is -, standard output is the picture and all words
-go to standard error.
+current folder, or to NAME-2.png and so on where that exists. --out and --raw write over a file that
+exists. Where one of them is -, standard output is the picture and all words go to standard error.
 
 --json prints the keys scene, size, reflections, shading, quality (`reference` where fixed point
 is not rendered) and seconds (for the picture alone), and with --check same, within1, within8

@@ -50,7 +50,7 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         };
         return print(say(name, source.scene().needs(), settings) + "\n");
     }
-    let outputs = Outputs::new(arguments, source.name())?;
+    let outputs = Outputs::new(arguments, &source)?;
     if outputs.are_wanted() {
         let drawing = Drawing::new(&source, arguments)?.dithered(arguments.dither);
         outputs.write(&drawing)?;

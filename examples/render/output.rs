@@ -3,7 +3,7 @@
 use std::io::{self, Cursor, Write};
 use std::path::PathBuf;
 
-use command_line::{Failure, NewFile, are_same_file, is_standard_output, shown};
+use command_line::{Failure, Kind, OutputFile, Source, are_same_file, is_standard_output, shown};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use image::ImageFormat;
@@ -16,15 +16,16 @@ use crate::report;
 pub struct Outputs<'a> {
     arguments: &'a Arguments,
     scene: &'a str,
-    png: Option<NewFile>,
-    raw: Option<NewFile>,
+    png: Option<OutputFile>,
+    raw: Option<OutputFile>,
 }
 
 impl<'a> Outputs<'a> {
     /// Checks the paths of the outputs. If the command line asks for nothing, the picture goes to
     /// the current folder.
-    pub fn new(arguments: &'a Arguments, scene: &'a str) -> Result<Self, Failure> {
+    pub fn new(arguments: &'a Arguments, source: &'a Source) -> Result<Self, Failure> {
         let Arguments {
+            scene: read,
             out,
             raw,
             check,
@@ -36,12 +37,20 @@ impl<'a> Outputs<'a> {
         if both.is_some_and(|(out, raw)| are_same_file(out, raw)) {
             return Err("--out and --raw name the same file".into());
         }
+        let is_read = matches!(source.kind, Kind::File(..));
+        let mut named = out.iter().chain(raw);
+        if is_read && named.any(|path| are_same_file(path, read)) {
+            return Err(
+                format!("{} is the scene file: it is not written over", shown(read)).into(),
+            );
+        }
+        let scene = source.name();
         let asked = out.is_some() || raw.is_some() || *check || *json || *window;
         let png = match out {
-            None if !asked => Some(NewFile::free_png(&picture_of(scene))?),
-            path => path.as_deref().map(NewFile::png_at).transpose()?,
+            None if !asked => Some(OutputFile::free_png(&picture_of(scene))?),
+            path => path.as_deref().map(OutputFile::png_at).transpose()?,
         };
-        let raw = raw.as_deref().map(NewFile::at).transpose()?;
+        let raw = raw.as_deref().map(OutputFile::at).transpose()?;
         Ok(Self {
             arguments,
             scene,

@@ -56,12 +56,7 @@ pub fn text(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> S
     let mut text =
         format!("{scene} {words}, {reflections} reflections, {shading}, {quality}: {seconds:.3} s");
     if let Some(report) = drawing.report {
-        let rays = report.rays as f64 / (f64::from(size.width) * f64::from(size.height));
-        text += &format!(", {rays:.2} rays a pixel");
-        text += &match report.cut_off.to_num::<f64>() {
-            0.0 => ", nothing cut off".to_owned(),
-            weight => format!(", weights cut off up to {weight:.1e}"),
-        };
+        text += &format!(", {report}");
     }
     if let Some(Difference {
         same,

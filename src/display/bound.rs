@@ -1,8 +1,8 @@
 //! Floor 8: the bound of the error that ended paths cause in a picture, computed from its report.
 
 use crate::accel::drawable::Drawable;
-use crate::number::{Unit, narrowed_unsigned, signed};
-use crate::render::{Report, Rows};
+use crate::number::Unit;
+use crate::render::{Report, Rows, light_cut_off};
 use crate::scene::access::SceneAccess;
 
 impl<S: Drawable, Q, K> Rows<'_, S, Q, K> {
@@ -32,13 +32,6 @@ impl<S: Drawable, Q, K> Rows<'_, S, Q, K> {
     /// ```
     #[must_use]
     pub fn cut_off_bound(&self, report: &Report) -> Unit {
-        // Q2.30 · Q6.26, rounded up.
-        let weight = report.cut_off.to_bits().unsigned_abs();
-        let brightest = self.world().parts().brightest.to_bits().unsigned_abs();
-        // Colours are stored in 255 of 256 parts; this scales back.
-        let brightest = (u64::from(brightest) * 256).div_ceil(255);
-        // Below 2³⁰ · 2³².
-        let bound = (u64::from(weight) * brightest).div_ceil(1 << 26);
-        Unit::from_bits(signed(narrowed_unsigned(bound.min(1 << 30))))
+        light_cut_off(report.cut_off, self.world().parts().brightest)
     }
 }

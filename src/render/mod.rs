@@ -12,6 +12,7 @@ pub use builder::FrameBuilder;
 pub use prepared::{PreparedFrame, Rows};
 pub use quality::{Draft, Exact, Fast, Fine, Quality, Small};
 pub use report::Report;
+pub(crate) use report::light_cut_off;
 
 use interpolate::Colors;
 #[cfg(feature = "host")]

@@ -1,7 +1,9 @@
 //! Floor 7: the report on a drawn picture. This file knows no pixel.
 
+use core::fmt;
+
 use crate::accel::World;
-use crate::number::Unit;
+use crate::number::{Brightness, Unit, narrowed_unsigned, signed};
 use crate::trace::Tracer;
 
 /// The report on a picture, or on a part of one, that has been drawn.
@@ -21,6 +23,8 @@ use crate::trace::Tracer;
 /// assert_eq!(both.rays, upper.rays + lower.rays);
 /// assert_eq!(both.cut_off, upper.cut_off.max(lower.cut_off));
 /// assert_eq!(Report::NONE.merge(both), both);
+/// // As text: the rays, and the most light that is missing.
+/// println!("{both}");
 /// # Ok::<(), reflet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +39,8 @@ pub struct Report {
     /// Ending paths changes no traced pixel by more than this times the brightest colour of the scene;
     /// [`Rows::cut_off_bound`](crate::Rows::cut_off_bound) computes that product.
     pub cut_off: Unit,
+    /// Largest component of any colour of the scene.
+    pub(super) brightest: Brightness,
 }
 
 impl Report {
@@ -42,6 +48,7 @@ impl Report {
     pub const NONE: Self = Self {
         rays: 0,
         cut_off: Unit::ZERO,
+        brightest: Brightness::ZERO,
     };
 
     /// Returns the report on two parts together: the sum of the rays, the larger `cut_off`.
@@ -50,6 +57,7 @@ impl Report {
         Self {
             rays: self.rays + other.rays,
             cut_off: self.cut_off.max(other.cut_off),
+            brightest: self.brightest.max(other.brightest),
         }
     }
 
@@ -59,6 +67,80 @@ impl Report {
         Self {
             rays: tracer.rays.into(),
             cut_off: tracer.cut_off,
+            brightest: tracer.world.parts().brightest,
         }
+    }
+}
+
+/// Returns the most light that paths can lose that end with a throughput of at most `weight`, as a share
+/// of white: at most 1, because a display shows nothing above white. Rounded up.
+pub(crate) fn light_cut_off(weight: Unit, brightest: Brightness) -> Unit {
+    // Q2.30 · Q6.26, rounded up.
+    let weight = weight.to_bits().unsigned_abs();
+    let brightest = brightest.to_bits().unsigned_abs();
+    // Colours are stored in 255 of 256 parts; this scales back.
+    let brightest = (u64::from(brightest) * 256).div_ceil(255);
+    // Below 2³⁰ · 2³².
+    let bound = (u64::from(weight) * brightest).div_ceil(1 << 26);
+    Unit::from_bits(signed(narrowed_unsigned(bound.min(1 << 30))))
+}
+
+/// Writes the number of rays and the most light that is missing in a traced pixel, in levels of 255,
+/// rounded up to tenths.
+///
+/// The light is that of [`Rows::cut_off_bound`](crate::Rows::cut_off_bound): `cut_off` times the brightest
+/// colour of the scene. Less than one level changes no traced pixel by more than one level.
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { rays, .. } = self;
+        if self.cut_off == Unit::ZERO {
+            return write!(f, "{rays} rays, no reflection cut off");
+        }
+        let bound = light_cut_off(self.cut_off, self.brightest);
+        // At most 2550.
+        let tenths = (u64::from(bound.to_bits().unsigned_abs()) * 2550).div_ceil(1 << 30);
+        let (levels, rest) = (tenths / 10, tenths % 10);
+        write!(
+            f,
+            "{rays} rays, reflections cut off: at most {levels}.{rest} of 255 levels missing"
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Returns the text of a report with these shares of 1.
+    fn text(cut_off: f64, brightest: f64) -> std::string::String {
+        std::format!(
+            "{}",
+            Report {
+                rays: 8933,
+                cut_off: Unit::from_num(cut_off),
+                brightest: Brightness::from_num(brightest * 255.0 / 256.0),
+            }
+        )
+    }
+
+    #[test]
+    fn text_has_the_rays_and_the_levels_that_can_be_missing() {
+        assert_eq!(text(0.0, 30.0), "8933 rays, no reflection cut off");
+        let missing = |cut_off, brightest| {
+            let text = text(cut_off, brightest);
+            let start = "8933 rays, reflections cut off: at most ";
+            let (_, rest) = text.split_once(start).unwrap();
+            std::string::String::from(rest)
+        };
+        // 0.0308 · 255 = 7.85 levels.
+        assert_eq!(missing(0.0308, 1.0), "7.9 of 255 levels missing");
+        assert_eq!(missing(0.0308, 0.5), "4.0 of 255 levels missing");
+        assert_eq!(missing(0.0308, 3.0), "23.6 of 255 levels missing");
+    }
+
+    #[test]
+    fn levels_are_rounded_up_and_end_at_white() {
+        assert!(text(1e-9, 1.0).ends_with("at most 0.1 of 255 levels missing"));
+        assert!(text(1.0, 30.0).ends_with("at most 255.0 of 255 levels missing"));
     }
 }

@@ -1,4 +1,24 @@
 //! The macros for users: `room!` writes the room of a scene, `scene!` declares a constant scene.
+//!
+//! The compiler looks up the words of a macro where a user calls it. So that no word finds an item of
+//! the user, every path begins with `$crate`, constants are items of a trait, and arguments begin with
+//! two underscores.
+
+use super::builder::SceneBuilder;
+use super::capacity::{Capacity, Counts};
+
+/// The lines of a [`scene!`](crate::scene) as constants. They are items of a trait, because the lines
+/// would see the name of any other constant.
+pub trait SceneLines {
+    /// Number of parts of each kind.
+    const COUNTS: Counts;
+    /// Room that holds exactly these parts.
+    type Room: Capacity;
+    /// Builder that has all parts.
+    const BUILDER: SceneBuilder<Self::Room>;
+    /// Kind and name of each part, in their order. The name is empty if the part has none.
+    const NAMES: &'static [(&'static str, &'static str)];
+}
 
 /// Writes the type of a scene's room: how many parts of each kind the scene can hold.
 ///
@@ -15,7 +35,9 @@
 #[macro_export]
 macro_rules! room {
     ($($list:ident: $count:expr),* $(,)?) => {
-        $crate::__room!($crate::__private::Counts::of_fields(&[$((stringify!($list), $count)),*]))
+        $crate::__room!($crate::__private::Counts::of_fields(
+            &[$(($crate::__private::stringify!($list), $count)),*]
+        ))
     };
 }
 
@@ -57,54 +79,66 @@ macro_rules! scene {
         }
     ) => {
         $(#[$attribute])*
-        #[derive(Clone, Copy, Debug)]
+        #[derive($crate::__private::Clone, $crate::__private::Copy, $crate::__private::Debug)]
         $visibility struct $name;
 
-        const _: () = {
-            const COUNTS: $crate::__private::Counts =
-                $crate::SceneBuilder::<$crate::__private::LargestRoom>::new()
+        impl $crate::__private::SceneLines for $name {
+            const COUNTS: $crate::__private::Counts = $crate::SceneBuilder::counts(
+                &$crate::SceneBuilder::<$crate::__private::LargestRoom>::new()
                     $(.$part($($argument),*))*
-                    .counts();
+            );
 
-            type Room = $crate::__room!(COUNTS);
+            type Room = $crate::__room!(<$name as $crate::__private::SceneLines>::COUNTS);
 
-            const BUILDER: $crate::SceneBuilder<Room> = $crate::SceneBuilder::new()
-                $(.$part($($argument),*) $(.moves_as(stringify!($handle)))?)*;
+            const BUILDER: $crate::SceneBuilder<Self::Room> =
+                $crate::SceneBuilder::<Self::Room>::new()
+                    $(.$part($($argument),*) $(.moves_as($crate::__private::stringify!($handle)))?)*;
 
-            impl $crate::__private::StaticScene for $name {
-                type Room = Room;
-                const SCENE: &'static $crate::Scene<Room> = &BUILDER.build();
-                const INSTANCE: &'static Self = &Self;
+            const NAMES: &'static [(&'static $crate::__private::str, &'static $crate::__private::str)] =
+                &[$((
+                    $crate::__private::stringify!($part),
+                    $crate::__private::concat!($($crate::__private::stringify!($handle))?),
+                )),*];
+        }
 
-                fn with_description<R>(
-                    read: impl FnOnce($crate::description::Description<'_>) -> R,
-                ) -> R {
-                    read(BUILDER.description())
-                }
+        impl $crate::__private::StaticScene for $name {
+            type Room = <Self as $crate::__private::SceneLines>::Room;
+            const SCENE: &'static $crate::Scene<<Self as $crate::__private::SceneLines>::Room> =
+                &$crate::SceneBuilder::build(&<Self as $crate::__private::SceneLines>::BUILDER);
+            const INSTANCE: &'static Self = &Self;
+
+            fn with_description<__R>(
+                __read: impl $crate::__private::FnOnce($crate::description::Description<'_>) -> __R,
+            ) -> __R {
+                __read($crate::SceneBuilder::description(
+                    &<Self as $crate::__private::SceneLines>::BUILDER,
+                ))
             }
-        };
+        }
 
         #[allow(dead_code, reason = "a scene need not be drawn and moved")]
         impl $name {
-            const PARTS: &[(&str, &str)] =
-                &[$((stringify!($part), concat!($(stringify!($handle))?))),*];
-
             $($(
-                #[doc = concat!("Handle of a ", stringify!($part), " that can move.")]
+                #[doc = $crate::__private::concat!(
+                    "Handle of a ", $crate::__private::stringify!($part), " that can move."
+                )]
                 pub const $handle: $crate::Handle<$crate::__described!($part)> =
-                    $crate::Handle::named(Self::PARTS, stringify!($handle));
+                    $crate::Handle::named(
+                        <Self as $crate::__private::SceneLines>::NAMES,
+                        $crate::__private::stringify!($handle),
+                    );
             )?)*
 
-            /// Calls `read` with the numbers that the scene was written with.
-            pub fn with_description<R>(
-                read: impl FnOnce($crate::description::Description<'_>) -> R,
-            ) -> R {
-                <Self as $crate::__private::StaticScene>::with_description(read)
+            /// Passes the numbers that the scene was written with to a function, and returns the result.
+            pub fn with_description<__R>(
+                __read: impl $crate::__private::FnOnce($crate::description::Description<'_>) -> __R,
+            ) -> __R {
+                <Self as $crate::__private::StaticScene>::with_description(__read)
             }
 
             /// Views the scene through a camera: 4 reflections, quality `Fast`, shading `BlinnPhong`.
-            pub fn frame(camera: &$crate::Camera) -> $crate::FrameBuilder<'_, Self> {
-                $crate::FrameBuilder::new(&Self, camera)
+            pub fn frame(__camera: &$crate::Camera) -> $crate::FrameBuilder<'_, Self> {
+                $crate::FrameBuilder::new(&Self, __camera)
             }
         }
     };

@@ -69,7 +69,7 @@ impl Traced {
 
 /// Follows the rays of one row of pixels.
 pub(crate) struct Tracer<'a, W: World, K, Q> {
-    world: &'a W,
+    pub(crate) world: &'a W,
     /// The camera's position, and the lights that planes hide in this frame.
     visibility: &'a LightVisibility,
     /// The candidates for the rays of this row.

@@ -118,22 +118,43 @@ fn png_and_raw_are_the_same_picture_of_the_size_asked_for() {
 }
 
 #[test]
-fn nothing_is_written_over() {
+fn file_that_is_named_is_written_over() {
+    let folder = Folder::new("written_over");
+    for option in ["--out", "--raw"] {
+        let call = |scene| printed(&folder, &format!("{scene} --size 4x4 {option} picture"));
+        call("mirror1");
+        let first = fs::read(folder.path("picture")).unwrap();
+        call("floor");
+        let second = fs::read(folder.path("picture")).unwrap();
+        call("mirror1");
+        assert!(first != second, "{option}");
+        assert!(
+            fs::read(folder.path("picture")).unwrap() == first,
+            "{option}"
+        );
+    }
+    assert_eq!(folder.files(), ["picture"]);
+}
+
+#[test]
+fn what_is_no_picture_is_not_written_over() {
     let folder = Folder::new("kept");
-    fs::write(folder.path("kept"), "kept").unwrap();
     fs::create_dir(folder.path("folder")).unwrap();
-    let exists = "exists and is not written over";
     for option in ["--out", "--raw"] {
         let call = |path| refused(&folder, &format!("floor --size 2x2 {option} {path}"));
-        assert_eq!(call("kept"), format!("kept {exists}"));
-        assert_eq!(call("folder"), format!("folder {exists}"));
+        let is_folder = "folder cannot be written: it is a folder";
+        assert_eq!(call("folder"), is_folder);
         let missing = "no/such/folder/a cannot be written: there is no folder no/such/folder";
         assert_eq!(call("no/such/folder/a"), missing);
     }
     let both = refused(&folder, "floor --size 2x2 --out a --raw a");
     assert_eq!(both, "--out and --raw name the same file");
-    assert_eq!(fs::read(folder.path("kept")).unwrap(), b"kept");
-    assert_eq!(folder.files(), ["folder", "kept"]);
+    let scene = changed(|_| ());
+    fs::write(folder.path("it.json"), &scene).unwrap();
+    let own = refused(&folder, "it.json --size 2x2 --raw ./it.json");
+    assert_eq!(own, "it.json is the scene file: it is not written over");
+    assert_eq!(fs::read_to_string(folder.path("it.json")).unwrap(), scene);
+    assert_eq!(folder.files(), ["folder", "it.json"]);
 }
 
 #[test]

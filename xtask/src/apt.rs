@@ -21,8 +21,8 @@ pub fn install(packages: &[&str]) -> Result<()> {
             .args(["-o", "DPkg::Lock::Timeout=120"])
             .args(arguments)
             .limit(LIMIT);
-        println!("       {program}");
-        program.stream()
+        eprintln!("       {program}");
+        program.stream_to_stderr()
     };
     // Updating the package list may fail where the mirror is out of reach: an old list may be
     // enough.

@@ -60,6 +60,12 @@ impl Program {
         self.run().map(|_| ())
     }
 
+    /// Runs the program. All of its output goes to this process's standard error.
+    pub fn stream_to_stderr(mut self) -> Result<(), Failure> {
+        self.command.stdout(io::stderr());
+        self.stream()
+    }
+
     /// Runs the program and returns its standard output, without white space at both ends.
     pub fn read(mut self) -> Result<String, Failure> {
         self.command.stdout(Stdio::piped()).stderr(Stdio::piped());

@@ -8,10 +8,10 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use clap::Args;
 
-use crate::command::Program;
+use crate::{command::Program, need};
 
 /// The compiler flags that cargo-fuzz uses, without those of the sanitizers.
 const FLAGS: [&str; 7] = [
@@ -44,9 +44,7 @@ pub struct Arguments {
 
 /// Builds the fuzz target and runs it. The current folder must be the repository's.
 pub fn run(arguments: &Arguments) -> Result<()> {
-    if !compiles_cpp() {
-        bail!("libFuzzer is C++ and c++ does not run: as root, apt-get install g++");
-    }
+    need::CPP_COMPILER.get_if_missing()?;
     let found = format!("{WORK}/found");
     fs::create_dir_all(&found).with_context(|| format!("cannot make {found}"))?;
     let target = build()?;

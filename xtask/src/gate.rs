@@ -101,6 +101,7 @@ pub fn run(arguments: Arguments) -> Result<()> {
 }
 
 /// A step that has passed, with its time on the clock and its processor time.
+#[derive(Debug)]
 struct Taken {
     name: String,
     clock: Duration,

@@ -12,6 +12,7 @@ pub mod gate;
 pub mod kept;
 pub mod measure;
 pub mod misuse;
+pub mod need;
 pub mod pico;
 pub mod profile;
 pub mod scale;

@@ -1,11 +1,11 @@
-//! Saves the picture of a board's display in a new file, never over an existing one.
+//! Saves the picture of a board's display: over the file that the user named, or in a new one.
 
 use std::io::Cursor;
 use std::path::{PathBuf, absolute};
 
 use anyhow::{Error, Result};
 use clap::{Args, builder::PossibleValuesParser};
-use command_line::{NewFile, shown};
+use command_line::{OutputFile, shown};
 use image::{ImageFormat, RgbImage};
 use reflet::scenes::NAMES;
 
@@ -19,24 +19,24 @@ pub struct Arguments {
     #[arg(value_parser = PossibleValuesParser::new(NAMES))]
     pub scene: String,
 
-    /// Where the picture goes [default: BOARD-SCENE.png, with a number if that is taken]
+    /// Where the picture goes, over an older one [default: BOARD-SCENE.png, with a number if that is taken]
     #[arg(long, value_name = "F.png")]
     pub screenshot: Option<PathBuf>,
 }
 
 impl Arguments {
-    /// Returns the file of the picture. Fails before the work begins if the file exists already.
-    pub fn file(&self, board: &str) -> Result<NewFile> {
+    /// Returns the file of the picture. Fails before the work begins if it cannot be written.
+    pub fn file(&self, board: &str) -> Result<OutputFile> {
         let file = match &self.screenshot {
-            None => NewFile::free_png(&absolute(format!("{board}-{}.png", self.scene))?),
-            Some(path) => NewFile::png_at(&absolute(path)?),
+            None => OutputFile::free_png(&absolute(format!("{board}-{}.png", self.scene))?),
+            Some(path) => OutputFile::png_at(&absolute(path)?),
         };
         Ok(file.map_err(Misuse::new)?)
     }
 }
 
 /// Writes a picture as PNG and prints the path of the file.
-pub fn save(picture: &RgbImage, file: NewFile) -> Result<()> {
+pub fn save(picture: &RgbImage, file: OutputFile) -> Result<()> {
     let mut bytes = Cursor::new(Vec::new());
     picture.write_to(&mut bytes, ImageFormat::Png)?;
     let path = file.write(bytes.get_ref()).map_err(Error::from_boxed)?;

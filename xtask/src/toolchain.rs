@@ -11,7 +11,7 @@ use std::time::Duration;
 use anyhow::{Context, Result};
 use serde_json::Value;
 
-use crate::{apt, command::Program, enter_root, root};
+use crate::{apt, command::Program, need, root};
 
 /// The targets that reflet is built for: Cortex-M0, M3, M4F and M7, M33, and RV32IMAC.
 pub const TARGETS: [&str; 5] = [
@@ -48,7 +48,7 @@ pub fn get_bare_metal() -> Result<()> {
     let Err(refusal) = rustup(&[&["target", "add"], &TARGETS[..]].concat()) else {
         return Ok(());
     };
-    println!("setup: {refusal:#}; Debian's compiler and library source instead");
+    eprintln!("       {refusal:#}; Debian's compiler and library source instead");
     apt::install(&["rustc-web", "rust-web-src"]).context(refusal)
 }
 
@@ -68,8 +68,8 @@ fn rustup(arguments: &[&str]) -> Result<()> {
         .args(arguments)
         .env("RUST_BACKTRACE", "0")
         .limit(RUSTUP_LIMIT);
-    println!("       {rustup}");
-    Ok(rustup.stream()?)
+    eprintln!("       {rustup}");
+    Ok(rustup.stream_to_stderr()?)
 }
 
 /// How to build for every target of [`TARGETS`] on this machine.
@@ -85,6 +85,12 @@ pub enum BareMetal {
 }
 
 impl BareMetal {
+    /// Returns how this machine can build. Installs the targets first if they are missing.
+    pub fn get() -> Result<Self> {
+        need::BARE_METAL.get_if_missing()?;
+        Self::find().context("the bare-metal targets are gone again")
+    }
+
     /// Returns how this machine can build, or `None` if it cannot. Quick: it only looks for files.
     pub fn find() -> Option<Self> {
         let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
@@ -157,9 +163,7 @@ pub fn build_there(target: &str, folder: &Path) -> Result<PathBuf> {
 }
 
 fn cargo_build(profile: &str, target: &str) -> Result<Program> {
-    let bare_metal = BareMetal::find()
-        .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
-    Ok(bare_metal
+    Ok(BareMetal::get()?
         .cargo("build", &[target])
         .args(["--profile", profile, "--locked"])
         .args(["--message-format=json-render-diagnostics"])

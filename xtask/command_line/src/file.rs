@@ -1,10 +1,11 @@
-//! Writes bytes to new files, to streams and to standard output. Never replaces a file. This module
-//! never knows what the bytes are.
+//! Writes bytes to files, to streams and to standard output. Replaces a file only if the user named its
+//! path. This module never knows what the bytes are.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::process;
 
 use crate::{Failure, one_line};
 
@@ -13,7 +14,7 @@ const STANDARD_OUTPUT: &str = "-";
 
 /// A destination that was tested to be writable before the work began.
 #[derive(Debug)]
-pub struct NewFile {
+pub struct OutputFile {
     path: PathBuf,
     kind: Kind,
 }
@@ -23,18 +24,19 @@ enum Kind {
     StandardOutput,
     /// A device or a pipe. Writing to it replaces nothing.
     Stream,
-    /// A file that does not exist yet.
+    /// A file with a name that the user chose. If it exists, it is replaced.
     File,
-    /// A file that does not exist yet. Its name gets a number if another file has the name by then.
+    /// A new file. Its name gets a number if another file has the name by then.
     Numbered,
 }
 
-impl NewFile {
-    /// Tests that a new file can be written at `path`, or standard output if `path` is `-`.
+impl OutputFile {
+    /// Tests that a file can be written at `path`, or standard output if `path` is `-`. If there is a
+    /// file already, `write` replaces it.
     ///
     /// # Errors
     ///
-    /// Fails if something at `path` would be replaced, or if nothing can be written there.
+    /// Fails if nothing can be written there.
     pub fn at(path: &Path) -> Result<Self, Failure> {
         let shown = shown(path);
         let failed = |error| not_written(path, &error);
@@ -46,8 +48,8 @@ impl NewFile {
                 open_stream(path).map_err(failed)?;
             }
             Kind::Stream
-        } else if path.symlink_metadata().is_ok() {
-            return Err(format!("{shown} exists and is not written over").into());
+        } else if path.is_dir() {
+            return Err(format!("{shown} cannot be written: it is a folder").into());
         } else if !folder_of(path).is_dir() {
             let missing = self::shown(folder_of(path));
             return Err(format!("{shown} cannot be written: there is no folder {missing}").into());
@@ -59,11 +61,11 @@ impl NewFile {
         Ok(Self { path, kind })
     }
 
-    /// Tests that a new PNG file can be written at `path`, or standard output if `path` is `-`.
+    /// Tests that a PNG file can be written at `path`, or standard output if `path` is `-`.
     ///
     /// # Errors
     ///
-    /// Fails like [`NewFile::at`], and if the name has the extension of another format.
+    /// Fails like [`OutputFile::at`], and if the name has the extension of another format.
     pub fn png_at(path: &Path) -> Result<Self, Failure> {
         let extension = path.extension().unwrap_or("png".as_ref());
         match extension.eq_ignore_ascii_case("png") {
@@ -89,8 +91,8 @@ impl NewFile {
         Ok(Self { path, kind })
     }
 
-    /// Writes all bytes and returns the path. Removes the file if that fails. If standard output has
-    /// no reader any more, this is no error.
+    /// Writes all bytes and returns the path. If that fails, no new file is left, and an old file keeps
+    /// its bytes. If standard output has no reader any more, this is no error.
     pub fn write(self, bytes: &[u8]) -> Result<PathBuf, Failure> {
         let Self { path, kind } = self;
         let failed = |error| not_written(&path, &error);
@@ -104,7 +106,10 @@ impl NewFile {
                 sent.map_err(failed)?;
                 return Ok(path);
             }
-            Kind::File => (File::create_new(&path).map_err(failed)?, path),
+            Kind::File => {
+                replace(&path, bytes).map_err(failed)?;
+                return Ok(path);
+            }
             Kind::Numbered => create_numbered(&path).map_err(failed)?,
         };
         if let Err(error) = file.write_all(bytes) {
@@ -194,10 +199,52 @@ fn location(path: &Path) -> Option<PathBuf> {
     })
 }
 
-/// Creates a file and removes it: the only sure test that the file can be created.
+/// Tests whether [`replace`] can write a file: creates what it would create, and removes it.
 fn try_out(path: &Path) -> io::Result<()> {
-    File::create_new(path)?;
-    fs::remove_file(path)
+    let tried = match path.canonicalize() {
+        // The owner may have made the file read-only.
+        Ok(existing) => {
+            open_stream(&existing)
+                .and_then(|_| create_beside(&existing))?
+                .1
+        }
+        Err(_) if path.is_symlink() => create_beside(path)?.1,
+        Err(_) => File::create_new(path).map(|_| path.to_owned())?,
+    };
+    fs::remove_file(tried)
+}
+
+/// Writes all bytes to a file, which may exist. They go to a temporary file first, which is then
+/// renamed. So the file never holds only a part of them.
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // The file that a link leads to is replaced, not the link.
+    let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let (mut file, temporary) = create_beside(&target)?;
+    let written = file.write_all(bytes).and_then(|()| {
+        if let Ok(old) = target.metadata() {
+            file.set_permissions(old.permissions())?;
+        }
+        // Some systems do not rename an open file.
+        drop(file);
+        fs::rename(&temporary, &target)
+    });
+    if written.is_err() {
+        // Only the first error is reported.
+        let _ = fs::remove_file(&temporary);
+    }
+    written
+}
+
+/// Creates a temporary file in the folder of `path`.
+fn create_beside(path: &Path) -> io::Result<(File, PathBuf)> {
+    let mut number = 1;
+    loop {
+        let temporary = path.with_file_name(format!(".reflet-{}-{number}", process::id()));
+        match File::create_new(&temporary) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => number += 1,
+            made => return made.map(|file| (file, temporary)),
+        }
+    }
 }
 
 /// Creates the file with the first free name of `NAME.png`, `NAME-2.png`, `NAME-3.png` and so on.
@@ -242,7 +289,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let castle = folder.path().join("castle.png");
         for name in ["castle.png", "castle-2.png", "castle-3.png"] {
-            let written = NewFile::free_png(&castle).unwrap().write(b"dots");
+            let written = OutputFile::free_png(&castle).unwrap().write(b"dots");
             assert_eq!(written.unwrap(), folder.path().join(name));
         }
     }
@@ -251,13 +298,63 @@ mod tests {
     fn nothing_is_left_where_nothing_is_written() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.png");
-        drop((NewFile::png_at(&path), NewFile::free_png(&path)));
+        drop((OutputFile::png_at(&path), OutputFile::free_png(&path)));
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 
     #[test]
+    fn file_that_the_user_named_is_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        for dots in ["many old dots", "dots"] {
+            let written = OutputFile::png_at(&path).unwrap().write(dots.as_bytes());
+            assert_eq!(written.unwrap(), path);
+            assert_eq!(fs::read_to_string(&path).unwrap(), dots);
+        }
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn file_that_cannot_be_replaced_leaves_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        let file = OutputFile::png_at(&path).unwrap();
+        // A folder has taken the name since.
+        fs::create_dir(&path).unwrap();
+        file.write(b"dots").unwrap_err();
+        assert!(path.is_dir());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn file_behind_a_link_is_replaced_and_keeps_its_permissions() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::create_dir(path("pictures")).unwrap();
+        fs::write(path("pictures/a.png"), "old dots").unwrap();
+        fs::set_permissions(path("pictures/a.png"), PermissionsExt::from_mode(0o600)).unwrap();
+        symlink("pictures/a.png", path("link.png")).unwrap();
+        let written = OutputFile::png_at(&path("link.png"))
+            .unwrap()
+            .write(b"dots");
+        written.unwrap();
+        assert!(path("link.png").is_symlink());
+        assert_eq!(fs::read(path("pictures/a.png")).unwrap(), b"dots");
+        let mode = path("pictures/a.png")
+            .metadata()
+            .unwrap()
+            .permissions()
+            .mode();
+        assert_eq!(mode & 0o777, 0o600);
+    }
+
+    #[test]
     fn name_of_another_format_is_refused() {
-        let refused = NewFile::png_at(Path::new("a.jpg")).unwrap_err().to_string();
+        let refused = OutputFile::png_at(Path::new("a.jpg"))
+            .unwrap_err()
+            .to_string();
         let expected = "a.jpg: pictures are written as PNG only: name it a.png";
         assert_eq!(refused, expected);
     }

@@ -7,7 +7,7 @@ mod mistake;
 mod setting;
 mod source;
 
-pub use file::{NewFile, are_same_file, is_standard_output, print, shown};
+pub use file::{OutputFile, are_same_file, is_standard_output, print, shown};
 pub use mistake::{in_one_line, json_line, parse};
 pub use reflet::host::line::one_line;
 pub use setting::{Quality, Shading, size};

@@ -14,28 +14,35 @@ use tempfile::TempDir;
 
 use super::qmp::{self, Monitor};
 use crate::command::{self, Program, after};
+use crate::need::{self, Need};
 
-/// An emulated board before it boots: the emulator's command line and the time limit.
+/// An emulated board before it boots: the emulator's command line and the time limit. It is installed
+/// if it is missing.
 #[derive(Debug)]
 pub struct Qemu {
     name: &'static str,
+    need: &'static Need,
     program: Program,
 }
 
 impl Qemu {
     pub fn arm(machine: &str) -> Self {
-        Self::new("qemu-system-arm").args(["-M", machine])
+        Self::new("qemu-system-arm", &need::QEMU_ARM).args(["-M", machine])
     }
 
     /// Emulates QEMU's 32-bit RISC-V board (`virt`) without a BIOS: only our firmware runs.
     pub fn riscv32() -> Self {
-        Self::new("qemu-system-riscv32").args(["-M", "virt", "-bios", "none"])
+        Self::new("qemu-system-riscv32", &need::QEMU_RISCV).args(["-M", "virt", "-bios", "none"])
     }
 
-    fn new(name: &'static str) -> Self {
+    fn new(name: &'static str, need: &'static Need) -> Self {
         let program = Program::new(name);
-        Self { name, program }
-            .args(["-semihosting-config", "enable=on,target=native"])
+        let qemu = Self {
+            name,
+            need,
+            program,
+        };
+        qemu.args(["-semihosting-config", "enable=on,target=native"])
             .args(["-serial", "null", "-monitor", "none"])
     }
 
@@ -89,7 +96,7 @@ impl Qemu {
         })?;
         let socket = folder.path().join(MONITOR);
         let monitor = format!("unix:{},server=on,wait=off", socket.display());
-        let program = self.kernel(firmware).args(["-display", "none"]);
+        let program = self.kernel(firmware)?.args(["-display", "none"]);
         Ok(Running {
             program: program.args(["-qmp", &monitor]).start()?,
             said: Vec::new(),
@@ -103,12 +110,13 @@ impl Qemu {
     /// screen.
     pub fn show(self, firmware: &Path) -> Result<(), Failure> {
         let unseen = ["-display", "none"].into_iter().filter(|_| !has_screen());
-        let program = self.kernel(firmware).args(unseen).limit(Duration::MAX);
+        let program = self.kernel(firmware)?.args(unseen).limit(Duration::MAX);
         Ok(program.stream()?)
     }
 
-    fn kernel(self, firmware: &Path) -> Program {
-        self.program.args(["-kernel".as_ref(), firmware])
+    fn kernel(self, firmware: &Path) -> Result<Program, Failure> {
+        self.need.get_if_missing().map_err(Failure::Missing)?;
+        Ok(self.program.args(["-kernel".as_ref(), firmware]))
     }
 }
 
@@ -292,7 +300,9 @@ fn tail(said: &[String]) -> String {
 
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    #[error("{failure}{}", advice(failure))]
+    #[error("{0:#}")]
+    Missing(anyhow::Error),
+    #[error("{failure}")]
     Start { failure: command::Failure },
     /// The firmware ended with an error: a panic, a fault, or its own exit status.
     #[error("the firmware failed ({status}){}", quote(said))]
@@ -327,13 +337,6 @@ impl From<command::Failure> for Failure {
             },
             failure => Self::Start { failure },
         }
-    }
-}
-
-fn advice(failure: &command::Failure) -> &'static str {
-    match failure {
-        command::Failure::Missing { .. } => ": `cargo xtask setup` gets it",
-        _ => "",
     }
 }
 
@@ -377,10 +380,17 @@ mod tests {
 
     #[test]
     fn missing_emulator_is_named_with_the_way_to_get_it() {
-        let missing = Qemu::new("qemu-system-abacus").run(Path::new("firmware"));
+        static ABACUS: Need = Need {
+            name: "abacus",
+            is_there: || false,
+            get: || anyhow::bail!("out of reach"),
+            by_hand: "thread beads",
+            without: None,
+        };
+        let missing = Qemu::new("qemu-system-abacus", &ABACUS).run(Path::new("firmware"));
         assert_eq!(
             missing.unwrap_err().to_string(),
-            "there is no program `qemu-system-abacus`: `cargo xtask setup` gets it"
+            "abacus: missing; by hand: thread beads: out of reach"
         );
     }
 }

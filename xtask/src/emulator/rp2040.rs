@@ -15,6 +15,7 @@ use tempfile::TempDir;
 
 use super::qemu::quote;
 use crate::command::{Program, after};
+use crate::need::{self, Need};
 use crate::{command, root};
 
 /// Width and height of the display in pixels.
@@ -31,8 +32,13 @@ pub fn folder() -> PathBuf {
 }
 
 pub fn is_installed() -> bool {
+    is_installed_in(&folder())
+}
+
+/// Tests whether the packages of a lock file are installed in its folder.
+fn is_installed_in(folder: &Path) -> bool {
     let packages = |file: &str| {
-        let lock: Value = serde_json::from_slice(&fs::read(folder().join(file)).ok()?).ok()?;
+        let lock: Value = serde_json::from_slice(&fs::read(folder.join(file)).ok()?).ok()?;
         let mut packages = lock["packages"].as_object()?.clone();
         packages.remove("");
         Some(packages)
@@ -43,7 +49,15 @@ pub fn is_installed() -> bool {
 
 pub fn install() -> Result<(), command::Failure> {
     let npm = Program::new("npm").args(["ci", "--no-audit", "--no-fund", "--prefix"]);
-    npm.args([folder()]).limit(LIMIT).stream()
+    npm.args([folder()]).limit(LIMIT).stream_to_stderr()
+}
+
+/// Returns what a run needs, in the order of installation. npm only installs the packages.
+fn needs(is_installed: bool) -> Vec<&'static Need> {
+    match is_installed {
+        true => vec![&need::NODE],
+        false => vec![&need::NODE, &need::NPM, &need::RP2040_EMULATOR],
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,11 +119,13 @@ impl Rp2040 {
         self
     }
 
-    /// Runs a firmware until its last picture is drawn, or until the firmware ends itself.
+    /// Runs a firmware until its last picture is drawn, or until the firmware ends itself. Installs the
+    /// emulator if it is missing.
     pub fn run(&self, firmware: &Path) -> Result<Run, Failure> {
-        if !is_installed() {
-            return Err(Failure::NotInstalled);
-        }
+        let mut needs = needs(is_installed()).into_iter();
+        needs
+            .try_for_each(Need::get_if_missing)
+            .map_err(Failure::Missing)?;
         let pictures = TempDir::with_prefix("reflet-")?;
         let prefix = pictures.path().join("picture");
         let report = Program::new("node")
@@ -221,8 +237,8 @@ impl Report {
 
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
-    #[error("the packages of {} are missing: `cargo xtask setup` gets them", folder().display())]
-    NotInstalled,
+    #[error("{0:#}")]
+    Missing(anyhow::Error),
     #[error(transparent)]
     Emulator(#[from] command::Failure),
     #[error("the emulator's report is unreadable: {0}")]
@@ -244,6 +260,27 @@ pub enum Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn packages_are_installed_if_their_folder_is_missing_or_old() {
+        let folder = TempDir::new().unwrap();
+        let write = |file: &str, version: u32| {
+            let lock = format!(r#"{{ "packages": {{ "": {{}}, "node_modules/a": {version} }} }}"#);
+            fs::write(folder.path().join(file), lock).unwrap();
+        };
+        let names = || {
+            let needs = needs(is_installed_in(folder.path()));
+            needs.iter().map(|need| need.name).collect::<Vec<_>>()
+        };
+        let all = ["node", "npm", "RP2040 emulator"];
+        write("package-lock.json", 2);
+        assert_eq!(names(), all);
+        fs::create_dir(folder.path().join("node_modules")).unwrap();
+        write("node_modules/.package-lock.json", 1);
+        assert_eq!(names(), all);
+        write("node_modules/.package-lock.json", 2);
+        assert_eq!(names(), ["node"]);
+    }
 
     #[test]
     fn lock_file_names_no_server() {

@@ -219,9 +219,7 @@ fn summary(job: &str) -> String {
 }
 
 fn compile(core: &Core, job: &Path, chosen: &[&[&str]]) -> Result<()> {
-    let bare_metal = toolchain::BareMetal::find()
-        .context("the bare-metal targets are missing: `cargo xtask setup` gets them")?;
-    let cargo = bare_metal.cargo("build", &[core.target]);
+    let cargo = toolchain::BareMetal::get()?.cargo("build", &[core.target]);
     toolchain::alone(cargo, Path::new("xtask/firmware"))
         .args(["--quiet", "--locked"])
         .args(chosen.concat())

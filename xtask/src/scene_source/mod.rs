@@ -16,7 +16,7 @@ use reflet::host::{file::SceneFile, reference};
 
 use self::moving::Moving;
 
-use crate::{command::Program, misuse::Misuse, print};
+use crate::{command::Program, misuse::Misuse, need, print};
 
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -97,8 +97,9 @@ pub(crate) fn with_motion(
     Ok((source, moving))
 }
 
-/// Formats the text with rustfmt's default settings.
+/// Formats the text with rustfmt's default settings. Installs rustfmt if it is missing.
 fn laid_out(text: &str) -> Result<String> {
+    need::RUSTFMT.get_if_missing()?;
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("scene.rs");
     fs::write(&file, text)?;
@@ -107,6 +108,6 @@ fn laid_out(text: &str) -> Result<String> {
         .args(["--edition", "2024"])
         .args([&file])
         .read()
-        .context("the source is laid out by rustfmt: `cargo xtask setup` gets it")?;
+        .context("the source is laid out by rustfmt")?;
     Ok(fs::read_to_string(&file)?)
 }
