@@ -14,7 +14,6 @@ pub mod measure;
 pub mod misuse;
 pub mod pico;
 pub mod profile;
-pub mod scale;
 pub mod scene_source;
 pub mod screenshot;
 pub mod setup;
