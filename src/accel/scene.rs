@@ -209,7 +209,7 @@ impl<'a, R: Capacity> Tabled<'a, R> {
     /// memory is too small, there is no hierarchy, and rays test more shapes.
     ///
     /// To make it for 64 spheres takes 677 thousand instructions on an emulated Cortex-M0. A frame of 64
-    /// mirroring beads (`cargo xtask scale --mirrors --core m0`) takes 10.7 thousand instructions a pixel
+    /// mirroring beads (those of `xtask/tests/scale.rs`) takes 10.7 thousand instructions a pixel
     /// at 64x64 without it, and 6.4 thousand with it.
     ///
     /// ```

@@ -15,7 +15,6 @@ pub mod misuse;
 pub mod need;
 pub mod pico;
 pub mod profile;
-pub mod scale;
 pub mod scene_source;
 pub mod screenshot;
 pub mod setup;

@@ -6,7 +6,7 @@ use anyhow::Result;
 use clap::Parser;
 use command_line::Chosen;
 use xtask::{
-    accuracy, board, copies, enter_root, fuzz, gate, measure, misuse::Misuse, pico, profile, scale,
+    accuracy, board, copies, enter_root, fuzz, gate, measure, misuse::Misuse, pico, profile,
     scene_source, screenshot, setup, size,
 };
 
@@ -32,7 +32,6 @@ enum Chore {
     },
     Measure(measure::Arguments),
     Profile(profile::Arguments),
-    Scale(scale::Arguments),
     Size(size::Arguments),
     Fuzz(fuzz::Arguments),
     /// Prints a scene file as the Rust source of a constant scene.
@@ -81,7 +80,6 @@ fn run(chore: &Chore) -> Result<()> {
         Chore::Show { firmware } => board::show(firmware),
         Chore::Measure(arguments) => measure::run(arguments),
         Chore::Profile(arguments) => profile::run(arguments),
-        Chore::Scale(arguments) => scale::run(arguments),
         Chore::Size(arguments) => size::run(arguments),
         Chore::Scene { file, chosen } => scene_source::run(file, chosen),
         Chore::Setup => setup::run(),

@@ -1,5 +1,8 @@
 //! Decides which pixels are lost, and why. Knows only colours, never a scene.
 
+/// A pixel's levels of red, green and blue.
+pub type Pixel = [u8; 3];
+
 /// Most that a right pixel differs from the reference, in 255ths of the largest channel.
 pub const RIGHT: u8 = 1;
 
@@ -17,51 +20,38 @@ pub enum Cause {
     Apart,
 }
 
-/// The same picture three times.
-#[derive(Clone, Copy, Debug)]
-pub struct Views<'a> {
-    /// Picture of the reference.
-    pub truth: &'a [[u8; 3]],
-    /// Picture of `Exact`.
-    pub exact: &'a [[u8; 3]],
-    /// Picture of the tested quality.
-    pub tested: &'a [[u8; 3]],
-}
-
-impl Views<'_> {
-    /// Tests whether `Exact` has a pixel right.
-    pub fn is_exact_right(&self, index: usize) -> bool {
-        difference(self.exact[index], self.truth[index]) <= RIGHT
-    }
-
-    /// Tests whether `Exact` has a pixel right that the tested quality has visibly wrong.
-    pub fn is_lost(&self, index: usize) -> bool {
-        self.is_exact_right(index) && difference(self.tested[index], self.truth[index]) > VISIBLE
-    }
-}
-
-fn difference(one: [u8; 3], other: [u8; 3]) -> u8 {
+/// Returns the largest difference of a channel.
+pub fn difference(one: Pixel, other: Pixel) -> u8 {
     let channels = one.iter().zip(other).map(|(a, b)| a.abs_diff(b));
     channels.max().unwrap_or(0)
 }
 
-/// Returns for each pixel why it is lost, or `None` if it is not. `plain` draws the views without
-/// shadows and highlights; it is called only if a lost pixel is not apart.
-pub fn causes<'a>(
-    lit: Views<'_>,
+/// Tests for each pixel whether `Exact` has it right and the tested quality visibly wrong.
+pub fn lost(truth: &[Pixel], exact: &[Pixel], tested: &[Pixel]) -> Vec<bool> {
+    let pixels = truth.iter().zip(exact).zip(tested);
+    let is_lost = pixels.map(|((truth, exact), tested)| {
+        difference(*exact, *truth) <= RIGHT && difference(*tested, *truth) > VISIBLE
+    });
+    is_lost.collect()
+}
+
+/// Returns for each pixel why it is lost, or `None` if it is not. `plain` finds the pixels that are
+/// lost without shadows and highlights; it is called only if a lost pixel is not apart.
+pub fn causes(
+    is_lost: &[bool],
     is_apart: &[bool],
-    plain: impl FnOnce() -> Views<'a>,
+    plain: impl FnOnce() -> Vec<bool>,
 ) -> Vec<Option<Cause>> {
-    let indices = 0..lit.truth.len();
-    let is_in_question = |it: usize| lit.is_lost(it) && !is_apart[it];
+    let indices = 0..is_lost.len();
+    let is_in_question = |it: usize| is_lost[it] && !is_apart[it];
     let plain = indices.clone().any(is_in_question).then(plain);
-    let cause = |index| match is_apart[index] {
-        true => Cause::Apart,
-        false if plain.is_some_and(|it| it.is_lost(index)) => Cause::Seen,
-        false => Cause::Light,
+    let cause = |index: usize| match (is_apart[index], &plain) {
+        (true, _) => Cause::Apart,
+        (false, Some(plain)) if plain[index] => Cause::Seen,
+        _ => Cause::Light,
     };
     indices
-        .map(|index| lit.is_lost(index).then(|| cause(index)))
+        .map(|index| is_lost[index].then(|| cause(index)))
         .collect()
 }
 
@@ -99,21 +89,16 @@ impl Counts {
     pub fn lost(&self) -> f64 {
         self.percent(self.seen + self.light)
     }
-
-    /// Tests whether any pixel is lost, apart or not.
-    pub fn is_any(&self) -> bool {
-        self.seen + self.light + self.apart > 0
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const GREY: [u8; 3] = [100; 3];
+    const GREY: Pixel = [100; 3];
 
     /// One pixel for each way to be right or wrong. `truth` is grey everywhere.
-    const EXACT: [[u8; 3]; 7] = [
+    const EXACT: [Pixel; 7] = [
         [100, 101, 99],
         [101, 99, 100],
         [100, 100, 102],
@@ -122,7 +107,7 @@ mod tests {
         GREY,
         GREY,
     ];
-    const TESTED: [[u8; 3]; 7] = [
+    const TESTED: [Pixel; 7] = [
         [100, 100, 108],
         [109, 100, 100],
         [0; 3],
@@ -133,19 +118,12 @@ mod tests {
     ];
     const APART: [bool; 7] = [false, false, false, false, true, true, false];
 
-    fn views<'a>(exact: &'a [[u8; 3]], tested: &'a [[u8; 3]]) -> Views<'a> {
-        Views {
-            truth: &[GREY; 7],
-            exact,
-            tested,
-        }
-    }
-
     #[test]
     fn pixel_is_lost_only_if_exact_is_within_1_and_the_quality_off_by_more_than_8() {
         let mut plain = [GREY; 7];
         plain[3] = [0; 3];
-        let causes = causes(views(&EXACT, &TESTED), &APART, || views(&[GREY; 7], &plain));
+        let lit = lost(&[GREY; 7], &EXACT, &TESTED);
+        let causes = causes(&lit, &APART, || lost(&[GREY; 7], &[GREY; 7], &plain));
         let (seen, light, apart) = (Some(Cause::Seen), Some(Cause::Light), Some(Cause::Apart));
         assert_eq!(causes, [None, light, None, seen, apart, None, None]);
         let expected = Counts {
@@ -156,14 +134,14 @@ mod tests {
         };
         let counts = Counts::of(&causes);
         assert_eq!(counts, expected);
-        assert!(counts.is_any() && (counts.lost() - 200.0 / 7.0).abs() < 1e-12);
+        assert!((counts.lost() - 200.0 / 7.0).abs() < 1e-12);
     }
 
     #[test]
     fn plain_pictures_are_not_drawn_for_pixels_that_are_apart() {
         let tested = [GREY, GREY, GREY, GREY, [0; 3], GREY, GREY];
-        let never = || -> Views<'static> { panic!("nothing is in question") };
-        let found = causes(views(&[GREY; 7], &tested), &APART, never);
+        let lit = lost(&[GREY; 7], &[GREY; 7], &tested);
+        let found = causes(&lit, &APART, || panic!("nothing is in question"));
         assert_eq!(Counts::of(&found).apart, 1);
     }
 }

@@ -63,14 +63,6 @@ pub fn json(case: &Case) -> String {
     format!("{file:#}\n")
 }
 
-/// Returns the name of a picture's file, such as `castle-96x96-fast.png`.
-pub fn picture_name(judged: &Judged, lost: &Lost) -> String {
-    let (name, size) = (&judged.name, judged.size);
-    let name = name.replace(['/', '\\'], "_");
-    let quality = lost.quality.name();
-    format!("{name}-{}x{}-{quality}.png", size.width, size.height)
-}
-
 /// Returns the bytes of a PNG file with the picture of a quality. Lost pixels are magenta.
 ///
 /// # Errors

@@ -13,6 +13,22 @@ pub mod case;
 pub mod count;
 pub mod families;
 pub mod file;
-pub mod parallel;
 pub mod table;
 pub mod truth;
+
+use rayon::ThreadPoolBuilder;
+use rayon::prelude::*;
+
+/// Stack of a worker in bytes. A scene with the room of a scene file is built on it.
+const STACK: usize = 64 << 20;
+
+/// Returns `work(0)` to `work(count - 1)`, computed on all cores.
+///
+/// # Panics
+///
+/// `work` panics, or no thread can be started.
+pub fn on_all_cores<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let pool = ThreadPoolBuilder::new().stack_size(STACK).build();
+    let pool = pool.expect("threads start");
+    pool.install(|| (0..count).into_par_iter().map(&work).collect())
+}

@@ -1,12 +1,13 @@
 //! Tests of the counting and of the random scenes, and that a small run loses nothing.
 
+use clap::ValueEnum;
 use embedded_graphics::geometry::Size;
 use lost::case::{Case, Quality};
+use lost::count::{Counts, difference};
 use lost::families::{Family, scene_of_run};
-use lost::file;
-use lost::parallel::in_order;
-use lost::table::FamilyTable;
+use lost::table::{HEAD, Summary, row};
 use lost::truth::truth;
+use lost::{file, on_all_cores};
 use reflet::host::file::{SceneFile, built};
 use reflet::host::reference::{Camera, Cylinder, Material, Scene, Shading, Sphere, render};
 
@@ -14,92 +15,77 @@ use reflet::host::reference::{Camera, Cylinder, Material, Scene, Shading, Sphere
 const BAR_PLAIN: f64 = 95.0;
 
 const SEED: u64 = 1;
-const SCENES: usize = 10 * Family::ALL.len();
 const SIZE: Size = Size::new(64, 48);
 
-/// Calls `check` with the first scenes of every family.
-fn for_scenes<T: Send>(check: impl Fn(Family, Case) -> T + Sync, done: impl FnMut(T)) {
-    let run = |index| {
-        let (family, case) = scene_of_run(&Family::ALL, SEED, index);
+/// Returns the results of `check` for the first scenes of every family, in turns.
+fn for_scenes<T: Send>(of_each: usize, check: impl Fn(Family, Case) -> T + Sync) -> Vec<T> {
+    let families = Family::value_variants();
+    on_all_cores(of_each * families.len(), |index| {
+        let (family, case) = scene_of_run(families, SEED, index);
         check(family, case)
-    };
-    in_order(SCENES, run, done);
+    })
+}
+
+/// Returns the largest percentages of lost pixels that are not apart, and that are.
+fn worst(quality: Quality) -> [f64; 2] {
+    let judged = for_scenes(10, |_, case| case.judge(SIZE, &[quality]).unwrap());
+    let judged: Vec<_> = judged.iter().collect();
+    println!("{HEAD}\n{}", row("all", quality, &judged));
+    let percents: [fn(&Counts) -> f64; 2] = [Counts::lost, |it| it.percent(it.apart)];
+    percents.map(|percent| Summary::of(&judged, quality, percent).worst)
 }
 
 #[test]
 fn no_quality_loses_a_pixel_of_random_scenes() {
-    let mut table = FamilyTable::new(&Family::ALL, &Quality::SURE);
-    for_scenes(
-        |family, case| (family, case.judge(SIZE, &Quality::SURE).unwrap()),
-        |(family, judged)| table.add(family, &judged),
-    );
-    let lines = table.lines().join("\n");
-    for row in &table.all {
-        let most = row.lost.worst.max(row.apart.worst);
-        assert!(most == 0.0, "{lines}");
+    for quality in Quality::SURE {
+        assert_eq!(worst(quality), [0.0; 2], "{quality:?}");
     }
 }
 
 #[test]
 fn quality_that_guesses_loses_pixels() {
-    let mut lost: f64 = 0.0;
-    for_scenes(
-        |_, case| case.judge(SIZE, &[Quality::Draft]).unwrap(),
-        |judged| {
-            let mut table = FamilyTable::new(&[], &[Quality::Draft]);
-            table.add(Family::ALL[0], &judged);
-            lost = lost.max(table.all[0].lost.worst);
-        },
-    );
+    let [lost, _] = worst(Quality::Draft);
     assert!(lost > 1.0, "{lost} %");
 }
 
 #[test]
 fn every_random_scene_is_accepted() {
-    let count = 200 * Family::ALL.len();
-    let made = |index| {
-        let (_, case) = scene_of_run(&Family::ALL, SEED, index);
-        (built(&case.scene, &case.camera).err(), case.name)
-    };
-    in_order(count, made, |(error, name)| {
-        assert!(error.is_none(), "{name}: {error:?}");
+    for_scenes(200, |_, case| {
+        let error = built(&case.scene, &case.camera).err();
+        assert!(error.is_none(), "{}: {error:?}", case.name);
     });
 }
 
 #[test]
 fn random_scene_is_the_same_each_time_and_from_its_file() {
-    let check = |family: Family, case: Case| {
+    for_scenes(10, |family, case| {
         let number = case.name.split('-').nth(2).unwrap().parse().unwrap();
         assert_eq!(family.case(SEED, number), case);
         assert_ne!(family.case(SEED + 1, number).scene, case.scene);
         let file = SceneFile::parse(&file::json(&case), None).unwrap();
         assert_eq!(file.name(), Some(case.name.as_str()));
         assert_eq!(file.reference(), (case.scene, case.camera));
-    };
-    for_scenes(check, |()| ());
+    });
 }
 
 #[test]
 fn truth_is_the_picture_of_the_reference() {
-    let check = |_, case: Case| {
+    for_scenes(10, |_, case| {
         let (scene, eye, n) = (&case.scene, &case.camera, u32::from(case.reflections));
         let expected = render(scene, eye, 32, 24, n, Shading::BlinnPhong);
         assert_eq!(truth(scene, eye, (32, 24), n).lit, expected.pixels);
-    };
-    for_scenes(check, |()| ());
+    });
 }
 
 #[test]
 fn exact_draws_what_truth_draws_without_shadows_and_highlights() {
-    let mut sum = 0.0;
-    for_scenes(
-        |_, case| (case.plain_exact(SIZE).unwrap(), case.name),
-        |(right, name)| {
-            assert!(right >= BAR_PLAIN, "{name}: {right} %");
-            sum += right;
-        },
-    );
-    assert!(sum / SCENES as f64 > 99.0, "{sum}");
+    let shares = for_scenes(10, |_, case| {
+        let right = case.plain_exact(SIZE).unwrap();
+        assert!(right >= BAR_PLAIN, "{}: {right} %", case.name);
+        right
+    });
+    let mean = shares.iter().sum::<f64>() / shares.len() as f64;
+    assert!(mean > 99.0, "{mean}");
 }
 
 const CAMERA: Camera = Camera {
@@ -190,22 +176,15 @@ fn rod_thinner_than_a_pixel_is_right_or_counted_as_seen() {
         camera: CAMERA,
         reflections: 4,
     };
-    let mut judged = None;
     // On a thread with a large stack: a scene with the room of a scene file is built on it.
-    in_order(
-        1,
-        |_| case.judge(Size::new(96, 96), &Quality::SURE),
-        |it| judged = it.ok(),
-    );
-    let judged = judged.expect("the rod is accepted");
+    let judged = on_all_cores(1, |_| case.judge(Size::new(96, 96), &Quality::SURE));
+    let judged = judged[0].as_ref().expect("the rod is accepted");
     let truth = render(&case.scene, &CAMERA, 96, 96, 4, Shading::BlinnPhong).pixels;
     for lost in &judged.lost {
         let counts = lost.counts;
         assert_eq!((counts.pixels, counts.light, counts.apart), (96 * 96, 0, 0));
-        let wrong = lost.pixels.iter().zip(&truth).filter(|(a, b)| {
-            let mut channels = a.iter().zip(*b);
-            channels.any(|(a, b)| a.abs_diff(*b) > 8)
-        });
+        let pairs = lost.pixels.iter().zip(&truth);
+        let wrong = pairs.filter(|(a, b)| difference(**a, **b) > 8);
         assert_eq!(counts.seen, wrong.count());
     }
 }

@@ -12,10 +12,8 @@ mod page;
 mod paint;
 mod plot;
 mod point;
-mod room;
 mod scene;
 mod settings;
-mod svg;
 mod table;
 mod write;
 

@@ -1,5 +1,5 @@
-//! Writes the page of the report, index.md: pictures and the verdict first, then each scene, then
-//! the method.
+//! Writes the page of the report, index.md: the verdict and a plot first, then the method, then each
+//! scene.
 
 use xtask::table::filled;
 
@@ -8,27 +8,17 @@ use crate::contest::{self, Contest};
 use crate::error::Promised;
 use crate::point::{GAIN, Point, front};
 use crate::scene::Measured;
-use crate::write::DIFFERENCE_GAIN;
 
 pub struct Page<'a> {
     pub arguments: &'a Arguments,
     pub sections: Vec<Section<'a>>,
-    /// Largest difference of a pixel's level from the formula, in the room of mirrors.
-    pub furthest: f64,
 }
 
 pub struct Section<'a> {
     pub scene: &'a Measured,
+    /// Name of the plot's file.
     pub file: String,
     pub front: Vec<&'a Point>,
-    pub samples: Vec<Sample>,
-}
-
-/// The picture of a point on the front, and the picture of its differences.
-pub struct Sample {
-    /// Index of the point in the front.
-    pub index: usize,
-    pub files: [String; 2],
 }
 
 const HEADS: &str = "|  | setting | cost | PSNR | largest | sure % | sure | bound | truncation | \
@@ -44,18 +34,15 @@ impl Page<'_> {
         let points = self.sections.iter().flat_map(|it| &it.scene.points);
         let promises: Vec<_> = points.filter_map(|it| it.errors.promised).collect();
         let broken: usize = promises.iter().map(|it| it.broken).sum();
-        let first = &self.sections[0];
         let values = [
             ("command", self.arguments.command()),
-            ("pictures", first.pictures(core, 1)),
             ("verdict", contest::verdict(&contests, core)),
-            ("file", first.file.clone()),
+            ("file", self.sections[0].file.clone()),
             ("scenes", links.join(", ")),
             ("cost", self.cost()),
             ("contests", list(contests.iter().map(Contest::words))),
             ("promises", promises.len().to_string()),
             ("broken", broken.to_string()),
-            ("furthest", format!("{:.2}", self.furthest)),
             ("unit", core.unit().to_owned()),
             (
                 "sections",
@@ -88,33 +75,14 @@ impl Section<'_> {
         let (name, file) = (&self.scene.painter.name, &self.file);
         let last = self.scene.last;
         format!(
-            "## {name}\n\n{}\nThe second row shows the differences, {DIFFERENCE_GAIN} times as large.\n\n\
-             {}\n\n\
-             ![PSNR against cost]({file}-psnr.svg)\n\n\
-             ![Largest error against cost]({file}-largest.svg)\n\n\
+            "## {name}\n\n{}\n\n![PSNR against cost]({file})\n\n\
              The last reflection that changes the picture is N = {last}.\n\n{}",
-            self.pictures(core, 2),
             list(self.recommendations(core)),
             folded(
                 "The points of the front, and where their error comes from",
                 &self.table()
             ),
         )
-    }
-
-    /// Returns a table of the sample pictures; with two rows also their differences.
-    fn pictures(&self, core: Core, rows: usize) -> String {
-        let line = |cell: &dyn Fn(&Sample) -> String| {
-            let cells: Vec<_> = self.samples.iter().map(cell).collect();
-            line(&cells)
-        };
-        let head = line(&|it| {
-            let point = self.front[it.index];
-            let (cost, psnr) = (cost(point), decibels(point.psnr()));
-            format!("point {}: {cost} {}, {psnr} dB", it.index + 1, core.unit())
-        });
-        let rows = (0..rows).map(|row| line(&|it| format!("![]({})", it.files[row])));
-        head + &line(&|_| ":-:".to_owned()) + &rows.collect::<String>()
     }
 
     /// Returns the best setting for each cost budget, if it differs from that of the budget before.

@@ -21,7 +21,6 @@ use crate::{host, meter, settings, write};
 /// A scene and everything that was measured of it.
 pub struct Measured {
     pub painter: Painter,
-    pub truth: Truth,
     /// Largest number of reflections that changes the picture.
     pub last: u8,
     /// Points of fixed point on the report's core.
@@ -145,7 +144,6 @@ impl<'a> Plan<'a> {
         mark_front(&mut fixed);
         mark_front(&mut float);
         Ok(Measured {
-            truth,
             last: self.last,
             points: fixed,
             float,

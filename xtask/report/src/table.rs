@@ -9,7 +9,7 @@ use crate::error::Promised;
 use crate::point::Point;
 use crate::scene::Measured;
 
-pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<Vec<u8>> {
+pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let size = arguments.size_words();
     let mut rows = Vec::new();
@@ -21,7 +21,7 @@ pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<Vec<u8>> {
     for row in &rows {
         writer.write_record(row.iter().map(|cell| &cell.1))?;
     }
-    Ok(writer.into_inner()?)
+    Ok(String::from_utf8(writer.into_inner()?)?)
 }
 
 fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {

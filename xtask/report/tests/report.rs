@@ -132,8 +132,7 @@ fn kept_report_is_sound() {
     assert_page_is_whole(Path::new(REPORT), &NAMES);
 }
 
-/// Checks that the page has the plots and pictures of every scene, and that every file it names
-/// exists.
+/// Checks that the page has the plot of every scene, and that every file it names exists.
 fn assert_page_is_whole(folder: &Path, scenes: &[&str]) {
     let page = fs::read_to_string(folder.join("index.md")).unwrap();
     let links = page.split("](").skip(1);
@@ -141,26 +140,15 @@ fn assert_page_is_whole(folder: &Path, scenes: &[&str]) {
     let files: Vec<&str> = links.filter(|link| !link.starts_with('#')).collect();
     for file in &files {
         let bytes = fs::read(folder.join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
-        let start: &[u8] = match file.ends_with(".svg") {
-            true => b"<svg",
-            false => b"\x89PNG",
-        };
-        assert!(bytes.starts_with(start), "{file}");
+        assert!(bytes.starts_with(b"<svg"), "{file}");
     }
     for name in scenes {
-        for end in [
-            "psnr.svg",
-            "largest.svg",
-            "first.png",
-            "first-difference.png",
-        ] {
-            let file = format!("{name}-{end}");
-            assert!(files.contains(&file.as_str()), "{file}");
-        }
+        let file = format!("{name}-psnr.svg");
+        assert!(files.contains(&file.as_str()), "{file}");
     }
-    // Pictures and the verdict come first, all other text after them.
+    // The verdict and a plot come first, all other text after them.
     let place = |words: &str| page.find(words).unwrap_or_else(|| panic!("{words}"));
-    assert!(place(".png)") < place("**") && place("**") < place("<details>"));
+    assert!(place("**") < place(".svg)") && place(".svg)") < place("<details>"));
 }
 
 #[test]

@@ -1,7 +1,5 @@
 //! Formats the results of the cases as lines. Never tries a case.
 
-use serde_json::{Value, json};
-
 use super::catalogue::Case;
 use super::catalogue::judge::{Verdict, judge};
 
@@ -31,12 +29,9 @@ impl Tried {
         }
     }
 
-    /// Returns one line about the case: JSON for programs, or text for people.
-    pub fn line(&self, is_json: bool) -> String {
-        match is_json {
-            true => self.json().to_string(),
-            false => format!("{:<5} {}: {}", self.word(), self.name, self.figures()),
-        }
+    /// Returns one line about the case.
+    pub fn line(&self) -> String {
+        format!("{:<5} {}: {}", self.word(), self.name, self.figures())
     }
 
     /// Returns the verdict in a few words: `fails`, `met`, or `met, worse than f32`.
@@ -80,36 +75,6 @@ impl Tried {
             true => words.clone(),
             false => parts.join("; "),
         }
-    }
-
-    fn json(&self) -> Value {
-        let Verdict {
-            reference,
-            unit,
-            errors,
-            within8,
-            off,
-            is_met,
-            no_worse,
-            words,
-        } = &self.verdict;
-        json!({
-            "chapter": self.chapter, "case": self.name, "why": self.why,
-            "reference": reference, "unit": unit,
-            "fixed": errors.map(|it| it[0]), "f32": errors.map(|it| it[1]),
-            "within8": within8.map(|[exact, fine, fast, single]| json!({
-                "exact": exact, "fine": fine, "fast": fast, "f32": single,
-            })),
-            "off": off.map(|it| json!({
-                "pixels": it.pixels, "at_edges": it.at_edges,
-                "lost_by_fine": it.lost, "lost_at_edges": it.lost_at_edges,
-            })),
-            "met": is_met,
-            "no_worse_than_f32": no_worse.map(|[exact, fine, fast]| json!({
-                "exact": exact, "fine": fine, "fast": fast,
-            })),
-            "strictly_no_worse_than_f32": self.verdict.is_strictly_no_worse(), "bar": words,
-        })
     }
 }
 
@@ -204,25 +169,4 @@ pub fn worse(tried: &[Tried]) -> impl Iterator<Item = &Tried> {
     tried
         .iter()
         .filter(|it| matches!(it.verdict.no_worse, Some([false, ..])))
-}
-
-/// Returns one line that sums up all cases.
-pub fn summary(tried: &[Tried]) -> String {
-    let compared = Compared::of(tried);
-    let met = tried.iter().filter(|it| it.verdict.is_met).count();
-    let aim = match compared.is_aim_met() {
-        true => "met",
-        false => "missed",
-    };
-    format!(
-        "{met} of {} cases meet their bar; fixed point is no worse than f32 in {} (`Exact`; `Fine` in {}, \
-         `Fast` in {}), its error smaller in {} and the same in {}; the aim of {} is {aim}",
-        tried.len(),
-        compared.share(compared.no_worse[0]),
-        compared.no_worse[1],
-        compared.no_worse[2],
-        compared.smaller,
-        compared.same,
-        percent(AIM),
-    )
 }

@@ -150,17 +150,29 @@ impl Draft {
         }
     }
 
-    /// Adds `count` lights above z = 0 at about this distance.
-    pub fn lights(&mut self, count: usize, distance: f64) {
-        for _ in 0..count {
-            let Vector([x, y, z]) = self.random.direction();
-            let far = distance * self.random.between(0.7, 1.5);
-            let position = Vector([x, y, z.abs() + 0.15]).unit() * far;
-            let bright = self.random.between(0.7, 1.2);
-            let color = self.random.color().map(|it| (it * bright).max(0.1));
-            let position = position.0;
-            self.scene.lights.push(Light { position, color });
+    /// Adds a plane of any material across z with this probability.
+    pub fn floor(&mut self, probability: f64, point: Vector) {
+        if self.random.chance(probability) {
+            let material = self.any_material();
+            self.plane(point, UP, material);
         }
+    }
+
+    /// Adds from `least` to `most` lights above z = 0 at about this distance.
+    pub fn lights(&mut self, (least, most): (usize, usize), distance: f64) {
+        for _ in 0..self.random.count(least, most) {
+            self.light(distance);
+        }
+    }
+
+    /// Adds a light above z = 0 at about this distance.
+    pub fn light(&mut self, distance: f64) {
+        let Vector([x, y, z]) = self.random.direction();
+        let far = distance * self.random.between(0.7, 1.5);
+        let position = (Vector([x, y, z.abs() + 0.15]).unit() * far).0;
+        let bright = self.random.between(0.7, 1.2);
+        let color = self.random.color().map(|it| (it * bright).max(0.1));
+        self.scene.lights.push(Light { position, color });
     }
 
     /// Points a camera at `target` from this offset, with a field of view in degrees. One of five

@@ -47,8 +47,7 @@ pub fn sunk(draft: &mut Draft) {
     if draft.random.chance(0.4) {
         add_rivets(draft);
     }
-    let lights = draft.random.count(1, 2);
-    draft.lights(lights, 8.0);
+    draft.lights((1, 2), 8.0);
     draft.usual_camera(1.3);
 }
 
@@ -85,8 +84,7 @@ pub fn wide(draft: &mut Draft) {
         let radius = draft.random.log_between(0.02, 0.6);
         draft.any_shape(center, radius);
     }
-    let lights = draft.random.count(1, 3);
-    draft.lights(lights, 6.0);
+    draft.lights((1, 3), 6.0);
     let fov = draft.random.between(90.0, 150.0);
     draft.camera(position + view, view * -1.0, fov);
 }
@@ -128,8 +126,7 @@ pub fn mirrors(draft: &mut Draft) {
         let radius = draft.random.log_between(0.01, 0.5);
         draft.any_shape(center, radius);
     }
-    let lights = draft.random.count(1, 3);
-    draft.lights(lights, 8.0);
+    draft.lights((1, 3), 8.0);
     let (target, distance) = (draft.random.point() + UP, draft.random.between(3.0, 8.0));
     let [x, y, z] = draft.random.direction().0;
     let offset = Vector([x.abs(), -y.abs() - 0.2, z.abs()]).unit() * distance;
@@ -140,10 +137,7 @@ pub fn mirrors(draft: &mut Draft) {
 /// Makes a few shapes that are looked at from up to 100 000 units away, with planes and lights that
 /// may be as far.
 pub fn far(draft: &mut Draft) {
-    if draft.random.chance(0.6) {
-        let floor = draft.any_material();
-        draft.plane(Vector::ZERO, UP, floor);
-    }
+    draft.floor(0.6, Vector::ZERO);
     // Not always so far that nothing is interpolated.
     let furthest = draft.random.pick(&[200.0, 1e5]);
     let distance = draft.random.log_between(8.0, furthest);
@@ -171,7 +165,7 @@ pub fn far(draft: &mut Draft) {
     }
     let lights = draft.random.count(1, 2);
     let away = draft.random.log_between(8.0, 1e5);
-    draft.lights(lights, away);
+    (0..lights).for_each(|_| draft.light(away));
     // From a third of the shapes to twice as much; not below the smallest field of view.
     let width = draft.random.log_between(1.0, 6.0);
     let fov = (2.0 * (width / 2.0 / distance).atan().to_degrees()).max(0.002);

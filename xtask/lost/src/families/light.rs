@@ -30,8 +30,7 @@ pub fn glossy(draft: &mut Draft) {
             _ => draft.sphere(center, radius, material),
         }
     }
-    let lights = draft.random.count(2, 5);
-    draft.lights(lights, 7.0);
+    draft.lights((2, 5), 7.0);
     draft.usual_camera(2.0);
 }
 

@@ -6,12 +6,14 @@ mod light;
 mod random;
 mod shapes;
 
+use clap::ValueEnum;
+
 use self::draft::Draft;
 use self::random::Random;
 use crate::case::Case;
 
 /// A family of random scenes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Family {
     /// Thin rods and tiny spheres in all directions, also along the view.
     Thin,
@@ -34,32 +36,9 @@ pub enum Family {
 }
 
 impl Family {
-    /// All families, in the order of tables.
-    pub const ALL: [Self; 9] = [
-        Self::Thin,
-        Self::Sunk,
-        Self::Touching,
-        Self::Crowds,
-        Self::Wide,
-        Self::Mirrors,
-        Self::Far,
-        Self::Glossy,
-        Self::Fences,
-    ];
-
     /// Returns the family's name in tables and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Thin => "thin",
-            Self::Sunk => "sunk",
-            Self::Touching => "touching",
-            Self::Crowds => "crowds",
-            Self::Wide => "wide",
-            Self::Mirrors => "mirrors",
-            Self::Far => "far",
-            Self::Glossy => "glossy",
-            Self::Fences => "fences",
-        }
+    pub fn name(self) -> String {
+        format!("{self:?}").to_lowercase()
     }
 
     /// Makes the scene of this number. It depends on nothing but family, seed and number. The name

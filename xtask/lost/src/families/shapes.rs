@@ -9,10 +9,7 @@ const AXES: [Vector; 3] = [Vector([1.0, 0.0, 0.0]), Vector([0.0, 1.0, 0.0]), UP]
 
 /// Makes long thin rods, tiny spheres and small discs, half of the time over a floor.
 pub fn thin(draft: &mut Draft) {
-    if draft.random.chance(0.5) {
-        let floor = draft.any_material();
-        draft.plane(UP * -0.6, UP, floor);
-    }
+    draft.floor(0.5, UP * -0.6);
     let eye = draft.random.direction();
     let eye = Vector([eye.0[0], eye.0[1], eye.0[2].abs()]).unit();
     for _ in 0..draft.random.count(4, 14) {
@@ -44,8 +41,7 @@ pub fn thin(draft: &mut Draft) {
             }
         }
     }
-    let lights = draft.random.count(1, 2);
-    draft.lights(lights, 12.0);
+    draft.lights((1, 2), 12.0);
     let (distance, fov) = (
         draft.random.between(3.0, 7.0),
         draft.random.between(25.0, 60.0),
@@ -55,10 +51,7 @@ pub fn thin(draft: &mut Draft) {
 
 /// Makes a chain of shapes in which each touches or cuts one before it, most of the time on a floor.
 pub fn touching(draft: &mut Draft) {
-    if draft.random.chance(0.7) {
-        let floor = draft.any_material();
-        draft.plane(Vector::ZERO, UP, floor);
-    }
+    draft.floor(0.7, Vector::ZERO);
     let radius = draft.random.between(0.3, 1.0);
     let mut chain = vec![(UP * radius, radius)];
     let material = draft.any_material();
@@ -89,8 +82,7 @@ pub fn touching(draft: &mut Draft) {
             }
         }
     }
-    let lights = draft.random.count(1, 3);
-    draft.lights(lights, 9.0);
+    draft.lights((1, 3), 9.0);
     draft.usual_camera(1.3);
 }
 
@@ -108,16 +100,12 @@ fn touch_by_rod(draft: &mut Draft, (center, radius): (Vector, f64), material: us
 
 /// Makes 20 to 60 shapes of all kinds, half of the time on a floor.
 pub fn crowds(draft: &mut Draft) {
-    if draft.random.chance(0.5) {
-        let floor = draft.any_material();
-        draft.plane(Vector::ZERO, UP, floor);
-    }
+    draft.floor(0.5, Vector::ZERO);
     for _ in 0..draft.random.count(20, 60) {
         let center = draft.random.point() * 2.0 + UP * 1.5;
         let radius = draft.random.log_between(0.04, 0.5);
         draft.any_shape(center, radius);
     }
-    let lights = draft.random.count(1, 4);
-    draft.lights(lights, 10.0);
+    draft.lights((1, 4), 10.0);
     draft.usual_camera(2.5);
 }

@@ -1,13 +1,13 @@
 //! Cases of chaotic geometry: errors grow with every bounce.
 
-use reflet::host::file::SceneFile;
 use reflet::host::path::follow;
 use reflet::host::reference::Vector;
 use twofloat::TwoFloat;
 
 use super::draft::Draft;
 use super::exact::{Ball, Bounce, apart, bounces, growth};
-use super::{Case, Measured, Picture, Trial, measured, reflected};
+use super::scene::Scene;
+use super::{Bar, Case, Measured, drawn, measured, reflected};
 
 const EPSILON: f64 = 1e-3;
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -58,13 +58,7 @@ fn hall(draft: Draft, set: &[Ball]) -> Draft {
 fn chaotic(name: &str, draft: Draft) -> Case {
     let why = "every bounce off a sphere multiplies an error, so that single pixels are nobody's; what \
                must agree is the picture as a whole";
-    let picture = Picture {
-        draft,
-        reflections: 60,
-        bar: 0.0,
-        is_chaotic: true,
-    };
-    Case::new(name, why, Trial::Picture(picture))
+    drawn(name, why, draft, (60, Bar::Statistics))
 }
 
 /// Growth of errors along rays that bounce between spheres, measured and in theory.
@@ -92,13 +86,17 @@ const KNOWN: f64 = 1e-2;
 /// quadruple.
 fn grown(set: &[Ball], eye: [f64; 3], target: [f64; 3]) -> Growth {
     let draft = balls(Draft::through(eye, target, UP, 60.0), set).epsilon(EPSILON);
-    let file = SceneFile::parse(&draft.text(), None).expect("the scene is well formed");
-    let built = file.build().expect("the scene is accepted");
-    let (_, camera) = file.runtime().expect("the camera is accepted");
+    let scene = Scene::read(&draft.text()).expect("the scene is accepted");
     let mut sums = [[0.0_f64; 2]; 3];
     let (mut theory, mut steps, mut rays, mut lost) = (0.0, 0, 0, [0; 3]);
     for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
-        let core = follow(&*built, &camera, (SIDE, SIDE), (x, y), MOST as u32);
+        let core = follow(
+            &*scene.built,
+            &scene.camera,
+            (SIDE, SIDE),
+            (x, y),
+            MOST as u32,
+        );
         // All precisions start with the direction of fixed point, so that only the bounces differ.
         let way = core[0].direction;
         let truth = bounces::<TwoFloat>(set, core[0].origin, way, EPSILON, MOST);
@@ -201,12 +199,10 @@ fn corner(alpha: f64) -> Draft {
 /// Measures the largest angle by which a ray is not parallel to itself after three bounces in a
 /// corner cube.
 fn returned() -> Measured {
-    let file = SceneFile::parse(&corner(1.0).text(), None).expect("the scene is well formed");
-    let built = file.build().expect("the scene is accepted");
-    let (_, camera) = file.runtime().expect("the camera is accepted");
+    let scene = Scene::read(&corner(1.0).text()).expect("the scene is accepted");
     let (mut fixed, mut single, mut rays) = (0.0_f64, 0.0_f64, 0);
     for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
-        let path = follow(&*built, &camera, (64, 64), (x, y), 3);
+        let path = follow(&*scene.built, &scene.camera, (64, 64), (x, y), 3);
         let [first, _, _, last] = &path[..] else {
             continue;
         };

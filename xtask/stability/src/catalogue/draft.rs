@@ -5,12 +5,7 @@ use serde_json::{Value, json};
 
 /// A scene file that is being built.
 #[derive(Clone)]
-pub struct Draft {
-    camera: Value,
-    parts: [(&'static str, Vec<Value>); 6],
-    background: [f64; 3],
-    epsilon: Option<f64>,
-}
+pub struct Draft(Value);
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
@@ -23,22 +18,12 @@ impl Draft {
     /// Starts a scene with any camera. It has these materials: chalk, gold, water, red, black, white
     /// and mirror.
     pub fn through(position: [f64; 3], target: [f64; 3], up: [f64; 3], fov: f64) -> Self {
-        let empty = [
-            "materials",
-            "lights",
-            "spheres",
-            "planes",
-            "cylinders",
-            "discs",
-        ];
-        let draft = Self {
-            camera: json!({"position": position, "target": target, "up": up, "fov": fov}),
-            parts: empty.map(|name| (name, Vec::new())),
+        let draft = Self(json!({
+            "camera": {"position": position, "target": target, "up": up, "fov": fov},
             // No channel is half way between two levels of 255, so rounding errors cannot change a
             // level.
-            background: [0.21, 0.29, 0.52],
-            epsilon: None,
-        };
+            "background": [0.21, 0.29, 0.52],
+        }));
         draft
             .material("chalk", [0.9, 0.9, 0.8], [0.2, 0.8, 0.0, 1.0, 0.0])
             .material("gold", [0.7, 0.6, 0.0], [0.2, 0.4, 0.8, 4.0, 0.4])
@@ -50,8 +35,10 @@ impl Draft {
     }
 
     fn part(mut self, list: &str, part: Value) -> Self {
-        let lists = self.parts.iter_mut().filter(|(name, _)| *name == list);
-        lists.for_each(|(_, parts)| parts.push(part.clone()));
+        match &mut self.0[list] {
+            Value::Array(parts) => parts.push(part),
+            none => *none = json!([part]),
+        }
         self
     }
 
@@ -112,26 +99,20 @@ impl Draft {
     }
 
     /// Sets the background colour.
-    pub fn before(self, background: [f64; 3]) -> Self {
-        Self { background, ..self }
+    pub fn before(mut self, background: [f64; 3]) -> Self {
+        self.0["background"] = json!(background);
+        self
     }
 
     /// Sets epsilon: the distance by which rays are lifted off surfaces.
-    pub fn epsilon(self, epsilon: f64) -> Self {
-        let epsilon = Some(epsilon);
-        Self { epsilon, ..self }
+    pub fn epsilon(mut self, epsilon: f64) -> Self {
+        self.0["epsilon"] = json!(epsilon);
+        self
     }
 
     /// Returns the scene file's text.
     pub fn text(&self) -> String {
-        let mut scene = json!({"camera": self.camera, "background": self.background});
-        for (name, parts) in &self.parts {
-            scene[*name] = json!(parts);
-        }
-        if let Some(epsilon) = self.epsilon {
-            scene["epsilon"] = json!(epsilon);
-        }
-        scene.to_string()
+        self.0.to_string()
     }
 }
 
@@ -158,12 +139,6 @@ impl Setting {
 
     /// Adds three spheres and a leaning cylinder on a plane of water, without lights.
     pub fn furnish(&self, draft: Draft) -> Draft {
-        self.furnish_air(draft)
-            .plane(self.at([0.0; 3]), UP, "water")
-    }
-
-    /// Adds three spheres and a leaning cylinder, without the water and without lights.
-    pub fn furnish_air(&self, draft: Draft) -> Draft {
         let (at, scale) = (|it| self.at(it), self.scale);
         draft
             .sphere(at([-1.0, 0.0, 0.6]), 0.6 * scale, "gold")
@@ -175,6 +150,7 @@ impl Setting {
                 (0.4 * scale, 1.4 * scale),
                 "red",
             )
+            .plane(at([0.0; 3]), UP, "water")
             .epsilon(1e-3 * scale)
     }
 

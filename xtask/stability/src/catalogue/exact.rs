@@ -1,65 +1,22 @@
 //! Follows a ray among mirroring spheres in any precision, with textbook formulas. The growth of
 //! errors is measured with it; its quadruple precision is the reference.
 
-use std::ops::{Add, Div, Mul, Sub};
-
+use num_traits::Float;
 use reflet::host::reference::Vector;
-use twofloat::TwoFloat;
 
-/// A number type in which a ray is followed: `f32`, `f64` or quadruple precision.
-pub trait Real:
-    Copy
-    + Into<f64>
-    + PartialOrd
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-{
-    /// Converts a double to the number type, rounded to nearest.
-    fn of(value: f64) -> Self;
-    /// Returns the square root of a number.
-    fn root(self) -> Self;
-}
-
-impl Real for f32 {
-    fn of(value: f64) -> Self {
-        value as f32
-    }
-
-    fn root(self) -> Self {
-        self.sqrt()
-    }
-}
-
-impl Real for f64 {
-    fn of(value: f64) -> Self {
-        value
-    }
-
-    fn root(self) -> Self {
-        self.sqrt()
-    }
-}
-
-/// Quadruple precision: the sum of two doubles, 106 bits.
-impl Real for TwoFloat {
-    fn of(value: f64) -> Self {
-        value.into()
-    }
-
-    fn root(self) -> Self {
-        self.sqrt()
-    }
+/// Converts a double to the number type in which a ray is followed: `f32`, `f64`, or quadruple
+/// precision, the sum of two doubles.
+fn of<R: Float>(value: f64) -> R {
+    R::from(value).expect("every float has a value near a double")
 }
 
 type Triple<R> = [R; 3];
 
-fn dot<R: Real>(a: Triple<R>, b: Triple<R>) -> R {
+fn dot<R: Float>(a: Triple<R>, b: Triple<R>) -> R {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn along<R: Real>(start: Triple<R>, way: Triple<R>, length: R) -> Triple<R> {
+fn along<R: Float>(start: Triple<R>, way: Triple<R>, length: R) -> Triple<R> {
     [0, 1, 2].map(|axis| start[axis] + way[axis] * length)
 }
 
@@ -81,42 +38,43 @@ pub struct Bounce {
 
 /// Follows a ray that stays outside of the spheres, which are all mirrors, for at most `most`
 /// reflections.
-pub fn bounces<R: Real>(
+pub fn bounces<R: Float>(
     balls: &[Ball],
     origin: [f64; 3],
     direction: [f64; 3],
     epsilon: f64,
     most: usize,
 ) -> Vec<Bounce> {
-    let mut origin = origin.map(R::of);
-    let direction = direction.map(R::of);
-    let length = dot(direction, direction).root();
+    let double = |value: R| value.to_f64().expect("every float has a double near it");
+    let mut origin = origin.map(of::<R>);
+    let direction = direction.map(of::<R>);
+    let length = dot(direction, direction).sqrt();
     let mut direction = direction.map(|it| it / length);
     let mut found = Vec::new();
     while found.len() < most {
         let met = balls.iter().filter_map(|&(center, radius)| {
-            let to_center = [0, 1, 2].map(|axis| R::of(center[axis]) - origin[axis]);
+            let to_center = [0, 1, 2].map(|axis| of::<R>(center[axis]) - origin[axis]);
             let middle = dot(to_center, direction);
-            let aside = along(to_center, direction, R::of(0.0) - middle);
-            let half_square = R::of(radius) * R::of(radius) - dot(aside, aside);
-            let is_ahead = half_square > R::of(0.0) && middle > R::of(0.0);
-            is_ahead.then(|| (middle - half_square.root(), center, radius))
+            let aside = along(to_center, direction, R::zero() - middle);
+            let half_square = of::<R>(radius) * of::<R>(radius) - dot(aside, aside);
+            let is_ahead = half_square > R::zero() && middle > R::zero();
+            is_ahead.then(|| (middle - half_square.sqrt(), center, radius))
         });
-        let met = met.filter(|(distance, ..)| *distance > R::of(0.0));
+        let met = met.filter(|(distance, ..)| *distance > R::zero());
         let Some((distance, center, radius)) =
             met.min_by(|a, b| a.0.partial_cmp(&b.0).expect("distances are numbers"))
         else {
             break;
         };
         let at = along(origin, direction, distance);
-        let normal = [0, 1, 2].map(|axis| (at[axis] - R::of(center[axis])) / R::of(radius));
+        let normal = [0, 1, 2].map(|axis| (at[axis] - of::<R>(center[axis])) / of::<R>(radius));
         let climb = dot(direction, normal);
-        direction = along(direction, normal, R::of(-2.0) * climb);
-        origin = along(at, normal, R::of(epsilon));
+        direction = along(direction, normal, of::<R>(-2.0) * climb);
+        origin = along(at, normal, of::<R>(epsilon));
         found.push(Bounce {
-            origin: origin.map(Into::into),
-            flight: distance.into(),
-            cosine: -climb.into(),
+            origin: origin.map(double),
+            flight: double(distance),
+            cosine: -double(climb),
             radius,
         });
     }

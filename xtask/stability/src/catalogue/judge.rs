@@ -1,16 +1,11 @@
 //! Tries a case of the catalogue and returns the verdict. Never prints.
 
-use embedded_graphics::geometry::Size;
-use float_picture::single;
-use reflet::__private::Drawable;
-use reflet::FrameBuilder;
-use reflet::host;
 use reflet::host::compare::compare;
-use reflet::host::file::SceneFile;
-use reflet::host::reference::{self, Shading, render};
-use reflet::quality::{Exact, Fine, Quality};
+use reflet::host::reference::Picture;
+use reflet::quality::{Exact, Fast, Fine};
 
-use super::{Case, Measured, Trial};
+use super::scene::Scene;
+use super::{Bar, Case, Measured, Trial};
 
 /// Width and height of a picture in pixels. `SHORT_SIDE` is used if paths are long.
 pub const SIDE: u32 = 96;
@@ -73,12 +68,6 @@ impl Verdict {
         no_worse: None,
         words: String::new(),
     };
-
-    /// Tests whether the error of fixed point is not larger than that of single precision, even if
-    /// the difference is invisible.
-    pub fn is_strictly_no_worse(&self) -> Option<bool> {
-        self.errors.map(|[fixed, single]| fixed <= single)
-    }
 }
 
 /// Numbers of pixels that are not within 8 of 255, by where they are.
@@ -98,19 +87,17 @@ pub struct Off {
 pub fn judge(case: &Case) -> Verdict {
     match &case.trial {
         Trial::Picture(it) => {
-            let pictures = Pictures::of(&it.draft.text(), it.reflections, it.is_chaotic);
-            judge_pictures(pictures, |pictures| match it.is_chaotic {
-                true => pictures.judge_statistics(),
-                false => pictures.judge(it.bar),
+            let is_chaotic = matches!(it.bar, Bar::Statistics);
+            let refused = |words| Verdict {
+                words,
+                ..Verdict::NONE
+            };
+            let pictures = Pictures::of(&it.draft.text(), it.reflections, is_chaotic);
+            pictures.map_or_else(refused, |pictures| match it.bar {
+                Bar::Pixels(share) => pictures.judge(share),
+                Bar::Statistics => pictures.judge_statistics(),
+                Bar::Color(color) => pictures.judge_color(color),
             })
-        }
-        Trial::Closed {
-            draft,
-            reflections,
-            color,
-        } => {
-            let pictures = Pictures::of(&draft.text(), *reflections, false);
-            judge_pictures(pictures, |pictures| pictures.judge_color(*color))
         }
         Trial::Measured(measure) => judge_measured(measure()),
         Trial::Claim(claim) => {
@@ -125,17 +112,6 @@ pub fn judge(case: &Case) -> Verdict {
     }
 }
 
-fn judge_pictures(
-    pictures: Result<Pictures, String>,
-    judge: impl Fn(Pictures) -> Verdict,
-) -> Verdict {
-    let refused = |words| Verdict {
-        words,
-        ..Verdict::NONE
-    };
-    pictures.map_or_else(refused, judge)
-}
-
 fn judge_measured(it: Measured) -> Verdict {
     Verdict {
         reference: it.reference,
@@ -148,96 +124,79 @@ fn judge_measured(it: Measured) -> Verdict {
     }
 }
 
-/// Pictures of one scene: by the reference, by three qualities and in single precision.
+/// Pictures of one scene.
 pub struct Pictures {
-    truth: reference::Picture,
-    exact: reference::Picture,
-    fine: reference::Picture,
-    fast: reference::Picture,
-    single: reference::Picture,
+    truth: Picture,
+    /// By `Exact`, `Fine`, `Fast`, and in single precision.
+    drawn: [Picture; 4],
     /// Reference pictures from slightly moved eyes; empty unless the picture is chaotic.
-    nudged: Vec<reference::Picture>,
-}
-
-/// Draws a frame of a scene with the library.
-pub fn painted<S: Drawable, Q: Quality>(
-    scene: &S,
-    frame: FrameBuilder<'_, S, Q>,
-    (width, height): (u32, u32),
-) -> reference::Picture {
-    let frame = frame.prepare(Size::new(width, height));
-    host::painted(&frame.on(scene).expect("the frame is this scene's"))
+    nudged: Vec<Picture>,
 }
 
 impl Pictures {
     /// Draws all pictures of a scene file. For a chaotic scene also draws the references that
     /// statistics need.
     pub fn of(text: &str, reflections: u8, is_chaotic: bool) -> Result<Self, String> {
-        let file = SceneFile::parse(text, None).map_err(|error| error.to_string())?;
-        let built = file.build().map_err(|error| error.to_string())?;
-        let (_, camera) = file.runtime().map_err(|error| error.to_string())?;
-        let frame = || built.frame(&camera).reflections(reflections);
-        let (scene, eye) = file.reference();
+        let scene = Scene::read(text)?;
         let has_long_paths = reflections > MANY && !is_chaotic;
         let side = if has_long_paths { SHORT_SIDE } else { SIDE };
-        let (size, n) = ((side, side), u32::from(reflections));
-        let truth = |eye: &_| render(&scene, eye, side, side, n, Shading::BlinnPhong);
         let nudges = NUDGES.iter().filter(|_| is_chaotic);
         let nudged = nudges.map(|nudge| {
-            let mut eye = eye.clone();
+            let mut eye = scene.eye.clone();
             eye.position[0] += nudge;
-            truth(&eye)
+            scene.truth(&eye, reflections, side)
         });
         Ok(Self {
             nudged: nudged.collect(),
-            truth: truth(&eye),
-            exact: painted(&*built, frame().quality::<Exact>(), size),
-            fine: painted(&*built, frame().quality::<Fine>(), size),
-            fast: painted(&*built, frame(), size),
-            single: single::render(&scene, &eye, size, n, Shading::BlinnPhong),
+            truth: scene.truth(&scene.eye, reflections, side),
+            drawn: [
+                scene.drawn::<Exact>(reflections, (side, side)),
+                scene.drawn::<Fine>(reflections, (side, side)),
+                scene.drawn::<Fast>(reflections, (side, side)),
+                scene.single(reflections, side),
+            ],
         })
     }
 
-    /// Returns the pictures of fixed point: `Exact`, `Fine` and `Fast`.
-    fn fixed(&self) -> [&reference::Picture; 3] {
-        [&self.exact, &self.fine, &self.fast]
+    /// Returns an error of each picture against the truth.
+    fn errors(&self, error: impl Fn(&Picture, &Picture) -> f64) -> [f64; 4] {
+        self.drawn.each_ref().map(|it| error(it, &self.truth))
     }
 
-    /// Returns the pictures of `Exact`, `Fine`, `Fast` and single precision.
-    fn all(&self) -> [&reference::Picture; 4] {
-        [&self.exact, &self.fine, &self.fast, &self.single]
-    }
-
-    fn against_truth(&self) -> [f64; 4] {
-        self.all().map(|picture| within8_of(picture, &self.truth))
+    /// Returns a verdict without a bar, in which a quality is no worse if its error is not larger.
+    fn compared(&self, errors: [f64; 4]) -> Verdict {
+        let [exact, fine, fast, single] = errors;
+        Verdict {
+            errors: Some([exact, single]),
+            within8: Some(self.errors(within8_of)),
+            off: Some(self.off()),
+            no_worse: Some([exact, fine, fast].map(|error| error <= single)),
+            ..Verdict::NONE
+        }
     }
 
     /// Returns the number of pixels, over all three qualities, that differ from those of `other`: at all in
     /// `Exact`, and by more than one level in the others, which may trace a pixel in one of the two scenes
     /// and interpolate it in the other.
     pub fn differing(&self, other: &Self) -> usize {
-        let differing = |one: &reference::Picture, other: &reference::Picture, most: u8| {
+        let pairs = self.drawn.iter().zip(&other.drawn).zip([0, 1, 1]);
+        let counts = pairs.map(|((one, other), most)| {
             let pixels = one.pixels.iter().zip(&other.pixels);
-            let is_further = |(a, b): &(&[u8; 3], &[u8; 3])| {
-                a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > most)
-            };
-            pixels.filter(is_further).count()
-        };
-        let pairs = self.fixed().into_iter().zip(other.fixed());
-        let most = [0, 1, 1];
-        let counts = pairs.zip(most).map(|((a, b), most)| differing(a, b, most));
+            pixels.filter(|(a, b)| differ(a, b, most)).count()
+        });
         counts.sum()
     }
 
     fn off(&self) -> Off {
-        let is_off = |picture: &reference::Picture, index: usize| {
-            differ(&picture.pixels[index], &self.truth.pixels[index])
+        let is_off = |picture: &Picture, index: usize| {
+            differ(&picture.pixels[index], &self.truth.pixels[index], VISIBLE)
         };
+        let [exact, fine, ..] = &self.drawn;
         let all = 0..self.truth.pixels.len();
-        let is_lost = |it: &usize| is_off(&self.fine, *it) && !is_off(&self.exact, *it);
+        let is_lost = |it: &usize| is_off(fine, *it) && !is_off(exact, *it);
         let lost: Vec<_> = all.clone().filter(is_lost).collect();
-        let off: Vec<_> = all.filter(|it| is_off(&self.exact, *it)).collect();
-        let is_at_edge = |it: &&usize| is_edge(&self.truth, **it);
+        let off: Vec<_> = all.filter(|it| is_off(exact, *it)).collect();
+        let is_at_edge = |it: &&usize| is_edge(&self.truth, **it, VISIBLE);
         let at_edges = |pixels: &[usize]| pixels.iter().filter(is_at_edge).count();
         Off {
             pixels: off.len(),
@@ -248,63 +207,51 @@ impl Pictures {
     }
 
     fn judge(&self, bar: f64) -> Verdict {
-        let within8 = self.against_truth();
-        let errors = self.all().map(|it| mean_error(it, &self.truth));
-        let (single, single_within8) = (errors[3], within8[3]);
+        let (errors, within8) = (self.errors(mean_error), self.errors(within8_of));
         let is_no_worse = |it: usize| {
-            errors[it] <= single || (errors[it] < UNSEEN && within8[it] >= single_within8)
+            errors[it] <= errors[3] || (errors[it] < UNSEEN && within8[it] >= within8[3])
         };
         Verdict {
             reference: "double",
             unit: "mean, 255ths",
-            errors: Some([errors[0], single]),
-            within8: Some(within8),
-            off: Some(self.off()),
             is_met: within8[..3].iter().all(|share| *share >= bar),
             no_worse: Some([0, 1, 2].map(is_no_worse)),
             words: format!(
                 "{:.1} % of the pixels within 8, in every quality",
                 100.0 * bar
             ),
+            ..self.compared(errors)
         }
     }
 
     fn judge_color(&self, color: [f64; 3]) -> Verdict {
         let wanted = color.map(|channel| 255.0 * channel.clamp(0.0, 1.0));
-        let furthest = |picture: &reference::Picture| {
-            let channels = picture
-                .pixels
-                .iter()
-                .flat_map(|pixel| pixel.iter().zip(wanted));
+        let errors = self.errors(|picture, _| {
+            let pixels = picture.pixels.iter();
+            let channels = pixels.flat_map(|pixel| pixel.iter().zip(wanted));
             largest(channels.map(|(found, wanted)| (f64::from(*found) - wanted).abs()))
-        };
-        let [exact, fine, fast, single] = self.all().map(furthest);
+        });
         let bar = 0.5 + ONE_LEVEL;
         Verdict {
             reference: "closed form",
             unit: "largest, 255ths",
-            errors: Some([exact, single]),
-            within8: Some(self.against_truth()),
-            off: Some(self.off()),
-            is_met: exact.max(fine).max(fast) <= bar,
-            no_worse: Some([exact, fine, fast].map(|error| error <= single)),
-            words: format!("{bar} in every quality, half of one by rounding; `Fast` {fast:.2}"),
+            is_met: errors[..3].iter().all(|error| *error <= bar),
+            words: format!(
+                "{bar} in every quality, half of one by rounding; `Fast` {:.2}",
+                errors[2]
+            ),
+            ..self.compared(errors)
         }
     }
 
     fn judge_statistics(&self) -> Verdict {
-        let within8 = self.against_truth();
-        let apart = |picture| {
-            let (a, b) = (mean_color(picture), mean_color(&self.truth));
-            largest([0, 1, 2].map(|it| (a[it] - b[it]).abs()))
-        };
-        let [exact, fine, fast, single] = self.all().map(apart);
-        let histogram = largest(self.fixed().map(|it| histogram_error(it, &self.truth)));
+        let errors = self.errors(apart);
+        let [histogram @ .., _] = self.errors(histogram_error);
+        let (furthest, histogram) = (largest(errors[..3].iter().copied()), largest(histogram));
         // Differences between references of the same chaos.
         let nudged = || self.nudged.iter();
-        let noise = largest(nudged().map(apart));
+        let noise = largest(nudged().map(|it| apart(it, &self.truth)));
         let bins = largest(nudged().map(|it| histogram_error(it, &self.truth)));
-        let furthest = exact.max(fine).max(fast);
         let are_close = furthest <= TIMES_NOISE * noise && histogram <= TIMES_NOISE * bins;
         // Tested with the reference alone: if the eye is moved by less than a pixel can show, the
         // picture is another one.
@@ -313,22 +260,22 @@ impl Pictures {
         Verdict {
             reference: "double, statistics",
             unit: "mean colour, 255ths",
-            errors: Some([exact, single]),
-            within8: Some(within8),
             // In a chaotic picture no single pixel is expected to be right.
             off: None,
             is_met: are_close && is_chaotic,
-            no_worse: Some([exact, fine, fast].map(|error| error <= single.max(noise))),
+            no_worse: Some([0, 1, 2].map(|it| errors[it] <= errors[3].max(noise))),
             words: format!(
-                "at most {} % of the reference's own pixels within 8 with its eye moved (here {}); and \
-                 for the mean colour (`Fast` {fast:.3}) and the \
+                "at most {} % of the reference's own pixels within 8 with its eye moved (here {:.1} %); and \
+                 for the mean colour (`Fast` {:.3}) and the \
                  share of pixels in another bin of a histogram of 16 (here {histogram:.4}) at most \
                  {TIMES_NOISE} times what the reference differs from itself by with its eye moved by \
                  {:.0e}: {noise:.3} and {bins:.4}. What is below that cannot be told apart",
                 100.0 * CHAOTIC,
-                format_args!("{:.1} %", 100.0 * alike),
+                100.0 * alike,
+                errors[2],
                 largest(NUDGES),
             ),
+            ..self.compared(errors)
         }
     }
 }
@@ -339,32 +286,32 @@ fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// Returns the share of the pixels that are within 8 of 255.
-fn within8_of(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
+fn within8_of(picture: &Picture, truth: &Picture) -> f64 {
     compare(picture, truth).expect("one size").within8
 }
 
-/// Tests whether two pixels are not within 8 of 255.
-fn differ(a: &[u8; 3], b: &[u8; 3]) -> bool {
-    a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > VISIBLE)
+/// Tests whether two pixels differ by more than `most` in a channel.
+fn differ(a: &[u8; 3], b: &[u8; 3], most: u8) -> bool {
+    a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > most)
 }
 
-/// Tests whether a pixel differs by more than 8 from one of the eight around it.
-fn is_edge(picture: &reference::Picture, index: usize) -> bool {
+/// Tests whether a pixel differs by more than `most` from one of the eight around it.
+pub fn is_edge(picture: &Picture, index: usize, most: u8) -> bool {
     let (width, height) = (picture.width as usize, picture.height as usize);
     let (x, y) = (index % width, index / width);
-    let near = |at: usize, most: usize| at.saturating_sub(1)..=(at + 1).min(most - 1);
+    let near = |at: usize, end: usize| at.saturating_sub(1)..=(at + 1).min(end - 1);
     let mut around = near(y, height).flat_map(|y| near(x, width).map(move |x| y * width + x));
-    around.any(|other| differ(&picture.pixels[index], &picture.pixels[other]))
+    around.any(|other| differ(&picture.pixels[index], &picture.pixels[other], most))
 }
 
-fn mean_error(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
+fn mean_error(picture: &Picture, truth: &Picture) -> f64 {
     let found = picture.pixels.as_flattened().iter();
     let pairs = found.zip(truth.pixels.as_flattened());
     let sum: u64 = pairs.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
     sum as f64 / (3 * truth.pixels.len()) as f64
 }
 
-fn mean_color(picture: &reference::Picture) -> [f64; 3] {
+fn mean_color(picture: &Picture) -> [f64; 3] {
     let count = picture.pixels.len() as f64;
     [0, 1, 2].map(|it| {
         let channel = picture.pixels.iter().map(|pixel| f64::from(pixel[it]));
@@ -372,9 +319,15 @@ fn mean_color(picture: &reference::Picture) -> [f64; 3] {
     })
 }
 
+/// Returns the largest difference of a channel of the mean colour.
+fn apart(picture: &Picture, truth: &Picture) -> f64 {
+    let (a, b) = (mean_color(picture), mean_color(truth));
+    largest([0, 1, 2].map(|it| (a[it] - b[it]).abs()))
+}
+
 /// Returns the share of the channels that are in another of 16 bins. Values that only exchange their
 /// pixels do not count.
-fn histogram_error(picture: &reference::Picture, truth: &reference::Picture) -> f64 {
+fn histogram_error(picture: &Picture, truth: &Picture) -> f64 {
     let mut bins = [0_i64; 48];
     for (pictures, sign) in [(picture, 1), (truth, -1)] {
         for pixel in &pictures.pixels {

@@ -8,6 +8,7 @@ mod exact;
 pub mod judge;
 mod range;
 mod scale;
+pub mod scene;
 mod shading;
 mod stiff;
 mod tangency;
@@ -55,15 +56,6 @@ impl Case {
 pub enum Trial {
     /// A picture, compared with that of the double-precision reference.
     Picture(Picture),
-    /// A picture of one colour, which a closed form gives.
-    Closed {
-        /// Scene of the case.
-        draft: Draft,
-        /// Largest number of reflections.
-        reflections: u8,
-        /// The colour by the closed form, not clamped.
-        color: [f64; 3],
-    },
     /// A quantity that is measured in fixed point and in single precision.
     Measured(fn() -> Measured),
     /// A claim that holds or not, with a text. It is not compared with single precision.
@@ -76,10 +68,19 @@ pub struct Picture {
     pub draft: Draft,
     /// Largest number of reflections.
     pub reflections: u8,
+    /// How the picture is compared.
+    pub bar: Bar,
+}
+
+/// How a picture is compared, and the bar that it has to meet.
+#[derive(Clone, Copy)]
+pub enum Bar {
     /// Smallest share of the pixels that must be within 8 of 255.
-    pub bar: f64,
-    /// Whether statistics are compared instead of pixels, because errors grow exponentially.
-    pub is_chaotic: bool,
+    Pixels(f64),
+    /// Statistics are compared instead of pixels, because errors grow exponentially.
+    Statistics,
+    /// The colour of all pixels, which a closed form gives, not clamped.
+    Color([f64; 3]),
 }
 
 /// The errors of a case that is no picture.
@@ -116,11 +117,20 @@ pub fn reflected(
     draft: Draft,
     reflections: u8,
 ) -> Case {
+    drawn(name, why, draft, (reflections, Bar::Pixels(BAR)))
+}
+
+/// Returns a case with a picture that is compared as `bar` says.
+pub fn drawn(
+    name: impl Into<String>,
+    why: &'static str,
+    draft: Draft,
+    (reflections, bar): (u8, Bar),
+) -> Case {
     let picture = Picture {
         draft,
         reflections,
-        bar: BAR,
-        is_chaotic: false,
+        bar,
     };
     Case::new(name, why, Trial::Picture(picture))
 }

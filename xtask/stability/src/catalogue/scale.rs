@@ -1,13 +1,12 @@
 //! Cases of scale: very large beside very small, very far, very thin, very narrow and very wide.
 
-use float_picture::single;
-use reflet::host::file::SceneFile;
-use reflet::host::reference;
+use reflet::host::reference::Picture;
 use reflet::quality::Exact;
 use reflet::{Error, Material, RuntimeScene, room};
 
 use super::draft::{Draft, Setting, lit_by, still_life};
-use super::judge::{SIDE, painted};
+use super::judge::SIDE;
+use super::scene::Scene;
 use super::{Case, LAST_BIT, Measured, claim, measured, picture};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -33,28 +32,19 @@ fn scaled_by_powers() -> Measured {
     let drawn = |power: i32| {
         let mut setting = Setting::HERE;
         setting.scale = 2f64.powi(power);
-        let file = SceneFile::parse(&setting.still_life().text(), None).expect("well formed");
-        let (built, (_, camera)) = (file.build().expect("fine"), file.runtime().expect("fine"));
-        let fixed = painted(
-            &*built,
-            built.frame(&camera).quality::<Exact>(),
-            (SIDE, SIDE),
-        );
-        let (scene, eye) = file.reference();
-        let shading = reference::Shading::BlinnPhong;
-        let single = single::render(&scene, &eye, (SIDE, SIDE), 4, shading);
-        (fixed, single)
+        let scene = Scene::read(&setting.still_life().text()).expect("the scene is accepted");
+        [scene.drawn::<Exact>(4, (SIDE, SIDE)), scene.single(4, SIDE)]
     };
-    let (fixed, single) = drawn(0);
-    let differ = |a: &reference::Picture, b: &reference::Picture| {
+    let unscaled = drawn(0);
+    let differ = |a: &Picture, b: &Picture| {
         let pairs = a.pixels.iter().zip(&b.pixels);
         pairs.filter(|(a, b)| a != b).count() as f64
     };
     let mut most = [0.0_f64; 2];
     for power in (-20..=20).filter(|power| *power != 0) {
-        let (scaled, scaled_single) = drawn(power);
-        most[0] = most[0].max(differ(&scaled, &fixed));
-        most[1] = most[1].max(differ(&scaled_single, &single));
+        for (most, (scaled, unscaled)) in most.iter_mut().zip(drawn(power).iter().zip(&unscaled)) {
+            *most = most.max(differ(scaled, unscaled));
+        }
     }
     let [fixed, single] = most;
     Measured {

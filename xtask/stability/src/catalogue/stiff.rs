@@ -1,7 +1,7 @@
 //! Cases of stiff accumulation: throughputs that hardly fall or that alternate, and very many terms.
 
 use super::draft::Draft;
-use super::{Case, Trial, reflected};
+use super::{Bar, Case, drawn, reflected};
 
 const OWN: [f64; 3] = [0.75, 0.5, 0.25];
 
@@ -25,12 +25,8 @@ fn boxed(draft: Draft, walls: [[&str; 2]; 3]) -> Draft {
 
 fn closed(name: String, why: &'static str, draft: Draft, alpha: f64, reflections: u8) -> Case {
     let share = 1.0 - alpha.powi(i32::from(reflections) + 1);
-    let trial = Trial::Closed {
-        draft,
-        reflections,
-        color: OWN.map(|own| own * share),
-    };
-    Case::new(name, why, trial)
+    let color = OWN.map(|own| own * share);
+    drawn(name, why, draft, (reflections, Bar::Color(color)))
 }
 
 fn parallel(alpha: f64) -> Draft {

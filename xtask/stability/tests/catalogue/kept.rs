@@ -3,12 +3,12 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
-use reflet::host::file::SceneFile;
 use reflet::quality::{Exact, Fast, Fine};
 
 use super::symmetry::{SIDE, drawn};
 use stability::catalogue::draft::{Draft, Setting, still_life};
-use stability::catalogue::judge::painted;
+use stability::catalogue::judge::is_edge;
+use stability::catalogue::scene::Scene;
 
 fn runner(cases: u32) -> TestRunner {
     let mut config = Config::with_cases(cases);
@@ -29,13 +29,11 @@ fn unlit(color: f64, mirror: f64, background: f64, spheres: &[([f64; 3], f64)]) 
 
 /// Fails if a channel of the scene's picture is brighter than `most`, in any quality.
 fn none_is_brighter(draft: &Draft, reflections: u8, most: u8) -> Result<(), TestCaseError> {
-    let file = SceneFile::parse(&draft.text(), None).unwrap();
-    let (built, (_, camera)) = (file.build().unwrap(), file.runtime().unwrap());
-    let (frame, size) = (|| built.frame(&camera).reflections(reflections), (48, 24));
+    let (scene, size) = (Scene::read(&draft.text()).unwrap(), (48, 24));
     let pictures = [
-        ("Exact", painted(&*built, frame().quality::<Exact>(), size)),
-        ("Fine", painted(&*built, frame().quality::<Fine>(), size)),
-        ("Fast", painted(&*built, frame().quality::<Fast>(), size)),
+        ("Exact", scene.drawn::<Exact>(reflections, size)),
+        ("Fine", scene.drawn::<Fine>(reflections, size)),
+        ("Fast", scene.drawn::<Fast>(reflections, size)),
     ];
     for (quality, picture) in pictures {
         let brightest = picture.pixels.into_iter().flatten().max().unwrap();
@@ -107,23 +105,10 @@ fn camera_moved_by_a_step_changes_edges_alone() {
             for (index, (a, b)) in before.pixels.iter().zip(&after.pixels).enumerate() {
                 let apart = a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
                 changed += u32::from(apart > 0);
-                let is_held = apart <= 2 || is_edge(&before.pixels, index);
+                let is_held = apart <= 2 || is_edge(&before, index, 4);
                 assert!(is_held, "pixel {index}: {a:?} {b:?}, {moved:?}");
             }
         }
     }
     assert!(changed < 9 * SIDE * SIDE / 100, "{changed} pixels");
-}
-
-/// Tests whether a pixel differs by more than 4 from one of the eight around it.
-fn is_edge(pixels: &[[u8; 3]], index: usize) -> bool {
-    let side = SIDE as usize;
-    let (x, y) = (index % side, index / side);
-    let beside = |at: usize, most: usize| at.saturating_sub(1)..=(at + 1).min(most - 1);
-    let mut around = beside(y, side).flat_map(|y| beside(x, side).map(move |x| y * side + x));
-    let differs = |other: usize| {
-        let pairs = pixels[index].iter().zip(&pixels[other]);
-        pairs.map(|(a, b)| a.abs_diff(*b)).max() > Some(4)
-    };
-    around.any(differs)
 }

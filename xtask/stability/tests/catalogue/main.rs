@@ -12,7 +12,7 @@ use proptest::prelude::RngCore;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 use stability::catalogue::draft::still_life;
 use stability::catalogue::judge::judge;
-use stability::catalogue::{BAR, Case, Measured, Picture, Trial, chapters};
+use stability::catalogue::{BAR, Bar, Case, Measured, Trial, chapters, drawn};
 use stability::report::Tried;
 use stability::{page, report};
 use wild::Wild;
@@ -48,26 +48,14 @@ fn case(trial: Trial) -> Case {
 #[test]
 fn verdicts_can_fail() {
     let scene = || still_life([0.5, -4.0, 1.5], [0.0, 0.0, 0.5], 50.0);
-    let picture = |draft, bar| {
-        let (reflections, is_chaotic) = (4, false);
-        case(Trial::Picture(Picture {
-            draft,
-            reflections,
-            bar,
-            is_chaotic,
-        }))
-    };
-    assert!(judge(&picture(scene(), BAR)).is_met);
-    assert!(!judge(&picture(scene(), 1.01)).is_met);
+    let compared = |draft, bar| judge(&drawn("a case", "", draft, (4, bar)));
+    let picture = |draft, share| compared(draft, Bar::Pixels(share));
+    assert!(picture(scene(), BAR).is_met);
+    assert!(!picture(scene(), 1.01).is_met);
     // A scene that the library refuses must not count as drawn well.
     let refused = scene().sphere([0.0; 3], -1.0, "gold");
-    assert!(!judge(&picture(refused, 0.0)).is_met);
-    let of_one_color = Trial::Closed {
-        draft: scene(),
-        reflections: 4,
-        color: [0.5; 3],
-    };
-    assert!(!judge(&case(of_one_color)).is_met);
+    assert!(!picture(refused, 0.0).is_met);
+    assert!(!compared(scene(), Bar::Color([0.5; 3])).is_met);
     let measured = |fixed, single| {
         let measured = case(Trial::Measured(match (fixed, single) {
             (true, _) => || found(2.0, 3.0),

@@ -2,13 +2,12 @@
 //! picture; mirrored if the scene is.
 
 use reflet::host::compare::{Difference, compare};
-use reflet::host::file::SceneFile;
 use reflet::host::reference::{Picture, Vector};
 use reflet::quality::{Exact, Fast, Quality};
 use serde_json::{Value, json};
 
 use stability::catalogue::draft::{Draft, Setting, lit_by, still_life};
-use stability::catalogue::judge::painted;
+use stability::catalogue::scene::Scene;
 
 pub const SIDE: u32 = 96;
 
@@ -18,9 +17,7 @@ pub fn drawn(text: &str) -> Picture {
 }
 
 fn drawn_in<Q: Quality>(text: &str) -> Picture {
-    let file = SceneFile::parse(text, None).unwrap();
-    let (built, (_, camera)) = (file.build().unwrap(), file.runtime().unwrap());
-    painted(&*built, built.frame(&camera).quality::<Q>(), (SIDE, SIDE))
+    Scene::read(text).unwrap().drawn::<Q>(4, (SIDE, SIDE))
 }
 
 /// Returns a scene file in which `change` was applied to every point and direction. Its second
