@@ -5,6 +5,7 @@ pub mod apt;
 pub mod board;
 pub mod command;
 pub mod copies;
+pub mod count;
 pub mod cycles;
 pub mod emulator;
 pub mod fuzz;

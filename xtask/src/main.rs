@@ -6,7 +6,7 @@ use anyhow::Result;
 use clap::Parser;
 use command_line::Chosen;
 use xtask::{
-    accuracy, board, copies, enter_root, fuzz, gate, measure, misuse::Misuse, pico, profile,
+    accuracy, board, copies, count, enter_root, fuzz, gate, measure, misuse::Misuse, pico, profile,
     scene_source, screenshot, setup, size,
 };
 
@@ -34,6 +34,8 @@ enum Chore {
     Profile(profile::Arguments),
     Size(size::Arguments),
     Fuzz(fuzz::Arguments),
+    /// Counts code, tools, words and packages, as the limits of the repository do.
+    Count,
     /// Prints a scene file as the Rust source of a constant scene.
     Scene {
         /// JSON, one scene or an array of scenes
@@ -84,6 +86,7 @@ fn run(chore: &Chore) -> Result<()> {
         Chore::Scene { file, chosen } => scene_source::run(file, chosen),
         Chore::Setup => setup::run(),
         Chore::Accuracy => accuracy::run(),
+        Chore::Count => count::run(),
         Chore::Fuzz(arguments) => fuzz::run(arguments),
         Chore::Test(arguments) => setup::run().and_then(|()| gate::run(*arguments)),
     }
