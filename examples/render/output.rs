@@ -3,7 +3,7 @@
 use std::io::{self, Cursor, Write};
 use std::path::PathBuf;
 
-use command_line::{Failure, Kind, OutputFile, Source, are_same_file, is_standard_output, shown};
+use command_line::{Failure, Named, OutputFile, Source, are_same_file, is_standard_output, shown};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
 use image::ImageFormat;
@@ -26,6 +26,7 @@ impl<'a> Outputs<'a> {
     pub fn new(arguments: &'a Arguments, source: &'a Source) -> Result<Self, Failure> {
         let Arguments {
             scene: read,
+            chosen,
             out,
             raw,
             check,
@@ -37,7 +38,7 @@ impl<'a> Outputs<'a> {
         if both.is_some_and(|(out, raw)| are_same_file(out, raw)) {
             return Err("--out and --raw name the same file".into());
         }
-        let is_read = matches!(source.kind, Kind::File(..));
+        let is_read = matches!(Named::of(read, chosen), Ok(Named::File));
         let mut named = out.iter().chain(raw);
         if is_read && named.any(|path| are_same_file(path, read)) {
             return Err(
