@@ -1,0 +1,279 @@
+//! A Cortex-M33 of the crate rp2350-emu; also the Cortex-M4 of an STM32F411, whose instructions it
+//! has.
+
+use std::sync::Arc;
+
+use rp2350_emu::CortexM33;
+use rp2350_emu::core::CoreBus;
+use rp2350_emu::threaded::CoreAtomics;
+
+use super::Core;
+use crate::fault::{Fault, fault};
+use crate::system::{System, not_modelled};
+
+/// The instruction CLREX, which forgets what LDREX has marked.
+const CLREX: [u16; 2] = [0xf3bf, 0x8f2f];
+
+/// Address at which only CLREX is: the crate has no other way to forget.
+const CLREX_AT: u32 = 0x0000_0100;
+
+/// Instructions that the timer of the system may lag behind.
+const SYSTICK_LAG: u32 = 16;
+
+/// A Cortex-M33.
+pub struct M33 {
+    core: CortexM33,
+    steps: u32,
+    /// Whether other cores write to the same memory.
+    is_shared: bool,
+}
+
+impl M33 {
+    /// Creates a core. `is_shared` tells that there are others.
+    pub fn new(number: u8, atomics: &Arc<CoreAtomics>, is_shared: bool) -> Self {
+        Self {
+            core: CortexM33::new(number, Arc::clone(atomics)),
+            steps: 0,
+            is_shared,
+        }
+    }
+
+    fn number(&self) -> usize {
+        self.core.id().into()
+    }
+}
+
+impl Core for M33 {
+    fn start(&mut self, _: &mut System, [vectors, stack, entry]: [u32; 3]) {
+        let core = &mut self.core;
+        core.ppb.vtor = vectors;
+        core.regs.msp = stack;
+        core.regs.r[13] = stack;
+        core.regs.xpsr = 1 << 24;
+        core.regs.set_pc(entry & !1);
+        core.wake();
+    }
+
+    fn step(&mut self, system: &mut System) -> Result<u64, Fault> {
+        mend(system, self.core.regs.pc())?;
+        let before = self.core.cycles();
+        self.core.ppb.update_latest_cycles(before);
+        self.core.step(system);
+        self.steps += 1;
+        if self.steps % SYSTICK_LAG == 0 {
+            self.core.ppb.systick_advance(self.core.cycles());
+        }
+        Ok(self.core.cycles() - before)
+    }
+
+    fn is_asleep(&mut self, system: &mut System) -> bool {
+        let number = self.number();
+        if self.core.is_wfe_waiting() && system.atomics.event_flag_consume(number) {
+            system.atomics.clear_wfe_waiting(number);
+        }
+        self.core.is_wfe_waiting()
+    }
+
+    fn begin_turn(&mut self, system: &mut System) {
+        if self.is_shared && !self.core.is_wfe_waiting() && self.core.it_state() == 0 {
+            let pc = self.core.regs.pc();
+            self.core.regs.set_pc(CLREX_AT);
+            self.core.step(system);
+            self.core.regs.set_pc(pc);
+        }
+    }
+
+    fn pc(&self) -> u32 {
+        self.core.regs.pc()
+    }
+
+    fn exception(&self) -> u32 {
+        self.core.regs.ipsr()
+    }
+
+    fn registers(&mut self) -> &mut [u32; 16] {
+        &mut self.core.regs.r
+    }
+
+    fn flags(&self) -> u32 {
+        self.core.regs.xpsr & 0xf800_0000
+    }
+}
+
+/// Replaces the instruction at an address by one that the crate executes correctly. It is a fault
+/// if the crate has none.
+fn mend(system: &mut System, pc: u32) -> Result<(), Fault> {
+    let Some([low, high, second @ ..]) = system.memory.code(pc) else {
+        return Ok(());
+    };
+    if !matches!(high, 0xe8 | 0xea | 0xf3 | 0xfa) {
+        return Ok(());
+    }
+    let first = u16::from_le_bytes([low, high]);
+    let second = u16::from_le_bytes(second);
+    if is_wrong(first, second) {
+        return Err(fault!("the emulated core has no {first:04x} {second:04x}"));
+    }
+    if let Some(halves) = without_order(first, second) {
+        let bytes = halves.map(u16::to_le_bytes);
+        system.memory.program(pc, bytes.as_flattened());
+    }
+    Ok(())
+}
+
+/// Instructions that the crate executes incorrectly: PKHBT, PKHTB, USAT16 and the parallel
+/// additions of 8 bits.
+fn is_wrong(first: u16, second: u16) -> bool {
+    let pack = first & 0xfff0 == 0xeac0;
+    let saturate = first & 0xfff0 == 0xf3a0 && second & 0xf0f0 == 0;
+    let add = matches!(first & 0xfff0, 0xfa80 | 0xfac0) && second & 0xf080 == 0xf000;
+    pack || saturate || add
+}
+
+/// Replaces an access with acquire or release, which the crate does not know, by the same access
+/// without: the cores have turns, so every access is ordered.
+fn without_order(first: u16, second: u16) -> Option<[u16; 2]> {
+    if first & 0xffe0 != 0xe8c0 || second & 0x0f80 != 0x0f80 {
+        return None;
+    }
+    let is_load = first & 0x10 != 0;
+    let [address, value, status] = [first & 15, second & 0xf000, second & 15];
+    let [is_exclusive, size] = [second >> 6 & 1, second >> 4 & 3];
+    match (is_exclusive, size) {
+        (0, 0..=2) if status == 15 => {
+            let sized = 0xf880 + 0x20 * size;
+            Some([sized | u16::from(is_load) << 4 | address, value])
+        }
+        (1, 2) if is_load => Some([0xe850 | address, value | 0xf00]),
+        (1, 2) => Some([0xe840 | address, value | status << 8]),
+        (1, _) => Some([first, value | 0xf40 | size << 4 | status]),
+        _ => None,
+    }
+}
+
+impl CoreBus for System {
+    fn read8(&mut self, address: u32, _: u8) -> u8 {
+        self.read(address, 1) as u8
+    }
+
+    #[inline]
+    fn read16(&mut self, address: u32, _: u8) -> u16 {
+        match address.wrapping_sub(CLREX_AT) {
+            0 => CLREX[0],
+            2 => CLREX[1],
+            _ => self.read(address, 2) as u16,
+        }
+    }
+
+    #[inline]
+    fn read32(&mut self, address: u32, _: u8) -> u32 {
+        self.read(address, 4)
+    }
+
+    fn write8(&mut self, address: u32, value: u8, _: u8) {
+        self.write(address, value.into(), 1);
+    }
+
+    fn write16(&mut self, address: u32, value: u16, _: u8) {
+        self.write(address, value.into(), 2);
+    }
+
+    #[inline]
+    fn write32(&mut self, address: u32, value: u32, _: u8) {
+        self.write(address, value, 4);
+    }
+
+    fn atomics(&self) -> &Arc<CoreAtomics> {
+        &self.atomics
+    }
+
+    // Faults end the run, so the core never sees one.
+    fn bus_fault(&self, _: u8) -> bool {
+        false
+    }
+
+    fn bus_fault_addr(&self, _: u8) -> u32 {
+        0
+    }
+
+    fn clear_bus_fault(&mut self, _: u8) {}
+    fn set_active_pc(&mut self, _: u32, _: u8) {}
+    fn set_burst_mode(&mut self, _: bool) {}
+
+    // The flash takes no time: a cache is in front of it.
+    fn add_extra_wait_states(&mut self, _: u32) {}
+
+    fn take_extra_wait_states(&mut self) -> u32 {
+        0
+    }
+
+    fn extra_wait_states(&self) -> u32 {
+        0
+    }
+
+    fn reset_extra_wait_states(&mut self) {}
+
+    fn last_fetch_addr(&self) -> u32 {
+        u32::MAX
+    }
+
+    fn set_last_fetch_addr(&mut self, _: u32) {}
+
+    fn mmio_trace_enabled(&self) -> bool {
+        false
+    }
+
+    fn emit_mmio_trace(&mut self, _: char, _: u32, _: u32, _: u32, _: u8) {}
+
+    // The coprocessor of the RP2350's pins.
+    fn gpio_read_out(&self) -> u32 {
+        0
+    }
+
+    fn gpio_write_out(&mut self, _: u32) {
+        self.refuse_coprocessor();
+    }
+
+    fn gpio_set_out(&mut self, _: u32) {
+        self.refuse_coprocessor();
+    }
+
+    fn gpio_clear_out(&mut self, _: u32) {
+        self.refuse_coprocessor();
+    }
+
+    fn gpio_xor_out(&mut self, _: u32) {
+        self.refuse_coprocessor();
+    }
+
+    fn gpio_read_oe(&self) -> u32 {
+        0
+    }
+
+    fn gpio_write_oe(&mut self, _: u32) {
+        self.refuse_coprocessor();
+    }
+
+    fn gpio_set_oe(&mut self, _: u32) {
+        self.refuse_coprocessor();
+    }
+
+    fn gpio_clear_oe(&mut self, _: u32) {
+        self.refuse_coprocessor();
+    }
+
+    fn gpio_xor_oe(&mut self, _: u32) {
+        self.refuse_coprocessor();
+    }
+
+    fn gpio_read_in(&self) -> u32 {
+        0
+    }
+}
+
+impl System {
+    fn refuse_coprocessor(&mut self) {
+        let fault = not_modelled("the coprocessor of the pins");
+        self.fault.get_or_insert(fault);
+    }
+}
