@@ -5,7 +5,7 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use heapless::spsc::{Consumer, Producer, Queue};
 use reflet::Camera;
-use reflet::scenes::{BuiltIn, Castle};
+use reflet::scenes::Castle;
 use rp235x_hal::multicore::{Multicore, Stack};
 use rp235x_hal::pac::{PPB, PSM};
 use rp235x_hal::sio::SioFifo;

@@ -29,6 +29,11 @@ const REPORT: u64 = 2_000;
 /// before it.
 const RP2040_VECTORS: u32 = 0x100;
 
+/// Cycles in a cycle of the system timer's external clock: a microsecond, and an eighth of the core's
+/// clock.
+const RP2350_TICK: u64 = 150;
+const STM32_TICK: u64 = 8;
+
 /// A core and its time.
 struct Runner {
     core: Box<dyn Core>,
@@ -261,9 +266,9 @@ fn cores(chip: ChipKind, atomics: &Arc<CoreAtomics>) -> Vec<Box<dyn Core>> {
     match chip {
         ChipKind::Rp2040 => vec![Box::new(M0::new(0)), Box::new(M0::new(1))],
         ChipKind::Rp2350 => vec![
-            Box::new(M33::new(0, atomics, true)),
-            Box::new(M33::new(1, atomics, true)),
+            Box::new(M33::new(0, atomics, true, RP2350_TICK)),
+            Box::new(M33::new(1, atomics, true, RP2350_TICK)),
         ],
-        ChipKind::Stm32f411 => vec![Box::new(M33::new(0, atomics, false))],
+        ChipKind::Stm32f411 => vec![Box::new(M33::new(0, atomics, false, STM32_TICK))],
     }
 }

@@ -145,8 +145,8 @@ impl Panel {
         let known = known.ok_or(fault!("the panel got the unknown command {command:#04x}"))?;
         require!(
             time >= self.ready,
-            "the panel got the command {command:#04x} within {} ms of its reset or sleep",
-            WAKE_UP / 1000
+            "the panel got the command {command:#04x} {} µs before it was ready after its reset or sleep",
+            self.ready - time
         );
         self.command = Some(*known);
         self.arguments.clear();

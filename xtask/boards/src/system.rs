@@ -11,8 +11,19 @@ use crate::fault::{Fault, fault, require};
 use crate::memory::Memory;
 use crate::wires::Wires;
 
-/// Registers of a Cortex-M0+ that a firmware may use: of its interrupts and its vector table.
-const M0_REGISTERS: [u32; 5] = [0xe000_e100, 0xe000_e180, 0xe000_e280, 0xe000_ed08, 0xe000_ed0c];
+/// Registers of a Cortex-M0+ that a firmware may use: of its interrupts, its vector table and the
+/// protection of its memory, which protects nothing here.
+const M0_REGISTERS: [u32; 9] = [
+    0xe000_e100,
+    0xe000_e180,
+    0xe000_e280,
+    0xe000_ed08,
+    0xe000_ed0c,
+    0xe000_ed94,
+    0xe000_ed98,
+    0xe000_ed9c,
+    0xe000_eda0,
+];
 
 /// A start of the second core: vector table, stack, entry. `None` switches it off.
 pub type Start = Option<[u32; 3]>;

@@ -42,9 +42,9 @@ pub struct Layout {
     pub second_core: u32,
     /// Bits of RESETS.
     pub resets: u32,
-    /// Offsets of OUT, OE and their set, clear and invert registers in the SIO.
-    pub outputs: [u32; 4],
-    pub enables: [u32; 4],
+    /// Offsets of outputs in the SIO, of their enables, and of the same for pins from 32 on. Each
+    /// has a register for the value, and three that set, clear and invert bits.
+    pub outputs: &'static [[u32; 4]],
     /// Offsets of the SELECTED registers of clocks with glitch-free multiplexers: REF and SYS.
     pub selected: [u32; 2],
     /// Register and bit that let the timer count.
@@ -115,7 +115,7 @@ impl Rp {
     }
 
     fn write_sio(&mut self, offset: u32, value: u32, core: usize) -> Result<Effect, Fault> {
-        for group in [self.layout.outputs, self.layout.enables] {
+        for group in self.layout.outputs {
             let Some(way) = group.iter().position(|it| *it == offset) else {
                 continue;
             };
@@ -135,10 +135,14 @@ impl Rp {
         }
     }
 
+    /// Levels of the first 32 outputs, and which are enabled.
+    fn outputs(&self) -> [u32; 2] {
+        [0, 1].map(|group: usize| self.registers.get(SIO + self.layout.outputs[group][0]))
+    }
+
     /// Levels of all pins: of inputs, and of outputs that are enabled.
     fn levels(&self) -> u32 {
-        let [out, enabled] = [self.layout.outputs[0], self.layout.enables[0]];
-        let [out, enabled] = [out, enabled].map(|it| self.registers.get(SIO + it));
+        let [out, enabled] = self.outputs();
         self.inputs & !enabled | out & enabled
     }
 
@@ -291,10 +295,9 @@ impl Pins for Rp {
             (FUNCTION_SPI, 2) => Role::Clock { unit },
             (FUNCTION_SPI, 3) => Role::Data { unit },
             (FUNCTION_SIO, _) => {
-                let [out, enabled] = [self.layout.outputs[0], self.layout.enables[0]];
-                let is = |it| self.registers.get(SIO + it) >> number & 1 == 1;
-                if is(enabled) {
-                    Role::Output(is(out))
+                let [out, enabled] = self.outputs().map(|it| it >> number & 1 == 1);
+                if enabled {
+                    Role::Output(out)
                 } else {
                     Role::Input
                 }

@@ -20,26 +20,59 @@ const CLREX_AT: u32 = 0x0000_0100;
 /// Instructions that the timer of the system may lag behind.
 const SYSTICK_LAG: u32 = 16;
 
+/// Bit of the system timer's control register: it counts cycles of the core.
+const CORE_CLOCK: u32 = 1 << 2;
+
 /// A Cortex-M33.
 pub struct M33 {
     core: CortexM33,
     steps: u32,
     /// Whether other cores write to the same memory.
     is_shared: bool,
+    timer: SystemTimer,
 }
 
 impl M33 {
-    /// Creates a core. `is_shared` tells that there are others.
-    pub fn new(number: u8, atomics: &Arc<CoreAtomics>, is_shared: bool) -> Self {
+    /// Creates a core. `is_shared` tells that there are others. `divider` is the number of cycles in
+    /// a cycle of the external clock of the system timer.
+    pub fn new(number: u8, atomics: &Arc<CoreAtomics>, is_shared: bool, divider: u64) -> Self {
         Self {
             core: CortexM33::new(number, Arc::clone(atomics)),
             steps: 0,
             is_shared,
+            timer: SystemTimer {
+                divider,
+                ticks: 0,
+                seen: 0,
+            },
         }
     }
 
     fn number(&self) -> usize {
         self.core.id().into()
+    }
+}
+
+/// Time of the system timer. The crate lets it count the cycles of the core, whatever its clock is.
+struct SystemTimer {
+    divider: u64,
+    /// Time in the timer's clock.
+    ticks: u64,
+    /// Cycles of the core that are counted.
+    seen: u64,
+}
+
+impl SystemTimer {
+    /// Lets the timer count up to now.
+    fn advance(&mut self, core: &mut CortexM33) {
+        let divider = match core.ppb.syst_csr & CORE_CLOCK {
+            0 => self.divider,
+            _ => 1,
+        };
+        let ticks = (core.cycles() - self.seen) / divider;
+        self.seen += ticks * divider;
+        self.ticks += ticks;
+        core.ppb.systick_advance(self.ticks);
     }
 }
 
@@ -58,10 +91,11 @@ impl Core for M33 {
         mend(system, self.core.regs.pc())?;
         let before = self.core.cycles();
         self.core.ppb.update_latest_cycles(before);
-        self.core.step(system);
+        // Whether the core is asleep has been tested; no peripheral interrupts it.
+        self.core.step_no_atomics(system);
         self.steps += 1;
         if self.steps % SYSTICK_LAG == 0 {
-            self.core.ppb.systick_advance(self.core.cycles());
+            self.timer.advance(&mut self.core);
         }
         Ok(self.core.cycles() - before)
     }

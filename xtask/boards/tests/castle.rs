@@ -1,0 +1,77 @@
+//! Each board draws the desk's picture of the castle, before and after keys are pressed.
+
+mod common;
+
+use boards::{Board, Key, Run, Script};
+use common::{Package, different, simulated};
+use reflet::Camera;
+use reflet::scenes::{BuiltIn, Castle, ShadingLights};
+
+static PICO: Package = Package::new("examples/pico", "thumbv6m-none-eabi");
+static PICO_2: Package = Package::new("examples/pico2", "thumbv8m.main-none-eabihf");
+static BLACK_PILL: Package = Package::new("examples/blackpill", "thumbv7em-none-eabihf");
+
+/// Prints the counts: `cargo test -p boards -- --nocapture`.
+fn report(board: &str, run: &Run) {
+    for picture in &run.pictures {
+        let (cycles, instructions) = (picture.cycles, picture.instructions);
+        println!("{board}: {cycles} cycles, {instructions} instructions");
+    }
+    run.said.iter().for_each(|line| println!("{board} said: {line}"));
+}
+
+fn orbited(cameras: &[(i32, i32)]) -> Camera {
+    let turn = |camera: Camera, turn: &(i32, i32)| camera.orbited(turn.0, turn.1).unwrap();
+    cameras.iter().fold(Castle::CAMERA, turn)
+}
+
+#[test]
+fn both_cores_of_a_pico_2_draw_the_castle() {
+    let script = Script::default().picture(&[]);
+    let script = script.picture(&[Key::Right]).picture(&[Key::Up]);
+    let run = Board::PICO_2.run(PICO_2.path(), &script).unwrap();
+    report("Pico 2", &run);
+    let turns = [(10, 0), (0, 10)];
+    for (count, picture) in run.pictures.iter().enumerate() {
+        let camera = orbited(&turns[..count]);
+        assert_eq!(different(picture, &simulated::<Castle>(&camera)), 0);
+    }
+    assert_eq!(run.pictures.len(), 3);
+    assert!(run.said[0].starts_with("castle: "), "{:?}", run.said);
+}
+
+#[test]
+fn black_pill_draws_the_castle() {
+    let script = Script::default().picture(&[]).picture(&[Key::Select]);
+    let run = Board::BLACK_PILL.run(BLACK_PILL.path(), &script).unwrap();
+    report("Black Pill", &run);
+    for (picture, turns) in run.pictures.iter().zip([&[][..], &[(10, 0)]]) {
+        let camera = orbited(turns);
+        assert_eq!(different(picture, &simulated::<Castle>(&camera)), 0);
+    }
+    assert_eq!(run.pictures.len(), 2);
+    assert!(run.said[0].starts_with("castle: "), "{:?}", run.said);
+}
+
+#[test]
+fn both_cores_of_a_pico_draw_the_castle() {
+    let script = Script::default().picture(&[]).picture(&[Key::Select]);
+    let run = Board::PICO.run(PICO.path(), &script).unwrap();
+    report("Pico", &run);
+    assert_eq!(run.said[0], "cores: 2");
+    let castle = simulated::<Castle>(&Castle::CAMERA);
+    assert_eq!(different(&run.pictures[0], &castle), 0);
+    let lights = simulated::<ShadingLights>(&ShadingLights::CAMERA);
+    assert_eq!(different(&run.pictures[1], &lights), 0);
+}
+
+#[test]
+fn one_core_of_a_pico_draws_the_castle() {
+    const ROWS: usize = 4;
+    let script = Script::default().with_one_core().rows(ROWS).picture(&[]);
+    let run = Board::PICO.run(PICO.path(), &script).unwrap();
+    assert_eq!(run.said[0], "cores: 1");
+    let drawn = ..ROWS * boards::SIDE;
+    let castle = simulated::<Castle>(&Castle::CAMERA);
+    assert_eq!(run.pictures[0].pixels[drawn], castle[drawn]);
+}
