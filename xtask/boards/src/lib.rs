@@ -15,6 +15,7 @@ mod board;
 mod chip;
 mod core;
 mod elf;
+mod execute;
 mod fault;
 mod keys;
 mod machine;
@@ -28,8 +29,9 @@ mod system;
 mod wires;
 
 pub use board::{Board, ChipKind};
+pub use execute::{Registers, execute};
 pub use fault::{Failure, Fault};
 pub use keys::Key;
 pub use panel::SIDE;
 pub use run::{Display, Picture, Run, Script};
-pub use wires::{Pin, Wiring};
+pub use wires::{GROUND, Pin, Wiring};

@@ -71,6 +71,7 @@ impl Machine {
             wires: Wires::new(board.wiring),
             now: 0,
             core: 0,
+            pc: 0,
             fault: None,
             start: None,
             private: [Private::default(), Private::default()],
@@ -104,6 +105,24 @@ impl Machine {
         self.runners[0].is_on = true;
     }
 
+    /// Executes instructions of the first core until it reaches an address. The first 8 registers
+    /// begin with these values. Returns them at the end, and the flags.
+    pub fn execute(&mut self, registers: [u32; 8], end: u32) -> Result<([u32; 8], u32), Fault> {
+        let Self {
+            runners, system, ..
+        } = self;
+        let core = &mut runners[0].core;
+        core.registers()[..8].copy_from_slice(&registers);
+        while core.pc() != end {
+            system.pc = core.pc();
+            core.step(system)?;
+            system.check()?;
+            core.check(system)?;
+        }
+        let registers = core.registers().first_chunk().copied();
+        Ok((registers.unwrap_or_default(), core.flags()))
+    }
+
     /// Runs until the last picture is captured.
     pub fn run(mut self, board: &Board, script: &Script) -> Result<Run, Failure> {
         let limit = script.seconds * board.clock();
@@ -129,11 +148,12 @@ impl Machine {
         })
     }
 
-    fn failure(&mut self, fault: Fault) -> Failure {
+    /// Returns a fault with its place and what the firmware said.
+    pub fn failure(&mut self, fault: Fault) -> Failure {
         self.rtt.poll(&mut self.system.memory);
         Failure::Firmware {
             fault,
-            pc: self.runners[self.system.core].core.pc(),
+            pc: self.system.pc,
             core: self.system.core,
             said: self.rtt.lines(),
         }
@@ -200,11 +220,10 @@ impl Machine {
             } = self;
             let runner = &mut runners[number];
             system.now = runner.time;
+            system.pc = runner.core.pc();
             runner.time += runner.core.step(system)?;
             runner.instructions += 1;
-            if let Some(fault) = system.fault.take() {
-                return Err(fault);
-            }
+            system.check()?;
             runner.core.check(system)?;
             let is_asleep = runner.core.is_asleep(system);
             let is_over = runner.time >= end || is_asleep;

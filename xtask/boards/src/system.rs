@@ -46,6 +46,8 @@ pub struct System {
     pub now: u64,
     /// The core whose turn it is.
     pub core: usize,
+    /// Address of the instruction that it executes.
+    pub pc: u32,
     /// First fault. It ends the run.
     pub fault: Option<Fault>,
     /// Start of the second core that the loop has to do.
@@ -84,6 +86,15 @@ impl System {
         }
         if let Err(fault) = self.write_register(address, value, size) {
             self.fault.get_or_insert(fault);
+        }
+    }
+
+    /// Returns the first fault.
+    #[inline]
+    pub fn check(&mut self) -> Result<(), Fault> {
+        match self.fault.take() {
+            Some(fault) => Err(fault),
+            None => Ok(()),
         }
     }
 

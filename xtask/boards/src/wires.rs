@@ -9,6 +9,9 @@ const HIGHEST_CLOCK: u64 = 62_500_000;
 /// Pin of a chip, counted as the chip counts them. A port of 16 pins on an STM32 is 16 numbers.
 pub type Pin = u8;
 
+/// The ground, as a pin that is always low.
+pub const GROUND: Pin = Pin::MAX;
+
 /// What a pin does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
@@ -80,7 +83,7 @@ impl Wires {
     /// Notices that pins may have changed. `is_sending` tells whether the SPI is busy.
     pub fn change(&mut self, pins: &dyn Pins, is_sending: bool) -> Result<(), Fault> {
         let it = self.wiring;
-        let levels = [it.data_command, it.chip_select].map(|pin| pins.role(pin));
+        let levels = [it.data_command, it.chip_select].map(|pin| role(pins, pin));
         require!(
             levels == self.levels || !is_sending,
             "D/C or CS changes while the SPI is sending"
@@ -89,10 +92,10 @@ impl Wires {
         self.was_released |= self.was_selected && select == Role::Output(true);
         self.was_selected |= select == Role::Output(false);
         self.levels = levels;
-        if pins.role(it.reset) == Role::Output(false) {
+        if role(pins, it.reset) == Role::Output(false) {
             self.panel.reset();
         }
-        self.is_lit = pins.role(it.backlight) == Role::Output(true);
+        self.is_lit = role(pins, it.backlight) == Role::Output(true);
         Ok(())
     }
 
@@ -101,11 +104,11 @@ impl Wires {
         let it = self.wiring;
         let unit = sent.unit;
         let named = |part, pin: Pin| {
-            let (name, role) = (pins.name(pin), pins.role(pin));
-            format!("the panel's {part} is wired to {name}, which is {role:?}")
+            let name = pins.name(pin);
+            format!("the panel's {part} is wired to {name}, which is {:?}", role(pins, pin))
         };
         let is = |part, pin: Pin, wanted: Role, purpose: &str| {
-            require!(pins.role(pin) == wanted, "{}, not {purpose}", named(part, pin));
+            require!(role(pins, pin) == wanted, "{}, not {purpose}", named(part, pin));
             Ok(())
         };
         is("clock", it.clock, Role::Clock { unit }, "the clock of the SPI")?;
@@ -114,7 +117,7 @@ impl Wires {
         is("reset", it.reset, up, "an output that is high")?;
         let low = Role::Output(false);
         is("CS", it.chip_select, low, "an output that is low while a byte is sent")?;
-        let Role::Output(is_data) = pins.role(it.data_command) else {
+        let Role::Output(is_data) = role(pins, it.data_command) else {
             return Err(Fault(named("D/C", it.data_command) + ", not an output"));
         };
         require!(
@@ -127,5 +130,13 @@ impl Wires {
             require!(self.was_released, "CS has never risen before the first pixels");
         }
         Ok(())
+    }
+}
+
+/// Returns what a pin does. The ground is a pin that is low.
+fn role(pins: &dyn Pins, pin: Pin) -> Role {
+    match pin {
+        GROUND => Role::Output(false),
+        _ => pins.role(pin),
     }
 }

@@ -2,14 +2,17 @@
 
 mod common;
 
-use boards::{Board, Key, Run, Script};
-use common::{Package, different, simulated};
+use boards::{Board, Key, Picture, Run, SIDE, Script};
+use common::Package;
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::Camera;
 use reflet::scenes::{BuiltIn, Castle, ShadingLights};
 
-static PICO: Package = Package::new("examples/pico", "thumbv6m-none-eabi");
-static PICO_2: Package = Package::new("examples/pico2", "thumbv8m.main-none-eabihf");
-static BLACK_PILL: Package = Package::new("examples/blackpill", "thumbv7em-none-eabihf");
+static PICO: Package = Package::new("examples/pico", "pico", "thumbv6m-none-eabi");
+static PICO_2: Package = Package::new("examples/pico2", "pico2", "thumbv8m.main-none-eabihf");
+static BLACK_PILL: Package = Package::new("examples/blackpill", "blackpill", "thumbv7em-none-eabihf");
 
 /// Prints the counts: `cargo test -p boards -- --nocapture`.
 fn report(board: &str, run: &Run) {
@@ -18,6 +21,25 @@ fn report(board: &str, run: &Run) {
         println!("{board}: {cycles} cycles, {instructions} instructions");
     }
     run.said.iter().for_each(|line| println!("{board} said: {line}"));
+}
+
+/// Returns the picture on the desk.
+fn simulated<S: BuiltIn>(camera: &Camera) -> Vec<u16> {
+    let size = Size::new(SIDE as u32, SIDE as u32);
+    let mut display = SimulatorDisplay::<Rgb565>::new(size);
+    S::frame(camera).draw(&mut display).unwrap();
+    let bytes = display.to_be_bytes();
+    let pixels = bytes.chunks_exact(2);
+    pixels
+        .map(|it| u16::from_be_bytes([it[0], it[1]]))
+        .collect()
+}
+
+/// Returns the number of pixels that differ.
+fn different(shown: &Picture, expected: &[u16]) -> usize {
+    assert_eq!(shown.pixels.len(), expected.len());
+    let pairs = shown.pixels.iter().zip(expected);
+    pairs.filter(|(shown, expected)| shown != expected).count()
 }
 
 fn orbited(cameras: &[(i32, i32)]) -> Camera {
@@ -71,7 +93,7 @@ fn one_core_of_a_pico_draws_the_castle() {
     let script = Script::default().with_one_core().rows(ROWS).picture(&[]);
     let run = Board::PICO.run(PICO.path(), &script).unwrap();
     assert_eq!(run.said[0], "cores: 1");
-    let drawn = ..ROWS * boards::SIDE;
+    let drawn = ..ROWS * SIDE;
     let castle = simulated::<Castle>(&Castle::CAMERA);
     assert_eq!(run.pictures[0].pixels[drawn], castle[drawn]);
 }
