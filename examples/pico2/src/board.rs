@@ -9,20 +9,19 @@ use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::{InputPin, OutputPin};
 use embedded_hal::spi::MODE_0;
 use embedded_hal_bus::spi::ExclusiveDevice;
+use heapless::spsc::Consumer;
 use mipidsi::Builder;
 use mipidsi::interface::SpiInterface;
 use mipidsi::models::ST7789;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
-use reflet::Camera;
-use reflet::scenes::{BuiltIn, Castle};
 use rp235x_hal::clocks::{Clock, init_clocks_and_plls};
 use rp235x_hal::fugit::RateExtU32;
-use rp235x_hal::gpio::{DynPinId, FunctionSioInput, FunctionSpi, Pin, Pins, PullUp};
+use rp235x_hal::gpio::{FunctionSioInput, FunctionSpi, Pin, Pins, PullUp, bank0::Gpio20};
 use rp235x_hal::pac::Peripherals;
 use rp235x_hal::timer::CopyableTimer0;
 use rp235x_hal::{Sio, Spi, Timer, Watchdog};
 
-use crate::cores::{SIDE, Second};
+use crate::cores::{self, Row, SIDE};
 
 /// Frequency of the board's crystal, in Hz.
 const CRYSTAL: u32 = 12_000_000;
@@ -31,8 +30,9 @@ const CRYSTAL: u32 = 12_000_000;
 pub struct Board<D> {
     /// The panel: black, with its backlight on.
     pub display: D,
-    pub keys: Keys,
-    pub second: Second,
+    pub key: Key,
+    /// Odd rows of view after view, from the second core.
+    pub odd_rows: Consumer<'static, Row>,
     pub timer: Timer<CopyableTimer0>,
 }
 
@@ -57,14 +57,6 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
     let mut sio = Sio::new(chip.SIO);
     let banks = (chip.IO_BANK0, chip.PADS_BANK0, sio.gpio_bank0);
     let pins = Pins::new(banks.0, banks.1, banks.2, &mut chip.RESETS);
-    let keys = [
-        pins.gpio2.into_pull_up_input().into_dyn_pin(),
-        pins.gpio18.into_pull_up_input().into_dyn_pin(),
-        pins.gpio16.into_pull_up_input().into_dyn_pin(),
-        pins.gpio20.into_pull_up_input().into_dyn_pin(),
-        pins.gpio3.into_pull_up_input().into_dyn_pin(),
-    ];
-
     let data = pins.gpio11.into_function::<FunctionSpi>();
     let clock = pins.gpio10.into_function::<FunctionSpi>();
     let frequency = clocks.peripheral_clock.freq();
@@ -89,40 +81,29 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
 
     Board {
         display,
-        keys: Keys { keys, timer },
-        second: Second::start(&mut chip.PSM, &mut chip.PPB, &mut sio.fifo)
+        key: Key {
+            pin: pins.gpio20.into_pull_up_input(),
+            timer,
+        },
+        odd_rows: cores::start(&mut chip.PSM, &mut chip.PPB, &mut sio.fifo)
             .expect("the second core answers"),
         timer,
     }
 }
 
-/// The five keys: up, down, left and right orbit the camera, select shows the first view.
-pub struct Keys {
-    keys: [Pin<DynPinId, FunctionSioInput, PullUp>; 5],
+/// The key that orbits the camera. It connects its pin to ground.
+pub struct Key {
+    pin: Pin<Gpio20, FunctionSioInput, PullUp>,
     timer: Timer<CopyableTimer0>,
 }
 
-impl Keys {
-    /// Waits until a key is pressed and released, and returns the camera that follows `camera`.
-    pub fn wait(&mut self, camera: Camera) -> Camera {
-        let key = loop {
-            if let Some(key) = self.held() {
-                break key;
-            }
-        };
-        while self.held().is_some() {
+impl Key {
+    /// Waits until the key is pressed and released.
+    pub fn wait(&mut self) {
+        while self.pin.is_high() == Ok(true) {}
+        while self.pin.is_low() == Ok(true) {
             // Contacts bounce for some milliseconds.
             self.timer.delay_ms(10);
         }
-        const STEPS: [(i32, i32); 4] = [(0, 10), (0, -10), (-10, 0), (10, 0)];
-        let Some(&(azimuth, elevation)) = STEPS.get(key) else {
-            return Castle::CAMERA;
-        };
-        // A camera cannot look along its `up`: then it keeps its place.
-        camera.orbited(azimuth, elevation).unwrap_or(camera)
-    }
-
-    fn held(&mut self) -> Option<usize> {
-        self.keys.iter_mut().position(|key| key.is_low() == Ok(true))
     }
 }
