@@ -2,18 +2,12 @@
 
 use core::fmt::Debug;
 
-use cortex_m::singleton;
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-use embedded_hal::delay::DelayNs;
-use embedded_hal::digital::{InputPin, OutputPin};
-use embedded_hal::spi::MODE_0;
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+use embedded_hal::{digital::OutputPin, spi::MODE_0};
 use embedded_hal_bus::spi::ExclusiveDevice;
 use heapless::spsc::Consumer;
-use mipidsi::Builder;
-use mipidsi::interface::SpiInterface;
-use mipidsi::models::ST7789;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
+use mipidsi::{Builder, interface::SpiInterface, models::ST7789};
 use rp235x_hal::clocks::{Clock, init_clocks_and_plls};
 use rp235x_hal::fugit::RateExtU32;
 use rp235x_hal::gpio::{FunctionSioInput, FunctionSpi, Pin, Pins, PullUp, bank0::Gpio20};
@@ -30,7 +24,8 @@ const CRYSTAL: u32 = 12_000_000;
 pub struct Board<D> {
     /// The panel: black, with its backlight on.
     pub display: D,
-    pub key: Key,
+    /// The key that orbits the camera. It connects its pin to ground.
+    pub key: Pin<Gpio20, FunctionSioInput, PullUp>,
     /// Odd rows of view after view, from the second core.
     pub odd_rows: Consumer<'static, Row>,
     pub timer: Timer<CopyableTimer0>,
@@ -65,7 +60,8 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
     let chip_select = pins.gpio9.into_push_pull_output();
     let device = ExclusiveDevice::new_no_delay(bus, chip_select).expect("a pin can be set");
     let data_command = pins.gpio8.into_push_pull_output();
-    let buffer = singleton!(: [u8; 512] = [0; 512]).expect("the board is switched on once");
+    let buffer =
+        cortex_m::singleton!(: [u8; 512] = [0; 512]).expect("the board is switched on once");
     let mut display = Builder::new(ST7789, SpiInterface::new(device, data_command, buffer))
         .reset_pin(pins.gpio12.into_push_pull_output())
         .display_size(SIDE as u16, SIDE as u16)
@@ -81,29 +77,9 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
 
     Board {
         display,
-        key: Key {
-            pin: pins.gpio20.into_pull_up_input(),
-            timer,
-        },
+        key: pins.gpio20.into_pull_up_input(),
         odd_rows: cores::start(&mut chip.PSM, &mut chip.PPB, &mut sio.fifo)
             .expect("the second core answers"),
         timer,
-    }
-}
-
-/// The key that orbits the camera. It connects its pin to ground.
-pub struct Key {
-    pin: Pin<Gpio20, FunctionSioInput, PullUp>,
-    timer: Timer<CopyableTimer0>,
-}
-
-impl Key {
-    /// Waits until the key is pressed and released.
-    pub fn wait(&mut self) {
-        while self.pin.is_high() == Ok(true) {}
-        while self.pin.is_low() == Ok(true) {
-            // Contacts bounce for some milliseconds.
-            self.timer.delay_ms(10);
-        }
     }
 }

@@ -1,8 +1,7 @@
 //! The views of the castle, and the second core, which traces their odd rows.
 
 use cortex_m::singleton;
-use embedded_graphics::geometry::Size;
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use heapless::spsc::{Consumer, Producer, Queue};
 use reflet::scenes::{BuiltIn, Castle};
 use reflet::{Camera, PreparedFrame};
@@ -16,17 +15,8 @@ pub const SIDE: u32 = 240;
 /// The pixels of one row.
 pub type Row = [Rgb565; SIDE as usize];
 
-/// A row of black pixels, the initial value of row buffers.
-pub const BLACK_ROW: Row = [Rgb565::BLACK; SIDE as usize];
-
 /// Stack of the second core: 8192 words. A row of the castle takes 9 KiB at most.
 static STACK: Stack<8192> = Stack::new();
-
-/// Returns the camera of the next view, 10° to the right.
-pub fn after(camera: Camera) -> Camera {
-    // A camera cannot look along its `up`: then it keeps its place.
-    camera.orbited(10, 0).unwrap_or(camera)
-}
 
 /// Prepares a view.
 pub fn prepare(camera: &Camera) -> PreparedFrame<Castle> {
@@ -45,15 +35,14 @@ pub fn start(psm: &mut PSM, ppb: &mut PPB, fifo: &mut SioFifo) -> Option<Consume
     // A queue holds one item less than its capacity.
     let (mut traced, rows) = singleton!(: Queue<Row, 2> = Queue::new())?.split();
     let mut cores = Multicore::new(psm, ppb, fifo);
-    let second = cores.cores().get_mut(1)?;
     let work = move || trace_odd_rows(&mut traced);
-    second.spawn(STACK.take()?, work).ok()?;
+    cores.cores().get_mut(1)?.spawn(STACK.take()?, work).ok()?;
     Some(rows)
 }
 
-/// Runs on the second core, for ever. Waits for each row to be fetched.
+/// Runs on the second core, for ever, with the cameras of the first. Waits for each row to be fetched.
 fn trace_odd_rows(traced: &mut Producer<Row>) {
-    let mut row = BLACK_ROW;
+    let mut row = [Rgb565::BLACK; SIDE as usize];
     let mut camera = Castle::CAMERA;
     loop {
         let frame = prepare(&camera);
@@ -61,6 +50,6 @@ fn trace_odd_rows(traced: &mut Producer<Row>) {
             trace(&frame, y, &mut row);
             while traced.enqueue(row).is_err() {}
         }
-        camera = after(camera);
+        camera = camera.orbited(10, 0).unwrap_or(camera);
     }
 }

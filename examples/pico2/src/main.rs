@@ -9,57 +9,47 @@ mod cores;
 
 use core::panic::PanicInfo;
 
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Point, Size};
-use embedded_graphics::pixelcolor::Rgb565;
-use embedded_graphics::primitives::Rectangle;
-use heapless::spsc::Consumer;
-use reflet::Camera;
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use embedded_hal::{delay::DelayNs, digital::InputPin};
 use reflet::scenes::{BuiltIn, Castle};
-use rp235x_hal::block::ImageDef;
 use rtt_target::{rprintln, rtt_init_print};
 
-use crate::cores::{BLACK_ROW, Row, SIDE, after, prepare, trace};
+use crate::cores::{SIDE, prepare, trace};
 
 /// Tells the boot ROM that this is a program for the Arm cores.
 #[used]
 #[unsafe(link_section = ".start_block")]
-static IMAGE_DEF: ImageDef = ImageDef::secure_exe();
+static IMAGE_DEF: rp235x_hal::block::ImageDef = rp235x_hal::block::ImageDef::secure_exe();
 
 #[rp235x_hal::entry]
 fn main() -> ! {
     rtt_init_print!();
     let mut board = board::switch_on();
     let mut camera = Castle::CAMERA;
+    let mut even = [Rgb565::BLACK; SIDE as usize];
     loop {
         let start = board.timer.get_counter();
-        draw(&camera, &mut board.display, &mut board.odd_rows).expect("the display takes rows");
+        let frame = prepare(&camera);
+        for y in (0..SIDE).step_by(2) {
+            trace(&frame, y, &mut even);
+            while !board.odd_rows.ready() {}
+            let odd = board.odd_rows.dequeue().into_iter().flatten();
+            let area = Rectangle::new(Point::new(0, y as i32), Size::new(SIDE, 2));
+            let drawn = board
+                .display
+                .fill_contiguous(&area, even.into_iter().chain(odd));
+            drawn.expect("the display takes every row");
+        }
         let time = board.timer.get_counter() - start;
         rprintln!("castle: {} ms", time.to_millis());
-        board.key.wait();
-        camera = after(camera);
+        while board.key.is_high() == Ok(true) {}
+        while board.key.is_low() == Ok(true) {
+            // Contacts bounce for some milliseconds.
+            board.timer.delay_ms(10);
+        }
+        // A camera cannot look along its `up`: then it keeps its place.
+        camera = camera.orbited(10, 0).unwrap_or(camera);
     }
-}
-
-/// Draws the castle, two rows at a time. The second core traces the odd ones.
-fn draw<D: DrawTarget<Color = Rgb565>>(
-    camera: &Camera,
-    display: &mut D,
-    odd_rows: &mut Consumer<Row>,
-) -> Result<(), D::Error> {
-    let frame = prepare(camera);
-    let mut even = BLACK_ROW;
-    for y in (0..SIDE).step_by(2) {
-        trace(&frame, y, &mut even);
-        let odd = loop {
-            if let Some(odd) = odd_rows.dequeue() {
-                break odd;
-            }
-        };
-        let area = Rectangle::new(Point::new(0, y as i32), Size::new(SIDE, 2));
-        display.fill_contiguous(&area, even.into_iter().chain(odd))?;
-    }
-    Ok(())
 }
 
 /// Prints the panic's message to a connected debugger, and stops.

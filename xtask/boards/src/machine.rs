@@ -80,7 +80,10 @@ impl Machine {
             aligned: board.chip == ChipKind::Rp2040,
         };
         let mut machine = Self {
-            runners: cores(board.chip, &atomics).into_iter().map(Runner::new).collect(),
+            runners: cores(board.chip, &atomics)
+                .into_iter()
+                .map(Runner::new)
+                .collect(),
             system,
             presses: Presses::default(),
             rtt: Rtt::new(firmware.rtt),

@@ -135,7 +135,9 @@ impl Panel {
             (false, _) => self.start(byte, time),
             (true, Some((RAMWR, _))) => self.take_pixel_byte(byte),
             (true, Some((command, count))) => self.take_argument(command, count, byte),
-            (true, None) => Err(fault!("the panel got the data {byte:#04x} before a command")),
+            (true, None) => Err(fault!(
+                "the panel got the data {byte:#04x} before a command"
+            )),
         }
     }
 
@@ -248,7 +250,10 @@ impl Panel {
     fn take_pixel_byte(&mut self, byte: u8) -> Result<(), Fault> {
         let [x, y] = self.place;
         let Settings { columns, rows, .. } = self.settings;
-        require!(y <= rows[1], "the panel got more pixels than its window holds");
+        require!(
+            y <= rows[1],
+            "the panel got more pixels than its window holds"
+        );
         let Some(high) = self.half.take() else {
             self.half = Some(byte);
             return Ok(());

@@ -37,7 +37,8 @@ impl Rtt {
         }
         let mut at = reader;
         while at != writer {
-            self.text.push(memory.read(buffer + at, 1).unwrap_or(0) as u8);
+            self.text
+                .push(memory.read(buffer + at, 1).unwrap_or(0) as u8);
             at = (at + 1) % size;
         }
         memory.write(block + READER, writer, 4);

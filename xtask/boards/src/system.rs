@@ -144,7 +144,10 @@ impl System {
             self.private[self.core].system.write32(address, value);
             return Ok(());
         }
-        require!(has_registers(address), "no memory to write at {address:#010x}");
+        require!(
+            has_registers(address),
+            "no memory to write at {address:#010x}"
+        );
         self.advance()?;
         match self.chip.write(access, value)? {
             Effect::None => Ok(()),

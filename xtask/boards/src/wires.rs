@@ -17,8 +17,12 @@ pub const GROUND: Pin = Pin::MAX;
 pub enum Role {
     Input,
     Output(bool),
-    Clock { unit: usize },
-    Data { unit: usize },
+    Clock {
+        unit: usize,
+    },
+    Data {
+        unit: usize,
+    },
     /// Not connected to anything inside of the chip.
     Idle,
 }
@@ -105,18 +109,35 @@ impl Wires {
         let unit = sent.unit;
         let named = |part, pin: Pin| {
             let name = pins.name(pin);
-            format!("the panel's {part} is wired to {name}, which is {:?}", role(pins, pin))
+            format!(
+                "the panel's {part} is wired to {name}, which is {:?}",
+                role(pins, pin)
+            )
         };
         let is = |part, pin: Pin, wanted: Role, purpose: &str| {
-            require!(role(pins, pin) == wanted, "{}, not {purpose}", named(part, pin));
+            require!(
+                role(pins, pin) == wanted,
+                "{}, not {purpose}",
+                named(part, pin)
+            );
             Ok(())
         };
-        is("clock", it.clock, Role::Clock { unit }, "the clock of the SPI")?;
+        is(
+            "clock",
+            it.clock,
+            Role::Clock { unit },
+            "the clock of the SPI",
+        )?;
         is("data", it.data, Role::Data { unit }, "the data of the SPI")?;
         let up = Role::Output(true);
         is("reset", it.reset, up, "an output that is high")?;
         let low = Role::Output(false);
-        is("CS", it.chip_select, low, "an output that is low while a byte is sent")?;
+        is(
+            "CS",
+            it.chip_select,
+            low,
+            "an output that is low while a byte is sent",
+        )?;
         let Role::Output(is_data) = role(pins, it.data_command) else {
             return Err(Fault(named("D/C", it.data_command) + ", not an output"));
         };
@@ -127,7 +148,10 @@ impl Wires {
         );
         self.panel.take(sent.byte, is_data, time)?;
         if self.panel.is_writing() {
-            require!(self.was_released, "CS has never risen before the first pixels");
+            require!(
+                self.was_released,
+                "CS has never risen before the first pixels"
+            );
         }
         Ok(())
     }

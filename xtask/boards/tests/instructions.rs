@@ -64,7 +64,11 @@ fn test(chip: ChipKind, rows: &[Row]) {
         let letters = "NZCVQ".chars().enumerate();
         let set = letters.filter(|(place, _)| bits << place >> 31 == 1);
         let set: String = set.map(|(_, letter)| letter).collect();
-        assert_eq!((after[0], after[1], &set[..]), (*first, *second, *flags), "{name}");
+        assert_eq!(
+            (after[0], after[1], &set[..]),
+            (*first, *second, *flags),
+            "{name}"
+        );
         assert_eq!(after[2..4], BEFORE[2..], "{name}");
     }
 }
@@ -94,11 +98,23 @@ fn accesses_with_acquire_and_release_are_plain_ones() {
 
 #[test]
 fn instruction_that_the_crate_executes_incorrectly_is_refused() {
-    let refusal = |code: &[u16]| execute(ChipKind::Rp2350, code, [0; 8]).unwrap_err().to_string();
+    let refusal = |code: &[u16]| {
+        execute(ChipKind::Rp2350, code, [0; 8])
+            .unwrap_err()
+            .to_string()
+    };
     // pkhbt, pkhtb, usat16, uadd8
-    for code in [[0xeac2, 0x0003], [0xeac2, 0x0023], [0xf3a2, 0x0004], [0xfa82, 0xf043]] {
+    for code in [
+        [0xeac2, 0x0003],
+        [0xeac2, 0x0023],
+        [0xf3a2, 0x0004],
+        [0xfa82, 0xf043],
+    ] {
         let refusal = refusal(&code);
-        assert!(refusal.starts_with("the emulated core has no "), "{refusal}");
+        assert!(
+            refusal.starts_with("the emulated core has no "),
+            "{refusal}"
+        );
     }
 }
 

@@ -17,7 +17,9 @@ fn wrong(firmware: &Package) -> usize {
     let pattern = |x: usize, y: usize| (x * 257 ^ y * 91) as u16;
     let expected = |at: usize| pattern(at % SIDE, at / SIDE).swap_bytes();
     let pixels = pixels.iter().enumerate();
-    pixels.filter(|(at, pixel)| **pixel != expected(*at)).count()
+    pixels
+        .filter(|(at, pixel)| **pixel != expected(*at))
+        .count()
 }
 
 #[test]

@@ -7,7 +7,8 @@ use common::Package;
 
 static PICO: Package = Package::new("examples/pico", "pico", "thumbv6m-none-eabi");
 static PICO_2: Package = Package::new("examples/pico2", "pico2", "thumbv8m.main-none-eabihf");
-static BLACK_PILL: Package = Package::new("examples/blackpill", "blackpill", "thumbv7em-none-eabihf");
+static BLACK_PILL: Package =
+    Package::new("examples/blackpill", "blackpill", "thumbv7em-none-eabihf");
 
 /// Returns the fault of the right firmware on a board that is wired wrongly.
 fn fault(board: &Board, firmware: &Package, wire: impl FnOnce(&mut Wiring)) -> String {

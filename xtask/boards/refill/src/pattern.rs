@@ -75,14 +75,24 @@ pub fn run(buffers: usize) -> ! {
 fn draw(dma: &DMA, buffers: usize) {
     // Nobody else uses them now.
     let (sio, spi) = unsafe { (SIO::steal(), SPI1::steal()) };
-    let send = |byte: u8| spi.sspdr().write(|it| unsafe { it.data().bits(byte.into()) });
+    let send = |byte: u8| {
+        spi.sspdr()
+            .write(|it| unsafe { it.data().bits(byte.into()) })
+    };
     let wait = || while spi.sspsr().read().bsy().bit_is_set() {};
-    sio.gpio_out_clr().write(|it| unsafe { it.bits(CHIP_SELECT) });
-    for (command, arguments) in [(0x2a, &[0, 0, 0, 239][..]), (0x2b, &[0, 0, 0, 239]), (0x2c, &[])] {
-        sio.gpio_out_clr().write(|it| unsafe { it.bits(DATA_COMMAND) });
+    sio.gpio_out_clr()
+        .write(|it| unsafe { it.bits(CHIP_SELECT) });
+    for (command, arguments) in [
+        (0x2a, &[0, 0, 0, 239][..]),
+        (0x2b, &[0, 0, 0, 239]),
+        (0x2c, &[]),
+    ] {
+        sio.gpio_out_clr()
+            .write(|it| unsafe { it.bits(DATA_COMMAND) });
         send(command);
         wait();
-        sio.gpio_out_set().write(|it| unsafe { it.bits(DATA_COMMAND) });
+        sio.gpio_out_set()
+            .write(|it| unsafe { it.bits(DATA_COMMAND) });
         arguments.iter().for_each(|byte| _ = send(*byte));
         wait();
     }
@@ -95,9 +105,15 @@ fn draw(dma: &DMA, buffers: usize) {
             pixel.store((x * 257 ^ y * 91) as u16, Ordering::Relaxed);
         }
         while is_busy() {}
-        channel.ch_read_addr().write(|it| unsafe { it.bits(row.as_ptr() as u32) });
-        channel.ch_write_addr().write(|it| unsafe { it.bits(spi.sspdr().as_ptr() as u32) });
-        channel.ch_trans_count().write(|it| unsafe { it.bits(2 * SIDE as u32) });
+        channel
+            .ch_read_addr()
+            .write(|it| unsafe { it.bits(row.as_ptr() as u32) });
+        channel
+            .ch_write_addr()
+            .write(|it| unsafe { it.bits(spi.sspdr().as_ptr() as u32) });
+        channel
+            .ch_trans_count()
+            .write(|it| unsafe { it.bits(2 * SIDE as u32) });
         channel.ch_ctrl_trig().write(|it| unsafe {
             let it = it.treq_sel().bits(SPI1_TX).incr_read().set_bit();
             it.data_size().size_byte().en().set_bit()
@@ -105,7 +121,8 @@ fn draw(dma: &DMA, buffers: usize) {
     }
     while is_busy() {}
     wait();
-    sio.gpio_out_set().write(|it| unsafe { it.bits(CHIP_SELECT) });
+    sio.gpio_out_set()
+        .write(|it| unsafe { it.bits(CHIP_SELECT) });
 }
 
 #[panic_handler]

@@ -1,6 +1,7 @@
 //! The peripherals that RP2040 and RP2350 have in common. Their tables tell the addresses.
 
 mod dma;
+mod edges;
 mod fifo;
 mod spi;
 
@@ -10,6 +11,7 @@ use crate::memory::Memory;
 use crate::registers::{Block, Place, Registers};
 use crate::wires::{Pin, Pins, Role, Sent};
 use dma::Dma;
+use edges::Edges;
 use fifo::Fifos;
 use spi::Spi;
 
@@ -71,8 +73,7 @@ pub struct Rp {
     fifos: Fifos,
     spinlocks: u32,
     inputs: u32,
-    /// Falling edges of pins that are not cleared.
-    falls: u32,
+    edges: Edges,
 }
 
 impl Rp {
@@ -86,7 +87,7 @@ impl Rp {
             fifos: Fifos::new(cores),
             spinlocks: 0,
             inputs: !0,
-            falls: 0,
+            edges: Edges::new(layout.edges),
         }
     }
 
@@ -131,7 +132,9 @@ impl Rp {
                 self.spinlocks &= !(1 << ((offset - 0x100) / 4));
                 Ok(Effect::None)
             }
-            _ => Err(fault!("the register {offset:#x} of the SIO is not modelled")),
+            _ => Err(fault!(
+                "the register {offset:#x} of the SIO is not modelled"
+            )),
         }
     }
 
@@ -144,33 +147,6 @@ impl Rp {
     fn levels(&self) -> u32 {
         let [out, enabled] = self.outputs();
         self.inputs & !enabled | out & enabled
-    }
-
-    /// Reads the registers of edges: the status of 8 pins is in one register, of 4 bits a pin.
-    fn edges(&self, offset: u32) -> Option<u32> {
-        let [raw, enabled] = self.layout.edges;
-        let registers = (enabled - raw) / 4;
-        let [raw, enabled] = [raw, enabled].map(|it| offset.wrapping_sub(it) / 4);
-        let falls = |index: u32| {
-            let pins = (0..8).filter(|pin| self.falls >> (index * 8 + pin) & 1 == 1);
-            pins.map(|pin| 4 << (4 * pin)).sum::<u32>()
-        };
-        if raw < registers {
-            return Some(falls(raw));
-        }
-        // Enabled, forced, and the status of the first core.
-        (2 * registers..3 * registers).contains(&enabled).then(|| {
-            let index = enabled - 2 * registers;
-            falls(index) & self.registers.get(self.layout.pins + self.layout.edges[1] + 4 * index)
-        })
-    }
-
-    fn clear_edges(&mut self, offset: u32, value: u32) {
-        let index = offset.wrapping_sub(self.layout.edges[0]) / 4;
-        if index < 4 {
-            let pins = (0..8).filter(|pin| value >> (4 * pin) & 4 != 0);
-            pins.for_each(|pin| self.falls &= !(1 << (index * 8 + pin)));
-        }
     }
 
     fn switch(&mut self, address: u32, old: u32, new: u32) -> Effect {
@@ -218,7 +194,10 @@ impl Chip for Rp {
             (Kind::Timer, 0x08 | 0x24) => (self.time(now)? >> 32) as u32,
             (Kind::Timer, 0x0c | 0x28) => self.time(now)? as u32,
             (Kind::Ticks, _) if offset % 12 == 0 => raw | (raw & 1) << 1,
-            (Kind::Pins, _) => self.edges(offset).unwrap_or(raw),
+            (Kind::Pins, _) => {
+                let register = |offset| self.registers.get(self.layout.pins + offset);
+                self.edges.read(offset, register).unwrap_or(raw)
+            }
             (Kind::Spi(unit), _) => self.spi[unit].read(&self.registers, offset, now),
             (Kind::Dma, _) => self.dma.read(offset, raw),
             (Kind::Sio, _) => self.sio(offset, access.core)?,
@@ -230,7 +209,11 @@ impl Chip for Rp {
     fn write(&mut self, access: Access, value: u32) -> Result<Effect, Fault> {
         let (address, way) = plain(access.address);
         let Place { kind, offset } = self.registers.find(address)?;
-        require!(access.size == 4, "{} bytes of a register are written", access.size);
+        require!(
+            access.size == 4,
+            "{} bytes of a register are written",
+            access.size
+        );
         if kind == Kind::Sio {
             return self.write_sio(offset, value, access.core);
         }
@@ -240,7 +223,7 @@ impl Chip for Rp {
         match kind {
             Kind::Power => Ok(self.switch(address, old, new)),
             Kind::Pins => {
-                self.clear_edges(offset, value);
+                self.edges.clear(offset, value);
                 Ok(Effect::Pins)
             }
             Kind::Spi(unit) if offset == spi::DATA => {
@@ -263,8 +246,9 @@ impl Chip for Rp {
 
     fn set_input(&mut self, pin: Pin, level: bool) {
         let bit = 1 << pin;
-        let falls = self.inputs & bit != 0 && !level;
-        self.falls |= if falls { bit } else { 0 };
+        if self.inputs & bit != 0 && !level {
+            self.edges.fall(pin);
+        }
         self.inputs = self.inputs & !bit | if level { bit } else { 0 };
     }
 

@@ -93,7 +93,12 @@ const BLOCKS: &[Block<Kind>] = &[
     spi("SPI0", 0),
     spi("SPI1", 1),
     Block {
-        registers: &[registers(0, 3), registers(0x10, 8), registers(0x50, 4), registers(0x100, 32)],
+        registers: &[
+            registers(0, 3),
+            registers(0x10, 8),
+            registers(0x50, 4),
+            registers(0x100, 32),
+        ],
         ..block("SIO", Kind::Sio, 0xd000_0000)
     },
 ];
@@ -108,10 +113,7 @@ pub const RP2040: Layout = Layout {
     power: PSM + 4,
     second_core: 1 << 16,
     resets: 0x01ff_ffff,
-    outputs: &[
-        [0x10, 0x14, 0x18, 0x1c],
-        [0x20, 0x24, 0x28, 0x2c],
-    ],
+    outputs: &[[0x10, 0x14, 0x18, 0x1c], [0x20, 0x24, 0x28, 0x2c]],
     selected: [0x38, 0x44],
     tick: (WATCHDOG + 0x2c, 1 << 9),
     clock: 125_000_000,

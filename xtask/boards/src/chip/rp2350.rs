@@ -102,7 +102,12 @@ const BLOCKS: &[Block<Kind>] = &[
         ..block("DMA", Kind::Dma, 0x5000_0000)
     },
     Block {
-        registers: &[registers(0, 3), registers(0x10, 16), registers(0x50, 4), registers(0x100, 32)],
+        registers: &[
+            registers(0, 3),
+            registers(0x10, 16),
+            registers(0x50, 4),
+            registers(0x100, 32),
+        ],
         ..block("SIO", Kind::Sio, 0xd000_0000)
     },
 ];

@@ -1,19 +1,17 @@
 //! The peripherals of an STM32F411 that a firmware may use.
 
+mod table;
+
 use crate::chip::{Access, Chip, Effect};
 use crate::fault::{Fault, require};
 use crate::memory::Memory;
-use crate::registers::{Block, Gate, Place, Register, Registers, register, registers};
+use crate::registers::{Place, Registers};
 use crate::serial::Serial;
 use crate::wires::{Pin, Pins, Role, Sent};
+use table::{BLOCKS, Kind, PORT_SIZE, PORTS, RCC, SPI};
 
 /// Frequency of the core in Hz, as examples/blackpill sets it.
 pub const CLOCK: u64 = 96_000_000;
-
-const RCC: u32 = 0x4002_3800;
-const SPI: u32 = 0x4001_3000;
-const PORTS: u32 = 0x4002_0000;
-const PORT_SIZE: u32 = 0x400;
 
 const MODES: u32 = 0x00;
 const INPUTS: u32 = 0x10;
@@ -39,87 +37,6 @@ const FUNCTION_SPI: u32 = 5;
 
 /// Bytes that the SPI can hold: one in the shift register, one behind it.
 const BUFFER: u64 = 1;
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Plain,
-    Clocks,
-    Power,
-    Port(u8),
-    Spi,
-}
-
-const fn gate(register: u32, bit: u32) -> Option<Gate> {
-    Some(Gate {
-        register: RCC + register,
-        mask: 1 << bit,
-        open: 1 << bit,
-        missing: "its clock is not enabled",
-    })
-}
-
-const fn port(name: &'static str, number: u8, registers: &'static [Register]) -> Block<Kind> {
-    Block {
-        name,
-        kind: Kind::Port(number),
-        base: PORTS + number as u32 * PORT_SIZE,
-        gate: gate(0x30, number as u32),
-        registers,
-    }
-}
-
-const BLOCKS: &[Block<Kind>] = &[
-    Block {
-        name: "RCC",
-        kind: Kind::Clocks,
-        base: RCC,
-        gate: None,
-        registers: &[
-            register(0, 0x83),
-            register(4, 0x2400_3010),
-            registers(8, 6),
-            registers(0x20, 2),
-            registers(0x30, 2),
-            registers(0x40, 2),
-            registers(0x50, 2),
-            registers(0x60, 2),
-            registers(0x70, 2),
-            registers(0x80, 4),
-        ],
-    },
-    Block {
-        name: "FLASH",
-        kind: Kind::Plain,
-        base: 0x4002_3c00,
-        gate: None,
-        registers: &[registers(0, 6)],
-    },
-    Block {
-        name: "PWR",
-        kind: Kind::Power,
-        base: 0x4000_7000,
-        gate: gate(0x40, 28),
-        registers: &[registers(0, 2)],
-    },
-    port(
-        "GPIOA",
-        0,
-        &[register(0, 0xa800_0000), registers(4, 2), register(0xc, 0x6400_0000), registers(0x10, 6)],
-    ),
-    port(
-        "GPIOB",
-        1,
-        &[register(0, 0x280), registers(4, 2), register(0xc, 0x100), registers(0x10, 6)],
-    ),
-    port("GPIOC", 2, &[registers(0, 10)]),
-    Block {
-        name: "SPI1",
-        kind: Kind::Spi,
-        base: SPI,
-        gate: gate(0x44, 12),
-        registers: &[registers(0, 9)],
-    },
-];
 
 /// An STM32F411 without its core.
 pub struct Stm32f411 {
@@ -168,7 +85,10 @@ impl Stm32f411 {
             control & SPI_MASK == SPI_WANTED,
             "the SPI sends with the settings {control:#06x}"
         );
-        require!(self.serial.waiting(now) <= BUFFER, "the SPI's buffer is full");
+        require!(
+            self.serial.waiting(now) <= BUFFER,
+            "the SPI's buffer is full"
+        );
         // The SPI's bus has the clock of the core.
         let prescaler = self.registers.get(RCC + 8) >> 13 & 7;
         require!(prescaler < 4, "the clock of APB2 is divided");
@@ -239,7 +159,8 @@ impl Chip for Stm32f411 {
             (Kind::Port(_), SET_AND_CLEAR) => {
                 let outputs = address - SET_AND_CLEAR + OUTPUTS;
                 let old = self.registers.get(outputs);
-                self.registers.set(outputs, old & !(value >> 16) | value & 0xffff);
+                self.registers
+                    .set(outputs, old & !(value >> 16) | value & 0xffff);
             }
             _ => _ = self.registers.set(address, new),
         }

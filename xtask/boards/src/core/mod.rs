@@ -2,6 +2,7 @@
 
 pub mod m0;
 pub mod m33;
+mod m33_bus;
 
 use crate::fault::Fault;
 use crate::system::System;

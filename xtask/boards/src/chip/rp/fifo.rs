@@ -61,7 +61,10 @@ impl Fifos {
     /// FIFO_WR.
     pub fn send(&mut self, core: usize, word: u32) -> Result<Effect, Fault> {
         if core == 1 || self.is_started {
-            require!(self.has_room(1 - core), "the FIFO to the other core is full");
+            require!(
+                self.has_room(1 - core),
+                "the FIFO to the other core is full"
+            );
             self.words[1 - core].push_back(word);
             return Ok(Effect::Wake(1 - core));
         }

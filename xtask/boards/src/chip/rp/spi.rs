@@ -56,7 +56,11 @@ impl Spi {
         let [control, enable] = [CONTROL_0, CONTROL_1].map(|offset| it.get(self.base + offset));
         require!(enable & 2 != 0, "the SPI sends and is not enabled");
         require!(enable & 4 == 0, "the SPI sends and is no master");
-        require!(control & 15 == 7, "the SPI sends {} bits", (control & 15) + 1);
+        require!(
+            control & 15 == 7,
+            "the SPI sends {} bits",
+            (control & 15) + 1
+        );
         require!(control & 0xf0 == 0, "the SPI is not in Motorola's mode 0");
         let prescaler = it.get(self.base + PRESCALER);
         require!(
