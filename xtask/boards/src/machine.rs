@@ -169,7 +169,7 @@ impl Machine {
         while self.pictures.len() == captured {
             self.turn(rows)?;
             turns += 1;
-            if turns % LOOK == 0 {
+            if turns.is_multiple_of(LOOK) {
                 self.look();
                 if self.runners[0].time > limit {
                     return Err(fault!("the limit of the run is reached"));

@@ -1,6 +1,7 @@
 //! The registers of a chip: a table names each, and those that need no function keep what is written.
 
 use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
 
 use crate::fault::{Fault, fault, require};
 
@@ -76,13 +77,13 @@ struct Cell<K: 'static> {
 
 /// All registers of a chip, with their values.
 pub struct Registers<K: 'static> {
-    cells: HashMap<u32, Cell<K>>,
+    cells: HashMap<u32, Cell<K>, BuildHasherDefault<AddressHasher>>,
 }
 
 impl<K: Copy> Registers<K> {
     /// Creates the registers of a table as they are after a reset.
     pub fn new(blocks: &'static [Block<K>]) -> Self {
-        let mut cells = HashMap::new();
+        let mut cells = HashMap::default();
         for block in blocks {
             for it in block.registers {
                 for index in 0..it.count {
@@ -124,5 +125,25 @@ impl<K: Copy> Registers<K> {
             Some(cell) => std::mem::replace(&mut cell.value, value),
             None => 0,
         }
+    }
+}
+
+/// Hashes an address by a product: a firmware looks at registers a million times.
+#[derive(Default)]
+struct AddressHasher(u64);
+
+impl Hasher for AddressHasher {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        bytes.iter().for_each(|byte| self.write_u32((*byte).into()));
+    }
+
+    fn write_u32(&mut self, address: u32) {
+        // 2^64 divided by the golden ratio.
+        let product = (self.0 ^ u64::from(address)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        self.0 = product ^ product >> 32;
     }
 }

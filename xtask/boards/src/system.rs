@@ -64,7 +64,7 @@ impl System {
     /// Reads. The first fault is kept, and the value is then 0.
     #[inline]
     pub fn read(&mut self, address: u32, size: usize) -> u32 {
-        if !self.aligned || address as usize % size == 0 {
+        if !self.aligned || (address as usize).is_multiple_of(size) {
             if let Some(value) = self.memory.read(address, size) {
                 return value;
             }
@@ -79,10 +79,10 @@ impl System {
     /// Writes. The first fault is kept.
     #[inline]
     pub fn write(&mut self, address: u32, value: u32, size: usize) {
-        if !self.aligned || address as usize % size == 0 {
-            if self.memory.write(address, value, size).is_some() {
-                return;
-            }
+        if (!self.aligned || (address as usize).is_multiple_of(size))
+            && self.memory.write(address, value, size).is_some()
+        {
+            return;
         }
         if let Err(fault) = self.write_register(address, value, size) {
             self.fault.get_or_insert(fault);
@@ -115,7 +115,7 @@ impl System {
 
     fn access(&self, address: u32, size: usize) -> Result<Access, Fault> {
         require!(
-            address as usize % size == 0,
+            (address as usize).is_multiple_of(size),
             "{address:#010x} is no address of {size} bytes"
         );
         Ok(Access {

@@ -14,7 +14,7 @@ static TWO_ROWS: Package = Package::new("xtask/boards/refill", "two_rows", TARGE
 fn wrong(firmware: &Package) -> usize {
     let run = Board::PICO_2.run(firmware.path(), &Script::default().picture(&[]));
     let pixels = &run.unwrap().pictures[0].pixels;
-    let pattern = |x: usize, y: usize| (x * 257 ^ y * 91) as u16;
+    let pattern = |x: usize, y: usize| ((x * 257) ^ (y * 91)) as u16;
     let expected = |at: usize| pattern(at % SIDE, at / SIDE).swap_bytes();
     let pixels = pixels.iter().enumerate();
     pixels

@@ -72,7 +72,7 @@ impl Core for M0 {
     }
 
     fn exception(&self) -> u32 {
-        self.core.regs.ipsr().into()
+        self.core.regs.ipsr()
     }
 
     fn registers(&mut self) -> &mut [u32; 16] {

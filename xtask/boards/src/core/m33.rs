@@ -88,7 +88,7 @@ impl Core for M33 {
         // Whether the core is asleep has been tested; no peripheral interrupts it.
         self.core.step_no_atomics(system);
         self.steps += 1;
-        if self.steps % SYSTICK_LAG == 0 {
+        if self.steps.is_multiple_of(SYSTICK_LAG) {
             self.timer.advance(&mut self.core);
         }
         Ok(self.core.cycles() - before)

@@ -64,7 +64,7 @@ impl Spi {
         require!(control & 0xf0 == 0, "the SPI is not in Motorola's mode 0");
         let prescaler = it.get(self.base + PRESCALER);
         require!(
-            prescaler >= 2 && prescaler % 2 == 0,
+            prescaler >= 2 && prescaler.is_multiple_of(2),
             "the SPI's prescaler is {prescaler}"
         );
         require!(self.has_room(now), "the SPI's buffer is full");
