@@ -34,11 +34,14 @@ const LIMIT: Duration = Duration::from_secs(60 * 60);
 const LANES: usize = 2;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
-const ALONE: [&str; 8] = [
+const ALONE: [&str; 11] = [
+    "examples/blackpill",
     "examples/microbit",
     "examples/pico",
+    "examples/pico2",
     "examples/riscv",
     "fuzz",
+    "xtask/boards/refill",
     "xtask/faulty",
     "xtask/firmware",
     "xtask/no_panic",
@@ -164,7 +167,7 @@ fn tests(all: bool) -> Result<Vec<Step>> {
             false => test,
         }
     };
-    let firmware = test_programs(&["xtask/tests", "xtask/report/tests"])?;
+    let firmware = test_programs(&["xtask/tests", "xtask/boards/tests", "xtask/report/tests"])?;
     let all_others = [
         "tests",
         "tests/random/tests",
@@ -263,7 +266,7 @@ fn boards() -> Vec<Step> {
         let manifest = format!("{package}/Cargo.toml");
         clippy(package, target, &["--manifest-path", &manifest, part])
     };
-    let [m0, m3, .., rv32] = TARGETS;
+    let [m0, m3, m4, m33, rv32] = TARGETS;
     vec![
         clippy(
             "examples/board",
@@ -271,7 +274,9 @@ fn boards() -> Vec<Step> {
             &["--package", "reflet", "--example", "board"],
         ),
         alone("examples/microbit", "--bins", m0),
+        alone("examples/blackpill", "--bins", m4),
         alone("examples/pico", "--bins", m0),
+        alone("examples/pico2", "--bins", m33),
         alone("examples/riscv", "--bins", rv32),
         alone("xtask/firmware", "--lib", m0),
         alone("xtask/firmware", "--lib", rv32),

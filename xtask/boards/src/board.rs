@@ -7,6 +7,8 @@ use crate::chip::rp::Rp;
 use crate::chip::rp2040::RP2040;
 use crate::chip::rp2350::RP2350;
 use crate::chip::stm32f411::{self, Stm32f411};
+use crate::core::m0::M0;
+use crate::core::m33::M33;
 use crate::elf::Firmware;
 use crate::fault::Failure;
 use crate::keys::Key;
@@ -87,7 +89,11 @@ impl Board {
     /// # Errors
     /// A firmware that cannot be read, and the first fault of the firmware or of the wiring.
     pub fn run(&self, elf: &Path, script: &Script) -> Result<Run, Failure> {
-        Machine::new(self, &Firmware::read(elf)?, script)?.run(self, script)
+        let firmware = Firmware::read(elf)?;
+        match self.chip {
+            ChipKind::Rp2040 => Machine::<M0>::new(self, &firmware, script)?.run(self, script),
+            _ => Machine::<M33>::new(self, &firmware, script)?.run(self, script),
+        }
     }
 
     /// Frequency of the cores in Hz.

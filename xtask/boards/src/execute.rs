@@ -1,6 +1,9 @@
 //! Executes a few instructions, without a firmware.
 
 use crate::board::{Board, ChipKind};
+use crate::core::Core;
+use crate::core::m0::M0;
+use crate::core::m33::M33;
 use crate::elf::Firmware;
 use crate::fault::Failure;
 use crate::machine::Machine;
@@ -37,7 +40,19 @@ pub fn execute(chip: ChipKind, code: &[u16], registers: [u32; 8]) -> Result<Regi
         parts: vec![(base, bytes)],
         rtt: None,
     };
-    let mut machine = Machine::new(&board, &firmware, &Script::default())?;
+    match chip {
+        ChipKind::Rp2040 => execute_on::<M0>(&board, &firmware, registers, end),
+        _ => execute_on::<M33>(&board, &firmware, registers, end),
+    }
+}
+
+fn execute_on<C: Core>(
+    board: &Board,
+    firmware: &Firmware,
+    registers: [u32; 8],
+    end: u32,
+) -> Result<Registers, Failure> {
+    let mut machine = Machine::<C>::new(board, firmware, &Script::default())?;
     let executed = machine.execute(registers, end);
     executed.map_err(|fault| machine.failure(fault))
 }

@@ -6,8 +6,6 @@ use rp2350_emu::threaded::CoreAtomics;
 
 use crate::board::{Board, ChipKind};
 use crate::core::Core;
-use crate::core::m0::M0;
-use crate::core::m33::M33;
 use crate::elf::Firmware;
 use crate::fault::{Failure, Fault, fault};
 use crate::keys::Presses;
@@ -29,14 +27,9 @@ const REPORT: u64 = 2_000;
 /// before it.
 const RP2040_VECTORS: u32 = 0x100;
 
-/// Cycles in a cycle of the system timer's external clock: a microsecond, and an eighth of the core's
-/// clock.
-const RP2350_TICK: u64 = 150;
-const STM32_TICK: u64 = 8;
-
 /// A core and its time.
-struct Runner {
-    core: Box<dyn Core>,
+struct Runner<C> {
+    core: C,
     is_on: bool,
     /// Time in cycles.
     time: u64,
@@ -44,8 +37,8 @@ struct Runner {
 }
 
 /// A board that runs.
-pub struct Machine {
-    runners: Vec<Runner>,
+pub struct Machine<C> {
+    runners: Vec<Runner<C>>,
     system: System,
     presses: Presses,
     rtt: Rtt,
@@ -56,7 +49,7 @@ pub struct Machine {
     pictures: Vec<Picture>,
 }
 
-impl Machine {
+impl<C: Core> Machine<C> {
     /// Switches a board on whose flash has this firmware.
     pub fn new(board: &Board, firmware: &Firmware, script: &Script) -> Result<Self, Failure> {
         let mut memory = board.memory();
@@ -80,7 +73,7 @@ impl Machine {
             aligned: board.chip == ChipKind::Rp2040,
         };
         let mut machine = Self {
-            runners: cores(board.chip, &atomics)
+            runners: C::all(board.chip, &atomics)
                 .into_iter()
                 .map(Runner::new)
                 .collect(),
@@ -273,24 +266,13 @@ impl Machine {
     }
 }
 
-impl Runner {
-    fn new(core: Box<dyn Core>) -> Self {
+impl<C> Runner<C> {
+    fn new(core: C) -> Self {
         Self {
             core,
             is_on: false,
             time: 0,
             instructions: 0,
         }
-    }
-}
-
-fn cores(chip: ChipKind, atomics: &Arc<CoreAtomics>) -> Vec<Box<dyn Core>> {
-    match chip {
-        ChipKind::Rp2040 => vec![Box::new(M0::new(0)), Box::new(M0::new(1))],
-        ChipKind::Rp2350 => vec![
-            Box::new(M33::new(0, atomics, true, RP2350_TICK)),
-            Box::new(M33::new(1, atomics, true, RP2350_TICK)),
-        ],
-        ChipKind::Stm32f411 => vec![Box::new(M33::new(0, atomics, false, STM32_TICK))],
     }
 }

@@ -8,7 +8,7 @@ struct Region {
 }
 
 impl Region {
-    #[inline]
+    #[inline(always)]
     fn place(&self, address: u32, size: usize) -> Option<usize> {
         let place = address.wrapping_sub(self.base) as usize;
         (place + size <= self.bytes.len()).then_some(place)
@@ -52,17 +52,20 @@ impl Memory {
     }
 
     /// Reads 1, 2 or 4 bytes. Returns `None` where there is no memory.
-    #[inline]
+    #[inline(always)]
     pub fn read(&self, address: u32, size: usize) -> Option<u32> {
         let region = if address < self.ram.base {
             &self.flash
         } else {
             &self.ram
         };
-        let place = region.place(address, size)?;
-        let mut value = [0; 4];
-        value[..size].copy_from_slice(&region.bytes[place..place + size]);
-        Some(u32::from_le_bytes(value))
+        let bytes = &region.bytes[region.place(address, size)?..];
+        Some(match *bytes {
+            [a, b, c, d, ..] if size == 4 => u32::from_le_bytes([a, b, c, d]),
+            [a, b, ..] if size == 2 => u16::from_le_bytes([a, b]).into(),
+            [a, ..] => a.into(),
+            [] => return None,
+        })
     }
 
     /// Writes 1, 2 or 4 bytes of RAM. Returns `None` where there is none.

@@ -62,7 +62,7 @@ pub struct System {
 
 impl System {
     /// Reads. The first fault is kept, and the value is then 0.
-    #[inline]
+    #[inline(always)]
     pub fn read(&mut self, address: u32, size: usize) -> u32 {
         if !self.aligned || (address as usize).is_multiple_of(size) {
             if let Some(value) = self.memory.read(address, size) {
@@ -77,7 +77,7 @@ impl System {
     }
 
     /// Writes. The first fault is kept.
-    #[inline]
+    #[inline(always)]
     pub fn write(&mut self, address: u32, value: u32, size: usize) {
         if (!self.aligned || (address as usize).is_multiple_of(size))
             && self.memory.write(address, value, size).is_some()

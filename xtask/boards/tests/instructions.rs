@@ -129,3 +129,18 @@ fn address_without_a_register_or_memory_is_named_with_its_instruction() {
         assert_eq!(refusal.to_string(), fault);
     }
 }
+
+#[test]
+fn peripheral_that_is_not_switched_on_is_named() {
+    // r0 = the word at r0
+    let refusal = |chip, address| {
+        let registers = [address, 0, 0, 0, 0, 0, 0, 0];
+        execute(chip, &[0x6800], registers).unwrap_err().to_string()
+    };
+    let found = refusal(ChipKind::Rp2350, 0x4008_8000);
+    let expected = "SPI1 at 0x40088000: it is still in reset, at 0x10000008 of core 0";
+    assert_eq!(found, expected);
+    let found = refusal(ChipKind::Stm32f411, 0x4001_3000);
+    let expected = "SPI1 at 0x40013000: its clock is not enabled, at 0x08000008 of core 0";
+    assert_eq!(found, expected);
+}

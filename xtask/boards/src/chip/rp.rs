@@ -49,6 +49,8 @@ pub struct Layout {
     pub outputs: &'static [[u32; 4]],
     /// Offsets of the SELECTED registers of clocks with glitch-free multiplexers: REF and SYS.
     pub selected: [u32; 2],
+    /// Control register of the clock of peripherals.
+    pub peripheral_clock: u32,
     /// Register and bit that let the timer count.
     pub tick: (u32, u32),
     /// Frequency of the cores in Hz.
@@ -57,6 +59,9 @@ pub struct Layout {
 
 /// First address of the SIO.
 const SIO: u32 = 0xd000_0000;
+
+/// Bit of the control register of a clock.
+const CLOCK_ENABLED: u32 = 1 << 11;
 
 /// Bits of a pad: output disabled; on an RP2350 also isolated.
 const PAD_OFF: u32 = 0x180;
@@ -227,6 +232,11 @@ impl Chip for Rp {
                 Ok(Effect::Pins)
             }
             Kind::Spi(unit) if offset == spi::DATA => {
+                let clocked = self.registers.get(self.layout.peripheral_clock) & CLOCK_ENABLED != 0;
+                require!(
+                    clocked,
+                    "the SPI sends, and the clock of peripherals is not enabled"
+                );
                 let byte = self.spi[unit].send(&self.registers, new, access.now);
                 let clock = self.spi[unit].clock(&self.registers, self.layout.clock);
                 Ok(Effect::Sent(Sent {

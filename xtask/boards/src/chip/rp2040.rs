@@ -4,6 +4,7 @@ use super::rp::{Kind, Layout};
 use crate::registers::{Block, Gate, Register, register, registers};
 
 const RESETS: u32 = 0x4000_c000;
+const CLOCKS: u32 = 0x4000_8000;
 const PSM: u32 = 0x4001_0000;
 const PINS: u32 = 0x4001_4000;
 const PADS: u32 = 0x4001_c000;
@@ -55,7 +56,7 @@ const BLOCKS: &[Block<Kind>] = &[
     },
     Block {
         registers: &[registers(0x30, 21)],
-        ..block("CLOCKS", Kind::Clocks, 0x4000_8000)
+        ..block("CLOCKS", Kind::Clocks, CLOCKS)
     },
     Block {
         registers: &[registers(0, 4)],
@@ -115,6 +116,7 @@ pub const RP2040: Layout = Layout {
     resets: 0x01ff_ffff,
     outputs: &[[0x10, 0x14, 0x18, 0x1c], [0x20, 0x24, 0x28, 0x2c]],
     selected: [0x38, 0x44],
+    peripheral_clock: CLOCKS + 0x48,
     tick: (WATCHDOG + 0x2c, 1 << 9),
     clock: 125_000_000,
 };

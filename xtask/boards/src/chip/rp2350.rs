@@ -4,6 +4,7 @@ use super::rp::{Kind, Layout};
 use crate::registers::{Block, Gate, Register, register, registers};
 
 const RESETS: u32 = 0x4002_0000;
+const CLOCKS: u32 = 0x4001_0000;
 const PSM: u32 = 0x4001_8000;
 const PINS: u32 = 0x4002_8000;
 const PADS: u32 = 0x4003_8000;
@@ -55,7 +56,7 @@ const BLOCKS: &[Block<Kind>] = &[
     },
     Block {
         registers: &[registers(0x30, 24)],
-        ..block("CLOCKS", Kind::Clocks, 0x4001_0000)
+        ..block("CLOCKS", Kind::Clocks, CLOCKS)
     },
     Block {
         registers: &[registers(0, 4)],
@@ -129,6 +130,7 @@ pub const RP2350: Layout = Layout {
         [0x34, 0x3c, 0x44, 0x4c],
     ],
     selected: [0x38, 0x44],
+    peripheral_clock: CLOCKS + 0x48,
     tick: (TICKS + 0x18, 1),
     clock: 150_000_000,
 };

@@ -1,10 +1,14 @@
 //! A Cortex-M0+ of the crate rp2040-emu.
 
+use std::sync::Arc;
+
 use rp2040_emu::CortexM0Plus;
 use rp2040_emu::bus::ppb::Ppb;
 use rp2040_emu::core::{CoreBus, Nvic};
+use rp2350_emu::threaded::CoreAtomics;
 
 use super::Core;
+use crate::board::ChipKind;
 use crate::fault::Fault;
 use crate::system::System;
 
@@ -38,6 +42,10 @@ fn excess(instruction: u16, address: u32, cycles: u32) -> u32 {
 }
 
 impl Core for M0 {
+    fn all(_: ChipKind, _: &Arc<CoreAtomics>) -> Vec<Self> {
+        vec![Self::new(0), Self::new(1)]
+    }
+
     fn start(&mut self, system: &mut System, [vectors, stack, entry]: [u32; 3]) {
         let number = self.number();
         let private = &mut system.private[number];

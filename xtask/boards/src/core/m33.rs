@@ -8,11 +8,17 @@ use rp2350_emu::threaded::CoreAtomics;
 
 use super::Core;
 use super::m33_bus::CLREX_AT;
+use crate::board::ChipKind;
 use crate::fault::{Fault, fault};
 use crate::system::System;
 
 /// Instructions that the timer of the system may lag behind.
 const SYSTICK_LAG: u32 = 16;
+
+/// Cycles in a cycle of the system timer's external clock: a microsecond, and an eighth of the core's
+/// clock.
+const RP2350_TICK: u64 = 150;
+const STM32_TICK: u64 = 8;
 
 /// Bit of the system timer's control register: it counts cycles of the core.
 const CORE_CLOCK: u32 = 1 << 2;
@@ -71,6 +77,17 @@ impl SystemTimer {
 }
 
 impl Core for M33 {
+    fn all(chip: ChipKind, atomics: &Arc<CoreAtomics>) -> Vec<Self> {
+        let numbers = if chip == ChipKind::Rp2350 { 0..2 } else { 0..1 };
+        let (is_shared, divider) = match chip {
+            ChipKind::Rp2350 => (true, RP2350_TICK),
+            _ => (false, STM32_TICK),
+        };
+        numbers
+            .map(|number| Self::new(number, atomics, is_shared, divider))
+            .collect()
+    }
+
     fn start(&mut self, _: &mut System, [vectors, stack, entry]: [u32; 3]) {
         let core = &mut self.core;
         core.ppb.vtor = vectors;

@@ -4,6 +4,11 @@ pub mod m0;
 pub mod m33;
 mod m33_bus;
 
+use std::sync::Arc;
+
+use rp2350_emu::threaded::CoreAtomics;
+
+use crate::board::ChipKind;
 use crate::fault::Fault;
 use crate::system::System;
 
@@ -11,7 +16,9 @@ use crate::system::System;
 const FAULTS: std::ops::RangeInclusive<u32> = 2..=6;
 
 /// A core of a chip.
-pub trait Core {
+pub trait Core: Sized {
+    /// Returns the cores of a chip, which are all of this kind.
+    fn all(chip: ChipKind, atomics: &Arc<CoreAtomics>) -> Vec<Self>;
     /// Starts or restarts the core with this vector table, stack and entry.
     fn start(&mut self, system: &mut System, start: [u32; 3]);
     /// Executes an instruction. Returns the cycles that it took.
