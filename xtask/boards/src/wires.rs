@@ -147,12 +147,8 @@ impl Wires {
             sent.clock
         );
         self.panel.take(sent.byte, is_data, time)?;
-        if self.panel.is_writing() {
-            require!(
-                self.was_released,
-                "CS has never risen before the first pixels"
-            );
-        }
+        let risen = self.was_released || !self.panel.is_writing();
+        require!(risen, "CS has never risen before the first pixels");
         Ok(())
     }
 }

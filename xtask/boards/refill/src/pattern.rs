@@ -14,6 +14,7 @@ use rp235x_hal::block::ImageDef;
 use rp235x_hal::clocks::{Clock, init_clocks_and_plls};
 use rp235x_hal::fugit::RateExtU32;
 use rp235x_hal::gpio::{FunctionSpi, Pins};
+use rp235x_hal::pac::dma::CH;
 use rp235x_hal::pac::{DMA, Peripherals, SIO, SPI1};
 use rp235x_hal::{Sio, Spi, Timer, Watchdog};
 
@@ -96,8 +97,14 @@ fn draw(dma: &DMA, buffers: usize) {
         arguments.iter().for_each(|byte| _ = send(*byte));
         wait();
     }
+    send_rows(&dma.ch(0), &spi, buffers);
+    wait();
+    sio.gpio_out_set()
+        .write(|it| unsafe { it.bits(CHIP_SELECT) });
+}
+
+fn send_rows(channel: &CH, spi: &SPI1, buffers: usize) {
     spi.sspdmacr().write(|it| it.txdmae().set_bit());
-    let channel = dma.ch(0);
     let is_busy = || channel.ch_ctrl_trig().read().busy().bit_is_set();
     for y in 0..SIDE {
         let row = &ROWS[y % buffers];
@@ -120,9 +127,6 @@ fn draw(dma: &DMA, buffers: usize) {
         });
     }
     while is_busy() {}
-    wait();
-    sio.gpio_out_set()
-        .write(|it| unsafe { it.bits(CHIP_SELECT) });
 }
 
 #[panic_handler]
