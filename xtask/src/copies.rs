@@ -25,8 +25,10 @@ pub struct Arguments {
 }
 
 /// The examples that are packages of firmware, each with its target.
-const EXAMPLES: [(&str, &str); 3] = [
+const EXAMPLES: [(&str, &str); 5] = [
     ("pico", "thumbv6m-none-eabi"),
+    ("pico2", "thumbv8m.main-none-eabihf"),
+    ("blackpill", "thumbv7em-none-eabihf"),
     ("microbit", "thumbv6m-none-eabi"),
     ("riscv", "riscv32imac-unknown-none-elf"),
 ];

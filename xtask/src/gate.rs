@@ -36,11 +36,14 @@ const LIMIT: Duration = Duration::from_secs(60 * 60);
 const LANES: usize = 2;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
-const ALONE: [&str; 8] = [
+const ALONE: [&str; 11] = [
+    "examples/blackpill",
     "examples/microbit",
     "examples/pico",
+    "examples/pico2",
     "examples/riscv",
     "fuzz",
+    "xtask/boards/refill",
     "xtask/faulty",
     "xtask/firmware",
     "xtask/no_panic",
@@ -206,6 +209,7 @@ fn tests(all: bool) -> Result<Vec<Step>> {
     let all_others = [
         "tests",
         "tests/random/tests",
+        "xtask/boards/tests",
         "xtask/float_picture/tests",
         "xtask/lost/tests",
         "xtask/stability/tests",
@@ -292,7 +296,7 @@ fn boards() -> Vec<Step> {
             program.args(warnings),
         )
     };
-    let [m0, m3, .., rv32] = TARGETS;
+    let [m0, m3, m4, m33, rv32] = TARGETS;
     let board = ["--package", "reflet", "--example", "board"];
     let board = toolchain::alone(cargo("clippy").args(["--target", m3]), Path::new("")).args(board);
     vec![
@@ -301,7 +305,9 @@ fn boards() -> Vec<Step> {
             board.args(warnings),
         ),
         alone("examples/microbit", "--bins", m0),
+        alone("examples/blackpill", "--bins", m4),
         alone("examples/pico", "--bins", m0),
+        alone("examples/pico2", "--bins", m33),
         alone("examples/riscv", "--bins", rv32),
         alone("xtask/firmware", "--lib", m0),
         alone("xtask/firmware", "--lib", rv32),

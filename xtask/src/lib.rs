@@ -14,7 +14,7 @@ pub mod kept;
 pub mod measure;
 pub mod misuse;
 pub mod need;
-pub mod pico;
+pub mod owned;
 pub mod profile;
 pub mod scene_source;
 pub mod screenshot;

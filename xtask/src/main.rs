@@ -6,8 +6,8 @@ use anyhow::Result;
 use clap::Parser;
 use command_line::Chosen;
 use xtask::{
-    accuracy, board, copies, count, enter_root, fuzz, gate, measure, misuse::Misuse, pico, profile,
-    scene_source, screenshot, setup, size,
+    accuracy, board, copies, count, enter_root, fuzz, gate, measure, misuse::Misuse, owned,
+    profile, scene_source, screenshot, setup, size,
 };
 
 /// The chores of the reflet repository.
@@ -23,6 +23,10 @@ enum Chore {
     Board(screenshot::Arguments),
     /// Emulates a Raspberry Pi Pico and saves what its display shows.
     Pico(screenshot::Arguments),
+    /// Emulates a Raspberry Pi Pico 2 and saves what its display shows.
+    Pico2(screenshot::Arguments),
+    /// Emulates a Black Pill and saves what its display shows.
+    Blackpill(screenshot::Arguments),
     Copies(copies::Arguments),
     /// Boots a firmware on the default board, in a window if there is a screen: `cargo run` does.
     Show {
@@ -77,7 +81,9 @@ fn run(chore: &Chore) -> Result<()> {
     }
     match chore {
         Chore::Board(arguments) => board::run(arguments),
-        Chore::Pico(arguments) => pico::run(arguments),
+        Chore::Pico(arguments) => owned::PICO.run(arguments),
+        Chore::Pico2(arguments) => owned::PICO_2.run(arguments),
+        Chore::Blackpill(arguments) => owned::BLACK_PILL.run(arguments),
         Chore::Copies(arguments) => copies::run(arguments),
         Chore::Show { firmware } => board::show(firmware),
         Chore::Measure(arguments) => measure::run(arguments),

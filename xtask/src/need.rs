@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::{apt, command::Program, emulator::rp2040, fuzz, toolchain};
+use crate::{apt, command::Program, fuzz, toolchain};
 
 /// A program or library outside the repository.
 #[derive(Debug)]
@@ -96,30 +96,6 @@ pub static QEMU_RISCV: Need = Need {
     is_there: || runs("qemu-system-riscv32"),
     get: || apt::install(&["qemu-system-misc"]),
     by_hand: "as root: apt-get install --no-install-recommends qemu-system-misc",
-    without: None,
-};
-
-pub static NODE: Need = Need {
-    name: "node",
-    is_there: || runs("node"),
-    get: || apt::install(&["nodejs"]),
-    by_hand: "as root: apt-get install --no-install-recommends nodejs",
-    without: None,
-};
-
-pub static NPM: Need = Need {
-    name: "npm",
-    is_there: || runs("npm"),
-    get: || apt::install(&["npm"]),
-    by_hand: "as root: apt-get install --no-install-recommends npm",
-    without: None,
-};
-
-pub static RP2040_EMULATOR: Need = Need {
-    name: "RP2040 emulator",
-    is_there: rp2040::is_installed,
-    get: || Ok(rp2040::install()?),
-    by_hand: "npm ci --prefix xtask/emulator/rp2040, with npm's registry in reach",
     without: None,
 };
 

@@ -16,9 +16,6 @@ static NEEDS: [&Need; 10] = [
     &need::CPP_COMPILER,
     &need::QEMU_ARM,
     &need::QEMU_RISCV,
-    &need::NODE,
-    &need::NPM,
-    &need::RP2040_EMULATOR,
     &need::OLDEST_RUST,
 ];
 

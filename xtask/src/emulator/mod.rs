@@ -1,6 +1,5 @@
-//! Emulated boards. [`qemu`] boots a firmware under a time limit and collects its output, [`qmp`]
-//! controls QEMU's keys and display, and [`rp2040`] does all of this for the RP2040.
+//! Emulators of boards that nobody has to own: QEMU runs a firmware under a time limit and reports what
+//! it says; [`qmp`] controls QEMU's keys and display.
 
 pub mod qemu;
-pub mod qmp;
-pub mod rp2040;
+mod qmp;

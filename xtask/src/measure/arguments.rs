@@ -9,6 +9,7 @@ use command_line::Chosen;
 use super::build_profile::BuildProfile;
 use super::cores::Core;
 use super::scene::Scene;
+use super::speed::Board;
 use super::task::{Settings, Task};
 
 /// Builds a firmware that renders one scene, runs it on an emulated core and counts.
@@ -17,6 +18,9 @@ use super::task::{Settings, Task};
 pub struct Arguments {
     #[command(flatten)]
     pub(super) choice: Choice,
+
+    #[command(flatten)]
+    pub(super) board: Board,
 
     /// Print a line of JSON instead of a table
     #[arg(long)]

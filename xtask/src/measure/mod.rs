@@ -3,7 +3,8 @@
 //! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds it, and `images`
 //! keeps what was built; [`outcome`](mod@outcome) runs it, with each row's count from `clock_log`;
 //! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
-//! [`profiles`] measures the same code in several build profiles, and [`pictures`] only draws.
+//! [`profiles`] measures the same code in several build profiles, [`pictures`] only draws, and [`speed`] estimates
+//! frames a second.
 
 pub mod arguments;
 mod boards;
@@ -23,6 +24,7 @@ pub mod pictures;
 pub mod profiles;
 pub mod record;
 pub mod scene;
+pub mod speed;
 pub mod task;
 
 use anyhow::Result;
@@ -47,6 +49,12 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     if arguments.moving {
         return moving::run(&arguments.choice.task()?, arguments.json);
+    }
+    if arguments.board.clock.is_some() {
+        let report = arguments
+            .board
+            .report(&arguments.choice.task()?, arguments.json)?;
+        return print(report + "\n");
     }
     let figures = measure(&arguments.choice.task()?)?;
     let text = match arguments.json {

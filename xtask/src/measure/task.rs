@@ -6,7 +6,11 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 use std::str::FromStr;
 
-use clap::{Args, ValueEnum, builder::PossibleValue, value_parser};
+use clap::{
+    Args, ValueEnum,
+    builder::{ArgPredicate, PossibleValue},
+    value_parser,
+};
 pub use command_line::Shading;
 use command_line::{Quality as Fixed, size};
 
@@ -85,6 +89,7 @@ impl ValueEnum for Quality {
 pub struct Settings {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "64x64")]
+    #[arg(default_value_if("clock", ArgPredicate::IsPresent, "240x240"))]
     pub size: Size,
 
     /// How often a ray is reflected, from 0 to 255

@@ -1,0 +1,90 @@
+//! Connects the parts of the board to pins, and switches them on.
+
+use core::fmt::Debug;
+
+use cortex_m::singleton;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_hal_bus::spi::ExclusiveDevice;
+use mipidsi::Builder;
+use mipidsi::interface::SpiInterface;
+use mipidsi::models::ST7789;
+use mipidsi::options::{ColorInversion, Orientation, Rotation};
+use stm32f4xx_hal::gpio::{Input, PA0, PA6};
+use stm32f4xx_hal::pac::Peripherals;
+use stm32f4xx_hal::prelude::*;
+use stm32f4xx_hal::rcc::Config;
+use stm32f4xx_hal::spi::{Mode, Phase, Polarity, Spi};
+use stm32f4xx_hal::timer::SysDelay;
+
+/// Clock of the core in MHz.
+pub const CORE_MHZ: u32 = 96;
+
+/// Frequency of the board's crystal in MHz.
+const CRYSTAL_MHZ: u32 = 25;
+
+/// The parts of the board that the program uses, switched on.
+pub struct Board<D> {
+    /// The panel: black, with its backlight on.
+    pub display: D,
+    pub key: Key,
+}
+
+/// Switches the board on.
+///
+/// # Panics
+/// Panics if the panel does not accept commands, or if it is called again.
+pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
+    let chip = Peripherals::take().expect("the board is switched on once");
+    let mut core = cortex_m::Peripherals::take().expect("the board is switched on once");
+    core.DCB.enable_trace();
+    core.DWT.enable_cycle_counter();
+    let clocks = Config::hse(CRYSTAL_MHZ.MHz()).sysclk(CORE_MHZ.MHz());
+    let mut clocks = chip.RCC.freeze(clocks);
+    let mut delay = core.SYST.delay(&clocks.clocks);
+    let a = chip.GPIOA.split(&mut clocks);
+    let b = chip.GPIOB.split(&mut clocks);
+
+    let mode = Mode {
+        polarity: Polarity::IdleLow,
+        phase: Phase::CaptureOnFirstTransition,
+    };
+    let pins = (Some(a.pa5), None::<PA6>, Some(a.pa7));
+    let bus = Spi::new(chip.SPI1, pins, mode, 48.MHz(), &mut clocks);
+    let chip_select = a.pa4.into_push_pull_output();
+    let device = ExclusiveDevice::new_no_delay(bus, chip_select).expect("a pin can be set");
+    let data_command = b.pb0.into_push_pull_output();
+    let buffer = singleton!(: [u8; 512] = [0; 512]).expect("the board is switched on once");
+    let mut display = Builder::new(ST7789, SpiInterface::new(device, data_command, buffer))
+        .reset_pin(b.pb1.into_push_pull_output())
+        .display_size(240, 240)
+        .invert_colors(ColorInversion::Inverted)
+        .orientation(Orientation::new().rotate(Rotation::Deg90))
+        .init(&mut delay)
+        .expect("the panel takes commands");
+    display
+        .clear(Rgb565::BLACK)
+        .expect("the panel takes pixels");
+    b.pb10.into_push_pull_output().set_high();
+
+    let pin = a.pa0.into_pull_up_input();
+    let key = Key { pin, delay };
+    Board { display, key }
+}
+
+/// The key KEY of the board. It connects its pin to ground.
+pub struct Key {
+    pin: PA0<Input>,
+    delay: SysDelay,
+}
+
+impl Key {
+    /// Waits until the key is pressed and released.
+    pub fn wait(&mut self) {
+        while self.pin.is_high() {}
+        while self.pin.is_low() {
+            // Contacts bounce for some milliseconds.
+            self.delay.delay_ms(10_u32);
+        }
+    }
+}

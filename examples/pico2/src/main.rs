@@ -1,0 +1,60 @@
+//! Shows reflet's castle on a Raspberry Pi Pico 2 with an ST7789 of 240 by 240 pixels, and both
+//! cores. A key orbits the camera. The README has the wiring.
+
+#![no_std]
+#![no_main]
+
+mod board;
+mod cores;
+
+use core::panic::PanicInfo;
+
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use embedded_hal::{delay::DelayNs, digital::InputPin};
+use reflet::scenes::{BuiltIn, Castle};
+use rtt_target::{rprintln, rtt_init_print};
+
+use crate::cores::{SIDE, prepare, trace};
+
+/// Tells the boot ROM that this is a program for the Arm cores.
+#[used]
+#[unsafe(link_section = ".start_block")]
+static IMAGE_DEF: rp235x_hal::block::ImageDef = rp235x_hal::block::ImageDef::secure_exe();
+
+#[rp235x_hal::entry]
+fn main() -> ! {
+    rtt_init_print!();
+    let mut board = board::switch_on();
+    let mut camera = Castle::CAMERA;
+    let mut even = [Rgb565::BLACK; SIDE as usize];
+    loop {
+        let start = board.timer.get_counter();
+        let frame = prepare(&camera);
+        for y in (0..SIDE).step_by(2) {
+            trace(&frame, y, &mut even);
+            while !board.odd_rows.ready() {}
+            let odd = board.odd_rows.dequeue().into_iter().flatten();
+            let area = Rectangle::new(Point::new(0, y as i32), Size::new(SIDE, 2));
+            let drawn = board
+                .display
+                .fill_contiguous(&area, even.into_iter().chain(odd));
+            drawn.expect("the display takes every row");
+        }
+        let time = board.timer.get_counter() - start;
+        rprintln!("castle: {} ms", time.to_millis());
+        while board.key.is_high() == Ok(true) {}
+        while board.key.is_low() == Ok(true) {
+            // Contacts bounce for some milliseconds.
+            board.timer.delay_ms(10);
+        }
+        // A camera cannot look along its `up`: then it keeps its place.
+        camera = camera.orbited(10, 0).unwrap_or(camera);
+    }
+}
+
+/// Prints the panic's message to a connected debugger, and stops.
+#[panic_handler]
+fn panic(info: &PanicInfo<'_>) -> ! {
+    rprintln!("{}", info);
+    cortex_m::asm::udf()
+}

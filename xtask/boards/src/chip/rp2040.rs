@@ -1,0 +1,122 @@
+//! The registers of an RP2040 that a firmware may use.
+
+use super::rp::{Kind, Layout};
+use crate::registers::{Block, Gate, Register, register, registers};
+
+const RESETS: u32 = 0x4000_c000;
+const CLOCKS: u32 = 0x4000_8000;
+const PSM: u32 = 0x4001_0000;
+const PINS: u32 = 0x4001_4000;
+const PADS: u32 = 0x4001_c000;
+const WATCHDOG: u32 = 0x4005_8000;
+const SPI: [u32; 2] = [0x4003_c000, 0x4004_0000];
+
+const SPI_REGISTERS: &[Register] = &[registers(0, 10)];
+const PLL_REGISTERS: &[Register] = &[register(0, 1), register(4, 0x2d), registers(8, 2)];
+
+const fn block(name: &'static str, kind: Kind, base: u32) -> Block<Kind> {
+    Block {
+        name,
+        kind,
+        base,
+        gate: None,
+        registers: &[],
+    }
+}
+
+const fn gate(bit: u32) -> Option<Gate> {
+    Some(Gate {
+        register: RESETS,
+        mask: 1 << bit,
+        open: 0,
+        missing: "it is still in reset",
+    })
+}
+
+const fn spi(name: &'static str, unit: usize) -> Block<Kind> {
+    Block {
+        gate: gate(16 + unit as u32),
+        registers: SPI_REGISTERS,
+        ..block(name, Kind::Spi(unit), SPI[unit])
+    }
+}
+
+const fn pll(name: &'static str, base: u32, bit: u32) -> Block<Kind> {
+    Block {
+        gate: gate(bit),
+        registers: PLL_REGISTERS,
+        ..block(name, Kind::Pll, base)
+    }
+}
+
+const BLOCKS: &[Block<Kind>] = &[
+    Block {
+        registers: &[register(0, 0x01ff_ffff), registers(4, 2)],
+        ..block("RESETS", Kind::Resets, RESETS)
+    },
+    Block {
+        registers: &[registers(0x30, 21)],
+        ..block("CLOCKS", Kind::Clocks, CLOCKS)
+    },
+    Block {
+        registers: &[registers(0, 4)],
+        ..block("XOSC", Kind::Crystal, 0x4002_4000)
+    },
+    pll("PLL_SYS", 0x4002_8000, 12),
+    pll("PLL_USB", 0x4002_c000, 13),
+    Block {
+        registers: &[registers(0, 4)],
+        ..block("PSM", Kind::Power, PSM)
+    },
+    Block {
+        registers: &[registers(0, 12)],
+        ..block("WATCHDOG", Kind::Plain, WATCHDOG)
+    },
+    Block {
+        gate: gate(21),
+        registers: &[registers(0, 17)],
+        ..block("TIMER", Kind::Timer, 0x4005_4000)
+    },
+    Block {
+        gate: gate(5),
+        registers: &[
+            register(4, 0x1f).repeated(30, 8),
+            // Edges: raw, and enabled, forced and status of both cores.
+            registers(0xf0, 28),
+        ],
+        ..block("IO_BANK0", Kind::Pins, PINS)
+    },
+    Block {
+        gate: gate(8),
+        registers: &[register(0, 0), register(4, 0x56).repeated(30, 4)],
+        ..block("PADS_BANK0", Kind::Pins, PADS)
+    },
+    spi("SPI0", 0),
+    spi("SPI1", 1),
+    Block {
+        registers: &[
+            registers(0, 3),
+            registers(0x10, 8),
+            registers(0x50, 4),
+            registers(0x100, 32),
+        ],
+        ..block("SIO", Kind::Sio, 0xd000_0000)
+    },
+];
+
+/// The RP2040 at 125 MHz.
+pub const RP2040: Layout = Layout {
+    blocks: BLOCKS,
+    spi: SPI,
+    pins: PINS,
+    pads: PADS,
+    edges: [0xf0, 0x100],
+    power: PSM + 4,
+    second_core: 1 << 16,
+    resets: 0x01ff_ffff,
+    outputs: &[[0x10, 0x14, 0x18, 0x1c], [0x20, 0x24, 0x28, 0x2c]],
+    selected: [0x38, 0x44],
+    peripheral_clock: CLOCKS + 0x48,
+    tick: (WATCHDOG + 0x2c, 1 << 9),
+    clock: 125_000_000,
+};

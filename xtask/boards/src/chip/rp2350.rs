@@ -1,0 +1,136 @@
+//! The registers of an RP2350 that a firmware may use.
+
+use super::rp::{Kind, Layout};
+use crate::registers::{Block, Gate, Register, register, registers};
+
+const RESETS: u32 = 0x4002_0000;
+const CLOCKS: u32 = 0x4001_0000;
+const PSM: u32 = 0x4001_8000;
+const PINS: u32 = 0x4002_8000;
+const PADS: u32 = 0x4003_8000;
+const TICKS: u32 = 0x4010_8000;
+const SPI: [u32; 2] = [0x4008_0000, 0x4008_8000];
+
+const SPI_REGISTERS: &[Register] = &[registers(0, 10)];
+const PLL_REGISTERS: &[Register] = &[register(0, 1), register(4, 0x2d), registers(8, 2)];
+
+const fn block(name: &'static str, kind: Kind, base: u32) -> Block<Kind> {
+    Block {
+        name,
+        kind,
+        base,
+        gate: None,
+        registers: &[],
+    }
+}
+
+const fn gate(bit: u32) -> Option<Gate> {
+    Some(Gate {
+        register: RESETS,
+        mask: 1 << bit,
+        open: 0,
+        missing: "it is still in reset",
+    })
+}
+
+const fn spi(name: &'static str, unit: usize) -> Block<Kind> {
+    Block {
+        gate: gate(18 + unit as u32),
+        registers: SPI_REGISTERS,
+        ..block(name, Kind::Spi(unit), SPI[unit])
+    }
+}
+
+const fn pll(name: &'static str, base: u32, bit: u32) -> Block<Kind> {
+    Block {
+        gate: gate(bit),
+        registers: PLL_REGISTERS,
+        ..block(name, Kind::Pll, base)
+    }
+}
+
+const BLOCKS: &[Block<Kind>] = &[
+    Block {
+        registers: &[register(0, 0x1fff_ffff), registers(4, 2)],
+        ..block("RESETS", Kind::Resets, RESETS)
+    },
+    Block {
+        registers: &[registers(0x30, 24)],
+        ..block("CLOCKS", Kind::Clocks, CLOCKS)
+    },
+    Block {
+        registers: &[registers(0, 4)],
+        ..block("XOSC", Kind::Crystal, 0x4004_8000)
+    },
+    pll("PLL_SYS", 0x4005_0000, 14),
+    pll("PLL_USB", 0x4005_8000, 15),
+    Block {
+        registers: &[registers(0, 4)],
+        ..block("PSM", Kind::Power, PSM)
+    },
+    Block {
+        registers: &[registers(0, 11)],
+        ..block("WATCHDOG", Kind::Plain, 0x400d_8000)
+    },
+    Block {
+        registers: &[registers(0, 18)],
+        ..block("TICKS", Kind::Ticks, TICKS)
+    },
+    Block {
+        gate: gate(23),
+        registers: &[registers(0, 19)],
+        ..block("TIMER0", Kind::Timer, 0x400b_0000)
+    },
+    Block {
+        gate: gate(6),
+        registers: &[
+            register(4, 0x1f).repeated(48, 8),
+            // Edges: raw, and enabled, forced and status of both cores.
+            registers(0x230, 42),
+        ],
+        ..block("IO_BANK0", Kind::Pins, PINS)
+    },
+    Block {
+        gate: gate(9),
+        registers: &[register(0, 0), register(4, 0x116).repeated(48, 4)],
+        ..block("PADS_BANK0", Kind::Pins, PADS)
+    },
+    spi("SPI0", 0),
+    spi("SPI1", 1),
+    Block {
+        gate: gate(2),
+        registers: &[registers(0, 4)],
+        ..block("DMA", Kind::Dma, 0x5000_0000)
+    },
+    Block {
+        registers: &[
+            registers(0, 3),
+            registers(0x10, 16),
+            registers(0x50, 4),
+            registers(0x100, 32),
+        ],
+        ..block("SIO", Kind::Sio, 0xd000_0000)
+    },
+];
+
+/// The RP2350 at 150 MHz.
+pub const RP2350: Layout = Layout {
+    blocks: BLOCKS,
+    spi: SPI,
+    pins: PINS,
+    pads: PADS,
+    edges: [0x230, 0x248],
+    power: PSM + 4,
+    second_core: 1 << 24,
+    resets: 0x1fff_ffff,
+    outputs: &[
+        [0x10, 0x18, 0x20, 0x28],
+        [0x30, 0x38, 0x40, 0x48],
+        [0x14, 0x1c, 0x24, 0x2c],
+        [0x34, 0x3c, 0x44, 0x4c],
+    ],
+    selected: [0x38, 0x44],
+    peripheral_clock: CLOCKS + 0x48,
+    tick: (TICKS + 0x18, 1),
+    clock: 150_000_000,
+};

@@ -1,0 +1,97 @@
+//! Boards that people own: builds the firmware of an example, emulates it from the reset, and captures
+//! its display.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use anyhow::{Context, Result};
+use boards::{Board, Key, Picture, SIDE, Script};
+use image::{Rgb, RgbImage};
+use reflet::scenes::NAMES;
+
+use crate::misuse::Misuse;
+use crate::screenshot::Arguments;
+use crate::{screenshot, toolchain};
+
+/// A board with a display, and the example for it.
+#[derive(Debug)]
+pub struct Owned {
+    /// Name of the example's folder, which is also that of the chore.
+    pub name: &'static str,
+    pub target: &'static str,
+    pub board: Board,
+    /// Whether a key shows the next built-in scene. Otherwise the example only draws the first one.
+    shows_all_scenes: bool,
+}
+
+pub static PICO: Owned = Owned {
+    name: "pico",
+    target: "thumbv6m-none-eabi",
+    board: Board::PICO,
+    shows_all_scenes: true,
+};
+
+pub static PICO_2: Owned = Owned {
+    name: "pico2",
+    target: "thumbv8m.main-none-eabihf",
+    board: Board::PICO_2,
+    shows_all_scenes: false,
+};
+
+pub static BLACK_PILL: Owned = Owned {
+    name: "blackpill",
+    target: "thumbv7em-none-eabihf",
+    board: Board::BLACK_PILL,
+    shows_all_scenes: false,
+};
+
+impl Owned {
+    /// Emulates the board until it shows a scene, prints what it took, and saves the picture.
+    pub fn run(&self, arguments: &Arguments) -> Result<()> {
+        let file = arguments.file(self.name)?;
+        let presses = self.presses(&arguments.scene)?;
+        println!("{}: building", self.name);
+        let firmware = self.build()?;
+        println!("{}: emulating", self.name);
+        let start = Instant::now();
+        let script = Script::default().picture(&presses);
+        let run = self.board.run(&firmware, &script)?;
+        run.said.iter().for_each(|line| println!("{line}"));
+        println!(
+            "{} cycles, {} instructions, {:.1} s of emulation",
+            run.cycles,
+            run.instructions,
+            start.elapsed().as_secs_f64()
+        );
+        let picture = run.pictures.first().context("one was waited for")?;
+        screenshot::save(&as_seen(picture), file)
+    }
+
+    /// Returns the keys that lead to a scene.
+    fn presses(&self, scene: &str) -> Result<Vec<Key>> {
+        let place = NAMES.iter().position(|name| *name == scene);
+        let place = place.context("the names of the scenes are known")?;
+        if place > 0 && !self.shows_all_scenes {
+            let words = format!("examples/{} draws {} only", self.name, NAMES[0]);
+            return Err(Misuse::new(words).into());
+        }
+        Ok(vec![Key::Select; place])
+    }
+
+    /// Builds the example in its place.
+    pub fn build(&self) -> Result<PathBuf> {
+        toolchain::build_alone(self.target, &Path::new("examples").join(self.name), &[])
+    }
+}
+
+fn as_seen(picture: &Picture) -> RgbImage {
+    let scaled = |value: u16, most: u16| ((value * 255 + most / 2) / most) as u8;
+    RgbImage::from_fn(SIDE as u32, SIDE as u32, |x, y| {
+        let pixel = picture.pixels[y as usize * SIDE + x as usize];
+        Rgb([
+            scaled(pixel >> 11, 31),
+            scaled(pixel >> 5 & 63, 63),
+            scaled(pixel & 31, 31),
+        ])
+    })
+}

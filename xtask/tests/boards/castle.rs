@@ -1,0 +1,112 @@
+//! Each board draws the desk's picture of the castle, before and after keys are pressed.
+
+use boards::{Display, Key, Picture, Run, SIDE, Script};
+use embedded_graphics::geometry::Size;
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics_simulator::SimulatorDisplay;
+use reflet::Camera;
+use reflet::scenes::{BuiltIn, Castle, ShadingLights};
+
+use super::{BLACK_PILL, Copied, PICO, PICO_2};
+
+/// Returns the picture on the desk.
+fn simulated<S: BuiltIn>(camera: &Camera) -> Vec<u16> {
+    let size = Size::new(SIDE as u32, SIDE as u32);
+    let mut display = SimulatorDisplay::<Rgb565>::new(size);
+    S::frame(camera).draw(&mut display).unwrap();
+    let bytes = display.to_be_bytes();
+    let pixels = bytes.chunks_exact(2);
+    pixels
+        .map(|it| u16::from_be_bytes([it[0], it[1]]))
+        .collect()
+}
+
+/// Returns the number of pixels that differ.
+fn different(shown: &Picture, expected: &[u16]) -> usize {
+    assert_eq!(shown.pixels.len(), expected.len());
+    let pairs = shown.pixels.iter().zip(expected);
+    pairs.filter(|(shown, expected)| shown != expected).count()
+}
+
+/// Tests that a board shows the pictures of the desk, and prints what it took.
+fn assert_are_shown(copied: &Copied, run: &Run, expected: &[Vec<u16>]) {
+    let name = copied.owned.name;
+    assert_eq!(run.pictures.len(), expected.len());
+    for (picture, expected) in run.pictures.iter().zip(expected) {
+        let pixels = different(picture, expected);
+        let (cycles, instructions) = (picture.cycles, picture.instructions);
+        println!("{name}: {pixels} pixels differ, {cycles} cycles, {instructions} instructions");
+        assert_eq!(pixels, 0, "{name}");
+    }
+    run.said
+        .iter()
+        .for_each(|line| println!("{name} said: {line}"));
+}
+
+/// Tests that a board draws the castle, and once more after a key has turned the camera.
+fn test(copied: &Copied, key: Key) {
+    let script = Script::default().picture(&[]).picture(&[key]);
+    let run = copied.board().run(copied.firmware(), &script).unwrap();
+    let turned = Castle::CAMERA.orbited(10, 0).unwrap();
+    let cameras = [Castle::CAMERA, turned];
+    let expected = cameras.map(|camera| simulated::<Castle>(&camera));
+    assert_are_shown(copied, &run, &expected);
+    assert!(run.said[0].starts_with("castle: "), "{:?}", run.said);
+}
+
+#[test]
+fn both_cores_of_a_pico_2_draw_the_castle() {
+    test(&PICO_2, Key::Right);
+}
+
+#[test]
+fn black_pill_draws_the_castle() {
+    test(&BLACK_PILL, Key::Select);
+}
+
+#[test]
+fn both_cores_of_a_pico_draw_the_castle_and_the_next_scene() {
+    let script = Script::default().picture(&[]).picture(&[Key::Select]);
+    let run = PICO.board().run(PICO.firmware(), &script).unwrap();
+    assert_eq!(run.said[0], "cores: 2");
+    let expected = [
+        simulated::<Castle>(&Castle::CAMERA),
+        simulated::<ShadingLights>(&ShadingLights::CAMERA),
+    ];
+    assert_are_shown(&PICO, &run, &expected);
+}
+
+#[test]
+fn keys_of_a_pico_orbit_the_camera() {
+    let keys = [Key::Select, Key::Right, Key::Right, Key::Up];
+    let script = Script::default().picture(&keys);
+    let run = PICO.board().run(PICO.firmware(), &script).unwrap();
+    let first = ShadingLights::CAMERA;
+    let turned = first.orbited(10, 0).unwrap().orbited(10, 0).unwrap();
+    let camera = turned.orbited(0, 10).unwrap();
+    assert_are_shown(&PICO, &run, &[simulated::<ShadingLights>(&camera)]);
+}
+
+#[test]
+fn one_core_of_a_pico_draws_the_castle() {
+    const ROWS: usize = 4;
+    let script = Script::default().with_one_core().rows(ROWS).picture(&[]);
+    let run = PICO.board().run(PICO.firmware(), &script).unwrap();
+    assert_eq!(run.said[0], "cores: 1");
+    let drawn = ..ROWS * SIDE;
+    let castle = simulated::<Castle>(&Castle::CAMERA);
+    assert_eq!(run.pictures[0].pixels[drawn], castle[drawn]);
+}
+
+#[test]
+fn panels_are_set_up_as_their_maker_wants_it() {
+    let expected = Display {
+        inverted: true,
+        address_mode: 0b0110_0000,
+    };
+    for copied in [&PICO, &PICO_2, &BLACK_PILL] {
+        let script = Script::default().picture(&[]).rows(2);
+        let run = copied.board().run(copied.firmware(), &script).unwrap();
+        assert_eq!(run.display, expected, "{}", copied.owned.name);
+    }
+}

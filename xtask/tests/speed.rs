@@ -1,0 +1,77 @@
+//! Tests `cargo xtask measure --clock`: frames a second as an estimate, beside the emulated boards.
+
+use xtask::measure::speed::Board;
+use xtask::measure::{Core, Quality, Scene, Size, Task};
+use xtask::owned::{Owned, PICO, PICO_2};
+use xtask::root;
+
+mod common;
+
+use boards::Script;
+
+/// Returns the seconds that a board reports for the castle at 240x240.
+fn reported(owned: &Owned) -> f64 {
+    let firmware = owned.build().unwrap();
+    let run = owned.board.run(&firmware, &Script::default().picture(&[]));
+    let said = run.unwrap().said;
+    let line = said.iter().find_map(|line| line.strip_prefix("castle: "));
+    let digits = line.unwrap().strip_suffix(" ms").unwrap();
+    digits.parse::<f64>().unwrap() / 1e3
+}
+
+fn assert_is_within_10_percent(owned: &Owned, core: &str, bus: f64) {
+    let core = Core::find(core).unwrap();
+    let task = Task::new(
+        core,
+        Scene::BuiltIn("castle"),
+        Size::new(240, 240),
+        Quality::FAST,
+    );
+    let clock = owned.board.clock() as f64 / 1e6;
+    let speed = Board::new(clock, 2, bus).speed(&task).unwrap();
+    let (estimated, reported) = (speed.tracing + speed.bus, reported(owned));
+    println!(
+        "{}: estimated {estimated:.3} s, {reported:.3} s",
+        owned.name
+    );
+    assert!(
+        (estimated / reported - 1.0).abs() < 0.1,
+        "{speed:?}, reported {reported} s"
+    );
+}
+
+#[test]
+fn estimate_is_within_10_percent_of_an_emulated_pico() {
+    assert_is_within_10_percent(&PICO, "m0", 31.25);
+}
+
+#[test]
+fn estimate_is_within_10_percent_of_an_emulated_pico_2() {
+    assert_is_within_10_percent(&PICO_2, "m33", 37.5);
+}
+
+#[test]
+fn command_says_how_the_estimate_is_made() {
+    let arguments = "measure floor --clock 100 --cores 2 --bus 20 --size 32x32";
+    let done = common::xtask(&root(), arguments);
+    assert_eq!((done.code, &*done.err), (0, ""));
+    assert!(done.out.contains("estimated "), "{}", done.out);
+    assert!(
+        done.out.contains("the slower of even and odd rows"),
+        "{}",
+        done.out
+    );
+    assert!(
+        done.out.contains("0.8 ms on the bus at 20 MHz"),
+        "{}",
+        done.out
+    );
+    common::assert_mistakes(
+        &root(),
+        "
+measure --clock 0 => not a number of MHz
+measure --cores 2 => the following required arguments were not provided
+measure --clock 48 --cores 3 => 3 is not in 1..=2
+measure --core rv32 floor --size 8x8 --clock 100 => no timings of instructions are published",
+    );
+}
