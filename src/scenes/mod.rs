@@ -28,7 +28,7 @@ mod floor;
 mod mirror1;
 mod mirror2;
 mod primitives;
-#[cfg(test)]
+#[cfg(all(test, feature = "host"))]
 mod sets;
 mod shading_lights;
 mod shading_speculars;

@@ -25,7 +25,7 @@ const STEP: i32 = 10;
 /// Returns the simulator's picture, enlarged as QEMU enlarges the display's.
 fn simulated<S: BuiltIn>(camera: &Camera) -> RgbImage {
     let mut display = SimulatorDisplay::<Gray4>::new(Size::new(128, 64));
-    S::frame(camera).draw(&mut display).unwrap();
+    common::draw::<S, _>(camera, &mut display);
     let settings = OutputSettingsBuilder::new().scale(4).build();
     let output = display.to_rgb_output_image(&settings);
     let buffer = output.as_image_buffer();

@@ -2,7 +2,7 @@
 
 use xtask::measure::speed::Board;
 use xtask::measure::{Core, Quality, Scene, Size, Task};
-use xtask::owned::{Owned, PICO, PICO_2};
+use xtask::owned::{Owned, PICO};
 use xtask::root;
 
 mod common;
@@ -43,11 +43,6 @@ fn assert_is_within_10_percent(owned: &Owned, core: &str, bus: f64) {
 #[test]
 fn estimate_is_within_10_percent_of_an_emulated_pico() {
     assert_is_within_10_percent(&PICO, "m0", 31.25);
-}
-
-#[test]
-fn estimate_is_within_10_percent_of_an_emulated_pico_2() {
-    assert_is_within_10_percent(&PICO_2, "m33", 37.5);
 }
 
 #[test]

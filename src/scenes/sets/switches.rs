@@ -1,6 +1,7 @@
 //! Tests of the culling switches. Switching off a technique that chooses candidates changes no bit of a
 //! path; switching off one that replaces a computation changes few pixels.
 
+use super::super::{Columns, Mirror1, Primitives};
 use super::*;
 use crate::accel::{Culling, CullingQuality, HierarchyNode};
 use crate::color::Sum;
@@ -83,25 +84,35 @@ fn traced_by<W: World, Q: PathQuality>(
 
 #[test]
 fn paths_in_built_in_scenes_come_to_the_same_without_tables() {
-    struct Paths;
-    impl Visitor for Paths {
-        /// Whether the scene has light tables, and whether it has mirror tables.
-        type Output = [bool; 2];
-        fn visit<S: BuiltIn>(self) -> [bool; 2] {
-            let world = &Static::<S>::new();
-            let all = traced::<_, With<true, true>>(world, &S::CAMERA);
-            let others = [
-                traced::<_, With<false, true>>(world, &S::CAMERA),
-                traced::<_, With<true, false>>(world, &S::CAMERA),
-            ];
-            assert!(others.iter().all(|it| *it == all), "{}", S::NAME);
-            let needs = <Static<S> as SceneAccess>::NEEDS;
-            [needs.sets, <Static<S> as SceneAccess>::CHOOSES_HITS]
-        }
+    /// Returns whether the scene has light tables, and whether it has mirror tables.
+    fn compared<S: BuiltIn>() -> [bool; 2] {
+        let world = &Static::<S>::new();
+        let all = traced::<_, With<true, true>>(world, &S::CAMERA);
+        let others = [
+            traced::<_, With<false, true>>(world, &S::CAMERA),
+            traced::<_, With<true, false>>(world, &S::CAMERA),
+        ];
+        assert!(others.iter().all(|it| *it == all), "{}", S::NAME);
+        let needs = <Static<S> as SceneAccess>::NEEDS;
+        [needs.sets, <Static<S> as SceneAccess>::CHOOSES_HITS]
     }
-    let found = NAMES.map(|name| visit(name, Paths).expect("a built-in scene"));
+    let found = [
+        compared::<Castle>(),
+        compared::<Columns>(),
+        compared::<Primitives>(),
+        compared::<Mirror1>(),
+    ];
     for table in [0, 1] {
         assert!(found.iter().any(|tables| tables[table]), "{found:?}");
+    }
+    for name in NAMES {
+        let (scene, camera) = at_run_time(name);
+        let world = &scene.tabled();
+        let all = traced::<_, With<true, true>>(world, &camera);
+        assert!(
+            traced::<_, With<false, true>>(world, &camera) == all,
+            "{name}"
+        );
     }
 }
 
@@ -159,25 +170,20 @@ fn differing<W: World>(world: &W, camera: &Camera) -> [usize; 3] {
 
 #[test]
 fn few_pixels_differ_from_those_of_the_plain_path() {
-    struct Count;
-    impl Visitor for Count {
-        type Output = [usize; 3];
-        fn visit<S: BuiltIn>(self) -> [usize; 3] {
-            let world = &Static::<S>::new();
-            let around = [(0, 0), (35, 10), (100, -20), (-75, -8)].map(|(azimuth, elevation)| {
-                let camera = S::CAMERA.orbited(azimuth, elevation);
-                camera.map_or([0; 3], |camera| differing(world, &camera))
-            });
-            [0, 1, 2].map(|it| around.iter().map(|counts| counts[it]).sum())
-        }
-    }
     let mut random = Sweep::new(0x1f83_d9ab_fb41_bd6b);
     let crowds = [(); 4].map(|()| {
         let scene = crowd::<24, 8>(&mut random);
         let position = random.place().map(|x| 2.5 * x);
         differing(&scene.tabled(), &camera(&mut random, position))
     });
-    let built_in = NAMES.map(|name| visit(name, Count).expect("a built-in scene"));
+    let built_in = NAMES.map(|name| {
+        let (scene, first) = at_run_time(name);
+        let around = [(0, 0), (35, 10), (100, -20), (-75, -8)].map(|(azimuth, elevation)| {
+            let camera = first.orbited(azimuth, elevation);
+            camera.map_or([0; 3], |camera| differing(&scene.tabled(), &camera))
+        });
+        [0, 1, 2].map(|it| around.iter().map(|counts| counts[it]).sum())
+    });
     let sum =
         |of: &[[usize; 3]]| [0, 1, 2].map(|it| of.iter().map(|counts| counts[it]).sum::<usize>());
     for [shadows, plain, pixels] in [sum(&built_in), sum(&crowds)] {

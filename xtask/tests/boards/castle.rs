@@ -7,13 +7,13 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::Camera;
 use reflet::scenes::{BuiltIn, Castle, ShadingLights};
 
-use super::{BLACK_PILL, Copied, PICO, PICO_2};
+use super::{BLACK_PILL, Copied, PICO, PICO_2, common};
 
 /// Returns the picture on the desk.
 fn simulated<S: BuiltIn>(camera: &Camera) -> Vec<u16> {
     let size = Size::new(SIDE as u32, SIDE as u32);
     let mut display = SimulatorDisplay::<Rgb565>::new(size);
-    S::frame(camera).draw(&mut display).unwrap();
+    common::draw::<S, _>(camera, &mut display);
     let bytes = display.to_be_bytes();
     let pixels = bytes.chunks_exact(2);
     pixels

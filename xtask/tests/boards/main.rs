@@ -2,6 +2,8 @@
 //! run from the reset on emulated boards.
 
 mod castle;
+#[path = "../common/mod.rs"]
+mod common;
 mod refill;
 mod wiring;
 

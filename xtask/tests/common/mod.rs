@@ -2,12 +2,22 @@
 
 use std::{path::Path, process::Command};
 
+use command_line::{Quality, Settings, Source};
+use embedded_graphics::pixelcolor::{PixelColor, Rgb888};
+use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
+use embedded_graphics_simulator::SimulatorDisplay;
+use reflet::Camera;
+use reflet::scenes::BuiltIn;
+
+#[allow(dead_code, reason = "not every test runs a command")]
 pub struct Done {
     pub code: i32,
     pub out: String,
     pub err: String,
 }
 
+#[allow(dead_code, reason = "not every test runs a command")]
 pub fn xtask(folder: &Path, arguments: &str) -> Done {
     let output = Command::new(env!("CARGO_BIN_EXE_xtask"))
         .args(arguments.split_whitespace())
@@ -33,4 +43,19 @@ pub fn assert_mistakes(folder: &Path, mistakes: &str) {
         assert!(err.starts_with("error: "), "{arguments}: {err}");
         assert!(err.contains(words), "{arguments}: {err}");
     }
+}
+
+/// Draws a built-in scene into a display in the default quality, with four reflections.
+#[allow(dead_code, reason = "not every test draws")]
+pub fn draw<S: BuiltIn, C>(camera: &Camera, display: &mut SimulatorDisplay<C>)
+where
+    C: PixelColor + From<Rgb888>,
+{
+    let source = Source::built_in(S::NAME).unwrap();
+    let settings = Settings::blinn_phong(Quality::Fast, 4);
+    let size = display.size();
+    source.draw_rows(camera, size, settings, &mut |y, row| {
+        let area = Rectangle::new(Point::new(0, y as i32), Size::new(size.width, 1));
+        let Ok(()) = display.fill_contiguous(&area, row.iter().map(|&pixel| C::from(pixel)));
+    });
 }
