@@ -8,6 +8,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::FileRoom;
+use super::words::words;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::host::line::one_line;
@@ -23,7 +24,7 @@ use crate::scene::Capacity;
 /// let error = SceneFile::parse("{\n  \"camera\": 3\n}", None).unwrap_err();
 /// assert_eq!(
 ///     error.to_string(),
-///     "line 2, column 13: invalid type: integer `3`, expected struct Camera"
+///     "line 2, column 13: camera must be an object, in { }, not the number 3"
 /// );
 /// ```
 #[derive(Debug)]
@@ -66,7 +67,7 @@ pub enum Problem {
         line: usize,
         /// Column of the mistake, counted from 1; 0 if the mistake is at the start of a line.
         column: usize,
-        /// Message of the JSON parser, without the position.
+        /// The part, the mistake and the fix, without the position.
         message: String,
     },
     /// The file is an empty array: it holds no scene.
@@ -114,17 +115,19 @@ impl FileError {
         }
     }
 
-    pub(super) fn json(error: &serde_json::Error) -> Self {
+    /// Creates the error for what the parser refuses at a path of keys, such as `spheres[3].radius`.
+    pub(super) fn json(path: &str, error: &serde_json::Error) -> Self {
         let (line, column) = (error.line(), error.column());
         let whole = error.to_string();
         let message = whole
             .strip_suffix(&format!(" at line {line} column {column}"))
-            .unwrap_or(&whole)
-            .to_owned();
+            .unwrap_or(&whole);
+        // The parser writes a dot for the value that holds all others.
+        let place = path.trim_matches('.');
         Self::new(Problem::Json {
             line,
             column,
-            message,
+            message: words(place, message),
         })
     }
 

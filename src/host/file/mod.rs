@@ -24,13 +24,16 @@
 //! ```
 //!
 //! `name`, `background`, `epsilon` and every list are optional. A list that is left out is empty;
-//! `background` and `epsilon` have the values above by default. An unknown key is an error.
-//! `docs/scene.schema.json` in the repository is a JSON Schema of this format.
+//! `background` and `epsilon` have the values above by default. Of a material, `name` and `color` are
+//! enough: the rest has the defaults of [`Material::new`](crate::Material::new). An unknown key is an
+//! error. `docs/scene.schema.json` in the repository is a JSON Schema of this format. A scene may name it
+//! by a key `$schema`, which is ignored here, so that editors complete and check the file.
 
 mod document;
 mod error;
 mod fill;
 mod resolve;
+mod words;
 
 use std::borrow::ToOwned;
 use std::boxed::Box;
@@ -178,7 +181,7 @@ impl SceneFile {
     /// );
     /// ```
     pub fn parse(text: &str, name: Option<&str>) -> Result<Self, FileError> {
-        let scenes = document::read(text).map_err(|error| FileError::json(&error))?;
+        let scenes = document::read(text)?;
         let mut chosen = resolve::choose(scenes, name).map_err(FileError::new)?;
         let name = chosen.name.take();
         let materials = chosen.materials.iter().map(|it| it.name.clone()).collect();
