@@ -76,7 +76,7 @@ const PARTS: &[(&str, &str, ErrorKind)] = &[
     ("sphere([0.0; 3], 1e-10, WHITE);", "scene", Extent),
     ("background([0.0, 17.0, 0.0]);", "scene", Background),
     ("epsilon(0.0);", "scene", Epsilon),
-    ("sphere([0.0; 3], 1e-4, WHITE);", "scene", Epsilon),
+    ("sphere([0.0; 3], 1e-4, WHITE);", "sphere 0", BelowEpsilon),
     (
         "sphere([0.0; 3], 1.0, WHITE.diffuse(2.0)); light([9.0; 3], [16.0; 3]);",
         "material 0",

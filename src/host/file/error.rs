@@ -102,6 +102,13 @@ pub enum Problem {
     },
     /// The core refuses a part of the scene, or the scene as a whole.
     Scene(Error),
+    /// A radius, or half a height, is below 2⁻²² of the scene's extent.
+    TooSmall {
+        /// Error of the core: kind and index of the shape.
+        error: Error,
+        /// Radius of the ball that holds the scene, in scene units, rounded up to a power of two.
+        extent: f64,
+    },
     /// The core refuses the camera.
     Camera(Error),
 }
@@ -122,8 +129,8 @@ impl FileError {
         let message = whole
             .strip_suffix(&format!(" at line {line} column {column}"))
             .unwrap_or(&whole);
-        // The parser writes a dot for the value that holds all others.
-        let place = path.trim_matches('.');
+        // A dot stands for the scene itself, and a question mark for a key that was not read.
+        let place = path.trim_end_matches(['.', '?']);
         Self::new(Problem::Json {
             line,
             column,
@@ -200,12 +207,25 @@ impl Problem {
                 format!("{place} has the name {name} of {first}")
             }
             Self::UnknownMaterial { place, name } => {
-                format!("{place}.material: there is no material {name}")
+                format!("{place}.material: there is no material {name}: add it to materials")
             }
             Self::Scene(error) => refused(*error),
+            Self::TooSmall { error, extent } => {
+                let most = rounded(*extent);
+                let least = rounded(extent * 2_f64.powi(-22));
+                format!(
+                    "{}; here the extent is {most} and the least {least}",
+                    refused(*error)
+                )
+            }
             Self::Camera(error) => error.to_string(),
         }
     }
+}
+
+/// Rounds a number to four digits.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.3e}").parse().expect("it was a number")
 }
 
 macro_rules! refused {

@@ -45,8 +45,9 @@ use std::vec::Vec;
 
 pub use self::error::{FileError, Problem};
 use crate::camera;
+use crate::error_kind::ErrorKind;
 use crate::host::reference::{Camera, Scene};
-use crate::scene::{Room, RuntimeScene};
+use crate::scene::{Room, RuntimeScene, extent_of};
 
 /// Largest size of a scene file in bytes: 16 MB.
 pub const MAX_BYTES: u64 = 16_000_000;
@@ -128,7 +129,13 @@ fn filled(
 }
 
 fn build(scene: &FileRuntimeScene) -> Result<Box<FileScene>, Problem> {
-    scene.build().map(Box::new).map_err(Problem::Scene)
+    scene.build().map(Box::new).map_err(|error| {
+        let extent = extent_of(&scene.description());
+        match extent.filter(|_| error.kind() == ErrorKind::Tiny) {
+            Some(extent) => Problem::TooSmall { error, extent },
+            None => Problem::Scene(error),
+        }
+    })
 }
 
 /// A scene that was read from a scene file, with every material name resolved.

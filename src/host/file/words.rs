@@ -20,10 +20,14 @@ pub(super) fn words(place: &str, message: &str) -> String {
 
 /// Returns the words for a value of the wrong type or length.
 fn wrong_value(place: &str, message: &str) -> Option<String> {
+    let is_inside = !place.is_empty();
     let place = match place {
         "" => "a scene",
         _ => place,
     };
+    if message == "trailing characters" && is_inside {
+        return Some(format!("{place} has more than 3 numbers: remove the rest"));
+    }
     if let Some(rest) = message.strip_prefix("invalid length ") {
         let (length, expected) = rest.split_once(", expected ")?;
         return Some(format!(
@@ -58,6 +62,7 @@ fn wrong_key(place: &str, message: &str) -> Option<String> {
         .strip_prefix("unknown field `")?
         .split_once("`, expected ")?;
     let keys = expected.trim_start_matches("one of ").replace('`', "");
+    let keys = keys.replace(" or ", ", ");
     // The place is that of the key.
     let place = match place.strip_suffix(key).map(|it| it.trim_end_matches('.')) {
         Some("") => "the scene",
@@ -106,7 +111,7 @@ fn syntax(message: &str) -> String {
     }
     match message {
         "expected value" => "a value is missing here, or is not JSON",
-        "key must be a string" => "a key must be a text in double quotes",
+        "key must be a string" => "a key must be a text in double quotes; JSON has no comments",
         "expected `:`" => "a colon is missing after the key",
         "expected `,` or `}`" => "a comma or a closing } is missing before this",
         "expected `,` or `]`" => "a comma or a closing ] is missing before this",
