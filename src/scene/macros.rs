@@ -138,36 +138,3 @@ macro_rules! scene {
         }
     };
 }
-
-/// Writes what one line of a [`scene!`](crate::scene) stands for: the call that adds the part, its name,
-/// or its handle.
-///
-/// A part and its arguments are token trees. With any other kind of fragment, the compiler loses the
-/// line on which the user wrote them.
-#[doc(hidden)]
-#[macro_export]
-macro_rules! __line {
-    (add $scene:ident $part:tt $arguments:tt) => {
-        $scene.$part $arguments
-    };
-    (add $scene:ident $part:tt $handle:ident $arguments:tt) => {
-        $scene.$part $arguments.moves_as($crate::__private::stringify!($handle))
-    };
-    (name $arguments:tt) => {
-        ""
-    };
-    (name $handle:ident $arguments:tt) => {
-        $crate::__private::stringify!($handle)
-    };
-    (handle $part:tt $arguments:tt) => {};
-    (handle $part:tt $handle:ident $arguments:tt) => {
-        #[doc = $crate::__private::concat!(
-            "Handle of a ", $crate::__private::stringify!($part), " that can move."
-        )]
-        pub const $handle: $crate::Handle<$crate::__described!($part)> =
-            $crate::Handle::named(
-                <Self as $crate::__private::SceneLines>::NAMES,
-                $crate::__private::stringify!($handle),
-            );
-    };
-}
