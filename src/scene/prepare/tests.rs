@@ -251,7 +251,7 @@ fn shape_below_the_default_epsilon_is_at_fault() {
     };
     let fault = Err(Error::at("sphere", 0, ErrorKind::BelowEpsilon));
     assert_eq!(with(0.001), fault);
-    assert_eq!(with(1e-8), fault);
+    assert_eq!(with(1e-7), fault);
     assert_eq!(with(1e-10), Ok(()));
     assert_eq!(with(0.0011), Err(Error::of("scene", ErrorKind::Epsilon)));
 }
