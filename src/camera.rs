@@ -81,6 +81,7 @@ impl Camera {
     /// # Panics
     /// Panics with the text of an [`Error`] where [`Camera::new`] returns one. In a constant, this stops
     /// the compiler.
+    #[track_caller]
     pub const fn look_at(position: [f64; 3], target: [f64; 3], up: [f64; 3]) -> Self {
         Self::checked(CameraDescription {
             position: Position::new(position),
@@ -94,6 +95,7 @@ impl Camera {
     ///
     /// # Panics
     /// Panics outside 0.001 to 179.999. In a constant, this stops the compiler.
+    #[track_caller]
     pub const fn fov(self, degrees: f64) -> Self {
         Self::checked(CameraDescription {
             fov: Number::new(degrees),
@@ -177,6 +179,7 @@ impl Camera {
         )
     }
 
+    #[track_caller]
     const fn checked(description: CameraDescription) -> Self {
         match Self::try_from_description(description) {
             Ok(camera) => camera,

@@ -47,6 +47,11 @@ impl Error {
         }
     }
 
+    /// Creates an error of a part, with its index if it has one.
+    pub(crate) const fn new(part: &'static str, index: Option<usize>, kind: ErrorKind) -> Self {
+        Self { part, index, kind }
+    }
+
     /// Returns the name of the part that is wrong: `"sphere"`, `"plane"`, `"cylinder"`, `"disc"`,
     /// `"light"`, `"material"`, `"scene"`, `"camera"` or `"motion"`.
     ///
@@ -68,12 +73,23 @@ impl Error {
     }
 
     /// Panics with the text of the error. In a constant, this stops the compiler.
+    #[track_caller]
     pub(crate) const fn stop(&self) -> ! {
+        self.stop_in_line(None)
+    }
+
+    /// Panics with the text of the error and the line of the user's source that is wrong.
+    #[track_caller]
+    pub(crate) const fn stop_in_line(&self, line: Option<u32>) -> ! {
         let mut message = Message::EMPTY;
         message.push(self.part);
         if let Some(index) = self.index {
             message.push(" ");
             message.push_number(index);
+        }
+        if let Some(line) = line {
+            message.push(" in line ");
+            message.push_number(line as usize);
         }
         message.push(": ");
         message.push(self.kind.message());
@@ -82,17 +98,10 @@ impl Error {
 
     /// Panics if `fault` is `Some`, for a part that exists only once. In a constant, this stops the
     /// compiler.
+    #[track_caller]
     pub(crate) const fn refuse(part: &'static str, fault: Option<ErrorKind>) {
         if let Some(kind) = fault {
             Self::of(part, kind).stop();
-        }
-    }
-
-    /// Panics if `fault` is `Some`, for the part of a kind with this index. In a constant, this stops
-    /// the compiler.
-    pub(crate) const fn refuse_at(part: &'static str, index: usize, fault: Option<ErrorKind>) {
-        if let Some(kind) = fault {
-            Self::at(part, index, kind).stop();
         }
     }
 }

@@ -7,6 +7,8 @@ const COORDINATE: &str =
     "coordinates and sizes must be finite and within -2^30 to 2^30 scene units";
 const TINY: &str = "radius and half the height must be at least 2^-22 of the scene's extent: \
     enlarge it or shrink the scene";
+const BELOW_EPSILON: &str = "radius and height must be larger than epsilon, which is 0.001 by default: \
+    enlarge the shape or set a smaller epsilon";
 const BRIGHTNESS: &str = "color * (ambient + the sum over lights of (diffuse + specular) * light color), \
     with and without color, must stay below 30: dim the material or the lights";
 const NO_LIGHT: &str = "nothing lights the scene: add a light, or give a material some ambient";
@@ -32,7 +34,7 @@ macro_rules! faults {
         ///
         /// fn field(kind: ErrorKind) -> &'static str {
         ///     match kind {
-        ///         ErrorKind::Radius | ErrorKind::Tiny => "radius",
+        ///         ErrorKind::Radius | ErrorKind::Tiny | ErrorKind::BelowEpsilon => "radius",
         ///         ErrorKind::Height => "height",
         ///         ErrorKind::Normal | ErrorKind::Axis => "direction",
         ///         ErrorKind::Coordinate | ErrorKind::Extent => "position",
@@ -75,6 +77,9 @@ macro_rules! faults {
             Coordinate,
             /// A radius, or half a height, below 2⁻²² of the scene's extent: the format cannot hold it.
             Tiny,
+            /// A shape that is not larger than an epsilon of 0.001 or less, and neither are all shapes
+            /// together.
+            BelowEpsilon,
             /// Shapes that together measure no more than 2⁻³⁰ scene units: too small for the number
             /// format.
             Extent,
@@ -145,6 +150,7 @@ macro_rules! faults {
                     Self::Axis => "axis must not be zero",
                     Self::Coordinate => COORDINATE,
                     Self::Tiny => TINY,
+                    Self::BelowEpsilon => BELOW_EPSILON,
                     Self::Extent => "extent must be larger than 2^-30 scene units: scale the scene up",
                     Self::Color => "color components must be within 0 to 16",
                     Self::Ambient => "ambient must be within 0 to 16",

@@ -74,24 +74,51 @@ macro_rules! __room {
     };
 }
 
-/// Writes the path of the type that describes a part, such as `Sphere` for `sphere`.
+/// Writes what one line of a [`scene!`](crate::scene) stands for: the call that adds the part, its name,
+/// its handle, or the path of the type that describes the part.
+///
+/// A part and its arguments are token trees. With any other kind of fragment, the compiler loses the
+/// line on which the user wrote them.
 #[doc(hidden)]
 #[macro_export]
-macro_rules! __described {
-    (sphere) => {
+macro_rules! __line {
+    (add $scene:ident $part:tt $arguments:tt) => {
+        $scene.$part $arguments
+    };
+    (add $scene:ident $part:tt $handle:ident $arguments:tt) => {
+        $scene.$part $arguments.moves_as($crate::__private::stringify!($handle))
+    };
+    (name $arguments:tt) => {
+        ""
+    };
+    (name $handle:ident $arguments:tt) => {
+        $crate::__private::stringify!($handle)
+    };
+    (handle $part:tt $arguments:tt) => {};
+    (handle $part:tt $handle:ident $arguments:tt) => {
+        #[doc = $crate::__private::concat!(
+            "Handle of a ", $crate::__private::stringify!($part), " that can move."
+        )]
+        pub const $handle: $crate::Handle<$crate::__line!(described $part)> =
+            $crate::Handle::named(
+                <Self as $crate::__private::SceneLines>::NAMES,
+                $crate::__private::stringify!($handle),
+            );
+    };
+    (described sphere) => {
         $crate::description::Sphere
     };
-    (cylinder) => {
+    (described cylinder) => {
         $crate::description::Cylinder
     };
-    (disc) => {
+    (described disc) => {
         $crate::description::Disc
     };
     // These cannot move: `SceneBuilder` says so.
-    (plane) => {
+    (described plane) => {
         $crate::description::Plane
     };
-    (light) => {
+    (described light) => {
         $crate::description::Light
     };
 }

@@ -66,6 +66,7 @@ impl Material {
     ///
     /// Meant for constants. Panics if a component is outside of 0 to 16; in a constant, that is an error
     /// of the compiler. The other methods that take plain numbers do the same.
+    #[track_caller]
     pub const fn new([red, green, blue]: [f64; 3]) -> Self {
         Self {
             color: [Number::new(red), Number::new(green), Number::new(blue)],
@@ -79,6 +80,7 @@ impl Material {
     }
 
     /// Sets the ambient coefficient, 0 to 16: the share of the colour that is visible without any light.
+    #[track_caller]
     pub const fn ambient(mut self, coefficient: f64) -> Self {
         self.ambient = Number::new(coefficient);
         self.checked()
@@ -86,6 +88,7 @@ impl Material {
 
     /// Sets the diffuse coefficient, 0 to 16: the share of the light that the surface scatters evenly
     /// (Lambert).
+    #[track_caller]
     pub const fn diffuse(mut self, coefficient: f64) -> Self {
         self.diffuse = Number::new(coefficient);
         self.checked()
@@ -95,6 +98,7 @@ impl Material {
     ///
     /// With shininess 0, the highlight has the same strength everywhere. In Phong's shading, it covers
     /// only points where the mirrored light points to the viewer's side: r · v > 0.
+    #[track_caller]
     pub const fn specular(mut self, coefficient: f64, shininess: f64) -> Self {
         self.specular = Number::new(coefficient);
         self.shininess = Number::new(shininess);
@@ -102,6 +106,7 @@ impl Material {
     }
 
     /// Sets α, 0 to 1: the share of the visible colour that is a reflection.
+    #[track_caller]
     pub const fn mirror(mut self, alpha: f64) -> Self {
         self.mirror = Number::new(alpha);
         self.checked()
@@ -133,6 +138,7 @@ impl Material {
     }
 
     /// Returns the material if all fields are in range. Panics otherwise.
+    #[track_caller]
     const fn checked(self) -> Self {
         Error::refuse("material", self.fault());
         self

@@ -145,8 +145,8 @@ impl<R: ActiveRoom> RuntimeScene<R> {
     /// Chooses the scene's grid and prepares the scene. No float instruction is executed.
     ///
     /// # Errors
-    /// Mistakes that show only in the whole scene: [`ErrorKind::Tiny`], [`ErrorKind::Extent`],
-    /// [`ErrorKind::Epsilon`], [`ErrorKind::Brightness`].
+    /// Mistakes that show only in the whole scene: [`ErrorKind::Tiny`], [`ErrorKind::BelowEpsilon`],
+    /// [`ErrorKind::Extent`], [`ErrorKind::Epsilon`], [`ErrorKind::Brightness`].
     pub fn build(&self) -> Result<Scene<R>, Error> {
         R::prepare(&self.description())
     }

@@ -1,5 +1,7 @@
 //! The builder of constant scenes, which takes plain numbers and runs when the program is compiled.
 
+use core::panic::Location;
+
 use super::capacity::{Capacity, Counts, Room};
 use super::description::{Described, Description};
 use super::prepare;
@@ -59,16 +61,28 @@ pub struct SceneBuilder<R: Capacity> {
     /// Kind and index of the shape that was added last, or `None` after a plane or a light.
     last: Option<(&'static str, usize)>,
     moving: [Option<(&'static str, usize)>; MOST_MOVING],
+    /// Where the builder was created. For [`scene!`](crate::scene) this is the macro.
+    start: &'static Location<'static>,
 }
 
 impl<R: Capacity> SceneBuilder<R> {
+    /// Panics if `fault` is `Some`. The text has the line of the call, unless the call comes from a macro:
+    /// its place is then that of the macro, where the builder was created, too.
+    #[track_caller]
+    const fn refuse(&self, part: &'static str, index: Option<usize>, fault: Option<ErrorKind>) {
+        let Some(kind) = fault else { return };
+        let (call, start) = (Location::caller(), self.start);
+        let is_known = call.line() != start.line() || call.column() != start.column();
+        let line = if is_known { Some(call.line()) } else { None };
+        Error::new(part, index, kind).stop_in_line(line)
+    }
+
     /// Sets the colour of rays that hit nothing; each component is 0 to 16. Defaults to black.
+    #[track_caller]
     pub const fn background(mut self, color: [f64; 3]) -> Self {
         self.described.background = numbers(color);
-        Error::refuse(
-            "scene",
-            prepare::background_fault(self.described.background),
-        );
+        let fault = prepare::background_fault(self.described.background);
+        self.refuse("scene", None, fault);
         self
     }
 
@@ -88,9 +102,11 @@ impl<R: Capacity> SceneBuilder<R> {
     /// If epsilon is too large, rays start beyond shapes that lie nearer to the surface than epsilon:
     /// shadows and reflections do not reach the place where two shapes touch. Choose an epsilon that is
     /// small compared with the smallest shape and the smallest gap.
+    #[track_caller]
     pub const fn epsilon(mut self, epsilon: f64) -> Self {
         self.described.epsilon = Number::new(epsilon);
-        Error::refuse("scene", prepare::epsilon_fault(self.described.epsilon));
+        let fault = prepare::epsilon_fault(self.described.epsilon);
+        self.refuse("scene", None, fault);
         self
     }
 
@@ -98,15 +114,17 @@ impl<R: Capacity> SceneBuilder<R> {
     ///
     /// The scene's grid is chosen for the whole box, so that a shape that moves in it changes no bit of
     /// the others. The ball around a shape that moves must stay inside of the box.
+    #[track_caller]
     pub const fn motion(mut self, low: [f64; 3], high: [f64; 3]) -> Self {
         let motion = [Position::new(low), Position::new(high)];
-        Error::refuse("motion", prepare::motion_fault(motion));
+        self.refuse("motion", None, prepare::motion_fault(motion));
         self.described.motion = Some(motion);
         self
     }
 
     /// Marks the shape that was added last as a shape that moves. [`scene!`](crate::scene) calls this.
     #[doc(hidden)]
+    #[track_caller]
     pub const fn moves_as(mut self, name: &'static str) -> Self {
         let Some((part, index)) = self.last else {
             Error::of(name, ErrorKind::NothingMoves).stop();
@@ -155,16 +173,19 @@ macro_rules! builder {
         #[doc(hidden)]
         impl<$($header)*> SceneBuilder<Room<$($arguments)*>> {
             /// Creates an empty scene with a black background and an epsilon of 0.001.
+            #[track_caller]
             pub const fn new() -> Self {
                 Self {
                     described: Described::new(),
                     last: None,
                     moving: [None; MOST_MOVING],
+                    start: Location::caller(),
                 }
             }
 
             $(
                 $(#[$doc])*
+                #[track_caller]
                 pub const fn $kind(mut self, $($field: plain!($type),)* material: Material) -> Self {
                     let index = self.described.$list.len;
                     self.described.$list.refuse_more(stringify!($kind), ErrorKind::$too_many);
@@ -173,7 +194,7 @@ macro_rules! builder {
                         $($field: $type::new($field),)*
                         material,
                     };
-                    Error::refuse_at(stringify!($kind), index, $kind.fault());
+                    self.refuse(stringify!($kind), Some(index), $kind.fault());
                     self.described.$list.push($kind);
                     self.last = Some((stringify!($kind), index));
                     self
@@ -181,6 +202,7 @@ macro_rules! builder {
             )*
 
             /// Adds an infinite plane through `point`. The normal may have any length but 0.
+            #[track_caller]
             pub const fn plane(mut self, point: [f64; 3], normal: [f64; 3], material: Material) -> Self {
                 let index = self.described.planes.len;
                 self.described.planes.refuse_more("plane", ErrorKind::TooManyPlanes);
@@ -189,13 +211,14 @@ macro_rules! builder {
                     normal: Position::new(normal),
                     material: self.described.materials.id_of(material),
                 };
-                Error::refuse_at("plane", index, plane.fault());
+                self.refuse("plane", Some(index), plane.fault());
                 self.described.planes.push(plane);
                 self.last = None;
                 self
             }
 
             /// Adds a point light. Each component of its colour is 0 to 16.
+            #[track_caller]
             pub const fn light(mut self, position: [f64; 3], color: [f64; 3]) -> Self {
                 let index = self.described.lights.len;
                 self.described.lights.refuse_more("light", ErrorKind::TooManyLights);
@@ -203,7 +226,7 @@ macro_rules! builder {
                     position: Position::new(position),
                     color: numbers(color),
                 };
-                Error::refuse_at("light", index, light.fault());
+                self.refuse("light", Some(index), light.fault());
                 self.described.lights.push(light);
                 self.last = None;
                 self

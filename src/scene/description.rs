@@ -11,7 +11,7 @@ use crate::shape::plane::Plane;
 use crate::vector::Position;
 
 /// Default epsilon in scene units: how far above a surface the rays start that leave it.
-const EPSILON: f64 = 1e-3;
+pub(super) const EPSILON: f64 = 1e-3;
 
 macro_rules! description {
     (
@@ -78,6 +78,16 @@ macro_rules! description {
                     let number = number - self.$list.len();
                 )*
                 let _ = number;
+                None
+            }
+
+            /// Returns the kind of the first bounded shape.
+            pub(super) const fn first_kind(&self) -> Option<&'static str> {
+                $(
+                    if !self.$list.is_empty() {
+                        return Some(stringify!($kind));
+                    }
+                )*
                 None
             }
 

@@ -29,6 +29,7 @@ impl<T: Copy, const N: usize> List<[T; N]> {
     }
 
     /// Panics with the error `too_many` if the list is full. In a constant, this stops the compiler.
+    #[track_caller]
     pub(super) const fn refuse_more(&self, part: &'static str, too_many: ErrorKind) {
         if self.len == N {
             Error::at(part, self.len, too_many).stop();
@@ -44,6 +45,7 @@ impl<T: Copy, const N: usize> List<[T; N]> {
 
 impl<const N: usize> List<[Material; N]> {
     /// Returns the number of a material, in constant code. Adds the material only if the list lacks it.
+    #[track_caller]
     pub(super) const fn id_of(&mut self, material: Material) -> MaterialId {
         let mut index = 0;
         while index < self.len {

@@ -45,7 +45,8 @@ macro_rules! room {
 ///
 /// Each line is a method of [`SceneBuilder`](crate::SceneBuilder) with its arguments: `sphere`, `plane`,
 /// `cylinder`, `disc`, `light`, `background`, `epsilon`, `camera`, `motion`. The macro counts the parts
-/// and chooses the room. A mistake stops the compiler with a message that names the part and the fix.
+/// and chooses the room. A mistake stops the compiler with a message that names the part, its line and the
+/// fix.
 ///
 /// The type has a function `frame`, which views the scene through a camera and returns a
 /// [`FrameBuilder`](crate::FrameBuilder).
@@ -75,7 +76,7 @@ macro_rules! scene {
     (
         $(#[$attribute:meta])*
         $visibility:vis struct $name:ident {
-            $($part:ident $($handle:ident)? ($($argument:expr),* $(,)?);)*
+            $($part:tt $first:tt $(($($named:tt)*))?;)*
         }
     ) => {
         $(#[$attribute])*
@@ -83,21 +84,24 @@ macro_rules! scene {
         $visibility struct $name;
 
         impl $crate::__private::SceneLines for $name {
-            const COUNTS: $crate::__private::Counts = $crate::SceneBuilder::counts(
-                &$crate::SceneBuilder::<$crate::__private::LargestRoom>::new()
-                    $(.$part($($argument),*))*
-            );
+            const COUNTS: $crate::__private::Counts = {
+                let __scene = $crate::SceneBuilder::<$crate::__private::LargestRoom>::new();
+                $(let __scene = $crate::__line!(add __scene $part $first $(($($named)*))?);)*
+                $crate::SceneBuilder::counts(&__scene)
+            };
 
             type Room = $crate::__room!(<$name as $crate::__private::SceneLines>::COUNTS);
 
-            const BUILDER: $crate::SceneBuilder<Self::Room> =
-                $crate::SceneBuilder::<Self::Room>::new()
-                    $(.$part($($argument),*) $(.moves_as($crate::__private::stringify!($handle)))?)*;
+            const BUILDER: $crate::SceneBuilder<Self::Room> = {
+                let __scene = $crate::SceneBuilder::<Self::Room>::new();
+                $(let __scene = $crate::__line!(add __scene $part $first $(($($named)*))?);)*
+                __scene
+            };
 
             const NAMES: &'static [(&'static $crate::__private::str, &'static $crate::__private::str)] =
                 &[$((
                     $crate::__private::stringify!($part),
-                    $crate::__private::concat!($($crate::__private::stringify!($handle))?),
+                    $crate::__line!(name $first $(($($named)*))?),
                 )),*];
         }
 
@@ -118,16 +122,7 @@ macro_rules! scene {
 
         #[allow(dead_code, reason = "a scene need not be drawn and moved")]
         impl $name {
-            $($(
-                #[doc = $crate::__private::concat!(
-                    "Handle of a ", $crate::__private::stringify!($part), " that can move."
-                )]
-                pub const $handle: $crate::Handle<$crate::__described!($part)> =
-                    $crate::Handle::named(
-                        <Self as $crate::__private::SceneLines>::NAMES,
-                        $crate::__private::stringify!($handle),
-                    );
-            )?)*
+            $($crate::__line! { handle $part $first $(($($named)*))? })*
 
             /// Passes the numbers that the scene was written with to a function, and returns the result.
             pub fn with_description<__R>(

@@ -38,6 +38,8 @@ pub use macros::SceneLines;
 pub(crate) use needs::FEW;
 pub use needs::{Mirrors, MostReflections, Need, Needs, NeedsLimit, Shininess};
 pub(crate) use prepare::PlainScene;
+#[cfg(feature = "host")]
+pub(crate) use prepare::extent_of;
 pub use runtime::{Fillable, RuntimeScene};
 pub(crate) use surface::Surface;
 

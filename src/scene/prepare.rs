@@ -4,6 +4,7 @@
 use super::access::Parts;
 use super::brightness::{brightest, dimness};
 use super::capacity::{Capacity, Counts, Room};
+use super::description::EPSILON;
 use super::layout::choose_grid;
 use super::shape_set::ShapeSet;
 use super::{Description, used};
@@ -97,7 +98,7 @@ macro_rules! prepare {
             pub(crate) const fn prepare(scene: &Description<'_>) -> Result<Self, Error> {
                 let (grid, epsilon) = match laid(scene) {
                     Ok(laid) => laid,
-                    Err(fault) => return Err(Error::of("scene", fault)),
+                    Err(error) => return Err(error),
                 };
                 let mut prepared = Self {
                     $($list: [crate::shape::$prepared::NONE; $room],)*
@@ -211,16 +212,35 @@ const fn touches_another(parts: &Parts<'_>, number: usize) -> bool {
 }
 
 /// Returns the grid of a scene, and its epsilon in steps; epsilon must be below 2²⁸ steps.
-const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), ErrorKind> {
+const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), Error> {
     let grid = match choose_grid(scene) {
         Ok(grid) => grid,
-        Err(fault) => return Err(fault),
+        Err(fault) => return Err(Error::of("scene", fault)),
     };
     let epsilon = grid.length(scene.epsilon);
     if epsilon.to_bits() >= crate::ray::BALL {
-        return Err(ErrorKind::Epsilon);
+        return Err(epsilon_above_the_shapes(scene));
     }
     Ok((grid, epsilon))
+}
+
+/// Returns the error of a scene whose shapes are together not larger than its epsilon. If epsilon is at
+/// most its default, a shape is at fault: the user may never have set epsilon.
+const fn epsilon_above_the_shapes(scene: &Description<'_>) -> Error {
+    match scene.first_kind() {
+        Some(kind) if scene.epsilon.to_bits() <= Number::new(EPSILON).to_bits() => {
+            Error::at(kind, 0, ErrorKind::BelowEpsilon)
+        }
+        _ => Error::of("scene", ErrorKind::Epsilon),
+    }
+}
+
+/// Returns the extent of a scene in scene units: the radius of the ball that its grid holds. It is
+/// `None` if the scene has no grid.
+#[cfg(feature = "host")]
+pub(crate) fn extent_of(scene: &Description<'_>) -> Option<f64> {
+    let grid = choose_grid(scene).ok()?;
+    Some(f64::from(crate::ray::BALL) * 2_f64.powi(-grid.fraction_bits()))
 }
 
 /// Prepares the materials. Refuses a material that is too bright under the lights of its scene.

@@ -1,6 +1,12 @@
-//! Tests the examples that draw one picture each, by the files that they write.
+//! Tests the examples that draw one picture each, and the example scenes, by the files that are
+//! written.
 
-use image::{ImageReader, RgbImage};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use image::{ImageReader, Rgb, RgbImage};
+use serde_json::Value;
 
 use super::program::Folder;
 
@@ -69,4 +75,53 @@ fn bounce_moves_the_ball_its_shadow_and_its_mirror_image() {
         (80..120).find(is_image).unwrap()
     };
     assert!(image_top(0) + 10 < image_top(4));
+}
+
+/// Returns the scene files of `examples/scenes`, sorted by name.
+fn scene_files() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
+    let entries = fs::read_dir(folder).unwrap();
+    let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    files
+}
+
+/// Draws a scene file with the example `render`.
+fn drawn(folder: &Folder, file: &Path, size: &str) -> RgbImage {
+    let file = file.to_str().unwrap();
+    let outcome = folder.run(&[file, "--size", size, "--out", "drawn.png"]);
+    assert_eq!((outcome.code, &*outcome.stderr), (0, ""), "{file}");
+    let image = ImageReader::open(folder.path("drawn.png")).unwrap();
+    image.decode().unwrap().to_rgb8()
+}
+
+#[test]
+fn every_example_scene_is_drawn() {
+    let folder = Folder::new("scenes");
+    let mut names = Vec::new();
+    for file in scene_files() {
+        let scene: Value = serde_json::from_str(&fs::read_to_string(&file).unwrap()).unwrap();
+        assert_eq!(scene["$schema"], "../../docs/scene.schema.json");
+        assert_eq!(scene["name"], file.file_stem().unwrap().to_str().unwrap());
+        names.push(scene["name"].as_str().unwrap().to_owned());
+        let image = drawn(&folder, &file, "64x64");
+        let first = image.get_pixel(0, 0);
+        assert!(image.pixels().any(|pixel| pixel != first), "{file:?}");
+    }
+    let expected = ["chrome3", "harbour", "harbour_sun", "matt3", "pybadge"];
+    assert_eq!(names, expected);
+}
+
+#[test]
+fn harbour_of_the_file_is_the_harbour_of_the_example() {
+    let (example, _) = picture("harbour");
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes/harbour.json");
+    let mut image = drawn(&Folder::new("harbour_file"), &file, "240x240");
+    // The example draws on a display of 16 bits a pixel.
+    for pixel in image.pixels_mut() {
+        let [red, green, blue] = pixel.0;
+        let shown = Rgb888::from(Rgb565::from(Rgb888::new(red, green, blue)));
+        *pixel = Rgb([shown.r(), shown.g(), shown.b()]);
+    }
+    assert!(image == example);
 }

@@ -327,7 +327,7 @@ fn wrong_files_are_named_in_one_line() {
         "missing.json => ",
         "folder.json => ",
         "bytes.json => ",
-        "broken.json => line 2, column 13: expected value",
+        "broken.json => line 2, column 13: camera: a value is missing here",
         "empty.json => there is no scene in the file",
         "small.json => scene floor: spheres[0]: radius must be greater than 0",
         "unknown.json => scene floor: planes[0].material: there is no material black",

@@ -17,7 +17,7 @@ const LONGEST_WITH_TESTS: usize = 500;
 const LONGEST_FUNCTION: usize = 50;
 
 /// Most lines of code of the library without tests.
-const MOST_CODE: usize = 14_709;
+const MOST_CODE: usize = 14_934;
 
 #[test]
 fn no_file_is_too_long() {

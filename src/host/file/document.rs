@@ -1,12 +1,13 @@
 //! The JSON structure of a scene file: owns the names of the keys. It accepts any value of the right
 //! type and never checks ranges.
 
-use std::string::String;
+use std::string::{String, ToString};
 use std::vec::Vec;
 
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
+use super::error::FileError;
 use crate::host::reference::{Camera, Light};
 
 /// A position or a direction: x, y and z.
@@ -23,6 +24,9 @@ macro_rules! document {
         #[derive(Deserialize)]
         #[serde(deny_unknown_fields)]
         pub(super) struct Scene {
+            /// Address of the schema, for editors. Nothing reads it.
+            #[serde(rename = "$schema")]
+            pub _schema: Option<String>,
             pub name: Option<String>,
             pub camera: Camera,
             #[serde(default)]
@@ -55,18 +59,18 @@ kinds!(shapes, document);
 pub(super) struct Material {
     pub name: String,
     pub color: [f64; 3],
-    pub ambient: f64,
-    pub diffuse: f64,
-    pub specular: f64,
-    pub shininess: f64,
-    pub mirror: f64,
+    pub ambient: Option<f64>,
+    pub diffuse: Option<f64>,
+    pub specular: Option<f64>,
+    pub shininess: Option<f64>,
+    pub mirror: Option<f64>,
 }
 
 /// Reads one scene or an array of scenes from JSON text.
 ///
 /// The first character decides which of the two is read. So the error for a mistake deep inside names
 /// its own line and column.
-pub(super) fn read(text: &str) -> serde_json::Result<Vec<Scene>> {
+pub(super) fn read(text: &str) -> Result<Vec<Scene>, FileError> {
     // Some editors put a byte-order mark at the start of a file.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     match text.trim_start().starts_with('[') {
@@ -75,6 +79,10 @@ pub(super) fn read(text: &str) -> serde_json::Result<Vec<Scene>> {
     }
 }
 
-fn read_as<T: DeserializeOwned>(text: &str) -> serde_json::Result<T> {
-    serde_json::from_str(text)
+fn read_as<T: DeserializeOwned>(text: &str) -> Result<T, FileError> {
+    let mut parser = serde_json::Deserializer::from_str(text);
+    let read = serde_path_to_error::deserialize(&mut parser)
+        .map_err(|error| FileError::json(&error.path().to_string(), error.inner()))?;
+    parser.end().map_err(|error| FileError::json("", &error))?;
+    Ok(read)
 }

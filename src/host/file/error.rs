@@ -8,6 +8,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::FileRoom;
+use super::words::words;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::host::line::one_line;
@@ -23,7 +24,7 @@ use crate::scene::Capacity;
 /// let error = SceneFile::parse("{\n  \"camera\": 3\n}", None).unwrap_err();
 /// assert_eq!(
 ///     error.to_string(),
-///     "line 2, column 13: invalid type: integer `3`, expected struct Camera"
+///     "line 2, column 13: camera must be an object, in { }, not the number 3"
 /// );
 /// ```
 #[derive(Debug)]
@@ -66,7 +67,7 @@ pub enum Problem {
         line: usize,
         /// Column of the mistake, counted from 1; 0 if the mistake is at the start of a line.
         column: usize,
-        /// Message of the JSON parser, without the position.
+        /// The part, the mistake and the fix, without the position.
         message: String,
     },
     /// The file is an empty array: it holds no scene.
@@ -101,6 +102,13 @@ pub enum Problem {
     },
     /// The core refuses a part of the scene, or the scene as a whole.
     Scene(Error),
+    /// A radius, or half a height, is below 2⁻²² of the scene's extent.
+    TooSmall {
+        /// Error of the core: kind and index of the shape.
+        error: Error,
+        /// Radius of the ball that holds the scene, in scene units, rounded up to a power of two.
+        extent: f64,
+    },
     /// The core refuses the camera.
     Camera(Error),
 }
@@ -114,17 +122,19 @@ impl FileError {
         }
     }
 
-    pub(super) fn json(error: &serde_json::Error) -> Self {
+    /// Creates the error for what the parser refuses at a path of keys, such as `spheres[3].radius`.
+    pub(super) fn json(path: &str, error: &serde_json::Error) -> Self {
         let (line, column) = (error.line(), error.column());
         let whole = error.to_string();
         let message = whole
             .strip_suffix(&format!(" at line {line} column {column}"))
-            .unwrap_or(&whole)
-            .to_owned();
+            .unwrap_or(&whole);
+        // A dot stands for the scene itself, and a question mark for a key that was not read.
+        let place = path.trim_end_matches(['.', '?']);
         Self::new(Problem::Json {
             line,
             column,
-            message,
+            message: words(place, message),
         })
     }
 
@@ -197,12 +207,25 @@ impl Problem {
                 format!("{place} has the name {name} of {first}")
             }
             Self::UnknownMaterial { place, name } => {
-                format!("{place}.material: there is no material {name}")
+                format!("{place}.material: there is no material {name}: add it to materials")
             }
             Self::Scene(error) => refused(*error),
+            Self::TooSmall { error, extent } => {
+                let most = rounded(*extent);
+                let least = rounded(extent * 2_f64.powi(-22));
+                format!(
+                    "{}; here the extent is {most} and the least {least}",
+                    refused(*error)
+                )
+            }
             Self::Camera(error) => error.to_string(),
         }
     }
+}
+
+/// Rounds a number to four digits.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.3e}").parse().expect("it was a number")
 }
 
 macro_rules! refused {

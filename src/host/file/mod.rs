@@ -24,13 +24,16 @@
 //! ```
 //!
 //! `name`, `background`, `epsilon` and every list are optional. A list that is left out is empty;
-//! `background` and `epsilon` have the values above by default. An unknown key is an error.
-//! `docs/scene.schema.json` in the repository is a JSON Schema of this format.
+//! `background` and `epsilon` have the values above by default. Of a material, `name` and `color` are
+//! enough: the rest has the defaults of [`Material::new`](crate::Material::new). An unknown key is an
+//! error. `docs/scene.schema.json` in the repository is a JSON Schema of this format. A scene may name it
+//! by a key `$schema`, which is ignored here, so that editors complete and check the file.
 
 mod document;
 mod error;
 mod fill;
 mod resolve;
+mod words;
 
 use std::borrow::ToOwned;
 use std::boxed::Box;
@@ -42,8 +45,9 @@ use std::vec::Vec;
 
 pub use self::error::{FileError, Problem};
 use crate::camera;
+use crate::error_kind::ErrorKind;
 use crate::host::reference::{Camera, Scene};
-use crate::scene::{Room, RuntimeScene};
+use crate::scene::{Room, RuntimeScene, extent_of};
 
 /// Largest size of a scene file in bytes: 16 MB.
 pub const MAX_BYTES: u64 = 16_000_000;
@@ -125,7 +129,13 @@ fn filled(
 }
 
 fn build(scene: &FileRuntimeScene) -> Result<Box<FileScene>, Problem> {
-    scene.build().map(Box::new).map_err(Problem::Scene)
+    scene.build().map(Box::new).map_err(|error| {
+        let extent = extent_of(&scene.description());
+        match extent.filter(|_| error.kind() == ErrorKind::Tiny) {
+            Some(extent) => Problem::TooSmall { error, extent },
+            None => Problem::Scene(error),
+        }
+    })
 }
 
 /// A scene that was read from a scene file, with every material name resolved.
@@ -178,7 +188,7 @@ impl SceneFile {
     /// );
     /// ```
     pub fn parse(text: &str, name: Option<&str>) -> Result<Self, FileError> {
-        let scenes = document::read(text).map_err(|error| FileError::json(&error))?;
+        let scenes = document::read(text)?;
         let mut chosen = resolve::choose(scenes, name).map_err(FileError::new)?;
         let name = chosen.name.take();
         let materials = chosen.materials.iter().map(|it| it.name.clone()).collect();

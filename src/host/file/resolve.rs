@@ -9,6 +9,7 @@ use std::vec::Vec;
 use super::document;
 use super::error::Problem;
 use crate::host::reference::{self, Camera, Material, Scene};
+use crate::number::Number;
 
 /// Default of `epsilon` for a file that does not give it: how far above a surface shadow and reflected
 /// rays start, in scene units.
@@ -95,13 +96,17 @@ fn material_numbers(materials: &[document::Material]) -> Result<HashMap<&str, us
     Ok(numbers)
 }
 
+/// Returns the material with the defaults of [`crate::Material::new`] for what the file leaves out.
 fn material(material: &document::Material) -> Material {
+    const PLAIN: crate::Material = crate::Material::new([0.0; 3]);
+    let defaults = PLAIN.described_coefficients().map(Number::to_f64);
+    let [ambient, diffuse, specular, shininess, mirror] = defaults;
     Material {
         color: material.color,
-        ambient: material.ambient,
-        diffuse: material.diffuse,
-        specular: material.specular,
-        shininess: material.shininess,
-        mirror: material.mirror,
+        ambient: material.ambient.unwrap_or(ambient),
+        diffuse: material.diffuse.unwrap_or(diffuse),
+        specular: material.specular.unwrap_or(specular),
+        shininess: material.shininess.unwrap_or(shininess),
+        mirror: material.mirror.unwrap_or(mirror),
     }
 }

@@ -1,3 +1,5 @@
+mod mistakes;
+
 use std::io;
 use std::string::{String, ToString};
 use std::vec::Vec;
@@ -146,6 +148,39 @@ fn what_may_be_left_out_has_a_value() {
 }
 
 #[test]
+fn material_of_a_colour_alone_is_that_of_the_core() {
+    let mut scene = scene();
+    scene["materials"][1] = json!({ "name": "gold", "color": [0.75, 0.625, 0] });
+    let file = parsed(&scene.to_string());
+    let (runtime, _) = file.runtime().unwrap();
+    let gold = crate::Material::new([0.75, 0.625, 0.0]);
+    assert_eq!(runtime.description().materials[1], gold);
+    let Value::Object(given) = &mut scene["materials"][1] else {
+        unreachable!()
+    };
+    for key in ["ambient", "diffuse", "specular", "shininess", "mirror"] {
+        given.insert(key.into(), Value::Null);
+    }
+    assert_eq!(
+        parsed(&scene.to_string()).reference(),
+        file.reference(),
+        "null is the default"
+    );
+}
+
+#[test]
+fn schema_of_a_scene_is_ignored() {
+    let mut with_schema = scene();
+    with_schema["$schema"] = "../../docs/scene.schema.json".into();
+    let plain = parsed(&scene().to_string()).reference();
+    assert_eq!(parsed(&with_schema.to_string()).reference(), plain);
+    let array = json!([with_schema]).to_string();
+    assert_eq!(parsed(&array).reference(), plain);
+    with_schema["$schema"] = 3.into();
+    assert!(complaint(&with_schema.to_string()).contains("$schema"));
+}
+
+#[test]
 fn byte_order_mark_is_skipped() {
     let text = format!("\u{feff}{}", scene());
     assert_eq!(parsed(&text).name(), Some("still life"));
@@ -184,189 +219,6 @@ fn scene_of_an_array_is_chosen_by_name() {
     );
     assert_eq!(chosen("[]", None), "there is no scene in the file");
     assert_eq!(chosen(" [ ] ", Some("a")), "there is no scene in the file");
-}
-
-#[test]
-fn broken_text_is_reported_with_line_and_column() {
-    let cases = [
-        ("", "line 1, column 0: EOF while parsing a value"),
-        ("{\n  \"camera\": }", "line 2, column 13: expected value"),
-        (
-            "{\n\n  \"camera",
-            "line 3, column 9: EOF while parsing a string",
-        ),
-        ("{} {}", "line 1, column 2: missing field `camera`"),
-        (
-            "3",
-            "line 1, column 1: invalid type: integer `3`, expected struct Scene",
-        ),
-        (
-            "[{\n \"spheres\": 7 }]",
-            "line 2, column 13: invalid type: integer `7`, expected a sequence",
-        ),
-        (
-            "{ \"spheres\": [ { \"center\": [0, 0] } ] }",
-            "line 1, column 33: invalid length 2, expected an array of length 3",
-        ),
-        (
-            "{ \"epsilon\": 1e999 }",
-            "line 1, column 18: number out of range",
-        ),
-        ("{ \"epsilon\": NaN }", "line 1, column 14: expected value"),
-        (
-            "{ \"epsilon\": 1, \"epsilon\": 2 }",
-            "line 1, column 25: duplicate field `epsilon`",
-        ),
-        (
-            "{ \"epsilon\":\n true }",
-            "line 2, column 5: invalid type: boolean `true`, expected f64",
-        ),
-    ];
-    for (text, expected) in cases {
-        assert_eq!(complaint(text), expected, "{text}");
-    }
-}
-
-#[test]
-fn unknown_key_is_named() {
-    let found = complaint("{ \"sheres\": [] }");
-    assert!(
-        found.starts_with("line 1, column 10: unknown field `sheres`, expected"),
-        "{found}"
-    );
-}
-
-#[test]
-fn every_key_but_the_optional_ones_is_required() {
-    let objects = [
-        "/camera",
-        "/materials/0",
-        "/lights/0",
-        "/spheres/0",
-        "/planes/0",
-        "/cylinders/0",
-        "/discs/0",
-    ];
-    for pointer in objects {
-        let object = scene();
-        let object = object.pointer(pointer).and_then(Value::as_object).unwrap();
-        for key in object.keys() {
-            let found = complaint(&scene_without(pointer, key));
-            assert!(
-                found.ends_with(&format!(": missing field `{key}`")),
-                "{found}"
-            );
-        }
-    }
-}
-
-#[test]
-fn unknown_material_is_named_with_its_shape() {
-    for list in ["spheres", "planes", "cylinders", "discs"] {
-        let found = complaint(&scene_with(&format!("/{list}/0/material"), "brass"));
-        let expected = format!("scene still life: {list}[0].material: there is no material brass");
-        assert_eq!(found, expected);
-    }
-}
-
-#[test]
-fn repeated_material_is_named_with_both_places() {
-    let expected = "scene still life: materials[1] has the name clay of materials[0]";
-    assert_eq!(
-        complaint(&scene_with("/materials/1/name", "clay")),
-        expected
-    );
-}
-
-#[test]
-fn what_the_core_refuses_is_reported_with_its_place() {
-    let camera = &format!("camera: {}", ErrorKind::FieldOfView);
-    let cases = [
-        (
-            "/spheres/0/radius",
-            json!(0),
-            "spheres[0]: radius must be greater than 0",
-        ),
-        (
-            "/cylinders/0/radius",
-            json!(-1),
-            "cylinders[0]: radius must be greater than 0",
-        ),
-        (
-            "/cylinders/0/height",
-            json!(0),
-            "cylinders[0]: height must be greater than 0",
-        ),
-        (
-            "/cylinders/0/axis",
-            json!([0, 0, 0]),
-            "cylinders[0]: axis must not be zero",
-        ),
-        (
-            "/discs/0/radius",
-            json!(0),
-            "discs[0]: radius must be greater than 0",
-        ),
-        (
-            "/discs/0/normal",
-            json!([0, 0, 0]),
-            "discs[0]: normal must not be zero",
-        ),
-        (
-            "/planes/0/normal",
-            json!([0, 0, 0]),
-            "planes[0]: normal must not be zero",
-        ),
-        (
-            "/lights/0/color",
-            json!([0, -1, 0]),
-            "lights[0]: color components must be within 0 to 16",
-        ),
-        (
-            "/materials/1/mirror",
-            json!(1.5),
-            "materials[1]: mirror must be within 0 to 1",
-        ),
-        (
-            "/background",
-            json!([0, 0, 17]),
-            "background components must be within 0 to 16",
-        ),
-        (
-            "/epsilon",
-            json!(0),
-            "epsilon must be greater than 0 and smaller than the scene",
-        ),
-        (
-            "/epsilon",
-            json!(1e12),
-            "epsilon must be greater than 0 and smaller than the scene",
-        ),
-        ("/camera/fov", json!(180), camera),
-        (
-            "/camera/up",
-            json!([1e300, 0, 0]),
-            &format!("camera: {}", ErrorKind::Coordinate),
-        ),
-        (
-            "/spheres/0/center/1",
-            json!(1e300),
-            &format!("spheres[0]: {}", ErrorKind::Coordinate),
-        ),
-        (
-            "/spheres/0/radius",
-            json!(1e-12),
-            &format!("spheres[0]: {}", ErrorKind::Tiny),
-        ),
-    ];
-    for (pointer, value, expected) in cases {
-        let expected = format!("scene still life: {expected}");
-        assert_eq!(
-            complaint(&scene_with(pointer, value)),
-            expected,
-            "{pointer}"
-        );
-    }
 }
 
 #[test]

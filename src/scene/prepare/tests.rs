@@ -240,6 +240,23 @@ fn epsilon_is_at_least_what_a_hit_may_be_off() {
 }
 
 #[test]
+fn shape_below_the_default_epsilon_is_at_fault() {
+    let with = |epsilon: f64| {
+        let mut scene = scenery(|scene, white| {
+            scene.add_plane([0, 0, 0], [0, 0, 1], white).unwrap();
+            scene.add_sphere([0, 0, 1], 1e-9, white).unwrap();
+        });
+        scene.set_epsilon(epsilon).unwrap();
+        scene.plain().map(|_| ())
+    };
+    let fault = Err(Error::at("sphere", 0, ErrorKind::BelowEpsilon));
+    assert_eq!(with(0.001), fault);
+    assert_eq!(with(1e-7), fault);
+    assert_eq!(with(1e-10), Ok(()));
+    assert_eq!(with(0.0011), Err(Error::of("scene", ErrorKind::Epsilon)));
+}
+
+#[test]
 fn epsilon_inside_is_at_least_eight_steps_or_sixteen_with_cylinders() {
     let with = |scene: &mut Scenery, steps: f64| {
         scene.set_epsilon(steps * 2f64.powi(-28)).unwrap();

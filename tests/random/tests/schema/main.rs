@@ -8,8 +8,8 @@ use std::{env, fs, iter};
 
 use arbitrary::Unstructured;
 use jsonschema::Validator;
-use reflet::ErrorKind;
 use reflet::host::file::{FileError, Problem, SceneFile};
+use reflet::{ErrorKind, Material, Number};
 use serde_json::{Map, Value, json};
 
 /// The parser's verdict on a file.
@@ -86,6 +86,7 @@ fn disagreement(validator: &Validator, file: &Value) -> Option<String> {
 /// Returns a scene file with one of everything.
 fn still_life() -> Value {
     json!({
+        "$schema": "docs/scene.schema.json",
         "name": "still life",
         "camera": { "position": [1, -5, 2], "target": [0, 0, 1], "up": [0, 0.5, 1], "fov": 40 },
         "materials": [ { "name": "clay", "color": [0.5, 0.25, 0.125], "ambient": 0.1,
@@ -109,6 +110,15 @@ fn schema_is_one_of_its_draft() {
         "https://json-schema.org/draft/2020-12/schema"
     );
     assert!(jsonschema::draft202012::meta::is_valid(&schema));
+}
+
+#[test]
+fn defaults_of_a_material_are_those_of_the_library() {
+    let fields = &schema()["$defs"]["material"]["properties"];
+    let keys = ["ambient", "diffuse", "specular", "shininess", "mirror"];
+    let given = keys.map(|key| fields[key]["default"].as_f64().expect(key));
+    let plain = Material::new([0.0; 3]).described_coefficients();
+    assert_eq!(given, plain.map(Number::to_f64));
 }
 
 #[test]
@@ -244,7 +254,12 @@ fn every_sample_is_valid() {
     let validator = validator();
     let course = env::var_os("REFLET_COURSE")
         .map_or_else(|| repository().join("../shared/course"), PathBuf::from);
-    let folders = [course.join("../hard"), course, repository().join("docs")];
+    let folders = [
+        course.join("../hard"),
+        course,
+        repository().join("docs"),
+        repository().join("examples/scenes"),
+    ];
     for folder in folders.iter().filter(|folder| !folder.is_dir()) {
         println!("skipped: there is no folder {}", folder.display());
     }
