@@ -21,7 +21,7 @@ fn main() {
         .join(map);
     fs::copy(&map, directory.join("memory.x")).expect("the map is there and OUT_DIR takes it");
     println!("cargo::rustc-link-search={}", directory.display());
-    if map == "virt.x" {
+    if target.starts_with("riscv") {
         println!("cargo::rustc-link-arg-bins=-Tmemory.x");
     }
     println!("cargo::rustc-link-arg-bins=-Tlink.x");

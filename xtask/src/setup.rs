@@ -8,8 +8,8 @@ use anyhow::{Result, bail};
 
 use crate::need::{self, Need};
 
-/// All needs of the gate. npm comes before what npm installs.
-static NEEDS: [&Need; 10] = [
+/// All needs of the gate.
+static NEEDS: [&Need; 7] = [
     &need::RUSTFMT,
     &need::CLIPPY,
     &need::BARE_METAL,
