@@ -58,7 +58,7 @@ pub fn run() -> Result<()> {
 }
 
 fn lines(pictures: &[Picture]) -> Result<String> {
-    let rounded = |number: f64, digits| (number * digits).round() / digits;
+    let rounded = |number: f64, digits: f64| (number * digits).round() / digits;
     let mut lines = String::new();
     for Picture { shading, row } in pictures {
         for (quality, of) in NAMES.into_iter().zip(&row.differences) {
