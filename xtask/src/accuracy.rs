@@ -188,7 +188,10 @@ mod tests {
         let worst = "| `fast` | 50.000 % (ball, phong) | 50.000 % (ball, phong) | 50.0 (ball, phong) \
                      | 200 (cube, phong) |";
         assert!(page.contains(worst), "{page}");
-        assert!(page.lines().all(|line| line.chars().count() <= 200), "{page}");
+        assert!(
+            page.lines().all(|line| line.chars().count() <= 200),
+            "{page}"
+        );
         let lines = lines(&pictures()).unwrap();
         let cube = r#"{"scene":"cube","shading":"phong","quality":"fast","same":75.0,"within1":75.0,"psnr":75.0,"largest":200}"#;
         assert_eq!(lines.lines().nth(5), Some(cube));

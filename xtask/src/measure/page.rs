@@ -52,7 +52,10 @@ impl Page<'_> {
 
     fn preparation(&self, core: &str, scene: &str) -> String {
         let row = self.row(core, scene, "fast");
-        row.map_or_else(|| "-".to_owned(), |row| row.prepare_instructions.to_string())
+        row.map_or_else(
+            || "-".to_owned(),
+            |row| row.prepare_instructions.to_string(),
+        )
     }
 
     /// Formats a table with a row for each scene and a column for each core.

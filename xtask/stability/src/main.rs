@@ -22,7 +22,11 @@ use stability::{catalogue, page, report};
 #[command(name = "stability", max_term_width = 100)]
 struct Arguments {
     /// Where the page is written
-    #[arg(long, value_name = "F.md", default_value = "docs/internals/stability.md")]
+    #[arg(
+        long,
+        value_name = "F.md",
+        default_value = "docs/internals/stability.md"
+    )]
     page: PathBuf,
 
     /// Draw random scenes instead, until N rays have been followed, with every overflow checked:
