@@ -48,7 +48,7 @@ pub const QUALITIES: [Quality; 4] = [Quality::FAST, Quality::FINE, Quality::SMAL
 /// only.
 const REFLECTIONS: [u8; 2] = [4, 0];
 
-/// Size of the picture in pixels. The use of stack does not depend on it.
+/// Size of the picture in pixels. The use of stack hardly depends on it.
 const SIZE: Size = Size::new(64, 16);
 
 /// Example that is the whole firmware of the default board, with the castle as its only scene.
