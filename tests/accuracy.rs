@@ -3,14 +3,14 @@
 
 use std::fmt::Display;
 
-use command_line::Source;
+use command_line::{Quality, Settings, Shading, Source};
 use embedded_graphics::prelude::Size;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::reference::{self, render};
-use reflet::quality::{Draft, Exact, Fast, Fine, Small};
+use reflet::quality::{Fast, Fine, Small};
 use reflet::scenes::NAMES;
-use reflet::shading::{BlinnPhong, Normals, Phong, Shading};
+use reflet::shading::Phong;
 use reflet::{Camera, Material, Scene, SceneBuilder, room};
 
 const SIDE: u32 = 320;
@@ -88,48 +88,59 @@ impl Bar {
 
 /// Draws a scene in one shading and compares it with the reference. Returns a line for each missed
 /// bar.
-fn missed<K: Shading>(name: &str, shading: reference::Shading) -> Vec<String> {
+fn missed(name: &str, shading: Shading) -> Vec<String> {
     let source = Source::built_in(name).unwrap();
     let (scene, camera) = source.reference();
-    let truth = render(&scene, &camera, SIDE, SIDE, REFLECTIONS.into(), shading);
+    let truth = render(
+        &scene,
+        &camera,
+        SIDE,
+        SIDE,
+        REFLECTIONS.into(),
+        shading.into(),
+    );
     let size = Size::new(SIDE, SIDE);
-    let compared = |picture| compare(&picture, &truth).unwrap();
     let bars = match shading {
-        reference::Shading::Normals => {
-            vec![(NORMALS, source.painted::<Fast, K>(size, REFLECTIONS))]
-        }
+        Shading::Normals => vec![(NORMALS, Quality::Fast)],
         _ => vec![
-            (DRAFT, source.painted::<Draft, K>(size, REFLECTIONS)),
-            (FAST, source.painted::<Fast, K>(size, REFLECTIONS)),
-            (FINE, source.painted::<Fine, K>(size, REFLECTIONS)),
-            (SMALL, source.painted::<Small, K>(size, REFLECTIONS)),
-            (EXACT, source.painted::<Exact, K>(size, REFLECTIONS)),
+            (DRAFT, Quality::Draft),
+            (FAST, Quality::Fast),
+            (FINE, Quality::Fine),
+            (SMALL, Quality::Small),
+            (EXACT, Quality::Exact),
         ],
     };
-    let bars = bars.into_iter();
-    bars.filter_map(|(bar, picture)| bar.missed(name, &compared(picture)))
-        .collect()
+    let missed = bars.into_iter().filter_map(|(bar, quality)| {
+        let settings = Settings {
+            reflections: REFLECTIONS,
+            shading,
+            quality,
+        };
+        let picture = source.drawn(size, settings);
+        bar.missed(name, &compare(&picture, &truth).unwrap())
+    });
+    missed.collect()
 }
 
-fn assert_bars_are_met<K: Shading>(shading: reference::Shading) {
+fn assert_bars_are_met(shading: Shading) {
     println!("{shading:?}");
-    let missed = NAMES.map(|name| missed::<K>(name, shading)).concat();
+    let missed = NAMES.map(|name| missed(name, shading)).concat();
     assert!(missed.is_empty(), "{shading:?}: {}", missed.join("\n"));
 }
 
 #[test]
 fn every_scene_in_blinn_phong_is_close_to_double_precision() {
-    assert_bars_are_met::<BlinnPhong>(reference::Shading::BlinnPhong);
+    assert_bars_are_met(Shading::BlinnPhong);
 }
 
 #[test]
 fn every_scene_in_phong_is_close_to_double_precision() {
-    assert_bars_are_met::<Phong>(reference::Shading::Phong);
+    assert_bars_are_met(Shading::Phong);
 }
 
 #[test]
 fn normals_of_every_scene_are_close_to_double_precision() {
-    assert_bars_are_met::<Normals>(reference::Shading::Normals);
+    assert_bars_are_met(Shading::Normals);
 }
 
 const GOLD: Material = Material::new([0.7, 0.6, 0.0])

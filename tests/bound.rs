@@ -1,12 +1,12 @@
 //! Tests that the error of a picture stays within its bound, except where rounding changes what a
 //! path hits; and that a room of mirrors converges as the formula says.
 
-use command_line::Source;
+use command_line::{Quality as Known, Settings, Shading as Tested, Source};
 use embedded_graphics::prelude::Size;
 use reflet::host::painted;
 use reflet::host::precision;
+use reflet::host::reference::Picture;
 use reflet::host::reference::bound::{Ending, Paths};
-use reflet::host::reference::{self, Picture};
 use reflet::quality::{Exact, Fast, Fine, Quality};
 use reflet::scenes::NAMES;
 use reflet::shading::{BlinnPhong, Phong, Shading};
@@ -82,13 +82,19 @@ fn complaints(name: &str) -> Vec<String> {
     let (scene, camera) = source.reference();
     let precision = precision(source.scene());
     let mut complaints = Vec::new();
-    let shadings = [reference::Shading::BlinnPhong, reference::Shading::Phong];
-    for shading in shadings {
-        let paths = Paths::follow(&scene, &camera, (SIDE, SIDE), ALL, shading, &precision);
+    for shading in [Tested::BlinnPhong, Tested::Phong] {
+        let paths = Paths::follow(
+            &scene,
+            &camera,
+            (SIDE, SIDE),
+            ALL,
+            shading.into(),
+            &precision,
+        );
         for reflections in [0, 1, 2, 4, 8, 255] {
             let pictures = match shading {
-                reference::Shading::Phong => pictures::<Phong>(&source, reflections),
-                _ => pictures::<BlinnPhong>(&source, reflections),
+                Tested::Phong => pictures::<Phong>(&source, shading, reflections),
+                _ => pictures::<BlinnPhong>(&source, shading, reflections),
             };
             for (quality, ending, picture) in pictures {
                 let held = held(&paths, &ending, &picture);
@@ -106,18 +112,30 @@ fn complaints(name: &str) -> Vec<String> {
     complaints
 }
 
-fn pictures<K: Shading>(source: &Source, reflections: u8) -> [(&'static str, Ending, Picture); 4] {
-    fn one<Q: Quality, K: Shading>(source: &Source, reflections: u8) -> (Ending, Picture) {
-        let picture = source.painted::<Q, K>(Size::new(SIDE, SIDE), reflections);
-        (ending::<Q>(reflections), picture)
-    }
-    let pictures = [
-        ("fast", one::<Fast, K>(source, reflections)),
-        ("fine", one::<Fine, K>(source, reflections)),
-        ("exact", one::<Exact, K>(source, reflections)),
-        ("short", one::<Short, K>(source, reflections)),
-    ];
-    pictures.map(|(name, (ending, picture))| (name, ending, picture))
+fn pictures<K: Shading>(
+    source: &Source,
+    shading: Tested,
+    reflections: u8,
+) -> [(&'static str, Ending, Picture); 4] {
+    let size = Size::new(SIDE, SIDE);
+    let drawn = |quality| {
+        let settings = Settings {
+            reflections,
+            shading,
+            quality,
+        };
+        source.drawn(size, settings)
+    };
+    [
+        ("fast", ending::<Fast>(reflections), drawn(Known::Fast)),
+        ("fine", ending::<Fine>(reflections), drawn(Known::Fine)),
+        ("exact", ending::<Exact>(reflections), drawn(Known::Exact)),
+        (
+            "short",
+            ending::<Short>(reflections),
+            source.painted::<Short, K>(size, reflections),
+        ),
+    ]
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Tests frames with a budget: the chosen settings, where drawing stops, and the report. Also tests
 //! enlarged pixels, pictures without shadows, and the bound of a report.
 
-use command_line::Source;
+use command_line::{Quality, Settings, Shading, Source};
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
@@ -15,7 +15,7 @@ use reflet::host::painted;
 use reflet::host::reference::{self, pixel};
 use reflet::quality::{Fast, Fine};
 use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES};
-use reflet::shading::{BlinnPhong, Phong, Unshadowed};
+use reflet::shading::{Phong, Unshadowed};
 use reflet::{Report, Unit};
 
 const FRONT: ParetoFront = ParetoFront::new(&[
@@ -222,15 +222,23 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
         let source = Source::built_in(name).unwrap();
         let size = Size::new(48, 48);
         // Without reflections a pixel shows one surface only.
+        let drawn = |shading| {
+            let settings = Settings {
+                reflections: 0,
+                shading,
+                quality: Quality::Fine,
+            };
+            source.drawn(size, settings)
+        };
         let pictures = [
             (
                 reference::Shading::BlinnPhong,
-                source.painted::<Fine, BlinnPhong>(size, 0),
+                drawn(Shading::BlinnPhong),
                 source.painted::<Fine, Unshadowed>(size, 0),
             ),
             (
                 reference::Shading::Phong,
-                source.painted::<Fine, Phong>(size, 0),
+                drawn(Shading::Phong),
                 source.painted::<Fine, Unshadowed<Phong>>(size, 0),
             ),
         ];

@@ -3,12 +3,11 @@
 use std::path::PathBuf;
 
 use clap::{Parser, value_parser};
-use command_line::{Chosen, Failure, Quality, Shading, is_standard_output, parse, size};
+use command_line::{Chosen, Failure, Quality, Settings, Shading, is_standard_output, parse, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
 
 use crate::dither::Levels;
-use crate::draw::Settings;
 
 /// Renders a scene of mirrors in fixed point, as a microcontroller does.
 #[derive(Parser)]

@@ -3,8 +3,7 @@
 use reflet::needs::{Need, Needs};
 use serde_json::json;
 
-use crate::draw::Settings;
-use command_line::{Quality, json_line, one_line};
+use command_line::{Quality, Settings, json_line, one_line};
 
 /// Returns one line of text for each need: its name, whether the firmware has it, and why.
 pub fn text(scene: &str, needs: Needs, settings: Settings) -> String {

@@ -12,10 +12,10 @@ use reflet::{Camera, Error, Report};
 
 use crate::arguments::Arguments;
 use crate::dither::Levels;
-use crate::draw::{Draw, Settings};
+use crate::draw::draw;
 use crate::progress;
 use command_line::Failure;
-use command_line::Source;
+use command_line::{Settings, Source};
 
 /// A picture and what is known about it.
 pub struct Drawing {
@@ -78,13 +78,7 @@ impl Drawing {
         let mut display = SimulatorDisplay::new(size);
         let total = u64::from(size.height);
         let (report, seconds) = progress::watch(Some(total), |rows| {
-            let draw = Draw {
-                camera: &camera,
-                settings,
-                display: &mut display,
-                rows,
-            };
-            timed(|| draw.scene(source.scene()))
+            timed(|| draw(source, &camera, settings, &mut display, rows))
         });
         Ok(Self {
             display,

@@ -1,11 +1,10 @@
 //! Formats the results of a picture for people and for programs. Never prints.
 
-use command_line::{json_line, one_line};
+use command_line::{Settings, json_line, one_line};
 use embedded_graphics::geometry::Size;
 use reflet::host::compare::Difference;
 use serde_json::Value;
 
-use crate::draw::Settings;
 use crate::picture::Drawing;
 
 /// Returns one line of JSON.

@@ -10,11 +10,10 @@ use reflet::host::reference::Camera;
 use reflet::scenes;
 
 use crate::arguments::Arguments;
-use crate::draw::Settings;
 use crate::picture::{Drawing, exact};
 use crate::{output, report};
-use command_line::Failure;
 use command_line::Source;
+use command_line::{Failure, Settings};
 
 /// Degrees by which one press of an arrow key turns the camera.
 const STEP: i32 = 5;

@@ -3,27 +3,22 @@
 
 use std::thread;
 
-use command_line::{Quality as Fixed, Source};
+use command_line::{Settings, Source};
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
-use reflet::quality::{Draft, Exact, Fast, Fine, Small};
 use reflet::scenes;
-use reflet::shading::BlinnPhong;
 use xtask::measure::{CORES, Core, Quality, Size as Pixels, pictures, record};
 
 const SIDE: u32 = 64;
 
 /// Returns the hash of a picture that is drawn here.
 fn hash(name: &str, quality: Quality) -> String {
-    let (source, size) = (Source::built_in(name).unwrap(), Size::new_equal(SIDE));
-    let picture = match quality {
-        Quality::Fixed(Fixed::Draft) => source.painted::<Draft, BlinnPhong>(size, 4),
-        Quality::Fixed(Fixed::Fast) => source.painted::<Fast, BlinnPhong>(size, 4),
-        Quality::Fixed(Fixed::Fine) => source.painted::<Fine, BlinnPhong>(size, 4),
-        Quality::Fixed(Fixed::Small) => source.painted::<Small, BlinnPhong>(size, 4),
-        Quality::Fixed(Fixed::Exact) => source.painted::<Exact, BlinnPhong>(size, 4),
-        Quality::Float => unreachable!("floats are another matter"),
+    let Quality::Fixed(quality) = quality else {
+        unreachable!("floats are another matter");
     };
+    let source = Source::built_in(name).unwrap();
+    let settings = Settings::blinn_phong(quality, 4);
+    let picture = source.drawn(Size::new_equal(SIDE), settings);
     let mut hash = FrameHash::NONE;
     picture.pixels.into_iter().for_each(|pixel| hash.add(pixel));
     format!("{:016x}", hash.value())

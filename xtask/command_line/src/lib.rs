@@ -2,11 +2,13 @@
 //! the command line, where output goes, and error messages of one line. Only [`print()`] prints, and
 //! [`parse`] if the command line asks for help.
 
+mod draw;
 mod file;
 mod mistake;
 mod setting;
 mod source;
 
+pub use draw::Settings;
 pub use file::{OutputFile, are_same_file, is_standard_output, print, shown};
 pub use mistake::{in_one_line, json_line, parse};
 pub use reflet::host::line::one_line;

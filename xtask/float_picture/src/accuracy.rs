@@ -1,11 +1,9 @@
 //! Measures how far every quality and single precision are from the double-precision reference.
 
-use command_line::Source;
+use command_line::{Quality, Settings, Shading, Source};
 use embedded_graphics::prelude::Size;
 use reflet::host::compare::{Difference, compare};
-use reflet::host::reference::{self, Picture};
-use reflet::quality::{Exact, Fast, Fine, Small};
-use reflet::shading::{BlinnPhong, Phong, Shading};
+use reflet::host::reference;
 
 /// Names of the measured qualities and of single precision, in the order of [`Row::differences`].
 pub const NAMES: [&str; 5] = ["fast", "fine", "small", "exact", "f32"];
@@ -41,11 +39,20 @@ pub fn measure(
     shading: reference::Shading,
 ) -> Option<Row> {
     let source = Source::built_in(scene)?;
-    let fixed = match shading {
-        reference::Shading::BlinnPhong => painted::<BlinnPhong>(&source, side, reflections),
-        reference::Shading::Phong => painted::<Phong>(&source, side, reflections),
+    let named = match shading {
+        reference::Shading::BlinnPhong => Shading::BlinnPhong,
+        reference::Shading::Phong => Shading::Phong,
         reference::Shading::Normals => return None,
     };
+    let qualities = [Quality::Fast, Quality::Fine, Quality::Small, Quality::Exact];
+    let fixed = qualities.map(|quality| {
+        let settings = Settings {
+            reflections,
+            shading: named,
+            quality,
+        };
+        source.drawn(Size::new_equal(side), settings)
+    });
     let (exact, camera) = source.reference();
     let n = u32::from(reflections);
     let truth = reference::render(&exact, &camera, side, side, n, shading);
@@ -57,15 +64,4 @@ pub fn measure(
             compare(&picture, &truth).expect("all have the size that was asked for")
         }),
     })
-}
-
-/// Draws a scene in each quality of fixed point.
-fn painted<K: Shading>(source: &Source, side: u32, reflections: u8) -> [Picture; 4] {
-    let size = Size::new_equal(side);
-    [
-        source.painted::<Fast, K>(size, reflections),
-        source.painted::<Fine, K>(size, reflections),
-        source.painted::<Small, K>(size, reflections),
-        source.painted::<Exact, K>(size, reflections),
-    ]
 }

@@ -65,26 +65,21 @@ fn black_pill_draws_the_castle() {
 }
 
 #[test]
-fn both_cores_of_a_pico_draw_the_castle_and_the_next_scene() {
-    let script = Script::default().picture(&[]).picture(&[Key::Select]);
+fn both_cores_of_a_pico_draw_the_castle_and_follow_the_keys() {
+    let script = Script::default()
+        .picture(&[])
+        .picture(&[Key::Select])
+        .picture(&[Key::Right, Key::Right, Key::Up]);
     let run = PICO.board().run(PICO.firmware(), &script).unwrap();
     assert_eq!(run.said[0], "cores: 2");
-    let expected = [
-        simulated::<Castle>(&Castle::CAMERA),
-        simulated::<ShadingLights>(&ShadingLights::CAMERA),
-    ];
-    assert_are_shown(&PICO, &run, &expected);
-}
-
-#[test]
-fn keys_of_a_pico_orbit_the_camera() {
-    let keys = [Key::Select, Key::Right, Key::Right, Key::Up];
-    let script = Script::default().picture(&keys);
-    let run = PICO.board().run(PICO.firmware(), &script).unwrap();
     let first = ShadingLights::CAMERA;
     let turned = first.orbited(10, 0).unwrap().orbited(10, 0).unwrap();
-    let camera = turned.orbited(0, 10).unwrap();
-    assert_are_shown(&PICO, &run, &[simulated::<ShadingLights>(&camera)]);
+    let expected = [
+        simulated::<Castle>(&Castle::CAMERA),
+        simulated::<ShadingLights>(&first),
+        simulated::<ShadingLights>(&turned.orbited(0, 10).unwrap()),
+    ];
+    assert_are_shown(&PICO, &run, &expected);
 }
 
 #[test]
