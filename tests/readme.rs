@@ -13,13 +13,17 @@ fn read(path: &str) -> String {
 }
 
 #[test]
-fn the_readmes_example_is_the_example() {
+fn the_readmes_examples_are_the_files() {
     let readme = read("README.md");
-    let (_, rest) = readme
-        .split_once("<!-- examples/harbour.rs -->\n```rust\n")
-        .expect("a marker");
-    let (block, _) = rest.split_once("```\n").expect("an end of the block");
-    assert_eq!(block, read("examples/harbour.rs"));
+    for (file, language) in [
+        ("examples/harbour.rs", "rust"),
+        ("examples/scenes/harbour.json", "json"),
+    ] {
+        let marker = format!("<!-- {file} -->\n```{language}\n");
+        let (_, rest) = readme.split_once(&marker).expect("a marker");
+        let (block, _) = rest.split_once("```\n").expect("an end of the block");
+        assert_eq!(block, read(file));
+    }
 }
 
 /// Returns the table with these columns in a text. Removes the `//!` and `///` of documentation lines.
