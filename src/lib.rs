@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 51840 | 1580 | 17504 | 306 |
-//! | Cargo's default release | 64920 | 1646 | 20708 | 342 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 42692 | 2267 | 15092 | 363 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 41100 | 3195 | 15112 | 464 |
-//! | Cargo's default dev (debug) | 352980 | 33028 | 317000 | 6478 |
+//! | lto = true, codegen-units = 1 | 52812 | 1583 | 17576 | 312 |
+//! | Cargo's default release | 67960 | 1662 | 20796 | 364 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 43868 | 2273 | 15228 | 368 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 41744 | 3210 | 15320 | 464 |
+//! | Cargo's default dev (debug) | 376972 | 33430 | 338240 | 6655 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

@@ -1,7 +1,8 @@
-//! Tests the README: its example is the real one, its tables are the library's, and their figures
-//! are the measured ones.
+//! Tests the README and the pages for users: examples and tables are the library's, figures are the
+//! measured ones, and links lead to files of the package.
 
 use std::fs;
+use std::path::Path;
 
 use reflet::host::file;
 use serde_json::Value;
@@ -12,13 +13,17 @@ fn read(path: &str) -> String {
 }
 
 #[test]
-fn the_readmes_example_is_the_example() {
+fn the_readmes_examples_are_the_files() {
     let readme = read("README.md");
-    let (_, rest) = readme
-        .split_once("<!-- examples/harbour.rs -->\n```rust\n")
-        .expect("a marker");
-    let (block, _) = rest.split_once("```\n").expect("an end of the block");
-    assert_eq!(block, read("examples/harbour.rs"));
+    for (file, language) in [
+        ("examples/harbour.rs", "rust"),
+        ("examples/scenes/harbour.json", "json"),
+    ] {
+        let marker = format!("<!-- {file} -->\n```{language}\n");
+        let (_, rest) = readme.split_once(&marker).expect("a marker");
+        let (block, _) = rest.split_once("```\n").expect("an end of the block");
+        assert_eq!(block, read(file));
+    }
 }
 
 /// Returns the table with these columns in a text. Removes the `//!` and `///` of documentation lines.
@@ -68,73 +73,200 @@ fn figures_of_moving_scenes_are_the_measured_ones() {
     assert_eq!(table(&read("src/accel/motion.rs"), COLUMNS), expected);
 }
 
-#[test]
-fn figures_of_the_build_profiles_are_the_measured_ones() {
-    const COLUMNS: &str =
-        "| profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |";
-    let mut expected = vec![COLUMNS.to_owned(), "|---|--:|--:|--:|--:|".to_owned()];
+/// Returns a table with a row for each build profile, with these figures of both scenes.
+fn profiles(columns: &str, figures: &[&str]) -> Vec<String> {
+    let rule = "--:|".repeat(2 * figures.len());
+    let mut expected = vec![columns.to_owned(), format!("|---|{rule}")];
     for scenes in measured("profiles.jsonl").chunks(2) {
-        let figures = scenes
-            .iter()
-            .zip(["castle", "corner1"])
-            .map(|(row, scene)| {
-                assert_eq!(
-                    (&row["scene"], &row["profile"]),
-                    (&scene.into(), &scenes[0]["profile"])
-                );
-                let instructions = row["instructions_per_pixel"].as_f64().unwrap();
-                format!(" {} | {instructions:.0} |", row["flash"])
-            });
+        let names = [&scenes[0]["scene"], &scenes[1]["scene"]];
+        assert_eq!(names, ["castle", "corner1"]);
+        assert_eq!(scenes[0]["profile"], scenes[1]["profile"]);
+        let figures = scenes.iter().flat_map(|row| {
+            let figures = figures.iter().map(|name| row[*name].as_f64().unwrap());
+            figures.map(|figure| format!(" {figure:.0} |"))
+        });
         let profile = scenes[0]["profile"].as_str().unwrap();
         expected.push(format!("| {profile} |{}", figures.collect::<String>()));
     }
     assert!(expected.len() > 4, "{expected:?}");
-    for file in ["README.md", "src/lib.rs"] {
-        assert_eq!(table(&read(file), COLUMNS), expected, "{file}");
+    expected
+}
+
+#[test]
+fn figures_of_the_build_profiles_are_the_measured_ones() {
+    const SHORT: &str =
+        "| profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |";
+    let expected = profiles(SHORT, &["flash", "instructions_per_pixel"]);
+    assert_eq!(table(&read("src/lib.rs"), SHORT), expected);
+    const LONG: &str = "| profile | castle flash | castle instr/pixel | castle stack | corner1 flash \
+                        | corner1 instr/pixel | corner1 stack |";
+    let expected = profiles(LONG, &["flash", "instructions_per_pixel", "stack"]);
+    assert_eq!(table(&read("docs/sizes.md"), LONG), expected);
+}
+
+#[test]
+fn figures_of_the_qualities_are_the_measured_ones() {
+    const COLUMNS: &str = "| quality | flash | instructions a pixel | pixels equal to double precision \
+                           | within one level |";
+    let (sizes, errors) = (measured("qualities.jsonl"), measured("accuracy.jsonl"));
+    let mut expected = vec![COLUMNS.to_owned(), "|---|--:|--:|--:|--:|".to_owned()];
+    for name in ["Fast", "Small", "Exact"] {
+        let is_meant =
+            |row: &&Value| row["quality"] == name.to_lowercase() && row["scene"] == "castle";
+        let size = sizes
+            .iter()
+            .filter(is_meant)
+            .find(|row| row["size"] == "64x64");
+        let error = errors
+            .iter()
+            .filter(is_meant)
+            .find(|row| row["shading"] == "blinn-phong");
+        let (size, error) = (size.unwrap(), error.unwrap());
+        let number = |row: &Value, key: &str| row[key].as_f64().unwrap();
+        expected.push(format!(
+            "| `{name}` | {} | {:.0} | {:.3} % | {:.3} % |",
+            size["flash"],
+            number(size, "instructions_per_pixel"),
+            number(error, "same"),
+            number(error, "within1"),
+        ));
+    }
+    assert_eq!(table(&read("README.md"), COLUMNS), expected);
+}
+
+#[test]
+fn claims_about_accuracy_are_the_measured_ones() {
+    let errors = measured("accuracy.jsonl");
+    let worst = |key: &str, qualities: &[&str]| {
+        let is_meant = |row: &&Value| qualities.iter().any(|name| row["quality"] == *name);
+        let shares = errors.iter().filter(is_meant);
+        let shares = shares.map(|row| row[key].as_f64().unwrap());
+        shares.fold(100.0, f64::min)
+    };
+    let readme = read("README.md").replace("\n  ", " ");
+    for claim in [
+        format!(
+            "at least {:.3} % of the pixels are within one level",
+            worst("within1", &["fast", "small", "exact"])
+        ),
+        format!(
+            "In `Exact`, at least {:.3} % are equal to it.",
+            worst("same", &["exact"])
+        ),
+    ] {
+        assert!(readme.contains(&claim), "{claim}");
     }
 }
 
 #[test]
-fn the_readmes_limits_of_scene_files_are_the_librarys() {
-    let readme = read("README.md");
-    let rows = table(&readme, "| part | number |");
-    let expected = [
+fn limits_of_scene_files_are_the_librarys() {
+    let page = read("docs/files.md");
+    for (part, most) in [
         ("spheres", file::MAX_SPHERES),
         ("planes", file::MAX_PLANES),
         ("cylinders", file::MAX_CYLINDERS),
         ("discs", file::MAX_DISCS),
         ("lights", file::MAX_LIGHTS),
         ("materials", file::MAX_MATERIALS),
-    ]
-    .map(|(part, most)| format!("| {part} | {most} |"));
-    assert_eq!(rows.get(2..), Some(&expected[..]));
+    ] {
+        let row = format!("| `{part}` | empty | at most {most} {part} |");
+        assert!(page.contains(&row), "{row}");
+    }
     let megabytes = file::MAX_BYTES / 1_000_000;
     let size = format!("\nThe file itself has at most {megabytes} MB.\n");
-    assert!(readme.contains(&size), "{size}");
-}
-
-/// Returns the number that follows `beginning` in the first line that starts with it.
-fn number_after<'a>(text: &'a str, beginning: &str) -> &'a str {
-    let rest = text
-        .lines()
-        .find_map(|line| line.strip_prefix(beginning))
-        .unwrap_or_else(|| panic!("no line begins with {beginning:?}"));
-    rest.split(|it: char| !it.is_ascii_digit()).next().unwrap()
+    assert!(page.contains(&size), "{size}");
 }
 
 #[test]
-fn the_readmes_counts_of_pictures_as_near_as_single_precision_are_the_measured_ones() {
-    let page = read("docs/accuracy.md");
-    let all = number_after(&page, "Pictures of ");
-    let exact = number_after(&page, "- `exact`: ");
-    let fast = number_after(&page, "- `fast`: ");
-    let readme = read("README.md").replace("\n  ", " ");
-    for claim in [
-        format!("Of {all} pictures of the built-in scenes, the quality `Exact` has"),
-        format!(
-            "or on 99.99 %, in {exact}; the default `Fast`, which interpolates most pixels, in {fast}."
-        ),
-    ] {
-        assert!(readme.contains(&claim), "{claim}");
+fn every_key_of_the_schema_is_on_the_page_of_scene_files() {
+    let page = read("docs/files.md");
+    let schema: Value = serde_json::from_str(&read("docs/scene.schema.json")).unwrap();
+    let definitions = schema["$defs"].as_object().unwrap().values();
+    let objects = definitions.filter_map(|it| it["properties"].as_object());
+    let keys: Vec<&String> = objects.flat_map(|it| it.keys()).collect();
+    assert!(keys.len() > 30, "{keys:?}");
+    for key in keys {
+        assert!(page.contains(&format!("`{key}`")), "{key}");
     }
+}
+
+/// Returns the targets of the links of a text that lead to files.
+fn links(text: &str) -> Vec<&str> {
+    let targets = text.split("](").skip(1);
+    let targets = targets.filter_map(|rest| rest.split([')', '#']).next());
+    targets
+        .filter(|target| !target.is_empty() && !target.contains("://"))
+        .collect()
+}
+
+/// Returns the patterns of `include` in a Cargo.toml, without the slash at their beginning.
+fn included(manifest: &str) -> Vec<&str> {
+    let (_, rest) = manifest.split_once("\ninclude = [").expect("a list");
+    let (list, _) = rest.split_once(']').expect("an end of the list");
+    let quoted = list.split('"').skip(1).step_by(2);
+    quoted
+        .map(|pattern| pattern.trim_start_matches('/'))
+        .collect()
+}
+
+/// Tests whether a pattern names a file, or a folder that the file is in. `*` stands for any
+/// characters except slashes.
+fn covers(pattern: &str, path: &str) -> bool {
+    let part_covers = |pattern: &str, part: &str| match pattern.split_once('*') {
+        None => pattern == part,
+        Some((start, end)) => {
+            part.len() >= start.len() + end.len() && part.starts_with(start) && part.ends_with(end)
+        }
+    };
+    let (mut parts, mut wanted) = (path.split('/'), pattern.split('/'));
+    wanted.all(|wanted| parts.next().is_some_and(|part| part_covers(wanted, part)))
+}
+
+#[test]
+fn every_link_of_the_readme_leads_to_a_file_of_the_package() {
+    let (readme, manifest) = (read("README.md"), read("Cargo.toml"));
+    let (links, patterns) = (links(&readme), included(&manifest));
+    assert!(links.len() > 10 && patterns.len() > 5, "{links:?}");
+    for link in links {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(link);
+        assert!(path.is_file(), "{link} is no file");
+        let is_covered = patterns.iter().any(|pattern| covers(pattern, link));
+        assert!(is_covered, "{link} is not in `include`");
+        // Cargo leaves out every folder that is a package of its own.
+        let folders = Path::new(link).ancestors().skip(1);
+        let is_apart = folders
+            .filter(|folder| !folder.as_os_str().is_empty())
+            .any(|folder| {
+                let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+                root.join(folder).join("Cargo.toml").exists()
+            });
+        assert!(!is_apart, "{link} is in a package of its own");
+    }
+}
+
+#[test]
+fn links_of_all_pages_for_users_lead_to_files() {
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    for folder in ["", "error-time", "internals"] {
+        let folder = docs.join(folder);
+        for entry in fs::read_dir(&folder).unwrap() {
+            let page = entry.unwrap().path();
+            if page.extension().is_some_and(|it| it == "md") {
+                for link in links(&fs::read_to_string(&page).unwrap()) {
+                    assert!(folder.join(link).exists(), "{}: {link}", page.display());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn pattern_covers_files_in_its_folder_only() {
+    assert!(covers("docs/*.md", "docs/a.md") && !covers("docs/*.md", "docs/b/a.md"));
+    assert!(covers("src", "src/a/b.rs") && !covers("src", "srcs/a.rs"));
+    assert!(covers("LICENSE-*", "LICENSE-MIT") && !covers("a/b.md", "a"));
+    assert_eq!(
+        links("[a](b.md#c) [d](https://e) ![f](g.png) [h](#i)"),
+        ["b.md", "g.png"]
+    );
 }

@@ -1,4 +1,4 @@
-//! Tests that `docs/theory.md` names a test for each of its statements, and only tests that exist.
+//! Tests that `docs/internals/theory.md` names a test for each of its statements, and only tests that exist.
 
 use std::fs;
 
@@ -24,7 +24,7 @@ fn has_test(source: &str, name: &str) -> bool {
 
 #[test]
 fn every_test_that_the_page_names_exists() {
-    let page = read("docs/theory.md");
+    let page = read("docs/internals/theory.md");
     let missing = marks(&page).into_iter().filter(|(file, name)| {
         let source = read(&format!("{file}.rs"));
         !has_test(&source, name)
@@ -35,7 +35,7 @@ fn every_test_that_the_page_names_exists() {
 
 #[test]
 fn every_statement_names_its_test() {
-    let page = read("docs/theory.md");
+    let page = read("docs/internals/theory.md");
     let statements: Vec<&str> = page.split("\n**Statement ").skip(1).collect();
     assert!(statements.len() >= 8, "{} statements", statements.len());
     for (index, statement) in statements.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Whether a light shines on all points of a stretch, or on none.
 //!
-//! The points lie almost on a straight line. So the light's rays to them form a fan. Bound: docs/edges.md
+//! The points lie almost on a straight line. So the light's rays to them form a fan. Bound: docs/internals/edges.md
 //! proves the rules by which a shape surely hides all points of the fan, or none.
 
 use super::light_occluders::LightOccluders;

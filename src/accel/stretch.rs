@@ -1,7 +1,7 @@
 //! Whether all rays of a stretch, the pixels between two traced ones, hit what its ends hit.
 //!
 //! The rays of a stretch start at one eye, the camera or its image in a plane, and lie in one plane. Both
-//! ends hit the same side of the same shape. Bound: docs/edges.md proves the rules below.
+//! ends hit the same side of the same shape. Bound: docs/internals/edges.md proves the rules below.
 
 use super::active_list::{ActiveList, ActiveShape, Storage};
 use super::active_lists::{ActiveLists, ActiveRoom};

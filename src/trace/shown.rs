@@ -1,5 +1,5 @@
 //! The surface that a stretch of pixels shows: where its points lie, how its normal turns, and whether a
-//! highlight on it can be interpolated. docs/edges.md has the proofs.
+//! highlight on it can be interpolated. docs/internals/edges.md has the proofs.
 
 use super::stops::Stop;
 use super::{PathQuality, Tracer};

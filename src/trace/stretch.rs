@@ -1,7 +1,7 @@
 //! Whether all paths between two traced ones surely meet the same shapes, lit by the same lights.
 //!
 //! It is known for the first hit, and for the second if a plane mirrored the path: these rays start at one
-//! eye and lie in one plane. docs/edges.md has the proof.
+//! eye and lie in one plane. docs/internals/edges.md has the proof.
 
 use super::shown::Shown;
 use super::stops::Stop;

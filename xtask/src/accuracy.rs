@@ -1,5 +1,5 @@
 //! `cargo xtask accuracy`: measures every built-in scene against the double-precision reference
-//! and writes `docs/accuracy.md`.
+//! and writes `docs/accuracy.md` and `docs/measured/accuracy.jsonl`.
 
 use std::fmt::Write as _;
 
@@ -7,11 +7,14 @@ use anyhow::{Context, Result};
 use float_picture::Shading;
 use float_picture::accuracy::{NAMES, Row, measure};
 use reflet::host::compare::Difference;
+use serde::Serialize;
 
 use crate::kept;
 
 /// File that the command writes, in the repository's folder.
 const PAGE: &str = "docs/accuracy.md";
+/// File of all figures, one line for each picture and quality.
+const FIGURES_FILE: &str = "docs/measured/accuracy.jsonl";
 /// Width and height of each measured picture, in pixels.
 const SIDE: u32 = 320;
 /// Number of reflections that each ray may have.
@@ -26,6 +29,19 @@ struct Picture {
     row: Row,
 }
 
+/// One line of [`FIGURES_FILE`]. Shares are in percent. In JSON the keys are the names of the fields.
+#[derive(Serialize)]
+struct Line {
+    scene: &'static str,
+    shading: &'static str,
+    quality: &'static str,
+    same: f64,
+    within1: f64,
+    /// In dB. `None` if no channel differs.
+    psnr: Option<f64>,
+    largest: u8,
+}
+
 pub fn run() -> Result<()> {
     let mut pictures = Vec::new();
     for (shading, model) in [
@@ -37,7 +53,28 @@ pub fn run() -> Result<()> {
             pictures.push(Picture { shading, row });
         }
     }
+    kept::write(FIGURES_FILE.as_ref(), &lines(&pictures)?)?;
     kept::write(PAGE.as_ref(), &page(&pictures)?)
+}
+
+fn lines(pictures: &[Picture]) -> Result<String> {
+    let rounded = |number: f64, digits: f64| (number * digits).round() / digits;
+    let mut lines = String::new();
+    for Picture { shading, row } in pictures {
+        for (quality, of) in NAMES.into_iter().zip(&row.differences) {
+            let line = Line {
+                scene: row.scene,
+                shading,
+                quality,
+                same: rounded(100.0 * of.same, 1e3),
+                within1: rounded(100.0 * of.within1, 1e3),
+                psnr: of.psnr.is_finite().then(|| rounded(of.psnr, 10.0)),
+                largest: of.max,
+            };
+            writeln!(lines, "{}", serde_json::to_string(&line)?)?;
+        }
+    }
+    Ok(lines)
 }
 
 fn page(pictures: &[Picture]) -> Result<String> {
@@ -53,8 +90,8 @@ fn page(pictures: &[Picture]) -> Result<String> {
     }
     writeln!(
         page,
-        "\n## Beside single precision\n\nPictures of {} with the same value on at least as many \
-         pixels as `f32`, or on 99.99 %:\n",
+        "\n## Beside single precision\n\nPictures of {} in which the quality has the reference's value on \
+         at least as many pixels as `f32`, or on 99.99 %:\n",
         pictures.len()
     )?;
     for (index, name) in NAMES.iter().enumerate().take(SINGLE) {
@@ -64,26 +101,7 @@ fn page(pictures: &[Picture]) -> Result<String> {
             .count();
         writeln!(page, "- `{name}`: {near}")?;
     }
-    for shading in ["blinn-phong", "phong"] {
-        for (index, name) in NAMES.iter().enumerate().take(SINGLE) {
-            writeln!(
-                page,
-                "\n## {shading}, {name}\n\n\
-                 | scene | same | of `f32` | within 1 | of `f32` | PSNR in dB | of `f32` | largest | of `f32` |\n\
-                 |---|---|---|---|---|---|---|---|---|"
-            )?;
-            for Picture { row, .. } in pictures.iter().filter(|it| it.shading == shading) {
-                let (own, single) = (&row.differences[index], &row.differences[SINGLE]);
-                writeln!(page, "| {} | {} |", row.scene, side_by_side(own, single))?;
-            }
-        }
-    }
     Ok(page)
-}
-
-fn side_by_side(own: &Difference, single: &Difference) -> String {
-    let pairs = FIGURES.map(|figure| format!("{} | {}", figure.text(own), figure.text(single)));
-    pairs.join(" | ")
 }
 
 /// Returns the worst value of each figure for one quality, and the picture in which it occurs.
@@ -165,16 +183,19 @@ mod tests {
     }
 
     #[test]
-    fn worst_case_of_each_figure_stands_before_all_others() {
+    fn page_has_the_worst_case_of_each_figure_and_the_file_has_all() {
         let page = page(&pictures()).unwrap();
         let worst = "| `fast` | 50.000 % (ball, phong) | 50.000 % (ball, phong) | 50.0 (ball, phong) \
                      | 200 (cube, phong) |";
-        let place = |text: &str| {
-            page.find(text)
-                .unwrap_or_else(|| panic!("no {text}: {page}"))
-        };
-        assert!(place(worst) < place("## phong, fast"));
-        assert!(place("| cube | 75.000 % | 99.999 % |") > place("## phong, fast"));
+        assert!(page.contains(worst), "{page}");
+        assert!(
+            page.lines().all(|line| line.chars().count() <= 200),
+            "{page}"
+        );
+        let lines = lines(&pictures()).unwrap();
+        let cube = r#"{"scene":"cube","shading":"phong","quality":"fast","same":75.0,"within1":75.0,"psnr":75.0,"largest":200}"#;
+        assert_eq!(lines.lines().nth(5), Some(cube));
+        assert_eq!(lines.lines().count(), 10);
     }
 
     #[test]

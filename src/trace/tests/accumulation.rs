@@ -1,4 +1,4 @@
-//! The accumulation in the library's own formats, on random α and c: the bounds of `docs/theory.md`.
+//! The accumulation in the library's own formats, on random α and c: the bounds of `docs/internals/theory.md`.
 
 use crate::scene::Room;
 use std::vec::Vec;

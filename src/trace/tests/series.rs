@@ -1,5 +1,5 @@
 //! The accumulation over reflections in double precision, on random α and c. Checks the facts that
-//! `docs/theory.md` proves.
+//! `docs/internals/theory.md` proves.
 
 use std::vec::Vec;
 

@@ -5,8 +5,7 @@ use xtask::table::filled;
 
 use crate::arguments::{Arguments, Core};
 use crate::contest::{self, Contest};
-use crate::error::Promised;
-use crate::point::{GAIN, Point, front};
+use crate::point::Point;
 use crate::scene::Measured;
 
 pub struct Page<'a> {
@@ -20,9 +19,6 @@ pub struct Section<'a> {
     pub file: String,
     pub front: Vec<&'a Point>,
 }
-
-const HEADS: &str = "|  | setting | cost | PSNR | largest | sure % | sure | bound | truncation | \
-                     cut-off | between | rounding | decided | simplified |";
 
 impl Page<'_> {
     pub fn markdown(&self) -> String {
@@ -76,12 +72,8 @@ impl Section<'_> {
         let last = self.scene.last;
         format!(
             "## {name}\n\n{}\n\n![PSNR against cost]({file})\n\n\
-             The last reflection that changes the picture is N = {last}.\n\n{}",
+             The last reflection that changes the picture is N = {last}.\n\n",
             list(self.recommendations(core)),
-            folded(
-                "The points of the front, and where their error comes from",
-                &self.table()
-            ),
         )
     }
 
@@ -115,54 +107,6 @@ impl Section<'_> {
         }
         lines
     }
-
-    fn table(&self) -> String {
-        let float = front(&self.scene.float, GAIN);
-        let numbered = (1..).zip(&self.front);
-        let fixed = numbered.map(|(number, it)| row(number.to_string(), it));
-        let others = float.into_iter().chain(&self.scene.soft);
-        let others = others.map(|it| row(String::new(), it));
-        let rows: String = fixed.chain(others).map(|row| line(&row)).collect();
-        let sides = "--:|".repeat(12);
-        format!("{HEADS}\n|--:|---|{sides}\n{rows}")
-            .trim_end()
-            .to_owned()
-    }
-}
-
-fn row(number: String, point: &Point) -> [String; 14] {
-    let (errors, parts) = (&point.errors, &point.errors.parts);
-    let is_float = point.setting.is_float();
-    let words = match is_float {
-        true => format!("{} on {}", point.setting.words(), point.core),
-        false => point.setting.words(),
-    };
-    let of_promise = |show: fn(&Promised) -> String| {
-        let shown = errors.promised.as_ref().map(show);
-        shown.unwrap_or_else(|| "–".to_owned())
-    };
-    let part = |value: f64| match is_float {
-        true => "–".to_owned(),
-        false => format!("{value:.2}"),
-    };
-    let decided = errors.promised.map(|it| format!(" ({})", it.decided));
-    [
-        number,
-        words,
-        cost(point),
-        decibels(point.psnr()),
-        errors.largest.to_string(),
-        // Rounded down, so that 100 means all.
-        of_promise(|it| format!("{:.1}", (1000.0 * it.sure).floor() / 10.0)),
-        of_promise(|it| it.largest.to_string()),
-        of_promise(|it| format!("{:.1}", it.bound)),
-        format!("{:.2}", parts.truncation),
-        part(parts.cut_off),
-        part(parts.between),
-        part(parts.rounding),
-        part(parts.decided) + &decided.unwrap_or_default(),
-        part(parts.simplified),
-    ]
 }
 
 /// Returns the cost of a point as text, with its quartiles if it was timed.
@@ -180,15 +124,7 @@ pub fn decibels(psnr: f64) -> String {
     }
 }
 
-fn folded(summary: &str, text: &str) -> String {
-    format!("<details><summary>{summary}</summary>\n\n{text}\n\n</details>\n\n")
-}
-
 fn list(lines: impl IntoIterator<Item = String>) -> String {
     let lines = lines.into_iter().map(|it| format!("- {it}"));
     lines.collect::<Vec<_>>().join("\n")
-}
-
-fn line(cells: &[String]) -> String {
-    format!("| {} |\n", cells.join(" | "))
 }

@@ -35,8 +35,8 @@ pub struct Arguments {
     #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json"])]
     pub(super) all: bool,
 
-    /// Measure two scenes in several build profiles again, write docs/measured/profiles.jsonl and
-    /// docs/profiles.md, and put the figures into README.md and src/lib.rs
+    /// Measure two scenes in several build profiles again, write docs/measured/profiles.jsonl, and put
+    /// the figures into docs/sizes.md and src/lib.rs
     #[arg(long, conflicts_with_all = ["all", "core", "scene", "chosen", "size"])]
     #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json", "is_whole"])]
     pub(super) profiles: bool,

@@ -10,18 +10,15 @@ use crate::table::{filled, markdown};
 
 pub fn write(rows: &[Figures], moving: &[Kept]) -> String {
     let page = Page(rows);
+    let longest = page.longest_preparation();
     let values = [
-        ("fast", page.instructions("fast")),
-        ("fine", page.instructions("fine")),
+        ("fast", page.instructions()),
         ("float", page.float()),
-        ("fast_row", page.worst_row("fast")),
-        ("fine_row", page.worst_row("fine")),
-        ("prepare", page.prepare()),
-        ("flash", page.by_core("fast", |row| row.flash.to_string())),
-        ("stack", page.by_core("fast", |row| row.stack.to_string())),
-        ("statics", page.statics()),
+        ("fast_row", page.worst_row()),
+        ("prepare scene", longest.to_owned()),
+        ("prepare m0", page.preparation("m0", longest)),
+        ("prepare m3", page.preparation("m3", longest)),
         ("moving", moving_record::table(moving)),
-        ("cycles", page.cycles()),
         ("seconds", page.seconds()),
     ];
     filled(include_str!("page.md"), &values)
@@ -35,23 +32,37 @@ impl Page<'_> {
         rows.find(|row| row.core == core && row.scene == scene && row.quality == quality)
     }
 
-    fn instructions(&self, quality: &str) -> String {
-        self.by_core(quality, |row| format!("{:.0}", row.instructions_per_pixel))
+    fn instructions(&self) -> String {
+        self.by_core(|row| format!("{:.0}", row.instructions_per_pixel))
     }
 
-    fn worst_row(&self, quality: &str) -> String {
-        self.by_core(quality, |row| row.worst_row_instructions.to_string())
+    fn worst_row(&self) -> String {
+        self.by_core(|row| row.worst_row_instructions.to_string())
     }
 
-    fn prepare(&self) -> String {
-        self.by_core("fast", |row| row.prepare_instructions.to_string())
+    /// Returns the scene whose preparation takes the most instructions on a Cortex-M3.
+    fn longest_preparation(&self) -> &'static str {
+        let instructions = |scene: &&str| {
+            let row = self.row("m3", scene, "fast");
+            row.map(|row| row.prepare_instructions)
+        };
+        let longest = scenes::NAMES.into_iter().max_by_key(instructions);
+        longest.unwrap_or_default()
+    }
+
+    fn preparation(&self, core: &str, scene: &str) -> String {
+        let row = self.row(core, scene, "fast");
+        row.map_or_else(
+            || "-".to_owned(),
+            |row| row.prepare_instructions.to_string(),
+        )
     }
 
     /// Formats a table with a row for each scene and a column for each core.
-    fn by_core(&self, quality: &str, cell: impl Fn(&Figures) -> String) -> String {
+    fn by_core(&self, cell: impl Fn(&Figures) -> String) -> String {
         let titles = CORES.iter().map(|core| core.title.to_owned());
         by_scene(titles, |scene| {
-            let cell = |core: &Core| self.row(core.name, scene, quality).map(&cell);
+            let cell = |core: &Core| self.row(core.name, scene, "fast").map(&cell);
             CORES.iter().map(cell).collect()
         })
     }
@@ -59,9 +70,8 @@ impl Page<'_> {
     fn float(&self) -> String {
         const CORES: [&str; 2] = ["m3", "m4f"];
         let head = CORES.map(|core| {
-            let [fast, fine, float] =
-                ["Fast", "Fine", "float"].map(|name| format!("{core} {name}"));
-            [fast, fine, float, "float / Fast".to_owned()]
+            let [fast, float] = ["Fast", "float"].map(|name| format!("{core} {name}"));
+            [fast, float, "float / Fast".to_owned()]
         });
         by_scene(head.concat(), |scene| {
             let cells = CORES.map(|core| {
@@ -69,39 +79,12 @@ impl Page<'_> {
                     let row = self.row(core, scene, quality);
                     row.map(|row| row.instructions_per_pixel)
                 };
-                let [fast, fine, float] = ["fast", "fine", "float"].map(figure);
+                let [fast, float] = ["fast", "float"].map(figure);
                 let whole = |figure: Option<f64>| figure.map(|figure| format!("{figure:.0}"));
                 let times = |(fast, float)| format!("{:.1}", float / fast);
-                [
-                    whole(fast),
-                    whole(fine),
-                    whole(float),
-                    fast.zip(float).map(times),
-                ]
+                [whole(fast), whole(float), fast.zip(float).map(times)]
             });
             cells.concat()
-        })
-    }
-
-    /// A column a core whose timings are known, and the float port where it is measured.
-    fn cycles(&self) -> String {
-        let is_known = |core: &&Core| core.timing.is_some();
-        let columns = CORES.iter().filter(is_known).flat_map(|core| {
-            let measured = |quality: &&str| self.row(core.name, "castle", quality).is_some();
-            let qualities = ["fast", "float"].into_iter().filter(measured);
-            qualities.map(move |quality| (core, quality))
-        });
-        let columns: Vec<_> = columns.collect();
-        let head = columns.iter().map(|(core, quality)| match *quality {
-            "float" => format!("{}, float", core.title),
-            _ => core.title.to_owned(),
-        });
-        by_scene(head, |scene| {
-            let cells = columns.iter().map(|(core, quality)| {
-                let cycles = self.row(core.name, scene, quality)?.cycles_per_pixel?;
-                Some(format!("{cycles:.0}"))
-            });
-            cells.collect()
         })
     }
 
@@ -131,14 +114,6 @@ impl Page<'_> {
             cells
         });
         markdown(3, &head, &rows.collect::<Vec<_>>())
-    }
-
-    fn statics(&self) -> String {
-        let fixed = self.0.iter().filter(|row| row.quality != "float");
-        match fixed.map(|row| row.ram).max().unwrap_or(0) {
-            0 => "Static variables: none, on any core.\n".to_owned(),
-            most => format!("Static variables: {most} bytes at most.\n"),
-        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! `cargo xtask measure --profiles`: what a frame takes in several build profiles.
 //!
-//! The figures are lines in `docs/measured/profiles.jsonl`. `docs/profiles.md` and the tables in
-//! `README.md` and `src/lib.rs` are made of them.
+//! The figures are lines in `docs/measured/profiles.jsonl`. The tables in `docs/sizes.md` and
+//! `src/lib.rs` are made of them.
 
 use std::{fs, path::PathBuf};
 
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::build_profile::PROFILES;
 use super::{Core, Quality, Scene, Size, Task, count};
-use crate::table::{filled, markdown};
+use crate::table::markdown;
 use crate::{kept, root};
 
 /// Scenes from which build profiles are measured: a large one and a small one.
@@ -19,10 +19,7 @@ const SCENES: [&str; 2] = ["castle", "corner1"];
 /// Size of the pictures from which build profiles are measured: as in docs/boards.md.
 const SIZE: Size = Size::new(64, 64);
 
-/// The flash of the default board, an LM3S6965, in bytes.
-const BOARD_FLASH: u64 = 256 * 1024;
-
-/// The start of the table that README.md and src/lib.rs have; the names of the scenes follow.
+/// The first column of the tables; the columns of the scenes follow.
 const FIRST_COLUMN: &str = "profile";
 
 /// One line. In JSON the keys are the names of the fields.
@@ -62,10 +59,13 @@ pub fn renew() -> Result<()> {
         .map(|row| Ok(serde_json::to_string(row)? + "\n"));
     let lines: String = lines.collect::<Result<_>>()?;
     kept::write(&kept_rows(), &lines)?;
-    kept::write(&file("docs/profiles.md"), &page(&rows))?;
-    for (name, prefix) in [("README.md", ""), ("src/lib.rs", "//! ")] {
+    let tables = [
+        ("docs/sizes.md", "", long(&rows)),
+        ("src/lib.rs", "//! ", short(&rows)),
+    ];
+    for (name, prefix, table) in tables {
         let old = fs::read_to_string(file(name)).with_context(|| format!("cannot read {name}"))?;
-        let new = with_table(&old, prefix, &short(&rows))
+        let new = with_table(&old, prefix, &table)
             .with_context(|| format!("{name} has no table of profiles"))?;
         // What says the same is left alone: the library would be compiled again.
         if new != old {
@@ -129,55 +129,26 @@ fn draw_the_same(rows: &[Row]) -> bool {
     })
 }
 
-/// The short table: a row a profile, flash and instructions a pixel of each scene.
+/// Returns the table of src/lib.rs: flash and instructions a pixel of each scene.
 fn short(rows: &[Row]) -> String {
     let cells = |row: &Row| [row.flash.to_string(), whole(row.instructions_per_pixel)];
-    table(rows, ["flash", "instr/pixel"], |row, _| cells(row))
+    table(rows, ["flash", "instr/pixel"], cells)
 }
 
-fn page(rows: &[Row]) -> String {
-    let times = |row: &Row, first: &Row| {
-        let times = row.instructions_per_pixel / first.instructions_per_pixel;
+/// Returns the table of docs/sizes.md, which also has the stack.
+pub fn long(rows: &[Row]) -> String {
+    let cells = |row: &Row| {
         let instructions = whole(row.instructions_per_pixel);
-        [
-            row.flash.to_string(),
-            instructions,
-            format!("{times:.2}"),
-            row.stack.to_string(),
-        ]
+        [row.flash.to_string(), instructions, row.stack.to_string()]
     };
-    let names = ["flash", "instr/pixel", "times", "stack"];
-    let values = [
-        ("size", SIZE.to_string()),
-        ("table", table(rows, names, times)),
-        ("fit", fit(rows)),
-    ];
-    filled(include_str!("profiles.md"), &values)
+    table(rows, ["flash", "instr/pixel", "stack"], cells)
 }
 
-/// Which rows the flash of the default board does not hold.
-fn fit(rows: &[Row]) -> String {
-    let is_over = |row: &&Row| row.flash > BOARD_FLASH;
-    let over: Vec<_> = rows.iter().filter(is_over).collect();
-    if over.is_empty() {
-        return format!("All of these fit the {BOARD_FLASH} bytes of flash of the default board.");
-    }
-    let lines = over.iter().map(|row| {
-        format!(
-            "`{}` with the scene {} takes {} bytes of flash and does not fit the {BOARD_FLASH} bytes \
-             of the default board.",
-            row.profile, row.scene, row.flash
-        )
-    });
-    lines.collect::<Vec<_>>().join("\n")
-}
-
-/// Formats a table with a row for each build profile. `cells` makes the columns of one scene, from the
-/// profile's figures and those of the first profile.
+/// Formats a table with a row for each build profile. `cells` makes the columns of one scene.
 fn table<const N: usize>(
     rows: &[Row],
     names: [&str; N],
-    cells: impl Fn(&Row, &Row) -> [String; N],
+    cells: impl Fn(&Row) -> [String; N],
 ) -> String {
     let mut head = vec![FIRST_COLUMN.to_owned()];
     for scene in SCENES {
@@ -185,8 +156,7 @@ fn table<const N: usize>(
     }
     let lines = rows.chunks(SCENES.len()).map(|scenes| {
         let mut line = vec![scenes[0].profile.clone()];
-        let pairs = scenes.iter().zip(rows);
-        line.extend(pairs.flat_map(|(row, first)| cells(row, first)));
+        line.extend(scenes.iter().flat_map(&cells));
         line
     });
     markdown(1, &head, &lines.collect::<Vec<_>>())
@@ -238,21 +208,8 @@ mod tests {
 | other | 7 | 250 | 7 | 250 |
 ";
         assert_eq!(short(&rows(7)), expected);
-    }
-
-    #[test]
-    fn page_compares_with_the_first_profile() {
-        let page = page(&rows(7));
-        let line = "| other | 7 | 250 | 2.50 | 8 | 7 | 250 | 2.50 | 8 |";
-        assert!(page.contains(line), "{page}");
-    }
-
-    #[test]
-    fn what_the_board_does_not_hold_is_named() {
-        assert!(fit(&rows(BOARD_FLASH)).starts_with("All of these fit"));
-        let said = fit(&rows(BOARD_FLASH + 1));
-        let line = "`other` with the scene corner1 takes 262145 bytes";
-        assert!(said.contains(line), "{said}");
+        let line = "| other | 7 | 250 | 8 | 7 | 250 | 8 |";
+        assert!(long(&rows(7)).contains(line));
     }
 
     #[test]

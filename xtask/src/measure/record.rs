@@ -32,9 +32,13 @@ pub fn renew(core: Option<&'static Core>) -> Result<()> {
     if core.is_none_or(|core| moving_record::CORE_NAMES.contains(&core.name)) {
         moving_record::renew()?;
     }
+    kept::write(&root().join("docs/boards.md"), &page()?)
+}
+
+/// Returns the text of docs/boards.md from the kept figures.
+fn page() -> Result<String> {
     let rows = CORES.iter().map(read).collect::<Result<Vec<_>>>()?;
-    let page = page::write(&rows.concat(), &moving_record::read()?);
-    kept::write(&root().join("docs/boards.md"), &page)
+    Ok(page::write(&rows.concat(), &moving_record::read()?))
 }
 
 fn renew_core(core: &'static Core) -> Result<()> {
@@ -69,4 +73,15 @@ pub fn read(core: &Core) -> Result<Vec<Figures>> {
 
 fn file(core: &Core) -> PathBuf {
     root().join(format!("docs/measured/{}.jsonl", core.name))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    #[test]
+    fn page_about_boards_has_the_kept_figures() {
+        let page = fs::read_to_string(crate::root().join("docs/boards.md")).unwrap();
+        assert!(page == super::page().unwrap(), "docs/boards.md is old");
+    }
 }

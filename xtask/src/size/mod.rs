@@ -17,7 +17,7 @@ use reflet::scenes;
 use reflet::scenes::{BuiltIn, Visitor};
 use serde::{Deserialize, Serialize};
 
-use crate::measure::{Core, Quality, Scene, Size, Task, outcome, weigh, weight};
+use crate::measure::{Core, Quality, Scene, Size, Task, outcome, profiles, weigh, weight};
 use crate::{board, kept, print, root, table};
 
 /// Weighs the firmware of every built-in scene and quality; without options it also writes
@@ -48,7 +48,7 @@ pub const QUALITIES: [Quality; 4] = [Quality::FAST, Quality::FINE, Quality::SMAL
 /// only.
 const REFLECTIONS: [u8; 2] = [4, 0];
 
-/// Size of the picture in pixels. The use of stack does not depend on it.
+/// Size of the picture in pixels. The use of stack hardly depends on it.
 const SIZE: Size = Size::new(64, 16);
 
 /// Example that is the whole firmware of the default board, with the castle as its only scene.
@@ -97,7 +97,8 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         let board = weigh(&board::build_example(BOARD)?)?;
         let lines = figures.iter().map(|it| Ok(it.json()? + "\n"));
         kept::write(&budget(), &lines.collect::<Result<String>>()?)?;
-        kept::write(&root().join("docs/sizes.md"), &page::write(&figures, board))?;
+        let page = page::write(&figures, board, &profiles::read()?);
+        kept::write(&root().join("docs/sizes.md"), &page)?;
     }
     Ok(())
 }

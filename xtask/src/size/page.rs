@@ -1,62 +1,44 @@
 //! Writes `docs/sizes.md` from the measured figures.
 
-use super::{Figures, QUALITIES};
-use crate::measure::Weight;
+use super::{Figures, QUALITIES, REFLECTIONS};
+use crate::measure::{Weight, profiles};
 use crate::table::{filled, markdown};
 
-/// Returns the text of the page. The figures must be in the order of [`tasks`](super::tasks).
-pub(super) fn write(figures: &[Figures], board: Weight) -> String {
-    let by_target = |level: &str, table: fn(&[Figures]) -> String| -> String {
-        let targets = figures.chunk_by(|one, other| one.target == other.target);
-        let part = |it: &[Figures]| format!("{level} {}\n\n{}\n", it[0].target, table(it));
-        targets.map(part).collect()
-    };
+/// Columns of the page: qualities by their names in the figures.
+const SHOWN: [&str; 3] = ["fast", "small", "exact"];
+
+/// Returns the text of the page. The figures must be in the order of [`tasks`](super::tasks), the
+/// profiles in that of [`profiles::tasks`].
+pub(super) fn write(figures: &[Figures], board: Weight, profiles: &[profiles::Row]) -> String {
+    let targets = figures.chunk_by(|one, other| one.target == other.target);
+    let part = |it: &[Figures]| format!("### {}\n\n{}\n", it[0].target, by_scene(it));
     let values = [
-        ("flash", by_target("##", flash)),
+        ("sizes", targets.map(part).collect()),
         ("board flash", board.flash.to_string()),
         ("board RAM", board.ram.to_string()),
-        ("rest", by_target("###", rest)),
+        ("profiles", profiles::long(profiles)),
     ];
     filled(include_str!("page.md"), &values)
 }
 
-/// Returns a table with one row for each scene and number of reflections: the cells of `before`,
-/// then those of `cells` for each quality.
-fn by_quality<const B: usize, const N: usize>(
-    figures: &[Figures],
-    head: [&str; B],
-    before: impl Fn(&Figures) -> [String; B],
-    names: [&str; N],
-    cells: impl Fn(&Figures) -> [u64; N],
-) -> String {
-    let mut head = head.map(str::to_owned).to_vec();
-    for quality in QUALITIES {
-        head.extend(names.map(|name| format!("{} {name}", quality.name())));
-    }
-    let rows = figures.chunks(QUALITIES.len()).map(|qualities| {
-        let numbers = qualities.iter().flat_map(&cells);
-        let mut row = before(&qualities[0]).to_vec();
-        row.extend(numbers.map(|number| number.to_string()));
+/// Returns a table with flash and stack of each scene with all its reflections.
+fn by_scene(figures: &[Figures]) -> String {
+    let pairs = SHOWN.map(|name| [format!("{name} flash"), format!("{name} stack")]);
+    let mut head = vec!["scene".to_owned()];
+    head.extend(pairs.concat());
+    let whole = figures
+        .chunks(QUALITIES.len())
+        .filter(|it| it[0].reflections == REFLECTIONS[0]);
+    let rows = whole.map(|qualities| {
+        let mut row = vec![qualities[0].scene.clone()];
+        let shown = SHOWN.iter().flat_map(|name| {
+            let figures = qualities.iter().find(|it| it.quality == *name);
+            figures.into_iter().flat_map(|it| [it.flash, it.stack])
+        });
+        row.extend(shown.map(|number| number.to_string()));
         row
     });
-    markdown(B - 1, &head, &rows.collect::<Vec<_>>())
-}
-
-fn flash(figures: &[Figures]) -> String {
-    let before = |it: &Figures| [it.scene.clone(), it.reflections.to_string()];
-    let names = ["code", "constants", "flash"];
-    by_quality(figures, ["scene", "N"], before, names, |it| {
-        [it.code, it.constants, it.flash]
-    })
-}
-
-fn rest(figures: &[Figures]) -> String {
-    let before = |it: &Figures| {
-        let left_out = it.left_out.join(", ");
-        [it.scene.clone(), left_out, it.reflections.to_string()]
-    };
-    let head = ["scene", "left out", "N"];
-    by_quality(figures, head, before, ["stack"], |it| [it.stack])
+    markdown(1, &head, &rows.collect::<Vec<_>>())
 }
 
 /// Returns the head and the rows of a table of all figures, for the terminal.

@@ -1,4 +1,4 @@
-//! Tries the catalogue of hard cases and writes `docs/stability.md`.
+//! Tries the catalogue of hard cases and writes `docs/internals/stability.md`.
 //!
 //! `cargo run --release --package stability -- --help`
 
@@ -14,7 +14,7 @@ use command_line::{Failure, parse};
 use stability::report::Tried;
 use stability::{catalogue, page, report};
 
-/// Tries every case of the catalogue and writes docs/stability.md.
+/// Tries every case of the catalogue and writes docs/internals/stability.md.
 ///
 /// The exit code is 0; 1 if a case misses its bar, is worse than f32 without a reason, or too many
 /// cases are worse; and 2 after an error, which is one line.
@@ -22,7 +22,11 @@ use stability::{catalogue, page, report};
 #[command(name = "stability", max_term_width = 100)]
 struct Arguments {
     /// Where the page is written
-    #[arg(long, value_name = "F.md", default_value = "docs/stability.md")]
+    #[arg(
+        long,
+        value_name = "F.md",
+        default_value = "docs/internals/stability.md"
+    )]
     page: PathBuf,
 
     /// Draw random scenes instead, until N rays have been followed, with every overflow checked:

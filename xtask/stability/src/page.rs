@@ -1,4 +1,4 @@
-//! Writes `docs/stability.md`: the catalogue and its results. Never opens a file.
+//! Writes `docs/internals/stability.md`: the catalogue and its results. Never opens a file.
 
 use std::fmt::Write as _;
 

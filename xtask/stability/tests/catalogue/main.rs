@@ -27,9 +27,12 @@ fn every_case_meets_its_bar_and_the_page_says_so() {
     let failures = report::failures(&tried);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
     assert!(report::Compared::of(&tried).is_aim_met());
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/stability.md");
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../docs/internals/stability.md"
+    );
     let written = fs::read_to_string(path).unwrap();
-    let words = "docs/stability.md is old: cargo run --release --package stability";
+    let words = "docs/internals/stability.md is old: cargo run --release --package stability";
     assert!(written == page::page(&tried), "{words}");
 }
 
