@@ -1,9 +1,9 @@
-//! Limits the lengths of files, of functions, and of the whole library.
+//! Limits the lengths of files and functions.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use crate::{
-    BESIDE, File, files,
+    File, files,
     length::{Lengths, test_modules},
 };
 
@@ -15,9 +15,6 @@ const LONGEST_WITH_TESTS: usize = 500;
 
 /// Most lines of code of a function.
 const LONGEST_FUNCTION: usize = 50;
-
-/// Most lines of code of the library without tests.
-const MOST_CODE: usize = 14_934;
 
 #[test]
 fn no_file_is_too_long() {
@@ -47,21 +44,6 @@ fn no_function_is_too_long() {
     });
     let complaints = complaints(found, LONGEST_FUNCTION);
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
-}
-
-#[test]
-fn library_has_no_more_code_than_it_had() {
-    let mut rooms = BTreeMap::<_, usize>::new();
-    for (file, lengths) in library() {
-        *rooms.entry(file.module[0].clone()).or_default() += lengths.code;
-    }
-    let all: usize = rooms.values().sum();
-    let beside: usize = BESIDE.iter().filter_map(|room| rooms.get(*room)).sum();
-    for (room, code) in &rooms {
-        println!("{code:6} {room}");
-    }
-    println!("{:6} the stack\n{all:6} all", all - beside);
-    assert!(all <= MOST_CODE, "{all} lines of code, {MOST_CODE} at most");
 }
 
 /// Returns the library's files that are not only for tests, with their lengths.
