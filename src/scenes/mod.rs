@@ -28,7 +28,8 @@ mod floor;
 mod mirror1;
 mod mirror2;
 mod primitives;
-#[cfg(all(test, feature = "host"))]
+#[cfg(feature = "host")]
+#[cfg(test)]
 mod sets;
 mod shading_lights;
 mod shading_speculars;

@@ -94,7 +94,7 @@ fn test_modules(file: &str, text: &str) -> Vec<String> {
 }
 
 fn is_test_mark(line: &str) -> bool {
-    line.starts_with("#[cfg(test)]") || line.starts_with("#[cfg(all(test")
+    line.starts_with("#[cfg(test)]")
 }
 
 /// Returns the name of a module that a line declares without a body.

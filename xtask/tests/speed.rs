@@ -1,11 +1,14 @@
 //! Tests `cargo xtask measure --clock`: frames a second as an estimate, beside the emulated boards.
 
+use xtask::measure::frames;
 use xtask::measure::speed::Board;
 use xtask::measure::{Core, Quality, Scene, Size, Task};
-use xtask::owned::{Owned, PICO};
+use xtask::owned::{Owned, PICO, PICO_2};
 use xtask::root;
 
 mod common;
+
+use std::fs;
 
 use boards::Script;
 
@@ -46,6 +49,11 @@ fn estimate_is_within_10_percent_of_an_emulated_pico() {
 }
 
 #[test]
+fn estimate_is_within_10_percent_of_an_emulated_pico_2() {
+    assert_is_within_10_percent(&PICO_2, "m33", 37.5);
+}
+
+#[test]
 fn command_says_how_the_estimate_is_made() {
     let arguments = "measure floor --clock 100 --cores 2 --bus 20 --size 32x32";
     let done = common::xtask(&root(), arguments);
@@ -69,4 +77,21 @@ measure --cores 2 => the following required arguments were not provided
 measure --clock 48 --cores 3 => 3 is not in 1..=2
 measure --core rv32 floor --size 8x8 --clock 100 => no timings of instructions are published",
     );
+}
+
+#[test]
+fn castle_on_a_pico_2_has_the_frames_a_second_that_readme_shows() {
+    let kept = frames::read().unwrap();
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let table = frames::readme_table(&kept);
+    let expected = frames::with_table(&readme, &table);
+    assert!(
+        expected.as_ref() == Some(&readme),
+        "`cargo xtask measure --frames` has to be run again"
+    );
+    let is_it = |line: &&frames::Kept| line.scene == "castle" && line.board.ends_with("Pico 2");
+    let kept = kept.iter().find(is_it).unwrap();
+    let measured = frames::measured(&kept.board, &kept.scene).unwrap();
+    let share = measured / kept.frames_per_second;
+    assert!((share - 1.0).abs() < 0.02, "{measured}, kept {kept:?}");
 }

@@ -35,6 +35,12 @@ pub struct Arguments {
     #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json"])]
     pub(super) all: bool,
 
+    /// Estimate the frames a second of boards that people own again, and write
+    /// docs/measured/frames.jsonl and the table in README.md
+    #[arg(long, conflicts_with_all = ["all", "core", "scene", "chosen", "size", "clock", "moving"])]
+    #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json", "is_whole", "profiles"])]
+    pub(super) frames: bool,
+
     /// Measure two scenes in several build profiles again, write docs/measured/profiles.jsonl, and put
     /// the figures into docs/sizes.md and src/lib.rs
     #[arg(long, conflicts_with_all = ["all", "core", "scene", "chosen", "size"])]

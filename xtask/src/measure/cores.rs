@@ -61,8 +61,7 @@ pub const CORES: [Core; 6] = [
         name: "m33",
         title: "Cortex-M33",
         target: "thumbv8m.main-none-eabihf",
-        // Arm publishes none for it; no instruction is known to take longer than on an M4.
-        timing: Some(Timing::M4),
+        timing: Some(Timing::M33),
         machine: Machine::Arm("mps2-an505"),
     },
     Core {

@@ -3,17 +3,17 @@
 //! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds it, and `images`
 //! keeps what was built; [`outcome`](mod@outcome) runs it, with each row's count from `clock_log`;
 //! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
-//! [`profiles`] measures the same code in several build profiles, [`pictures`] only draws, and [`speed`] estimates
-//! frames a second.
+//! [`profiles`] measures the same code in several build profiles, [`pictures`] only draws, [`speed`] estimates
+//! frames a second, and [`frames`] keeps those of boards that people own.
 
 pub mod arguments;
-mod boards;
 pub mod build_profile;
 mod clock_log;
 pub mod cores;
 pub mod figures;
 pub(crate) mod firmware;
 pub(crate) mod float_source;
+pub mod frames;
 mod images;
 pub mod ledger;
 pub mod moving;
@@ -41,6 +41,9 @@ use crate::cycles::{self, Estimate};
 use crate::print;
 
 pub fn run(arguments: &Arguments) -> Result<()> {
+    if arguments.frames {
+        return frames::renew();
+    }
     if arguments.profiles {
         return profiles::renew();
     }

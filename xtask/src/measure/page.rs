@@ -2,13 +2,13 @@
 
 use reflet::scenes;
 
-use super::boards::BOARDS;
 use super::cores::{CORES, Core};
 use super::figures::Figures;
+use super::frames;
 use super::moving_record::{self, Kept};
 use crate::table::{filled, markdown};
 
-pub fn write(rows: &[Figures], moving: &[Kept]) -> String {
+pub fn write(rows: &[Figures], moving: &[Kept], frames: &[frames::Kept]) -> String {
     let page = Page(rows);
     let longest = page.longest_preparation();
     let values = [
@@ -19,7 +19,7 @@ pub fn write(rows: &[Figures], moving: &[Kept]) -> String {
         ("prepare m0", page.preparation("m0", longest)),
         ("prepare m3", page.preparation("m3", longest)),
         ("moving", moving_record::table(moving)),
-        ("seconds", page.seconds()),
+        ("frames", frames::page_table(frames)),
     ];
     filled(include_str!("page.md"), &values)
 }
@@ -87,34 +87,6 @@ impl Page<'_> {
             cells.concat()
         })
     }
-
-    /// Formats a table with a row for each board and a column for each scene.
-    fn seconds(&self) -> String {
-        const SCENES: [&str; 5] = [
-            "castle",
-            "mirror1",
-            "columns",
-            "primitives",
-            "shading_lights",
-        ];
-        let head = ["board", "core", "display"].into_iter().chain(SCENES);
-        let head: Vec<_> = head.chain(["sending"]).map(str::to_owned).collect();
-        let rows = BOARDS.iter().map(|board| {
-            let mut cells = vec![
-                board.name.to_owned(),
-                format!("{}, {} MHz", board.title(), board.clock),
-                board.display.title(),
-            ];
-            cells.extend(SCENES.map(|scene| {
-                let row = self.row(board.core(), scene, "fast");
-                let cycles = row.and_then(|row| row.cycles_per_pixel);
-                cycles.map_or_else(|| "-".to_owned(), |cycles| seconds(board.frame(cycles)))
-            }));
-            cells.push(seconds(board.display.transfer()));
-            cells
-        });
-        markdown(3, &head, &rows.collect::<Vec<_>>())
-    }
 }
 
 /// Formats a table with a row for each built-in scene.
@@ -130,15 +102,4 @@ fn by_scene(
         row
     });
     markdown(1, &head, &rows)
-}
-
-/// Formats a time in seconds or milliseconds with two significant digits.
-fn seconds(time: f64) -> String {
-    match time {
-        _ if time >= 10.0 => format!("{time:.0} s"),
-        _ if time >= 1.0 => format!("{time:.1} s"),
-        _ if time >= 0.1 => format!("{:.0} ms", 10.0 * (100.0 * time).round()),
-        _ if time >= 0.01 => format!("{:.0} ms", 1e3 * time),
-        _ => format!("{:.1} ms", 1e3 * time),
-    }
 }

@@ -10,7 +10,7 @@ use super::cores::{CORES, Core};
 use super::figures::Figures;
 use super::scene::Scene;
 use super::task::{Quality, Size, Task};
-use super::{measure, moving_record, page};
+use super::{frames, measure, moving_record, page};
 use crate::{kept, root};
 
 /// How everything is measured, but for the quality.
@@ -38,7 +38,11 @@ pub fn renew(core: Option<&'static Core>) -> Result<()> {
 /// Returns the text of docs/boards.md from the kept figures.
 fn page() -> Result<String> {
     let rows = CORES.iter().map(read).collect::<Result<Vec<_>>>()?;
-    Ok(page::write(&rows.concat(), &moving_record::read()?))
+    Ok(page::write(
+        &rows.concat(),
+        &moving_record::read()?,
+        &frames::read()?,
+    ))
 }
 
 fn renew_core(core: &'static Core) -> Result<()> {
