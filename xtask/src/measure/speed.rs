@@ -49,12 +49,12 @@ pub struct Speed {
 }
 
 impl Board {
-    /// A board with a clock and a bus in MHz.
-    pub fn new(clock: f64, cores: u8, bus: f64) -> Self {
+    /// A board with a clock in MHz.
+    pub fn new(clock: f64, cores: u8) -> Self {
         Self {
             clock: Some(clock),
             cores,
-            bus: Some(bus),
+            bus: None,
         }
     }
 
