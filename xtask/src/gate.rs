@@ -50,6 +50,9 @@ const ALONE: [&str; 11] = [
     "xtask/stack_peak",
 ];
 
+/// The test programs that run the firmware of the examples.
+const BOARDS: [&str; 4] = ["board", "boards", "small_boards", "speed"];
+
 /// A check of the gate, and the name under which it is reported.
 struct Step {
     name: String,
@@ -217,8 +220,12 @@ fn tests(all: bool) -> Result<Vec<Step>> {
     let mut others = test_programs(&all_others)?;
     others.retain(|name| !firmware.contains(name));
     others.extend(["--lib", "--bins"].map(str::to_owned));
+    // Two steps, so that one builds while the other emulates.
+    let is_board = |name: &String| BOARDS.iter().any(|it| name == &format!("--test={it}"));
+    let (boards, measured): (Vec<_>, Vec<_>) = firmware.into_iter().partition(is_board);
     Ok(vec![
-        step("tests on emulated boards", test(&firmware)),
+        step("tests on emulated boards", test(&boards)),
+        step("tests of measured firmware", test(&measured)),
         step("tests on this machine", test(&others)),
         // Documentation tests of these two packages would repeat the reference's: they compile its
         // files again.
@@ -253,7 +260,10 @@ fn test_programs(folders: &[&str]) -> Result<Vec<String>> {
 fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let library = ["--package", "reflet", "--lib", "--no-default-features"];
     let firmware = ["--features", "scenes,micromath"];
-    let check = |targets: &[&str]| bare_metal.cargo("check", targets).args(library);
+    let check = |targets: &[&str]| {
+        let check = bare_metal.cargo("check", targets);
+        toolchain::alone(check, Path::new("")).args(library)
+    };
     let fewer = if all { &TARGETS[..] } else { &TARGETS[..1] };
     let seconds = if all { "600" } else { "10" };
     let warnings = ["--", "-D", "warnings"];
