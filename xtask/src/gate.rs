@@ -73,7 +73,7 @@ pub fn run(arguments: Arguments) -> Result<()> {
     // Clippy belongs to the toolchain in use. Without `Prebuilt`, this toolchain has no core library
     // for the boards.
     if let BareMetal::Prebuilt = bare_metal {
-        steps.extend(boards());
+        steps.extend(boards(arguments.all));
     }
     if arguments.all {
         steps.extend(long());
@@ -295,8 +295,9 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
 }
 
 /// Returns the steps that lint the code for boards. They share what is compiled. Of the measurement
-/// firmware only the library is linted, because the rest is generated.
-fn boards() -> Vec<Step> {
+/// firmware only the library is linted, because the rest is generated. `all` adds the examples that need
+/// the crate of a chip, which takes minutes to check; the tests build these examples in any case.
+fn boards(all: bool) -> Vec<Step> {
     let warnings = ["--", "-D", "warnings"];
     let alone = |package: &str, part: &str, target: &str| {
         let program = cargo("clippy").args(["--target", target]);
@@ -309,19 +310,24 @@ fn boards() -> Vec<Step> {
     let [m0, m3, m4, m33, rv32] = TARGETS;
     let board = ["--package", "reflet", "--example", "board"];
     let board = toolchain::alone(cargo("clippy").args(["--target", m3]), Path::new("")).args(board);
-    vec![
+    let mut steps = vec![
         step(
             &format!("clippy, examples/board, {m3}"),
             board.args(warnings),
         ),
         alone("examples/microbit", "--bins", m0),
-        alone("examples/blackpill", "--bins", m4),
-        alone("examples/pico", "--bins", m0),
-        alone("examples/pico2", "--bins", m33),
         alone("examples/riscv", "--bins", rv32),
         alone("xtask/firmware", "--lib", m0),
         alone("xtask/firmware", "--lib", rv32),
-    ]
+    ];
+    if all {
+        steps.extend([
+            alone("examples/blackpill", "--bins", m4),
+            alone("examples/pico", "--bins", m0),
+            alone("examples/pico2", "--bins", m33),
+        ]);
+    }
+    steps
 }
 
 /// Returns the steps that only `--all` runs.
