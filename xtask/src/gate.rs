@@ -255,7 +255,7 @@ fn test_programs(folders: &[&str]) -> Result<Vec<String>> {
     Ok(names)
 }
 
-/// Returns the other steps for the library: lints, fuzzer, copies of examples, package,
+/// Returns the other steps for the library: lints, fuzzer, package,
 /// documentation, random rays and bare-metal targets.
 fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let library = ["--package", "reflet", "--lib", "--no-default-features"];

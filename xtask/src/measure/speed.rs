@@ -113,7 +113,7 @@ impl Board {
         Ok(format!(
             "{}, {size}, {quality}: estimated {:.2} frames a second\n\
              {}, {clock} MHz, {cores}: {:.1} ms, and {sent}\n\
-             Instructions are counted; their cycles are those that Arm publishes. Flash that is slower \
+             Instructions are counted; their cycles are published timings. Flash that is slower \
              than RAM is not counted.",
             one_line(scene),
             speed.frames_per_second(),

@@ -20,7 +20,7 @@ use spi::Spi;
 /// First address of the SIO.
 const SIO: u32 = 0xd000_0000;
 
-/// Bit of the control register of a clock.
+/// Bit ENABLE of CLK_PERI_CTRL: the clock of the SPI runs.
 const CLOCK_ENABLED: u32 = 1 << 11;
 
 /// Bits of a pad: output disabled; on an RP2350 also isolated.
