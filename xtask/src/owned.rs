@@ -1,11 +1,12 @@
-//! Boards that people own: builds the firmware of an example, emulates it from the reset, and captures
-//! its display.
+//! Boards that people own: their table, which [`crate::measure`] estimates frames a second from. Builds
+//! the firmware of an example, emulates it from the reset, and captures its display.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::{Context, Result};
 use boards::{Board, Key, Picture, SIDE, Script};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use image::{Rgb, RgbImage};
 use reflet::scenes::NAMES;
 
@@ -13,11 +14,20 @@ use crate::misuse::Misuse;
 use crate::screenshot::Arguments;
 use crate::{screenshot, toolchain};
 
-/// A board with a display, and the example for it.
+/// A board with a display of 240 by 240 pixels, and the example for it.
 #[derive(Debug)]
 pub struct Owned {
     /// Name of the example's folder, which is also that of the chore.
     pub name: &'static str,
+    /// Name of the board in text.
+    pub title: &'static str,
+    /// Name of the processor core in measurements.
+    pub core: &'static str,
+    /// Cores that trace rows by turns.
+    pub cores: u8,
+    /// Milliseconds in which the board sends a frame: the emulated board takes them for the scene `empty`, of
+    /// which hardly anything is traced. The driver waits for each byte, so the bus alone would take less.
+    pub sending: f64,
     pub target: &'static str,
     pub board: Board,
     /// Whether a key shows the next built-in scene. Otherwise the example only draws the first one.
@@ -26,6 +36,10 @@ pub struct Owned {
 
 pub static PICO: Owned = Owned {
     name: "pico",
+    title: "Raspberry Pi Pico",
+    core: "m0",
+    cores: 2,
+    sending: 77.0,
     target: "thumbv6m-none-eabi",
     board: Board::PICO,
     shows_all_scenes: true,
@@ -33,6 +47,10 @@ pub static PICO: Owned = Owned {
 
 pub static PICO_2: Owned = Owned {
     name: "pico2",
+    title: "Raspberry Pi Pico 2",
+    core: "m33",
+    cores: 2,
+    sending: 53.0,
     target: "thumbv8m.main-none-eabihf",
     board: Board::PICO_2,
     shows_all_scenes: false,
@@ -40,12 +58,25 @@ pub static PICO_2: Owned = Owned {
 
 pub static BLACK_PILL: Owned = Owned {
     name: "blackpill",
+    title: "Black Pill (STM32F411)",
+    core: "m4f",
+    cores: 1,
+    sending: 57.0,
     target: "thumbv7em-none-eabihf",
     board: Board::BLACK_PILL,
     shows_all_scenes: false,
 };
 
+/// All of them, in the order of the tables.
+pub static ALL: [&Owned; 3] = [&PICO, &PICO_2, &BLACK_PILL];
+
 impl Owned {
+    pub fn parser() -> impl TypedValueParser<Value = &'static Self> {
+        let find = |name: String| ALL.into_iter().find(|board| board.name == name);
+        PossibleValuesParser::new(ALL.map(|board| board.name))
+            .map(move |name| find(name).expect("it is one of the possible values"))
+    }
+
     /// Emulates the board until it shows a scene, prints what it took, and saves the picture.
     pub fn run(&self, arguments: &Arguments) -> Result<()> {
         let file = arguments.file(self.name)?;
@@ -80,7 +111,8 @@ impl Owned {
 
     /// Builds the example in its place.
     pub fn build(&self) -> Result<PathBuf> {
-        toolchain::build_alone(self.target, &Path::new("examples").join(self.name), &[])
+        let folder = Path::new("examples").join(self.name);
+        toolchain::build_alone(self.target, &folder, &["--bin", self.name])
     }
 }
 

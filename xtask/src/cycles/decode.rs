@@ -35,6 +35,9 @@ const COUNTER: u16 = 1 << 15;
 pub enum Kind {
     /// One operation on data, or a no-operation.
     Plain,
+    /// Operation on data that also shifts, rotates or extends an operand, or that works on parts of
+    /// registers.
+    Combined,
     Multiply,
     MultiplyAdd,
     LongMultiply,
@@ -157,7 +160,10 @@ fn decode(code: &[u8]) -> Result<Instruction> {
     let detail = decoder.insn_detail(decoded)?;
     let detail = detail.arch_detail();
     let operands: Vec<_> = detail.arm().context("not Arm")?.operands().collect();
-    let (kind, first) = (kind(&name, &operands), registers(operands.first()));
+    let (mut kind, first) = (kind(&name, &operands), registers(operands.first()));
+    if kind == Kind::Plain && is_combined(decoded.bytes()) {
+        kind = Kind::Combined;
+    }
     let sets = match kind {
         Kind::LoadMany(_) => registers(&operands[bases(&name)..]),
         Kind::LongMultiply | Kind::LongMultiplyAdd => registers(&operands[..2]),
@@ -186,6 +192,9 @@ fn kind(name: &str, operands: &[ArmOperand]) -> Kind {
         _ if name.starts_with("smlal") => Kind::LongMultiplyAdd,
         "mla" | "mls" => Kind::MultiplyAdd,
         "mul" => Kind::Multiply,
+        _ if name.starts_with("smm") || name.starts_with("smul") || name.starts_with("smla") => {
+            Kind::Multiply
+        }
         "udiv" | "sdiv" => Kind::Divide,
         "ldrd" => Kind::LoadMany(2),
         "ldm" | "ldmdb" | "pop" => Kind::LoadMany(listed),
@@ -213,6 +222,31 @@ fn kind(name: &str, operands: &[ArmOperand]) -> Kind {
         "fmstat" | "fconsts" | "fconstd" | "fmdhr" | "fmdlr" => Kind::Float,
         _ if name.starts_with('v') => Kind::Float,
         _ => Kind::Plain,
+    }
+}
+
+/// Tests whether an operation on data does more than one thing. The sections are those of the Armv7-M
+/// Architecture Reference Manual.
+fn is_combined(bytes: &[u8]) -> bool {
+    let &[a, b, c, d] = bytes else {
+        return false;
+    };
+    let (first, second) = (u16::from_le_bytes([a, b]), u16::from_le_bytes([c, d]));
+    let has_operand = first & 15 != 15;
+    match first >> 7 {
+        // A5.3.1: a constant of 8 bits that is rotated.
+        _ if first & 0xfa00 == 0xf000 => {
+            second >> 15 == 0 && (first >> 10 & 1 | second >> 14 & 1) == 1
+        }
+        // A5.3.11: a shifted register. LSL by 0 to 2 is for addresses.
+        _ if first & 0xfe00 == 0xea00 => {
+            has_operand && (second & 0x7000 != 0 || second & 0x30 != 0 || second & 0xc0 == 0xc0)
+        }
+        // A5.3.12: extends and adds. Without an addition, it is a move.
+        0b1_1111_0100 => second & 0x80 != 0 && has_operand,
+        // A5.3.13 and A5.3.14: parallel and saturating additions.
+        0b1_1111_0101 => second & 0x80 == 0 || first & 0x10 == 0,
+        _ => false,
     }
 }
 
@@ -286,7 +320,19 @@ mod tests {
             (0x1888, "adds r0, r1, r2", Kind::Plain),
             (0x4388, "bics r0, r1", Kind::Plain),
             (0xbf08, "it eq", Kind::Plain),
+            (0xeb01_0002, "add.w r0, r1, r2", Kind::Plain),
+            (0xeb01_00c2, "add.w r0, r1, r2, lsl #3", Kind::Combined),
+            (0xea40_0022, "orr.w r0, r0, r2, asr #32", Kind::Combined),
+            (0xea4f_00d1, "lsr.w r0, r1, #3", Kind::Plain),
+            (0xf001_00ff, "and r0, r1, #255", Kind::Plain),
+            (0xf04f_4080, "mov.w r0, #0x40000000", Kind::Combined),
+            (0xf241_2034, "movw r0, #4660", Kind::Plain),
+            (0xfa11_f081, "uxtah r0, r1, r1", Kind::Combined),
+            (0xfa1f_f081, "uxth.w r0, r1", Kind::Plain),
+            (0xfab1_f081, "clz r0, r1", Kind::Plain),
+            (0xfa81_f082, "qadd r0, r2, r1", Kind::Combined),
             (0x4348, "muls r0, r1, r0", Kind::Multiply),
+            (0xfb51_f002, "smmul r0, r1, r2", Kind::Multiply),
             (0xfb82_0103, "smull r0, r1, r2, r3", Kind::LongMultiply),
             (0xfbc2_0103, "smlal r0, r1, r2, r3", Kind::LongMultiplyAdd),
             (0xfb01_3012, "mls r0, r1, r2, r3", Kind::MultiplyAdd),

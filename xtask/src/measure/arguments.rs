@@ -36,7 +36,7 @@ pub struct Arguments {
     pub(super) all: bool,
 
     /// Estimate the frames a second of boards that people own again, and write
-    /// docs/measured/frames.jsonl and the table in README.md
+    /// docs/measured/frames.jsonl, the table in README.md and docs/boards.md
     #[arg(long, conflicts_with_all = ["all", "core", "scene", "chosen", "size", "clock", "moving"])]
     #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json", "is_whole", "profiles"])]
     pub(super) frames: bool,

@@ -53,13 +53,13 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     if arguments.moving {
         return moving::run(&arguments.choice.task()?, arguments.json);
     }
-    if arguments.board.clock.is_some() {
-        let report = arguments
-            .board
-            .report(&arguments.choice.task()?, arguments.json)?;
-        return print(report + "\n");
+    let mut task = arguments.choice.task()?;
+    if arguments.board.is_given() {
+        let core = arguments.board.board.and_then(|it| Core::find(it.core));
+        task.core = core.unwrap_or(task.core);
+        return print(arguments.board.report(&task, arguments.json)? + "\n");
     }
-    let figures = measure(&arguments.choice.task()?)?;
+    let figures = measure(&task)?;
     let text = match arguments.json {
         true => json_line(&figures.json()?),
         false => figures::table(&[figures]),

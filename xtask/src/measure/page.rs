@@ -20,6 +20,7 @@ pub fn write(rows: &[Figures], moving: &[Kept], frames: &[frames::Kept]) -> Stri
         ("prepare m3", page.preparation("m3", longest)),
         ("moving", moving_record::table(moving)),
         ("frames", frames::page_table(frames)),
+        ("sending", frames::sending()),
     ];
     filled(include_str!("page.md"), &values)
 }

@@ -32,6 +32,11 @@ pub fn renew(core: Option<&'static Core>) -> Result<()> {
     if core.is_none_or(|core| moving_record::CORE_NAMES.contains(&core.name)) {
         moving_record::renew()?;
     }
+    renew_page()
+}
+
+/// Writes docs/boards.md from the kept figures.
+pub(super) fn renew_page() -> Result<()> {
     kept::write(&root().join("docs/boards.md"), &page()?)
 }
 

@@ -1,7 +1,7 @@
 //! Estimates the frames a second that a board draws, from the counted instructions of each row.
 //!
-//! Each core traces every second row if there are two, so the slower half counts. The bus is added,
-//! because a display's driver waits until a row is sent. Flash that is slower than RAM is not counted.
+//! Each core traces every second row if there are two, so the slower half counts. The time to send the frame
+//! is added, because a display's driver waits until a row is sent. Flash that is slower than RAM is not counted.
 
 use anyhow::Result;
 use clap::Args;
@@ -10,15 +10,23 @@ use serde_json::json;
 
 use super::outcome::Outcome;
 use super::task::Task;
-use super::{Figures, estimate, outcome, small};
-use crate::misuse::Misuse;
+use super::{Figures, Size, estimate, outcome, small};
+use crate::{cycles::Timing, misuse::Misuse, owned::Owned};
 
 /// Bits of a pixel on the bus: RGB565.
 const BITS: f64 = 16.0;
 
-/// A board: its clock, its cores and the bus of its display.
+/// Size of the boards' displays.
+pub(super) const SIZE: Size = Size::new(240, 240);
+
+/// One of the boards that people own, or the clock, the cores and the bus of another one.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct Board {
+    /// Estimate frames a second on this board, at 240x240 unless --size is given
+    #[arg(long, value_name = "NAME", value_parser = Owned::parser())]
+    #[arg(conflicts_with_all = ["clock", "core", "moving", "all", "profiles", "frames"])]
+    pub(super) board: Option<&'static Owned>,
+
     /// Estimate frames a second at this clock of the core, at 240x240 unless --size is given
     #[arg(long, value_name = "MHZ", value_parser = megahertz)]
     #[arg(conflicts_with_all = ["moving", "all", "profiles"])]
@@ -44,17 +52,42 @@ fn megahertz(text: &str) -> Result<f64, &'static str> {
 pub struct Speed {
     /// Preparation, and the rows of the slower core.
     pub tracing: f64,
-    /// All pixels on the bus.
-    pub bus: f64,
+    /// All pixels on their way to the display.
+    pub sending: f64,
 }
 
 impl Board {
-    /// A board with a clock in MHz.
-    pub fn new(clock: f64, cores: u8) -> Self {
+    /// One of the boards that people own.
+    pub fn of(board: &'static Owned) -> Self {
         Self {
-            clock: Some(clock),
-            cores,
+            board: Some(board),
+            clock: None,
+            cores: 1,
             bus: None,
+        }
+    }
+
+    /// Tests whether frames a second are wanted.
+    pub(super) fn is_given(&self) -> bool {
+        self.board.is_some() || self.clock.is_some()
+    }
+
+    /// Returns the clock in MHz.
+    fn megahertz(&self) -> f64 {
+        let clock = self.board.map(|it| it.board.clock() as f64 / 1e6);
+        clock.or(self.clock).unwrap_or(1.0)
+    }
+
+    fn cores(&self) -> u8 {
+        self.board.map_or(self.cores, |it| it.cores)
+    }
+
+    /// Returns the seconds in which a number of pixels is sent.
+    fn sending(&self, pixels: u64) -> f64 {
+        let pixels = pixels as f64;
+        match self.board {
+            Some(board) => 1e-3 * board.sending * pixels / SIZE.pixels() as f64,
+            None => self.bus.map_or(0.0, |bus| BITS * pixels / (1e6 * bus)),
         }
     }
 
@@ -71,18 +104,16 @@ impl Board {
                 "no timings of instructions are published for the {title}"
             ))
         })?;
-        let hertz = 1e6 * self.clock.unwrap_or(1.0);
         let cycles = self.instructions(&outcome) as f64 * estimate.per_instruction();
-        let bits = BITS * task.settings.size.pixels() as f64;
         Ok(Speed {
-            tracing: cycles / hertz,
-            bus: self.bus.map_or(0.0, |bus| bits / (1e6 * bus)),
+            tracing: cycles / (1e6 * self.megahertz()),
+            sending: self.sending(task.settings.size.pixels()),
         })
     }
 
     /// Returns the instructions of the core that takes the most.
     fn instructions(&self, outcome: &Outcome) -> u64 {
-        let cores = usize::from(self.cores);
+        let cores = usize::from(self.cores());
         let rows = |first| outcome.rows.iter().skip(first).step_by(cores).sum::<u64>();
         outcome.prepare + (0..cores).map(rows).max().unwrap_or(0)
     }
@@ -92,40 +123,46 @@ impl Board {
         let speed = self.speed(task)?;
         let (scene, size, core) = (task.scene.name(), task.settings.size, task.core);
         let quality = task.settings.quality.name();
-        let [clock, bus] = [self.clock, self.bus].map(Option::unwrap_or_default);
+        let clock = self.megahertz();
         if is_json {
             let line = json!({
                 "core": core.name, "scene": scene, "size": size.to_string(), "quality": quality,
-                "clock": clock, "cores": self.cores, "bus": self.bus,
-                "frames_per_second": rounded(speed.frames_per_second()),
-                "tracing_ms": rounded(1e3 * speed.tracing), "bus_ms": rounded(1e3 * speed.bus),
+                "board": self.board.map(|board| board.name), "clock": clock, "cores": self.cores(),
+                "bus": self.bus, "frames_per_second": rounded(1.0 / speed.frame()),
+                "tracing_ms": rounded(1e3 * speed.tracing), "sending_ms": rounded(1e3 * speed.sending),
             });
             return Ok(json_line(&line.to_string()));
         }
-        let cores = match self.cores {
-            1 => "one core".to_owned(),
-            _ => "two cores, the slower of even and odd rows".to_owned(),
+        let board = self.board.map(|board| format!("{}, ", board.title));
+        let cores = match self.cores() {
+            1 => "one core",
+            _ => "two cores, the slower of even and odd rows",
         };
-        let sent = match self.bus {
-            Some(_) => format!("{:.1} ms on the bus at {bus} MHz", 1e3 * speed.bus),
-            None => "no bus (--bus MHZ)".to_owned(),
+        let sent = match (self.board, self.bus) {
+            (Some(_), _) => "to send a frame".to_owned(),
+            (None, Some(bus)) => format!("on the bus at {bus} MHz"),
+            (None, None) => "on no bus (--bus MHZ)".to_owned(),
         };
         Ok(format!(
             "{}, {size}, {quality}: estimated {:.2} frames a second\n\
-             {}, {clock} MHz, {cores}: {:.1} ms, and {sent}\n\
-             Instructions are counted; their cycles are published timings. Flash that is slower \
-             than RAM is not counted.",
+             {}{}, {clock} MHz, {cores}: {:.1} ms, and {:.1} ms {sent}\n\
+             Instructions are counted; their cycles are those that {}. Flash that is slower than RAM is \
+             not counted.",
             one_line(scene),
-            speed.frames_per_second(),
+            1.0 / speed.frame(),
+            board.unwrap_or_default(),
             core.title,
             1e3 * speed.tracing,
+            1e3 * speed.sending,
+            core.timing.map_or("nobody publishes", Timing::source),
         ))
     }
 }
 
 impl Speed {
-    pub fn frames_per_second(self) -> f64 {
-        1.0 / (self.tracing + self.bus)
+    /// Returns the seconds of a whole frame.
+    pub fn frame(self) -> f64 {
+        self.tracing + self.sending
     }
 }
 

@@ -89,7 +89,10 @@ impl ValueEnum for Quality {
 pub struct Settings {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "64x64")]
-    #[arg(default_value_if("clock", ArgPredicate::IsPresent, "240x240"))]
+    #[arg(default_value_ifs([
+        ("clock", ArgPredicate::IsPresent, "240x240"),
+        ("board", ArgPredicate::IsPresent, "240x240"),
+    ]))]
     pub size: Size,
 
     /// How often a ray is reflected, from 0 to 255

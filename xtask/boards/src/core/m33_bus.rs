@@ -75,8 +75,10 @@ impl CoreBus for System {
 
     fn reset_extra_wait_states(&mut self) {}
 
+    // The crate adds a cycle for a jump into some banks of the RAM, by the lower bits of the address
+    // alone. Here code is in the flash, so each fetch follows the one before.
     fn last_fetch_addr(&self) -> u32 {
-        u32::MAX
+        self.pc.wrapping_sub(2)
     }
 
     fn set_last_fetch_addr(&mut self, _: u32) {}
