@@ -56,7 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 /// Fails if any loaded byte differs, or if the firmware contains no code.
 fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
     let folder = Path::new("examples").join(name);
-    let there = toolchain::build_alone(target, &folder, &[])?;
+    let there = toolchain::build_alone(target, &folder, &["--bin", name])?;
     // The copy is built to the same place.
     let (weight, content) = (weigh(&there)?, fingerprint(&there)?);
     ensure!(
@@ -76,6 +76,40 @@ fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
 /// Copies an example out of the repository and builds the copy as its README says. Returns the
 /// firmware. What other packages for boards have compiled is not compiled again.
 pub fn build(name: &str) -> Result<PathBuf> {
+    build_changed(name, name, |_| Ok(()))
+}
+
+/// Builds a copy that draws another scene, as a person would: writes its source to `src/scene.rs`, and its
+/// name into the line with `Shown`.
+pub fn build_with_scene(name: &str, source: &str, scene: &str) -> Result<PathBuf> {
+    // A package of another name: cargo takes packages of one name for the same, wherever they are.
+    let program = format!("{name}_scene");
+    build_changed(name, &program, |copy| {
+        let change = |file: &str, old: &str, new: &str| {
+            let file = copy.join(file);
+            let text = fs::read_to_string(&file)?;
+            ensure!(text.matches(old).count() == 1, "{}: {old}", file.display());
+            Ok(fs::write(file, text.replace(old, new))?)
+        };
+        fs::write(copy.join("src/scene.rs"), source)?;
+        change(
+            "src/main.rs",
+            "Castle as Shown",
+            &format!("{scene} as Shown"),
+        )?;
+        let old = format!("name = \"{name}\"");
+        let new = format!("name = \"{program}\"");
+        change("Cargo.lock", &old, &new)?;
+        change("Cargo.toml", &old, &new)
+    })
+}
+
+/// Copies an example, changes the copy, builds it, and returns the program of a name.
+fn build_changed(
+    name: &str,
+    program: &str,
+    change: impl FnOnce(&Path) -> Result<()>,
+) -> Result<PathBuf> {
     let example = EXAMPLES.into_iter().find(|(example, _)| *example == name);
     let (_, target) = example.with_context(|| format!("there is no firmware package {name}"))?;
     let place = tempfile::tempdir().context("there is no folder for a copy")?;
@@ -83,7 +117,8 @@ pub fn build(name: &str) -> Result<PathBuf> {
     ensure!(is_outside, "temporary files lie in the repository");
     let copy = place.path().join(name);
     copy_example(&root().join("examples").join(name), &copy)?;
-    toolchain::build_there(target, &copy)
+    change(&copy)?;
+    toolchain::build_there(target, &copy, program)
 }
 
 /// Copies an example's folder. In the copy, the manifest names reflet by its absolute path.

@@ -1,7 +1,8 @@
 //! Tests `cargo xtask measure --board` and `--clock`: frames a second as an estimate, beside the emulated boards.
 
+use xtask::copies;
 use xtask::measure::frames;
-use xtask::owned::{Owned, PICO, PICO_2};
+use xtask::owned::{BLACK_PILL, Owned, PICO, PICO_2};
 use xtask::root;
 
 mod common;
@@ -49,6 +50,18 @@ fn estimate_is_within_10_percent_of_an_emulated_pico_2_whose_time_readme_has() {
     let reported = test_against_emulation(&PICO_2);
     let readme = fs::read_to_string(root().join("README.md")).unwrap();
     assert!(readme.contains(&format!("{reported:.2} s")), "{reported}");
+}
+
+#[test]
+#[ignore = "builds two examples once more"]
+fn time_of_sending_is_what_an_emulated_board_takes_for_an_empty_scene() {
+    let source = fs::read_to_string(root().join("examples/pico2/src/scene.rs")).unwrap();
+    let source = source.replace("Castle", "Empty");
+    for owned in [&PICO_2, &BLACK_PILL] {
+        let firmware = copies::build_with_scene(owned.name, &source, "Empty").unwrap();
+        let reported = 1e3 * reported_by(owned, &firmware);
+        assert!((reported - owned.sending).abs() < 0.5, "{reported}");
+    }
 }
 
 #[test]

@@ -5,14 +5,16 @@
 #![no_main]
 
 mod board;
+mod scene;
 
 use core::panic::PanicInfo;
 
-use reflet::scenes::{BuiltIn, Castle};
 use rtt_target::{rprintln, rtt_init_print};
 use stm32f4xx_hal::pac::DWT;
 
 use crate::board::{Board, CORE_MHZ};
+// For a scene of yours, change this line: `scene.rs` says how.
+use crate::scene::{CAMERA, Castle as Shown};
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
@@ -21,14 +23,14 @@ fn main() -> ! {
         mut display,
         mut key,
     } = board::switch_on();
-    let mut camera = Castle::CAMERA;
+    let mut camera = CAMERA;
     loop {
         let start = DWT::cycle_count();
-        Castle::frame(&camera)
+        Shown::frame(&camera)
             .draw(&mut display)
             .expect("the display takes every row");
         let cycles = DWT::cycle_count().wrapping_sub(start);
-        rprintln!("castle: {} ms", cycles / (CORE_MHZ * 1000));
+        rprintln!("picture: {} ms", cycles / (CORE_MHZ * 1000));
         key.wait();
         // A camera cannot look along its `up`: then it keeps its place.
         camera = camera.orbited(10, 0).unwrap_or(camera);

@@ -14,23 +14,30 @@ use mipidsi::models::ST7789;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use rp2040_hal::clocks::{Clock, init_clocks_and_plls};
 use rp2040_hal::fugit::RateExtU32;
-use rp2040_hal::gpio::{FunctionSpi, Pins};
-use rp2040_hal::pac::Peripherals;
+use rp2040_hal::gpio::{DynPinId, FunctionSioInput, FunctionSpi, Pin, Pins, PullUp};
+use rp2040_hal::pac::{PPB, PSM, Peripherals};
+use rp2040_hal::sio::SioFifo;
 use rp2040_hal::{Sio, Spi, Timer, Watchdog};
 
-use crate::cores::Cores;
-use crate::keys::Keys;
-use crate::view::SIDE;
+/// Second stage of the boot loader. It makes the flash readable as memory.
+#[used]
+#[unsafe(link_section = ".boot2")]
+static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
 
 /// Frequency of the Raspberry Pi Pico's crystal, in Hz.
 const CRYSTAL: u32 = 12_000_000;
+
+/// Input pin that a key connects to ground while it is pressed.
+pub type KeyPin = Pin<DynPinId, FunctionSioInput, PullUp>;
 
 /// The parts of the board that the program uses, switched on.
 pub struct Board<D> {
     /// The panel: black, with its backlight on.
     pub display: D,
-    pub keys: Keys,
-    pub cores: Cores,
+    /// Keys up, down, left, right and select.
+    pub keys: [KeyPin; 5],
+    /// Switch of the second core, its interrupts, and the FIFO to it.
+    pub second_core: (PSM, PPB, SioFifo),
     pub timer: Timer,
 }
 
@@ -52,7 +59,7 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
     )
     .expect("the crystal oscillates");
     let timer = Timer::new(chip.TIMER, &mut chip.RESETS, &clocks);
-    let mut sio = Sio::new(chip.SIO);
+    let sio = Sio::new(chip.SIO);
     let pins = Pins::new(
         chip.IO_BANK0,
         chip.PADS_BANK0,
@@ -67,7 +74,6 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
         pins.gpio20.into_pull_up_input().into_dyn_pin(),
         pins.gpio3.into_pull_up_input().into_dyn_pin(),
     ];
-    let keys = Keys::new(keys, timer);
 
     let data = pins.gpio11.into_function::<FunctionSpi>();
     let clock = pins.gpio10.into_function::<FunctionSpi>();
@@ -87,7 +93,7 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
     Board {
         display,
         keys,
-        cores: Cores::new(&mut chip.PSM, &mut chip.PPB, &mut sio.fifo, timer),
+        second_core: (chip.PSM, chip.PPB, sio.fifo),
         timer,
     }
 }
@@ -104,7 +110,7 @@ fn panel(
     let buffer = singleton!(: [u8; 512] = [0; 512]).expect("the board is switched on once");
     let mut display = Builder::new(ST7789, SpiInterface::new(device, data_command, buffer))
         .reset_pin(reset)
-        .display_size(SIDE as u16, SIDE as u16)
+        .display_size(240, 240)
         .invert_colors(ColorInversion::Inverted)
         .orientation(Orientation::new().rotate(Rotation::Deg90))
         .init(&mut timer)

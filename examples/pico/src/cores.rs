@@ -26,10 +26,11 @@ pub struct Cores {
 
 impl Cores {
     /// Starts the second core if there is one.
-    pub fn new(psm: &mut PSM, ppb: &mut PPB, fifo: &mut SioFifo, timer: Timer) -> Self {
-        let is_there = second_answers(psm, fifo, timer);
+    pub fn new((mut psm, mut ppb, mut fifo): (PSM, PPB, SioFifo), timer: Timer) -> Self {
+        let is_there = second_answers(&mut psm, &mut fifo, timer);
+        let start = || Second::start(&mut psm, &mut ppb, &mut fifo);
         Self {
-            second: is_there.then(|| Second::start(psm, ppb, fifo)).flatten(),
+            second: is_there.then(start).flatten(),
         }
     }
 

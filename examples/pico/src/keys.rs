@@ -7,7 +7,9 @@ use core::mem::replace;
 use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::InputPin;
 use rp2040_hal::Timer;
-use rp2040_hal::gpio::{DynPinId, FunctionSioInput, Interrupt, Pin, PullUp};
+use rp2040_hal::gpio::Interrupt;
+
+use crate::board::KeyPin;
 
 /// Action that a key asks for.
 #[derive(Clone, Copy)]
@@ -17,9 +19,6 @@ pub enum Request {
     /// Show the next scene.
     NextScene,
 }
-
-/// Input pin that a key connects to ground while it is pressed.
-pub type KeyPin = Pin<DynPinId, FunctionSioInput, PullUp>;
 
 /// Degrees by which one press turns the camera.
 const STEP: i32 = 10;

@@ -22,20 +22,16 @@ use crate::cores::Cores;
 use crate::keys::{Keys, Request};
 use crate::view::{BLACK_ROW, Rows, SIDE, View};
 
-/// Second stage of the boot loader. It makes the flash readable as memory.
-#[used]
-#[unsafe(link_section = ".boot2")]
-static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
-
 #[rp2040_hal::entry]
 fn main() -> ! {
     rtt_init_print!();
     let Board {
         mut display,
-        mut keys,
-        mut cores,
+        keys,
+        second_core,
         timer,
     } = board::switch_on();
+    let (mut keys, mut cores) = (Keys::new(keys, timer), Cores::new(second_core, timer));
     rprintln!("cores: {}", cores.count());
     let mut view = View::FIRST;
     loop {

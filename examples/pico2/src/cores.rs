@@ -1,13 +1,14 @@
-//! The views of the castle, and the second core, which traces their odd rows.
+//! The views of the scene, and the second core, which traces their odd rows.
 
 use cortex_m::singleton;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use heapless::spsc::{Consumer, Producer, Queue};
-use reflet::scenes::{BuiltIn, Castle};
 use reflet::{Camera, PreparedFrame};
 use rp235x_hal::multicore::{Multicore, Stack};
 use rp235x_hal::pac::{PPB, PSM};
 use rp235x_hal::sio::SioFifo;
+
+use crate::{CAMERA, Shown};
 
 /// Width and height of the picture in pixels.
 pub const SIDE: u32 = 240;
@@ -19,13 +20,13 @@ pub type Row = [Rgb565; SIDE as usize];
 static STACK: Stack<8192> = Stack::new();
 
 /// Prepares a view.
-pub fn prepare(camera: &Camera) -> PreparedFrame<Castle> {
-    Castle::frame(camera).prepare(Size::new(SIDE, SIDE))
+pub fn prepare(camera: &Camera) -> PreparedFrame<Shown> {
+    Shown::frame(camera).prepare(Size::new(SIDE, SIDE))
 }
 
 /// Traces row `y` of a view.
-pub fn trace(frame: &PreparedFrame<Castle>, y: u32, row: &mut Row) {
-    let rows = frame.on(&Castle);
+pub fn trace(frame: &PreparedFrame<Shown>, y: u32, row: &mut Row) {
+    let rows = frame.on(&Shown);
     rows.expect("a constant scene never changes").row(y, 0, row);
 }
 
@@ -43,7 +44,7 @@ pub fn start(psm: &mut PSM, ppb: &mut PPB, fifo: &mut SioFifo) -> Option<Consume
 /// Runs on the second core, for ever, with the cameras of the first. Waits for each row to be fetched.
 fn trace_odd_rows(traced: &mut Producer<Row>) {
     let mut row = [Rgb565::BLACK; SIDE as usize];
-    let mut camera = Castle::CAMERA;
+    let mut camera = CAMERA;
     loop {
         let frame = prepare(&camera);
         for y in (1..SIDE).step_by(2) {

@@ -6,15 +6,17 @@
 
 mod board;
 mod cores;
+mod scene;
 
 use core::panic::PanicInfo;
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use embedded_hal::{delay::DelayNs, digital::InputPin};
-use reflet::scenes::{BuiltIn, Castle};
 use rtt_target::{rprintln, rtt_init_print};
 
 use crate::cores::{SIDE, prepare, trace};
+// For a scene of yours, change this line: `scene.rs` says how.
+use crate::scene::{CAMERA, Castle as Shown};
 
 /// Tells the boot ROM that this is a program for the Arm cores.
 #[used]
@@ -25,7 +27,7 @@ static IMAGE_DEF: rp235x_hal::block::ImageDef = rp235x_hal::block::ImageDef::sec
 fn main() -> ! {
     rtt_init_print!();
     let mut board = board::switch_on();
-    let mut camera = Castle::CAMERA;
+    let mut camera = CAMERA;
     let mut even = [Rgb565::BLACK; SIDE as usize];
     loop {
         let start = board.timer.get_counter();
@@ -41,7 +43,7 @@ fn main() -> ! {
             drawn.expect("the display takes every row");
         }
         let time = board.timer.get_counter() - start;
-        rprintln!("castle: {} ms", time.to_millis());
+        rprintln!("picture: {} ms", time.to_millis());
         while board.key.is_high() == Ok(true) {}
         while board.key.is_low() == Ok(true) {
             // Contacts bounce for some milliseconds.

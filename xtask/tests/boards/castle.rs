@@ -1,19 +1,27 @@
 //! Each board draws the desk's picture of the castle, before and after keys are pressed.
 
+use std::fs;
+
 use boards::{Display, Key, Picture, Run, SIDE, Script};
+use command_line::{Chosen, Source};
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::Camera;
 use reflet::scenes::{BuiltIn, Castle, ShadingLights};
+use xtask::{copies, root};
 
 use super::{BLACK_PILL, Copied, PICO, PICO_2, common};
 
 /// Returns the picture on the desk.
 fn simulated<S: BuiltIn>(camera: &Camera) -> Vec<u16> {
+    simulated_source(&Source::built_in(S::NAME).unwrap(), camera)
+}
+
+fn simulated_source(source: &Source, camera: &Camera) -> Vec<u16> {
     let size = Size::new(SIDE as u32, SIDE as u32);
     let mut display = SimulatorDisplay::<Rgb565>::new(size);
-    common::draw::<S, _>(camera, &mut display);
+    common::draw_source(source, camera, &mut display);
     let bytes = display.to_be_bytes();
     let pixels = bytes.chunks_exact(2);
     pixels
@@ -51,7 +59,7 @@ fn test(copied: &Copied, key: Key) {
     let cameras = [Castle::CAMERA, turned];
     let expected = cameras.map(|camera| simulated::<Castle>(&camera));
     assert_are_shown(copied, &run, &expected);
-    assert!(run.said[0].starts_with("castle: "), "{:?}", run.said);
+    assert!(run.said[0].starts_with("picture: "), "{:?}", run.said);
 }
 
 #[test]
@@ -62,6 +70,46 @@ fn both_cores_of_a_pico_2_draw_the_castle() {
 #[test]
 fn black_pill_draws_the_castle() {
     test(&BLACK_PILL, Key::Select);
+}
+
+/// Returns the picture of a scene file on the desk.
+fn simulated_file(file: &str) -> Vec<u16> {
+    let path = root().join("examples/scenes").join(file);
+    let source = Source::open(&path, &Chosen::default()).unwrap();
+    simulated_source(&source, &source.camera())
+}
+
+#[test]
+fn smallest_firmware_of_a_pico_draws_a_ball_over_water() {
+    let firmware = PICO.firmware().with_file_name("ball");
+    let run = PICO
+        .board()
+        .run(&firmware, &Script::default().limit(3).picture(&[]));
+    assert_are_shown(&PICO, &run.unwrap(), &[simulated_file("harbour.json")]);
+    let folder = root().join("examples/pico/src/bin/ball");
+    let files = ["main.rs", "scene.rs"].map(|file| fs::read_to_string(folder.join(file)).unwrap());
+    assert!(files.concat().lines().count() <= 60);
+    assert_eq!(files[1], scene_source("harbour"));
+}
+
+/// Returns what `cargo xtask scene` prints.
+fn scene_source(name: &str) -> String {
+    let done = common::xtask(&root(), &format!("scene examples/scenes/{name}.json"));
+    assert_eq!(done.code, 0, "{}", done.err);
+    done.out
+}
+
+#[test]
+#[ignore = "builds two examples once more"]
+fn scene_of_a_user_takes_one_changed_line() {
+    for copied in [&PICO_2, &BLACK_PILL] {
+        let name = copied.owned.name;
+        let firmware = copies::build_with_scene(name, &scene_source("matt3"), "Matt3").unwrap();
+        let run = copied
+            .board()
+            .run(&firmware, &Script::default().picture(&[]));
+        assert_are_shown(copied, &run.unwrap(), &[simulated_file("matt3.json")]);
+    }
 }
 
 #[test]

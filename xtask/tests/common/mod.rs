@@ -51,7 +51,15 @@ pub fn draw<S: BuiltIn, C>(camera: &Camera, display: &mut SimulatorDisplay<C>)
 where
     C: PixelColor + From<Rgb888>,
 {
-    let source = Source::built_in(S::NAME).unwrap();
+    draw_source(&Source::built_in(S::NAME).unwrap(), camera, display);
+}
+
+/// Draws any scene in the same way.
+#[allow(dead_code, reason = "not every test draws")]
+pub fn draw_source<C>(source: &Source, camera: &Camera, display: &mut SimulatorDisplay<C>)
+where
+    C: PixelColor + From<Rgb888>,
+{
     let settings = Settings::blinn_phong(Quality::Fast, 4);
     let size = display.size();
     source.draw_rows(camera, size, settings, &mut |y, row| {

@@ -1,0 +1,28 @@
+//! The smallest firmware: a golden ball over water, on one core and without keys.
+
+#![no_std]
+#![no_main]
+
+#[allow(dead_code, reason = "keys and the second core are not used")]
+#[path = "../../board.rs"]
+mod board;
+mod scene;
+
+// For a scene of yours, write `scene.rs` by `cargo xtask scene FILE.json`, and change this line.
+use crate::scene::{CAMERA, Harbour as Shown};
+
+#[rp2040_hal::entry]
+fn main() -> ! {
+    let mut display = board::switch_on().display;
+    let drawn = Shown::frame(&CAMERA).draw(&mut display);
+    drawn.expect("the display takes every row");
+    loop {
+        core::hint::spin_loop();
+    }
+}
+
+/// Stops.
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
+    cortex_m::asm::udf()
+}
