@@ -20,6 +20,7 @@ use crate::error_kind::ErrorKind;
 /// # Ok::<(), reflet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Error {
     part: &'static str,

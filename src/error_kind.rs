@@ -63,6 +63,7 @@ macro_rules! faults {
         /// assert_eq!(error.kind().message(), "shininess must be within 0 to 2^20");
         /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[non_exhaustive]
         pub enum ErrorKind {
             /// A radius that is zero or negative.

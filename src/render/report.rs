@@ -28,6 +28,7 @@ use crate::trace::Tracer;
 /// # Ok::<(), reflet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Report {
     /// Number of rays: one for each traced pixel and one for each reflection, without shadow rays.
@@ -38,8 +39,10 @@ pub struct Report {
     ///
     /// Ending paths changes no traced pixel by more than this times the brightest colour of the scene;
     /// [`Rows::cut_off_bound`](crate::Rows::cut_off_bound) computes that product.
+    #[cfg_attr(feature = "defmt", defmt(Display2Format))]
     pub cut_off: Unit,
     /// Largest component of any colour of the scene.
+    #[cfg_attr(feature = "defmt", defmt(Display2Format))]
     pub(super) brightest: Brightness,
 }
 

@@ -170,10 +170,10 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 14_860;
+    const MOST_CODE: usize = 14_865;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 35_818;
+    const MOST_OUTSIDE: usize = 35_831;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 70;
