@@ -25,10 +25,11 @@ pub struct Arguments {
 }
 
 /// The examples that are packages of firmware, each with its target.
-const EXAMPLES: [(&str, &str); 5] = [
+const EXAMPLES: [(&str, &str); 6] = [
     ("pico", "thumbv6m-none-eabi"),
     ("pico2", "thumbv8m.main-none-eabihf"),
     ("blackpill", "thumbv7em-none-eabihf"),
+    ("esp32c3", "riscv32imc-unknown-none-elf"),
     ("microbit", "thumbv6m-none-eabi"),
     ("riscv", "riscv32imac-unknown-none-elf"),
 ];

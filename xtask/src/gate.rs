@@ -307,7 +307,7 @@ fn boards(all: bool) -> Vec<Step> {
             program.args(warnings),
         )
     };
-    let [m0, m3, m4, m33, rv32] = TARGETS;
+    let [m0, m3, m4, m33, rv32, rv32_without_atomics] = TARGETS;
     let board = ["--package", "reflet", "--example", "board"];
     let board = toolchain::alone(cargo("clippy").args(["--target", m3]), Path::new("")).args(board);
     let mut steps = vec![
@@ -323,6 +323,7 @@ fn boards(all: bool) -> Vec<Step> {
     if all {
         steps.extend([
             alone("examples/blackpill", "--bins", m4),
+            alone("examples/esp32c3", "--bins", rv32_without_atomics),
             alone("examples/pico", "--bins", m0),
             alone("examples/pico2", "--bins", m33),
         ]);

@@ -13,13 +13,14 @@ use serde_json::Value;
 
 use crate::{apt, command::Program, need, root};
 
-/// The targets that reflet is built for: Cortex-M0, M3, M4F and M7, M33, and RV32IMAC.
-pub const TARGETS: [&str; 5] = [
+/// The targets that reflet is built for: Cortex-M0, M3, M4F and M7, M33, RV32IMAC and RV32IMC.
+pub const TARGETS: [&str; 6] = [
     "thumbv6m-none-eabi",
     "thumbv7m-none-eabi",
     "thumbv7em-none-eabihf",
     "thumbv8m.main-none-eabihf",
     "riscv32imac-unknown-none-elf",
+    "riscv32imc-unknown-none-elf",
 ];
 
 /// The oldest Rust version that the library supports, from Cargo.toml.
@@ -27,7 +28,7 @@ pub const OLDEST_RUST: &str = env!("CARGO_PKG_RUST_VERSION");
 
 /// Commands by which a person installs the bare-metal targets.
 pub const BARE_METAL_BY_HAND: &str = "rustup target add thumbv6m-none-eabi thumbv7m-none-eabi \
-     thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf, \
+     thumbv7em-none-eabihf thumbv8m.main-none-eabihf riscv32imac-unknown-none-elf riscv32imc-unknown-none-elf, \
      or as root: apt-get install --no-install-recommends rustc-web rust-web-src";
 
 /// Time limit of rustup. It takes seconds if its server answers, and may wait for ever if not.
