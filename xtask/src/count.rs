@@ -173,7 +173,7 @@ mod tests {
     const MOST_CODE: usize = 14_860;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 35_512;
+    const MOST_OUTSIDE: usize = 35_510;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 70;

@@ -1,5 +1,6 @@
 //! Tests `cargo xtask measure --clock`: frames a second as an estimate, beside the emulated boards.
 
+use xtask::copies;
 use xtask::measure::frames;
 use xtask::owned::{Owned, PICO, PICO_2};
 use xtask::root;
@@ -12,7 +13,7 @@ use boards::Script;
 
 /// Returns the seconds that a board reports for the castle at 240x240.
 fn reported(owned: &Owned) -> f64 {
-    let firmware = owned.build().unwrap();
+    let firmware = copies::firmware(owned.name).unwrap();
     let run = owned.board.run(&firmware, &Script::default().picture(&[]));
     let said = run.unwrap().said;
     let line = said.iter().find_map(|line| line.strip_prefix("castle: "));
