@@ -8,14 +8,13 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::reference::{self, Picture};
-use reflet::{Camera, Error, Report};
+use reflet::{Error, Report};
 
 use crate::arguments::Arguments;
 use crate::dither::Levels;
 use crate::draw::draw;
 use crate::progress;
-use command_line::Failure;
-use command_line::{Settings, Source};
+use command_line::{Failure, Settings, Source, exact};
 
 /// A picture and what is known about it.
 pub struct Drawing {
@@ -26,11 +25,6 @@ pub struct Drawing {
     pub report: Option<Report>,
     /// Difference of fixed point from the reference, if both rendered.
     pub difference: Option<Difference>,
-}
-
-/// Converts the reference's camera to the library's.
-pub fn exact(camera: &reference::Camera) -> Result<Camera, Error> {
-    Camera::new(camera.position, camera.target, camera.up, camera.fov)
 }
 
 impl Drawing {

@@ -10,10 +10,9 @@ use reflet::host::reference::Camera;
 use reflet::scenes;
 
 use crate::arguments::Arguments;
-use crate::picture::{Drawing, exact};
+use crate::picture::Drawing;
 use crate::{output, report};
-use command_line::Source;
-use command_line::{Failure, Settings};
+use command_line::{Failure, Settings, Source, exact};
 
 /// Degrees by which one press of an arrow key turns the camera.
 const STEP: i32 = 5;

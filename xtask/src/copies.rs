@@ -12,7 +12,7 @@ use std::{
 use anyhow::{Context, Result, ensure};
 use clap::{Args, builder::PossibleValuesParser};
 
-use crate::measure::{Weight, fingerprint, weigh};
+use crate::measure::{Weight, fingerprint, images, weigh};
 use crate::{enter_root, root, table, toolchain};
 
 /// Copies examples out of the repository, builds the copies, and fails if one is not the firmware that
@@ -74,9 +74,14 @@ fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
     Ok(weights)
 }
 
+/// Returns the firmware that a copy of an example builds. One build serves all tests.
+pub fn firmware(name: &str) -> Result<PathBuf> {
+    images::kept(&Path::new("examples").join(name), || build(name))
+}
+
 /// Copies an example out of the repository and builds the copy as its README says. Returns the
 /// firmware. What other packages for boards have compiled is not compiled again.
-pub fn build(name: &str) -> Result<PathBuf> {
+fn build(name: &str) -> Result<PathBuf> {
     build_changed(name, name, |_| Ok(()))
 }
 

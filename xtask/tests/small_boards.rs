@@ -17,7 +17,7 @@ const LIMIT: Duration = Duration::from_secs(300);
 
 /// Builds a copy of an example, as a person takes it.
 fn build(example: &str) -> PathBuf {
-    copies::build(example).unwrap_or_else(|error| panic!("{error:#}"))
+    copies::firmware(example).unwrap_or_else(|error| panic!("{error:#}"))
 }
 
 /// Returns the stack that the program reports. Panics if its picture differs from this machine's.

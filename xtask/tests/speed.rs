@@ -13,7 +13,7 @@ use boards::Script;
 
 /// Returns the seconds that a board reports for the castle at 240x240.
 fn reported(owned: &Owned) -> f64 {
-    reported_by(owned, &owned.build().unwrap())
+    reported_by(owned, &copies::firmware(owned.name).unwrap())
 }
 
 /// Returns the seconds that a firmware reports for its picture.

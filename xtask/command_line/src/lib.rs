@@ -13,7 +13,7 @@ pub use file::{OutputFile, are_same_file, is_standard_output, print, shown};
 pub use mistake::{in_one_line, json_line, parse};
 pub use reflet::host::line::one_line;
 pub use setting::{Quality, Shading, size};
-pub use source::{Chosen, Named, Source, with_advice};
+pub use source::{Chosen, Named, Source, exact, with_advice};
 
 /// An error of a command, in words for the person who typed it.
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;

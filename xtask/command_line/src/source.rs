@@ -4,13 +4,13 @@ use std::path::Path;
 
 use clap::Args;
 use embedded_graphics::geometry::Size;
-use reflet::Camera;
 use reflet::host::file::{FileError, FileScene, Problem, SceneFile, built};
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture};
 use reflet::quality::Quality;
 use reflet::scenes::{self, BuiltIn, Visitor};
 use reflet::shading::Shading;
+use reflet::{Camera, Error};
 
 use crate::Failure;
 
@@ -81,12 +81,26 @@ impl Source {
 
     fn known(name: &str) -> Self {
         let exact = scenes::visit(name, Describe).expect("the name was found in the list of names");
-        let scene = built(&exact.0, &exact.1).expect("a built-in scene is valid");
-        Self {
-            name: name.to_owned(),
-            exact,
-            scene,
-        }
+        let source = Self::described(name.to_owned(), exact.0, exact.1);
+        source.expect("a built-in scene is valid")
+    }
+
+    /// Returns a scene from its description in double precision.
+    ///
+    /// # Errors
+    ///
+    /// The library refuses the scene or the camera.
+    pub fn described(
+        name: String,
+        scene: reference::Scene,
+        camera: reference::Camera,
+    ) -> Result<Self, FileError> {
+        let built = built(&scene, &camera)?;
+        Ok(Self {
+            name,
+            exact: (scene, camera),
+            scene: built,
+        })
     }
 
     fn read(path: &Path, chosen: &Chosen) -> Result<Self, Failure> {
@@ -116,16 +130,9 @@ impl Source {
         &self.scene
     }
 
-    /// Returns the scene, ready to draw, without the rest.
-    pub fn into_scene(self) -> Box<FileScene> {
-        self.scene
-    }
-
     /// Returns the camera that the scene was made for.
     pub fn camera(&self) -> Camera {
-        let eye = &self.exact.1;
-        let camera = Camera::new(eye.position, eye.target, eye.up, eye.fov);
-        camera.expect("the scene was built with this camera")
+        exact(&self.exact.1).expect("the scene was built with this camera")
     }
 
     /// Draws the scene through its own camera.
@@ -140,6 +147,15 @@ impl Source {
     pub fn reference(&self) -> (reference::Scene, reference::Camera) {
         self.exact.clone()
     }
+}
+
+/// Converts the reference's camera to the library's.
+///
+/// # Errors
+///
+/// Fails if the camera shows nothing, as [`Camera::new`] says.
+pub fn exact(camera: &reference::Camera) -> Result<Camera, Error> {
+    Camera::new(camera.position, camera.target, camera.up, camera.fov)
 }
 
 /// Adds the option `--scene` to an error that a file has several scenes. The file's error does not

@@ -9,8 +9,9 @@
 //! formats with `core::fmt` or can panic: where a linked program does, it is the contestant who
 //! needs it.
 //!
-//! A third one, `pictures`, draws several scenes and reports hashes only; `sweep` goes through many settings of a scene for the package `report`, and `budget`
-//! draws frames with a budget, by the core's own clock; nobody weighs these.
+//! A third one, `pictures`, draws several scenes and reports hashes only; `sweep` goes through many
+//! settings of a scene for the package `report`, and `budget` draws frames with a budget, by the core's
+//! own clock; nobody weighs these.
 #![no_std]
 
 mod clock;
@@ -22,7 +23,8 @@ mod sweep;
 
 use core::hint::black_box;
 
-use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
+#[doc(hidden)]
+pub use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use frame_hash::FrameHash;
 
 pub use clock::Clock;
@@ -36,6 +38,28 @@ pub struct Order {
     pub size: (u32, u32),
     /// Number that the program prints with its report; it tells the reports of two programs apart.
     pub ticket: u64,
+}
+
+/// Defines the start of a program that includes the job as `job` and calls a function with a row of
+/// the job's width. The row is static, so the stack holds only what the renderer needs.
+#[macro_export]
+macro_rules! program {
+    (|$row:ident| $call:expr) => {
+        #[allow(dead_code)] // No program needs all of a job.
+        mod job {
+            include!(env!("MEASURE_JOB"));
+        }
+
+        static mut ROW: [$crate::Rgb888; job::ORDER.size.0 as usize] =
+            [<$crate::Rgb888 as $crate::RgbColor>::BLACK; job::ORDER.size.0 as usize];
+
+        #[unsafe(no_mangle)]
+        extern "C" fn main() -> ! {
+            // Sound: nothing else names the row, and the start-up code calls this once.
+            let $row = unsafe { &mut *core::ptr::addr_of_mut!(ROW) };
+            $call
+        }
+    };
 }
 
 /// Draws a frame of contestant `C` row by row into `row`, reports and ends the emulation.
@@ -75,6 +99,17 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
     report::text("\n");
     semihosting::process::exit(0)
 }
+
+/// Draws all pictures and ends the emulation.
+pub fn pictures(order: &Order, draws: &[Draw], row: &mut [Rgb888]) -> ! {
+    for draw in draws {
+        draw(order.size, row);
+    }
+    semihosting::process::exit(0)
+}
+
+/// A function that draws a picture of this size: [`picture`] of a contestant.
+pub type Draw = fn((u32, u32), &mut [Rgb888]);
 
 /// Draws a frame of contestant `C` row by row into `row` and reports the hash of its pixels. Counts
 /// nothing.

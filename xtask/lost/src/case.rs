@@ -1,12 +1,12 @@
 //! One scene to be drawn by the reference and by each quality. Never reads a file.
 
 use clap::ValueEnum;
+use command_line::{Quality as Fixed, Settings, Source};
 use embedded_graphics::geometry::Size;
-use reflet::host::file::{FileError, FileScene, built};
-use reflet::host::painted;
+use reflet::host::file::FileError;
 use reflet::host::reference::{Camera, Scene};
-use reflet::quality::{self, Exact};
-use reflet::shading::{BlinnPhong, Shading, Unshadowed};
+use reflet::quality::{Draft, Exact, Fast, Fine};
+use reflet::shading::Unshadowed;
 
 use crate::count::{Cause, Counts, Pixel, RIGHT, causes, difference, lost};
 use crate::truth::{Truth, truth};
@@ -14,11 +14,11 @@ use crate::truth::{Truth, truth};
 /// A quality that interpolates, and so may lose pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Quality {
-    /// [`quality::Fast`].
+    /// [`Fast`].
     Fast,
-    /// [`quality::Fine`].
+    /// [`Fine`].
     Fine,
-    /// [`quality::Draft`], which guesses.
+    /// [`Draft`], which guesses.
     Draft,
 }
 
@@ -27,8 +27,16 @@ impl Quality {
     pub const SURE: [Self; 2] = [Self::Fast, Self::Fine];
 
     /// Returns the quality's name in tables and on the command line.
-    pub fn name(self) -> String {
-        format!("{self:?}").to_lowercase()
+    pub fn name(self) -> &'static str {
+        self.fixed().name()
+    }
+
+    fn fixed(self) -> Fixed {
+        match self {
+            Self::Fast => Fixed::Fast,
+            Self::Fine => Fixed::Fine,
+            Self::Draft => Fixed::Draft,
+        }
     }
 }
 
@@ -85,15 +93,20 @@ impl Case {
     ///
     /// The library refuses the scene or the camera.
     pub fn judge(&self, size: Size, qualities: &[Quality]) -> Result<Judged, FileError> {
-        let (lit, plain) = (self.drawing(size)?, self.plain().drawing(size)?);
-        let truth = self.truth(size);
-        let exact = lit.drawn::<BlinnPhong, Exact>();
+        let (lit, plain) = (self.source()?, self.plain().source()?);
+        let (truth, how) = (self.truth(size), (size, self.reflections));
+        let lit = |quality| {
+            let settings = Settings::blinn_phong(quality, self.reflections);
+            lit.drawn(size, settings).pixels
+        };
+        let exact = lit(Fixed::Exact);
         let judge = |&quality: &Quality| {
-            let pixels = lit.drawn_in::<BlinnPhong>(quality);
+            let pixels = lit(quality.fixed());
             let is_lost = lost(&truth.lit, &exact, &pixels);
             let causes = causes(&is_lost, &truth.is_apart, || {
-                let exact = plain.drawn::<Unshadowed, Exact>();
-                lost(&truth.plain, &exact, &plain.drawn_in::<Unshadowed>(quality))
+                let exact = unshadowed(&plain, Fixed::Exact, how);
+                let drawn = unshadowed(&plain, quality.fixed(), how);
+                lost(&truth.plain, &exact, &drawn)
             });
             Lost {
                 quality,
@@ -116,7 +129,8 @@ impl Case {
     ///
     /// The library refuses the scene or the camera.
     pub fn plain_exact(&self, size: Size) -> Result<f64, FileError> {
-        let exact = self.plain().drawing(size)?.drawn::<Unshadowed, Exact>();
+        let how = (size, self.reflections);
+        let exact = unshadowed(&self.plain().source()?, Fixed::Exact, how);
         Ok(share_right(&exact, &self.truth(size).plain))
     }
 
@@ -133,16 +147,8 @@ impl Case {
         truth(&self.scene, &self.camera, size.into(), reflections)
     }
 
-    fn drawing(&self, size: Size) -> Result<Drawing, FileError> {
-        let eye = &self.camera;
-        let scene = built(&self.scene, eye)?;
-        let camera = reflet::Camera::new(eye.position, eye.target, eye.up, eye.fov);
-        Ok(Drawing {
-            scene,
-            camera: camera.expect("the scene was built with this camera"),
-            reflections: self.reflections,
-            size,
-        })
+    fn source(&self) -> Result<Source, FileError> {
+        Source::described(self.name.clone(), self.scene.clone(), self.camera.clone())
     }
 }
 
@@ -152,26 +158,13 @@ fn share_right(exact: &[Pixel], truth: &[Pixel]) -> f64 {
     100.0 * right as f64 / truth.len().max(1) as f64
 }
 
-/// A scene that the library draws.
-struct Drawing {
-    scene: Box<FileScene>,
-    camera: reflet::Camera,
-    reflections: u8,
-    size: Size,
-}
-
-impl Drawing {
-    fn drawn<K: Shading, Q: quality::Quality>(&self) -> Vec<Pixel> {
-        let frame = self.scene.frame(&self.camera).reflections(self.reflections);
-        let frame = frame.quality::<Q>().shading::<K>().prepare(self.size);
-        painted(&frame.on(&*self.scene).expect("the frame is this scene's")).pixels
-    }
-
-    fn drawn_in<K: Shading>(&self, quality: Quality) -> Vec<Pixel> {
-        match quality {
-            Quality::Fast => self.drawn::<K, quality::Fast>(),
-            Quality::Fine => self.drawn::<K, quality::Fine>(),
-            Quality::Draft => self.drawn::<K, quality::Draft>(),
-        }
-    }
+/// Draws a scene without shadows.
+fn unshadowed(source: &Source, quality: Fixed, (size, reflections): (Size, u8)) -> Vec<Pixel> {
+    let picture = match quality {
+        Fixed::Draft => source.painted::<Draft, Unshadowed>(size, reflections),
+        Fixed::Fast => source.painted::<Fast, Unshadowed>(size, reflections),
+        Fixed::Fine => source.painted::<Fine, Unshadowed>(size, reflections),
+        Fixed::Small | Fixed::Exact => source.painted::<Exact, Unshadowed>(size, reflections),
+    };
+    picture.pixels
 }

@@ -97,7 +97,7 @@ impl Truth {
         let Size { width, height } = painter.size;
         let (scene, camera) = (&painter.scene, &painter.exact_camera);
         let (shading, size) = (Shading::BlinnPhong, (width, height));
-        let precision = precision(&*painter.world);
+        let precision = precision(painter.source.scene());
         Self {
             picture: reference::render(scene, camera, width, height, ALL, shading),
             paths: Paths::follow(scene, camera, size, FOLLOWED, shading, &precision),
@@ -120,12 +120,16 @@ impl Truth {
             parts: Parts::default(),
         };
         let reflections = setting.reflections;
-        let Contestant::Fixed { level, shadows } = setting.contestant else {
-            let ending = ending(painter, Level::EXACT, reflections);
-            errors.parts.truncation = self.apart_from(&self.paths.picture(&ending));
-            return Ok(errors);
+        let level = match setting.contestant {
+            Contestant::Fixed(level) => level,
+            Contestant::Unshadowed => Level::Fast,
+            Contestant::Float => {
+                let ending = ending(painter, Level::Exact, reflections);
+                errors.parts.truncation = self.apart_from(&self.paths.picture(&ending));
+                return Ok(errors);
+            }
         };
-        let is_plain = shadows && setting.scale == 1;
+        let is_plain = setting.contestant != Contestant::Unshadowed && setting.scale == 1;
         let full = match is_plain {
             true => picture,
             false => &painter.paint(&Setting::fixed(level, reflections)),

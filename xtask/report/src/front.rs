@@ -31,10 +31,8 @@ pub fn source(command: &str, scenes: &[Measured]) -> String {
 /// shadows.
 fn points(points: &[Point]) -> Vec<&Point> {
     let is_known = |point: &&Point| match point.setting.contestant {
-        Contestant::Fixed { level, shadows } => {
-            shadows && [Level::FAST, Level::FINE].contains(&level)
-        }
-        Contestant::Float => false,
+        Contestant::Fixed(level) => [Level::Fast, Level::Fine].contains(&level),
+        Contestant::Unshadowed | Contestant::Float => false,
     };
     let mut known: Vec<&Point> = points.iter().filter(is_known).collect();
     known.sort_by(|a, b| {
@@ -76,9 +74,7 @@ fn hundredths(point: &Point) -> u16 {
 
 fn line(point: &Point) -> String {
     let level = match point.setting.contestant {
-        Contestant::Fixed {
-            level: Level::FINE, ..
-        } => "Fine",
+        Contestant::Fixed(Level::Fine) => "Fine",
         _ => "Fast",
     };
     format!(

@@ -8,19 +8,16 @@ use command_line::Source;
 use embedded_graphics::geometry::Size;
 use float_picture::{Shading, render as render_in_f32};
 use frame_hash::FrameHash;
-use reflet::host::file::FileScene;
-use reflet::host::painted;
+use reflet::Unit;
 use reflet::host::reference::{self, Picture};
-use reflet::quality::Quality;
-use reflet::shading::{self, BlinnPhong, Unshadowed};
-use reflet::{Camera, FrameBuilder, Unit};
+use reflet::quality::{Fast, Quality};
+use reflet::shading::{BlinnPhong, Unshadowed};
 use xtask::sweep::{Contestant, Level, Setting, Visitor};
 
 /// A scene that is ready to be drawn under any setting.
 pub struct Painter {
     pub name: String,
-    pub world: Box<FileScene>,
-    camera: Camera,
+    pub source: Source,
     /// The scene in double precision.
     pub scene: reference::Scene,
     pub exact_camera: reference::Camera,
@@ -32,8 +29,7 @@ impl Painter {
         let (scene, exact_camera) = source.reference();
         Ok(Self {
             name: source.name().to_owned(),
-            camera: source.camera(),
-            world: source.into_scene(),
+            source,
             scene,
             exact_camera,
             size,
@@ -41,41 +37,42 @@ impl Painter {
     }
 
     pub fn paint(&self, setting: &Setting) -> Picture {
-        self.draw(setting, false)
-    }
-
-    /// Returns the picture in fixed point with shadows, where every pixel is traced instead of
-    /// interpolated.
-    pub fn paint_traced(&self, level: Level, reflections: u8) -> Picture {
-        self.draw(&Setting::fixed(level, reflections), true)
-    }
-
-    fn draw(&self, setting: &Setting, traces_all: bool) -> Picture {
         let Size { width, height } = self.size;
         let scale = u32::from(setting.scale);
         let size = Size::new(width.div_ceil(scale), height.div_ceil(scale));
-        let reflections = setting.reflections;
+        let (source, reflections) = (&self.source, setting.reflections);
         let small = match setting.contestant {
-            Contestant::Fixed { level, shadows } => level.visit(Draw {
-                scene: &self.world,
-                frame: self.world.frame(&self.camera).reflections(reflections),
+            Contestant::Fixed(level) => level.visit(Draw {
+                source,
                 size,
-                shadows,
-                traces_all,
+                reflections,
+                traces_all: false,
             }),
+            Contestant::Unshadowed => source.painted::<Fast, Unshadowed>(size, reflections),
             Contestant::Float => {
                 let (scene, camera) = (&self.scene, &self.exact_camera);
                 let (size, shading) = (size.into(), Shading::BlinnPhong);
-                render_in_f32(scene, camera, size, reflections.into(), shading).pixels
+                render_in_f32(scene, camera, size, reflections.into(), shading)
             }
         };
-        let at = |x: u32, y: u32| small[(y / scale * size.width + x / scale) as usize];
+        let at = |x: u32, y: u32| small.pixels[(y / scale * size.width + x / scale) as usize];
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
         Picture {
             width,
             height,
             pixels: places.map(|(x, y)| at(x, y)).collect(),
         }
+    }
+
+    /// Returns the picture in fixed point with shadows, where every pixel is traced instead of
+    /// interpolated.
+    pub fn paint_traced(&self, level: Level, reflections: u8) -> Picture {
+        level.visit(Draw {
+            source: &self.source,
+            size: self.size,
+            reflections,
+            traces_all: true,
+        })
     }
 }
 
@@ -97,36 +94,25 @@ impl<Q: Quality> Quality for Traced<Q> {
 }
 
 struct Draw<'a> {
-    scene: &'a FileScene,
-    frame: FrameBuilder<'a, FileScene>,
+    source: &'a Source,
     size: Size,
-    shadows: bool,
+    reflections: u8,
     traces_all: bool,
 }
 
 impl Visitor for Draw<'_> {
-    type Output = Vec<[u8; 3]>;
+    type Output = Picture;
 
-    fn visit<Q: Quality>(self) -> Self::Output {
-        match self.traces_all {
-            true => self.pixels::<Traced<Q>>(),
-            false => self.pixels::<Q>(),
+    fn visit<Q: Quality>(self) -> Picture {
+        let Draw {
+            source,
+            size,
+            reflections,
+            traces_all,
+        } = self;
+        match traces_all {
+            true => source.painted::<Traced<Q>, BlinnPhong>(size, reflections),
+            false => source.painted::<Q, BlinnPhong>(size, reflections),
         }
-    }
-}
-
-impl Draw<'_> {
-    fn pixels<Q: Quality>(self) -> Vec<[u8; 3]> {
-        match self.shadows {
-            true => self.shaded::<Q, BlinnPhong>(),
-            false => self.shaded::<Q, Unshadowed>(),
-        }
-    }
-
-    fn shaded<Q: Quality, K: shading::Shading>(self) -> Vec<[u8; 3]> {
-        let frame = self.frame.quality::<Q>().shading::<K>();
-        let frame = frame.prepare(self.size);
-        let rows = frame.on(self.scene).expect("the frame is this scene's");
-        painted(&rows).pixels
     }
 }

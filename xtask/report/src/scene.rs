@@ -171,7 +171,7 @@ impl<'a> Plan<'a> {
 
 /// Returns the largest number of reflections, up to `most`, that changes the picture.
 fn last_that_matters(painter: &Painter, most: u8) -> u8 {
-    let painted = |number| painter.paint(&Setting::fixed(Level::EXACT, number));
+    let painted = |number| painter.paint(&Setting::fixed(Level::Exact, number));
     let whole = painted(most);
     let same = (0..most).find(|number| painted(*number) == whole);
     same.unwrap_or(most)

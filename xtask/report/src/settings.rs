@@ -17,23 +17,29 @@ pub fn fixed(numbers: &[u8]) -> Vec<Setting> {
         scales.flat_map(move |scale| plain(level).map(move |it| Setting { scale, ..it }))
     };
     let cuts = [Level::Cut4, Level::Cut16, Level::Cut64];
-    plain(Level::FAST)
-        .chain(plain(Level::FINE))
-        .chain(plain(Level::EXACT))
+    plain(Level::Fast)
+        .chain(plain(Level::Fine))
+        .chain(plain(Level::Exact))
         .chain(plain(Level::Rough4))
         .chain(plain(Level::Rough16))
         .chain(cuts.map(|level| Setting::fixed(level, most)))
-        .chain(scaled(Level::FAST))
-        .chain(scaled(Level::FINE))
-        .chain(plain(Level::FAST).map(Setting::unshadowed))
-        .chain(scaled(Level::FAST).map(Setting::unshadowed))
+        .chain(scaled(Level::Fast))
+        .chain(scaled(Level::Fine))
+        .chain(at_all_scales(numbers, Setting::unshadowed))
         .collect()
 }
 
 /// Returns all settings of the float port for these numbers of reflections.
 pub fn float(numbers: &[u8]) -> Vec<Setting> {
-    let numbers = |scale| numbers.iter().map(move |&it| Setting::float(it, scale));
-    SCALES.into_iter().flat_map(numbers).collect()
+    at_all_scales(numbers, Setting::float).collect()
+}
+
+fn at_all_scales(
+    numbers: &[u8],
+    setting: fn(u8, u8) -> Setting,
+) -> impl Iterator<Item = Setting> + '_ {
+    let numbers = move |scale| numbers.iter().map(move |&it| setting(it, scale));
+    SCALES.into_iter().flat_map(numbers)
 }
 
 /// Returns the measured numbers of reflections, up to the last one that changes the picture.

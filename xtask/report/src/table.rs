@@ -28,7 +28,8 @@ fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {
     let setting = &point.setting;
     let (contestant, level, shadows) = match setting.contestant {
         Contestant::Float => ("float", None, true),
-        Contestant::Fixed { level, shadows } => ("fixed", Some(level), shadows),
+        Contestant::Fixed(level) => ("fixed", Some(level), true),
+        Contestant::Unshadowed => ("fixed", Some(Level::Fast), false),
     };
     let optional = |value: Option<String>| value.unwrap_or_default();
     let of_level = |show: fn(Numbers) -> String| optional(level.map(|it| show(it.numbers())));

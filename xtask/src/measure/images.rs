@@ -69,7 +69,19 @@ pub fn sources() -> Result<u64> {
     Ok(hasher.finish())
 }
 
-/// Adds the content of a file, or of all files of a folder in the order of their names.
+/// Returns the firmware that is made of a package outside of `xtask`, and builds it if it is not there.
+pub fn kept(package: &Path, build: impl FnOnce() -> Result<PathBuf>) -> Result<PathBuf> {
+    let mut hasher = DefaultHasher::new();
+    add(&root().join(package), &mut hasher)?;
+    let image = place((package, hasher.finish()))?;
+    if !image.is_file() {
+        keep(&build()?, &image)?;
+    }
+    Ok(image)
+}
+
+/// Adds the content of a file, or of all files of a folder in the order of their names, but for what
+/// cargo built in it.
 fn add(path: &Path, hasher: &mut impl Hasher) -> Result<()> {
     let unreadable = || format!("cannot read {}", path.display());
     if !path.is_dir() {
@@ -79,6 +91,7 @@ fn add(path: &Path, hasher: &mut impl Hasher) -> Result<()> {
     }
     let entries = path.read_dir().with_context(unreadable)?.flatten();
     let mut paths: Vec<_> = entries.map(|entry| entry.path()).collect();
+    paths.retain(|path| !path.ends_with("target"));
     paths.sort();
     paths.iter().try_for_each(|path| add(path, hasher))
 }

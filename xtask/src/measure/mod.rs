@@ -14,7 +14,7 @@ pub mod figures;
 pub(crate) mod firmware;
 pub(crate) mod float_source;
 pub mod frames;
-mod images;
+pub(crate) mod images;
 pub mod ledger;
 pub mod moving;
 mod moving_record;

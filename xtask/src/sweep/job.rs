@@ -39,22 +39,21 @@ pub fn source(sweep: &Sweep, file: &Path, ticket: u64) -> String {
 /// Returns the level of a setting if it is none of the library's qualities.
 fn own_level(setting: &Setting) -> Option<Level> {
     match setting.contestant {
-        Contestant::Fixed { level, .. } => Some(level).filter(|it| !matches!(it, Level::Named(_))),
-        Contestant::Float => None,
+        Contestant::Fixed(level) => Some(level).filter(|it| it.library_type().is_none()),
+        Contestant::Unshadowed | Contestant::Float => None,
     }
 }
 
 fn type_name(setting: &Setting) -> String {
-    let Contestant::Fixed { level, shadows } = setting.contestant else {
-        return "firmware::Float<Seen>".to_owned();
+    const PLAIN: &str = "reflet::shading::BlinnPhong";
+    let (level, shading) = match setting.contestant {
+        Contestant::Fixed(level) => (level, PLAIN.to_owned()),
+        Contestant::Unshadowed => (Level::Fast, format!("reflet::shading::Unshadowed<{PLAIN}>")),
+        Contestant::Float => return "firmware::Float<Seen>".to_owned(),
     };
-    let quality = match level {
-        Level::Named(quality) => format!("reflet::quality::{}", quality.type_name()),
-        own => quality(own).0,
-    };
-    let shading = match shadows {
-        true => "reflet::shading::BlinnPhong",
-        false => "reflet::shading::Unshadowed<reflet::shading::BlinnPhong>",
+    let quality = match level.library_type() {
+        Some(name) => format!("reflet::quality::{name}"),
+        None => quality(level).0,
     };
     format!("firmware::Varied<Scene, Seen, {quality}, {shading}>")
 }
@@ -83,14 +82,16 @@ mod tests {
     fn contestant_is_named_by_its_type() {
         let names = [
             Setting::float(3, 1),
-            Setting::fixed(Level::FINE, 0),
-            Setting::fixed(Level::Cut16, 9).unshadowed(),
+            Setting::fixed(Level::Fine, 0),
+            Setting::fixed(Level::Cut16, 9),
+            Setting::unshadowed(9, 1),
         ]
         .map(|it| type_name(&it));
         let expected = [
             "firmware::Float<Seen>",
             "firmware::Varied<Scene, Seen, reflet::quality::Fine, reflet::shading::BlinnPhong>",
-            "firmware::Varied<Scene, Seen, OwnT4194304W67108864, \
+            "firmware::Varied<Scene, Seen, OwnT4194304W67108864, reflet::shading::BlinnPhong>",
+            "firmware::Varied<Scene, Seen, reflet::quality::Fast, \
              reflet::shading::Unshadowed<reflet::shading::BlinnPhong>>",
         ];
         assert_eq!(names, expected);

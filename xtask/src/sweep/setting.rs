@@ -1,8 +1,7 @@
 //! A setting of a sweep as a value: fixed point or float, quality, reflections and pixel size.
 
-use command_line::Quality as Named;
 use reflet::Unit;
-use reflet::quality::{Draft, Exact, Fast, Fine, Quality, Small};
+use reflet::quality::{Exact, Fast, Fine, Quality};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Setting {
@@ -16,13 +15,17 @@ pub struct Setting {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Contestant {
     Float,
-    Fixed { level: Level, shadows: bool },
+    Fixed(Level),
+    /// [`Level::Fast`] without shadows.
+    Unshadowed,
 }
 
 /// A quality as a value: one of the library's, or [`Fast`] with one constant changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Level {
-    Named(Named),
+    Fast,
+    Fine,
+    Exact,
     /// [`Fast`] with a smallest weight of 2⁻²: paths stop below it.
     Cut4,
     /// [`Fast`] with a smallest weight of 2⁻⁴.
@@ -73,13 +76,11 @@ impl Visitor for AsNumbers {
 }
 
 impl Level {
-    pub const FAST: Self = Self::Named(Named::Fast);
-    pub const FINE: Self = Self::Named(Named::Fine);
-    pub const EXACT: Self = Self::Named(Named::Exact);
-
     pub fn name(self) -> &'static str {
         match self {
-            Self::Named(quality) => quality.name(),
+            Self::Fast => "fast",
+            Self::Fine => "fine",
+            Self::Exact => "exact",
             Self::Cut4 => "fast, cut at 1/4",
             Self::Cut16 => "fast, cut at 1/16",
             Self::Cut64 => "fast, cut at 1/64",
@@ -88,13 +89,21 @@ impl Level {
         }
     }
 
+    /// Returns the name of the library's type, if it has one.
+    pub fn library_type(self) -> Option<&'static str> {
+        match self {
+            Self::Fast => Some("Fast"),
+            Self::Fine => Some("Fine"),
+            Self::Exact => Some("Exact"),
+            _ => None,
+        }
+    }
+
     pub fn visit<V: Visitor>(self, visitor: V) -> V::Output {
         match self {
-            Self::Named(Named::Draft) => visitor.visit::<Draft>(),
-            Self::Named(Named::Fast) => visitor.visit::<Fast>(),
-            Self::Named(Named::Fine) => visitor.visit::<Fine>(),
-            Self::Named(Named::Small) => visitor.visit::<Small>(),
-            Self::Named(Named::Exact) => visitor.visit::<Exact>(),
+            Self::Fast => visitor.visit::<Fast>(),
+            Self::Fine => visitor.visit::<Fine>(),
+            Self::Exact => visitor.visit::<Exact>(),
             Self::Cut4 => visitor.visit::<Own<{ 1 << 28 }, 1>>(),
             Self::Cut16 => visitor.visit::<Own<{ 1 << 26 }, 1>>(),
             Self::Cut64 => visitor.visit::<Own<{ 1 << 24 }, 1>>(),
@@ -111,11 +120,19 @@ impl Level {
 impl Setting {
     /// Returns a setting of fixed point with shadows and at full resolution.
     pub fn fixed(level: Level, reflections: u8) -> Self {
-        let shadows = true;
         Self {
-            contestant: Contestant::Fixed { level, shadows },
+            contestant: Contestant::Fixed(level),
             reflections,
             scale: 1,
+        }
+    }
+
+    /// Returns a setting of fixed point without shadows.
+    pub fn unshadowed(reflections: u8, scale: u8) -> Self {
+        Self {
+            contestant: Contestant::Unshadowed,
+            reflections,
+            scale,
         }
     }
 
@@ -127,27 +144,17 @@ impl Setting {
         }
     }
 
-    /// Turns shadows off. Has no effect on the float port, which always draws them.
-    pub fn unshadowed(mut self) -> Self {
-        if let Contestant::Fixed { shadows, .. } = &mut self.contestant {
-            *shadows = false;
-        }
-        self
-    }
-
     pub fn is_float(&self) -> bool {
         self.contestant == Contestant::Float
     }
 
     pub fn words(&self) -> String {
-        let (name, shadows) = match self.contestant {
-            Contestant::Float => ("float", true),
-            Contestant::Fixed { level, shadows } => (level.name(), shadows),
+        let name = match self.contestant {
+            Contestant::Float => "float",
+            Contestant::Fixed(level) => level.name(),
+            Contestant::Unshadowed => "fast, no shadows",
         };
         let mut words = format!("N = {}, {name}", self.reflections);
-        if !shadows {
-            words += ", no shadows";
-        }
         if self.scale > 1 {
             words += &format!(", {0} x {0} pixels", self.scale);
         }

@@ -37,6 +37,6 @@ impl Copied {
     /// Builds the copy once.
     fn firmware(&self) -> &PathBuf {
         self.built
-            .get_or_init(|| copies::build(self.owned.name).unwrap())
+            .get_or_init(|| copies::firmware(self.owned.name).unwrap())
     }
 }

@@ -14,7 +14,7 @@ use crate::wires::{Pin, Pins, Role, Sent};
 use dma::Dma;
 use edges::Edges;
 use fifo::Fifos;
-pub use layout::{Kind, Layout};
+pub use layout::{Kind, Layout, block, pll, reset, spi};
 use spi::Spi;
 
 /// First address of the SIO.

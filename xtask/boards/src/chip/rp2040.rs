@@ -1,7 +1,7 @@
 //! The registers of an RP2040 that a firmware may use.
 
-use super::rp::{Kind, Layout};
-use crate::registers::{Block, Gate, Register, register, registers};
+use super::rp::{Kind, Layout, block, pll, reset, spi};
+use crate::registers::{Block, Gate, register, registers};
 
 const RESETS: u32 = 0x4000_c000;
 const CLOCKS: u32 = 0x4000_8000;
@@ -11,42 +11,8 @@ const PADS: u32 = 0x4001_c000;
 const WATCHDOG: u32 = 0x4005_8000;
 const SPI: [u32; 2] = [0x4003_c000, 0x4004_0000];
 
-const SPI_REGISTERS: &[Register] = &[registers(0, 10)];
-const PLL_REGISTERS: &[Register] = &[register(0, 1), register(4, 0x2d), registers(8, 2)];
-
-const fn block(name: &'static str, kind: Kind, base: u32) -> Block<Kind> {
-    Block {
-        name,
-        kind,
-        base,
-        gate: None,
-        registers: &[],
-    }
-}
-
 const fn gate(bit: u32) -> Option<Gate> {
-    Some(Gate {
-        register: RESETS,
-        mask: 1 << bit,
-        open: 0,
-        missing: "it is still in reset",
-    })
-}
-
-const fn spi(name: &'static str, unit: usize) -> Block<Kind> {
-    Block {
-        gate: gate(16 + unit as u32),
-        registers: SPI_REGISTERS,
-        ..block(name, Kind::Spi(unit), SPI[unit])
-    }
-}
-
-const fn pll(name: &'static str, base: u32, bit: u32) -> Block<Kind> {
-    Block {
-        gate: gate(bit),
-        registers: PLL_REGISTERS,
-        ..block(name, Kind::Pll, base)
-    }
+    reset(RESETS, bit)
 }
 
 const BLOCKS: &[Block<Kind>] = &[
@@ -62,8 +28,8 @@ const BLOCKS: &[Block<Kind>] = &[
         registers: &[registers(0, 4)],
         ..block("XOSC", Kind::Crystal, 0x4002_4000)
     },
-    pll("PLL_SYS", 0x4002_8000, 12),
-    pll("PLL_USB", 0x4002_c000, 13),
+    pll("PLL_SYS", 0x4002_8000, gate(12)),
+    pll("PLL_USB", 0x4002_c000, gate(13)),
     Block {
         registers: &[registers(0, 4)],
         ..block("PSM", Kind::Power, PSM)
@@ -91,8 +57,8 @@ const BLOCKS: &[Block<Kind>] = &[
         registers: &[register(0, 0), register(4, 0x56).repeated(30, 4)],
         ..block("PADS_BANK0", Kind::Pins, PADS)
     },
-    spi("SPI0", 0),
-    spi("SPI1", 1),
+    spi("SPI0", 0, SPI, gate(16)),
+    spi("SPI1", 1, SPI, gate(17)),
     Block {
         registers: &[
             registers(0, 3),

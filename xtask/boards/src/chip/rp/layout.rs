@@ -1,6 +1,7 @@
-//! What differs between RP2040 and RP2350: the table of registers, and where some are.
+//! What differs between RP2040 and RP2350: the table of registers, and where some are. The blocks of
+//! registers that both have are here.
 
-use crate::registers::Block;
+use crate::registers::{Block, Gate, register, registers};
 
 /// Kinds of peripherals. `Plain` ones keep what is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +18,50 @@ pub enum Kind {
     Spi(usize),
     Dma,
     Sio,
+}
+
+/// Returns a block without registers.
+pub const fn block(name: &'static str, kind: Kind, base: u32) -> Block<Kind> {
+    Block {
+        name,
+        kind,
+        base,
+        gate: None,
+        registers: &[],
+    }
+}
+
+/// Returns the gate of a block that a bit of RESETS keeps in reset.
+pub const fn reset(register: u32, bit: u32) -> Option<Gate> {
+    Some(Gate {
+        register,
+        mask: 1 << bit,
+        open: 0,
+        missing: "it is still in reset",
+    })
+}
+
+/// Returns an SPI.
+pub const fn spi(
+    name: &'static str,
+    unit: usize,
+    bases: [u32; 2],
+    gate: Option<Gate>,
+) -> Block<Kind> {
+    Block {
+        gate,
+        registers: const { &[registers(0, 10)] },
+        ..block(name, Kind::Spi(unit), bases[unit])
+    }
+}
+
+/// Returns a phase-locked loop.
+pub const fn pll(name: &'static str, base: u32, gate: Option<Gate>) -> Block<Kind> {
+    Block {
+        gate,
+        registers: const { &[register(0, 1), register(4, 0x2d), registers(8, 2)] },
+        ..block(name, Kind::Pll, base)
+    }
 }
 
 /// What differs between the chips.
