@@ -79,6 +79,11 @@ pub fn firmware(name: &str) -> Result<PathBuf> {
     images::kept(&Path::new("examples").join(name), || build(name))
 }
 
+/// Builds a copy of an example, and returns another program of it.
+pub fn program(name: &str, program: &str) -> Result<PathBuf> {
+    build_changed(name, program, |_| Ok(()))
+}
+
 /// Copies an example out of the repository and builds the copy as its README says. Returns the
 /// firmware. What other packages for boards have compiled is not compiled again.
 fn build(name: &str) -> Result<PathBuf> {

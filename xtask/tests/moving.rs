@@ -44,7 +44,7 @@ fn scene_that_moves_on_a_small_core_takes_at_most_115_percent_of_the_constant_sc
 
 #[test]
 fn without_a_sphere_a_cylinder_moves() {
-    let done = xtask("measure --moving cylinders --size 16x16");
+    let done = xtask("measure --moving columns --size 16x16");
     assert_eq!((done.code, done.err.as_str()), (0, ""));
     assert!(
         done.out.contains("\ninstructions of a move: "),

@@ -81,7 +81,7 @@ fn simulated_file(file: &str) -> Vec<u16> {
 
 #[test]
 fn smallest_firmware_of_a_pico_draws_a_ball_over_water() {
-    let firmware = PICO.firmware().with_file_name("ball");
+    let firmware = copies::program("pico", "ball").unwrap();
     let run = PICO
         .board()
         .run(&firmware, &Script::default().limit(3).picture(&[]));
