@@ -5,7 +5,8 @@ use std::{
     fs,
     hash::{DefaultHasher, Hash, Hasher},
     path::{Path, PathBuf},
-    sync::OnceLock,
+    process,
+    sync::{Mutex, OnceLock, PoisonError},
 };
 
 use anyhow::{Context, Result};
@@ -32,7 +33,7 @@ pub fn place(key: impl Hash) -> Result<PathBuf> {
 
 /// Keeps a copy of a program at a place, whole or not at all.
 pub fn keep(program: &Path, place: &Path) -> Result<()> {
-    let half = place.with_extension("part");
+    let half = place.with_extension(format!("{}.part", process::id()));
     fs::copy(program, &half)
         .and_then(|_| fs::rename(&half, place))
         .with_context(|| format!("cannot keep {}", place.display()))
@@ -69,11 +70,15 @@ pub fn sources() -> Result<u64> {
     Ok(hasher.finish())
 }
 
+/// Held while a package is built, so that tests that run side by side build it once.
+static BUILD: Mutex<()> = Mutex::new(());
+
 /// Returns the firmware that is made of a package outside of `xtask`, and builds it if it is not there.
 pub fn kept(package: &Path, build: impl FnOnce() -> Result<PathBuf>) -> Result<PathBuf> {
     let mut hasher = DefaultHasher::new();
     add(&root().join(package), &mut hasher)?;
     let image = place((package, hasher.finish()))?;
+    let _one = BUILD.lock().unwrap_or_else(PoisonError::into_inner);
     if !image.is_file() {
         keep(&build()?, &image)?;
     }
