@@ -87,7 +87,13 @@ pub fn program(name: &str, program: &str) -> Result<PathBuf> {
 /// Copies an example out of the repository and builds the copy as its README says. Returns the
 /// firmware. What other packages for boards have compiled is not compiled again.
 fn build(name: &str) -> Result<PathBuf> {
-    build_changed(name, name, |_| Ok(()))
+    // The main program is named as the package.
+    let manifest = root().join("examples").join(name).join("Cargo.toml");
+    let manifest = fs::read_to_string(manifest).context("an example has a manifest")?;
+    let program = manifest
+        .lines()
+        .find_map(|line| line.strip_prefix("name = \"")?.strip_suffix('"'));
+    build_changed(name, program.context("a package has a name")?, |_| Ok(()))
 }
 
 /// Builds a copy that draws another scene, as a person would: writes its source to `src/scene.rs`, and its
