@@ -173,7 +173,7 @@ mod tests {
     const MOST_CODE: usize = 14_865;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 35_979;
+    const MOST_OUTSIDE: usize = 35_976;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 70;
