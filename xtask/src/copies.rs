@@ -57,7 +57,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 /// Fails if any loaded byte differs, or if the firmware contains no code.
 fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
     let folder = Path::new("examples").join(name);
-    let there = toolchain::build_alone(target, &folder, &["--bin", name])?;
+    let there = toolchain::build_alone(target, &folder, &["--bin", &main_program(name)?])?;
     // The copy is built to the same place.
     let (weight, content) = (weigh(&there)?, fingerprint(&there)?);
     ensure!(
@@ -87,13 +87,16 @@ pub fn program(name: &str, program: &str) -> Result<PathBuf> {
 /// Copies an example out of the repository and builds the copy as its README says. Returns the
 /// firmware. What other packages for boards have compiled is not compiled again.
 fn build(name: &str) -> Result<PathBuf> {
-    // The main program is named as the package.
+    build_changed(name, &main_program(name)?, |_| Ok(()))
+}
+
+/// Returns the name of an example's main program, which is that of its package.
+fn main_program(name: &str) -> Result<String> {
     let manifest = root().join("examples").join(name).join("Cargo.toml");
     let manifest = fs::read_to_string(manifest).context("an example has a manifest")?;
-    let program = manifest
-        .lines()
-        .find_map(|line| line.strip_prefix("name = \"")?.strip_suffix('"'));
-    build_changed(name, program.context("a package has a name")?, |_| Ok(()))
+    let mut lines = manifest.lines();
+    let program = lines.find_map(|line| line.strip_prefix("name = \"")?.strip_suffix('"'));
+    program.map(str::to_owned).context("a package has a name")
 }
 
 /// Builds a copy that draws another scene, as a person would: writes its source to `src/scene.rs`, and its
