@@ -36,8 +36,9 @@ const LIMIT: Duration = Duration::from_secs(60 * 60);
 const LANES: usize = 2;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
-const ALONE: [&str; 11] = [
+const ALONE: [&str; 12] = [
     "examples/blackpill",
+    "examples/esp32c3",
     "examples/microbit",
     "examples/pico",
     "examples/pico2",
