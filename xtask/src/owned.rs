@@ -21,7 +21,7 @@ pub struct Owned {
     pub name: &'static str,
     /// Name of the board in text.
     pub title: &'static str,
-    /// Name of the processor core in measurements.
+    /// Name of the processor core, as `measure --core` takes it.
     pub core: &'static str,
     /// Cores that trace rows by turns.
     pub cores: u8,

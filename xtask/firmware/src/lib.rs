@@ -9,9 +9,9 @@
 //! formats with `core::fmt` or can panic: where a linked program does, it is the contestant who
 //! needs it.
 //!
-//! A third one, `pictures`, draws several scenes and reports hashes only; `sweep` goes through many
-//! settings of a scene for the package `report`, and `budget` draws frames with a budget, by the core's
-//! own clock; nobody weighs these.
+//! Of three more programs, neither flash nor RAM is measured: `pictures` draws several scenes and reports
+//! hashes only, `sweep` goes through many settings of a scene for the package `report`, and `budget`
+//! draws frames with a budget, by the core's own clock.
 #![no_std]
 
 mod clock;

@@ -64,8 +64,7 @@ impl Painter {
         }
     }
 
-    /// Returns the picture in fixed point with shadows, where every pixel is traced instead of
-    /// interpolated.
+    /// Returns the fixed-point picture with shadows if every pixel is traced, and none interpolated.
     pub fn paint_traced(&self, level: Level, reflections: u8) -> Picture {
         level.visit(Draw {
             source: &self.source,

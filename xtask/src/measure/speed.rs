@@ -67,7 +67,7 @@ impl Board {
         }
     }
 
-    /// Tests whether frames a second are wanted.
+    /// Tests whether a board or a clock is given. If not, nothing is estimated.
     pub(super) fn is_given(&self) -> bool {
         self.board.is_some() || self.clock.is_some()
     }
