@@ -155,6 +155,7 @@
 //! | feature | adds |
 //! |---|---|
 //! | `scenes` | eleven built-in scenes |
+//! | `defmt` | `defmt::Format` for errors and reports |
 //! | `micromath` | the numbers and vectors of `micromath` as input for cameras and run-time scenes |
 //! | `host` | tools for the desktop: double-precision reference, picture comparison, scene files |
 //! | `window` | the simulator's window for the example `render` |
