@@ -22,6 +22,7 @@ mod screen_axis;
 pub(crate) mod screen_bounds;
 pub(crate) mod screen_culling;
 mod screen_rect;
+pub(crate) mod shadows;
 mod static_scene;
 pub(crate) mod stretch;
 mod within;

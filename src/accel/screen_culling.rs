@@ -9,6 +9,7 @@ use super::World;
 use super::active_list::Window;
 use super::active_lists::ActiveLists;
 use super::screen_bounds::ScreenBounds;
+use super::shadows::Pencil;
 use super::stretch::Stretch;
 use crate::ray::{Ray, RowPlane, ScaledPoint};
 use crate::scene::access::ShapeId;
@@ -153,6 +154,14 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     /// far.
     pub(crate) fn eye(&self) -> Option<(Point, Direction)> {
         Some((self.camera?, self.direct.row.normal))
+    }
+
+    /// Returns the rays of the camera, `None` if it is far.
+    pub(crate) fn pencil(&self) -> Option<Pencil> {
+        Some(Pencil {
+            eye: self.camera?,
+            row: self.direct.row,
+        })
     }
 
     /// Prepares the active list for rays mirrored in another plane. Returns `None` if the camera or its

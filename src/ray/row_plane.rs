@@ -22,7 +22,57 @@ pub struct RowPlane {
 
 /// What a radius is enlarged by, in steps: more than the error of a distance from the row's plane, and
 /// more than rounding moves the edge of a shape.
-const SLACK: i32 = 16;
+pub(crate) const SLACK: i32 = 16;
+
+/// Where a row shows a direction in its plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// Behind the eye.
+    Behind,
+    /// To the left of all columns.
+    Left,
+    /// To the right of all columns.
+    Right,
+    /// Rounding leaves it open.
+    Unknown,
+    /// Between two columns, in sixteenths.
+    At([i32; 2]),
+}
+
+/// A border in a row: all pixels before `first` are on one side of it, all pixels after `last` on the other.
+/// Pixels from `first` to `last` are in doubt. There may be none: then `first` is `last` + 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Border {
+    pub(crate) first: i32,
+    pub(crate) last: i32,
+}
+
+impl Border {
+    /// A border of which nothing is known: all pixels are in doubt.
+    pub(crate) const ANYWHERE: Self = Self {
+        first: 0,
+        last: i32::MAX,
+    };
+
+    /// A border beyond the last column of any picture.
+    pub(crate) const NOWHERE: Self = Self {
+        first: i32::MAX,
+        last: i32::MAX - 1,
+    };
+
+    /// Returns the border that lies where `seen` says.
+    pub(crate) fn of(seen: Seen) -> Self {
+        match seen {
+            Seen::Behind | Seen::Left | Seen::Right => Self::NOWHERE,
+            Seen::Unknown => Self::ANYWHERE,
+            // A column's number is that of its centre.
+            Seen::At([low, high]) => Self {
+                first: (low + 15) >> 4,
+                last: high >> 4,
+            },
+        }
+    }
+}
 
 /// Sentinel for no column.
 pub(crate) const NO_COLUMN: u16 = u16::MAX;
@@ -86,6 +136,42 @@ pub(crate) enum Chord {
 }
 
 impl RowPlane {
+    /// Returns the parts of a vector ahead and aside, in steps, rounded down.
+    #[inline(always)]
+    pub(crate) fn flat(&self, way: Vector) -> [i32; 2] {
+        [way.dot(self.axis.ahead), way.dot(self.axis.aside)]
+    }
+
+    /// Returns where the row shows the direction of a vector, given by its parts ahead and aside in any
+    /// unit. Each part is known to `off`.
+    ///
+    /// With both parts off by e, the tangent t = aside / ahead is off by e (1 + |t|) / (ahead - e).
+    #[inline(never)]
+    pub(crate) fn seen(&self, ahead: i64, aside: i64, off: i64) -> Seen {
+        if ahead <= -off {
+            return Seen::Behind;
+        }
+        let beside = aside.abs() - off;
+        if ahead <= 8 * off {
+            let is_beside = beside > 0 && self.axis.is_beside(beside, ahead + off);
+            return match is_beside {
+                true if aside < 0 => Seen::Left,
+                true => Seen::Right,
+                false => Seen::Unknown,
+            };
+        }
+        let tangent = 2 + (aside.abs() >> (63 - signed(ahead.unsigned_abs().leading_zeros())));
+        let off = (off + (off >> 2)) * tangent;
+        let scale = self.axis.columns_for_each(ahead);
+        let [low, high] = [aside - off, aside + off].map(|it| self.axis.sixteenths(it, scale));
+        let last = 16 * signed(self.axis.width);
+        match (high < -16, low > 2 * last) {
+            (true, _) => Seen::Left,
+            (_, true) => Seen::Right,
+            _ => Seen::At([low - 2, high + 3]),
+        }
+    }
+
     /// Returns the span of a ball. `way` is the vector from the eye to its centre.
     ///
     /// The plane cuts the ball in a circle of radius ρ, ρ² = (r - w) (r + w), where w is the distance of

@@ -51,6 +51,8 @@ macro_rules! needs {
             pub planes: bool,
             /// Whether the scene has lights, and shapes that they can light.
             pub lights: bool,
+            /// Whether a light is far away in comparison with the scene, or may be.
+            pub far_lights: bool,
             /// Whether a shape may cast a shadow, on another shape or on itself.
             pub shadows: bool,
             /// Whether a light may cause a highlight on a surface.
@@ -78,6 +80,7 @@ macro_rules! needs {
                 $($list: true,)*
                 planes: true,
                 lights: true,
+                far_lights: true,
                 shadows: true,
                 highlights: true,
                 shininess: Shininess::Real,
@@ -102,11 +105,12 @@ macro_rules! needs {
 
             /// Returns name and level of each need that a limit may lower, the kinds of bounded shapes
             /// first.
-            const fn levels(&self) -> [(&'static str, u8); KINDS + 10] {
+            const fn levels(&self) -> [(&'static str, u8); KINDS + 11] {
                 [
                     $((stringify!($list), self.$list as u8),)*
                     ("planes", self.planes as u8),
                     ("lights", self.lights as u8),
+                    ("far_lights", self.far_lights as u8),
                     ("shadows", self.shadows as u8),
                     ("highlights", self.highlights as u8),
                     ("shininess", self.shininess as u8),
@@ -197,6 +201,7 @@ impl Needs {
         Self {
             planes: planes > 0,
             lights: is_lit,
+            far_lights: is_lit,
             // No ray crosses a plane, so a single plane hides no light from a visible surface that faces
             // it.
             shadows: is_lit && (bounded > 0 || planes > 1),
@@ -233,6 +238,7 @@ impl Needs {
             false => Shininess::None,
         };
         Self {
+            far_lights: self.lights && finish.is_far,
             highlights: !matches!(shininess, Shininess::None),
             shininess,
             mirrors,
@@ -260,6 +266,7 @@ impl Needs {
         Self {
             planes: self.planes && other.planes,
             lights: self.lights && other.lights,
+            far_lights: self.far_lights && other.far_lights,
             shadows: self.shadows && other.shadows,
             highlights: self.highlights && other.highlights,
             shininess: match (self.shininess as u8) < other.shininess as u8 {

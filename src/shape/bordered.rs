@@ -8,7 +8,7 @@ use crate::number::{
     Length, Unit, narrowed_unsigned, ratio, scaled_by_unit, signed, square_root, unsigned,
     unsigned_wide, wide,
 };
-use crate::ray::{REACH, RowPlane, ScaledPoint, Span};
+use crate::ray::{Cut, Line, REACH, RowPlane, ScaledPoint, Shadows, Span};
 use crate::vector::{Direction, Point, Vector};
 
 /// Ball in steps: centre and radius.
@@ -44,6 +44,16 @@ pub trait Bordered: Bounded {
     /// Tests whether the shape surely hides all points of a fan from its apex. It hides those at its two
     /// ends.
     fn hides(&self, from: &Self::FromLight, fan: &Fan) -> bool;
+}
+
+/// Bounded shape whose shadows on a line have known borders.
+pub trait CastsShadow: Bounded {
+    /// Returns where a line cuts the shape: twice two places between which it does. `way` leads from the
+    /// line's start to the shape's centre.
+    fn cut_by(&self, line: &Line, way: Vector) -> Cut<[[i32; 2]; 2]>;
+
+    /// Adds the borders of the shape's shadow. `way` leads from the line's start to the shape's centre.
+    fn shade(&self, way: Vector, shadows: &mut Shadows<'_>);
 }
 
 /// Rays from a point, the apex, to two places.
@@ -243,6 +253,6 @@ impl Fan {
 }
 
 /// Returns the square of a length.
-pub(super) fn square(length: i32) -> u64 {
+pub(crate) fn square(length: i32) -> u64 {
     unsigned_wide(wide(length, length))
 }

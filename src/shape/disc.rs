@@ -4,6 +4,7 @@
 //! if its distance from the centre, computed as a vector, is not larger than the radius.
 
 mod borders;
+mod shadow;
 
 use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, SMALLEST, size_fault};

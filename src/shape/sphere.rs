@@ -8,6 +8,7 @@
 mod borders;
 mod from_point;
 mod intersect;
+mod shadow;
 
 pub(crate) use from_point::SphereFromPoint;
 

@@ -6,6 +6,7 @@
 //! the last reflection.
 
 mod bounce;
+mod far_light;
 mod shown;
 mod stops;
 mod stretch;

@@ -89,7 +89,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let [start, end] = ends.map(Stops::all);
         for (first, last) in start.iter().zip(end) {
             let is_one = first.shape == last.shape && first.is_inside == last.is_inside;
-            if !is_one {
+            if !is_one || !self.keeps_far_lights(between.1, start, origin.level) {
                 return false;
             }
             if origin.level == proved.hits {
@@ -264,7 +264,10 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         if !is_facing {
             return true;
         }
-        if has_shadows {
+        // Shadows of far lights on planes are known by now.
+        let is_known =
+            W::NEEDS.far_lights && !place.is_near() && world.parts().is_plane(shown.lit.shape);
+        if has_shadows && !is_known {
             if !self.visibility.is_clear(index) {
                 return false;
             }

@@ -127,7 +127,7 @@ impl Direction {
     /// Returns the vector of `length` steps along the direction, each coordinate rounded down. `length`
     /// is within ±2³⁰.
     #[inline(always)]
-    pub(super) const fn raw_times(self, length: i32) -> Vector {
+    pub(crate) const fn raw_times(self, length: i32) -> Vector {
         Vector::new(
             scaled_by_unit(length, self.x),
             scaled_by_unit(length, self.y),

@@ -170,7 +170,7 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 14_865;
+    const MOST_CODE: usize = 15_657;
 
     /// Most lines of Rust outside of the library.
     const MOST_OUTSIDE: usize = 35_976;

@@ -75,6 +75,7 @@ impl Needs {
     pub const fn without_lights(self) -> Self {
         Self {
             lights: false,
+            far_lights: false,
             shadows: false,
             sets: false,
             ..self.without_highlights()

@@ -15,6 +15,8 @@ pub(super) struct Finish {
     pub(super) is_grey: bool,
     /// Whether the colours of all lights are grey.
     pub(super) is_lit_grey: bool,
+    /// Whether a light is far away.
+    pub(super) is_far: bool,
 }
 
 impl Finish {
@@ -24,10 +26,12 @@ impl Finish {
             mirrors: [false; 2],
             is_grey: is_grey(background),
             is_lit_grey: true,
+            is_far: false,
         };
         let mut index = 0;
         while index < lights.len() {
             finish.is_lit_grey &= is_grey(lights[index].color);
+            finish.is_far |= !lights[index].place.is_near();
             index += 1;
         }
         finish

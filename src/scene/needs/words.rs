@@ -33,6 +33,10 @@ type Reasons = [&'static str; 2];
 
 const SHAPES: Reasons = ["there are some", "there are none"];
 const LIGHTS: Reasons = ["there are some", "nothing is lit: ambient light only"];
+const FAR_LIGHTS: Reasons = [
+    "a light may be far away in comparison with the scene",
+    "every light is near",
+];
 const SHADOWS: Reasons = [
     "a shape may hide a light",
     "no light is hidden from what can be seen lit",
@@ -59,7 +63,7 @@ const COLORS: Reasons = [
 ];
 
 /// Number of needs in the list that are not kinds of bounded shapes.
-const OTHERS: usize = 11;
+const OTHERS: usize = 12;
 
 impl Needs {
     /// Returns every need in words, the kinds of bounded shapes first.
@@ -92,6 +96,7 @@ impl Needs {
         [
             Need::either("planes", self.planes, SHAPES),
             Need::either("lights", self.lights, LIGHTS),
+            Need::either("far_lights", self.far_lights, FAR_LIGHTS),
             Need::either("shadows", self.shadows, SHADOWS),
             Need::either("highlights", self.highlights, HIGHLIGHTS),
             Need::new("shininess", has_shininess, self.shininess.words()),
