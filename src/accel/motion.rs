@@ -211,6 +211,7 @@ impl<T: Apart> World for MovingScene<T> {
         Tables {
             light_occluders: used(self.0.light_occluders.as_ref(), T::PARTS.lights.len()),
             light_tables: T::LIGHT_TABLES,
+            light_lists: &[],
             mirror_tables: T::MIRROR_TABLES,
             hierarchy: T::HIERARCHY,
         }

@@ -130,6 +130,11 @@ pub(crate) struct RowDirections {
 }
 
 impl RowDirections {
+    /// Returns the length of the shortest vector to a pixel of the row, as a power of two, rounded down.
+    pub(crate) fn bits(&self) -> u32 {
+        (63_u32.saturating_sub(self.square.leading_zeros())) / 2
+    }
+
     /// Returns the direction of the ray through the pixel of a column, which is below 2¹⁶.
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {

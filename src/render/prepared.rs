@@ -6,14 +6,16 @@ use super::{Colors, Report};
 use crate::accel::CullingQuality;
 use crate::accel::drawable::Drawable;
 use crate::accel::light_visibility::LightVisibility;
+use crate::accel::row_lists::RowLists;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
 use crate::camera::{Camera, RayGenerator};
 use crate::color::Sum;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
-use crate::ray::ScaledPoint;
+use crate::ray::{RowPlane, ScaledPoint};
 use crate::render::{Fast, Quality};
+use crate::scene::FEW;
 use crate::scene::access::SceneAccess;
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
@@ -277,9 +279,21 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         Tracer::new(
             &self.world,
             &self.frame.lights,
-            culling,
+            (culling, self.lists(generator, y, &from)),
             self.frame.reflections,
         )
+    }
+}
+
+impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
+    /// Returns the lists of row `y`, for rays from a camera and the row's plane.
+    #[inline(always)]
+    fn lists(&self, generator: &RayGenerator, y: u32, from: &(ScaledPoint, RowPlane)) -> RowLists {
+        let (from, row) = from;
+        match Q::CULLING.lists && self.world.parts().bounded() > FEW && from.is_near() {
+            true => RowLists::new(&self.world, (from.point, row), generator.row(y).bits()),
+            false => RowLists::ALL,
+        }
     }
 }
 

@@ -137,7 +137,7 @@ impl<Q: Quality> LightQuality for Q {
 
 impl<Q: Quality> CullingQuality for Q {
     const CULLING: Culling = match Q::IS_SMALL {
-        true => Culling::NONE,
+        true => Culling::LISTS,
         false => Culling::ALL,
     };
 }

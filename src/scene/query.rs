@@ -1,20 +1,22 @@
 //! The two queries of a ray, answered without culling: what it hits first, and whether a light is
 //! occluded. Rays may start and end anywhere.
 
-use super::access::{SceneAccess, ShapeId};
+use super::access::{Parts, SceneAccess, ShapeId};
 use super::far::{between, into_ball, place_along};
 use super::nearest::{Hit, NOWHERE, any_blocks, nearest_of};
+use super::needs::Needs;
 use super::planes;
 use super::shape_set::ShapeSet;
 use crate::number::{Length, unsigned};
 use crate::ray::{Ray, ScaledPoint, ScaledRay};
 use crate::shape::plane::NOT_MET;
 
-/// Returns the first hit of a ray: point and shape; `None` if nothing is hit. Skips the shape that the
-/// ray leaves.
+/// Returns the first hit of a ray: point and shape; `None` if nothing is hit. Tests all planes, and the
+/// bounded shapes among `candidates`. Skips the shape that the ray leaves.
 #[inline(always)]
 pub(crate) fn nearest_hit<W: SceneAccess>(
     world: &W,
+    candidates: &ShapeSet,
     ray: &ScaledRay,
     skip: ShapeId,
 ) -> Option<(ScaledPoint, ShapeId)> {
@@ -31,7 +33,7 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
             false => into_ball(ray),
         };
         if let Some((ray, skipped)) = start {
-            let hit = nearest_of(world, ShapeSet::ALL, (&ray, NOWHERE), skip);
+            let hit = nearest_of(world, candidates, (&ray, NOWHERE), skip);
             let own = skipped + u64::from(unsigned(hit.distance.to_bits()));
             if hit.shape != ShapeId::NONE && own < distance {
                 let at = ray.origin.along(ray.direction, hit.distance);
@@ -43,6 +45,19 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
         return None;
     }
     Some((place_along(ray, distance)?, shape))
+}
+
+/// A scene of which rays test candidates only, whether or not its tables name any.
+pub(crate) struct Chosen<'a, W>(pub(crate) &'a W);
+
+impl<W: SceneAccess> SceneAccess for Chosen<'_, W> {
+    const NEEDS: Needs = W::NEEDS;
+    const CHOOSES_HITS: bool = true;
+
+    #[inline(always)]
+    fn parts(&self) -> Parts<'_> {
+        self.0.parts()
+    }
 }
 
 /// Returns the first hit of a ray whose near hit `hit` is known: point and shape; `None` if nothing is
@@ -82,7 +97,7 @@ fn far_hit<W: SceneAccess>(
     ray: &ScaledRay,
     skip: ShapeId,
 ) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(world, ray, skip)
+    nearest_hit(world, ShapeSet::ALL, ray, skip)
 }
 
 /// Tests whether a shape occludes a light: whether the ray to it hits one more than epsilon before it.

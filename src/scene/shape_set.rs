@@ -31,6 +31,11 @@ impl ShapeSet {
         Self(self.0 | other.0)
     }
 
+    /// Returns the runs that are in both sets.
+    pub(crate) const fn common(self, other: Self) -> Self {
+        Self(self.0 & other.0)
+    }
+
     /// Tests whether both sets have a run in common.
     pub(crate) const fn meets(self, other: Self) -> bool {
         self.0 & other.0 != 0

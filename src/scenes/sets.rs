@@ -3,6 +3,7 @@
 use super::{BuiltIn, Castle, NAMES, Visitor, visit};
 use crate::accel::light_occluders::{self, LightOccluders};
 use crate::accel::light_visibility::LightVisibility;
+use crate::accel::row_lists::RowLists;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{Scene, Static, World};
@@ -15,6 +16,7 @@ use crate::render::Fine;
 use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::{nearest_hit, occluded};
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{RuntimeScene, Surface};
 use crate::shade::BlinnPhong;
 use crate::shape::MaterialId;
@@ -41,7 +43,7 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         let row = generator.row_plane(y, from.point);
         let tracer = |bounds, is_full| {
             let culling = ScreenCulling::new::<true>(bounds, (from, row), y, is_full);
-            Tracer::<W, BlinnPhong, Fine>::new(world, &view, culling, 3)
+            Tracer::<W, BlinnPhong, Fine>::new(world, &view, (culling, RowLists::ALL), 3)
         };
         let mut some = tracer(bounds.as_ref(), false);
         let mut all = tracer(Some(&everything), true);
@@ -335,7 +337,7 @@ fn light_tables_miss_no_shape() {
 
 /// Returns the point and the shape of a ray's nearest hit, by the plain path that tests every shape.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(world, ray, skip)
+    nearest_hit(world, ShapeSet::ALL, ray, skip)
 }
 
 /// Asserts that the shadow test from a clear light's side agrees with the plain shadow ray to the light,

@@ -2,10 +2,12 @@
 
 use super::{PathQuality, Tracer};
 use crate::accel::{Window, World, nearest_ahead};
-use crate::ray::ScaledRay;
+use crate::ray::{ScaledPoint, ScaledRay};
+use crate::scene::FEW;
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::Hit;
-use crate::scene::query::{located, nearest_hit};
+use crate::scene::query::{Chosen, located, nearest_hit};
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Surface, planes};
 use crate::shade::highlight::sealed::Shading;
 
@@ -39,7 +41,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     ) -> Option<Surface<'a>> {
         let (world, skip) = (self.world, bounce.skip);
         let (at, shape) = if !Q::CULLING.is_any() {
-            nearest_hit(world, ray, skip)
+            self.plain_hit(ray, bounce)
         } else {
             let hit = self.near_hit(pixel, ray, bounce);
             match Q::IS_PRECISE {
@@ -48,6 +50,37 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             }
         }?;
         Surface::new(world, at, shape, ray.direction())
+    }
+
+    /// Returns the first hit of a ray on the plain path. It tests every bounded shape, or those that the
+    /// row's lists name.
+    #[inline(always)]
+    fn plain_hit(&mut self, ray: &ScaledRay, bounce: &Bounce) -> Option<(ScaledPoint, ShapeId)> {
+        let (world, skip) = (self.world, bounce.skip);
+        match Q::CULLING.lists && world.parts().bounded() > FEW {
+            true => {
+                let candidates = self.listed(ray, bounce);
+                nearest_hit(&Chosen(world), &candidates, ray, skip)
+            }
+            false => nearest_hit(world, ShapeSet::ALL, ray, skip),
+        }
+    }
+
+    /// Returns the bounded shapes that a ray can hit, by the row's lists.
+    #[inline(always)]
+    fn listed(&mut self, ray: &ScaledRay, bounce: &Bounce) -> ShapeSet {
+        if bounce.count == 0 {
+            return self.lists.direct;
+        }
+        match self.culling.eye() {
+            Some(eye) if bounce.count == 1 && ray.from().is_near() => {
+                match self.world.parts().is_plane(bounce.mirror) {
+                    true => self.lists.mirrored(self.world, bounce.mirror, eye),
+                    false => *ShapeSet::ALL,
+                }
+            }
+            _ => *ShapeSet::ALL,
+        }
     }
 
     /// Returns the first hit of a ray in the near region. Returns [`Hit::BEYOND`] for a ray that starts

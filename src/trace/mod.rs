@@ -21,6 +21,7 @@ pub(crate) use stretch::Progress;
 use visibility::{Culled, Plain};
 
 use crate::accel::light_visibility::LightVisibility;
+use crate::accel::row_lists::RowLists;
 use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{CullingQuality, Window, World};
 use crate::color::Sum;
@@ -75,6 +76,8 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     visibility: &'a LightVisibility,
     /// The candidates for the rays of this row.
     culling: ScreenCulling<'a, W>,
+    /// The candidates for the rays of this row on the plain path.
+    lists: RowLists,
     /// Largest number of reflections of a path.
     reflections: u32,
     /// Number of rays that were followed, without shadow rays.
@@ -96,13 +99,14 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     pub(crate) fn new(
         world: &'a W,
         visibility: &'a LightVisibility,
-        culling: ScreenCulling<'a, W>,
+        (culling, lists): (ScreenCulling<'a, W>, RowLists),
         reflections: u8,
     ) -> Self {
         Self {
             world,
             visibility,
             culling,
+            lists,
             reflections: reflections.min(W::NEEDS.reflections).into(),
             rays: 0,
             cut_off: Unit::ZERO,
@@ -236,7 +240,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             true => {
                 K::color::<W, Q, _>(world, surface, &Culled::<W, Q>::new(world, self.visibility))
             }
-            false => K::color::<W, Q, _>(world, surface, &Plain(world)),
+            false => K::color::<W, Q, _>(world, surface, &Plain::<W, Q>::new(world)),
         }
     }
 }

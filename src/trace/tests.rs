@@ -20,6 +20,7 @@ use crate::ray::ScaledPoint;
 use crate::scene::RuntimeScene;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::nearest_hit;
+use crate::scene::shape_set::ShapeSet;
 use crate::shade::{BlinnPhong, Normals, Phong};
 use crate::vector::{Position, Vector};
 
@@ -43,7 +44,7 @@ fn path(from: ScaledPoint, towards: [f64; 3]) -> ScaledRay {
 
 /// Returns the first hit of a ray: point and shape. Tests every shape.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(world, ray, skip)
+    nearest_hit(world, ShapeSet::ALL, ray, skip)
 }
 
 /// The result of one path.
@@ -66,7 +67,7 @@ fn followed_by<K: Shading, Q: PathQuality, W: World>(
     let camera = Camera::look_at([1.0, 0.0, 0.0], [0.0; 3], [0.0, 0.0, 1.0]);
     let row = camera.generator(1, 1).row_plane(0, path.from().point);
     let culling = ScreenCulling::new::<true>(Some(&bounds), (path.from(), row), 0, true);
-    let mut tracer = Tracer::<_, K, Q>::new(world, &view, culling, reflections);
+    let mut tracer = Tracer::<_, K, Q>::new(world, &view, (culling, RowLists::ALL), reflections);
     let window = tracer.advance(0, 0);
     let mut stops = Stops::NONE;
     Followed {

@@ -4,6 +4,7 @@ use crate::Camera;
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::mirror_table::MirrorTables;
 use crate::accel::mirror_table::tests::{Built, crowd, leaked};
+use crate::accel::row_lists::RowLists;
 use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{Tables, World};
 use crate::color::Sum;
@@ -51,7 +52,8 @@ fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, PathSigna
     let rows = (0..SIDE).flat_map(|y| {
         let row = (from, generator.row_plane(y, from.point));
         let culling = ScreenCulling::new::<true>(None, row, y, true);
-        let mut tracer = Tracer::<W, BlinnPhong, Exact>::new(world, &view, culling, 5);
+        let mut tracer =
+            Tracer::<W, BlinnPhong, Exact>::new(world, &view, (culling, RowLists::ALL), 5);
         let directions = generator.row(y);
         let mut pixels = std::vec::Vec::new();
         for x in 0..SIDE {
