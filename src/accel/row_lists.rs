@@ -39,36 +39,24 @@ struct Sheet {
     bits: u32,
 }
 
-macro_rules! row_lists {
-    (
-        $header:tt
-        $({ $list:ident $($more:tt)* })*
-    ) => {
-        impl Sheet {
-            /// Returns the shapes whose balls reach the plane.
-            #[inline(never)]
-            fn met<W: SceneAccess>(&self, world: &W) -> ShapeSet {
-                let parts = world.parts();
-                let layout = SetLayout::new(parts.lengths());
-                let mut set = ShapeSet::NONE;
-                let kind = 0;
-                $(
-                    for (index, shape) in parts.$list.iter().enumerate() {
-                        if self.reaches(shape.ball()) {
-                            set = set.with(ShapeSet::of(layout.bit(kind, index)));
-                        }
-                    }
-                    let kind = kind + 1;
-                )*
-                let _ = kind;
-                set
-            }
-        }
-    };
-}
-kinds!(row_lists);
-
 impl Sheet {
+    /// Returns the shapes whose balls reach the plane.
+    #[inline(never)]
+    fn met<W: SceneAccess>(&self, world: &W) -> ShapeSet {
+        let parts = world.parts();
+        let lengths = parts.lengths();
+        let layout = SetLayout::new(lengths);
+        let mut set = ShapeSet::NONE;
+        let mut number = 0;
+        while let Some((ball, _)) = parts.ball(number) {
+            if self.reaches(ball) {
+                set = set.with(ShapeSet::of(layout.bit_of(lengths, number)));
+            }
+            number += 1;
+        }
+        set
+    }
+
     /// Tests whether a ball reaches the plane.
     #[inline(always)]
     fn reaches(&self, (center, radius): (Point, i32)) -> bool {

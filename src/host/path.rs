@@ -11,7 +11,6 @@ use crate::scene::Surface;
 use crate::scene::access::SceneAccess;
 use crate::scene::access::ShapeId;
 use crate::scene::query::nearest_hit;
-use crate::scene::shape_set::ShapeSet;
 
 /// A ray of the fixed-point core, converted to doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +61,7 @@ pub fn follow<S: Drawable>(
     let mut left = ShapeId::NONE;
     let mut rays = vec![plain(world, &path)];
     for _ in 0..reflections {
-        let hit = nearest_hit(world, ShapeSet::ALL, &path, left);
+        let hit = nearest_hit(world, &path, left);
         let Some((at, shape)) = hit else {
             break;
         };

@@ -1,24 +1,36 @@
 //! The two queries of a ray, answered without culling: what it hits first, and whether a light is
 //! occluded. Rays may start and end anywhere.
 
-use super::access::{Parts, SceneAccess, ShapeId};
+use super::access::{SceneAccess, ShapeId};
 use super::far::{between, into_ball, place_along};
 use super::nearest::{Hit, NOWHERE, any_blocks, nearest_of};
-use super::needs::Needs;
 use super::planes;
 use super::shape_set::ShapeSet;
 use crate::number::{Length, unsigned};
 use crate::ray::{Ray, ScaledPoint, ScaledRay};
 use crate::shape::plane::NOT_MET;
 
-/// Returns the first hit of a ray: point and shape; `None` if nothing is hit. Tests all planes, and the
-/// bounded shapes among `candidates`. Skips the shape that the ray leaves.
+/// Returns the first hit of a ray: point and shape; `None` if nothing is hit. Skips the shape that the
+/// ray leaves.
 #[inline(always)]
 pub(crate) fn nearest_hit<W: SceneAccess>(
     world: &W,
-    candidates: &ShapeSet,
     ray: &ScaledRay,
     skip: ShapeId,
+) -> Option<(ScaledPoint, ShapeId)> {
+    nearest_hit_by(world, ray, skip, |ray| {
+        nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), skip)
+    })
+}
+
+/// Returns the first hit of a ray, as [`nearest_hit`] does. `nearest` returns the nearest hit of the
+/// bounded shapes. It is given the near part of the ray.
+#[inline(always)]
+pub(crate) fn nearest_hit_by<W: SceneAccess>(
+    world: &W,
+    ray: &ScaledRay,
+    skip: ShapeId,
+    nearest: impl Fn(&Ray) -> Hit,
 ) -> Option<(ScaledPoint, ShapeId)> {
     let (mut distance, mut shape) = (NOT_MET, ShapeId::NONE);
     for (id, plane) in planes::others(world, skip) {
@@ -33,7 +45,7 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
             false => into_ball(ray),
         };
         if let Some((ray, skipped)) = start {
-            let hit = nearest_of(world, candidates, (&ray, NOWHERE), skip);
+            let hit = nearest(&ray);
             let own = skipped + u64::from(unsigned(hit.distance.to_bits()));
             if hit.shape != ShapeId::NONE && own < distance {
                 let at = ray.origin.along(ray.direction, hit.distance);
@@ -45,19 +57,6 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
         return None;
     }
     Some((place_along(ray, distance)?, shape))
-}
-
-/// A scene of which rays test candidates only, whether or not its tables name any.
-pub(crate) struct Chosen<'a, W>(pub(crate) &'a W);
-
-impl<W: SceneAccess> SceneAccess for Chosen<'_, W> {
-    const NEEDS: Needs = W::NEEDS;
-    const CHOOSES_HITS: bool = true;
-
-    #[inline(always)]
-    fn parts(&self) -> Parts<'_> {
-        self.0.parts()
-    }
 }
 
 /// Returns the first hit of a ray whose near hit `hit` is known: point and shape; `None` if nothing is
@@ -97,7 +96,7 @@ fn far_hit<W: SceneAccess>(
     ray: &ScaledRay,
     skip: ShapeId,
 ) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(world, ShapeSet::ALL, ray, skip)
+    nearest_hit(world, ray, skip)
 }
 
 /// Tests whether a shape occludes a light: whether the ray to it hits one more than epsilon before it.
@@ -135,6 +134,9 @@ pub(crate) fn occluded_by<W: SceneAccess>(
     let reach = Length::from_bits((distance.to_bits() - own).max(0));
     if planes::others(world, skip).any(|(_, plane)| plane.blocks(ray, reach, scale)) {
         return true;
+    }
+    if !world.parts().has_bounded() {
+        return false;
     }
     if scale == 0 {
         return blocks(&ray.ray, reach);

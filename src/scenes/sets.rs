@@ -16,7 +16,6 @@ use crate::render::Fine;
 use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::{nearest_hit, occluded};
-use crate::scene::shape_set::ShapeSet;
 use crate::scene::{RuntimeScene, Surface};
 use crate::shade::BlinnPhong;
 use crate::shape::MaterialId;
@@ -337,7 +336,7 @@ fn light_tables_miss_no_shape() {
 
 /// Returns the point and the shape of a ray's nearest hit, by the plain path that tests every shape.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(world, ShapeSet::ALL, ray, skip)
+    nearest_hit(world, ray, skip)
 }
 
 /// Asserts that the shadow test from a clear light's side agrees with the plain shadow ray to the light,

@@ -5,8 +5,8 @@ use crate::accel::{Window, World, nearest_ahead};
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::scene::FEW;
 use crate::scene::access::ShapeId;
-use crate::scene::nearest::Hit;
-use crate::scene::query::{Chosen, located, nearest_hit};
+use crate::scene::nearest::{Hit, nearest_listed};
+use crate::scene::query::{located, nearest_hit, nearest_hit_by};
 use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Surface, planes};
 use crate::shade::highlight::sealed::Shading;
@@ -60,9 +60,11 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         match Q::CULLING.lists && world.parts().bounded() > FEW {
             true => {
                 let candidates = self.listed(ray, bounce);
-                nearest_hit(&Chosen(world), &candidates, ray, skip)
+                nearest_hit_by(world, ray, skip, |ray| {
+                    nearest_listed(world, &candidates, ray, skip)
+                })
             }
-            false => nearest_hit(world, ShapeSet::ALL, ray, skip),
+            false => nearest_hit(world, ray, skip),
         }
     }
 

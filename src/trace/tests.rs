@@ -20,7 +20,6 @@ use crate::ray::ScaledPoint;
 use crate::scene::RuntimeScene;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::nearest_hit;
-use crate::scene::shape_set::ShapeSet;
 use crate::shade::{BlinnPhong, Normals, Phong};
 use crate::vector::{Position, Vector};
 
@@ -44,7 +43,7 @@ fn path(from: ScaledPoint, towards: [f64; 3]) -> ScaledRay {
 
 /// Returns the first hit of a ray: point and shape. Tests every shape.
 fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(world, ShapeSet::ALL, ray, skip)
+    nearest_hit(world, ray, skip)
 }
 
 /// The result of one path.

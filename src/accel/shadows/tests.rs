@@ -45,7 +45,7 @@ fn scene(sweep: &mut Sweep, far: f64) -> Built {
 /// Returns whether the floor is lit where a pixel shows it, by the plain path. `None` if it shows a shape.
 fn is_lit(scene: &Built, from: ScaledPoint, direction: crate::vector::Direction) -> Option<bool> {
     let (ray, parts) = (ScaledRay::new(from, direction), scene.parts());
-    let (at, shape) = nearest_hit(scene, ShapeSet::ALL, &ray, ShapeId::NONE)?;
+    let (at, shape) = nearest_hit(scene, &ray, ShapeId::NONE)?;
     parts.plane(shape)?;
     let surface = Surface::new(scene, at, shape, direction)?;
     let light = parts.lights[0].place;

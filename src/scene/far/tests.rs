@@ -50,7 +50,7 @@ fn first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
 
 /// Returns the first hit of a ray, by the plain query.
 fn far_first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit(scene, ShapeSet::ALL, path, ShapeId::NONE)
+    nearest_hit(scene, path, ShapeId::NONE)
 }
 
 /// Returns a ray from a point, aimed at a random point among the shapes.

@@ -45,7 +45,7 @@ fn plane_number(scene: &Built, index: u32) -> ShapeId {
 /// Returns where a ray along the x axis from `x` hits a shape, in scene units, and which. Skips `left`.
 fn met_at(scene: &Built, x: f64, left: ShapeId) -> Option<(f64, ShapeId)> {
     let ray = along_x(scene, x);
-    let (at, shape) = nearest_hit(scene, ShapeSet::ALL, &ray, left)?;
+    let (at, shape) = nearest_hit(scene, &ray, left)?;
     let x = f64::from(at.point.x) * 2f64.powi(at.scale as i32) * STEP;
     Some((x, shape))
 }
