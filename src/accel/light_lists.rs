@@ -9,7 +9,7 @@
 use super::cap::Cap;
 use super::screen_axis::widened;
 use crate::light::PreparedLight;
-use crate::number::{difference_modulo_2_32, offset_modulo_2_32, to_u32};
+use crate::number::{difference_modulo_2_32, offset_modulo_2_32, signed, to_u32, unsigned};
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::vector::{Direction, Vector};
@@ -87,7 +87,7 @@ macro_rules! light_lists {
             let (mut low, mut high) = (MOST, -MOST);
             $(
                 let mut at = 0;
-                while at < parts.$list.len() * crate::shape::$prepared::LINKS as usize {
+                while at < parts.$list.len() * unsigned(crate::shape::$prepared::LINKS) as usize {
                     let own = link_range!($prepared, parts.$list, light, at, axis);
                     low = if own.0 < low { own.0 } else { low };
                     high = if own.1 > high { own.1 } else { high };
@@ -104,9 +104,9 @@ macro_rules! light_lists {
             let kind = 0;
             $(
                 let mut at = 0;
-                while at < parts.$list.len() * crate::shape::$prepared::LINKS as usize {
+                while at < parts.$list.len() * unsigned(crate::shape::$prepared::LINKS) as usize {
                     let own = link_range!($prepared, parts.$list, light, at, axis);
-                    let index = at / crate::shape::$prepared::LINKS as usize;
+                    let index = at / unsigned(crate::shape::$prepared::LINKS) as usize;
                     found.add(own, ShapeSet::of(layout.bit(kind, index)));
                     at += 1;
                 }
@@ -123,8 +123,9 @@ macro_rules! light_lists {
 macro_rules! link_range {
     ($prepared:ident, $shapes:expr, $light:expr, $at:expr, $axis:expr) => {{
         let links = crate::shape::$prepared::LINKS;
-        let index = $at / links as usize;
-        let (center, radius) = $shapes[index].link(($at - index * links as usize) as i32);
+        let index = $at / unsigned(links) as usize;
+        let (center, radius) =
+            $shapes[index].link(signed(to_u32($at - index * unsigned(links) as usize)));
         ball_range($light.place.point.to(center), radius, $axis)
     }};
 }
