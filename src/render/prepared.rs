@@ -22,9 +22,8 @@ use crate::trace::{Traced, Tracer};
 
 /// A frame prepared for one size of picture: rays, screen bounds and visible lights, without the scene.
 ///
-/// The frame owns its data and borrows nothing. So it can be stored in a struct beside its scene, sent
-/// to another thread or core, and shared. [`on`](PreparedFrame::on) joins it with the scene again, and
-/// refuses a scene that has changed.
+/// The frame owns its data. So it can be stored in a struct beside its scene, sent to another thread or
+/// core, and shared. [`on`](PreparedFrame::on) joins it with the scene again unless the scene has changed.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
@@ -126,8 +125,7 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
         }
     }
 
-    /// Joins the frame with its scene without a check. The scene must be the one the frame was prepared
-    /// for.
+    /// Joins the frame with its scene without a check. It must be the scene of the frame.
     #[inline(always)]
     pub(crate) fn unchanged<'a>(&'a self, scene: &'a S) -> Rows<'a, S, Q, K> {
         Rows {
@@ -283,22 +281,19 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
             self.frame.reflections,
         )
     }
-}
 
-impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
     /// Returns the lists of row `y`, for rays from a camera and the row's plane.
     #[inline(always)]
     fn lists(&self, generator: &RayGenerator, y: u32, from: &(ScaledPoint, RowPlane)) -> RowLists {
         let (from, row) = from;
-        match Q::CULLING.lists && self.world.parts().bounded() > FEW && from.is_near() {
-            true => RowLists::new(&self.world, (from.point, row), generator.row(y).bits()),
-            false => RowLists::ALL,
+        if !Q::CULLING.lists || self.world.parts().bounded() <= FEW || !from.is_near() {
+            return RowLists::ALL;
         }
+        RowLists::new(&self.world, (from.point, row), generator.row(y).bits())
     }
 }
 
-/// Fills pixels with one colour. Not inlined: inlined, it would make the compiler unroll its caller's
-/// loops.
+/// Fills pixels with one colour. Not inlined, so that the compiler does not unroll its caller's loops.
 #[inline(never)]
 fn fill<C: Copy>(pixels: &mut [C], color: C) {
     pixels.fill(color);
