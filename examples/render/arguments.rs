@@ -103,6 +103,10 @@ pub struct Arguments {
     /// Show the scene in a window (feature `window`)
     #[arg(long)]
     pub window: bool,
+
+    /// Read the scene file again when it changes, with --window
+    #[arg(long, requires = "window")]
+    pub watch: bool,
 }
 
 impl Arguments {
