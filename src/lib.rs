@@ -158,6 +158,7 @@
 //! | `defmt` | `defmt::Format` for errors and reports |
 //! | `micromath` | the numbers and vectors of `micromath` as input for cameras and run-time scenes |
 //! | `host` | tools for the desktop: double-precision reference, picture comparison, scene files |
+//! | `film` | films as GIF for the example `render` |
 //! | `window` | the simulator's window for the example `render` |
 //!
 //! # Oldest supported Rust

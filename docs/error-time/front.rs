@@ -5,31 +5,30 @@
 pub const CASTLE: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 85461, instructions: 82, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1309, largest: 231 },
     FrontPoint { prepare: 85461, instructions: 125, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2177, largest: 231 },
-    FrontPoint { prepare: 84641, instructions: 395, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2550, largest: 211 },
-    FrontPoint { prepare: 84476, instructions: 1240, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4252, largest: 76 },
-    FrontPoint { prepare: 84476, instructions: 1267, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5909, largest: 16 },
-    FrontPoint { prepare: 84476, instructions: 1271, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7788, largest: 3 },
-    FrontPoint { prepare: 84476, instructions: 1376, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 8274, largest: 3 },
-    FrontPoint { prepare: 84476, instructions: 1377, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8726, largest: 1 },
+    FrontPoint { prepare: 84641, instructions: 396, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2550, largest: 211 },
+    FrontPoint { prepare: 84476, instructions: 1242, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4252, largest: 76 },
+    FrontPoint { prepare: 84476, instructions: 1268, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5909, largest: 16 },
+    FrontPoint { prepare: 84476, instructions: 1272, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7788, largest: 3 },
+    FrontPoint { prepare: 84476, instructions: 1378, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 8274, largest: 3 },
 ]);
 /// shading_lights
 pub const SHADING_LIGHTS: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 2455, instructions: 68, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 2214, largest: 184 },
     FrontPoint { prepare: 2455, instructions: 90, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2658, largest: 181 },
-    FrontPoint { prepare: 2455, instructions: 303, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2889, largest: 180 },
-    FrontPoint { prepare: 2455, instructions: 746, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 6915, largest: 1 },
-    FrontPoint { prepare: 2455, instructions: 1030, reflections: 1, level: QualityLevel::Fine, scale: 1, psnr: 8805, largest: 1 },
+    FrontPoint { prepare: 2455, instructions: 304, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2889, largest: 180 },
+    FrontPoint { prepare: 2455, instructions: 748, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 6915, largest: 1 },
+    FrontPoint { prepare: 2455, instructions: 1032, reflections: 1, level: QualityLevel::Fine, scale: 1, psnr: 8805, largest: 1 },
 ]);
 /// shading_speculars
 pub const SHADING_SPECULARS: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 9430, instructions: 66, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1870, largest: 173 },
     FrontPoint { prepare: 9430, instructions: 86, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2228, largest: 147 },
-    FrontPoint { prepare: 9430, instructions: 258, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2618, largest: 155 },
+    FrontPoint { prepare: 9430, instructions: 259, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2618, largest: 155 },
     FrontPoint { prepare: 9430, instructions: 760, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4776, largest: 10 },
-    FrontPoint { prepare: 9430, instructions: 818, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 6423, largest: 2 },
-    FrontPoint { prepare: 9430, instructions: 832, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 6717, largest: 1 },
-    FrontPoint { prepare: 9430, instructions: 1051, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 7948, largest: 1 },
-    FrontPoint { prepare: 9430, instructions: 1053, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8300, largest: 1 },
+    FrontPoint { prepare: 9430, instructions: 819, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 6423, largest: 2 },
+    FrontPoint { prepare: 9430, instructions: 833, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 6717, largest: 1 },
+    FrontPoint { prepare: 9430, instructions: 1052, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 7948, largest: 1 },
+    FrontPoint { prepare: 9430, instructions: 1054, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8300, largest: 1 },
 ]);
 /// columns
 pub const COLUMNS: ParetoFront = ParetoFront::new(&[
@@ -37,11 +36,11 @@ pub const COLUMNS: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 22336, instructions: 108, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2677, largest: 178 },
     FrontPoint { prepare: 22459, instructions: 263, reflections: 0, level: QualityLevel::Fast, scale: 2, psnr: 2936, largest: 163 },
     FrontPoint { prepare: 22459, instructions: 328, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2980, largest: 173 },
-    FrontPoint { prepare: 22543, instructions: 773, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 3829, largest: 56 },
+    FrontPoint { prepare: 22543, instructions: 774, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 3829, largest: 56 },
     FrontPoint { prepare: 22543, instructions: 986, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 5797, largest: 16 },
-    FrontPoint { prepare: 22543, instructions: 1039, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 7421, largest: 2 },
+    FrontPoint { prepare: 22543, instructions: 1040, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 7421, largest: 2 },
     FrontPoint { prepare: 22543, instructions: 1051, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7463, largest: 1 },
-    FrontPoint { prepare: 22543, instructions: 1161, reflections: 2, level: QualityLevel::Fine, scale: 1, psnr: 8249, largest: 2 },
+    FrontPoint { prepare: 22543, instructions: 1162, reflections: 2, level: QualityLevel::Fine, scale: 1, psnr: 8249, largest: 2 },
     FrontPoint { prepare: 22543, instructions: 1173, reflections: 3, level: QualityLevel::Fine, scale: 1, psnr: 8659, largest: 1 },
 ]);
 /// mirror1
@@ -51,38 +50,38 @@ pub const MIRROR1: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 13446, instructions: 333, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2508, largest: 234 },
     FrontPoint { prepare: 13446, instructions: 1125, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4363, largest: 47 },
     FrontPoint { prepare: 13446, instructions: 1245, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5691, largest: 17 },
-    FrontPoint { prepare: 13446, instructions: 1273, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7500, largest: 3 },
+    FrontPoint { prepare: 13446, instructions: 1274, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7500, largest: 3 },
     FrontPoint { prepare: 13446, instructions: 1278, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 8027, largest: 1 },
-    FrontPoint { prepare: 13446, instructions: 1311, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8659, largest: 1 },
-    FrontPoint { prepare: 13446, instructions: 1313, reflections: 5, level: QualityLevel::Fine, scale: 1, psnr: 8902, largest: 1 },
+    FrontPoint { prepare: 13446, instructions: 1312, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8659, largest: 1 },
+    FrontPoint { prepare: 13446, instructions: 1314, reflections: 5, level: QualityLevel::Fine, scale: 1, psnr: 8902, largest: 1 },
 ]);
 /// mirror2
 pub const MIRROR2: ParetoFront = ParetoFront::new(&[
-    FrontPoint { prepare: 21150, instructions: 79, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1790, largest: 251 },
+    FrontPoint { prepare: 21150, instructions: 80, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1790, largest: 251 },
     FrontPoint { prepare: 21150, instructions: 146, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2046, largest: 224 },
     FrontPoint { prepare: 21150, instructions: 211, reflections: 2, level: QualityLevel::Fast, scale: 4, psnr: 2226, largest: 224 },
     FrontPoint { prepare: 21150, instructions: 255, reflections: 3, level: QualityLevel::Fast, scale: 4, psnr: 2334, largest: 224 },
-    FrontPoint { prepare: 21150, instructions: 812, reflections: 2, level: QualityLevel::Fast, scale: 2, psnr: 2403, largest: 224 },
-    FrontPoint { prepare: 21150, instructions: 1077, reflections: 3, level: QualityLevel::Fast, scale: 2, psnr: 2601, largest: 224 },
-    FrontPoint { prepare: 21144, instructions: 2222, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 2770, largest: 164 },
-    FrontPoint { prepare: 21144, instructions: 3012, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 5384, largest: 26 },
-    FrontPoint { prepare: 21144, instructions: 3195, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 6379, largest: 12 },
-    FrontPoint { prepare: 21144, instructions: 3219, reflections: 5, level: QualityLevel::Fast, scale: 1, psnr: 7062, largest: 6 },
-    FrontPoint { prepare: 21144, instructions: 3229, reflections: 6, level: QualityLevel::Fast, scale: 1, psnr: 7404, largest: 2 },
-    FrontPoint { prepare: 21144, instructions: 3233, reflections: 8, level: QualityLevel::Fast, scale: 1, psnr: 7436, largest: 1 },
-    FrontPoint { prepare: 21144, instructions: 3734, reflections: 6, level: QualityLevel::Fine, scale: 1, psnr: 8328, largest: 2 },
-    FrontPoint { prepare: 21144, instructions: 3738, reflections: 7, level: QualityLevel::Fine, scale: 1, psnr: 8601, largest: 1 },
-    FrontPoint { prepare: 21144, instructions: 3740, reflections: 8, level: QualityLevel::Fine, scale: 1, psnr: 8726, largest: 1 },
+    FrontPoint { prepare: 21150, instructions: 813, reflections: 2, level: QualityLevel::Fast, scale: 2, psnr: 2403, largest: 224 },
+    FrontPoint { prepare: 21150, instructions: 1078, reflections: 3, level: QualityLevel::Fast, scale: 2, psnr: 2601, largest: 224 },
+    FrontPoint { prepare: 21144, instructions: 2226, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 2770, largest: 164 },
+    FrontPoint { prepare: 21144, instructions: 3017, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 5384, largest: 26 },
+    FrontPoint { prepare: 21144, instructions: 3200, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 6379, largest: 12 },
+    FrontPoint { prepare: 21144, instructions: 3224, reflections: 5, level: QualityLevel::Fast, scale: 1, psnr: 7062, largest: 6 },
+    FrontPoint { prepare: 21144, instructions: 3234, reflections: 6, level: QualityLevel::Fast, scale: 1, psnr: 7404, largest: 2 },
+    FrontPoint { prepare: 21144, instructions: 3237, reflections: 8, level: QualityLevel::Fast, scale: 1, psnr: 7436, largest: 1 },
+    FrontPoint { prepare: 21144, instructions: 3739, reflections: 6, level: QualityLevel::Fine, scale: 1, psnr: 8328, largest: 2 },
+    FrontPoint { prepare: 21144, instructions: 3743, reflections: 7, level: QualityLevel::Fine, scale: 1, psnr: 8601, largest: 1 },
+    FrontPoint { prepare: 21144, instructions: 3745, reflections: 8, level: QualityLevel::Fine, scale: 1, psnr: 8726, largest: 1 },
 ]);
 /// primitives
 pub const PRIMITIVES: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 5754, instructions: 57, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 1923, largest: 255 },
     FrontPoint { prepare: 5754, instructions: 78, reflections: 1, level: QualityLevel::Fast, scale: 4, psnr: 2343, largest: 196 },
-    FrontPoint { prepare: 5754, instructions: 251, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2659, largest: 212 },
-    FrontPoint { prepare: 5754, instructions: 795, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4326, largest: 20 },
-    FrontPoint { prepare: 5754, instructions: 824, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5820, largest: 20 },
-    FrontPoint { prepare: 5754, instructions: 834, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7550, largest: 3 },
-    FrontPoint { prepare: 5754, instructions: 835, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 7986, largest: 1 },
+    FrontPoint { prepare: 5754, instructions: 252, reflections: 1, level: QualityLevel::Fast, scale: 2, psnr: 2659, largest: 212 },
+    FrontPoint { prepare: 5754, instructions: 796, reflections: 1, level: QualityLevel::Fast, scale: 1, psnr: 4326, largest: 20 },
+    FrontPoint { prepare: 5754, instructions: 825, reflections: 2, level: QualityLevel::Fast, scale: 1, psnr: 5820, largest: 20 },
+    FrontPoint { prepare: 5754, instructions: 835, reflections: 3, level: QualityLevel::Fast, scale: 1, psnr: 7550, largest: 3 },
+    FrontPoint { prepare: 5754, instructions: 836, reflections: 4, level: QualityLevel::Fast, scale: 1, psnr: 7986, largest: 1 },
     FrontPoint { prepare: 5754, instructions: 910, reflections: 4, level: QualityLevel::Fine, scale: 1, psnr: 8902, largest: 1 },
 ]);
 /// empty
@@ -98,7 +97,7 @@ pub const FLOOR: ParetoFront = ParetoFront::new(&[
 pub const CORNER1: ParetoFront = ParetoFront::new(&[
     FrontPoint { prepare: 748, instructions: 37, reflections: 0, level: QualityLevel::Fast, scale: 4, psnr: 3026, largest: 101 },
     FrontPoint { prepare: 748, instructions: 90, reflections: 0, level: QualityLevel::Fast, scale: 2, psnr: 3777, largest: 66 },
-    FrontPoint { prepare: 748, instructions: 209, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 6003, largest: 43 },
+    FrontPoint { prepare: 748, instructions: 210, reflections: 0, level: QualityLevel::Fast, scale: 1, psnr: 6003, largest: 43 },
 ]);
 /// cylinders
 pub const CYLINDERS: ParetoFront = ParetoFront::new(&[

@@ -18,7 +18,7 @@ pub(crate) mod light_table;
 pub(crate) mod light_visibility;
 pub(crate) mod mirror_table;
 mod motion;
-pub(crate) mod row_lists;
+pub(crate) mod row_list;
 mod scene;
 mod screen_axis;
 pub(crate) mod screen_bounds;
@@ -66,7 +66,7 @@ pub struct Culling {
     pub(crate) hierarchy: bool,
     /// Whether rays reflected by round mirrors test only the shapes that [`mirror_table`] lists.
     pub(crate) mirror_tables: bool,
-    /// Whether the plain path tests only the shapes that a row can show ([`row_lists`]) and those in a
+    /// Whether the plain path tests only the shapes that a row can show ([`row_list`]) and those in a
     /// light's direction ([`light_lists`]). Techniques above replace it.
     pub(crate) lists: bool,
 }

@@ -1,7 +1,9 @@
 //! Floor 2: the rays of a camera through the pixels of a picture, and the two axes of its screen.
 
 use super::Camera;
-use crate::number::{Scaled, shifted, signed, signed_wide, stepped, unsigned_wide, wide};
+use crate::number::{
+    Scaled, shifted, signed, signed_wide, square_root, stepped, unsigned_wide, wide,
+};
 use crate::ray::{RowPlane, ScreenAxis};
 use crate::vector::{Direction, Point, Vector};
 
@@ -130,9 +132,12 @@ pub(crate) struct RowDirections {
 }
 
 impl RowDirections {
-    /// Returns the length of the shortest vector to a pixel of the row, as a power of two, rounded down.
-    pub(crate) fn bits(&self) -> u32 {
-        (63_u32.saturating_sub(self.square.leading_zeros())) / 2
+    /// Returns a normal of the plane of the row's rays, rounded to whole numbers below 2²⁹, and a bound of its
+    /// length.
+    pub(crate) fn plane(&self) -> (Vector, i32) {
+        let [x, y, z] = self.middle.map(|coordinate| (coordinate >> 32) as i32);
+        let normal = self.right.crossed_with(Vector::new(x, y, z));
+        (normal, square_root(self.square) + 4)
     }
 
     /// Returns the direction of the ray through the pixel of a column, which is below 2¹⁶.

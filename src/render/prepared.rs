@@ -6,17 +6,18 @@ use super::{Colors, Report};
 use crate::accel::CullingQuality;
 use crate::accel::drawable::Drawable;
 use crate::accel::light_visibility::LightVisibility;
-use crate::accel::row_lists::RowLists;
+use crate::accel::row_list::row_list;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
-use crate::camera::{Camera, RayGenerator};
+use crate::camera::{Camera, RayGenerator, RowDirections};
 use crate::color::Sum;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
-use crate::ray::{RowPlane, ScaledPoint};
+use crate::ray::ScaledPoint;
 use crate::render::{Fast, Quality};
 use crate::scene::FEW;
 use crate::scene::access::SceneAccess;
+use crate::scene::shape_set::ShapeSet;
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
 
@@ -245,8 +246,9 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         [x, y]: [u32; 2],
         draw: impl FnOnce(&mut Colors<'_, '_, S::World<'a>, K, Q>) -> T,
     ) -> (T, Report) {
-        let mut tracer = self.tracer(generator, y);
-        let mut colors = Colors::new(&mut tracer, generator.row(y), x, self.frame.width);
+        let directions = generator.row(y);
+        let mut tracer = self.tracer((generator, &directions), y);
+        let mut colors = Colors::new(&mut tracer, directions, x, self.frame.width);
         let drawn = draw(&mut colors);
         (drawn, Report::of(&tracer))
     }
@@ -267,7 +269,11 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
 
     /// Returns the tracer for the rays of row `y`.
     #[inline(always)]
-    fn tracer(&self, generator: &RayGenerator, y: u32) -> Tracer<'_, S::World<'a>, K, Q> {
+    fn tracer(
+        &self,
+        (generator, directions): (&RayGenerator, &RowDirections),
+        y: u32,
+    ) -> Tracer<'_, S::World<'a>, K, Q> {
         let (bounds, from) = (self.frame.bounds.as_ref(), self.frame.lights.from);
         let from = (from, generator.row_plane(y, from.point));
         let culling = match Tracer::<S::World<'a>, K, Q>::IS_PLAIN {
@@ -277,19 +283,19 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         Tracer::new(
             &self.world,
             &self.frame.lights,
-            (culling, self.lists(generator, y, &from)),
+            (culling, self.list(directions)),
             self.frame.reflections,
         )
     }
 
-    /// Returns the lists of row `y`, for rays from a camera and the row's plane.
+    /// Returns the bounded shapes that the camera's rays through a row can hit, on the plain path.
     #[inline(always)]
-    fn lists(&self, generator: &RayGenerator, y: u32, from: &(ScaledPoint, RowPlane)) -> RowLists {
-        let (from, row) = from;
-        if !Q::CULLING.lists || self.world.parts().bounded() <= FEW || !from.is_near() {
-            return RowLists::ALL;
+    fn list(&self, directions: &RowDirections) -> ShapeSet {
+        let from = self.frame.lights.from;
+        match Q::CULLING.lists && self.world.parts().bounded() > FEW && from.is_near() {
+            true => row_list(&self.world, from.point, directions),
+            false => *ShapeSet::ALL,
         }
-        RowLists::new(&self.world, (from.point, row), generator.row(y).bits())
     }
 }
 

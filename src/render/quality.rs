@@ -94,8 +94,8 @@ impl Quality for Draft {
 /// The quality that takes the least flash: at least as exact as [`Fast`], but without most of the code and
 /// the tables for speed.
 ///
-/// Every pixel is traced. Short lists leave out shapes that a ray cannot hit. A path ends when the light it can still add
-/// is less than one 8-bit level.
+/// Every pixel is traced. Short lists leave out shapes that a ray cannot hit. A path ends when the light
+/// it can still add is less than one 8-bit level.
 #[derive(Clone, Copy, Debug)]
 pub struct Small;
 

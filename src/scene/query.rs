@@ -2,7 +2,7 @@
 //! occluded. Rays may start and end anywhere.
 
 use super::access::{SceneAccess, ShapeId};
-use super::far::{between, into_ball, place_along};
+use super::far::{between, into_ball, near_part, place_along};
 use super::nearest::{Hit, NOWHERE, any_blocks, nearest_of};
 use super::planes;
 use super::shape_set::ShapeSet;
@@ -138,8 +138,8 @@ pub(crate) fn occluded_by<W: SceneAccess>(
     if !world.parts().has_bounded() {
         return false;
     }
-    if scale == 0 {
-        return blocks(&ray.ray, reach);
+    if ray.from().is_near() {
+        return blocks(&ray.ray, near_part(reach, scale));
     }
     between(ray, (light, reach, scale), epsilon).is_some_and(|(ray, reach)| blocks(&ray, reach))
 }

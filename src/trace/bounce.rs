@@ -53,35 +53,22 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     }
 
     /// Returns the first hit of a ray on the plain path. It tests every bounded shape, or those that the
-    /// row's lists name.
+    /// row's list
+    /// names to a ray of the camera.
     #[inline(always)]
-    fn plain_hit(&mut self, ray: &ScaledRay, bounce: &Bounce) -> Option<(ScaledPoint, ShapeId)> {
+    fn plain_hit(&self, ray: &ScaledRay, bounce: &Bounce) -> Option<(ScaledPoint, ShapeId)> {
         let (world, skip) = (self.world, bounce.skip);
         match Q::CULLING.lists && world.parts().bounded() > FEW {
             true => {
-                let candidates = self.listed(ray, bounce);
+                let candidates = match bounce.count {
+                    0 => self.list,
+                    _ => *ShapeSet::ALL,
+                };
                 nearest_hit_by(world, ray, skip, |ray| {
                     nearest_listed(world, &candidates, ray, skip)
                 })
             }
             false => nearest_hit(world, ray, skip),
-        }
-    }
-
-    /// Returns the bounded shapes that a ray can hit, by the row's lists.
-    #[inline(always)]
-    fn listed(&mut self, ray: &ScaledRay, bounce: &Bounce) -> ShapeSet {
-        if bounce.count == 0 {
-            return self.lists.direct;
-        }
-        match self.culling.eye() {
-            Some(eye) if bounce.count == 1 && ray.from().is_near() => {
-                match self.world.parts().is_plane(bounce.mirror) {
-                    true => self.lists.mirrored(self.world, bounce.mirror, eye),
-                    false => *ShapeSet::ALL,
-                }
-            }
-            _ => *ShapeSet::ALL,
         }
     }
 

@@ -21,12 +21,12 @@ pub(crate) use stretch::Progress;
 use visibility::{Culled, Plain};
 
 use crate::accel::light_visibility::LightVisibility;
-use crate::accel::row_lists::RowLists;
 use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{CullingQuality, Window, World};
 use crate::color::Sum;
 use crate::number::{Unit, share};
 use crate::ray::{PathSignature, ScaledRay};
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Mirrors, Surface};
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{LightQuality, Lit};
@@ -76,8 +76,8 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     visibility: &'a LightVisibility,
     /// The candidates for the rays of this row.
     culling: ScreenCulling<'a, W>,
-    /// The candidates for the rays of this row on the plain path.
-    lists: RowLists,
+    /// The bounded shapes that the camera's rays through this row can hit, on the plain path.
+    list: ShapeSet,
     /// Largest number of reflections of a path.
     reflections: u32,
     /// Number of rays that were followed, without shadow rays.
@@ -99,14 +99,14 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     pub(crate) fn new(
         world: &'a W,
         visibility: &'a LightVisibility,
-        (culling, lists): (ScreenCulling<'a, W>, RowLists),
+        (culling, list): (ScreenCulling<'a, W>, ShapeSet),
         reflections: u8,
     ) -> Self {
         Self {
             world,
             visibility,
             culling,
-            lists,
+            list,
             reflections: reflections.min(W::NEEDS.reflections).into(),
             rays: 0,
             cut_off: Unit::ZERO,

@@ -33,7 +33,8 @@ fn full_scene_needs_everything() {
         }
         scene.add_disc([0, 3, 1], [0, 0, 1], 1, red)?;
         scene.add_plane([0, 0, -2], [0, 0, 1], glass)?;
-        scene.add_light([9, 9, 9], [1, 1, 1])
+        // A sun.
+        scene.add_light([9000, 9000, 9000], [1, 1, 1])
     });
     assert_eq!(needs, Needs::ALL);
     assert!(needs.list().iter().all(|need| need.is_needed));

@@ -4,7 +4,6 @@ use crate::Camera;
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::mirror_table::MirrorTables;
 use crate::accel::mirror_table::tests::{Built, crowd, leaked};
-use crate::accel::row_lists::RowLists;
 use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::{Tables, World};
 use crate::color::Sum;
@@ -12,6 +11,7 @@ use crate::number::sweep::Sweep;
 use crate::ray::PathSignature;
 use crate::render::Exact;
 use crate::scene::access::SceneAccess;
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Needs, Parts};
 use crate::shade::BlinnPhong;
 use crate::trace::{Stops, Traced, Tracer};
@@ -53,7 +53,7 @@ fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, PathSigna
         let row = (from, generator.row_plane(y, from.point));
         let culling = ScreenCulling::new::<true>(None, row, y, true);
         let mut tracer =
-            Tracer::<W, BlinnPhong, Exact>::new(world, &view, (culling, RowLists::ALL), 5);
+            Tracer::<W, BlinnPhong, Exact>::new(world, &view, (culling, *ShapeSet::ALL), 5);
         let directions = generator.row(y);
         let mut pixels = std::vec::Vec::new();
         for x in 0..SIDE {

@@ -4,9 +4,11 @@
 use super::super::{Columns, Mirror1, Primitives};
 use super::*;
 use crate::accel::light_lists::LightLists;
+use crate::accel::row_list::row_list;
 use crate::accel::{Culling, CullingQuality, HierarchyNode, Tables};
 use crate::color::Sum;
 use crate::ray::PathSignature;
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Needs, Parts};
 use crate::shade::LightQuality;
 use crate::trace::PathQuality;
@@ -87,12 +89,12 @@ fn traced_by<W: World, Q: PathQuality>(
     let from = view.from;
     let rows = (0..SIZE.1).flat_map(|y| {
         let row = (from, generator.row_plane(y, from.point));
-        let lists = match Q::CULLING.lists && from.is_near() {
-            true => RowLists::new(world, (from.point, &row.1), generator.row(y).bits()),
-            false => RowLists::ALL,
+        let list = match Q::CULLING.lists && from.is_near() {
+            true => row_list(world, from.point, &generator.row(y)),
+            false => *ShapeSet::ALL,
         };
         let culling = ScreenCulling::new::<true>(None, row, y, true);
-        let mut tracer = Tracer::<W, BlinnPhong, Q>::new(world, view, (culling, lists), 5);
+        let mut tracer = Tracer::<W, BlinnPhong, Q>::new(world, view, (culling, list), 5);
         let directions = generator.row(y);
         let pixels = (0..SIZE.0).map(|x| {
             let window = tracer.advance(x, x);
