@@ -7,20 +7,33 @@
 //! one, so |n · w| is at most 6 |w|, and 10 after w is brought to length one. So a point on a ray is off
 //! the plane by at most 10 / |n| of its distance; 16 / |n| are allowed.
 
+use super::CullingQuality;
 use super::screen_axis::widened;
 use crate::camera::RowDirections;
 use crate::number::{unsigned, unsigned_wide, wide};
+use crate::ray::ScaledPoint;
+use crate::scene::FEW;
 use crate::scene::access::SceneAccess;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::vector::{Point, Vector};
 
-/// Returns the shapes whose balls reach the plane of a row, for a camera at `eye`.
-#[inline(never)]
-pub(crate) fn row_list<W: SceneAccess>(
+/// Returns the bounded shapes that the rays of a camera at `from` through a row can hit. Returns all shapes
+/// if `Q` does not use lists, if there are few, or if the camera is far.
+#[inline(always)]
+pub(crate) fn row_list<W: SceneAccess, Q: CullingQuality>(
     world: &W,
-    eye: Point,
+    from: ScaledPoint,
     directions: &RowDirections,
 ) -> ShapeSet {
+    match Q::CULLING.lists && world.parts().bounded() > FEW && from.is_near() {
+        true => found(world, from.point, directions),
+        false => *ShapeSet::ALL,
+    }
+}
+
+/// Returns the shapes whose balls reach the plane of a row, for a camera at `eye`.
+#[inline(never)]
+fn found<W: SceneAccess>(world: &W, eye: Point, directions: &RowDirections) -> ShapeSet {
     let (normal, length) = directions.plane();
     let parts = world.parts();
     let lengths = parts.lengths();

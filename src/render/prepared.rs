@@ -15,16 +15,15 @@ use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::ray::ScaledPoint;
 use crate::render::{Fast, Quality};
-use crate::scene::FEW;
 use crate::scene::access::SceneAccess;
-use crate::scene::shape_set::ShapeSet;
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
 
 /// A frame prepared for one size of picture: rays, screen bounds and visible lights, without the scene.
 ///
-/// The frame owns its data. So it can be stored in a struct beside its scene, sent to another thread or
-/// core, and shared. [`on`](PreparedFrame::on) joins it with the scene again unless the scene has changed.
+/// The frame owns its data and borrows nothing. So it can be stored in a struct beside its scene, sent
+/// to another thread or core, and shared. [`on`](PreparedFrame::on) joins it with the scene again, and
+/// refuses a scene that has changed.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
@@ -126,7 +125,8 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
         }
     }
 
-    /// Joins the frame with its scene without a check. It must be the scene of the frame.
+    /// Joins the frame with its scene without a check. The scene must be the one the frame was prepared
+    /// for.
     #[inline(always)]
     pub(crate) fn unchanged<'a>(&'a self, scene: &'a S) -> Rows<'a, S, Q, K> {
         Rows {
@@ -283,23 +283,14 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         Tracer::new(
             &self.world,
             &self.frame.lights,
-            (culling, self.list(directions)),
+            (culling, row_list::<_, Q>(&self.world, from.0, directions)),
             self.frame.reflections,
         )
     }
-
-    /// Returns the bounded shapes that the camera's rays through a row can hit, on the plain path.
-    #[inline(always)]
-    fn list(&self, directions: &RowDirections) -> ShapeSet {
-        let from = self.frame.lights.from;
-        match Q::CULLING.lists && self.world.parts().bounded() > FEW && from.is_near() {
-            true => row_list(&self.world, from.point, directions),
-            false => *ShapeSet::ALL,
-        }
-    }
 }
 
-/// Fills pixels with one colour. Not inlined, so that the compiler does not unroll its caller's loops.
+/// Fills pixels with one colour. Not inlined: inlined, it would make the compiler unroll its caller's
+/// loops.
 #[inline(never)]
 fn fill<C: Copy>(pixels: &mut [C], color: C) {
     pixels.fill(color);

@@ -8,7 +8,6 @@ use crate::accel::row_list::row_list;
 use crate::accel::{Culling, CullingQuality, HierarchyNode, Tables};
 use crate::color::Sum;
 use crate::ray::PathSignature;
-use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Needs, Parts};
 use crate::shade::LightQuality;
 use crate::trace::PathQuality;
@@ -89,10 +88,7 @@ fn traced_by<W: World, Q: PathQuality>(
     let from = view.from;
     let rows = (0..SIZE.1).flat_map(|y| {
         let row = (from, generator.row_plane(y, from.point));
-        let list = match Q::CULLING.lists && from.is_near() {
-            true => row_list(world, from.point, &generator.row(y)),
-            false => *ShapeSet::ALL,
-        };
+        let list = row_list::<_, Q>(world, from, &generator.row(y));
         let culling = ScreenCulling::new::<true>(None, row, y, true);
         let mut tracer = Tracer::<W, BlinnPhong, Q>::new(world, view, (culling, list), 5);
         let directions = generator.row(y);
