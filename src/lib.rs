@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52812 | 1583 | 17576 | 312 |
-//! | Cargo's default release | 67960 | 1662 | 20796 | 364 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 43868 | 2273 | 15228 | 368 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 41744 | 3210 | 15320 | 464 |
-//! | Cargo's default dev (debug) | 376972 | 33430 | 338240 | 6655 |
+//! | lto = true, codegen-units = 1 | 52460 | 1564 | 15520 | 291 |
+//! | Cargo's default release | 65924 | 1625 | 19648 | 327 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 43860 | 2265 | 14484 | 361 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 41480 | 3208 | 14640 | 458 |
+//! | Cargo's default dev (debug) | 453892 | 33802 | 410576 | 6765 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
@@ -158,6 +158,7 @@
 //! | `defmt` | `defmt::Format` for errors and reports |
 //! | `micromath` | the numbers and vectors of `micromath` as input for cameras and run-time scenes |
 //! | `host` | tools for the desktop: double-precision reference, picture comparison, scene files |
+//! | `film` | films as GIF for the example `render` |
 //! | `window` | the simulator's window for the example `render` |
 //!
 //! # Oldest supported Rust

@@ -3,6 +3,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 use reflet::host::file;
 use serde_json::Value;
@@ -242,6 +243,34 @@ fn every_link_of_the_readme_leads_to_a_file_of_the_package() {
             });
         assert!(!is_apart, "{link} is in a package of its own");
     }
+}
+
+#[test]
+fn package_with_its_film_is_small() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("package");
+    let package = Command::new(env!("CARGO"))
+        .current_dir(root)
+        .args([
+            "package",
+            "--package",
+            "reflet",
+            "--allow-dirty",
+            "--no-verify",
+            "--offline",
+        ])
+        .arg("--target-dir")
+        .arg(&folder)
+        .output()
+        .expect("cargo runs");
+    let words = String::from_utf8_lossy(&package.stderr);
+    assert!(package.status.success(), "{words}");
+    let name = format!("package/reflet-{}.crate", env!("CARGO_PKG_VERSION"));
+    let bytes = |path: &Path| fs::metadata(path).unwrap().len();
+    let package = bytes(&folder.join(name));
+    assert!(package <= 450_000, "the package has {package} bytes");
+    let film = bytes(&root.join("docs/chrome3.gif"));
+    assert!(film <= 150_000, "the film has {film} bytes");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Parser, value_parser};
+use clap::{ArgGroup, Parser, value_parser};
 use command_line::{Chosen, Failure, Quality, Settings, Shading, is_standard_output, parse, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
@@ -12,6 +12,7 @@ use crate::dither::Levels;
 /// Renders a scene of mirrors in fixed point, as a microcontroller does.
 #[derive(Parser)]
 #[command(name = "render", version, max_term_width = 100, after_long_help = after_help())]
+#[command(group = ArgGroup::new("film").multiple(true))]
 pub struct Arguments {
     /// A built-in scene or a scene file
     #[arg(value_name = "SCENE|FILE.json", default_value = "castle")]
@@ -74,6 +75,27 @@ pub struct Arguments {
     #[arg(long, conflicts_with_all = ["out", "raw", "reference", "check", "window"])]
     pub needs: bool,
 
+    /// Draw N frames while the camera orbits its target once, from 2 to 360 (feature `film`)
+    #[arg(
+        long,
+        value_name = "N",
+        allow_negative_numbers = true,
+        requires = "film"
+    )]
+    #[arg(value_parser = value_parser!(u16).range(2..=360))]
+    #[arg(conflicts_with_all = ["out", "raw", "reference", "check", "needs", "json", "window"])]
+    pub orbit: Option<u16>,
+
+    /// Write the frames to a GIF file that repeats without end, over an older one, or to standard output
+    /// if F.gif is -
+    #[arg(long, value_name = "F.gif", group = "film", requires = "orbit")]
+    pub gif: Option<PathBuf>,
+
+    /// Write the frames to a folder as frame-000.png and so on, over older ones; the folder is made if it
+    /// is missing
+    #[arg(long, value_name = "DIR", group = "film", requires = "orbit")]
+    pub frames: Option<PathBuf>,
+
     /// Print one line of JSON and nothing else
     #[arg(long)]
     pub json: bool,
@@ -81,6 +103,10 @@ pub struct Arguments {
     /// Show the scene in a window (feature `window`)
     #[arg(long)]
     pub window: bool,
+
+    /// Read the scene file again when it changes, with --window
+    #[arg(long, requires = "window")]
+    pub watch: bool,
 }
 
 impl Arguments {
@@ -93,7 +119,7 @@ impl Arguments {
 
     /// Tests whether a picture goes to standard output. Then all messages go to standard error.
     pub fn picture_is_printed(&self) -> bool {
-        let mut paths = [&self.out, &self.raw].into_iter().flatten();
+        let mut paths = [&self.out, &self.raw, &self.gif].into_iter().flatten();
         paths.any(|path| is_standard_output(path))
     }
 
@@ -128,6 +154,9 @@ exists. Where one of them is -, standard output is the picture and all words go 
 is not rendered) and seconds (for the picture alone), and with --check same, within1, within8
 (shares of the pixels, from 0 to 1), psnr (in dB, null where the pictures are the same) and max;
 with --needs it prints scene, quality and needs, a list of name, is_needed and why.
+
+A frame of a film is shown for 600/N hundredths of a second, but for 2 at least and 10 at most. All frames
+of a GIF share 256 colours.
 
 In the window the arrow keys move the camera around its target, + and - change the number of
 reflections, Tab shows the next scene and Escape leaves.

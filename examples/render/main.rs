@@ -6,11 +6,17 @@
 mod arguments;
 mod dither;
 mod draw;
+#[cfg(feature = "film")]
+mod film;
 mod needs;
 mod output;
+#[cfg(feature = "film")]
+mod palette;
 mod picture;
 mod progress;
 mod report;
+#[cfg(feature = "window")]
+mod watch;
 #[cfg(feature = "window")]
 mod window;
 
@@ -40,6 +46,11 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
         let call = "cargo run --release --features window --example render -- --window";
         return Err(format!("--window needs the feature `window`: {call}").into());
     }
+    #[cfg(not(feature = "film"))]
+    if arguments.orbit.is_some() {
+        let call = "cargo run --release --features film --example render -- --orbit 36 --gif F.gif";
+        return Err(format!("--orbit needs the feature `film`: {call}").into());
+    }
     let source = Source::open(&arguments.scene, &arguments.chosen)?;
     if arguments.needs {
         let (name, settings) = (source.name(), arguments.settings());
@@ -49,6 +60,10 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
             needs::text
         };
         return print(say(name, source.scene().needs(), settings) + "\n");
+    }
+    #[cfg(feature = "film")]
+    if let Some(count) = arguments.orbit {
+        return film::write(&source, arguments, count);
     }
     let outputs = Outputs::new(arguments, &source)?;
     if outputs.are_wanted() {

@@ -25,8 +25,6 @@ impl<'a> Outputs<'a> {
     /// the current folder.
     pub fn new(arguments: &'a Arguments, source: &'a Source) -> Result<Self, Failure> {
         let Arguments {
-            scene: read,
-            chosen,
             out,
             raw,
             check,
@@ -38,13 +36,7 @@ impl<'a> Outputs<'a> {
         if both.is_some_and(|(out, raw)| are_same_file(out, raw)) {
             return Err("--out and --raw name the same file".into());
         }
-        let is_read = matches!(Named::of(read, chosen), Ok(Named::File));
-        let mut named = out.iter().chain(raw);
-        if is_read && named.any(|path| are_same_file(path, read)) {
-            return Err(
-                format!("{} is the scene file: it is not written over", shown(read)).into(),
-            );
-        }
+        keep_the_scene_file(arguments, out.iter().chain(raw))?;
         let scene = source.name();
         let asked = out.is_some() || raw.is_some() || *check || *json || *window;
         let png = match out {
@@ -91,6 +83,19 @@ impl<'a> Outputs<'a> {
     }
 }
 
+/// Refuses paths of outputs that lead to the scene file.
+pub fn keep_the_scene_file<'p>(
+    arguments: &Arguments,
+    mut paths: impl Iterator<Item = &'p PathBuf>,
+) -> Result<(), Failure> {
+    let read = &arguments.scene;
+    let is_read = matches!(Named::of(read, &arguments.chosen), Ok(Named::File));
+    match is_read && paths.any(|path| are_same_file(path, read)) {
+        true => Err(format!("{} is the scene file: it is not written over", shown(read)).into()),
+        false => Ok(()),
+    }
+}
+
 /// Returns the path `NAME.png` in the current folder. Characters of the name that could lead to
 /// another folder are replaced, and an empty name becomes `scene`.
 fn picture_of(scene: &str) -> PathBuf {
@@ -103,7 +108,8 @@ fn picture_of(scene: &str) -> PathBuf {
     PathBuf::from(format!("{name}.png"))
 }
 
-fn png(display: &SimulatorDisplay<Rgb888>) -> Result<Vec<u8>, Failure> {
+/// Returns the bytes of a PNG file.
+pub fn png(display: &SimulatorDisplay<Rgb888>) -> Result<Vec<u8>, Failure> {
     let mut bytes = Cursor::new(Vec::new());
     let image = display.to_rgb_output_image(&OutputSettings::default());
     image

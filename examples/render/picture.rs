@@ -16,6 +16,9 @@ use crate::draw::draw;
 use crate::progress;
 use command_line::{Failure, Settings, Source, exact};
 
+/// The display, its PNG twice, and the reference take three bytes a pixel each.
+const BYTES_OF_PIXEL: u64 = 4 * 3;
+
 /// A picture and what is known about it.
 pub struct Drawing {
     pub display: SimulatorDisplay<Rgb888>,
@@ -30,7 +33,7 @@ pub struct Drawing {
 impl Drawing {
     /// Renders what the command line asks for.
     pub fn new(source: &Source, arguments: &Arguments) -> Result<Self, Failure> {
-        afford(arguments.size)?;
+        afford(arguments.size, BYTES_OF_PIXEL)?;
         let (scene, camera) = source.reference();
         let exactly = || {
             let Size { width, height } = arguments.size;
@@ -92,9 +95,8 @@ impl Drawing {
 }
 
 /// Refuses a size for which there is not enough memory. Otherwise the system would kill the program.
-fn afford(size: Size) -> Result<(), Failure> {
-    // The display, its PNG twice, and the reference take three bytes a pixel each.
-    let bytes = 4 * 3 * u64::from(size.width) * u64::from(size.height);
+pub fn afford(size: Size, bytes_of_pixel: u64) -> Result<(), Failure> {
+    let bytes = bytes_of_pixel * u64::from(size.width) * u64::from(size.height);
     let fits = |bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok();
     match usize::try_from(bytes).is_ok_and(fits) {
         true => Ok(()),

@@ -11,16 +11,24 @@ use reflet::scenes;
 
 use crate::arguments::Arguments;
 use crate::picture::Drawing;
+use crate::watch::{Watch, draw_error};
 use crate::{output, report};
-use command_line::{Failure, Settings, Source, exact};
+use command_line::{Failure, Named, Settings, Source, exact};
 
 /// Degrees by which one press of an arrow key turns the camera.
 const STEP: i32 = 5;
+
+/// The simulator sets the title once, before it opens the window.
+const TITLE: &str = "reflet: arrows orbit, + - reflections, Tab next scene, Escape leaves";
 
 const REST: Duration = Duration::from_millis(10);
 
 /// Shows the scene until the window is closed.
 pub fn show(source: Source, arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.watch && !matches!(Named::of(&arguments.scene, &arguments.chosen)?, Named::File) {
+        return Err(format!("--watch needs a scene file: {} is built in", source.name()).into());
+    }
+    let mut watch = arguments.watch.then(|| Watch::new(arguments));
     let mut view = View::new(source, arguments);
     let mut drawing = view.draw()?;
     let mut window = open(arguments, &drawing)?;
@@ -30,7 +38,9 @@ pub fn show(source: Source, arguments: &Arguments) -> Result<(), Failure> {
             return Ok(());
         }
         let news = events.into_iter().map(|event| view.answer(event)).max();
-        match news.unwrap_or(News::Nothing) {
+        let change = watch.as_mut().and_then(Watch::change);
+        let change = change.map(|read| view.read_again(read));
+        match news.max(change).unwrap_or(News::Nothing) {
             News::Nothing => thread::sleep(REST),
             news => {
                 drawing = view.draw()?;
@@ -50,7 +60,7 @@ fn open(arguments: &Arguments, drawing: &Drawing) -> Result<Window, Failure> {
         .scale((640 / longer).max(1))
         .build();
     let first_update = || {
-        let mut window = Window::new("reflet", &settings);
+        let mut window = Window::new(TITLE, &settings);
         window.update(&drawing.display);
         window
     };
@@ -82,6 +92,8 @@ struct View<'a> {
     shown: usize,
     camera: Camera,
     settings: Settings,
+    /// What is wrong with the watched file.
+    error: Option<String>,
 }
 
 impl<'a> View<'a> {
@@ -108,6 +120,7 @@ impl<'a> View<'a> {
             shown: 0,
             camera,
             settings,
+            error: None,
         }
     }
 
@@ -115,7 +128,25 @@ impl<'a> View<'a> {
         let source = &self.sources[self.shown];
         let drawing =
             Drawing::in_fixed_point(source, &self.camera, self.arguments.size, self.settings)?;
-        Ok(drawing.dithered(self.arguments.dither))
+        let mut drawing = drawing.dithered(self.arguments.dither);
+        if let Some(error) = &self.error {
+            draw_error(error, &mut drawing.display);
+        }
+        Ok(drawing)
+    }
+
+    /// Takes the scene of the watched file. After an error the scene before it stays.
+    fn read_again(&mut self, read: Result<Source, Failure>) -> News {
+        match read {
+            Ok(source) => {
+                if self.shown == 0 {
+                    (_, self.camera) = source.reference();
+                }
+                (self.sources[0], self.error) = (source, None);
+            }
+            Err(error) => self.error = Some(error.to_string()),
+        }
+        News::Camera
     }
 
     fn describe(&self, drawing: &Drawing) -> String {

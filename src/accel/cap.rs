@@ -99,9 +99,14 @@ impl Cap {
         largest >> 30 >= (self.cosine.to_bits() - MARGIN) as i64
     }
 
+    /// Returns the least and the largest value of a coordinate in the cap.
+    pub(super) const fn range(&self, axis: usize) -> (i32, i32) {
+        self.bounds(self.direction.components()[axis].to_bits())
+    }
+
     /// Returns the numbers of the first and the last cell that the cap reaches along an axis.
     pub(super) const fn cells<const SIDE: usize>(&self, axis: usize) -> (i32, i32) {
-        let (low, high) = self.bounds(self.direction.components()[axis].to_bits());
+        let (low, high) = self.range(axis);
         (cell_number::<SIDE>(low), cell_number::<SIDE>(high))
     }
 

@@ -11,12 +11,14 @@ mod direction_table;
 pub(crate) mod drawable;
 mod fingerprint;
 pub(crate) mod hierarchy;
+pub(crate) mod light_lists;
 pub(crate) mod light_occluders;
 mod light_stretch;
 pub(crate) mod light_table;
 pub(crate) mod light_visibility;
 pub(crate) mod mirror_table;
 mod motion;
+pub(crate) mod row_list;
 mod scene;
 mod screen_axis;
 pub(crate) mod screen_bounds;
@@ -37,6 +39,7 @@ pub use within::Limited;
 pub use active_lists::ActiveRoom;
 use hierarchy::Hierarchy;
 pub use hierarchy::HierarchyNode;
+use light_lists::LightLists;
 use light_occluders::LightOccluders;
 use light_table::LightTable;
 use mirror_table::MirrorTables;
@@ -63,6 +66,9 @@ pub struct Culling {
     pub(crate) hierarchy: bool,
     /// Whether rays reflected by round mirrors test only the shapes that [`mirror_table`] lists.
     pub(crate) mirror_tables: bool,
+    /// Whether the plain path tests only the shapes that a row can show ([`row_list`]) and those in a
+    /// light's direction ([`light_lists`]). Techniques above replace it.
+    pub(crate) lists: bool,
 }
 
 impl Culling {
@@ -73,6 +79,7 @@ impl Culling {
         light_tables: true,
         hierarchy: true,
         mirror_tables: true,
+        lists: false,
     };
 
     /// Switches with every technique off: the plain path, which tests every shape.
@@ -82,9 +89,16 @@ impl Culling {
         light_tables: false,
         hierarchy: false,
         mirror_tables: false,
+        lists: false,
     };
 
-    /// Tests whether at least one technique is on.
+    /// Switches of the plain path with its lists of candidates.
+    pub(crate) const LISTS: Self = Self {
+        lists: true,
+        ..Self::NONE
+    };
+
+    /// Tests whether a technique is on that replaces the plain path. The lists do not.
     pub(crate) const fn is_any(self) -> bool {
         self.screen_bounds
             || self.light_occluders
@@ -143,6 +157,8 @@ pub struct Tables<'a, R: ActiveRoom> {
     pub(crate) light_occluders: &'a [LightOccluders<R>],
     /// For each light, the shapes that lie in each direction from it.
     pub(crate) light_tables: &'a [LightTable],
+    /// For each light, short lists of the shapes that lie in each direction from it.
+    pub(crate) light_lists: &'a [LightLists],
     /// For each round mirror, the shapes that lie ahead of rays that leave it.
     pub(crate) mirror_tables: &'a MirrorTables,
     /// The balls around the shapes of a crowd.

@@ -257,6 +257,7 @@ impl<R: ActiveRoom> World for Scene<R> {
         Tables {
             light_occluders: used(self.light_occluders.as_ref(), self.plain.counts.lights),
             light_tables: &[],
+            light_lists: &[],
             mirror_tables: MirrorTables::NONE,
             hierarchy: Hierarchy::NONE,
         }

@@ -32,7 +32,7 @@ impl Columns {
 }
 
 /// Returns a radius enlarged by more than the rounding error of the bounds: 2⁻¹⁰ of it and 64 steps.
-pub(super) fn widened(radius: i32) -> i32 {
+pub(super) const fn widened(radius: i32) -> i32 {
     radius + (radius >> 10) + 64
 }
 

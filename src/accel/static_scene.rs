@@ -4,6 +4,7 @@
 use core::marker::PhantomData;
 
 use super::hierarchy::{Hierarchy, HierarchyNode, fill, is_useful};
+use super::light_lists::LightLists;
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::{MirrorTable, MirrorTables};
@@ -45,6 +46,8 @@ pub trait Apart: StaticScene {
     const LIGHT_OCCLUDERS: &'static [LightOccluders<Self::Room>];
     /// For each light, the shapes that lie in each direction from it.
     const LIGHT_TABLES: &'static [LightTable];
+    /// For each light, short lists of the shapes that lie in each direction from it.
+    const LIGHT_LISTS: &'static [LightLists];
     /// For each round mirror, the shapes ahead of rays that leave it; empty if no ray would read them.
     const MIRROR_TABLES: &'static MirrorTables;
     /// The balls around the shapes of a crowd; empty if no ray would read them.
@@ -87,6 +90,9 @@ macro_rules! apart {
             const LIGHT_TABLES: &'static [LightTable] =
                 used(&Copied::<T>::LIGHT_TABLES, T::SCENE.plain.counts.lights);
 
+            const LIGHT_LISTS: &'static [LightLists] =
+                used(&Copied::<T>::LIGHT_LISTS, T::SCENE.plain.counts.lights);
+
             const MIRROR_TABLES: &'static MirrorTables = &mirror_tables::<T>();
 
             const HIERARCHY: Hierarchy<'static> = hierarchy::<T>();
@@ -103,6 +109,7 @@ macro_rules! apart {
             const MATERIALS: [PreparedMaterial; M] = T::SCENE.plain.materials;
             const GRID: Grid = T::SCENE.plain.grid;
             const LIGHT_TABLES: [LightTable; L] = LightTable::of_lights(&T::PARTS);
+            const LIGHT_LISTS: [LightLists; L] = LightLists::of_lights(&T::PARTS);
             const LIGHT_OCCLUDERS: [LightOccluders<Room<$($arguments)*>>; L] =
                 T::SCENE.light_occluders;
         }
@@ -202,6 +209,7 @@ impl<T: Apart> World for Static<T> {
         Tables {
             light_occluders: T::LIGHT_OCCLUDERS,
             light_tables: T::LIGHT_TABLES,
+            light_lists: T::LIGHT_LISTS,
             mirror_tables: T::MIRROR_TABLES,
             hierarchy: T::HIERARCHY,
         }

@@ -1,7 +1,9 @@
 //! Floor 2: the rays of a camera through the pixels of a picture, and the two axes of its screen.
 
 use super::Camera;
-use crate::number::{Scaled, shifted, signed, signed_wide, stepped, unsigned_wide, wide};
+use crate::number::{
+    Scaled, shifted, signed, signed_wide, square_root, stepped, unsigned_wide, wide,
+};
 use crate::ray::{RowPlane, ScreenAxis};
 use crate::vector::{Direction, Point, Vector};
 
@@ -130,6 +132,14 @@ pub(crate) struct RowDirections {
 }
 
 impl RowDirections {
+    /// Returns a normal of the plane of the row's rays, rounded to whole numbers below 2²⁹, and a bound of its
+    /// length.
+    pub(crate) fn plane(&self) -> (Vector, i32) {
+        let [x, y, z] = self.middle.map(|coordinate| (coordinate >> 32) as i32);
+        let normal = self.right.crossed_with(Vector::new(x, y, z));
+        (normal, square_root(self.square) + 4)
+    }
+
     /// Returns the direction of the ray through the pixel of a column, which is below 2¹⁶.
     #[inline(always)]
     pub(crate) fn of(&self, column: u32) -> Direction {

@@ -6,9 +6,10 @@ use super::{Colors, Report};
 use crate::accel::CullingQuality;
 use crate::accel::drawable::Drawable;
 use crate::accel::light_visibility::LightVisibility;
+use crate::accel::row_list::row_list;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
-use crate::camera::{Camera, RayGenerator};
+use crate::camera::{Camera, RayGenerator, RowDirections};
 use crate::color::Sum;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
@@ -245,8 +246,9 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         [x, y]: [u32; 2],
         draw: impl FnOnce(&mut Colors<'_, '_, S::World<'a>, K, Q>) -> T,
     ) -> (T, Report) {
-        let mut tracer = self.tracer(generator, y);
-        let mut colors = Colors::new(&mut tracer, generator.row(y), x, self.frame.width);
+        let directions = generator.row(y);
+        let mut tracer = self.tracer((generator, &directions), y);
+        let mut colors = Colors::new(&mut tracer, directions, x, self.frame.width);
         let drawn = draw(&mut colors);
         (drawn, Report::of(&tracer))
     }
@@ -267,7 +269,11 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
 
     /// Returns the tracer for the rays of row `y`.
     #[inline(always)]
-    fn tracer(&self, generator: &RayGenerator, y: u32) -> Tracer<'_, S::World<'a>, K, Q> {
+    fn tracer(
+        &self,
+        (generator, directions): (&RayGenerator, &RowDirections),
+        y: u32,
+    ) -> Tracer<'_, S::World<'a>, K, Q> {
         let (bounds, from) = (self.frame.bounds.as_ref(), self.frame.lights.from);
         let from = (from, generator.row_plane(y, from.point));
         let culling = match Tracer::<S::World<'a>, K, Q>::IS_PLAIN {
@@ -277,7 +283,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         Tracer::new(
             &self.world,
             &self.frame.lights,
-            culling,
+            (culling, row_list::<_, Q>(&self.world, from.0, directions)),
             self.frame.reflections,
         )
     }

@@ -48,11 +48,11 @@ pub trait Quality {
     /// narrower than four columns may be lost.
     const IS_SURE: bool = true;
 
-    /// Whether frames leave out all code and tables for speed, to save flash. Defaults to `false`.
+    /// Whether frames leave out most code and tables for speed, to save flash. Defaults to `false`.
     ///
-    /// If `true`, every pixel is traced, whatever [`Quality::TOLERANCE`] says, every ray tests every shape,
-    /// and no tables for the pixels of a row or for the lights are prepared, neither in flash nor in
-    /// RAM.
+    /// If `true`, every pixel is traced, whatever [`Quality::TOLERANCE`] says. Only short lists say which
+    /// shapes a row of pixels can show, and which lie in each direction from a light of a constant scene.
+    /// They take a few hundred bytes.
     const IS_SMALL: bool = false;
 
     /// Whether points and light are rounded more finely, and shadows are exact where shapes touch.
@@ -91,11 +91,11 @@ impl Quality for Draft {
     const IS_SURE: bool = false;
 }
 
-/// The quality that takes the least flash: at least as exact as [`Fast`], but without the code and the
-/// tables for speed.
+/// The quality that takes the least flash: at least as exact as [`Fast`], but without most of the code and
+/// the tables for speed.
 ///
-/// Every pixel is traced, and every ray tests every shape. A path ends when the light it can still add
-/// is less than one 8-bit level.
+/// Every pixel is traced. Short lists leave out shapes that a ray cannot hit. A path ends when the light
+/// it can still add is less than one 8-bit level.
 #[derive(Clone, Copy, Debug)]
 pub struct Small;
 
@@ -137,7 +137,7 @@ impl<Q: Quality> LightQuality for Q {
 
 impl<Q: Quality> CullingQuality for Q {
     const CULLING: Culling = match Q::IS_SMALL {
-        true => Culling::NONE,
+        true => Culling::LISTS,
         false => Culling::ALL,
     };
 }

@@ -10,10 +10,22 @@ use crate::ray::{BALL, REACH, Ray, ScaledPoint, ScaledRay};
 /// seen as a point.
 const FURTHEST_SCALE: u32 = 32;
 
+/// Returns how much of a ray of `reach` · 2^`scale` steps from a near point can be near.
+#[inline(always)]
+pub(super) const fn near_part(reach: Length, scale: u32) -> Length {
+    // A shift by 30 leaves one step of the furthest point that a near ray reaches.
+    let scale = if scale < 30 { scale } else { 30 };
+    if reach.to_bits() < REACH.to_bits() >> scale {
+        Length::from_bits(reach.to_bits() << scale)
+    } else {
+        REACH
+    }
+}
+
 /// Returns the part of a shadow ray that lies in the ball: a near ray and its length. Returns `None` if
 /// the ray does not enter the ball before the light.
 ///
-/// The light is `reach` · 2^`scale` steps away. The ray's start or the light, or both, are far.
+/// The light is `reach` · 2^`scale` steps away. The ray's start is far.
 #[cold]
 #[inline(never)]
 pub(super) fn between(
@@ -21,10 +33,7 @@ pub(super) fn between(
     (light, reach, scale): (ScaledPoint, Length, u32),
     epsilon: Length,
 ) -> Option<(Ray, Length)> {
-    let (near, skipped) = match ray.from().is_near() {
-        true => (ray.ray, 0),
-        false => into_ball(ray)?,
-    };
+    let (near, skipped) = into_ball(ray)?;
     // The light may stand before the ball.
     let total = u64::from(unsigned(reach.to_bits())) << scale.min(FURTHEST_SCALE);
     let rest = total.checked_sub(skipped)?;

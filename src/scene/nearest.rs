@@ -92,6 +92,29 @@ macro_rules! questions {
             nearest.hit()
         }
 
+        /// Returns the nearest hit of a ray among the candidates, as [`nearest_of`] does. Takes less flash
+        /// and more time.
+        #[inline(never)]
+        pub(crate) fn nearest_listed<W: SceneAccess>(
+            world: &W,
+            candidates: &ShapeSet,
+            ray: &Ray,
+            skip: ShapeId,
+        ) -> Hit {
+            let mut nearest = Nearest::beyond(NOWHERE);
+            let parts = world.parts();
+            let lengths = parts.lengths();
+            let (kind, first) = (0, 0);
+            $(
+                candidates.each((kind, lengths), parts.$list, |index, shape| {
+                    nearest.ask(shape, ray, ShapeId::at(first + index), skip);
+                });
+                let (kind, first) = (kind + 1, first + lengths[kind]);
+            )*
+            let _ = (kind, first);
+            nearest.hit()
+        }
+
         /// Tests whether a ray hits a candidate before `reach`. Skips the shape `skip`, which the ray
         /// leaves from outside.
         #[inline(never)]

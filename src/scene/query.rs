@@ -2,7 +2,7 @@
 //! occluded. Rays may start and end anywhere.
 
 use super::access::{SceneAccess, ShapeId};
-use super::far::{between, into_ball, place_along};
+use super::far::{between, into_ball, near_part, place_along};
 use super::nearest::{Hit, NOWHERE, any_blocks, nearest_of};
 use super::planes;
 use super::shape_set::ShapeSet;
@@ -18,6 +18,20 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
     ray: &ScaledRay,
     skip: ShapeId,
 ) -> Option<(ScaledPoint, ShapeId)> {
+    nearest_hit_by(world, ray, skip, |ray| {
+        nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), skip)
+    })
+}
+
+/// Returns the first hit of a ray, as [`nearest_hit`] does. `nearest` returns the nearest hit of the
+/// bounded shapes. It is given the near part of the ray.
+#[inline(always)]
+pub(crate) fn nearest_hit_by<W: SceneAccess>(
+    world: &W,
+    ray: &ScaledRay,
+    skip: ShapeId,
+    nearest: impl Fn(&Ray) -> Hit,
+) -> Option<(ScaledPoint, ShapeId)> {
     let (mut distance, mut shape) = (NOT_MET, ShapeId::NONE);
     for (id, plane) in planes::others(world, skip) {
         let own = plane.intersect_far(ray);
@@ -31,7 +45,7 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
             false => into_ball(ray),
         };
         if let Some((ray, skipped)) = start {
-            let hit = nearest_of(world, ShapeSet::ALL, (&ray, NOWHERE), skip);
+            let hit = nearest(&ray);
             let own = skipped + u64::from(unsigned(hit.distance.to_bits()));
             if hit.shape != ShapeId::NONE && own < distance {
                 let at = ray.origin.along(ray.direction, hit.distance);
@@ -121,8 +135,11 @@ pub(crate) fn occluded_by<W: SceneAccess>(
     if planes::others(world, skip).any(|(_, plane)| plane.blocks(ray, reach, scale)) {
         return true;
     }
-    if scale == 0 {
-        return blocks(&ray.ray, reach);
+    if !world.parts().has_bounded() {
+        return false;
+    }
+    if ray.from().is_near() {
+        return blocks(&ray.ray, near_part(reach, scale));
     }
     between(ray, (light, reach, scale), epsilon).is_some_and(|(ray, reach)| blocks(&ray, reach))
 }

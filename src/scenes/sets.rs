@@ -15,6 +15,7 @@ use crate::render::Fine;
 use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::{nearest_hit, occluded};
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{RuntimeScene, Surface};
 use crate::shade::BlinnPhong;
 use crate::shape::MaterialId;
@@ -41,7 +42,7 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         let row = generator.row_plane(y, from.point);
         let tracer = |bounds, is_full| {
             let culling = ScreenCulling::new::<true>(bounds, (from, row), y, is_full);
-            Tracer::<W, BlinnPhong, Fine>::new(world, &view, culling, 3)
+            Tracer::<W, BlinnPhong, Fine>::new(world, &view, (culling, *ShapeSet::ALL), 3)
         };
         let mut some = tracer(bounds.as_ref(), false);
         let mut all = tracer(Some(&everything), true);

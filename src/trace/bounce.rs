@@ -2,10 +2,12 @@
 
 use super::{PathQuality, Tracer};
 use crate::accel::{Window, World, nearest_ahead};
-use crate::ray::ScaledRay;
+use crate::ray::{ScaledPoint, ScaledRay};
+use crate::scene::FEW;
 use crate::scene::access::ShapeId;
-use crate::scene::nearest::Hit;
-use crate::scene::query::{located, nearest_hit};
+use crate::scene::nearest::{Hit, nearest_listed};
+use crate::scene::query::{located, nearest_hit, nearest_hit_by};
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Surface, planes};
 use crate::shade::highlight::sealed::Shading;
 
@@ -39,7 +41,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     ) -> Option<Surface<'a>> {
         let (world, skip) = (self.world, bounce.skip);
         let (at, shape) = if !Q::CULLING.is_any() {
-            nearest_hit(world, ray, skip)
+            self.plain_hit(ray, bounce)
         } else {
             let hit = self.near_hit(pixel, ray, bounce);
             match Q::IS_PRECISE {
@@ -48,6 +50,26 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             }
         }?;
         Surface::new(world, at, shape, ray.direction())
+    }
+
+    /// Returns the first hit of a ray on the plain path. It tests every bounded shape, or those that the
+    /// row's list
+    /// names to a ray of the camera.
+    #[inline(always)]
+    fn plain_hit(&self, ray: &ScaledRay, bounce: &Bounce) -> Option<(ScaledPoint, ShapeId)> {
+        let (world, skip) = (self.world, bounce.skip);
+        match Q::CULLING.lists && world.parts().bounded() > FEW {
+            true => {
+                let candidates = match bounce.count {
+                    0 => self.list,
+                    _ => *ShapeSet::ALL,
+                };
+                nearest_hit_by(world, ray, skip, |ray| {
+                    nearest_listed(world, &candidates, ray, skip)
+                })
+            }
+            false => nearest_hit(world, ray, skip),
+        }
     }
 
     /// Returns the first hit of a ray in the near region. Returns [`Hit::BEYOND`] for a ray that starts

@@ -26,6 +26,7 @@ use crate::accel::{CullingQuality, Window, World};
 use crate::color::Sum;
 use crate::number::{Unit, share};
 use crate::ray::{PathSignature, ScaledRay};
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Mirrors, Surface};
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{LightQuality, Lit};
@@ -75,6 +76,8 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     visibility: &'a LightVisibility,
     /// The candidates for the rays of this row.
     culling: ScreenCulling<'a, W>,
+    /// The bounded shapes that the camera's rays through this row can hit, on the plain path.
+    list: ShapeSet,
     /// Largest number of reflections of a path.
     reflections: u32,
     /// Number of rays that were followed, without shadow rays.
@@ -96,13 +99,14 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     pub(crate) fn new(
         world: &'a W,
         visibility: &'a LightVisibility,
-        culling: ScreenCulling<'a, W>,
+        (culling, list): (ScreenCulling<'a, W>, ShapeSet),
         reflections: u8,
     ) -> Self {
         Self {
             world,
             visibility,
             culling,
+            list,
             reflections: reflections.min(W::NEEDS.reflections).into(),
             rays: 0,
             cut_off: Unit::ZERO,
@@ -236,7 +240,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             true => {
                 K::color::<W, Q, _>(world, surface, &Culled::<W, Q>::new(world, self.visibility))
             }
-            false => K::color::<W, Q, _>(world, surface, &Plain(world)),
+            false => K::color::<W, Q, _>(world, surface, &Plain::<W, Q>::new(world)),
         }
     }
 }

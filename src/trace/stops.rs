@@ -26,10 +26,10 @@ pub(super) struct Stop {
 }
 
 impl Stops {
-    /// No hit.
+    /// No hit. All bits are 0, which is the quickest to store.
     pub(crate) const NONE: Self = Self {
         stops: [Stop {
-            shape: ShapeId::NONE,
+            shape: ShapeId::at(0),
             is_inside: false,
             place: ScaledPoint::ORIGIN,
         }; STOPS],

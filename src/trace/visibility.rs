@@ -11,21 +11,45 @@ use crate::light::PreparedLight;
 use crate::number::Length;
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::scene::Surface;
-use crate::scene::access::SceneAccess;
 use crate::scene::query::{occluded, occluded_by};
 use crate::scene::shape_set::ShapeSet;
 use crate::shade::Visibility;
 use crate::vector::Direction;
 
-/// Visibility without culling: each light gets a shadow ray at each hit, which tests every shape.
-pub(super) struct Plain<'a, W>(pub(super) &'a W);
+/// Visibility without culling: each light gets a shadow ray at each hit. It tests every shape, or those
+/// that the light's lists name.
+pub(super) struct Plain<'a, W, Q> {
+    world: &'a W,
+    quality: PhantomData<Q>,
+}
 
-impl<W: SceneAccess> Visibility for Plain<'_, W> {
+impl<'a, W: World, Q: CullingQuality> Plain<'a, W, Q> {
+    /// Returns the visibility of the lights of a scene.
+    #[inline(always)]
+    pub(super) const fn new(world: &'a W) -> Self {
+        Self {
+            world,
+            quality: PhantomData,
+        }
+    }
+
+    /// Returns the bounded shapes that a shadow ray in this direction can hit. `index` is the light's index.
+    #[inline(always)]
+    fn candidates(&self, index: usize, direction: Direction) -> ShapeSet {
+        let lists = match W::NEEDS.sets && Q::CULLING.lists {
+            true => self.world.tables().light_lists.get(index),
+            false => None,
+        };
+        lists.map_or(*ShapeSet::ALL, |lists| lists.at(direction.reversed()))
+    }
+}
+
+impl<W: World, Q: CullingQuality> Visibility for Plain<'_, W, Q> {
     type Light = PreparedLight;
 
     #[inline(always)]
     fn lights(&self) -> &[PreparedLight] {
-        self.0.parts().lights
+        self.world.parts().lights
     }
 
     #[inline(always)]
@@ -58,10 +82,17 @@ impl<W: SceneAccess> Visibility for Plain<'_, W> {
         &self,
         surface: &Surface<'_>,
         ray: &ScaledRay,
-        _: usize,
+        index: usize,
         light: (ScaledPoint, Length, u32),
     ) -> bool {
-        occluded(self.0, ShapeSet::ALL, ray, surface.skip(self.0), light)
+        let candidates = self.candidates(index, ray.direction());
+        occluded(
+            self.world,
+            &candidates,
+            ray,
+            surface.skip(self.world),
+            light,
+        )
     }
 }
 

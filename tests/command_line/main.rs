@@ -2,6 +2,7 @@
 
 mod dithering;
 mod examples;
+mod film;
 mod output;
 mod program;
 
@@ -363,7 +364,7 @@ fn help_names_every_scene_and_option() {
     for name in scenes::NAMES {
         assert!(help.contains(name), "{name}");
     }
-    let options = "scene size reflections shading quality dither out raw reference check needs json window version";
+    let options = "scene size reflections shading quality dither out raw reference check needs json window version orbit gif frames watch";
     for option in options.split(' ') {
         assert!(help.contains(&format!("--{option}")), "{option}");
     }

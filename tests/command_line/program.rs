@@ -150,15 +150,16 @@ fn binary(example: &'static str) -> PathBuf {
         } else {
             "release"
         };
-        let features = if cfg!(feature = "window") {
-            "window"
-        } else {
-            ""
-        };
+        let features = [
+            ("film", cfg!(feature = "film")),
+            ("window", cfg!(feature = "window")),
+        ];
+        let features = features.into_iter().filter(|(_, is_on)| *is_on);
+        let features: Vec<_> = features.map(|(name, _)| name).collect();
         let output = Command::new(env!("CARGO"))
             .current_dir(env!("CARGO_MANIFEST_DIR"))
             .args(["build", "--example", example, "--message-format", "json"])
-            .args(["--profile", profile, "--features", features])
+            .args(["--profile", profile, "--features", &features.join(",")])
             .arg("--target-dir")
             .arg(target)
             .output()

@@ -54,6 +54,9 @@ const ALONE: [&str; 12] = [
 /// The test programs that run the firmware of the examples.
 const BOARDS: [&str; 4] = ["board", "boards", "small_boards", "speed"];
 
+/// All tests have the films of the example `render`. The same in each step: nothing is built twice.
+const FEATURES: &str = "--features=reflet/film";
+
 /// A check of the gate, and the name under which it is reported.
 struct Step {
     name: String,
@@ -190,7 +193,7 @@ fn first() -> Vec<Step> {
     });
     let mut steps = vec![step("format", cargo("fmt").args(["--all", "--check"]))];
     steps.extend(alone);
-    let build = cargo("test").args(["--workspace", "--no-run"]);
+    let build = cargo("test").args(["--workspace", FEATURES, "--no-run"]);
     steps.push(step("build of all tests", build));
     steps
 }
@@ -202,7 +205,7 @@ fn first() -> Vec<Step> {
 /// compile their dependencies again with fewer features.
 fn tests(all: bool) -> Result<Vec<Step>> {
     let test = |targets: &[String]| {
-        let test = cargo("test").args(["--workspace"]).args(targets);
+        let test = cargo("test").args(["--workspace", FEATURES]).args(targets);
         let test = test.env("EXAMPLES_ARE_BUILT", "1");
         match all {
             true => test.args(["--", "--include-ignored"]),
@@ -233,7 +236,7 @@ fn tests(all: bool) -> Result<Vec<Step>> {
         step(
             "tests in the documentation",
             cargo("test")
-                .args(["--workspace", "--doc"])
+                .args(["--workspace", FEATURES, "--doc"])
                 .args(["--exclude=float_picture", "--exclude=float_port"]),
         ),
     ])
@@ -270,7 +273,7 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let seconds = if all { "600" } else { "10" };
     let warnings = ["--", "-D", "warnings"];
     let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
-    let rays = cargo("test").args(["--workspace", "--lib", "--", "--ignored"]);
+    let rays = cargo("test").args(["--workspace", FEATURES, "--lib", "--", "--ignored"]);
     let fuzz = xtask().args(["fuzz", "--seconds", seconds]);
     vec![
         step("clippy, everything", rest.args(warnings)),

@@ -1,7 +1,7 @@
 //! Floor 7: hands out the colours of a row, one by one or into a slice. It does not know how they are
 //! found.
 
-use super::Colors;
+use super::{Colors, SHORT};
 use crate::accel::World;
 use crate::color::Sum;
 use crate::number::to_u32;
@@ -15,8 +15,8 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
     pub(crate) fn next_color(&mut self) -> Sum {
         let column = self.column;
         self.column = column + 1;
-        if Tracer::<W, K, Q>::IS_PLAIN {
-            return self.traced(column, 0).sum;
+        if !Tracer::<W, K, Q>::IS_INTERPOLATED {
+            return self.each(column);
         }
         if column >= self.until {
             self.follow(column);
@@ -24,11 +24,20 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         self.colors[Self::place(column)]
     }
 
+    /// Traces the pixel of the next column, in a quality that interpolates none.
+    #[inline(always)]
+    fn each(&mut self, column: u32) -> Sum {
+        if !Tracer::<W, K, Q>::IS_PLAIN && column > self.window.last {
+            self.window = self.tracer.advance(column, column + SHORT);
+        }
+        self.traced(column, 0).sum
+    }
+
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
     /// picture.
     #[inline(always)]
     pub(crate) fn fill<C: Copy>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
-        if Tracer::<W, K, Q>::IS_PLAIN {
+        if !Tracer::<W, K, Q>::IS_INTERPOLATED {
             for pixel in pixels {
                 *pixel = shown(self.next_color());
             }

@@ -11,6 +11,7 @@ use crate::number::sweep::Sweep;
 use crate::ray::PathSignature;
 use crate::render::Exact;
 use crate::scene::access::SceneAccess;
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Needs, Parts};
 use crate::shade::BlinnPhong;
 use crate::trace::{Stops, Traced, Tracer};
@@ -51,7 +52,8 @@ fn traced<W: World>(world: &W, camera: &Camera) -> std::vec::Vec<(Sum, PathSigna
     let rows = (0..SIDE).flat_map(|y| {
         let row = (from, generator.row_plane(y, from.point));
         let culling = ScreenCulling::new::<true>(None, row, y, true);
-        let mut tracer = Tracer::<W, BlinnPhong, Exact>::new(world, &view, culling, 5);
+        let mut tracer =
+            Tracer::<W, BlinnPhong, Exact>::new(world, &view, (culling, *ShapeSet::ALL), 5);
         let directions = generator.row(y);
         let mut pixels = std::vec::Vec::new();
         for x in 0..SIDE {

@@ -3,9 +3,12 @@
 
 use super::super::{Columns, Mirror1, Primitives};
 use super::*;
-use crate::accel::{Culling, CullingQuality, HierarchyNode};
+use crate::accel::light_lists::LightLists;
+use crate::accel::row_list::row_list;
+use crate::accel::{Culling, CullingQuality, HierarchyNode, Tables};
 use crate::color::Sum;
 use crate::ray::PathSignature;
+use crate::scene::{Needs, Parts};
 use crate::shade::LightQuality;
 use crate::trace::PathQuality;
 
@@ -48,6 +51,23 @@ impl PathQuality for PlainPath {
     const IS_SURE: bool = true;
 }
 
+/// The quality [`PlainPath`] with its lists of candidates.
+struct Listed;
+
+impl LightQuality for Listed {
+    const IS_PRECISE: bool = <PlainPath as LightQuality>::IS_PRECISE;
+}
+
+impl CullingQuality for Listed {
+    const CULLING: Culling = Culling::LISTS;
+}
+
+impl PathQuality for Listed {
+    const SMALLEST_WEIGHT: Unit = <PlainPath as PathQuality>::SMALLEST_WEIGHT;
+    const TOLERANCE: Unit = <PlainPath as PathQuality>::TOLERANCE;
+    const IS_SURE: bool = true;
+}
+
 /// Returns the sum and the signature of the path through each pixel. Camera rays test every shape.
 fn traced<W: World, Q: PathQuality>(
     world: &W,
@@ -68,8 +88,9 @@ fn traced_by<W: World, Q: PathQuality>(
     let from = view.from;
     let rows = (0..SIZE.1).flat_map(|y| {
         let row = (from, generator.row_plane(y, from.point));
+        let list = row_list::<_, Q>(world, from, &generator.row(y));
         let culling = ScreenCulling::new::<true>(None, row, y, true);
-        let mut tracer = Tracer::<W, BlinnPhong, Q>::new(world, view, culling, 5);
+        let mut tracer = Tracer::<W, BlinnPhong, Q>::new(world, view, (culling, list), 5);
         let directions = generator.row(y);
         let pixels = (0..SIZE.0).map(|x| {
             let window = tracer.advance(x, x);
@@ -113,6 +134,83 @@ fn paths_in_built_in_scenes_come_to_the_same_without_tables() {
             traced::<_, With<false, true>>(world, &camera) == all,
             "{name}"
         );
+    }
+}
+
+/// A scene filled at run time with the lists of its lights that a constant scene would have.
+struct WithLists<'a, W> {
+    scene: &'a W,
+    lights: [LightLists; 8],
+}
+
+impl<W: World> SceneAccess for WithLists<'_, W> {
+    const NEEDS: Needs = W::NEEDS;
+    const CHOOSES_HITS: bool = false;
+
+    fn parts(&self) -> Parts<'_> {
+        self.scene.parts()
+    }
+}
+
+impl<W: World> World for WithLists<'_, W> {
+    type Room = W::Room;
+    const IS_CROWD: bool = false;
+
+    fn tables(&self) -> Tables<'_, Self::Room> {
+        Tables {
+            light_lists: &self.lights,
+            ..self.scene.tables()
+        }
+    }
+}
+
+/// Returns a scene with the lists of its lights.
+fn listed<W: World>(scene: &W) -> WithLists<'_, W> {
+    assert!(scene.parts().lights.len() <= 8);
+    WithLists {
+        scene,
+        lights: LightLists::of_lights(&scene.parts()),
+    }
+}
+
+/// Asserts that the plain path comes to the same with its lists, seen from several sides.
+fn compare_lists<W: World>(world: &W, first: &Camera, name: &str) {
+    for (azimuth, elevation) in [(0, 0), (35, 10), (100, -20), (180, 5), (-75, -8)] {
+        let Ok(camera) = first.orbited(azimuth, elevation) else {
+            continue;
+        };
+        let plain = traced::<_, PlainPath>(world, &camera);
+        assert!(traced::<_, Listed>(world, &camera) == plain, "{name}");
+    }
+}
+
+#[test]
+fn lists_change_no_bit_of_the_plain_path() {
+    compare_lists(&Static::<Castle>::new(), &Castle::CAMERA, "castle");
+    compare_lists(&Static::<Columns>::new(), &Columns::CAMERA, "columns");
+    compare_lists(
+        &Static::<Primitives>::new(),
+        &Primitives::CAMERA,
+        "primitives",
+    );
+    compare_lists(&Static::<Mirror1>::new(), &Mirror1::CAMERA, "mirror1");
+    for name in NAMES {
+        let (scene, camera) = at_run_time(name);
+        compare_lists(&listed(&*scene), &camera, name);
+    }
+    let mut random = Sweep::new(0x3c6e_f372_fe94_f82b);
+    for _ in 0..4 {
+        let (many, few) = (crowd::<100, 40>(&mut random), crowd::<24, 8>(&mut random));
+        // Every camera is among the shapes, or beside them.
+        let position = random.place().map(|x| 2.5 * x);
+        let camera = camera(&mut random, position);
+        compare_lists(&listed(&many), &camera, "crowd");
+        compare_lists(&listed(&few), &camera, "small crowd");
+        let rim = about(&few, &mut random, 1.2, 3);
+        let narrow = Camera::new(position, rim, [0.1, 0.2, 1.0], 0.6).unwrap();
+        compare_lists(&listed(&few), &narrow, "rim");
+        let wide = Camera::new(position, rim, [0.1, 0.2, 1.0], 179.0).unwrap();
+        compare_lists(&listed(&few), &wide, "wide view");
     }
 }
 

@@ -1,7 +1,9 @@
 //! Tests of planes against points and rays at any distance from the middle of the scene.
 
 use super::{PreparedPlane, descent};
-use crate::number::{Length, Quotient, divide, shifted, signed, unsigned, unsigned_wide};
+use crate::number::{
+    Length, Quotient, divide, shifted, signed, unsigned, unsigned_wide, wide_unsigned,
+};
 use crate::ray::{ScaledPoint, ScaledRay};
 
 /// Distance of a ray that does not hit a plane; larger than any real distance.
@@ -76,7 +78,12 @@ impl PreparedPlane {
         let Some((height, descent)) = descent(height, climb) else {
             return false;
         };
-        let limit = u128::from(descent) * u128::from(unsigned(reach.to_bits()));
-        u128::from(height) << height_scale.min(60) < limit << scale.min(60)
+        let limit = wide_unsigned(descent, unsigned(reach.to_bits()));
+        // Both sides are whole numbers. So the one that is not shifted may be rounded instead.
+        let (own, other) = (height_scale.min(60), scale.min(60));
+        match own > other {
+            true => limit > 0 && height <= (limit - 1) >> (own - other),
+            false => height >> (other - own) < limit,
+        }
     }
 }

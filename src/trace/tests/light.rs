@@ -45,7 +45,7 @@ pub(super) fn colors<K: Shading, W: World>(
 ) -> [Color; 2] {
     [
         K::color::<W, Fast, _>(world, surface, &Culled::<W, Fast>::new(world, view)).color,
-        K::color::<W, Small, _>(world, surface, &Plain(world)).color,
+        K::color::<W, Small, _>(world, surface, &Plain::<W, Small>::new(world)).color,
     ]
 }
 

@@ -67,12 +67,26 @@ impl OutputFile {
     ///
     /// Fails like [`OutputFile::at`], and if the name has the extension of another format.
     pub fn png_at(path: &Path) -> Result<Self, Failure> {
-        let extension = path.extension().unwrap_or("png".as_ref());
-        match extension.eq_ignore_ascii_case("png") {
+        Self::in_format(path, "png", "pictures")
+    }
+
+    /// Tests that a GIF file can be written at `path`, or standard output if `path` is `-`.
+    ///
+    /// # Errors
+    ///
+    /// Fails like [`OutputFile::png_at`].
+    pub fn gif_at(path: &Path) -> Result<Self, Failure> {
+        Self::in_format(path, "gif", "films")
+    }
+
+    fn in_format(path: &Path, format: &str, what: &str) -> Result<Self, Failure> {
+        let extension = path.extension().unwrap_or(format.as_ref());
+        match extension.eq_ignore_ascii_case(format) {
             true => Self::at(path),
             false => {
-                let (shown, png) = (shown(path), shown(&path.with_extension("png")));
-                Err(format!("{shown}: pictures are written as PNG only: name it {png}").into())
+                let (shown, named) = (shown(path), shown(&path.with_extension(format)));
+                let format = format.to_uppercase();
+                Err(format!("{shown}: {what} are written as {format} only: name it {named}").into())
             }
         }
     }

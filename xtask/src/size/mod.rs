@@ -143,11 +143,7 @@ impl Figures {
         let outcome = outcome(task)?;
         let (reflections, quality) = (task.settings.reflections, task.settings.quality);
         let left_out = needs(task.scene.name(), reflections).list();
-        // The quality `Small` tests every shape, so it has no code for candidate sets.
-        let is_out = |name| quality == Quality::SMALL && name == "sets";
-        let left_out = left_out
-            .iter()
-            .filter(|it| !it.is_needed || is_out(it.name));
+        let left_out = left_out.iter().filter(|it| !it.is_needed);
         Ok(Self {
             target: task.core.target.to_owned(),
             scene: task.scene.name().to_owned(),
