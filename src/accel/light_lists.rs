@@ -24,7 +24,7 @@ pub struct LightLists([Coordinate; 3]);
 /// The bounded shapes that lie in directions with each value of one coordinate.
 #[derive(Clone, Copy, Debug)]
 struct Coordinate {
-    /// Smallest value with a shape, Q2.30, as [`raised`].
+    /// Smallest coordinate of a direction to a shape, as [`raised`] returns it.
     low: u32,
     /// Number of low bits of a value, counted from `low`, that do not choose a set.
     shift: u32,

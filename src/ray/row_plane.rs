@@ -136,7 +136,8 @@ pub(crate) enum Chord {
 }
 
 impl RowPlane {
-    /// Returns the parts of a vector ahead and aside, in steps, rounded down.
+    /// Returns the components of a vector ahead, to the middle of the row, and aside, along the row. They are
+    /// in steps, rounded down.
     #[inline(always)]
     pub(crate) fn flat(&self, way: Vector) -> [i32; 2] {
         [way.dot(self.axis.ahead), way.dot(self.axis.aside)]

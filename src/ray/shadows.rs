@@ -149,8 +149,9 @@ impl Shadows<'_> {
         self.borders.add(border);
     }
 
-    /// The rays that end a shadow lead from the light along one of two directions, or between them: steps
-    /// along the line, and steps towards it below 0.
+    /// A shadow begins or ends at a ray from the light whose direction is one of two, or lies between them.
+    /// A direction is its part along the line and its part away from the line, which is below 0 if the ray
+    /// leads towards the line. Both are in one unit.
     pub(crate) fn rays(&mut self, [one, other]: [[i64; 2]; 2]) {
         match (self.towards(one), self.towards(other)) {
             (None, None) => {}

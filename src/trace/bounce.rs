@@ -52,9 +52,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         Surface::new(world, at, shape, ray.direction())
     }
 
-    /// Returns the first hit of a ray on the plain path. It tests every bounded shape, or those that the
-    /// row's list
-    /// names to a ray of the camera.
+    /// Returns the first hit of a ray on the plain path. A ray of the camera tests the bounded shapes of the
+    /// row's list if the quality has one. Every other ray tests all.
     #[inline(always)]
     fn plain_hit(&self, ray: &ScaledRay, bounce: &Bounce) -> Option<(ScaledPoint, ShapeId)> {
         let (world, skip) = (self.world, bounce.skip);

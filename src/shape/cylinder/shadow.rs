@@ -9,7 +9,7 @@ use crate::shape::bordered::{CastsShadow, square};
 use crate::vector::{Direction, Vector};
 
 impl CastsShadow for PreparedCylinder {
-    /// Across the axis, the line is as long as the sine between both.
+    /// Seen along the axis, a step of the line is as long as the sine of the angle between line and axis.
     fn cut_by(&self, line: &Line, way: Vector) -> Cut<[[i32; 2]; 2]> {
         let climb = line.along.dot(self.axis);
         let across = line.along.raw().minus(self.axis.raw_times(climb.to_bits()));
