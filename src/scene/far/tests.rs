@@ -3,7 +3,7 @@ use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::ray::NEAR;
 use crate::scene::access::ShapeId;
-use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
+use crate::scene::nearest::{Hit, NOWHERE, any_blocks, nearest_of};
 use crate::scene::query::{located, nearest_hit};
 use crate::scene::shape_set::ShapeSet;
 use crate::scene::{PlainScene, Room, RuntimeScene, planes, query};
@@ -183,6 +183,39 @@ fn near_part_is_the_whole_of_a_ray_up_to_its_reach() {
             );
         }
     }
+}
+
+#[test]
+fn path_to_a_near_light_is_blocked_alike_near_and_far() {
+    let (scene, mut sweep) = (scene(), Sweep::new(3));
+    let mut counts = [0; 2];
+    for round in 0..100_000 {
+        let from = sweep.triple(NEAR);
+        let light = sweep.triple(if round % 2 == 0 { NEAR } else { NEAR / 8 });
+        let [from, light] = [from, light].map(|[x, y, z]| ScaledPoint::new(Point::new(x, y, z), 0));
+        if from.point.to_vector().square() <= u64::from(unsigned(BALL + 8)).pow(2) {
+            continue; // A path from inside of the ball is never moved to where it enters it.
+        }
+        let (direction, distance) = from.to(light).0.direction_and_length();
+        let path = ScaledRay::new(from, direction);
+        let near = query::occluded(
+            &scene,
+            ShapeSet::ALL,
+            &path,
+            ShapeId::NONE,
+            (light, distance, 0),
+        );
+        counts[usize::from(near)] += 1;
+        let epsilon = scene.parts().epsilon;
+        let reach = Length::from_bits((distance.to_bits() - epsilon.to_bits()).max(0));
+        let mut others = planes::others(&scene, ShapeId::NONE);
+        let far = others.any(|(_, plane)| plane.blocks(&path, reach, 0))
+            || between(&path, (light, reach, 0), epsilon).is_some_and(|(ray, reach)| {
+                any_blocks(&scene, ShapeSet::ALL, &ray, ShapeId::NONE, reach)
+            });
+        assert_eq!(near, far, "{path:?} {light:?}");
+    }
+    assert!(counts.into_iter().all(|count| count > 10_000), "{counts:?}");
 }
 
 #[test]
