@@ -159,7 +159,7 @@
 //! | `micromath` | the numbers and vectors of `micromath` as input for cameras and run-time scenes |
 //! | `host` | tools for the desktop: double-precision reference, picture comparison, scene files |
 //! | `film` | films as GIF for the example `render` |
-//! | `window` | the simulator's window for the example `render` |
+//! | `window` | a window for the example `render` |
 //!
 //! # Oldest supported Rust
 //!

@@ -16,6 +16,8 @@ mod picture;
 mod progress;
 mod report;
 #[cfg(feature = "window")]
+mod title;
+#[cfg(feature = "window")]
 mod watch;
 #[cfg(feature = "window")]
 mod window;

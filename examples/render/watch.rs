@@ -1,8 +1,9 @@
 //! Reads a scene file again when it has changed, and draws an error of the file into the picture.
 
+use std::path::Path;
 use std::time::SystemTime;
 
-use command_line::{Failure, Source, one_line};
+use command_line::{Chosen, Failure, Source, one_line};
 use embedded_graphics::geometry::{OriginDimensions, Point};
 use embedded_graphics::mono_font::{MonoTextStyleBuilder, ascii::FONT_6X10};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
@@ -10,30 +11,29 @@ use embedded_graphics::prelude::Drawable;
 use embedded_graphics::text::{Baseline, Text};
 use embedded_graphics_simulator::SimulatorDisplay;
 
-use crate::arguments::Arguments;
-
 /// A scene file and the time of its last change that was read.
 pub struct Watch<'a> {
-    arguments: &'a Arguments,
+    file: &'a Path,
+    chosen: &'a Chosen,
     seen: Option<SystemTime>,
 }
 
 impl<'a> Watch<'a> {
     /// The first call of [`Watch::change`] reads the file in any case.
-    pub fn new(arguments: &'a Arguments) -> Self {
+    pub fn new(file: &'a Path, chosen: &'a Chosen) -> Self {
         Self {
-            arguments,
+            file,
+            chosen,
             seen: None,
         }
     }
 
     /// Returns the new scene or its error if the file has changed since the last call.
     pub fn change(&mut self) -> Option<Result<Source, Failure>> {
-        let Arguments { scene, chosen, .. } = self.arguments;
-        let modified = scene.metadata().and_then(|file| file.modified()).ok();
+        let modified = self.file.metadata().and_then(|file| file.modified()).ok();
         (modified != self.seen).then(|| {
             self.seen = modified;
-            Source::open(scene, chosen)
+            Source::open(self.file, self.chosen)
         })
     }
 }

@@ -1,16 +1,21 @@
-//! Shows the scene in the simulator's window and reacts to its keys.
+//! Shows the scene in a window and reacts to its keys.
 
-use std::panic::{self, AssertUnwindSafe};
+use std::env;
 use std::thread;
 use std::time::Duration;
 
-use embedded_graphics_simulator::sdl2::Keycode;
-use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorEvent, Window};
+use embedded_graphics::geometry::{OriginDimensions, Size};
 use reflet::host::reference::Camera;
 use reflet::scenes;
+use sdl2::event::Event;
+use sdl2::keyboard::Keycode;
+use sdl2::pixels::PixelFormatEnum;
+use sdl2::render::WindowCanvas;
+use sdl2::{EventPump, Sdl};
 
 use crate::arguments::Arguments;
 use crate::picture::Drawing;
+use crate::title::title;
 use crate::watch::{Watch, draw_error};
 use crate::{output, report};
 use command_line::{Failure, Named, Settings, Source, exact};
@@ -18,63 +23,77 @@ use command_line::{Failure, Named, Settings, Source, exact};
 /// Degrees by which one press of an arrow key turns the camera.
 const STEP: i32 = 5;
 
-/// The simulator sets the title once, before it opens the window.
-const TITLE: &str = "reflet: arrows orbit, + - reflections, Tab next scene, Escape leaves";
+/// Small pictures are enlarged up to this size, by a whole factor.
+const LARGE: u32 = 640;
 
 const REST: Duration = Duration::from_millis(10);
 
 /// Shows the scene until the window is closed.
 pub fn show(source: Source, arguments: &Arguments) -> Result<(), Failure> {
-    if arguments.watch && !matches!(Named::of(&arguments.scene, &arguments.chosen)?, Named::File) {
+    let Arguments { scene, chosen, .. } = arguments;
+    if arguments.watch && !matches!(Named::of(scene, chosen)?, Named::File) {
         return Err(format!("--watch needs a scene file: {} is built in", source.name()).into());
     }
-    let mut watch = arguments.watch.then(|| Watch::new(arguments));
+    let mut watch = arguments.watch.then(|| Watch::new(scene, chosen));
     let mut view = View::new(source, arguments);
-    let mut drawing = view.draw()?;
-    let mut window = open(arguments, &drawing)?;
+    let (mut canvas, mut events) = open(arguments.size)
+        .map_err(|reason| format!("the window cannot be opened: {reason}"))?;
+    let mut news = News::Camera;
     loop {
-        let events: Vec<_> = window.events().collect();
-        if events.contains(&SimulatorEvent::Quit) {
-            return Ok(());
-        }
-        let news = events.into_iter().map(|event| view.answer(event)).max();
-        let change = watch.as_mut().and_then(Watch::change);
-        let change = change.map(|read| view.read_again(read));
-        match news.max(change).unwrap_or(News::Nothing) {
-            News::Nothing => thread::sleep(REST),
-            news => {
-                drawing = view.draw()?;
-                if news == News::Setting {
-                    output::print(arguments, &view.describe(&drawing))?;
-                }
+        if news != News::Nothing {
+            let drawing = view.draw()?;
+            if news == News::Setting {
+                output::print(arguments, &view.describe(&drawing))?;
             }
+            present(&mut canvas, &drawing, &view.title(&drawing))?;
         }
-        window.update(&drawing.display);
+        news = News::Nothing;
+        for event in events.poll_iter() {
+            let answer = view.answer(&event);
+            if answer == News::End {
+                return Ok(());
+            }
+            news = news.max(answer);
+        }
+        if let Some(read) = watch.as_mut().and_then(Watch::change) {
+            news = news.max(view.read_again(read));
+        }
+        if news == News::Nothing {
+            thread::sleep(REST);
+        }
     }
 }
 
-/// Opens the window. Small pictures are enlarged by a whole factor.
-fn open(arguments: &Arguments, drawing: &Drawing) -> Result<Window, Failure> {
-    let longer = arguments.size.width.max(arguments.size.height);
-    let settings = OutputSettingsBuilder::new()
-        .scale((640 / longer).max(1))
+/// Opens a window for pictures of a size.
+fn open(size: Size) -> Result<(WindowCanvas, EventPump), String> {
+    let sdl: Sdl = sdl2::init()?;
+    let factor = (LARGE / size.width.max(size.height)).max(1);
+    let [width, height] = [size.width, size.height].map(|side| side * factor);
+    let video = sdl.video()?;
+    // Without a screen, SDL draws where nobody sees it, unless it is told to.
+    let driver = video.current_video_driver();
+    if matches!(driver, "dummy" | "offscreen") && env::var_os("SDL_VIDEODRIVER").is_none() {
+        return Err("there is no screen".to_owned());
+    }
+    let window = video
+        .window("reflet", width, height)
+        .position_centered()
         .build();
-    let first_update = || {
-        let mut window = Window::new(TITLE, &settings);
-        window.update(&drawing.display);
-        window
-    };
-    // The simulator returns no errors: without a screen it panics.
-    let loud = panic::take_hook();
-    panic::set_hook(Box::new(|_| {}));
-    let opened = panic::catch_unwind(AssertUnwindSafe(first_update));
-    panic::set_hook(loud);
-    opened.map_err(|reason| {
-        let reason = reason
-            .downcast_ref::<String>()
-            .map_or("no reason is known", String::as_str);
-        format!("the window cannot be opened: {reason}").into()
-    })
+    let canvas = window.map_err(|error| error.to_string())?.into_canvas();
+    let canvas = canvas.build().map_err(|error| error.to_string())?;
+    Ok((canvas, sdl.event_pump()?))
+}
+
+/// Shows a picture in the window, under a title.
+fn present(canvas: &mut WindowCanvas, drawing: &Drawing, title: &str) -> Result<(), Failure> {
+    let Size { width, height } = drawing.display.size();
+    let creator = canvas.texture_creator();
+    let mut texture = creator.create_texture_static(PixelFormatEnum::RGB24, width, height)?;
+    texture.update(None, &drawing.display.to_be_bytes(), width as usize * 3)?;
+    canvas.copy(&texture, None, None)?;
+    canvas.window_mut().set_title(title)?;
+    canvas.present();
+    Ok(())
 }
 
 /// What an event changed. Larger values mean a larger change.
@@ -83,6 +102,8 @@ enum News {
     Nothing,
     Camera,
     Setting,
+    /// The window is closed.
+    End,
 }
 
 struct View<'a> {
@@ -158,11 +179,25 @@ impl<'a> View<'a> {
         )
     }
 
-    fn answer(&mut self, event: SimulatorEvent) -> News {
-        let SimulatorEvent::KeyDown { keycode, .. } = event else {
-            return News::Nothing;
+    /// Returns the title of the window.
+    fn title(&self, drawing: &Drawing) -> String {
+        let name = self.sources[self.shown].name();
+        title(name, self.settings, drawing.seconds)
+    }
+
+    fn answer(&mut self, event: &Event) -> News {
+        let keycode = match event {
+            Event::Quit { .. } => return News::End,
+            // What was shown is gone.
+            Event::Window { .. } => return News::Camera,
+            Event::KeyDown {
+                keycode: Some(keycode),
+                ..
+            } => *keycode,
+            _ => return News::Nothing,
         };
         match keycode {
+            Keycode::Escape => News::End,
             Keycode::Left => self.orbit(-STEP, 0),
             Keycode::Right => self.orbit(STEP, 0),
             Keycode::Up => self.orbit(0, STEP),

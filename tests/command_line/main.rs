@@ -5,6 +5,7 @@ mod examples;
 mod film;
 mod output;
 mod program;
+mod window;
 
 use std::collections::BTreeSet;
 use std::fs;
