@@ -32,8 +32,9 @@ pub struct Arguments {
 /// Time limit of a step. On a working machine no step takes a tenth of it.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
-/// Number of steps that run at the same time.
-const LANES: usize = 2;
+/// Number of steps that run at the same time: more than two cores, because steps that build firmware wait
+/// for each other.
+const LANES: usize = 3;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
 const ALONE: [&str; 12] = [
@@ -300,8 +301,9 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
 }
 
 /// Returns the steps that lint the code for boards. They share what is compiled. Of the measurement
-/// firmware only the library is linted, because the rest is generated. `all` adds the examples that need
-/// the crate of a chip, which takes minutes to check; the tests build these examples in any case.
+/// firmware only the library is linted, because the rest is generated. `all` adds RISC-V, which compiles the
+/// same files, and the examples that need the crate of a chip, which takes minutes to check. The tests build
+/// all of these in any case.
 fn boards(all: bool) -> Vec<Step> {
     let warnings = ["--", "-D", "warnings"];
     let alone = |package: &str, part: &str, target: &str| {
@@ -321,12 +323,12 @@ fn boards(all: bool) -> Vec<Step> {
             board.args(warnings),
         ),
         alone("examples/microbit", "--bins", m0),
-        alone("examples/riscv", "--bins", rv32),
         alone("xtask/firmware", "--lib", m0),
-        alone("xtask/firmware", "--lib", rv32),
     ];
     if all {
         steps.extend([
+            alone("examples/riscv", "--bins", rv32),
+            alone("xtask/firmware", "--lib", rv32),
             alone("examples/blackpill", "--bins", m4),
             alone("examples/esp32c3", "--bins", rv32_without_atomics),
             alone("examples/pico", "--bins", m0),

@@ -152,6 +152,7 @@ fn assert_page_is_whole(folder: &Path, scenes: &[&str]) {
 }
 
 #[test]
+#[ignore = "long: builds the firmware of both sides"]
 fn scene_is_counted_once_and_its_table_has_the_columns_of_the_kept_one() {
     let folder = tempfile::tempdir().unwrap();
     let arguments = "corner1 --core m3 --size 16x16 --reflections 1 --counts kept --out made";
