@@ -36,8 +36,8 @@ pub fn show(source: Source, arguments: &Arguments) -> Result<(), Failure> {
     }
     let mut watch = arguments.watch.then(|| Watch::new(scene, chosen));
     let mut view = View::new(source, arguments);
-    let (mut canvas, mut events) = open(arguments.size)
-        .map_err(|reason| format!("the window cannot be opened: {reason}"))?;
+    let (mut canvas, mut events) =
+        open(arguments.size).map_err(|reason| format!("the window cannot be opened: {reason}"))?;
     let mut news = News::Camera;
     loop {
         if news != News::Nothing {

@@ -59,7 +59,11 @@ fn watched_file_is_read_again_when_it_changes_and_only_then() {
     assert_eq!(news(&mut watch), Some(Ok("pond".to_owned())));
     assert_eq!(news(&mut watch), None);
 
-    write(&path, &changed(|scene| scene["planes"][0]["material"] = "grey".into()), 2);
+    write(
+        &path,
+        &changed(|scene| scene["planes"][0]["material"] = "grey".into()),
+        2,
+    );
     let error = news(&mut watch).unwrap().unwrap_err();
     assert!(error.contains("grey"), "{error}");
     assert_eq!(news(&mut watch), None);
