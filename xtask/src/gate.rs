@@ -84,7 +84,7 @@ pub fn run(arguments: Arguments) -> Result<()> {
         steps.extend(long());
     }
     let mut untried = Vec::new();
-    match oldest_rust() {
+    match oldest_rust(arguments.all) {
         Some(step) => steps.push_back(step),
         None => untried.push("the oldest supported Rust: that toolchain cannot be installed here"),
     }
@@ -103,7 +103,10 @@ pub fn run(arguments: Arguments) -> Result<()> {
     }
     let clock = start.elapsed().as_secs_f64();
     println!("{clock:>8.1} {:>8.1}  all", sum.as_secs_f64());
-    println!("\n== firmware: seconds on the clock\n{}", ledger::summary());
+    println!(
+        "\n== firmware and boards: seconds on the clock\n{}",
+        ledger::summary()
+    );
     for name in &untried {
         println!("untried: {name}");
     }
@@ -301,7 +304,7 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
 }
 
 /// Returns the steps that lint the code for boards. They share what is compiled. Of the measurement
-/// firmware only the library is linted, because the rest is generated. `all` adds RISC-V, which compiles the
+/// firmware only the library is linted, because the rest is generated. `all` adds other cores, which compile the
 /// same files, and the examples that need the crate of a chip, which takes minutes to check. The tests build
 /// all of these in any case.
 fn boards(all: bool) -> Vec<Step> {
@@ -322,11 +325,12 @@ fn boards(all: bool) -> Vec<Step> {
             &format!("clippy, examples/board, {m3}"),
             board.args(warnings),
         ),
-        alone("examples/microbit", "--bins", m0),
-        alone("xtask/firmware", "--lib", m0),
+        alone("xtask/firmware", "--lib", m3),
     ];
     if all {
         steps.extend([
+            alone("examples/microbit", "--bins", m0),
+            alone("xtask/firmware", "--lib", m0),
             alone("examples/riscv", "--bins", rv32),
             alone("xtask/firmware", "--lib", rv32),
             alone("examples/blackpill", "--bins", m4),
@@ -354,8 +358,13 @@ fn long() -> Vec<Step> {
 }
 
 /// Returns the step that checks the library with the oldest Rust it supports, if that toolchain is
-/// installed.
-fn oldest_rust() -> Option<Step> {
+/// installed. `all` adds the feature `host`, whose dependencies take long to compile.
+fn oldest_rust(all: bool) -> Option<Step> {
+    let features = if all {
+        "host,micromath,scenes"
+    } else {
+        "micromath,scenes"
+    };
     let check = Program::new("cargo")
         .args([
             &format!("+{OLDEST_RUST}"),
@@ -364,7 +373,7 @@ fn oldest_rust() -> Option<Step> {
             "reflet",
             "--lib",
         ])
-        .args(["--features", "host,micromath,scenes"])
+        .args(["--features", features])
         .env("CARGO_TARGET_DIR", target_directory().join("oldest"));
     has_oldest_rust().then(|| step("oldest supported Rust", check))
 }

@@ -1,68 +1,12 @@
-//! Tests `cargo xtask measure --board` and `--clock`: frames a second as an estimate, beside the emulated boards.
+//! Tests `cargo xtask measure --board` and `--clock`: frames a second as an estimate.
 
-use xtask::copies;
 use xtask::measure::frames;
-use xtask::owned::{BLACK_PILL, Owned, PICO, PICO_2};
+use xtask::owned::PICO_2;
 use xtask::root;
 
 mod common;
 
-use std::{fs, path::Path};
-
-use boards::Script;
-
-/// Returns the seconds that a board reports for the castle at 240x240.
-fn reported(owned: &Owned) -> f64 {
-    reported_by(owned, &copies::firmware(owned.name).unwrap())
-}
-
-/// Returns the seconds that a firmware reports for its picture.
-fn reported_by(owned: &Owned, firmware: &Path) -> f64 {
-    let run = owned.board.run(firmware, &Script::default().picture(&[]));
-    let said = run.unwrap().said;
-    let line = said.iter().find_map(|line| {
-        line.strip_prefix("castle: ")
-            .or(line.strip_prefix("picture: "))
-    });
-    let digits = line.unwrap().strip_suffix(" ms").unwrap();
-    digits.parse::<f64>().unwrap() / 1e3
-}
-
-/// Tests that the estimate of the castle at 240x240 is within 10 % of what the emulated board takes.
-/// Returns the emulated seconds.
-fn test_against_emulation(owned: &'static Owned) -> f64 {
-    let estimated = frames::estimated(owned, "castle").unwrap();
-    let reported = reported(owned);
-    let name = owned.name;
-    println!("{name}: estimated {estimated:.3} s, emulated {reported:.3} s");
-    let share = estimated / reported;
-    assert!((share - 1.0).abs() < 0.1, "{estimated} {reported}");
-    reported
-}
-
-#[test]
-fn estimate_is_within_10_percent_of_an_emulated_pico() {
-    test_against_emulation(&PICO);
-}
-
-#[test]
-fn estimate_is_within_10_percent_of_an_emulated_pico_2_whose_time_readme_has() {
-    let reported = test_against_emulation(&PICO_2);
-    let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    assert!(readme.contains(&format!("{reported:.2} s")), "{reported}");
-}
-
-#[test]
-#[ignore = "builds two examples once more"]
-fn time_of_sending_is_what_an_emulated_board_takes_for_an_empty_scene() {
-    let source = fs::read_to_string(root().join("examples/pico2/src/scene.rs")).unwrap();
-    let source = source.replace("Castle", "Empty");
-    for owned in [&PICO_2, &BLACK_PILL] {
-        let firmware = copies::build_with_scene(owned.name, &source, "Empty").unwrap();
-        let reported = 1e3 * reported_by(owned, &firmware);
-        assert!((reported - owned.sending).abs() < 0.5, "{reported}");
-    }
-}
+use std::fs;
 
 #[test]
 fn command_says_how_the_estimate_is_made() {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::PathBuf;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result};
 
@@ -12,6 +12,9 @@ use crate::toolchain;
 
 /// Number of firmware images that the summary names.
 const NAMED: usize = 12;
+
+/// Marks the emulation of a whole board. The summary names each.
+const BOARD: &str = "board";
 
 fn file() -> PathBuf {
     toolchain::target_directory().join("firmware/times.tsv")
@@ -30,17 +33,28 @@ pub fn clear() -> Result<()> {
 pub(super) fn timed<T>(what: &str, firmware: &str, work: impl FnOnce() -> T) -> T {
     let start = Instant::now();
     let result = work();
-    let line = format!("{what}\t{:.2}\t{firmware}\n", start.elapsed().as_secs_f64());
+    note(what, start.elapsed(), firmware);
+    result
+}
+
+/// Notes that a board was emulated for some time, and what it did.
+pub fn note_board(time: Duration, did: &str) {
+    note(BOARD, time, did);
+}
+
+/// Notes what took how long.
+fn note(what: &str, time: Duration, firmware: &str) {
+    let line = format!("{what}\t{:.2}\t{firmware}\n", time.as_secs_f64());
     // Nobody misses a note that cannot be taken.
     let _ = OpenOptions::new()
         .create(true)
         .append(true)
         .open(file())
         .and_then(|mut notes| notes.write_all(line.as_bytes()));
-    result
 }
 
-/// Returns the number and the sum of the builds and of the runs, and those that took the longest.
+/// Returns the number and the sum of the builds and of the runs, those that took the longest, and what each
+/// emulated board did.
 pub fn summary() -> String {
     let notes = fs::read_to_string(file()).unwrap_or_default();
     let mut sums = BTreeMap::<&str, (usize, f64)>::new();
@@ -62,7 +76,8 @@ pub fn summary() -> String {
     let mut text: String = sums
         .map(|(what, (count, seconds))| format!("{seconds:>8.1}  {count} of {what}\n"))
         .collect();
-    let longest = rows.into_iter().take(NAMED);
-    text.extend(longest.map(|(seconds, what, name)| format!("{seconds:>8.1}  {what} {name}\n")));
+    let (boards, images): (Vec<_>, Vec<_>) = rows.into_iter().partition(|row| row.1 == BOARD);
+    let named = images.into_iter().take(NAMED).chain(boards);
+    text.extend(named.map(|(seconds, what, name)| format!("{seconds:>8.1}  {what} {name}\n")));
     text
 }

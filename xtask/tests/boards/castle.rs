@@ -2,13 +2,14 @@
 
 use std::fs;
 
-use boards::{Display, Key, Picture, Run, SIDE, Script};
+use boards::{Display, Picture, Run, SIDE, Script};
 use command_line::{Chosen, Source};
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::Camera;
 use reflet::scenes::{BuiltIn, Castle, ShadingLights};
+use xtask::measure::ledger;
 use xtask::{copies, root};
 
 use super::{BLACK_PILL, Copied, PICO, PICO_2, common};
@@ -36,40 +37,50 @@ fn different(shown: &Picture, expected: &[u16]) -> usize {
     pairs.filter(|(shown, expected)| shown != expected).count()
 }
 
-/// Tests that a board shows the pictures of the desk, and prints what it took.
+/// Tests that a board shows the pictures of the desk.
 fn assert_are_shown(copied: &Copied, run: &Run, expected: &[Vec<u16>]) {
     let name = copied.owned.name;
-    assert_eq!(run.pictures.len(), expected.len());
-    for (picture, expected) in run.pictures.iter().zip(expected) {
-        let pixels = different(picture, expected);
-        let (cycles, instructions) = (picture.cycles, picture.instructions);
-        println!("{name}: {pixels} pixels differ, {cycles} cycles, {instructions} instructions");
-        assert_eq!(pixels, 0, "{name}");
-    }
-    run.said
-        .iter()
-        .for_each(|line| println!("{name} said: {line}"));
+    let pixels = run.pictures.iter().zip(expected);
+    let pixels = pixels.map(|(picture, expected)| different(picture, expected));
+    assert_eq!(
+        pixels.collect::<Vec<_>>(),
+        vec![0; expected.len()],
+        "{name}"
+    );
+    assert_eq!(run.pictures.len(), expected.len(), "{name}");
+}
+
+/// Tests that the firmware of a board shows the pictures of the desk, and notes for the gate what that took.
+fn test(copied: &Copied, expected: &[Vec<u16>]) {
+    let (run, time) = copied.ran();
+    assert_are_shown(copied, run, expected);
+    let did = format!(
+        "{}: 0 pixels differ in {} pictures, {} instructions, {} cycles",
+        copied.owned.name,
+        run.pictures.len(),
+        run.instructions,
+        run.cycles
+    );
+    ledger::note_board(*time, &did);
 }
 
 /// Tests that a board draws the castle, and once more after a key has turned the camera.
-fn test(copied: &Copied, key: Key) {
-    let script = Script::default().picture(&[]).picture(&[key]);
-    let run = copied.board().run(copied.firmware(), &script).unwrap();
+fn test_castle(copied: &Copied) {
     let turned = Castle::CAMERA.orbited(10, 0).unwrap();
     let cameras = [Castle::CAMERA, turned];
-    let expected = cameras.map(|camera| simulated::<Castle>(&camera));
-    assert_are_shown(copied, &run, &expected);
-    assert!(run.said[0].starts_with("picture: "), "{:?}", run.said);
+    test(copied, &cameras.map(|camera| simulated::<Castle>(&camera)));
+    let said = &copied.run().said;
+    assert!(said[0].starts_with("picture: "), "{said:?}");
 }
 
 #[test]
 fn both_cores_of_a_pico_2_draw_the_castle() {
-    test(&PICO_2, Key::Right);
+    test_castle(&PICO_2);
 }
 
 #[test]
 fn black_pill_draws_the_castle() {
-    test(&BLACK_PILL, Key::Select);
+    test_castle(&BLACK_PILL);
 }
 
 /// Returns the picture of a scene file on the desk.
@@ -114,12 +125,7 @@ fn scene_of_a_user_takes_one_changed_line() {
 
 #[test]
 fn both_cores_of_a_pico_draw_the_castle_and_follow_the_keys() {
-    let script = Script::default()
-        .picture(&[])
-        .picture(&[Key::Select])
-        .picture(&[Key::Right, Key::Right, Key::Up]);
-    let run = PICO.board().run(PICO.firmware(), &script).unwrap();
-    assert_eq!(run.said[0], "cores: 2");
+    assert_eq!(PICO.run().said[0], "cores: 2");
     let first = ShadingLights::CAMERA;
     let turned = first.orbited(10, 0).unwrap().orbited(10, 0).unwrap();
     let expected = [
@@ -127,7 +133,7 @@ fn both_cores_of_a_pico_draw_the_castle_and_follow_the_keys() {
         simulated::<ShadingLights>(&first),
         simulated::<ShadingLights>(&turned.orbited(0, 10).unwrap()),
     ];
-    assert_are_shown(&PICO, &run, &expected);
+    test(&PICO, &expected);
 }
 
 #[test]
@@ -148,8 +154,6 @@ fn panels_are_set_up_as_their_maker_wants_it() {
         address_mode: 0b0110_0000,
     };
     for copied in [&PICO, &PICO_2, &BLACK_PILL] {
-        let script = Script::default().picture(&[]).rows(2);
-        let run = copied.board().run(copied.firmware(), &script).unwrap();
-        assert_eq!(run.display, expected, "{}", copied.owned.name);
+        assert_eq!(copied.run().display, expected, "{}", copied.owned.name);
     }
 }

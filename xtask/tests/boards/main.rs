@@ -4,30 +4,42 @@
 mod castle;
 #[path = "../common/mod.rs"]
 mod common;
+mod estimate;
 mod refill;
 mod wiring;
 
 use std::path::PathBuf;
 use std::sync::OnceLock;
+use std::time::{Duration, Instant};
 
-use boards::Board;
+use boards::{Board, Key, Run, Script};
 use xtask::copies;
 use xtask::owned::Owned;
 
-/// A board, and the firmware that a copy of its example builds.
+/// A board, the firmware that a copy of its example builds, and what it does.
 pub struct Copied {
     pub owned: &'static Owned,
+    /// The keys before each picture.
+    keys: &'static [&'static [Key]],
     built: OnceLock<PathBuf>,
+    ran: OnceLock<(Run, Duration)>,
 }
 
-pub static PICO: Copied = Copied::of(&xtask::owned::PICO);
-pub static PICO_2: Copied = Copied::of(&xtask::owned::PICO_2);
-pub static BLACK_PILL: Copied = Copied::of(&xtask::owned::BLACK_PILL);
+pub static PICO: Copied = Copied::of(
+    &xtask::owned::PICO,
+    &[&[], &[Key::Select], &[Key::Right, Key::Right, Key::Up]],
+);
+pub static PICO_2: Copied = Copied::of(&xtask::owned::PICO_2, &[&[], &[Key::Right]]);
+pub static BLACK_PILL: Copied = Copied::of(&xtask::owned::BLACK_PILL, &[&[], &[Key::Select]]);
 
 impl Copied {
-    const fn of(owned: &'static Owned) -> Self {
-        let built = OnceLock::new();
-        Self { owned, built }
+    const fn of(owned: &'static Owned, keys: &'static [&'static [Key]]) -> Self {
+        Self {
+            owned,
+            keys,
+            built: OnceLock::new(),
+            ran: OnceLock::new(),
+        }
     }
 
     fn board(&self) -> &Board {
@@ -38,5 +50,20 @@ impl Copied {
     fn firmware(&self) -> &PathBuf {
         self.built
             .get_or_init(|| copies::firmware(self.owned.name).unwrap())
+    }
+
+    /// Runs the firmware once, from the reset to the last picture. Also returns how long that took.
+    fn ran(&self) -> &(Run, Duration) {
+        self.ran.get_or_init(|| {
+            let script = Script::default();
+            let script = self.keys.iter().fold(script, |all, keys| all.picture(keys));
+            let (firmware, start) = (self.firmware(), Instant::now());
+            let run = self.board().run(firmware, &script).unwrap();
+            (run, start.elapsed())
+        })
+    }
+
+    fn run(&self) -> &Run {
+        &self.ran().0
     }
 }
