@@ -9,10 +9,10 @@
 use super::cap::Cap;
 use super::screen_axis::widened;
 use crate::light::PreparedLight;
-use crate::number::{difference_modulo_2_32, offset_modulo_2_32, signed, to_u32, unsigned};
+use crate::number::{difference_modulo_2_32, offset_modulo_2_32, to_u32};
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
-use crate::vector::{Direction, Vector};
+use crate::vector::{Direction, Point};
 
 /// Number of parts of the range of one coordinate.
 const PARTS: usize = 8;
@@ -83,32 +83,39 @@ macro_rules! light_lists {
     ) => {
         /// Returns the smallest and the largest value of one coordinate in the directions from a light to
         /// all shapes.
-        const fn range(light: &PreparedLight, parts: &Parts<'_>, axis: usize) -> (i32, i32) {
+        const fn range(light: Point, parts: &Parts<'_>, axis: usize) -> (i32, i32) {
             let (mut low, mut high) = (MOST, -MOST);
             $(
-                let mut at = 0;
-                while at < parts.$list.len() * unsigned(crate::shape::$prepared::LINKS) as usize {
-                    let own = link_range!($prepared, parts.$list, light, at, axis);
-                    low = if own.0 < low { own.0 } else { low };
-                    high = if own.1 > high { own.1 } else { high };
-                    at += 1;
+                let mut index = 0;
+                while index < parts.$list.len() {
+                    let mut link = 0;
+                    while link < crate::shape::$prepared::LINKS {
+                        let own = ball_range(light, parts.$list[index].link(link), axis);
+                        low = if own.0 < low { own.0 } else { low };
+                        high = if own.1 > high { own.1 } else { high };
+                        link += 1;
+                    }
+                    index += 1;
                 }
             )*
             if low < high { (low, high) } else { ALL }
         }
 
         /// Returns the sets of one coordinate of the directions from a light.
-        const fn coordinate(light: &PreparedLight, parts: &Parts<'_>, axis: usize) -> Coordinate {
+        const fn coordinate(light: Point, parts: &Parts<'_>, axis: usize) -> Coordinate {
             let layout = SetLayout::new(parts.lengths());
             let mut found = Coordinate::new(range(light, parts, axis));
             let kind = 0;
             $(
-                let mut at = 0;
-                while at < parts.$list.len() * unsigned(crate::shape::$prepared::LINKS) as usize {
-                    let own = link_range!($prepared, parts.$list, light, at, axis);
-                    let index = at / unsigned(crate::shape::$prepared::LINKS) as usize;
-                    found.add(own, ShapeSet::of(layout.bit(kind, index)));
-                    at += 1;
+                let mut index = 0;
+                while index < parts.$list.len() {
+                    let mut link = 0;
+                    while link < crate::shape::$prepared::LINKS {
+                        let own = ball_range(light, parts.$list[index].link(link), axis);
+                        found.add(own, ShapeSet::of(layout.bit(kind, index)));
+                        link += 1;
+                    }
+                    index += 1;
                 }
                 let kind = kind + 1;
             )*
@@ -118,23 +125,11 @@ macro_rules! light_lists {
     };
 }
 
-/// Returns the range of one coordinate in the directions from a light to a ball of a shape. `at` counts the
-/// balls of all shapes of the kind.
-macro_rules! link_range {
-    ($prepared:ident, $shapes:expr, $light:expr, $at:expr, $axis:expr) => {{
-        let links = crate::shape::$prepared::LINKS;
-        let index = $at / unsigned(links) as usize;
-        let (center, radius) =
-            $shapes[index].link(signed(to_u32($at - index * unsigned(links) as usize)));
-        ball_range($light.place.point.to(center), radius, $axis)
-    }};
-}
 kinds!(light_lists);
 
-/// Returns the smallest and the largest value of one coordinate in the directions that hit a ball. `way` is
-/// the vector to its centre.
-const fn ball_range(way: Vector, radius: i32, axis: usize) -> (i32, i32) {
-    let (direction, distance) = way.direction_and_length();
+/// Returns the smallest and the largest value of one coordinate in the directions from a light that hit a ball.
+const fn ball_range(light: Point, (center, radius): (Point, i32), axis: usize) -> (i32, i32) {
+    let (direction, distance) = light.to(center).direction_and_length();
     let (radius, distance) = (widened(radius), distance.to_bits());
     if distance <= radius {
         return ALL;
@@ -158,9 +153,9 @@ impl LightLists {
             return Self::ALL;
         }
         Self([
-            coordinate(light, parts, 0),
-            coordinate(light, parts, 1),
-            coordinate(light, parts, 2),
+            coordinate(light.place.point, parts, 0),
+            coordinate(light.place.point, parts, 1),
+            coordinate(light.place.point, parts, 2),
         ])
     }
 

@@ -21,9 +21,6 @@ pub(crate) struct LightVisibility {
     /// sphere or too far from a small sphere, or the light or the camera is within epsilon of a plane.
     /// If the camera is inside of a sphere, or there are more than 32 lights, every bit is set.
     unclear: u32,
-    /// One bit for each light that stands on the camera's side of each plane, both apart from it. No plane
-    /// hides it from any surface, however far it is.
-    open: u32,
 }
 
 impl LightVisibility {
@@ -33,7 +30,6 @@ impl LightVisibility {
             from,
             hidden: 0,
             unclear: u32::MAX,
-            open: 0,
         }
     }
 
@@ -44,7 +40,6 @@ impl LightVisibility {
             from,
             hidden: 0,
             unclear: 0,
-            open: 0,
         };
         // Rays that start inside of a sphere stay there.
         if from.is_near() && parts.hold(from.point) {
@@ -59,13 +54,11 @@ impl LightVisibility {
             if !light.is_plain {
                 view.unclear |= 1 << index;
             }
-            let mut is_open = true;
             for plane in parts.planes {
                 let (viewer, light) = (
                     plane.side(from, parts.epsilon),
                     plane.side(light.place, parts.epsilon),
                 );
-                is_open &= viewer == light && matches!(light, Side::Above | Side::Below);
                 match (viewer, light) {
                     // A ray that ends in a plane does not cross it.
                     (_, Side::In) => {}
@@ -74,7 +67,6 @@ impl LightVisibility {
                     _ => view.hidden |= 1 << index,
                 }
             }
-            view.open |= u32::from(is_open) << index;
         }
         view
     }
@@ -85,12 +77,6 @@ impl LightVisibility {
     pub(crate) fn is_clear(&self, light: usize) -> bool {
         // With more than 32 lights every bit is set.
         (self.hidden | self.unclear) & bit_modulo_32(light) == 0
-    }
-
-    /// Tests whether a light stands on the camera's side of each plane: no plane hides it from any surface.
-    /// `light` is the light's index.
-    pub(crate) fn is_open(&self, light: usize) -> bool {
-        self.open & bit_modulo_32(light) != 0
     }
 
     /// Tests whether a plane hides a light from all surfaces. `light` is the light's index.

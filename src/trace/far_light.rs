@@ -3,7 +3,9 @@
 use super::stops::Stop;
 use super::{PathQuality, Tracer};
 use crate::accel::{World, shadows};
+use crate::ray::ScaledPoint;
 use crate::shade::highlight::sealed::Shading;
+use crate::shape::plane::Side;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Tests whether no shadow of a far light begins or ends between two columns, if they show a plane. `stops`
@@ -34,11 +36,21 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         let mut lights = lights
             .enumerate()
             .filter(|(index, light)| !light.is_near() && !self.visibility.is_hidden(*index));
-        lights.all(|(index, light)| {
-            self.visibility.is_open(index)
+        lights.all(|(_, light)| {
+            self.is_open(light)
                 && pencil.is_some_and(|pencil| {
                     shadows::until(self.world, &pencil, plane, light, first) >= last
                 })
+        })
+    }
+
+    /// Tests whether no plane hides a light from a surface of the frame: it stands on the camera's side of each.
+    fn is_open(&self, light: ScaledPoint) -> bool {
+        let parts = self.world.parts();
+        parts.planes.iter().all(|plane| {
+            let side = plane.side(light, parts.epsilon);
+            let is_apart = matches!(side, Side::Above | Side::Below);
+            is_apart && side == plane.side(self.visibility.from, parts.epsilon)
         })
     }
 }
