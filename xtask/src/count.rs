@@ -173,7 +173,7 @@ mod tests {
     const MOST_CODE: usize = 15_997;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 36_700;
+    const MOST_OUTSIDE: usize = 36_740;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 70;

@@ -53,7 +53,7 @@ const ALONE: [&str; 12] = [
 ];
 
 /// The test programs that run the firmware of the examples.
-const BOARDS: [&str; 4] = ["board", "boards", "small_boards", "speed"];
+const BOARDS: [&str; 3] = ["board", "boards", "small_boards"];
 
 /// All tests have the films of the example `render`. The same in each step: nothing is built twice.
 const FEATURES: &str = "--features=reflet/film";
