@@ -83,10 +83,11 @@ impl Rays {
         }
     }
 
-    /// Returns the length of the difference of the two directions.
+    /// Returns the length of the difference of the two directions; 1 if they are a right angle apart, or more.
     pub(crate) fn turn(&self) -> Unit {
         let [first, last] = self.ends;
-        Unit::from_bits(square_root(last.raw().minus(first.raw()).square()))
+        let square = first.change_to(last).map(Vector::square);
+        square.map_or(Unit::ONE, |square| Unit::from_bits(square_root(square)))
     }
 
     /// Returns by how much a coordinate of a direction between the two may exceed theirs.

@@ -184,7 +184,9 @@ impl PreparedDisc {
             return None;
         }
         let (height, climb) = (from.height.unsigned_abs(), climb.unsigned_abs());
-        if wide_unsigned(height, 1 << 30) >= wide_unsigned(climb, unsigned(range.reach.to_bits())) {
+        // A light within epsilon of a surface leaves a reach below 0.
+        let reach = unsigned(range.reach.to_bits().max(0));
+        if wide_unsigned(height, 1 << 30) >= wide_unsigned(climb, reach) {
             return None;
         }
         let distance = Length::from_bits(ratio(height, climb));

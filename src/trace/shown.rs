@@ -167,18 +167,14 @@ impl Shown<'_> {
 /// of a chord of the unit circle, Q2.30. The curve lies on a surface with these normals. `None` if it may
 /// turn by more than 60 degrees. Also returns the least radius of the circle on which the normals turn.
 fn turn_in_plane([one, other]: [Direction; 2], plane: Direction) -> Option<(Unit, Unit)> {
-    let change = other.raw().minus(one.raw());
+    let change = one.change_to(other)?;
     let across = change.dot(plane);
     let square = change
         .square()
         .saturating_sub(unsigned_wide(wide(across, across)));
     let turn = square_root(square) + 4;
-    let steepest = one
-        .dot(plane)
-        .to_bits()
-        .abs()
-        .max(other.dot(plane).to_bits().abs());
-    let steepest = Unit::from_bits(steepest.min(Unit::ONE.to_bits()));
+    let [one, other] = [one, other].map(|it| it.dot(plane).to_bits().abs());
+    let steepest = Unit::from_bits(one.max(other).min(Unit::ONE.to_bits()));
     let least = root_of_unit(Unit::ONE - unit_product(steepest, steepest)).to_bits();
     (turn < least).then(|| {
         let angle = ratio(unsigned(turn), unsigned(least));
@@ -195,4 +191,34 @@ fn ball_over(one: Point, other: Point, more: i32) -> Ball {
         one.z + (way.z >> 1),
     );
     (middle, (square_root(way.square()) >> 1) + more + 8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Length;
+    use crate::vector::Vector;
+
+    /// Opposite directions along an axis, each a few last places longer than one.
+    fn opposite() -> [Direction; 2] {
+        [1, -1].map(|sign| Direction::from_raw(Vector::new(sign * ((1 << 30) + 3), 0, 0)))
+    }
+
+    #[test]
+    fn opposite_normals_turn_too_much() {
+        let across = Direction::from_raw(Vector::new(0, 0, 1 << 30));
+        assert!(turn_in_plane(opposite(), across).is_none());
+    }
+
+    #[test]
+    fn light_between_two_places_turns_too_much() {
+        let places = [ScaledPoint::ORIGIN; 2];
+        let rays = Rays {
+            apex: ScaledPoint::ORIGIN,
+            places,
+            ends: opposite(),
+            reaches: [Length::from_bits(1 << 20); 2],
+        };
+        assert_eq!(rays.turn(), Unit::ONE);
+    }
 }

@@ -49,6 +49,12 @@ impl Direction {
         Vector::new(self.x.to_bits(), self.y.to_bits(), self.z.to_bits())
     }
 
+    /// Returns the difference of another direction from this one, in raw Q2.30 bits. Returns `None` if the two
+    /// are a right angle apart, or more: a coordinate of opposite ones would not fit.
+    pub(crate) fn change_to(self, other: Self) -> Option<Vector> {
+        (self.dot(other) > Unit::ZERO).then(|| other.raw().minus(self.raw()))
+    }
+
     /// Creates a direction from raw Q2.30 bits. The caller ensures that its length is one.
     pub const fn from_raw(raw: Vector) -> Self {
         Self {

@@ -33,6 +33,12 @@ fn met(origin: [i32; 3], towards: [i32; 3]) -> Option<i32> {
     steps(intersect(&level(), &ray(origin, towards), EVERYWHERE))
 }
 
+#[test]
+fn nothing_is_met_before_a_negative_reach() {
+    let down = ray([0, 0, 1 << 20], [0, 0, -1]);
+    assert_eq!(intersect(&level(), &down, Length::from_bits(-5)), None);
+}
+
 /// Hit of a ray on a disc, computed in double precision.
 struct Truth {
     /// Distance at which the ray's line hits the disc's plane, in steps.
