@@ -7,11 +7,11 @@ use std::time::Duration;
 use embedded_graphics::geometry::{OriginDimensions, Size};
 use reflet::host::reference::Camera;
 use reflet::scenes;
+use sdl2::EventPump;
 use sdl2::event::Event;
 use sdl2::keyboard::Keycode;
 use sdl2::pixels::PixelFormatEnum;
 use sdl2::render::WindowCanvas;
-use sdl2::{EventPump, Sdl};
 
 use crate::arguments::Arguments;
 use crate::picture::Drawing;
@@ -23,7 +23,7 @@ use command_line::{Failure, Named, Settings, Source, exact};
 /// Degrees by which one press of an arrow key turns the camera.
 const STEP: i32 = 5;
 
-/// Small pictures are enlarged up to this size, by a whole factor.
+/// Largest side in pixels to which a small picture is enlarged, by a whole factor.
 const LARGE: u32 = 640;
 
 const REST: Duration = Duration::from_millis(10);
@@ -38,13 +38,16 @@ pub fn show(source: Source, arguments: &Arguments) -> Result<(), Failure> {
     let mut view = View::new(source, arguments);
     let (mut canvas, mut events) =
         open(arguments.size).map_err(|reason| format!("the window cannot be opened: {reason}"))?;
-    let mut news = News::Camera;
+    let mut drawing = view.draw()?;
+    let mut news = News::Window;
     loop {
-        if news != News::Nothing {
-            let drawing = view.draw()?;
-            if news == News::Setting {
-                output::print(arguments, &view.describe(&drawing))?;
-            }
+        if news > News::Window {
+            drawing = view.draw()?;
+        }
+        if news == News::Setting {
+            output::print(arguments, &view.describe(&drawing))?;
+        }
+        if news > News::Nothing {
             present(&mut canvas, &drawing, &view.title(&drawing))?;
         }
         news = News::Nothing;
@@ -64,9 +67,9 @@ pub fn show(source: Source, arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// Opens a window for pictures of a size.
+/// Opens a window that shows pictures of one size.
 fn open(size: Size) -> Result<(WindowCanvas, EventPump), String> {
-    let sdl: Sdl = sdl2::init()?;
+    let sdl = sdl2::init()?;
     let factor = (LARGE / size.width.max(size.height)).max(1);
     let [width, height] = [size.width, size.height].map(|side| side * factor);
     let video = sdl.video()?;
@@ -100,6 +103,8 @@ fn present(canvas: &mut WindowCanvas, drawing: &Drawing, title: &str) -> Result<
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum News {
     Nothing,
+    /// What the window showed is gone, and the picture is the same.
+    Window,
     Camera,
     Setting,
     /// The window is closed.
@@ -188,8 +193,7 @@ impl<'a> View<'a> {
     fn answer(&mut self, event: &Event) -> News {
         let keycode = match event {
             Event::Quit { .. } => return News::End,
-            // What was shown is gone.
-            Event::Window { .. } => return News::Camera,
+            Event::Window { .. } => return News::Window,
             Event::KeyDown {
                 keycode: Some(keycode),
                 ..

@@ -150,8 +150,8 @@ impl Shadows<'_> {
     }
 
     /// A shadow begins or ends at a ray from the light whose direction is one of two, or lies between them.
-    /// A direction is its part along the line and its part away from the line, which is below 0 if the ray
-    /// leads towards the line. Both are in one unit.
+    /// A direction has two components in one unit: along the line, and away from the line. The second is below
+    /// 0 if the ray leads towards the line.
     pub(crate) fn rays(&mut self, [one, other]: [[i64; 2]; 2]) {
         match (self.towards(one), self.towards(other)) {
             (None, None) => {}

@@ -32,8 +32,8 @@ pub struct Arguments {
 /// Time limit of a step. On a working machine no step takes a tenth of it.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
-/// Number of steps that run at the same time: more than two cores, because steps that build firmware wait
-/// for each other.
+/// Number of steps that run at the same time: one more than the two cores for which the gate is planned.
+/// Steps that build firmware wait for each other, and leave a core idle.
 const LANES: usize = 3;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.

@@ -40,17 +40,15 @@ fn different(shown: &Picture, expected: &[u16]) -> usize {
 /// Tests that a board shows the pictures of the desk.
 fn assert_are_shown(copied: &Copied, run: &Run, expected: &[Vec<u16>]) {
     let name = copied.owned.name;
-    let pixels = run.pictures.iter().zip(expected);
-    let pixels = pixels.map(|(picture, expected)| different(picture, expected));
-    assert_eq!(
-        pixels.collect::<Vec<_>>(),
-        vec![0; expected.len()],
-        "{name}"
-    );
+    let pairs = run.pictures.iter().zip(expected);
+    let pixels: Vec<_> = pairs
+        .map(|(shown, expected)| different(shown, expected))
+        .collect();
+    assert_eq!(pixels, vec![0; expected.len()], "{name}");
     assert_eq!(run.pictures.len(), expected.len(), "{name}");
 }
 
-/// Tests that the firmware of a board shows the pictures of the desk, and notes for the gate what that took.
+/// Tests that a board shows the pictures of the desk. The gate prints its instructions, cycles and seconds.
 fn test(copied: &Copied, expected: &[Vec<u16>]) {
     let (run, time) = copied.ran();
     assert_are_shown(copied, run, expected);
