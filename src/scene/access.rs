@@ -99,19 +99,19 @@ macro_rules! parts {
                 Some((plane.normal, plane.material))
             }
 
-            /// Tests whether a shape is flat, such as a disc or a plane.
+            /// Returns the radius on which the normals of a shape turn, in steps. `None` if it is flat.
             #[inline(always)]
-            pub(crate) fn is_flat(&self, shape: ShapeId) -> bool {
+            pub(crate) fn bending_radius(&self, shape: ShapeId) -> Option<i32> {
                 let index = shape.index();
-                let first = 0;
                 $(
-                    let next = first + self.$list.len();
-                    if <crate::shape::$prepared as Bounded>::IS_FLAT && (first..next).contains(&index) {
-                        return true;
+                    if let Some(shape) = self.$list.get(index) {
+                        let (_, _, radius) = shape.outline();
+                        return (!<crate::shape::$prepared as Bounded>::IS_FLAT).then_some(radius);
                     }
-                    let first = next;
+                    let index = index - self.$list.len();
                 )*
-                index >= first
+                let _ = index;
+                None
             }
 
             /// Tests whether a near point lies inside of a closed shape, such as a sphere.

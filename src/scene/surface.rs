@@ -41,10 +41,10 @@ impl<'a> Surface<'a> {
         let (outward, material) = parts.outside(shape, at.point)?;
         let climb = view.short_dot(outward);
         // At the rim of a shape, rounding must not make the outside an inside.
-        let (is_inside, epsilon) = match parts.is_flat(shape) {
-            true => (climb > Unit::ZERO, parts.epsilon),
-            false if climb > RIM => (true, parts.inner_epsilon),
-            false => (false, parts.epsilon),
+        let (is_inside, epsilon) = match parts.bending_radius(shape) {
+            None => (climb > Unit::ZERO, parts.epsilon),
+            Some(_) if climb > RIM => (true, parts.inner_epsilon),
+            Some(_) => (false, parts.epsilon),
         };
         let normal = outward.reversed_if(is_inside);
         Some(Self {
@@ -73,7 +73,7 @@ impl<'a> Surface<'a> {
     /// [`ShapeId::NONE`] if a ray can hit the shape again, from inside of one that is not flat.
     #[inline(always)]
     pub(crate) fn skip<W: SceneAccess>(&self, world: &W) -> ShapeId {
-        match self.is_inside && !world.parts().is_flat(self.shape) {
+        match self.is_inside && world.parts().bending_radius(self.shape).is_some() {
             true => ShapeId::NONE,
             false => self.shape,
         }
@@ -86,9 +86,9 @@ impl<'a> Surface<'a> {
         let direction = self.view.reflected(self.normal, cosine);
         // A curved surface's normal differs from length one by up to 2⁻¹⁶, or 2⁻¹⁴ far away. The
         // mirrored direction is off by four times as much, so it is normalised again.
-        let direction = match world.parts().is_flat(self.shape) {
-            true => direction,
-            false => direction.renormalised(),
+        let direction = match world.parts().bending_radius(self.shape) {
+            None => direction,
+            Some(_) => direction.renormalised(),
         };
         *path = ScaledRay::new(self.place, direction);
     }

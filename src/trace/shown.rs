@@ -34,13 +34,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Returns the surface that a stretch shows. `None` if it turns too much.
     pub(super) fn shown(&self, eye: Point, row: Direction, stops: [&Stop; 2]) -> Option<Shown<'a>> {
         let parts = self.world.parts();
-        let [first, last] = stops.map(|stop| {
-            let (outward, material) = parts.outside(stop.shape, stop.place.point)?;
-            Some((outward.reversed_if(stop.is_inside), material))
-        });
-        let ((one, material), (other, _)) = (first?, last?);
+        let (normals, material) = self.normals(stops)?;
         let [first, last] = stops;
-        let is_curved = !parts.is_flat(first.shape);
+        let is_curved = parts.bending_radius(first.shape).is_some();
         if first.place.is_near() != last.place.is_near() {
             return None;
         }
@@ -52,7 +48,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             }
         }
         let mut shown = Shown {
-            material: parts.material(material),
+            material,
             lit: LitStretch {
                 shape: first.shape,
                 is_hollow: is_curved && first.is_inside,
@@ -60,7 +56,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 slack: 0,
                 ends: [first.place, last.place],
             },
-            normals: [one, other],
+            normals,
             turn: Unit::ZERO,
             circle: Unit::ONE,
             ball: None,
@@ -72,16 +68,34 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             shown.ball = Some(ball);
             shown.lit.slack = 2 * epsilon + 8;
             if is_curved {
-                let (turn, circle) = turn_in_plane([one, other], row)?;
-                shown.circle = circle;
+                let (angle, least, change) = turn_in_plane(normals, row)?;
+                (shown.circle, shown.turn) = (least, change);
                 // The curve lies in the triangle of its chord and its tangents. With the angle τ between
                 // them its height is at most half the chord times tan(τ / 2).
-                shown.lit.bulge = scaled_by_unit(ball.1 + (ball.1 >> 2), turn) / 2 + 1;
-                let change = other.raw().minus(one.raw()).square();
-                shown.turn = Unit::from_bits(square_root(change));
+                shown.lit.bulge = scaled_by_unit(ball.1 + (ball.1 >> 2), angle) / 2 + 1;
             }
         }
         Some(shown)
+    }
+
+    /// Returns the normals at two stops on one surface, and its material. `None` if the stops are lifted by
+    /// more than a quarter of the radius: a normal there would be much longer than one.
+    #[inline(always)]
+    fn normals(&self, stops: [&Stop; 2]) -> Option<([Direction; 2], &'a PreparedMaterial)> {
+        let parts = self.world.parts();
+        let [first, last] = stops;
+        let epsilon = parts.epsilon.to_bits().max(parts.inner_epsilon.to_bits());
+        let radius = parts.bending_radius(first.shape);
+        if radius.is_some_and(|radius| radius >> 2 < epsilon) {
+            return None;
+        }
+        let (one, material) = parts.outside(first.shape, first.place.point)?;
+        let (other, _) = parts.outside(last.shape, last.place.point)?;
+        let normals = [
+            one.reversed_if(first.is_inside),
+            other.reversed_if(last.is_inside),
+        ];
+        Some((normals, parts.material(material)))
     }
 }
 
@@ -165,20 +179,21 @@ impl Shown<'_> {
 
 /// Returns an upper bound of the angle by which a curve in a plane turns between two points, as the length
 /// of a chord of the unit circle, Q2.30. The curve lies on a surface with these normals. `None` if it may
-/// turn by more than 60 degrees. Also returns the least radius of the circle on which the normals turn.
-fn turn_in_plane([one, other]: [Direction; 2], plane: Direction) -> Option<(Unit, Unit)> {
+/// turn by more than 60 degrees. Also returns the least radius of the circle on which the normals turn, and
+/// the length of their difference.
+fn turn_in_plane([one, other]: [Direction; 2], plane: Direction) -> Option<(Unit, Unit, Unit)> {
     let change = one.change_to(other)?;
-    let across = change.dot(plane);
-    let square = change
-        .square()
-        .saturating_sub(unsigned_wide(wide(across, across)));
+    let (across, whole) = (change.dot(plane), change.square());
+    let square = whole.saturating_sub(unsigned_wide(wide(across, across)));
     let turn = square_root(square) + 4;
     let [one, other] = [one, other].map(|it| it.dot(plane).to_bits().abs());
     let steepest = Unit::from_bits(one.max(other).min(Unit::ONE.to_bits()));
     let least = root_of_unit(Unit::ONE - unit_product(steepest, steepest)).to_bits();
     (turn < least).then(|| {
         let angle = ratio(unsigned(turn), unsigned(least));
-        (Unit::from_bits(angle), Unit::from_bits(least))
+        [angle, least, square_root(whole)]
+            .map(Unit::from_bits)
+            .into()
     })
 }
 
