@@ -268,13 +268,14 @@ fn test_programs(folders: &[&str]) -> Result<Vec<String>> {
 fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let library = ["--package", "reflet", "--lib", "--no-default-features"];
     let firmware = ["--features", "scenes,micromath"];
+    // In release mode, as clippy for boards and the firmware: macros are compiled once for all.
     let check = |targets: &[&str]| {
-        let check = bare_metal.cargo("check", targets);
+        let check = bare_metal.cargo("check", targets).args(["--release"]);
         toolchain::alone(check, Path::new("")).args(library)
     };
-    // The tests build firmware for each of the others.
-    let targets = if all { &TARGETS[..] } else { &TARGETS[..1] };
-    let seconds = if all { "600" } else { "10" };
+    // Clippy checks what the board's needs. The tests build firmware for each of the others.
+    let targets = if all { &TARGETS[..] } else { &TARGETS[1..2] };
+    let seconds = if all { "600" } else { "5" };
     let warnings = ["--", "-D", "warnings"];
     let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
     let rays = cargo("test").args(["--workspace", FEATURES, "--lib", "--", "--ignored"]);
@@ -310,7 +311,7 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
 fn boards(all: bool) -> Vec<Step> {
     let warnings = ["--", "-D", "warnings"];
     let alone = |package: &str, part: &str, target: &str| {
-        let program = cargo("clippy").args(["--target", target]);
+        let program = cargo("clippy").args(["--release", "--target", target]);
         let program = toolchain::alone(program, Path::new(package)).args([part]);
         step(
             &format!("clippy, {package}, {target}"),
@@ -319,7 +320,8 @@ fn boards(all: bool) -> Vec<Step> {
     };
     let [m0, m3, m4, m33, rv32, rv32_without_atomics] = TARGETS;
     let board = ["--package", "reflet", "--example", "board"];
-    let board = toolchain::alone(cargo("clippy").args(["--target", m3]), Path::new("")).args(board);
+    let clippy = cargo("clippy").args(["--release", "--target", m3]);
+    let board = toolchain::alone(clippy, Path::new("")).args(board);
     let mut steps = vec![
         step(
             &format!("clippy, examples/board, {m3}"),
