@@ -88,7 +88,7 @@
 //!
 //! | what | where |
 //! |---|---|
-//! | qualities, which say how exact a picture is: `Fast`, `Fine`, `Exact`, `Small`, `Draft` | [`quality`] |
+//! | qualities, which say how exact a picture is: `Fast`, `Exact`, `Small`, `Draft` | [`quality`] |
 //! | shading models: Phong, Blinn-Phong | [`shading`] |
 //! | dithering for displays with few levels, larger pixels | [`display`] |
 //! | frames with a budget of instructions or time | [`budget`] |
@@ -234,7 +234,7 @@ pub use vector::Position;
 
 /// Qualities: types that say how exact a picture is, and which approximations a frame uses.
 pub mod quality {
-    pub use crate::render::{Draft, Exact, Fast, Fine, Quality, Small};
+    pub use crate::render::{Draft, Exact, Fast, Quality, Small};
 }
 
 /// Shading models: types that say how the colour of a surface is computed.

@@ -8,7 +8,7 @@ use embedded_graphics::prelude::Size;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::painted;
 use reflet::host::reference::{self, render};
-use reflet::quality::{Fast, Fine, Small};
+use reflet::quality::{Exact, Fast, Small};
 use reflet::scenes::NAMES;
 use reflet::shading::Phong;
 use reflet::{Camera, Material, Scene, SceneBuilder, room};
@@ -31,9 +31,9 @@ const FAST: Bar = Bar {
     psnr: 46.0,
 };
 
-/// Bar of the quality `Fine`: as good as single precision, or better.
-const FINE: Bar = Bar {
-    name: "fine",
+/// Bar of the quality `Exact`: as good as single precision, or better.
+const EXACT: Bar = Bar {
+    name: "exact",
     same: 0.998,
     within1: 0.999,
     psnr: 55.0,
@@ -51,12 +51,6 @@ const DRAFT: Bar = Bar {
 const SMALL: Bar = Bar {
     name: "small",
     ..FAST
-};
-
-/// Bar of the quality `Exact`: that of `Fine`.
-const EXACT: Bar = Bar {
-    name: "exact",
-    ..FINE
 };
 
 const NORMALS: Bar = Bar {
@@ -105,7 +99,6 @@ fn missed(name: &str, shading: Shading) -> Vec<String> {
         _ => vec![
             (DRAFT, Quality::Draft),
             (FAST, Quality::Fast),
-            (FINE, Quality::Fine),
             (SMALL, Quality::Small),
             (EXACT, Quality::Exact),
         ],
@@ -236,7 +229,7 @@ fn reflection_of_something_bright_is_not_cut_off() {
 #[test]
 fn telephoto_view_does_not_hurt_fixed_point() {
     let bar = Bar {
-        name: "fine",
+        name: "exact",
         same: 0.998,
         within1: 0.999,
         psnr: 60.0,
@@ -246,7 +239,7 @@ fn telephoto_view_does_not_hurt_fixed_point() {
     let frame = TELEPHOTO_SCENE
         .frame(&FAR_AWAY)
         .reflections(REFLECTIONS)
-        .quality::<Fine>();
+        .quality::<Exact>();
     let size = Size::new(SIDE, SIDE);
     let n = u32::from(REFLECTIONS);
     let pairs = [

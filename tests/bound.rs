@@ -7,7 +7,7 @@ use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::Picture;
 use reflet::host::reference::bound::{Ending, Paths};
-use reflet::quality::{Exact, Fast, Fine, Quality};
+use reflet::quality::{Exact, Fast, Quality};
 use reflet::scenes::NAMES;
 use reflet::shading::{BlinnPhong, Phong, Shading};
 use reflet::{Camera, Material, RuntimeScene, Unit, room};
@@ -116,7 +116,7 @@ fn pictures<K: Shading>(
     source: &Source,
     shading: Tested,
     reflections: u8,
-) -> [(&'static str, Ending, Picture); 4] {
+) -> [(&'static str, Ending, Picture); 3] {
     let size = Size::new(SIDE, SIDE);
     let drawn = |quality| {
         let settings = Settings {
@@ -128,7 +128,6 @@ fn pictures<K: Shading>(
     };
     [
         ("fast", ending::<Fast>(reflections), drawn(Known::Fast)),
-        ("fine", ending::<Fine>(reflections), drawn(Known::Fine)),
         ("exact", ending::<Exact>(reflections), drawn(Known::Exact)),
         (
             "short",

@@ -13,7 +13,7 @@ use reflet::display::Enlarged;
 use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, pixel};
-use reflet::quality::{Fast, Fine};
+use reflet::quality::{Exact, Fast};
 use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES};
 use reflet::shading::{Phong, Unshadowed};
 use reflet::{Report, Unit};
@@ -22,7 +22,7 @@ const FRONT: ParetoFront = ParetoFront::new(&[
     point(40, 0, QualityLevel::Fast, 4, 2000),
     point(150, 1, QualityLevel::Fast, 2, 2500),
     point(600, 1, QualityLevel::Fast, 1, 3000),
-    point(900, 3, QualityLevel::Fine, 1, 5000),
+    point(900, 3, QualityLevel::Exact, 1, 5000),
 ]);
 
 const fn point(
@@ -88,7 +88,7 @@ fn front_is_drawn_with_the_settings_of_its_points() {
         let small = small.on(&Mirror1).unwrap();
         let Ok(report) = match point.level {
             QualityLevel::Fast => frame.quality::<Fast>().draw(&mut target),
-            QualityLevel::Fine => frame.quality::<Fine>().draw(&mut target),
+            QualityLevel::Exact => frame.quality::<Exact>().draw(&mut target),
         };
         assert_eq!(display.to_be_bytes(), expected.to_be_bytes(), "{point:?}");
         assert_eq!(drawn.report, report);
@@ -226,7 +226,7 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
             let settings = Settings {
                 reflections: 0,
                 shading,
-                quality: Quality::Fine,
+                quality: Quality::Exact,
             };
             source.drawn(size, settings)
         };
@@ -234,12 +234,12 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
             (
                 reference::Shading::BlinnPhong,
                 drawn(Shading::BlinnPhong),
-                source.painted::<Fine, Unshadowed>(size, 0),
+                source.painted::<Exact, Unshadowed>(size, 0),
             ),
             (
                 reference::Shading::Phong,
                 drawn(Shading::Phong),
-                source.painted::<Fine, Unshadowed<Phong>>(size, 0),
+                source.painted::<Exact, Unshadowed<Phong>>(size, 0),
             ),
         ];
         let (scene, camera) = source.reference();
@@ -291,7 +291,7 @@ fn cut_off_bound_holds_and_shrinks_with_each_reflection() {
         let mut last = Unit::ONE;
         for reflections in 0..6 {
             let frame = world.frame(&view).reflections(reflections);
-            let picture = frame.quality::<Fine>().prepare(Size::new(side, side));
+            let picture = frame.quality::<Exact>().prepare(Size::new(side, side));
             let picture = picture.on(world).unwrap();
             let mut row = vec![Rgb888::BLACK; side as usize];
             let reports = (0..side).map(|y| picture.row(y, 0, &mut row));

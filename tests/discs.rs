@@ -6,7 +6,7 @@ use reflet::host::compare::compare;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Picture, render};
 use reflet::host::{painted, precision};
-use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::quality::{Exact, Fast, Quality, Small};
 use reflet::shading::{BlinnPhong, Phong, Shading};
 use reflet::{Camera, Material, MaterialId, RuntimeScene, Scene, room};
 
@@ -105,12 +105,6 @@ fn assert_near<K: Shading>((scene, camera): (Scenery, Camera), shading: referenc
             picture::<Fast, K>(&built, &camera, SIDE),
             0.99,
             0.998,
-        ),
-        (
-            "fine",
-            picture::<Fine, K>(&built, &camera, SIDE),
-            0.998,
-            0.9995,
         ),
         (
             "small",

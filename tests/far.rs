@@ -4,7 +4,7 @@ use embedded_graphics::prelude::Size;
 use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, Shading};
-use reflet::quality::Fine;
+use reflet::quality::Exact;
 use reflet::{Camera, Material, RuntimeScene, room};
 
 type Room = RuntimeScene<room!(spheres: 1, planes: 2, lights: 1, materials: 1)>;
@@ -15,7 +15,7 @@ fn exact(scene: &Room, camera: &Camera) -> Picture {
     let picture = painted(
         &built
             .frame(camera)
-            .quality::<Fine>()
+            .quality::<Exact>()
             .prepare(Size::new(33, 33))
             .on(&built)
             .unwrap(),

@@ -4,7 +4,7 @@
 use embedded_graphics::prelude::Size;
 use reflet::host::painted;
 use reflet::host::reference::{Picture, Vector};
-use reflet::quality::Fine;
+use reflet::quality::Exact;
 use reflet::{Camera, Material, RuntimeScene, room};
 
 /// Scale (a power of two) and offset of the scene, and the distance of its camera.
@@ -84,7 +84,7 @@ impl Setting {
         let camera = Camera::new(at(eye), at([0.0, 0.0, 0.5]), up, 50.0 / self.distance).unwrap();
         scene.set_camera(camera);
         let built = scene.build().unwrap();
-        let frame = built.frame(&camera).reflections(6).quality::<Fine>();
+        let frame = built.frame(&camera).reflections(6).quality::<Exact>();
         painted(&frame.prepare(Size::new(64, 48)).on(&built).unwrap())
     }
 }

@@ -45,7 +45,7 @@ pub struct Arguments {
         long,
         default_value = "fast",
         hide_possible_values = true,
-        value_name = "draft|fast|fine|small|exact"
+        value_name = "draft|fast|small|exact"
     )]
     pub quality: Quality,
 

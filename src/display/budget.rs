@@ -9,7 +9,7 @@ use embedded_graphics::primitives::Rectangle;
 use super::Enlarged;
 use crate::accel::drawable::Drawable;
 use crate::number::{Unit, signed};
-use crate::render::{Fast, Fine, Quality};
+use crate::render::{Exact, Fast, Quality};
 use crate::render::{FrameBuilder, Report};
 use crate::shade::Shading;
 
@@ -18,8 +18,8 @@ use crate::shade::Shading;
 pub enum QualityLevel {
     /// The quality [`Fast`], as a value.
     Fast,
-    /// The quality [`Fine`], as a value.
-    Fine,
+    /// The quality [`Exact`], as a value.
+    Exact,
 }
 
 /// Settings for a scene on a processor core, with their measured instructions and error.
@@ -69,7 +69,7 @@ impl FrontPoint {
 ///     level: QualityLevel::Fast, scale: 2, psnr: 2400, largest: 160,
 /// };
 /// const DEAR: FrontPoint =
-///     FrontPoint { instructions: 400, level: QualityLevel::Fine, psnr: 6000, ..CHEAP };
+///     FrontPoint { instructions: 400, level: QualityLevel::Exact, psnr: 6000, ..CHEAP };
 /// const FRONT: ParetoFront = ParetoFront::new(&[CHEAP, DEAR]);
 ///
 /// let size = Size::new(100, 100);
@@ -182,7 +182,7 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// interpolated: the castle at 64 by 48 takes up to 1.8 times what its front of 128 by 128 says,
     /// target included. So measure the front at the size of your display (`--size`).
     ///
-    /// A program that calls this function has both [`Fast`] and [`Fine`] in flash.
+    /// A program that calls this function has both [`Fast`] and [`Exact`] in flash.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
@@ -256,7 +256,7 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     {
         match level {
             QualityLevel::Fast => self.quality::<Fast>().draw_until(time_is_up, target),
-            QualityLevel::Fine => self.quality::<Fine>().draw_until(time_is_up, target),
+            QualityLevel::Exact => self.quality::<Exact>().draw_until(time_is_up, target),
         }
     }
 

@@ -17,14 +17,14 @@ use crate::shade::{BlinnPhong, Shading};
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb888};
-/// use reflet::quality::Fine;
+/// use reflet::quality::Exact;
 /// use reflet::scenes::{BuiltIn, Mirror1};
 /// use reflet::shading::Phong;
 ///
 /// let mut display = MockDisplay::<Rgb888>::new(); // 64 by 64
 /// Mirror1::frame(&Mirror1::CAMERA)
 ///     .reflections(2)
-///     .quality::<Fine>()
+///     .quality::<Exact>()
 ///     .shading::<Phong>()
 ///     .draw(&mut display)?;
 /// # Ok::<(), core::convert::Infallible>(())
@@ -74,9 +74,8 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> FrameBuilder<'a, S, Q, K> {
         }
     }
 
-    /// Sets the quality: [`Fast`] (the default), [`Fine`](crate::quality::Fine),
-    /// [`Exact`](crate::quality::Exact), [`Small`](crate::quality::Small), which takes the least flash,
-    /// or a type of your own.
+    /// Sets the quality: [`Fast`] (the default), [`Exact`](crate::quality::Exact),
+    /// [`Small`](crate::quality::Small), which takes the least flash, or a type of your own.
     #[must_use]
     pub fn quality<NewQ: Quality>(self) -> FrameBuilder<'a, S, NewQ, K> {
         self.with_kinds()

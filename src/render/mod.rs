@@ -10,7 +10,7 @@ mod report;
 
 pub use builder::FrameBuilder;
 pub use prepared::{PreparedFrame, Rows};
-pub use quality::{Draft, Exact, Fast, Fine, Quality, Small};
+pub use quality::{Draft, Exact, Fast, Quality, Small};
 pub use report::Report;
 pub(crate) use report::light_cut_off;
 

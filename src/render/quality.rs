@@ -11,7 +11,7 @@ use crate::trace::PathQuality;
 /// A quality: how exact a frame is, as a type. [`FrameBuilder::quality`](crate::FrameBuilder::quality)
 /// sets it.
 ///
-/// [`Fast`] and [`Fine`] suit most programs. A type of your own may be more exact, or less:
+/// [`Fast`] suits most programs. A type of your own may be more exact, or less:
 ///
 /// ```
 /// use reflet::Unit;
@@ -105,18 +105,6 @@ impl Quality for Small {
     const IS_SMALL: bool = true;
 }
 
-/// The quality for pictures that are viewed closely: more exact than [`Fast`], and still interpolated.
-///
-/// A path ends when its throughput is exactly zero. Pixels are interpolated to about a hundredth of an 8-bit
-/// level where it is certain what they show.
-#[derive(Clone, Copy, Debug)]
-pub struct Fine;
-
-impl Quality for Fine {
-    const SMALLEST_WEIGHT: Unit = Unit::DELTA;
-    const TOLERANCE: Unit = Unit::from_bits(1 << 15);
-}
-
 /// The most exact quality: every pixel is traced, and points and light are rounded more finely than in
 /// the other qualities.
 ///
@@ -162,13 +150,11 @@ mod tests {
         let these = [
             known_to_paths::<Fast>(),
             known_to_paths::<Small>(),
-            known_to_paths::<Fine>(),
             known_to_paths::<Exact>(),
         ];
         let tested = [
             known_to_paths::<qualities::Fast>(),
             known_to_paths::<qualities::Small>(),
-            known_to_paths::<qualities::Fine>(),
             known_to_paths::<qualities::Exact>(),
         ];
         assert_eq!(these, tested);

@@ -11,7 +11,7 @@ use crate::host::reference;
 use crate::number::sweep::Sweep;
 use crate::number::{Length, Unit};
 use crate::ray::{REACH, ScaledPoint, ScaledRay};
-use crate::render::Fine;
+use crate::render::Fast;
 use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::{nearest_hit, occluded};
@@ -42,7 +42,7 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         let row = generator.row_plane(y, from.point);
         let tracer = |bounds, is_full| {
             let culling = ScreenCulling::new::<true>(bounds, (from, row), y, is_full);
-            Tracer::<W, BlinnPhong, Fine>::new(world, &view, (culling, *ShapeSet::ALL), 3)
+            Tracer::<W, BlinnPhong, Fast>::new(world, &view, (culling, *ShapeSet::ALL), 3)
         };
         let mut some = tracer(bounds.as_ref(), false);
         let mut all = tracer(Some(&everything), true);
@@ -302,7 +302,7 @@ fn asked<W: World>(world: &W, random: &mut Sweep) -> [u32; 2] {
             let surface = outside_of(world, left);
             let ray = (direction, reach);
             let some =
-                light_occluders::occluded::<_, Fine, false>(world, &surface, (light, index), ray);
+                light_occluders::occluded::<_, Fast, false>(world, &surface, (light, index), ray);
             assert_eq!(some, all, "{direction:?} {reach:?} {left:?}");
             counts[usize::from(all)] += 1;
         }
@@ -380,7 +380,7 @@ fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
                 continue;
             }
             let way = (ray.direction().reversed(), distance);
-            let hidden = light_occluders::occluded::<_, Fine, false>(
+            let hidden = light_occluders::occluded::<_, Fast, false>(
                 world,
                 &surface,
                 (occluders, index),

@@ -8,7 +8,7 @@ mod series;
 use crate::scene::Room;
 use std::vec::Vec;
 
-use qualities::{Fast, Fine, Small};
+use qualities::{Exact, Fast, Small};
 
 use super::*;
 use crate::accel::Scene;
@@ -102,7 +102,7 @@ fn closed_mirrored_room_shines_as_the_sum_of_its_series() {
             for reflections in REFLECTIONS {
                 // c Σ (1 - α) αⁱ for i up to N
                 let truth = brightness * (1.0 - alpha.powi(i32::from(reflections) + 1)) * 255.0;
-                for traced in followed::<Fine>(&room, reflections) {
+                for traced in followed::<Exact>(&room, reflections) {
                     for channel in traced.sum.to_rgb8() {
                         // Rounded to an integer. Throughputs that are off by 2^-22 may change it by
                         // one.
@@ -125,7 +125,7 @@ fn weight_cut_off_is_the_product_of_the_shares() {
         let held = Unit::from_num(alpha).to_num::<f64>();
         for reflections in REFLECTIONS {
             let steps = i32::from(reflections) + 1;
-            for traced in followed::<Fine>(&room, reflections) {
+            for traced in followed::<Exact>(&room, reflections) {
                 // Every product is rounded down by less than a last place. Each later α weakens what
                 // was rounded off. α itself is rounded to half a last place.
                 let lost = held.powi(steps) - traced.cut_off.to_num::<f64>();
@@ -144,7 +144,7 @@ fn weight_cut_off_is_the_product_of_the_shares() {
 fn weight_of_half_mirrors_is_exact() {
     let room = room(1.0, 0.5);
     for reflections in 0..30 {
-        for traced in followed::<Fine>(&room, reflections) {
+        for traced in followed::<Exact>(&room, reflections) {
             assert_eq!(
                 traced.cut_off.to_bits(),
                 1 << (29 - reflections),
@@ -165,7 +165,7 @@ fn path_stops_where_its_weight_is_spent() {
         (2f64.powi(-30), 2),
         (1.0, 256),
     ] {
-        for traced in followed::<Fine>(&room(1.0, alpha), 255) {
+        for traced in followed::<Exact>(&room(1.0, alpha), 255) {
             assert_eq!(traced.rays, rays, "α {alpha}");
             let cut_off = if alpha == 1.0 { Unit::ONE } else { Unit::ZERO };
             assert_eq!(traced.cut_off, cut_off, "α {alpha}");
@@ -175,7 +175,7 @@ fn path_stops_where_its_weight_is_spent() {
 
 #[test]
 fn perfect_mirrors_show_nothing_of_themselves() {
-    for traced in followed::<Fine>(&room(1.0, 1.0), 255) {
+    for traced in followed::<Exact>(&room(1.0, 1.0), 255) {
         assert_eq!(traced.sum.to_rgb8(), [0; 3]);
     }
 }
@@ -183,7 +183,7 @@ fn perfect_mirrors_show_nothing_of_themselves() {
 #[test]
 fn number_of_reflections_bounds_the_rays() {
     for reflections in REFLECTIONS {
-        for traced in followed::<Fine>(&room(1.0, 0.999), reflections) {
+        for traced in followed::<Exact>(&room(1.0, 0.999), reflections) {
             assert_eq!(traced.rays, u32::from(reflections) + 1);
         }
     }
@@ -221,21 +221,21 @@ fn fast_path_in_a_bright_room_is_followed_until_less_than_a_level_is_left() {
 }
 
 #[test]
-fn fast_differs_from_fine_by_no_more_than_the_weight_it_reports() {
+fn fast_differs_from_exact_by_no_more_than_the_weight_it_reports() {
     for alpha in ALPHAS {
         let room = room(1.0, alpha);
         for reflections in REFLECTIONS {
             let pairs = followed::<Fast>(&room, reflections)
                 .into_iter()
-                .zip(followed::<Fine>(&room, reflections));
-            for (fast, fine) in pairs {
+                .zip(followed::<Exact>(&room, reflections));
+            for (fast, exact) in pairs {
                 assert!(
-                    fast.rays <= fine.rays && fast.cut_off >= fine.cut_off,
-                    "{fast:?} {fine:?}"
+                    fast.rays <= exact.rays && fast.cut_off >= exact.cut_off,
+                    "{fast:?} {exact:?}"
                 );
                 let bound = (fast.cut_off.to_num::<f64>() * 255.0).ceil() as u8;
-                for (low, high) in fast.sum.to_rgb8().into_iter().zip(fine.sum.to_rgb8()) {
-                    assert!(low <= high && high - low <= bound, "{fast:?} {fine:?}");
+                for (low, high) in fast.sum.to_rgb8().into_iter().zip(exact.sum.to_rgb8()) {
+                    assert!(low <= high && high - low <= bound, "{fast:?} {exact:?}");
                 }
             }
         }
@@ -253,17 +253,17 @@ fn path_that_meets_nothing_adds_the_background_with_its_weight() {
     let parts = scene.parts();
     let from = parts.grid.place(Position::new([0.0, -3.0, 0.0]));
     let path = |towards| path(from, towards);
-    let past = followed_by::<Phong, Fine, _>(&scene, path([1.0, 0.0, 0.0]), 9);
+    let past = followed_by::<Phong, Exact, _>(&scene, path([1.0, 0.0, 0.0]), 9);
     assert_eq!(
         (past.sum.to_rgb8(), past.rays, past.cut_off),
         ([255, 128, 0], 1, Unit::ZERO)
     );
-    let mirrored = followed_by::<Phong, Fine, _>(&scene, path([0.0, 1.0, 0.0]), 9);
+    let mirrored = followed_by::<Phong, Exact, _>(&scene, path([0.0, 1.0, 0.0]), 9);
     assert_eq!(
         (mirrored.sum.to_rgb8(), mirrored.rays, mirrored.cut_off),
         ([128, 64, 0], 2, Unit::ZERO)
     );
-    let cut = followed_by::<Phong, Fine, _>(&scene, path([0.0, 1.0, 0.0]), 0);
+    let cut = followed_by::<Phong, Exact, _>(&scene, path([0.0, 1.0, 0.0]), 0);
     assert_eq!(
         (cut.sum.to_rgb8(), cut.rays, cut.cut_off.to_bits()),
         ([0; 3], 1, 1 << 29)
@@ -275,7 +275,7 @@ fn normals_are_seen_in_no_mirror() {
     let room = room(1.0, 1.0);
     let parts = room.parts();
     let path = path(parts.grid.place(Position::ORIGIN), [0.0, 1.0, 0.0]);
-    let traced = followed_by::<Normals, Fine, _>(&room, path, 255);
+    let traced = followed_by::<Normals, Exact, _>(&room, path, 255);
     assert_eq!((traced.rays, traced.cut_off), (1, Unit::ZERO));
     assert_eq!(traced.sum.to_rgb8(), [128, 0, 128]);
 }
@@ -297,7 +297,7 @@ fn path_between_facing_mirrors_stays_between_them() {
         [1.0, 0.0, 1.0],
         [9.0, 0.0, -1.0],
     ] {
-        let traced = followed_by::<BlinnPhong, Fine, _>(&scene, path(from, towards), 100);
+        let traced = followed_by::<BlinnPhong, Exact, _>(&scene, path(from, towards), 100);
         assert_eq!(traced.rays, 101, "{towards:?}");
         assert_eq!(traced.sum.to_rgb8(), [255; 3], "{towards:?}");
     }
@@ -332,7 +332,7 @@ fn mirror_that_the_camera_almost_lies_in_shows_all_that_is_before_other_planes()
     let from = scene.parts().grid.place(Position::new([-16.0; 3]));
     let followed = |y: f64| {
         let path = path(from, [0.75, y, 0.59]);
-        let followed = followed_by::<Phong, Fine, _>(&scene, path, 1);
+        let followed = followed_by::<Phong, Exact, _>(&scene, path, 1);
         (followed.rays, followed.sum.to_rgb8())
     };
     // Away from the mirror, and towards it.
@@ -355,7 +355,7 @@ fn mirror_is_met_from_below_only_by_rays_that_climb() {
     assert!(from.is_near());
     for climb in 1..9 {
         let direction = Direction::from_raw(Vector::new(1 << 30, 0, climb));
-        let followed = followed_by::<Phong, Fine, _>(&scene, ScaledRay::new(from, direction), 1);
+        let followed = followed_by::<Phong, Exact, _>(&scene, ScaledRay::new(from, direction), 1);
         assert_eq!(followed.rays, if climb < 4 { 1 } else { 2 }, "{climb}");
     }
 }
@@ -394,7 +394,7 @@ fn weights_add_up_to_exactly_one() {
         for _ in 0..20 {
             let towards = sweep.triple(1000).map(|it| f64::from(it) / 700.0);
             let path = path(from, [towards[0], 1.0, towards[2]]);
-            let traced = followed_by::<Phong, Fine, _>(&scene, path, 255);
+            let traced = followed_by::<Phong, Exact, _>(&scene, path, 255);
             // Only what is cut off after 255 reflections may be missing.
             if traced.cut_off == Unit::ZERO {
                 assert_eq!(

@@ -162,12 +162,12 @@ fn what_is_no_picture_is_not_written_over() {
 #[test]
 fn json_has_the_promised_keys() {
     let folder = Folder::new("json");
-    let call = "castle --size 8x6 --reflections 2 --shading phong --quality fine --json";
+    let call = "castle --size 8x6 --reflections 2 --shading phong --quality small --json";
     let mut plain = line_of_json(&folder, call);
     assert!(plain["seconds"].take().as_f64().unwrap() > 0.0);
     let expected = json!({
         "scene": "castle", "size": "8x6", "reflections": 2, "shading": "phong",
-        "quality": "fine", "seconds": null
+        "quality": "small", "seconds": null
     });
     assert_eq!(plain, expected);
 
@@ -242,7 +242,7 @@ fn every_scene_shading_and_quality_renders() {
     let folder = Folder::new("all");
     for scene in scenes::NAMES {
         for shading in ["blinn-phong", "phong", "normals"] {
-            for quality in ["fast", "fine", "small", "exact"] {
+            for quality in ["fast", "small", "exact"] {
                 let call = format!("{scene} --size 4x3 --shading {shading} --quality {quality}");
                 let line = line_of_json(&folder, &format!("{call} --json"));
                 assert_eq!(line["scene"], scene);
@@ -285,7 +285,7 @@ fn wrong_arguments_are_named_in_one_line() {
         "--reflections -1 => -1 is not in 0..=255",
         "--reflections many => invalid digit found in string",
         "--shading gouraud => possible values: blinn-phong, phong, normals",
-        "--quality best => possible values: draft, fast, fine, small, exact",
+        "--quality best => possible values: draft, fast, small, exact",
         "--out => a value is required for '--out <F.png>'",
         "--json --json => cannot be used multiple times",
         "--bogus => unexpected argument '--bogus' found",

@@ -9,7 +9,7 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use frame_hash::FrameHash;
 use reflet::budget::FrontPoint;
 use reflet::display::Enlarged;
-use reflet::quality::Fine;
+use reflet::quality::Exact;
 use reflet::scenes::{BuiltIn, Castle};
 use xtask::{measure::Core, toolchain};
 
@@ -85,7 +85,7 @@ fn board_draws_what_fits_and_stops_in_time() {
     );
     assert_eq!(cheap["hash"], hash(&display, 0));
 
-    let Ok(_) = castle().quality::<Fine>().draw(&mut display);
+    let Ok(_) = castle().quality::<Exact>().draw(&mut display);
     assert_eq!(display.size(), SIZE);
     let best = &said[1];
     assert_eq!((best["reflections"], best["fits"]), (4, 1));

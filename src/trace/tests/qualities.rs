@@ -31,6 +31,5 @@ macro_rules! qualities {
 qualities! {
     Fast: Unit::from_bits(1 << 22), Unit::from_bits(1 << 22), ALL, false;
     Small: Unit::from_bits(1 << 22), Unit::ZERO, LISTS, false;
-    Fine: Unit::DELTA, Unit::from_bits(1 << 15), ALL, false;
     Exact: Unit::DELTA, Unit::ZERO, ALL, true;
 }

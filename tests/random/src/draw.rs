@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
 use reflet::__private::Drawable;
-use reflet::quality::{Exact, Fast, Fine, Quality, Small};
+use reflet::quality::{Draft, Exact, Fast, Quality, Small};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 use reflet::{FrameBuilder, Report, Unit};
 
@@ -28,7 +28,7 @@ impl Wild {
         let frame = built.frame(&self.camera).reflections(self.reflections);
         Some(match self.kind % 8 {
             0 => self.paint(&built, frame.quality::<Fast>()),
-            1 => self.paint(&built, frame.quality::<Fine>()),
+            1 => self.paint(&built, frame.quality::<Draft>()),
             2 => self.paint(&built, frame.shading::<Phong>()),
             3 => self.paint(&built, frame.shading::<Normals>()),
             4 => self.paint(&built, frame.shading::<Phong>().quality::<Exact>()),

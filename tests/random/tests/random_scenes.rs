@@ -12,7 +12,7 @@ use reflet::host::painted;
 use reflet::host::precision;
 use reflet::host::reference::bound::{Ending, Paths};
 use reflet::host::reference::{self, Vector, render};
-use reflet::quality::{Fast, Fine, Quality};
+use reflet::quality::{Exact, Fast, Quality};
 use reflet::shading::{Normals, Phong};
 use reflet::{Camera, Error, FrameBuilder, Material, MaterialId, RuntimeScene, room};
 
@@ -224,7 +224,7 @@ fn any_valid_scene_is_painted_as_double_precision_paints_it() {
         let built = scene.build();
         let built = built.map_err(|error| TestCaseError::reject(error.to_string()))?;
         let frame = built.frame(&camera).reflections(recipe.reflections);
-        let (frame, size) = (frame.quality::<Fine>(), Size::new(SIDE, SIDE));
+        let (frame, size) = (frame.quality::<Exact>(), Size::new(SIDE, SIDE));
         let picture = match recipe.shading {
             reference::Shading::BlinnPhong => painted(&frame.prepare(size).on(&built).unwrap()),
             reference::Shading::Phong => {
@@ -284,11 +284,11 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
         let reflections = recipe.reflections.into();
         let pictures = [
             lit(&built, frame().quality::<Fast>(), SIDE, shading),
-            lit(&built, frame().quality::<Fine>(), SIDE, shading),
+            lit(&built, frame().quality::<Exact>(), SIDE, shading),
         ];
         let endings = [
             ending::<Fast>(reflections, SIDE),
-            ending::<Fine>(reflections, SIDE),
+            ending::<Exact>(reflections, SIDE),
         ];
         let (exact, camera) = ((&scene.description()).into(), (&camera).into());
         let precision = precision(&built);
@@ -458,7 +458,7 @@ fn no_scene_that_is_accepted_overflows() {
         painted(
             &frame()
                 .shading::<Phong>()
-                .quality::<Fine>()
+                .quality::<Exact>()
                 .prepare(size)
                 .on(&built)
                 .unwrap(),

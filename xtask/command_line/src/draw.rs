@@ -5,7 +5,7 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use reflet::host::file::FileScene;
 use reflet::host::reference::Picture;
-use reflet::quality::{self, Draft, Exact, Fast, Fine, Small};
+use reflet::quality::{self, Draft, Exact, Fast, Small};
 use reflet::shading::{self, BlinnPhong, Normals, Phong};
 use reflet::{Camera, Report};
 
@@ -77,7 +77,6 @@ impl Draw<'_> {
         match self.settings.quality {
             Quality::Draft => self.with_shading::<Draft>(row),
             Quality::Fast => self.with_shading::<Fast>(row),
-            Quality::Fine => self.with_shading::<Fine>(row),
             Quality::Small => self.with_shading::<Small>(row),
             Quality::Exact => self.with_shading::<Exact>(row),
         }

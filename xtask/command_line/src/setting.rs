@@ -62,7 +62,6 @@ impl From<Shading> for reference::Shading {
 pub enum Quality {
     Draft,
     Fast,
-    Fine,
     Small,
     Exact,
 }
@@ -73,7 +72,6 @@ impl Quality {
         match self {
             Self::Draft => "draft",
             Self::Fast => "fast",
-            Self::Fine => "fine",
             Self::Small => "small",
             Self::Exact => "exact",
         }

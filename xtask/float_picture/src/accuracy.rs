@@ -6,7 +6,7 @@ use reflet::host::compare::{Difference, compare};
 use reflet::host::reference;
 
 /// Names of the measured qualities and of single precision, in the order of [`Row::differences`].
-pub const NAMES: [&str; 5] = ["fast", "fine", "small", "exact", "f32"];
+pub const NAMES: [&str; 4] = ["fast", "small", "exact", "f32"];
 
 /// Accuracy of one scene in one shading.
 #[derive(Clone, Debug)]
@@ -44,7 +44,7 @@ pub fn measure(
         reference::Shading::Phong => Shading::Phong,
         reference::Shading::Normals => return None,
     };
-    let qualities = [Quality::Fast, Quality::Fine, Quality::Small, Quality::Exact];
+    let qualities = [Quality::Fast, Quality::Small, Quality::Exact];
     let fixed = qualities.map(|quality| {
         let settings = Settings {
             reflections,
@@ -56,11 +56,11 @@ pub fn measure(
     let (exact, camera) = source.reference();
     let n = u32::from(reflections);
     let truth = reference::render(&exact, &camera, side, side, n, shading);
-    let [fast, fine, small, precise] = fixed;
+    let [fast, small, precise] = fixed;
     let single = crate::render(&exact, &camera, (side, side), n, shading);
     Some(Row {
         scene,
-        differences: [fast, fine, small, precise, single].map(|picture| {
+        differences: [fast, small, precise, single].map(|picture| {
             compare(&picture, &truth).expect("all have the size that was asked for")
         }),
     })

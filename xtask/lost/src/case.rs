@@ -5,7 +5,7 @@ use command_line::{Quality as Fixed, Settings, Source};
 use embedded_graphics::geometry::Size;
 use reflet::host::file::FileError;
 use reflet::host::reference::{Camera, Scene};
-use reflet::quality::{Draft, Exact, Fast, Fine};
+use reflet::quality::{Draft, Exact, Fast};
 use reflet::shading::Unshadowed;
 
 use crate::count::{Cause, Counts, Pixel, RIGHT, causes, difference, lost};
@@ -16,16 +16,11 @@ use crate::truth::{Truth, truth};
 pub enum Quality {
     /// [`Fast`].
     Fast,
-    /// [`Fine`].
-    Fine,
     /// [`Draft`], which guesses.
     Draft,
 }
 
 impl Quality {
-    /// The qualities that lose nothing.
-    pub const SURE: [Self; 2] = [Self::Fast, Self::Fine];
-
     /// Returns the quality's name in tables and on the command line.
     pub fn name(self) -> &'static str {
         self.fixed().name()
@@ -34,7 +29,6 @@ impl Quality {
     fn fixed(self) -> Fixed {
         match self {
             Self::Fast => Fixed::Fast,
-            Self::Fine => Fixed::Fine,
             Self::Draft => Fixed::Draft,
         }
     }
@@ -163,7 +157,6 @@ fn unshadowed(source: &Source, quality: Fixed, (size, reflections): (Size, u8)) 
     let picture = match quality {
         Fixed::Draft => source.painted::<Draft, Unshadowed>(size, reflections),
         Fixed::Fast => source.painted::<Fast, Unshadowed>(size, reflections),
-        Fixed::Fine => source.painted::<Fine, Unshadowed>(size, reflections),
         Fixed::Small | Fixed::Exact => source.painted::<Exact, Unshadowed>(size, reflections),
     };
     picture.pixels

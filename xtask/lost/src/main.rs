@@ -37,7 +37,7 @@ struct Arguments {
     size: Size,
 
     /// Qualities to test
-    #[arg(long, value_enum, value_delimiter = ',', default_value = "fast,fine")]
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "fast")]
     qualities: Vec<Quality>,
 
     /// Number of reflections of scene files and built-in scenes

@@ -15,7 +15,7 @@ use reflet::__private::Drawable;
 use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
 use reflet::display::{Dithered, Enlarged};
 use reflet::needs::{Limited, MostReflections, Needs, NeedsLimit};
-use reflet::quality::{Fast, Fine, Quality, Small};
+use reflet::quality::{Exact, Fast, Quality, Small};
 use reflet::scenes::{BuiltIn, Castle, Floor};
 use reflet::shading::{BlinnPhong, Normals, Phong, Shading, Unshadowed};
 use reflet::{
@@ -47,7 +47,7 @@ fn draw_in_all_ways() {
     draw::<Fast, BlinnPhong, _>(&Floor, Floor::frame(&camera));
     if let Some((scene, camera)) = fill() {
         draw::<Fast, BlinnPhong, _>(&scene, scene.frame(&camera));
-        draw::<Fine, Phong, _>(&scene, scene.frame(&camera));
+        draw::<Exact, Phong, _>(&scene, scene.frame(&camera));
         draw::<Fast, Normals, _>(&scene, scene.frame(&camera));
         draw::<Small, BlinnPhong, _>(&scene, scene.frame(&camera));
         draw::<Small, Phong, _>(&scene, scene.frame(&camera));
@@ -114,7 +114,7 @@ fn draw_within() {
         POINT,
         FrontPoint {
             instructions: 1000,
-            level: QualityLevel::Fine,
+            level: QualityLevel::Exact,
             psnr: 4000,
             ..POINT
         },

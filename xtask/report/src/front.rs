@@ -27,11 +27,11 @@ pub fn source(command: &str, scenes: &[Measured]) -> String {
     source
 }
 
-/// Returns the front of the points that the library's `QualityLevel` can name: `Fast` and `Fine` with
+/// Returns the front of the points that the library's `QualityLevel` can name: `Fast` and `Exact` with
 /// shadows.
 fn points(points: &[Point]) -> Vec<&Point> {
     let is_known = |point: &&Point| match point.setting.contestant {
-        Contestant::Fixed(level) => [Level::Fast, Level::Fine].contains(&level),
+        Contestant::Fixed(level) => [Level::Fast, Level::Exact].contains(&level),
         Contestant::Unshadowed | Contestant::Float => false,
     };
     let mut known: Vec<&Point> = points.iter().filter(is_known).collect();
@@ -74,7 +74,7 @@ fn hundredths(point: &Point) -> u16 {
 
 fn line(point: &Point) -> String {
     let level = match point.setting.contestant {
-        Contestant::Fixed(Level::Fine) => "Fine",
+        Contestant::Fixed(Level::Exact) => "Exact",
         _ => "Fast",
     };
     format!(

@@ -18,13 +18,12 @@ pub fn fixed(numbers: &[u8]) -> Vec<Setting> {
     };
     let cuts = [Level::Cut4, Level::Cut16, Level::Cut64];
     plain(Level::Fast)
-        .chain(plain(Level::Fine))
         .chain(plain(Level::Exact))
         .chain(plain(Level::Rough4))
         .chain(plain(Level::Rough16))
         .chain(cuts.map(|level| Setting::fixed(level, most)))
         .chain(scaled(Level::Fast))
-        .chain(scaled(Level::Fine))
+        .chain(scaled(Level::Exact))
         .chain(at_all_scales(numbers, Setting::unshadowed))
         .collect()
 }

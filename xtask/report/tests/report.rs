@@ -82,7 +82,9 @@ fn assert_is_sound(rows: &[Row], scenes: &[&str], cost: &str) {
         }
         assert!(promised >= 5, "{scene}");
         // In the finest quality with all reflections, only rounding errors are left.
-        let finest = fixed.iter().filter(|row| row["quality"] == "exact");
+        let finest = fixed
+            .iter()
+            .filter(|row| row["quality"] == "exact" && row["scale"] == "1");
         let finest = finest.max_by_key(|row| row["reflections"].parse::<u8>().unwrap());
         let finest = finest.expect("exact is tried, too");
         assert!(number(finest, "sure_largest") <= 1.0, "{finest:?}");

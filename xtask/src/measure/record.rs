@@ -66,8 +66,8 @@ fn renew_core(core: &'static Core) -> Result<()> {
 
 pub fn tasks(core: &'static Core) -> Vec<Task> {
     let qualities: &[Quality] = match core.name {
-        "m3" | "m4f" => &[Quality::FAST, Quality::FINE, Quality::Float],
-        _ => &[Quality::FAST, Quality::FINE],
+        "m3" | "m4f" => &[Quality::FAST, Quality::Float],
+        _ => &[Quality::FAST],
     };
     let tasks = scenes::NAMES.into_iter().flat_map(|name| {
         let task = move |&quality| Task::new(core, Scene::BuiltIn(name), SIZE, quality);

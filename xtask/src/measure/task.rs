@@ -56,7 +56,6 @@ pub enum Quality {
 impl Quality {
     pub const DRAFT: Self = Self::Fixed(Fixed::Draft);
     pub const FAST: Self = Self::Fixed(Fixed::Fast);
-    pub const FINE: Self = Self::Fixed(Fixed::Fine);
     pub const SMALL: Self = Self::Fixed(Fixed::Small);
     pub const EXACT: Self = Self::Fixed(Fixed::Exact);
 
@@ -73,7 +72,6 @@ impl ValueEnum for Quality {
         &[
             Self::DRAFT,
             Self::FAST,
-            Self::FINE,
             Self::SMALL,
             Self::EXACT,
             Self::Float,

@@ -42,7 +42,7 @@ pub struct Arguments {
 const TARGETS: [(&str, &str); 2] = [("thumbv6m-none-eabi", "m0"), ("thumbv7m-none-eabi", "m3")];
 
 /// The measured qualities: all but the float port.
-pub const QUALITIES: [Quality; 4] = [Quality::FAST, Quality::FINE, Quality::SMALL, Quality::EXACT];
+pub const QUALITIES: [Quality; 3] = [Quality::FAST, Quality::SMALL, Quality::EXACT];
 
 /// Numbers of reflections of a scene with mirrors. A scene without mirrors is built with the first
 /// only.

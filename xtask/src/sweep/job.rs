@@ -82,14 +82,14 @@ mod tests {
     fn contestant_is_named_by_its_type() {
         let names = [
             Setting::float(3, 1),
-            Setting::fixed(Level::Fine, 0),
+            Setting::fixed(Level::Exact, 0),
             Setting::fixed(Level::Cut16, 9),
             Setting::unshadowed(9, 1),
         ]
         .map(|it| type_name(&it));
         let expected = [
             "firmware::Float<Seen>",
-            "firmware::Varied<Scene, Seen, reflet::quality::Fine, reflet::shading::BlinnPhong>",
+            "firmware::Varied<Scene, Seen, reflet::quality::Exact, reflet::shading::BlinnPhong>",
             "firmware::Varied<Scene, Seen, OwnT4194304W67108864, reflet::shading::BlinnPhong>",
             "firmware::Varied<Scene, Seen, reflet::quality::Fast, \
              reflet::shading::Unshadowed<reflet::shading::BlinnPhong>>",

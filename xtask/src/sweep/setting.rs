@@ -1,7 +1,7 @@
 //! A setting of a sweep as a value: fixed point or float, quality, reflections and pixel size.
 
 use reflet::Unit;
-use reflet::quality::{Exact, Fast, Fine, Quality};
+use reflet::quality::{Exact, Fast, Quality};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Setting {
@@ -24,7 +24,6 @@ pub enum Contestant {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Level {
     Fast,
-    Fine,
     Exact,
     /// [`Fast`] with a smallest weight of 2⁻²: paths stop below it.
     Cut4,
@@ -79,7 +78,6 @@ impl Level {
     pub fn name(self) -> &'static str {
         match self {
             Self::Fast => "fast",
-            Self::Fine => "fine",
             Self::Exact => "exact",
             Self::Cut4 => "fast, cut at 1/4",
             Self::Cut16 => "fast, cut at 1/16",
@@ -93,7 +91,6 @@ impl Level {
     pub fn library_type(self) -> Option<&'static str> {
         match self {
             Self::Fast => Some("Fast"),
-            Self::Fine => Some("Fine"),
             Self::Exact => Some("Exact"),
             _ => None,
         }
@@ -102,7 +99,6 @@ impl Level {
     pub fn visit<V: Visitor>(self, visitor: V) -> V::Output {
         match self {
             Self::Fast => visitor.visit::<Fast>(),
-            Self::Fine => visitor.visit::<Fine>(),
             Self::Exact => visitor.visit::<Exact>(),
             Self::Cut4 => visitor.visit::<Own<{ 1 << 28 }, 1>>(),
             Self::Cut16 => visitor.visit::<Own<{ 1 << 26 }, 1>>(),

@@ -43,7 +43,7 @@ fn head(tried: &[Tried]) -> String {
          case misses its bar, is worse than `f32` for no reason that is named, or the aim below is \
          missed; the tests try the same catalogue.\n\n\
          Pictures are {SIDE}x{SIDE} ({SHORT_SIDE}x{SHORT_SIDE} with more than {MANY} reflections), in \
-         Blinn-Phong, by `Exact`, `Fine` and `Fast`, and by the double-precision reference's own formulas \
+         Blinn-Phong, by `Exact` and `Fast`, and by the double-precision reference's own formulas \
          in single precision (`f32`), which trace every pixel, as `Exact` does. Errors are of `Exact`; a \
          picture's is the mean difference of a channel in 255ths from the double-precision reference, \
          unless the unit says otherwise. Fixed point is no worse than `f32` where its error is not larger; \
@@ -53,7 +53,7 @@ fn head(tried: &[Tried]) -> String {
          {} cases, {} of which meet their bar. Of those that both can try, fixed point is no worse than \
          `f32` in {}: its error is smaller in {}, the same in {}, and larger by nothing that can be seen or told apart in {}. The \
          aim is that these are {} at least: it is {aim}. `Exact` is held to it, as it does the same work; \
-         `Fine` and `Fast`, which take pixels from those beside them, are no worse in {} and {}. `Fine` \
+         `Fast`, which takes pixels from those beside them, is no worse in {}. It \
          has {} pixels off by more than 8 that `Exact` has right, {} of them at an edge.\n",
         tried.len(),
         tried.iter().filter(|it| it.verdict.is_met).count(),
@@ -63,7 +63,6 @@ fn head(tried: &[Tried]) -> String {
         compared.no_worse[0] - compared.smaller - compared.same,
         percent(report::AIM),
         compared.no_worse[1],
-        compared.no_worse[2],
         compared.lost,
         compared.lost_at_edges,
     )
@@ -76,18 +75,18 @@ fn write_chapter(page: &mut String, chapter: &[Tried]) {
     let _ = write!(page, "\n## {title}\n");
     if !figures.is_empty() {
         page.push_str(
-            "\n| case | why it is hard | reference | unit | fixed | f32 | within 8: Exact | Fine | Fast \
-             | f32 | bar | verdict |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+            "\n| case | why it is hard | reference | unit | fixed | f32 | within 8: Exact | Fast \
+             | f32 | bar | verdict |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
         );
     }
     for tried in figures {
         let verdict = &tried.verdict;
         let [fixed, single] = verdict.errors.unwrap_or_default();
         let shares = verdict.within8.map(|shares| shares.map(percent));
-        let [exact, fine, fast, port] = shares.unwrap_or_else(|| [""; 4].map(str::to_owned));
+        let [exact, fast, port] = shares.unwrap_or_else(|| [""; 3].map(str::to_owned));
         let _ = writeln!(
             page,
-            "| {} | {} | {} | {} | {} | {} | {exact} | {fine} | {fast} | {port} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {exact} | {fast} | {port} | {} | {} |",
             tried.name,
             tried.why,
             verdict.reference,

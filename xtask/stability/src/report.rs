@@ -67,8 +67,8 @@ impl Tried {
             format!("fixed {}, f32 {} ({unit})", number(fixed), number(single))
         });
         let within8 = within8.map(|shares| {
-            let [exact, fine, fast, single] = shares.map(percent);
-            format!("within 8: Exact {exact}, Fine {fine}, Fast {fast}, f32 {single}")
+            let [exact, fast, single] = shares.map(percent);
+            format!("within 8: Exact {exact}, Fast {fast}, f32 {single}")
         });
         let parts: Vec<_> = errors.into_iter().chain(within8).collect();
         match parts.is_empty() {
@@ -100,13 +100,13 @@ pub const AIM: f64 = 0.9;
 pub struct Compared {
     /// Number of cases in which fixed point and single precision are compared.
     pub all: usize,
-    /// Cases that are no worse by the rule of the page, in `Exact`, `Fine` and `Fast`.
-    pub no_worse: [usize; 3],
+    /// Cases that are no worse by the rule of the page, in `Exact` and `Fast`.
+    pub no_worse: [usize; 2],
     /// Cases in which the error of fixed point is smaller, even if invisibly. `same`: cases with
     /// equal errors.
     pub smaller: usize,
     pub same: usize,
-    /// Pixels that are off by more than 8 in `Fine` but not in `Exact`. `lost_at_edges`: those at an
+    /// Pixels that are off by more than 8 in `Fast` but not in `Exact`. `lost_at_edges`: those at an
     /// edge.
     pub lost: usize,
     pub lost_at_edges: usize,
@@ -121,7 +121,7 @@ impl Compared {
         let off = || verdicts().filter_map(|it| it.off);
         Self {
             all: compared().count(),
-            no_worse: [0, 1, 2].map(|quality| compared().filter(|it| it[quality]).count()),
+            no_worse: [0, 1].map(|quality| compared().filter(|it| it[quality]).count()),
             smaller: errors().filter(|[fixed, single]| fixed < single).count(),
             same: errors().filter(|[fixed, single]| fixed == single).count(),
             lost: off().map(|it| it.lost).sum(),

@@ -48,7 +48,7 @@ const FRONT: ParetoFront = ParetoFront::new(&[
     FrontPoint {
         instructions: 1500,
         reflections: 4,
-        level: QualityLevel::Fine,
+        level: QualityLevel::Exact,
         scale: 1,
         psnr: 6000,
         ..CHEAP

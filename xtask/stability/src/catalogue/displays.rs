@@ -5,7 +5,7 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
 use reflet::host::reference::{self, Shading};
-use reflet::quality::Fine;
+use reflet::quality::Fast;
 
 use super::draft::Setting;
 use super::scene::Scene;
@@ -18,7 +18,7 @@ fn still_life() -> Scene {
 /// Returns the share of the pixels in some rows that are within 8 of 255 of the reference.
 fn within8(size: (u32, u32), lines: &[u32]) -> f64 {
     let scene = still_life();
-    let frame = scene.built.frame(&scene.camera).quality::<Fine>();
+    let frame = scene.built.frame(&scene.camera).quality::<Fast>();
     let frame = frame.prepare(Size::new(size.0, size.1));
     let rows = frame.on(&*scene.built).expect("the frame is this scene's");
     let mut row = vec![Rgb888::BLACK; size.0 as usize];

@@ -2,7 +2,7 @@
 
 use reflet::host::compare::compare;
 use reflet::host::reference::Picture;
-use reflet::quality::{Exact, Fast, Fine};
+use reflet::quality::{Exact, Fast};
 
 use super::scene::Scene;
 use super::{Bar, Case, Measured, Trial};
@@ -42,16 +42,16 @@ pub struct Verdict {
     pub unit: &'static str,
     /// Errors of fixed point and of single precision; `None` for a case without numbers.
     pub errors: Option<[f64; 2]>,
-    /// Shares of the pixels within 8 of 255 in `Exact`, `Fine`, `Fast` and single precision; `None`
+    /// Shares of the pixels within 8 of 255 in `Exact`, `Fast` and single precision; `None`
     /// if the case is no picture.
-    pub within8: Option<[f64; 4]>,
+    pub within8: Option<[f64; 3]>,
     /// The pixels of `Exact` that are not within 8 of 255; `None` if the case is no picture.
     pub off: Option<Off>,
     /// Whether the case meets its bar.
     pub is_met: bool,
-    /// Whether `Exact`, `Fine` and `Fast` are no worse than single precision. For a case that is no
-    /// picture all three are the same.
-    pub no_worse: Option<[bool; 3]>,
+    /// Whether `Exact` and `Fast` are no worse than single precision. For a case that is no picture
+    /// both are the same.
+    pub no_worse: Option<[bool; 2]>,
     /// Text of the bar, and further remarks.
     pub words: String,
 }
@@ -77,9 +77,9 @@ pub struct Off {
     pub pixels: usize,
     /// Those at an edge: in the reference, one of the eight pixels around differs by more than 8.
     pub at_edges: usize,
-    /// Pixels that are off in `Fine` and right in `Exact`.
+    /// Pixels that are off in `Fast` and right in `Exact`.
     pub lost: usize,
-    /// Pixels at an edge that are off in `Fine` and right in `Exact`.
+    /// Pixels at an edge that are off in `Fast` and right in `Exact`.
     pub lost_at_edges: usize,
 }
 
@@ -118,7 +118,7 @@ fn judge_measured(it: Measured) -> Verdict {
         unit: it.unit,
         errors: Some([it.fixed, it.single]),
         is_met: it.fixed <= it.bar,
-        no_worse: Some([it.fixed <= it.single.max(it.uncertain); 3]),
+        no_worse: Some([it.fixed <= it.single.max(it.uncertain); 2]),
         words: format!("at most {:.2e}. {}", it.bar, it.note),
         ..Verdict::NONE
     }
@@ -127,8 +127,8 @@ fn judge_measured(it: Measured) -> Verdict {
 /// Pictures of one scene.
 pub struct Pictures {
     truth: Picture,
-    /// By `Exact`, `Fine`, `Fast`, and in single precision.
-    drawn: [Picture; 4],
+    /// By `Exact`, `Fast`, and in single precision.
+    drawn: [Picture; 3],
     /// Reference pictures from slightly moved eyes; empty unless the picture is chaotic.
     nudged: Vec<Picture>,
 }
@@ -151,7 +151,6 @@ impl Pictures {
             truth: scene.truth(&scene.eye, reflections, side),
             drawn: [
                 scene.drawn::<Exact>(reflections, (side, side)),
-                scene.drawn::<Fine>(reflections, (side, side)),
                 scene.drawn::<Fast>(reflections, (side, side)),
                 scene.single(reflections, side),
             ],
@@ -159,27 +158,27 @@ impl Pictures {
     }
 
     /// Returns an error of each picture against the truth.
-    fn errors(&self, error: impl Fn(&Picture, &Picture) -> f64) -> [f64; 4] {
+    fn errors(&self, error: impl Fn(&Picture, &Picture) -> f64) -> [f64; 3] {
         self.drawn.each_ref().map(|it| error(it, &self.truth))
     }
 
     /// Returns a verdict without a bar, in which a quality is no worse if its error is not larger.
-    fn compared(&self, errors: [f64; 4]) -> Verdict {
-        let [exact, fine, fast, single] = errors;
+    fn compared(&self, errors: [f64; 3]) -> Verdict {
+        let [exact, fast, single] = errors;
         Verdict {
             errors: Some([exact, single]),
             within8: Some(self.errors(within8_of)),
             off: Some(self.off()),
-            no_worse: Some([exact, fine, fast].map(|error| error <= single)),
+            no_worse: Some([exact, fast].map(|error| error <= single)),
             ..Verdict::NONE
         }
     }
 
-    /// Returns the number of pixels, over all three qualities, that differ from those of `other`: at all in
-    /// `Exact`, and by more than one level in the others, which may trace a pixel in one of the two scenes
+    /// Returns the number of pixels, over both qualities, that differ from those of `other`: at all in
+    /// `Exact`, and by more than one level in `Fast`, which may trace a pixel in one of the two scenes
     /// and interpolate it in the other.
     pub fn differing(&self, other: &Self) -> usize {
-        let pairs = self.drawn.iter().zip(&other.drawn).zip([0, 1, 1]);
+        let pairs = self.drawn.iter().zip(&other.drawn).zip([0, 1]);
         let counts = pairs.map(|((one, other), most)| {
             let pixels = one.pixels.iter().zip(&other.pixels);
             pixels.filter(|(a, b)| differ(a, b, most)).count()
@@ -191,9 +190,9 @@ impl Pictures {
         let is_off = |picture: &Picture, index: usize| {
             differ(&picture.pixels[index], &self.truth.pixels[index], VISIBLE)
         };
-        let [exact, fine, ..] = &self.drawn;
+        let [exact, fast, ..] = &self.drawn;
         let all = 0..self.truth.pixels.len();
-        let is_lost = |it: &usize| is_off(fine, *it) && !is_off(exact, *it);
+        let is_lost = |it: &usize| is_off(fast, *it) && !is_off(exact, *it);
         let lost: Vec<_> = all.clone().filter(is_lost).collect();
         let off: Vec<_> = all.filter(|it| is_off(exact, *it)).collect();
         let is_at_edge = |it: &&usize| is_edge(&self.truth, **it, VISIBLE);
@@ -209,13 +208,13 @@ impl Pictures {
     fn judge(&self, bar: f64) -> Verdict {
         let (errors, within8) = (self.errors(mean_error), self.errors(within8_of));
         let is_no_worse = |it: usize| {
-            errors[it] <= errors[3] || (errors[it] < UNSEEN && within8[it] >= within8[3])
+            errors[it] <= errors[2] || (errors[it] < UNSEEN && within8[it] >= within8[2])
         };
         Verdict {
             reference: "double",
             unit: "mean, 255ths",
-            is_met: within8[..3].iter().all(|share| *share >= bar),
-            no_worse: Some([0, 1, 2].map(is_no_worse)),
+            is_met: within8[..2].iter().all(|share| *share >= bar),
+            no_worse: Some([0, 1].map(is_no_worse)),
             words: format!(
                 "{:.1} % of the pixels within 8, in every quality",
                 100.0 * bar
@@ -235,10 +234,10 @@ impl Pictures {
         Verdict {
             reference: "closed form",
             unit: "largest, 255ths",
-            is_met: errors[..3].iter().all(|error| *error <= bar),
+            is_met: errors[..2].iter().all(|error| *error <= bar),
             words: format!(
                 "{bar} in every quality, half of one by rounding; `Fast` {:.2}",
-                errors[2]
+                errors[1]
             ),
             ..self.compared(errors)
         }
@@ -247,7 +246,7 @@ impl Pictures {
     fn judge_statistics(&self) -> Verdict {
         let errors = self.errors(apart);
         let [histogram @ .., _] = self.errors(histogram_error);
-        let (furthest, histogram) = (largest(errors[..3].iter().copied()), largest(histogram));
+        let (furthest, histogram) = (largest(errors[..2].iter().copied()), largest(histogram));
         // Differences between references of the same chaos.
         let nudged = || self.nudged.iter();
         let noise = largest(nudged().map(|it| apart(it, &self.truth)));
@@ -263,7 +262,7 @@ impl Pictures {
             // In a chaotic picture no single pixel is expected to be right.
             off: None,
             is_met: are_close && is_chaotic,
-            no_worse: Some([0, 1, 2].map(|it| errors[it] <= errors[3].max(noise))),
+            no_worse: Some([0, 1].map(|it| errors[it] <= errors[2].max(noise))),
             words: format!(
                 "at most {} % of the reference's own pixels within 8 with its eye moved (here {:.1} %); and \
                  for the mean colour (`Fast` {:.3}) and the \
@@ -272,7 +271,7 @@ impl Pictures {
                  {:.0e}: {noise:.3} and {bins:.4}. What is below that cannot be told apart",
                 100.0 * CHAOTIC,
                 100.0 * alike,
-                errors[2],
+                errors[1],
                 largest(NUDGES),
             ),
             ..self.compared(errors)

@@ -194,7 +194,7 @@ fn stable_winners() -> Result<String, String> {
     });
     let names: Vec<_> = pictures.collect::<Result<_, String>>()?;
     Ok(format!(
-        "not a pixel of `Exact` differs from the picture with the first alone, and none of `Fine` and \
+        "not a pixel of `Exact` differs from the picture with the first alone, and none of \
          `Fast` by more than one level: {}",
         names.join(", ")
     ))

@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
-use reflet::quality::{Exact, Fast, Fine};
+use reflet::quality::{Exact, Fast};
 
 use super::symmetry::{SIDE, drawn};
 use stability::catalogue::draft::{Draft, Setting, still_life};
@@ -32,7 +32,6 @@ fn none_is_brighter(draft: &Draft, reflections: u8, most: u8) -> Result<(), Test
     let (scene, size) = (Scene::read(&draft.text()).unwrap(), (48, 24));
     let pictures = [
         ("Exact", scene.drawn::<Exact>(reflections, size)),
-        ("Fine", scene.drawn::<Fine>(reflections, size)),
         ("Fast", scene.drawn::<Fast>(reflections, size)),
     ];
     for (quality, picture) in pictures {
