@@ -220,6 +220,10 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Tests whether each light shines on a whole stretch or on nothing of it, with a highlight that can be
     /// interpolated. `steps` are proved before. Returns how many are if not all are.
     fn keeps_lights(&self, shown: &Shown<'_>, steps: usize) -> Result<(), usize> {
+        // A perfect mirror has no colour of its own.
+        if K::REFLECTS && shown.material.mirror == Unit::ONE {
+            return Ok(());
+        }
         let lights = self.world.tables().light_occluders;
         for (index, light) in lights.iter().enumerate().skip(steps - 1) {
             let is_hidden = self.visibility.is_hidden(index);
