@@ -176,7 +176,7 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     ///
     /// The instructions of a front's points were counted with a row in memory as the target, at the size
     /// of the report. The work of the target is added to them: on a Cortex-M3 a target in memory adds up
-    /// to 16 instructions for each pixel, or up to 256 for each enlarged pixel, which is drawn as a
+    /// to 28 instructions for each pixel, or up to 268 for each enlarged pixel, which is drawn as a
     /// square (`xtask/tests/budget.rs` checks this for the castle). A driver of a display has its own
     /// cost. On a smaller display a pixel takes more instructions, because fewer pixels are
     /// interpolated: the castle at 64 by 48 takes up to 1.8 times what its front of 128 by 128 says,
