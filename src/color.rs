@@ -3,7 +3,7 @@
 
 use crate::number::{
     Brightness, Number, Unit, add_high_positive, high_positive, narrowed, offset_modulo_2_32,
-    signed, to_u8, unsigned, wide_positive,
+    scaled_by_unit, signed, to_u8, unsigned, wide_positive,
 };
 
 /// Linear colour: red, green and blue in Q6.26, each from 0 to below 32.
@@ -57,6 +57,23 @@ impl Color {
         } else {
             blue
         }
+    }
+
+    /// Tests whether all three components have the same brightness.
+    pub(crate) const fn is_grey(self) -> bool {
+        let [red, green, blue] = self.0;
+        red.to_bits() == green.to_bits() && green.to_bits() == blue.to_bits()
+    }
+
+    /// Returns the colour at a share, 0 to 1, of the way to another. Rounded down to 2⁻²⁶.
+    #[inline(always)]
+    pub(crate) fn towards(self, other: Self, share: Unit) -> Self {
+        let part = |from: Brightness, to: Brightness| {
+            let change = scaled_by_unit(to.to_bits() - from.to_bits(), share);
+            Brightness::from_bits(from.to_bits() + change)
+        };
+        let ([r, g, b], [red, green, blue]) = (self.0, other.0);
+        Self([part(r, red), part(g, green), part(b, blue)])
     }
 
     /// Creates a grey: all three components have the same brightness.

@@ -98,6 +98,8 @@ macro_rules! faults {
             Mirror,
             /// A background component outside 0 to 16.
             Background,
+            /// A sky whose `up` has length zero.
+            Sky,
             /// An epsilon that is zero, negative, or not smaller than the scene's extent.
             Epsilon,
             /// A material that may send out more than 30 times white under the lights of its scene.
@@ -160,6 +162,7 @@ macro_rules! faults {
                     Self::Shininess => "shininess must be within 0 to 2^20",
                     Self::Mirror => "mirror must be within 0 to 1",
                     Self::Background => "background components must be within 0 to 16",
+                    Self::Sky => "up must not be zero",
                     Self::Epsilon => "epsilon must be greater than 0 and smaller than the scene",
                     Self::Brightness => BRIGHTNESS,
                     $(

@@ -8,7 +8,7 @@
 //!
 //! αᵢ is how mirror-like the i-th surface on the ray's path is: 0 for a matt surface, 1 for a perfect
 //! mirror. cᵢ is the colour of that surface by Phong or Blinn-Phong shading, without reflections. A ray
-//! that hits nothing adds the background, which is black by default.
+//! that hits nothing adds the background: black by default, one colour, or a sky.
 //!
 //! # A picture on a desk
 //!
@@ -188,6 +188,7 @@ extern crate std;
 mod kinds;
 
 mod accel;
+mod background;
 mod camera;
 mod color;
 pub mod display;
@@ -255,6 +256,7 @@ pub mod needs {
 
 /// Descriptions of scenes: the numbers that they were written with, before they are prepared.
 pub mod description {
+    pub use crate::background::Sky;
     pub use crate::camera::CameraDescription;
     pub use crate::light::Light;
     pub use crate::scene::Description;

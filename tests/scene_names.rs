@@ -64,7 +64,7 @@ scenes_named! {
 
 scenes_named! {
     scene_has_a_name_of_a_part:
-    background cylinder disc epsilon light motion plane sphere spheres planes cylinders discs lights
+    background cylinder disc epsilon light motion plane sky sphere spheres planes cylinders discs lights
     materials
 }
 

@@ -81,6 +81,10 @@ impl Fingerprint {
 
     const fn rest(self, scene: &Description<'_>) -> Self {
         let mut hash = self.color(&scene.background).number(scene.epsilon);
+        if let Some(sky) = &scene.sky {
+            hash = hash.position(&sky.up).color(&sky.below);
+            hash = hash.color(&sky.horizon).color(&sky.above);
+        }
         let mut index = 0;
         while index < scene.materials.len() {
             hash = hash.material(&scene.materials[index]);

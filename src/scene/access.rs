@@ -5,7 +5,7 @@ use super::needs::Needs;
 use super::prepare::PlainScene;
 use super::shape_set::ShapeSet;
 use super::used;
-use crate::color::Color;
+use crate::background::PreparedBackground;
 use crate::grid::Grid;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
@@ -30,7 +30,7 @@ macro_rules! parts {
             pub(crate) planes: &'a [PreparedPlane],
             pub(crate) lights: &'a [PreparedLight],
             pub(crate) materials: &'a [PreparedMaterial],
-            pub(crate) background: Color,
+            pub(crate) background: PreparedBackground,
             /// Largest component of any colour that a path can add, [`Color::in_levels`]; rounded up.
             pub(crate) brightest: Brightness,
             /// Reciprocal of `brightest`, rounded down to 8 leading bits, and at most 1.

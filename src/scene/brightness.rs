@@ -1,7 +1,7 @@
 //! An upper bound on the colours of a scene. It tells how much a path that is cut off can still lose.
 
 use super::access::Parts;
-use crate::color::Color;
+use crate::background::PreparedBackground;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{
@@ -13,10 +13,18 @@ use crate::number::{
 pub(super) const fn brightest(
     materials: &[PreparedMaterial],
     lights: &[PreparedLight],
-    background: Color,
+    background: &PreparedBackground,
 ) -> Brightness {
-    let mut most = bits(background.largest());
-    let mut index = 0;
+    let mut most = 0;
+    let (colors, mut index) = (background.colors(), 0);
+    while index < colors.len() {
+        let own = bits(colors[index].largest());
+        if own > most {
+            most = own;
+        }
+        index += 1;
+    }
+    index = 0;
     while index < materials.len() {
         let own = brightest_of(&materials[index], lights);
         if own > most {

@@ -5,6 +5,7 @@ use core::panic::Location;
 use super::capacity::{Capacity, Counts, Room};
 use super::description::{Described, Description};
 use super::prepare;
+use crate::background::Background;
 use crate::camera::Camera;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
@@ -80,10 +81,25 @@ impl<R: Capacity> SceneBuilder<R> {
     /// Sets the colour of rays that hit nothing; each component is 0 to 16. Defaults to black.
     #[track_caller]
     pub const fn background(mut self, color: [f64; 3]) -> Self {
-        self.described.background = numbers(color);
-        let fault = prepare::background_fault(self.described.background);
-        self.refuse("scene", None, fault);
+        self.set_background(Background::of_color(numbers(color)));
         self
+    }
+
+    /// Sets a sky as the background: the direction straight up, and the colours straight down, at the
+    /// horizon and straight up; each component is 0 to 16. [`Sky`](crate::description::Sky) has the formula.
+    #[track_caller]
+    pub const fn sky(mut self, up: [f64; 3], [below, horizon, above]: [[f64; 3]; 3]) -> Self {
+        let colors = [numbers(below), numbers(horizon), numbers(above)];
+        self.set_background(Background::of_sky(Position(numbers(up)), colors));
+        self
+    }
+
+    #[track_caller]
+    const fn set_background(&mut self, background: Background) {
+        self.described.background = background;
+        if let Some((part, fault)) = background.fault() {
+            self.refuse(part, None, Some(fault));
+        }
     }
 
     /// Sets epsilon: how far above a surface its shadow rays and reflected rays start, in scene units.

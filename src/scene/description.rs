@@ -2,6 +2,7 @@
 
 use super::capacity::{Capacity, Counts, Room};
 use super::list::List;
+use crate::background::{Background, Sky};
 use crate::camera::Camera;
 use crate::light::Light;
 use crate::material::Material;
@@ -56,8 +57,10 @@ macro_rules! description {
             pub lights: &'a [Light],
             /// Materials; the `material` of a shape is an index into this list.
             pub materials: &'a [Material],
-            /// Colour of rays that hit nothing: red, green and blue, 0 to 16 each.
+            /// Colour of rays that hit nothing, if there is no sky: red, green and blue, 0 to 16 each.
             pub background: [Number; 3],
+            /// Sky that rays show that hit nothing, if there is one.
+            pub sky: Option<Sky>,
             /// Distance above a surface at which the rays start that leave it, in scene units; see
             /// [`SceneBuilder::epsilon`](crate::SceneBuilder::epsilon).
             pub epsilon: Number,
@@ -79,6 +82,10 @@ macro_rules! description {
                 )*
                 let _ = number;
                 None
+            }
+
+            pub(super) const fn background(&self) -> Background {
+                Background { color: self.background, sky: self.sky }
             }
 
             /// Returns the kind of the first bounded shape.
@@ -122,7 +129,7 @@ macro_rules! description {
             pub(super) planes: List<R::Planes<Plane>>,
             pub(super) lights: List<R::Lights<Light>>,
             pub(super) materials: List<R::Materials<Material>>,
-            pub(super) background: [Number; 3],
+            pub(super) background: Background,
             pub(super) epsilon: Number,
             pub(super) camera: Option<Camera>,
             pub(super) motion: Option<[Position; 2]>,
@@ -137,7 +144,7 @@ macro_rules! description {
                     planes: List::new(Plane::NONE),
                     lights: List::new(Light::NONE),
                     materials: List::new(Material::NONE),
-                    background: [Number::ZERO; 3],
+                    background: Background::BLACK,
                     epsilon: Number::new(EPSILON),
                     camera: None,
                     motion: None,
@@ -150,7 +157,8 @@ macro_rules! description {
                     planes: self.planes.as_slice(),
                     lights: self.lights.as_slice(),
                     materials: self.materials.as_slice(),
-                    background: self.background,
+                    background: self.background.color,
+                    sky: self.background.sky,
                     epsilon: self.epsilon,
                     camera: self.camera,
                     motion: self.motion,

@@ -6,6 +6,7 @@ mod finish;
 mod words;
 
 pub use bound::{MostReflections, NeedsLimit};
+pub use finish::{Mirrors, Shininess};
 pub use words::Need;
 
 use finish::Finish;
@@ -70,6 +71,8 @@ macro_rules! needs {
             pub sets: bool,
             /// Whether the scene has more than one material.
             pub materials: bool,
+            /// Whether the background is a sky, or may be.
+            pub sky: bool,
             /// Whether the scene has colours; a scene in grey computes one channel.
             pub colors: bool,
         }
@@ -89,6 +92,7 @@ macro_rules! needs {
                 mirrored: true,
                 sets: true,
                 materials: true,
+                sky: true,
                 colors: true,
             };
 
@@ -105,7 +109,7 @@ macro_rules! needs {
 
             /// Returns name and level of each need that a limit may lower, the kinds of bounded shapes
             /// first.
-            const fn levels(&self) -> [(&'static str, u8); KINDS + 11] {
+            const fn levels(&self) -> [(&'static str, u8); KINDS + 12] {
                 [
                     $((stringify!($list), self.$list as u8),)*
                     ("planes", self.planes as u8),
@@ -119,13 +123,14 @@ macro_rules! needs {
                     ("mirrors", !matches!(self.mirrors, Mirrors::All) as u8),
                     ("mirrored", self.mirrored as u8),
                     ("materials", self.materials as u8),
+                    ("sky", self.sky as u8),
                     ("colors", self.colors as u8),
                 ]
             }
 
-            /// Tests whether the scene has no shape at all, so that every pixel shows the background.
+            /// Tests whether the scene has no shape and no sky, so that all pixels have one colour.
             pub const fn is_nothing(&self) -> bool {
-                !(self.planes $(|| self.$list)*)
+                !(self.planes || self.sky $(|| self.$list)*)
             }
 
             $(
@@ -144,7 +149,7 @@ kinds!(needs);
 impl Parts<'_> {
     /// Returns the needs of a scene with these parts.
     pub(crate) const fn needs(&self) -> Needs {
-        let mut finish = Finish::new(self.background, self.lights);
+        let mut finish = Finish::new(&self.background, self.lights);
         let mut number = 0;
         while let Some((_, material)) = self.ball(number) {
             finish.add(self.materials, material);
@@ -157,37 +162,6 @@ impl Parts<'_> {
         }
         Needs::of_room(&self.counts()).of_finish(&finish)
     }
-}
-
-/// The powers that the highlights of a scene take. Each variant includes those before it.
-///
-/// ```
-/// use reflet::needs::{Needs, Shininess};
-///
-/// const WHOLE: Needs = Needs::ALL.with_shininess(Shininess::Whole);
-/// assert!(WHOLE.highlights && Shininess::Even < WHOLE.shininess && WHOLE.shininess < Shininess::Real);
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Shininess {
-    /// No power: the scene has no highlight.
-    None,
-    /// Even whole numbers: Blinn-Phong shading takes no root.
-    Even,
-    /// Whole numbers: no logarithm is computed.
-    Whole,
-    /// Highlights take any real power.
-    Real,
-}
-
-/// The surfaces of a scene that mirror: none, some or all.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mirrors {
-    /// No surface mirrors: every path ends at the first surface.
-    None,
-    /// Some surfaces mirror, or surfaces mirror a part of the light.
-    Some,
-    /// Every surface mirrors all light (α = 1): no surface has a colour of its own.
-    All,
 }
 
 /// Largest number of bounded shapes for which testing all takes less time than choosing candidates.
@@ -219,7 +193,7 @@ impl Needs {
                 (0, 1) => 1,
                 _ => u8::MAX,
             },
-            mirrored: bounded > 0 || planes > 1,
+            mirrored: bounded + planes > 0,
             sets: is_lit && bounded > FEW,
             materials: counts.materials > 1,
             ..Self::of_kinds(counts)
@@ -246,7 +220,11 @@ impl Needs {
                 Mirrors::None => 0,
                 _ => self.reflections,
             },
-            mirrored: self.mirrored && !matches!(mirrors, Mirrors::None),
+            // A single plane shows only the background. A sky depends on the ray, a colour does not.
+            mirrored: self.mirrored
+                && !matches!(mirrors, Mirrors::None)
+                && (self.reflections > 1 || finish.has_sky),
+            sky: finish.has_sky,
             colors: !(finish.is_grey && (finish.is_lit_grey || !self.lights)),
             ..self
         }
@@ -288,6 +266,7 @@ impl Needs {
                 && other.reflections > 0,
             sets: self.sets && other.sets,
             materials: self.materials && other.materials,
+            sky: self.sky && other.sky,
             colors: self.colors && other.colors,
             ..self.of_both_kinds(other)
         }

@@ -8,25 +8,18 @@ use super::description::EPSILON;
 use super::layout::choose_grid;
 use super::shape_set::ShapeSet;
 use super::{Description, used};
+use crate::background::PreparedBackground;
 use crate::camera::Camera;
 use crate::color::Color;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::light::{Light, PreparedLight};
-use crate::material::{PreparedMaterial, is_color};
+use crate::material::PreparedMaterial;
 use crate::number::{Brightness, Length, Number, Unit, signed_wide};
 use crate::shape::plane::PreparedPlane;
 use crate::shape::size_fault;
 use crate::vector::{Point, Position};
-
-pub(super) const fn background_fault(color: [Number; 3]) -> Option<ErrorKind> {
-    if is_color(color) {
-        None
-    } else {
-        Some(ErrorKind::Background)
-    }
-}
 
 pub(super) const fn epsilon_fault(epsilon: Number) -> Option<ErrorKind> {
     match size_fault(epsilon, ErrorKind::Epsilon) {
@@ -80,7 +73,7 @@ macro_rules! prepare {
             pub(crate) lights: R::Lights<PreparedLight>,
             pub(crate) materials: R::Materials<PreparedMaterial>,
             pub(crate) counts: Counts,
-            pub(crate) background: Color,
+            pub(crate) background: PreparedBackground,
             pub(crate) brightest: Brightness,
             pub(crate) dimness: Unit,
             pub(crate) epsilon: Length,
@@ -106,7 +99,7 @@ macro_rules! prepare {
                     lights: [PreparedLight::NONE; L],
                     materials: [PreparedMaterial::NONE; M],
                     counts: scene.counts(),
-                    background: Color::from_numbers(scene.background).in_levels(),
+                    background: PreparedBackground::new(&scene.background()),
                     brightest: Brightness::ZERO,
                     dimness: Unit::ONE,
                     epsilon: at_least(epsilon, SMALLEST_EPSILON),
@@ -134,7 +127,7 @@ macro_rules! prepare {
                 prepared.brightest = brightest(
                     used(&prepared.materials, scene.materials.len()),
                     used(&prepared.lights, scene.lights.len()),
-                    prepared.background,
+                    &prepared.background,
                 );
                 prepared.dimness = dimness(prepared.brightest);
                 Ok(prepared)

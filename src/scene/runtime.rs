@@ -3,6 +3,7 @@
 use super::capacity::{Capacity, Room};
 use super::description::{Described, Description};
 use super::{Handle, list, prepare};
+use crate::background::Background;
 use crate::camera::Camera;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
@@ -115,9 +116,27 @@ impl<R: Capacity> RuntimeScene<R> {
     /// # Errors
     /// [`ErrorKind::Background`] if a component is out of range. The scene is then unchanged.
     pub fn set_background(&mut self, color: [impl Into<Number>; 3]) -> Result<(), Error> {
-        let background = color.map(Into::into);
-        if let Some(fault) = prepare::background_fault(background) {
-            return Err(Error::of("scene", fault));
+        self.set(Background::of_color(color.map(Into::into)))
+    }
+
+    /// Sets a sky as the background: the direction straight up, and the colours straight down, at the
+    /// horizon and straight up; each component is 0 to 16. [`Sky`](crate::description::Sky) has the formula.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Sky`] if `up` is zero, [`ErrorKind::Coordinate`] or [`ErrorKind::Color`] if a number is
+    /// out of range. The scene is then unchanged.
+    pub fn set_sky(
+        &mut self,
+        up: impl Into<Position>,
+        colors: [[impl Into<Number>; 3]; 3],
+    ) -> Result<(), Error> {
+        let colors = colors.map(|color| color.map(Into::into));
+        self.set(Background::of_sky(up.into(), colors))
+    }
+
+    fn set(&mut self, background: Background) -> Result<(), Error> {
+        if let Some((part, fault)) = background.fault() {
+            return Err(Error::of(part, fault));
         }
         self.0.background = background;
         Ok(())

@@ -4,6 +4,7 @@ use core::marker::PhantomData;
 
 use super::smooth::{Glance, is_smooth, quarter};
 use super::{LightQuality, Lit, Visibility, lit_color};
+use crate::background::Beyond;
 use crate::color::{Color, halved};
 use crate::number::{
     Brightness, Exponent, Unit, even_power, high_unsigned, narrowed, offset_modulo_2_32, power,
@@ -11,7 +12,7 @@ use crate::number::{
 };
 use crate::scene::access::SceneAccess;
 use crate::scene::{Shininess, Surface};
-use crate::vector::Vector;
+use crate::vector::{Direction, Vector};
 
 /// A shading model. Choose one with [`crate::FrameBuilder::shading`].
 ///
@@ -36,10 +37,11 @@ impl<T: sealed::Shading> Shading for T {}
 pub(crate) mod sealed {
     use super::super::smooth::Glance;
     use super::super::{LightQuality, Lit, Visibility};
-    use crate::color::Color;
+    use crate::background::Beyond;
     use crate::number::Exponent;
     use crate::scene::Surface;
     use crate::scene::access::SceneAccess;
+    use crate::vector::Direction;
 
     pub trait Shading {
         /// Whether paths are reflected at mirrors.
@@ -62,8 +64,8 @@ pub(crate) mod sealed {
         /// it can be interpolated.
         fn is_smooth(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> bool;
 
-        /// Returns the colour of a ray that hits nothing.
-        fn missed<W: SceneAccess>(world: &W) -> Color;
+        /// Returns what a ray in a direction shows that hits nothing.
+        fn missed<W: SceneAccess>(world: &W, direction: Direction) -> Beyond;
     }
 }
 
@@ -121,8 +123,9 @@ impl<H: Highlight> sealed::Shading for H {
         is_smooth(ends.each_ref().map(H::deviation), bend, shininess)
     }
 
-    fn missed<W: SceneAccess>(world: &W) -> Color {
-        world.parts().background
+    #[inline(always)]
+    fn missed<W: SceneAccess>(world: &W, direction: Direction) -> Beyond {
+        world.parts().background.beyond(direction, W::NEEDS.sky)
     }
 }
 
@@ -146,8 +149,9 @@ impl sealed::Shading for Normals {
         true
     }
 
-    fn missed<W: SceneAccess>(_: &W) -> Color {
-        Color::new([Brightness::ZERO, Brightness::ZERO, Brightness::ONE]).in_levels()
+    fn missed<W: SceneAccess>(_: &W, _: Direction) -> Beyond {
+        let color = Color::new([Brightness::ZERO, Brightness::ZERO, Brightness::ONE]);
+        Beyond::of_one_color(color.in_levels())
     }
 }
 

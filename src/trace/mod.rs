@@ -30,7 +30,7 @@ use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Mirrors, Surface};
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{LightQuality, Lit};
-use crate::vector::Direction;
+use crate::vector::{Direction, Vector};
 
 /// The part of a quality that says how exactly paths are followed.
 pub trait PathQuality: CullingQuality + LightQuality {
@@ -59,13 +59,21 @@ impl Traced {
         signature: PathSignature::new(),
     };
 
-    /// Returns the result of a path that hits nothing: the background.
+    /// Returns the result of a path that hits nothing, where the background has one colour.
     pub(crate) fn missed<W: World, K: Shading>(world: &W) -> Self {
         let mut missed = Self::NONE;
-        missed.sum.add(Unit::ONE, K::missed(world));
-        missed.signature.note(u32::MAX);
+        let ahead = Direction::from_raw(Vector::new(1 << 30, 0, 0));
+        missed.add_missed::<W, K>(world, Unit::ONE, ahead);
         missed.signature = missed.signature.ended(true);
         missed
+    }
+
+    /// Adds what a ray shows that hits nothing.
+    #[inline(always)]
+    fn add_missed<W: World, K: Shading>(&mut self, world: &W, weight: Unit, direction: Direction) {
+        let beyond = K::missed(world, direction);
+        self.sum.add(weight, beyond.color);
+        self.signature.note(beyond.note());
     }
 }
 
@@ -127,7 +135,16 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// window are. Returns `None` if that is not known.
     #[inline(always)]
     pub(crate) fn clear_until(&self, window: &Window) -> Option<u32> {
-        self.culling.clear_until(self.world, window)
+        match self.has_sky() {
+            true => None,
+            false => self.culling.clear_until(self.world, window),
+        }
+    }
+
+    /// Tests whether rays that hit nothing show different colours.
+    #[inline(always)]
+    fn has_sky(&self) -> bool {
+        W::NEEDS.sky && self.world.parts().background.is_sky()
     }
 
     /// Returns the result of a path that hits nothing.
@@ -154,7 +171,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     ) -> Traced {
         let world = self.world;
         let mut ray = ScaledRay::new(self.visibility.from, direction);
-        let (mut sum, mut signature) = (Sum::ZERO, PathSignature::new());
+        let mut traced = Traced::NONE;
         stops.clear();
         let (mut throughput, mut bounce, mut is_bounded) = (Unit::ONE, Bounce::NONE, true);
         // Smallest throughput of a hit that can be seen.
@@ -162,14 +179,13 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let is_seen = |throughput| Self::IS_INTERPOLATED && Q::IS_SURE && throughput >= least;
         loop {
             let Some(surface) = self.surface(pixel, &ray, &bounce) else {
-                sum.add(throughput, K::missed(world));
-                signature.note(u32::MAX);
+                traced.add_missed::<W, K>(world, throughput, ray.direction());
                 if is_seen(throughput) {
                     stops.add(None, ray.direction());
                 }
                 break;
             };
-            signature.note(surface.shape.side(surface.is_inside));
+            traced.signature.note(surface.shape.side(surface.is_inside));
             if is_seen(throughput) {
                 stops.add(Some(&surface), surface.view);
             }
@@ -178,8 +194,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             let has_own = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
             if has_own && reflected < throughput {
                 let lit = self.shade(&surface);
-                signature.note(lit.lights);
-                sum.add(throughput - reflected, lit.color);
+                traced.signature.note(lit.lights);
+                traced.sum.add(throughput - reflected, lit.color);
             }
             throughput = reflected;
             if throughput == Unit::ZERO || self.is_cut_off(throughput, bounce.count) {
@@ -187,7 +203,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             }
             bounce.count += 1;
             if !W::NEEDS.mirrored {
-                sum.add(throughput, K::missed(world));
+                traced.add_missed::<W, K>(world, throughput, ray.direction());
                 break;
             }
             is_bounded &= !is_seen(throughput) || self.is_bounded_after(&surface, bounce.count);
@@ -195,8 +211,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
         }
         self.rays += bounce.count + 1;
-        let signature = signature.ended(is_bounded);
-        Traced { sum, signature }
+        traced.signature = traced.signature.ended(is_bounded);
+        traced
     }
 
     /// Tests whether the rays after a reflection have known bounds: only planes mirrored them, and not too

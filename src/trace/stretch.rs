@@ -20,8 +20,8 @@ use crate::vector::{Direction, Point};
 /// Pixels between two traced ones: the window of the row, and the columns of the two.
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);
 
-/// Largest change of a direction, the normal or that to a light, for which three pixels show how diffuse light
-/// changes: about 20 degrees.
+/// Largest change of a direction, the normal or that to a light or into the sky, for which three pixels show how
+/// colours change: about 20 degrees.
 const LARGEST_TURN: Unit = Unit::from_bits(3 << 27);
 
 /// How much is proved of the paths of a stretch. It holds for each part of the stretch, too.
@@ -153,8 +153,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         self.keeps_lights(&shown, steps.max(1))
     }
 
-    /// Tests whether all rays between two that hit nothing hit nothing.
+    /// Tests whether all rays between two that hit nothing hit nothing, and show a sky that can be interpolated.
     fn keeps_none(&mut self, between: Between<'_>, origin: &Origin<'_>, stops: [&Stop; 2]) -> bool {
+        let turn = || Rays::new(ScaledPoint::ORIGIN, stops.map(|stop| stop.place)).turn();
+        if self.has_sky() && turn() > LARGEST_TURN {
+            return false;
+        }
         if origin.level < 2 {
             let stretch = Stretch {
                 columns: between.1,

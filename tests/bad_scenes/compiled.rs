@@ -75,6 +75,12 @@ const PARTS: &[(&str, &str, ErrorKind)] = &[
     ),
     ("sphere([0.0; 3], 1e-10, WHITE);", "scene", Extent),
     ("background([0.0, 17.0, 0.0]);", "scene", Background),
+    ("sky([0.0; 3], [[1.0; 3]; 3]);", "sky", Sky),
+    (
+        "sky(UP, [[1.0; 3], [1.0; 3], [0.0, 17.0, 0.0]]);",
+        "sky",
+        Color,
+    ),
     ("epsilon(0.0);", "scene", Epsilon),
     ("sphere([0.0; 3], 1e-4, WHITE);", "sphere 0", BelowEpsilon),
     (

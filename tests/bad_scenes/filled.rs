@@ -30,6 +30,7 @@ fn message(kind: ErrorKind) -> &'static str {
         ErrorKind::Axis => "axis must not be zero",
         ErrorKind::Color => "color components must be within 0 to 16",
         ErrorKind::Background => "background components must be within 0 to 16",
+        ErrorKind::Sky => "up must not be zero",
         ErrorKind::Ambient => "ambient must be within 0 to 16",
         ErrorKind::Diffuse => "diffuse must be within 0 to 16",
         ErrorKind::Specular => "specular must be within 0 to 16",
@@ -110,6 +111,10 @@ fn material(color: Triple) -> Addition {
 
 fn background(color: Triple) -> Addition {
     Box::new(move |scene, _| scene.set_background(color))
+}
+
+fn sky(up: Triple, colors: [Triple; 3]) -> Addition {
+    Box::new(move |scene, _| scene.set_sky(up, colors))
 }
 
 fn epsilon(epsilon: f64) -> Addition {
@@ -248,10 +253,24 @@ fn colours_must_be_within_zero_to_sixteen() {
             color[channel] = value;
             assert_refused(("light", Some(1), ErrorKind::Color), light(ORIGIN, color));
             assert_refused(("scene", None, ErrorKind::Background), background(color));
+            for place in 0..3 {
+                let mut colors = [[0.5; 3]; 3];
+                colors[place] = color;
+                assert_refused(("sky", None, ErrorKind::Color), sky(UP, colors));
+            }
         }
     }
     assert_accepted(light(ORIGIN, [0.0, 0.5, 16.0]));
     assert_accepted(background([0.0, 0.5, 16.0]));
+    assert_accepted(sky(UP, [[0.0, 0.5, 16.0]; 3]));
+}
+
+#[test]
+fn up_of_a_sky_must_have_a_length() {
+    let of = |up| sky(up, [[0.5; 3]; 3]);
+    assert_refused(("sky", None, ErrorKind::Sky), of([0.0, -0.0, 0.0]));
+    assert_refused(("sky", None, ErrorKind::Coordinate), of([0.0, BEYOND, 1.0]));
+    assert_accepted(of([0.0, 1e-9, 0.0]));
 }
 
 #[test]

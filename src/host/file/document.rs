@@ -8,7 +8,7 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::error::FileError;
-use crate::host::reference::{Camera, Light};
+use crate::host::reference::{Camera, Light, Sky};
 
 /// A position or a direction: x, y and z.
 type Position = [f64; 3];
@@ -37,8 +37,8 @@ macro_rules! document {
                 #[serde(default)]
                 pub $list: Vec<$described>,
             )*
-            #[serde(default)]
-            pub background: [f64; 3],
+            pub background: Option<[f64; 3]>,
+            pub sky: Option<Sky>,
             pub epsilon: Option<f64>,
         }
 

@@ -100,6 +100,8 @@ pub enum Problem {
         /// Name of the missing material.
         name: String,
     },
+    /// The scene has a background and a sky.
+    TwoBackgrounds,
     /// The core refuses a part of the scene, or the scene as a whole.
     Scene(Error),
     /// A radius, or half a height, is below 2⁻²² of the scene's extent.
@@ -209,6 +211,7 @@ impl Problem {
             Self::UnknownMaterial { place, name } => {
                 format!("{place}.material: there is no material {name}: add it to materials")
             }
+            Self::TwoBackgrounds => "a scene has a background or a sky: leave one out".to_owned(),
             Self::Scene(error) => refused(*error),
             Self::TooSmall { error, extent } => {
                 let most = rounded(*extent);

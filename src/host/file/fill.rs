@@ -30,7 +30,10 @@ macro_rules! fill {
                     target.$add($(it.$field,)* ids[it.material])?;
                 }
             )*
-            target.set_background(scene.background)?;
+            match scene.sky {
+                Some(it) => target.set_sky(it.up, [it.below, it.horizon, it.above])?,
+                None => target.set_background(scene.background)?,
+            }
             target.set_epsilon(scene.epsilon)
         }
     };

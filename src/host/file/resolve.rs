@@ -52,6 +52,9 @@ macro_rules! resolve {
         /// Returns the scene for the reference, with each material name replaced by its index, and the
         /// camera.
         pub(super) fn resolve(scene: document::Scene) -> Result<(Scene, Camera), Problem> {
+            if scene.background.is_some() && scene.sky.is_some() {
+                return Err(Problem::TwoBackgrounds);
+            }
             let numbers = material_numbers(&scene.materials)?;
             let number = |list: &str, index: usize, name: &str| {
                 let unknown = || Problem::UnknownMaterial {
@@ -73,7 +76,8 @@ macro_rules! resolve {
                 $($list,)*
                 lights: scene.lights,
                 materials: scene.materials.iter().map(material).collect(),
-                background: scene.background,
+                background: scene.background.unwrap_or_default(),
+                sky: scene.sky,
                 epsilon: scene.epsilon.unwrap_or(EPSILON),
             };
             Ok((resolved, scene.camera))

@@ -114,6 +114,7 @@ fn every_number_arrives_in_the_reference() {
         }],
         materials: vec![clay, gold],
         background: [0.125, 0.25, 0.375],
+        sky: None,
         epsilon: 0.0078125,
     };
     assert_eq!(scene, expected);
@@ -293,4 +294,28 @@ fn error_keeps_what_it_says_as_values() {
         matches!(error.problem(), Problem::Scene(found) if *found == expected),
         "{error:?}"
     );
+}
+
+#[test]
+fn sky_arrives_in_core_and_reference_and_excludes_a_background() {
+    let mut sky = scene();
+    let (below, horizon, above) = ([0.5, 0.25, 0.0], [1.0, 1.0, 0.5], [0.0, 0.25, 2.0]);
+    sky["sky"] = json!({ "up": [0, 0, 2], "below": below, "horizon": horizon, "above": above });
+    assert_eq!(
+        complaint(&sky.to_string()),
+        "scene still life: a scene has a background or a sky: leave one out"
+    );
+    sky.as_object_mut().unwrap().remove("background");
+    let file = parsed(&sky.to_string());
+    let (exact, _) = file.reference();
+    let up = [0.0, 0.0, 2.0];
+    let expected = reference::Sky {
+        up,
+        below,
+        horizon,
+        above,
+    };
+    assert_eq!(exact.sky, Some(expected));
+    let (described, _) = file.runtime().unwrap();
+    assert_eq!(Scene::from(&described.description()).sky, Some(expected));
 }

@@ -2,9 +2,9 @@
 //! that names types of the core.
 
 use super::Camera;
-use super::scene::{Light, Material, Scene};
+use super::scene::{Light, Material, Scene, Sky};
 use crate::number::Number;
-use crate::{camera, light, material, scene};
+use crate::{background, camera, light, material, scene};
 
 /// Converts a field of the core's description to one double or an array of three.
 macro_rules! plain {
@@ -50,6 +50,7 @@ macro_rules! convert {
                     lights: description.lights.iter().map(light).collect(),
                     materials: description.materials.iter().map(material).collect(),
                     background: triple(description.background),
+                    sky: description.sky.as_ref().map(sky),
                     epsilon: description.epsilon.to_f64(),
                 }
             }
@@ -74,6 +75,15 @@ impl From<&camera::CameraDescription> for Camera {
 impl From<&camera::Camera> for Camera {
     fn from(camera: &camera::Camera) -> Self {
         (&camera.description()).into()
+    }
+}
+
+fn sky(sky: &background::Sky) -> Sky {
+    Sky {
+        up: triple(sky.up.0),
+        below: triple(sky.below),
+        horizon: triple(sky.horizon),
+        above: triple(sky.above),
     }
 }
 

@@ -3,7 +3,9 @@
 
 use std::vec::Vec;
 
-use super::{Camera, Cylinder, Disc, Light, Material, Plane, Real, Scene, Shape, Sphere, model};
+use super::{
+    Camera, Cylinder, Disc, Light, Material, Plane, Real, Scene, Shape, Sky, Sphere, model,
+};
 
 macro_rules! prepared {
     ($parameters:tt $({ $list:ident $kind:ident $described:ident $($more:tt)* })*) => {
@@ -14,6 +16,7 @@ macro_rules! prepared {
             lights: Vec<model::Light>,
             materials: Vec<model::Material>,
             background: model::Vector,
+            sky: Option<model::Sky>,
             epsilon: Real,
         }
 
@@ -32,6 +35,7 @@ macro_rules! prepared {
                     lights: scene.lights.iter().map(light).collect(),
                     materials: scene.materials.iter().map(material).collect(),
                     background: vector(scene.background),
+                    sky: scene.sky.as_ref().map(sky),
                     epsilon: scene.epsilon as Real,
                 }
             }
@@ -43,6 +47,7 @@ macro_rules! prepared {
                     lights: &self.lights,
                     materials: &self.materials,
                     background: self.background,
+                    sky: self.sky,
                     epsilon: self.epsilon,
                 }
             }
@@ -83,6 +88,15 @@ fn disc(disc: &Disc) -> model::Disc {
         normal: vector(disc.normal).unit(),
         radius: disc.radius as Real,
         material: disc.material,
+    }
+}
+
+fn sky(sky: &Sky) -> model::Sky {
+    model::Sky {
+        up: vector(sky.up).unit(),
+        below: vector(sky.below),
+        horizon: vector(sky.horizon),
+        above: vector(sky.above),
     }
 }
 

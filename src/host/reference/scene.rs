@@ -30,8 +30,10 @@ macro_rules! scene {
             pub lights: Vec<Light>,
             /// The materials of the scene. A shape names its material by the index in this list.
             pub materials: Vec<Material>,
-            /// Linear colour of a ray that hits nothing.
+            /// Linear colour of a ray that hits nothing, if there is no sky.
             pub background: [f64; 3],
+            /// Sky that a ray shows that hits nothing, if there is one.
+            pub sky: Option<Sky>,
             /// Distance from a surface, along its normal, at which shadow and reflected rays start; in
             /// scene units.
             pub epsilon: f64,
@@ -45,6 +47,7 @@ macro_rules! scene {
                     lights: Vec::new(),
                     materials: Vec::new(),
                     background: [0.0; 3],
+                    sky: None,
                     epsilon: 1e-3,
                 }
             }
@@ -128,6 +131,21 @@ pub struct Shape<'a> {
     pub fields: Vec<&'a dyn Debug>,
     /// Index of the shape's material in [`Scene::materials`].
     pub material: usize,
+}
+
+/// A sky: the colour of a ray that hits nothing depends on its direction d. It is
+/// horizon + (above − horizon) · d · up, or horizon + (below − horizon) · −d · up below the horizon.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sky {
+    /// Direction straight up, of any length above 0.
+    pub up: [f64; 3],
+    /// Linear colour straight down.
+    pub below: [f64; 3],
+    /// Linear colour at the horizon.
+    pub horizon: [f64; 3],
+    /// Linear colour straight up.
+    pub above: [f64; 3],
 }
 
 /// A point light that does not fall off with distance.

@@ -23,7 +23,7 @@ fn light(scene: &Scene, mut ray: Ray, reflections: u32, shading: Shading) -> Vec
     let mut end = Vector::ZERO;
     for _ in 0..=reflections {
         let Some(surface) = scene.nearest(&ray) else {
-            end = scene.background;
+            end = scene.beyond(ray.direction);
             break;
         };
         let alpha = surface.material.mirror;

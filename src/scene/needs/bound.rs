@@ -32,7 +32,7 @@ impl Needs {
     ///
     /// const ROUND: Needs = Needs::ALL.without_planes().without_cylinders().without_discs();
     /// assert!(ROUND.spheres && ROUND.within(&Needs::ALL).is_ok());
-    /// assert!(ROUND.without_spheres().is_nothing());
+    /// assert!(ROUND.without_spheres().without_sky().is_nothing());
     ///
     /// let error = Needs::ALL.within(&ROUND).unwrap_err();
     /// assert_eq!((error.part(), error.kind()), ("cylinders", ErrorKind::Limit));
@@ -126,6 +126,12 @@ impl Needs {
             reflections,
             ..self
         }
+    }
+
+    /// Returns these needs for scenes whose background has one colour.
+    #[must_use]
+    pub const fn without_sky(self) -> Self {
+        Self { sky: false, ..self }
     }
 
     /// Returns these needs for scenes in grey, whose colours are computed in one channel.

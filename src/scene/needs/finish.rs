@@ -1,11 +1,41 @@
 //! The needs that follow from the materials and the lights of a scene.
 
-use super::Shininess;
-use crate::color::Color;
+use crate::background::PreparedBackground;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{Brightness, Exponent, Unit};
 use crate::shape::MaterialId;
+
+/// The powers that the highlights of a scene take. Each variant includes those before it.
+///
+/// ```
+/// use reflet::needs::{Needs, Shininess};
+///
+/// const WHOLE: Needs = Needs::ALL.with_shininess(Shininess::Whole);
+/// assert!(WHOLE.highlights && Shininess::Even < WHOLE.shininess && WHOLE.shininess < Shininess::Real);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Shininess {
+    /// No power: the scene has no highlight.
+    None,
+    /// Even whole numbers: Blinn-Phong shading takes no root.
+    Even,
+    /// Whole numbers: no logarithm is computed.
+    Whole,
+    /// Highlights take any real power.
+    Real,
+}
+
+/// The surfaces of a scene that mirror: none, some or all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mirrors {
+    /// No surface mirrors: every path ends at the first surface.
+    None,
+    /// Some surfaces mirror, or surfaces mirror a part of the light.
+    Some,
+    /// Every surface mirrors all light (α = 1): no surface has a colour of its own.
+    All,
+}
 
 /// The properties of a scene's lights and used materials that its needs depend on.
 pub(super) struct Finish {
@@ -17,20 +47,23 @@ pub(super) struct Finish {
     pub(super) is_lit_grey: bool,
     /// Whether a light is far away.
     pub(super) is_far: bool,
+    pub(super) has_sky: bool,
 }
 
 impl Finish {
-    pub(super) const fn new(background: Color, lights: &[PreparedLight]) -> Self {
+    pub(super) const fn new(background: &PreparedBackground, lights: &[PreparedLight]) -> Self {
+        let [below, horizon, above] = background.colors();
         let mut finish = Self {
             shininess: Shininess::None,
             mirrors: [false; 2],
-            is_grey: is_grey(background),
+            is_grey: below.is_grey() && horizon.is_grey() && above.is_grey(),
             is_lit_grey: true,
             is_far: false,
+            has_sky: background.is_sky(),
         };
         let mut index = 0;
         while index < lights.len() {
-            finish.is_lit_grey &= is_grey(lights[index].color);
+            finish.is_lit_grey &= lights[index].color.is_grey();
             finish.is_far |= !lights[index].place.is_near();
             index += 1;
         }
@@ -49,7 +82,7 @@ impl Finish {
         if !is_seen {
             return;
         }
-        self.is_grey &= is_grey(material.color);
+        self.is_grey &= material.color.is_grey();
         if material.specular.to_bits() > Brightness::ZERO.to_bits() {
             let shininess = shininess(material.shininess);
             if shininess as u8 > self.shininess as u8 {
@@ -67,9 +100,4 @@ const fn shininess(exponent: Exponent) -> Shininess {
     } else {
         Shininess::Real
     }
-}
-
-const fn is_grey(color: Color) -> bool {
-    let [red, green, blue] = color.components();
-    red.to_bits() == green.to_bits() && green.to_bits() == blue.to_bits()
 }

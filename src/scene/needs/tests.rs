@@ -33,6 +33,7 @@ fn full_scene_needs_everything() {
         }
         scene.add_disc([0, 3, 1], [0, 0, 1], 1, red)?;
         scene.add_plane([0, 0, -2], [0, 0, 1], glass)?;
+        scene.set_sky([0, 0, 1], [[0.5; 3], [1.0; 3], [0.25; 3]])?;
         // A sun.
         scene.add_light([9000, 9000, 9000], [1, 1, 1])
     });

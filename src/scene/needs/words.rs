@@ -57,13 +57,14 @@ const MATERIALS: Reasons = [
     "there are several",
     "there is one at most: its numbers are constants",
 ];
+const SKY: Reasons = ["the background is a sky, or may be", "it has one colour"];
 const COLORS: Reasons = [
     "something is not grey",
     "all is grey: one channel is worked out",
 ];
 
 /// Number of needs in the list that are not kinds of bounded shapes.
-const OTHERS: usize = 12;
+const OTHERS: usize = 13;
 
 impl Needs {
     /// Returns every need in words, the kinds of bounded shapes first.
@@ -105,6 +106,7 @@ impl Needs {
             Need::either("mirrored", self.mirrored, MIRRORED),
             Need::either("sets", self.sets, SETS),
             Need::either("materials", self.materials, MATERIALS),
+            Need::either("sky", self.sky, SKY),
             Need::either("colors", self.colors, COLORS),
         ]
     }

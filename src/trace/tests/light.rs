@@ -390,10 +390,44 @@ fn normals_are_shown_as_colours() {
 #[test]
 fn miss_is_the_background_and_blue_among_normals() {
     let scene = scenery(RED, |scene| scene.set_background([0.5, 0.25, 2.0]).unwrap());
-    assert_eq!(
-        whole(<BlinnPhong as Shading>::missed(&scene)),
-        [0.5, 0.25, 2.0]
-    );
-    assert_eq!(whole(<Phong as Shading>::missed(&scene)), [0.5, 0.25, 2.0]);
-    assert_eq!(whole(<Normals as Shading>::missed(&scene)), [0.0, 0.0, 1.0]);
+    let ahead = Position::new([0.0, 1.0, 0.0]).direction().unwrap();
+    let missed = [
+        <BlinnPhong as Shading>::missed(&scene, ahead),
+        <Phong as Shading>::missed(&scene, ahead),
+        <Normals as Shading>::missed(&scene, ahead),
+    ];
+    let background = [0.5, 0.25, 2.0];
+    let expected = [background, background, [0.0, 0.0, 1.0]];
+    assert_eq!(missed.map(|it| whole(it.color)), expected);
+}
+
+/// The horizon, straight up, straight down, and 30 degrees above.
+#[test]
+fn miss_is_the_sky_in_the_direction_of_the_ray() {
+    let (below, horizon, above) = ([0.5, 0.0, 1.0], [1.0, 0.5, 0.0], [0.0, 0.25, 2.0]);
+    let scene = scenery(RED, |scene| {
+        scene.set_sky([0, 0, 4], [below, horizon, above]).unwrap();
+    });
+    let seen = |z: f64| {
+        let direction = Position::new([(1.0 - z * z).sqrt(), 0.0, z]).direction();
+        let seen = <Phong as Shading>::missed(&scene, direction.unwrap());
+        (
+            seen.color
+                .components()
+                .map(|it| it.to_num::<f64>() * 256.0 / 255.0),
+            seen.note(),
+        )
+    };
+    let half_way = [0.5, 0.375, 1.0];
+    for (z, color) in [(0.0, horizon), (1.0, above), (-1.0, below), (0.5, half_way)] {
+        let (found, _) = seen(z);
+        for axis in 0..3 {
+            assert!(
+                (found[axis] - color[axis]).abs() < 2f64.powi(-18),
+                "{z}: {found:?}"
+            );
+        }
+    }
+    // A path below the horizon is another one.
+    assert_ne!(seen(0.01).1, seen(-0.01).1);
 }

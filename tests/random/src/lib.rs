@@ -158,10 +158,17 @@ fn add_all(
     if let Err(error) = scene.set_background([number::brightness(bytes)?; 3]) {
         return Ok(Err(error));
     }
-    Ok(match bytes.arbitrary()? {
+    let epsilon = match bytes.arbitrary()? {
         true => scene.set_epsilon(numbers.size(bytes)?),
         false => scene.set_epsilon(1e-4 * numbers.unit),
-    })
+    };
+    // Last, so that a stored input stays the same scene: where the bytes have ended, there is no sky.
+    if epsilon.is_err() || bytes.ratio(3, 4)? {
+        return Ok(epsilon);
+    }
+    let mut color = || Ok([number::brightness(bytes)?, number::brightness(bytes)?, 1.0]);
+    let colors = [color()?, color()?, color()?];
+    Ok(scene.set_sky(numbers.way(bytes)?, colors))
 }
 
 fn material(bytes: &mut Unstructured, mirrors: &mut bool) -> Result<Option<Material>> {

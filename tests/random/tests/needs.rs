@@ -51,7 +51,12 @@ fn refilled(description: &Description<'_>) -> Largest {
     for light in description.lights {
         scene.add_light(light.position, light.color).unwrap();
     }
-    scene.set_background(description.background).unwrap();
+    match description.sky {
+        Some(it) => scene
+            .set_sky(it.up, [it.below, it.horizon, it.above])
+            .unwrap(),
+        None => scene.set_background(description.background).unwrap(),
+    }
     scene.set_epsilon(description.epsilon).unwrap();
     scene.set_camera(description.camera.unwrap());
     scene
@@ -225,6 +230,7 @@ prop_compose! {
         cylinders in prop::collection::vec(point(), 0..=1),
         discs in prop::collection::vec((point(), point()), 0..=2),
         lights in prop::collection::vec((point(), coefficient()), 0..=2),
+        sky in prop::option::weighted(0.3, point()),
     ) -> Few {
         let mut scene = Few::new();
         let ids = materials.map(|it| scene.add_material(it).unwrap());
@@ -248,6 +254,9 @@ prop_compose! {
         for (at, green) in lights {
             scene.add_light(at.map(|it| 4.0 * it), [0.5, green, 0.5]).unwrap();
         }
+        if let Some(up) = sky {
+            scene.set_sky(up, [[0.5; 3], [0.75; 3], [1.0; 3]]).unwrap();
+        }
         scene
     }
 }
@@ -261,7 +270,7 @@ fn within_a_step(a: &[[u8; 3]], b: &[[u8; 3]]) -> usize {
 /// Bounds that each leave out one thing: number `I` of [`OFF`].
 struct Off<const I: usize>;
 
-const OFF: [Needs; 10] = [
+const OFF: [Needs; 11] = [
     Needs::ALL.without_spheres(),
     Needs::ALL.without_planes(),
     Needs::ALL.without_cylinders(),
@@ -272,6 +281,7 @@ const OFF: [Needs; 10] = [
     Needs::ALL.with_mirrors(Mirrors::All),
     Needs::ALL.without_colors(),
     Needs::ALL.without_discs(),
+    Needs::ALL.without_sky(),
 ];
 
 impl<const I: usize> NeedsLimit for Off<I> {
@@ -312,6 +322,7 @@ fn what_a_bound_leaves_out_is_missed_by_no_scene_within_it() {
             is_held::<7>(&scene),
             is_held::<8>(&scene),
             is_held::<9>(&scene),
+            is_held::<10>(&scene),
         ];
         for (count, held) in counts.iter().zip(held) {
             count.set(count.get() + u32::from(held));

@@ -37,6 +37,8 @@ struct Recipe {
     discs: Vec<(Triple, Triple, f64, usize)>,
     lights: Vec<(Triple, f64, Triple)>,
     background: Triple,
+    /// Direction straight up, and the colours below and above: the background is that at the horizon.
+    sky: Option<(Triple, Triple, Triple)>,
     eye: Eye,
     target: Triple,
     up: Triple,
@@ -122,7 +124,10 @@ fn recipe() -> impl Strategy<Value = Recipe> {
     let things = (spheres, planes, cylinders, discs, lights);
     let surfaces = prop::collection::vec(surface(), 4);
     let view = (eye(), triple(-0.3..0.3), any());
-    let place = (scale, offset, triple(0.0..1.0), 0..9_u8, shading);
+    let color = || triple(0.0..1.0);
+    let sky = (triple(-1.0..1.0), color(), color());
+    let background = (color(), prop::option::weighted(0.3, sky));
+    let place = (scale, offset, background, 0..9_u8, shading);
     (surfaces, things, view, place).prop_map(
         |(materials, (spheres, planes, cylinders, discs, lights), (eye, target, up), place)| {
             Recipe {
@@ -137,7 +142,8 @@ fn recipe() -> impl Strategy<Value = Recipe> {
                 up,
                 scale: place.0,
                 offset: place.1,
-                background: place.2,
+                background: place.2.0,
+                sky: place.2.1,
                 reflections: place.3,
                 shading: place.4,
             }
@@ -176,7 +182,10 @@ impl Recipe {
             let position = self.placed(towards.map(|it| it * away));
             scene.add_light(position, color)?;
         }
-        scene.set_background(self.background)?;
+        match self.sky {
+            Some((up, below, above)) => scene.set_sky(up, [below, self.background, above])?,
+            None => scene.set_background(self.background)?,
+        }
         scene.set_epsilon(1e-4 * self.scale)?;
         Ok(scene)
     }

@@ -41,7 +41,7 @@ fn color(scene: &Scene, shading: Shading, mut ray: Ray, reflections: u32) -> Vec
     let mut weight = 1.0;
     for _ in 0..=reflections {
         let Some(surface) = scene.nearest(&ray) else {
-            return color + scene.background * weight;
+            return color + scene.beyond(ray.direction) * weight;
         };
         let mirror = surface.material.mirror;
         if mirror < 1.0 {

@@ -47,6 +47,12 @@ pub fn json(case: &Case) -> String {
         "background": scene.background,
         "epsilon": scene.epsilon,
     });
+    if let Some(it) = &scene.sky {
+        file["sky"] = json!({
+            "up": it.up, "below": it.below, "horizon": it.horizon, "above": it.above,
+        });
+        file.as_object_mut().map(|file| file.remove("background"));
+    }
     let materials = scene.materials.iter().enumerate().map(|(index, it)| {
         json!({
             "name": index.to_string(), "color": it.color, "ambient": it.ambient,

@@ -75,7 +75,7 @@ fn follow(scene: &model::Scene, mut ray: model::Ray, reflections: u32) -> Pixel 
     let (mut flat, mut curved) = (0, 0);
     for reflection in 0..=reflections {
         let Some(surface) = scene.nearest(&ray) else {
-            end = scene.background;
+            end = scene.beyond(ray.direction);
             break;
         };
         let alpha = surface.material.mirror;

@@ -80,6 +80,10 @@ fn parts(scene: &Scene, materials: &[String], moving: Option<&Moving>) -> String
     let mut parts: Vec<String> = moving.map(Moving::motion).into_iter().collect();
     parts.extend(scene.shapes().map(shape));
     parts.extend(scene.lights.iter().map(light));
+    if let Some(sky) = &scene.sky {
+        let [up, below, horizon, above] = [sky.up, sky.below, sky.horizon, sky.above].map(vector);
+        parts.push(format!("sky({up}, [{below}, {horizon}, {above}])"));
+    }
     if scene.background != [0.0; 3] {
         parts.push(format!("background({})", vector(scene.background)));
     }

@@ -269,7 +269,12 @@ fn brightest(scene: &Scene) -> f64 {
     };
     let materials = scene.shapes().map(|it| it.material);
     let colors = materials.flat_map(|material| (0..3).map(move |axis| own(material, axis)));
-    colors.chain(scene.background).fold(0.0, f64::max)
+    let sky = scene.sky.iter();
+    let sky = sky.flat_map(|it| it.below.into_iter().chain(it.horizon).chain(it.above));
+    colors
+        .chain(scene.background)
+        .chain(sky)
+        .fold(0.0, f64::max)
 }
 
 /// Returns the largest absolute value of the components of a vector.

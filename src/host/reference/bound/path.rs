@@ -63,13 +63,17 @@ impl Stage {
         is_unsure: false,
     };
 
-    /// Returns the stage after the ray hits nothing: adds the background and ends the path.
-    fn missed(self, background: Vector) -> Self {
+    /// Returns the stage after a ray in a direction hits nothing: adds the background, and ends the path. The
+    /// direction is off by at most `drift`, and its length by up to 2⁻¹⁶.
+    fn missed(self, scene: &Scene, direction: Vector, drift: f64) -> Self {
+        let background = scene.beyond(direction);
+        let is_below = scene.sky.is_some_and(|sky| direction.dot(sky.up) < 0.0);
+        let error = slope(scene) * (drift + to_the_minus(16));
         Self {
             color: (Vector(self.color) + background * self.weight).0,
             weight: 0.0,
-            rounding: self.rounding + (to_the_minus(24) + self.weight * to_the_minus(26)),
-            trail: mixed(self.trail, u64::MAX),
+            rounding: self.rounding + (to_the_minus(24) + self.weight * (to_the_minus(25) + error)),
+            trail: mixed(self.trail, u64::MAX - u64::from(is_below)),
             ..self
         }
     }
@@ -95,6 +99,14 @@ impl Stage {
 struct Drift {
     place: f64,
     direction: f64,
+}
+
+/// Returns by how much the colour of a sky changes at most with the direction; 0 without a sky.
+fn slope(scene: &Scene) -> f64 {
+    scene.sky.map_or(0.0, |sky| {
+        let changes = [sky.above, sky.below].map(|end| largest(end - sky.horizon));
+        changes[0].max(changes[1])
+    })
 }
 
 /// Weight below which a path is not followed further: far too small to change a pixel.
@@ -123,7 +135,7 @@ pub(super) fn follow(
     let mut stage = Stage::START;
     for reflection in 0..=reflections {
         let Some(surface) = scene.nearest(&ray) else {
-            stages.push(stage.missed(scene.background));
+            stages.push(stage.missed(scene, ray.direction, drift.direction));
             break;
         };
         let at = Hit::new(scene, &surface, &ray, drift, step);
@@ -131,6 +143,8 @@ pub(super) fn follow(
         let own = scene.own_color(&surface, shading);
         stage = stage.lit(own, error, reflection, surface.material.mirror);
         let shape = scene.number(surface.shape) as u64;
+        // A perfect mirror has no colour of its own, so it does not matter which lights shine on it.
+        let lights = lights * u64::from(surface.material.mirror < 1.0);
         stage.trail = mixed(
             mixed(stage.trail, 2 * shape + u64::from(surface.is_inside)),
             lights,

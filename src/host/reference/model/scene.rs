@@ -16,8 +16,10 @@ macro_rules! scene {
             pub lights: &'a [Light],
             /// The materials of the scene, which shapes name by index.
             pub materials: &'a [Material],
-            /// Linear colour of a ray that hits nothing.
+            /// Linear colour of a ray that hits nothing, if there is no sky.
             pub background: Vector,
+            /// Sky that a ray shows that hits nothing, if there is one.
+            pub sky: Option<Sky>,
             /// Distance from a surface, along its normal, at which shadow and reflected rays start; in
             /// scene units.
             pub epsilon: Real,
@@ -94,6 +96,38 @@ macro_rules! scene {
     };
 }
 kinds!(shapes, scene);
+
+impl Scene<'_> {
+    /// Returns the colour of a ray in this direction that hits nothing.
+    #[inline]
+    pub fn beyond(&self, direction: Vector) -> Vector {
+        self.sky.map_or(self.background, |sky| sky.color(direction))
+    }
+}
+
+/// A sky: a colour for each direction.
+#[derive(Clone, Copy, Debug)]
+pub struct Sky {
+    /// Unit direction straight up.
+    pub up: Vector,
+    /// Linear colour straight down.
+    pub below: Vector,
+    /// Linear colour at the horizon.
+    pub horizon: Vector,
+    /// Linear colour straight up.
+    pub above: Vector,
+}
+
+impl Sky {
+    fn color(&self, direction: Vector) -> Vector {
+        let rise = direction.dot(self.up);
+        let (end, share) = match rise < 0.0 {
+            true => (self.below, -rise),
+            false => (self.above, rise),
+        };
+        self.horizon + (end - self.horizon) * share
+    }
+}
 
 /// A point light that does not fall off with distance.
 #[derive(Clone, Copy, Debug)]

@@ -91,6 +91,8 @@ pub fn scene(bytes: &mut Unstructured) -> Result<Value> {
     for (key, value) in [
         ("name", json!(*bytes.choose(&["a", "", "b\n"])?)),
         ("background", json!(color(bytes)?)),
+        ("sky", sky(bytes)?),
+        ("sky", Value::Null),
         ("epsilon", json!(0.002)),
         ("name", Value::Null),
         ("epsilon", Value::Null),
@@ -100,6 +102,12 @@ pub fn scene(bytes: &mut Unstructured) -> Result<Value> {
         }
     }
     Ok(scene.into())
+}
+
+fn sky(bytes: &mut Unstructured) -> Result<Value> {
+    Ok(
+        json!({ "up": [0, 0.5, 1], "below": color(bytes)?, "horizon": color(bytes)?, "above": color(bytes)? }),
+    )
 }
 
 fn part(bytes: &mut Unstructured, kind: &str, names: &[&str]) -> Result<Value> {

@@ -64,9 +64,11 @@ fn kind(error: &FileError) -> Verdict {
         Problem::Camera(error) if matches!(error.kind(), ErrorKind::View | ErrorKind::Up) => {
             Verdict::Meaning
         }
-        Problem::Json { .. } | Problem::Empty | Problem::Scene(_) | Problem::Camera(_) => {
-            Verdict::Form
-        }
+        Problem::Json { .. }
+        | Problem::Empty
+        | Problem::TwoBackgrounds
+        | Problem::Scene(_)
+        | Problem::Camera(_) => Verdict::Form,
         problem => panic!("{problem}"),
     }
 }
@@ -97,9 +99,18 @@ fn still_life() -> Value {
         "cylinders": [ { "center": [2, 0, 1], "axis": [0, 0, 3], "radius": 0.5, "height": 2.5,
                          "material": "clay" } ],
         "discs": [ { "center": [2, 0, 3], "normal": [0, 0, 4], "radius": 0.75, "material": "clay" } ],
-        "background": [0.125, 0.25, 0.375],
+        "sky": { "up": [0, 0, 5], "below": [0.125, 0.25, 0.375], "horizon": [0.5, 1, 2],
+                 "above": [0.0625, 0, 1] },
         "epsilon": 0.0078125
     })
+}
+
+/// Returns [`still_life`] with a background of one colour.
+fn plain_life() -> Value {
+    let mut file = still_life();
+    file.as_object_mut().unwrap().remove("sky");
+    file["background"] = json!([0.125, 0.25, 0.375]);
+    file
 }
 
 #[test]
@@ -123,22 +134,35 @@ fn defaults_of_a_material_are_those_of_the_library() {
 
 #[test]
 fn every_number_is_judged_alike_at_its_edges() {
-    let (validator, whole) = (validator(), still_life());
-    assert_eq!(verdict(&whole), Verdict::Accepted);
-    let places = document::places(&whole);
-    let numbers = places
-        .iter()
-        .filter(|it| whole.pointer(it).unwrap().is_number());
-    let mut tried = 0;
-    for place in numbers {
-        for edge in document::EDGES {
-            let mut file = whole.clone();
-            *file.pointer_mut(place).unwrap() = json!(edge);
-            assert_eq!(disagreement(&validator, &file), None, "{place}");
-            tried += 1;
+    let validator = validator();
+    for (whole, expected) in [(still_life(), 62), (plain_life(), 53)] {
+        assert_eq!(verdict(&whole), Verdict::Accepted);
+        let places = document::places(&whole);
+        let numbers = places
+            .iter()
+            .filter(|it| whole.pointer(it).unwrap().is_number());
+        let mut tried = 0;
+        for place in numbers {
+            for edge in document::EDGES {
+                let mut file = whole.clone();
+                *file.pointer_mut(place).unwrap() = json!(edge);
+                assert_eq!(disagreement(&validator, &file), None, "{place}");
+                tried += 1;
+            }
         }
+        assert_eq!(tried, expected * document::EDGES.len());
     }
-    assert_eq!(tried, 53 * document::EDGES.len());
+}
+
+#[test]
+fn sky_and_background_together_are_refused_by_both() {
+    let mut file = still_life();
+    file["background"] = json!([0, 0, 0]);
+    assert!(!validator().is_valid(&file));
+    assert_eq!(verdict(&file), Verdict::Form);
+    file["sky"] = Value::Null;
+    assert!(validator().is_valid(&file));
+    assert_eq!(verdict(&file), Verdict::Accepted);
 }
 
 #[test]
@@ -196,6 +220,7 @@ fn zero_directions_are_refused_by_both() {
         "/planes/0/normal",
         "/cylinders/0/axis",
         "/discs/0/normal",
+        "/sky/up",
     ] {
         let mut file = still_life();
         *file.pointer_mut(place).unwrap() = json!([0, 0.0, -0.0]);
