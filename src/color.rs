@@ -76,6 +76,18 @@ impl Color {
         Self([part(r, red), part(g, green), part(b, blue)])
     }
 
+    /// Returns the larger of each component.
+    pub(crate) const fn at_least(self, other: Self) -> Self {
+        const fn larger(one: Brightness, other: Brightness) -> Brightness {
+            match one.to_bits() > other.to_bits() {
+                true => one,
+                false => other,
+            }
+        }
+        let ([r, g, b], [red, green, blue]) = (self.0, other.0);
+        Self([larger(r, red), larger(g, green), larger(b, blue)])
+    }
+
     /// Creates a grey: all three components have the same brightness.
     pub const fn grey(brightness: Brightness) -> Self {
         Self([brightness; 3])
@@ -252,108 +264,4 @@ pub fn halved(unit: Unit) -> Brightness {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn quantised(value: f64) -> u8 {
-        let mut sum = Sum::ZERO;
-        let color = Color::grey(brightness(Number::new(value)));
-        sum.add(Unit::ONE, color.in_levels());
-        sum.to_rgb8()[0]
-    }
-
-    #[test]
-    fn every_level_is_hit_in_its_middle() {
-        for level in 0..=255_u8 {
-            assert_eq!(quantised(f64::from(level) / 255.0), level);
-        }
-    }
-
-    #[test]
-    fn levels_change_half_way_between() {
-        for level in 0..255_u8 {
-            let edge = (f64::from(level) + 0.5) / 255.0;
-            assert_eq!(quantised(edge - 1e-6), level);
-            assert_eq!(quantised(edge + 1e-6), level + 1);
-        }
-    }
-
-    /// Returns the sums at 0 to 16 of a parabola with these factors, which are exact multiples.
-    fn curve([square, slope, start]: [i32; 3]) -> [Sum; 17] {
-        let at = |x: i32, sign: i32| start + sign * (square * x * x + slope * x);
-        core::array::from_fn(|x| Sum([1, -1, 2].map(|sign| at(x as i32, sign))))
-    }
-
-    #[test]
-    fn parabola_goes_through_all_sums_of_a_parabola() {
-        for factors in [
-            [0, 0, 5],
-            [0, 700, -3],
-            [64, -9000, 1 << 24],
-            [-123, 4567, 9],
-        ] {
-            let sums = curve(factors);
-            for half in [2, 4, 8] {
-                let mut filled = [Sum::ZERO; 17];
-                let three = [sums[0], sums[half], sums[2 * half]];
-                Sum::parabola(three, half as u32, &mut filled);
-                for (place, (found, truth)) in filled.iter().zip(&sums).enumerate() {
-                    match place < 2 * half {
-                        true => assert!(found.less(*truth).is_within(16), "{place} of {half}"),
-                        false => assert_eq!(*found, Sum::ZERO),
-                    }
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn rounding_of_a_parabola_stays_below_a_hundredth_of_a_level() {
-        let mut sweep = crate::number::sweep::Sweep::new(51);
-        for _ in 0..20_000 {
-            let half = 2_usize << sweep.within(0, 2);
-            let three = [0; 3].map(|_| sweep.triple(1 << 25));
-            let mut filled = [Sum::ZERO; 16];
-            Sum::parabola(three.map(Sum), half as u32, &mut filled);
-            for (place, found) in filled.iter().take(2 * half).enumerate() {
-                let way = place as f64 / half as f64;
-                for axis in 0..3 {
-                    let [start, middle, end] = three.map(|it| f64::from(it[axis]));
-                    let bend = start - 2.0 * middle + end;
-                    let truth = start + way * (middle - start) + way * (way - 1.0) / 2.0 * bend;
-                    let off = (f64::from(found.0[axis]) - truth).abs();
-                    assert!(off < 400.0, "{off} at {place} of {half}: {three:?}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn half_way_is_exact_with_the_bend_of_the_three() {
-        for factors in [
-            [0, 0, 5],
-            [0, 700, -4],
-            [64, -9000, 1 << 24],
-            [-124, 4568, 10],
-        ] {
-            let sums = curve(factors);
-            for (start, middle, end) in [(0, 1, 2), (3, 5, 7), (0, 8, 16)] {
-                let bend = Bend::of(sums[start], sums[middle], sums[end]);
-                let found = sums[start].half_way(sums[end], bend);
-                assert!(found.less(sums[middle]).is_within(1), "{factors:?}");
-                // A quarter of the bend is that for half the distance.
-                let quarter = Bend::of(sums[0], sums[4], sums[8]).quarter();
-                assert!(
-                    quarter
-                        .less(Bend::of(sums[0], sums[2], sums[4]))
-                        .is_within(1)
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn what_is_brighter_than_white_is_white() {
-        assert_eq!(quantised(16.0), 255);
-    }
-}
+mod tests;

@@ -11,6 +11,8 @@ const BELOW_EPSILON: &str = "radius and height must be larger than epsilon, whic
     enlarge the shape or set a smaller epsilon";
 const BRIGHTNESS: &str = "color * (ambient + the sum over lights of (diffuse + specular) * light color), \
     with and without color, must stay below 30: dim the material or the lights";
+const CHECKER: &str =
+    "checker sizes must be 0 or at least 2^-27 of the scene's extent, and not all 0";
 const NO_LIGHT: &str = "nothing lights the scene: add a light, or give a material some ambient";
 const NOTHING_MOVES: &str =
     "only bounded shapes of a constant scene can have a name and move: use a RuntimeScene";
@@ -96,6 +98,9 @@ macro_rules! faults {
             Shininess,
             /// A mirror coefficient α outside 0 to 1.
             Mirror,
+            /// A checker whose cells are smaller than 2⁻²⁷ of the scene's extent, have a negative size, or no
+            /// end along any axis.
+            Checker,
             /// A background component outside 0 to 16.
             Background,
             /// A sky whose `up` has length zero.
@@ -161,6 +166,7 @@ macro_rules! faults {
                     Self::Specular => "specular must be within 0 to 16",
                     Self::Shininess => "shininess must be within 0 to 2^20",
                     Self::Mirror => "mirror must be within 0 to 1",
+                    Self::Checker => CHECKER,
                     Self::Background => "background components must be within 0 to 16",
                     Self::Sky => "up must not be zero",
                     Self::Epsilon => "epsilon must be greater than 0 and smaller than the scene",

@@ -32,8 +32,12 @@ impl Grid {
         64 - signed(self.drop)
     }
 
+    /// Returns the number of low bits of a [`Number`] that a step has.
+    pub(crate) const fn drop(&self) -> u32 {
+        self.drop
+    }
+
     /// Returns the middle of the scene, in scene units.
-    #[cfg(any(test, feature = "host"))]
     pub const fn middle(&self) -> Position {
         self.middle
     }

@@ -190,6 +190,7 @@ mod kinds;
 mod accel;
 mod background;
 mod camera;
+mod checker;
 mod color;
 pub mod display;
 mod error;
@@ -258,6 +259,7 @@ pub mod needs {
 pub mod description {
     pub use crate::background::Sky;
     pub use crate::camera::CameraDescription;
+    pub use crate::checker::Checker;
     pub use crate::light::Light;
     pub use crate::scene::Description;
     pub use crate::shape::{cylinder::Cylinder, disc::Disc, plane::Plane, sphere::Sphere};

@@ -1,5 +1,6 @@
 //! Floor 2: materials of surfaces: colour, Phong coefficients and reflection.
 
+use crate::checker::Checker;
 use crate::color::{Color, brightness};
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
@@ -12,6 +13,7 @@ use crate::number::{Brightness, Exponent, Number, Unit};
 /// | color, ambient, diffuse, specular | 0 to 16 |
 /// | shininess | 0 to 2²⁰, any real number; small whole numbers are fastest |
 /// | mirror (α) | 0 (no reflection) to 1 (only reflection) |
+/// | checker | a second colour, 0 to 16, and the size of a cell along each axis |
 ///
 /// ```
 /// use reflet::Material;
@@ -48,6 +50,7 @@ pub struct Material {
     specular: Number,
     shininess: Number,
     mirror: Number,
+    checker: Option<Checker>,
 }
 
 impl Material {
@@ -60,6 +63,7 @@ impl Material {
         specular: Number::ZERO,
         shininess: Number::ZERO,
         mirror: Number::ZERO,
+        checker: None,
     };
 
     /// Creates a matte material: ambient 0.2, diffuse 0.8, no highlight, no reflection.
@@ -75,6 +79,7 @@ impl Material {
             specular: Number::ZERO,
             shininess: Number::ONE,
             mirror: Number::ZERO,
+            checker: None,
         }
         .checked()
     }
@@ -112,6 +117,34 @@ impl Material {
         self.checked()
     }
 
+    /// Gives every other cell of space another colour; each component is 0 to 16. The size is that of a cell
+    /// along x, y and z, in scene units, and 0 along an axis in which a cell has no end. [`Checker`] has the
+    /// formula.
+    #[track_caller]
+    pub const fn checker(mut self, color: [f64; 3], size: [f64; 3]) -> Self {
+        let ([r, g, b], [x, y, z]) = (color, size);
+        let color = [Number::new(r), Number::new(g), Number::new(b)];
+        let size = [Number::new(x), Number::new(y), Number::new(z)];
+        self.checker = Some(Checker::new(color, size));
+        self.checked()
+    }
+
+    /// As [`Material::checker`], from numbers known at run time.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Color`] or [`ErrorKind::Checker`] if the colour or the size is out of range.
+    pub fn with_checker(
+        mut self,
+        color: [impl Into<Number>; 3],
+        size: [impl Into<Number>; 3],
+    ) -> Result<Self, Error> {
+        self.checker = Some(Checker::new(color.map(Into::into), size.map(Into::into)));
+        match self.fault() {
+            Some(fault) => Err(Error::of("material", fault)),
+            None => Ok(self),
+        }
+    }
+
     /// Creates a material from numbers known at run time.
     ///
     /// # Errors
@@ -130,6 +163,7 @@ impl Material {
             specular: specular.into(),
             shininess: shininess.into(),
             mirror: mirror.into(),
+            checker: None,
         };
         match material.fault() {
             Some(fault) => Err(Error::of("material", fault)),
@@ -158,6 +192,8 @@ impl Material {
             Some(ErrorKind::Shininess)
         } else if !self.mirror.is_within(0, 1) {
             Some(ErrorKind::Mirror)
+        } else if let Some(checker) = &self.checker {
+            checker.fault()
         } else {
             None
         }
@@ -174,11 +210,21 @@ impl Material {
             && self.specular.same(other.specular)
             && self.shininess.same(other.shininess)
             && self.mirror.same(other.mirror)
+            && match (&self.checker, &other.checker) {
+                (Some(one), Some(other)) => one.same(other),
+                (None, None) => true,
+                _ => false,
+            }
     }
 
     /// Returns the described colour: red, green and blue.
     pub const fn described_color(&self) -> [Number; 3] {
         self.color
+    }
+
+    /// Returns the described checker, if there is one.
+    pub const fn described_checker(&self) -> Option<Checker> {
+        self.checker
     }
 
     /// Returns the described coefficients: ambient, diffuse, specular, shininess and α, in this order.

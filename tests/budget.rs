@@ -208,6 +208,7 @@ fn numbered(scene: &reference::Scene) -> reference::Scene {
             specular: 0.0,
             shininess: 1.0,
             mirror: 0.0,
+            checker: None,
         }
     });
     numbered.materials = materials.collect();

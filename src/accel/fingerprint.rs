@@ -110,7 +110,11 @@ impl Fingerprint {
         let [ambient, diffuse, specular, shininess, mirror] = material.described_coefficients();
         let hash = self.color(&material.described_color());
         let hash = hash.number(ambient).number(diffuse).number(specular);
-        hash.number(shininess).number(mirror)
+        let hash = hash.number(shininess).number(mirror);
+        match &material.described_checker() {
+            Some(checker) => hash.color(&checker.color).color(&checker.size),
+            None => hash,
+        }
     }
 
     /// Adds the place of a light.

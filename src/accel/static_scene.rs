@@ -9,6 +9,7 @@ use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
 use super::mirror_table::{MirrorTable, MirrorTables};
 use super::{ActiveRoom, Scene, Tables, World};
+use crate::checker::PreparedChecker;
 use crate::grid::Grid;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
@@ -80,6 +81,7 @@ macro_rules! apart {
                 planes: used(&Copied::<T>::PLANES, T::SCENE.plain.counts.planes),
                 lights: used(&Copied::<T>::LIGHTS, T::SCENE.plain.counts.lights),
                 materials: used(&Copied::<T>::MATERIALS, T::SCENE.plain.counts.materials),
+                checkers: used(&Copied::<T>::CHECKERS, T::SCENE.plain.counts.materials),
                 grid: &Copied::<T>::GRID,
                 ..T::SCENE.plain.values()
             };
@@ -107,6 +109,7 @@ macro_rules! apart {
             const PLANES: [PreparedPlane; P] = T::SCENE.plain.planes;
             const LIGHTS: [PreparedLight; L] = T::SCENE.plain.lights;
             const MATERIALS: [PreparedMaterial; M] = T::SCENE.plain.materials;
+            const CHECKERS: [PreparedChecker; M] = T::SCENE.plain.checkers;
             const GRID: Grid = T::SCENE.plain.grid;
             const LIGHT_TABLES: [LightTable; L] = LightTable::of_lights(&T::PARTS);
             const LIGHT_LISTS: [LightLists; L] = LightLists::of_lights(&T::PARTS);

@@ -6,6 +6,7 @@ use super::prepare::PlainScene;
 use super::shape_set::ShapeSet;
 use super::used;
 use crate::background::PreparedBackground;
+use crate::checker::PreparedChecker;
 use crate::grid::Grid;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
@@ -13,7 +14,7 @@ use crate::number::{Brightness, Length, Unit, to_u32, unit_product};
 use crate::shape::MaterialId;
 use crate::shape::bounded::Bounded;
 use crate::shape::plane::PreparedPlane;
-use crate::vector::{Direction, Point};
+use crate::vector::Point;
 
 macro_rules! parts {
     (
@@ -30,6 +31,8 @@ macro_rules! parts {
             pub(crate) planes: &'a [PreparedPlane],
             pub(crate) lights: &'a [PreparedLight],
             pub(crate) materials: &'a [PreparedMaterial],
+            /// The checkers of the materials; empty if none has one.
+            pub(crate) checkers: &'a [PreparedChecker],
             pub(crate) background: PreparedBackground,
             /// Largest component of any colour that a path can add, [`Color::in_levels`]; rounded up.
             pub(crate) brightest: Brightness,
@@ -85,35 +88,6 @@ macro_rules! parts {
                 None
             }
 
-            /// Returns the outward normal of a shape at a near point on it, and the shape's material.
-            #[inline(always)]
-            pub(crate) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
-                let index = shape.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        return Some((shape.normal(at), shape.material()));
-                    }
-                    let index = index - self.$list.len();
-                )*
-                let plane = self.planes.get(index)?;
-                Some((plane.normal, plane.material))
-            }
-
-            /// Returns the radius on which the normals of a shape turn, in steps. `None` if it is flat.
-            #[inline(always)]
-            pub(crate) fn bending_radius(&self, shape: ShapeId) -> Option<i32> {
-                let index = shape.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        let (_, _, radius) = shape.outline();
-                        return (!<crate::shape::$prepared as Bounded>::IS_FLAT).then_some(radius);
-                    }
-                    let index = index - self.$list.len();
-                )*
-                let _ = index;
-                None
-            }
-
             /// Tests whether a near point lies inside of a closed shape, such as a sphere.
             pub(crate) fn hold(&self, point: Point) -> bool {
                 $(self.$list.iter().any(|shape| shape.holds(point)))||*
@@ -126,6 +100,7 @@ macro_rules! parts {
                     $($list: if_needed(needs.$list, self.$list),)*
                     planes: if_needed(needs.planes, self.planes),
                     lights: if_needed(needs.lights, self.lights),
+                    checkers: if_needed(needs.checkers, self.checkers),
                     ..self
                 }
             }
@@ -139,6 +114,7 @@ macro_rules! parts {
                     planes: used(&self.planes, self.counts.planes),
                     lights: used(&self.lights, self.counts.lights),
                     materials: used(&self.materials, self.counts.materials),
+                    checkers: used(&self.checkers, self.counts.materials),
                     ..self.values()
                 }
             }
@@ -153,6 +129,7 @@ macro_rules! parts {
                     planes: used(self.planes.as_ref(), self.counts.planes),
                     lights: used(self.lights.as_ref(), self.counts.lights),
                     materials: used(self.materials.as_ref(), self.counts.materials),
+                    checkers: used(self.checkers.as_ref(), self.counts.materials),
                     ..self.values()
                 }
             }
@@ -165,6 +142,7 @@ macro_rules! parts {
                     planes: &[],
                     lights: &[],
                     materials: &[],
+                    checkers: &[],
                     background: self.background,
                     brightest: self.brightest,
                     dimness: self.dimness,

@@ -2,6 +2,8 @@
 
 use super::access::Parts;
 use crate::background::PreparedBackground;
+use crate::checker::PreparedChecker;
+use crate::color::Color;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{
@@ -12,6 +14,7 @@ use crate::number::{
 /// at its brightest. Rounded up.
 pub(super) const fn brightest(
     materials: &[PreparedMaterial],
+    checkers: &[PreparedChecker],
     lights: &[PreparedLight],
     background: &PreparedBackground,
 ) -> Brightness {
@@ -25,8 +28,9 @@ pub(super) const fn brightest(
         index += 1;
     }
     index = 0;
-    while index < materials.len() {
-        let own = brightest_of(&materials[index], lights);
+    while index < materials.len() && index < checkers.len() {
+        let color = materials[index].color.at_least(checkers[index].color);
+        let own = brightest_of(&materials[index], color, lights);
         if own > most {
             most = own;
         }
@@ -38,7 +42,7 @@ pub(super) const fn brightest(
 
 /// Returns the largest component of (ambient + Σ over the lights of (diffuse + specular) · light) ·
 /// colour, in steps of 2⁻²⁶. Rounded up.
-const fn brightest_of(material: &PreparedMaterial, lights: &[PreparedLight]) -> u64 {
+const fn brightest_of(material: &PreparedMaterial, color: Color, lights: &[PreparedLight]) -> u64 {
     let strongest = bits(material.diffuse) + bits(material.specular);
     // The cosines and powers of the kernels may exceed 1 by rounding, but by far less than 2⁻¹⁵.
     let strongest = strongest + strongest.div_ceil(1 << 15);
@@ -55,7 +59,7 @@ const fn brightest_of(material: &PreparedMaterial, lights: &[PreparedLight]) -> 
         // Each light and the ambient share may be rounded up by half of 2⁻²⁰.
         let rounding = (lights.len() as u128 + 1) << 5;
         let all = received + bits(material.ambient) as u128 + rounding;
-        let color = bits(material.color.components()[axis]) as u128;
+        let color = bits(color.components()[axis]) as u128;
         let own = narrowed_unsigned_128((all * color).div_ceil(1 << 26));
         if own > most {
             most = own;

@@ -71,6 +71,8 @@ macro_rules! needs {
             pub sets: bool,
             /// Whether the scene has more than one material.
             pub materials: bool,
+            /// Whether a material has a checker, or may have one.
+            pub checkers: bool,
             /// Whether the background is a sky, or may be.
             pub sky: bool,
             /// Whether the scene has colours; a scene in grey computes one channel.
@@ -92,6 +94,7 @@ macro_rules! needs {
                 mirrored: true,
                 sets: true,
                 materials: true,
+                checkers: true,
                 sky: true,
                 colors: true,
             };
@@ -109,7 +112,7 @@ macro_rules! needs {
 
             /// Returns name and level of each need that a limit may lower, the kinds of bounded shapes
             /// first.
-            const fn levels(&self) -> [(&'static str, u8); KINDS + 12] {
+            const fn levels(&self) -> [(&'static str, u8); KINDS + 13] {
                 [
                     $((stringify!($list), self.$list as u8),)*
                     ("planes", self.planes as u8),
@@ -123,6 +126,7 @@ macro_rules! needs {
                     ("mirrors", !matches!(self.mirrors, Mirrors::All) as u8),
                     ("mirrored", self.mirrored as u8),
                     ("materials", self.materials as u8),
+                    ("checkers", self.checkers as u8),
                     ("sky", self.sky as u8),
                     ("colors", self.colors as u8),
                 ]
@@ -152,12 +156,12 @@ impl Parts<'_> {
         let mut finish = Finish::new(&self.background, self.lights);
         let mut number = 0;
         while let Some((_, material)) = self.ball(number) {
-            finish.add(self.materials, material);
+            finish.add(self, material);
             number += 1;
         }
         let mut index = 0;
         while index < self.planes.len() {
-            finish.add(self.materials, self.planes[index].material);
+            finish.add(self, self.planes[index].material);
             index += 1;
         }
         Needs::of_room(&self.counts()).of_finish(&finish)
@@ -196,6 +200,7 @@ impl Needs {
             mirrored: bounded + planes > 0,
             sets: is_lit && bounded > FEW,
             materials: counts.materials > 1,
+            checkers: bounded + planes > 0,
             ..Self::of_kinds(counts)
         }
     }
@@ -224,6 +229,7 @@ impl Needs {
             mirrored: self.mirrored
                 && !matches!(mirrors, Mirrors::None)
                 && (self.reflections > 1 || finish.has_sky),
+            checkers: finish.has_checkers,
             sky: finish.has_sky,
             colors: !(finish.is_grey && (finish.is_lit_grey || !self.lights)),
             ..self
@@ -266,6 +272,7 @@ impl Needs {
                 && other.reflections > 0,
             sets: self.sets && other.sets,
             materials: self.materials && other.materials,
+            checkers: self.checkers && other.checkers,
             sky: self.sky && other.sky,
             colors: self.colors && other.colors,
             ..self.of_both_kinds(other)

@@ -10,6 +10,7 @@ use super::shape_set::ShapeSet;
 use super::{Description, used};
 use crate::background::PreparedBackground;
 use crate::camera::Camera;
+use crate::checker::PreparedChecker;
 use crate::color::Color;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
@@ -72,6 +73,7 @@ macro_rules! prepare {
             pub(crate) planes: R::Planes<PreparedPlane>,
             pub(crate) lights: R::Lights<PreparedLight>,
             pub(crate) materials: R::Materials<PreparedMaterial>,
+            pub(crate) checkers: R::Materials<PreparedChecker>,
             pub(crate) counts: Counts,
             pub(crate) background: PreparedBackground,
             pub(crate) brightest: Brightness,
@@ -98,6 +100,7 @@ macro_rules! prepare {
                     planes: [PreparedPlane::NONE; P],
                     lights: [PreparedLight::NONE; L],
                     materials: [PreparedMaterial::NONE; M],
+                    checkers: [PreparedChecker::NONE; M],
                     counts: scene.counts(),
                     background: PreparedBackground::new(&scene.background()),
                     brightest: Brightness::ZERO,
@@ -121,11 +124,13 @@ macro_rules! prepare {
                     prepared.lights[index] = PreparedLight::new(&scene.lights[index], &grid);
                     index += 1;
                 }
-                if let Err(error) = prepare_materials(&mut prepared.materials, scene) {
+                let lists = (&mut prepared.materials as &mut [_], &mut prepared.checkers as &mut [_]);
+                if let Err(error) = prepare_materials(lists, scene, &grid) {
                     return Err(error);
                 }
                 prepared.brightest = brightest(
                     used(&prepared.materials, scene.materials.len()),
+                    &prepared.checkers,
                     used(&prepared.lights, scene.lights.len()),
                     &prepared.background,
                 );
@@ -238,23 +243,32 @@ pub(crate) fn extent_of(scene: &Description<'_>) -> Option<f64> {
 
 /// Prepares the materials. Refuses a material that is too bright under the lights of its scene.
 const fn prepare_materials(
-    prepared: &mut [PreparedMaterial],
+    (materials, checkers): (&mut [PreparedMaterial], &mut [PreparedChecker]),
     scene: &Description<'_>,
+    grid: &Grid,
 ) -> Result<(), Error> {
     let mut index = 0;
-    while index < scene.materials.len() && index < prepared.len() {
-        let material = PreparedMaterial::new(&scene.materials[index]);
-        if is_too_bright(&material, scene.lights) {
+    while index < scene.materials.len() && index < materials.len() && index < checkers.len() {
+        let described = &scene.materials[index];
+        let material = PreparedMaterial::new(described);
+        if let Some(checker) = &described.described_checker() {
+            checkers[index] = match PreparedChecker::prepare(checker, grid) {
+                Ok(checker) => checker,
+                Err(fault) => return Err(Error::at("material", index, fault)),
+            };
+        }
+        let brightest = material.color.at_least(checkers[index].color).largest();
+        if is_too_bright(&material, brightest, scene.lights) {
             return Err(Error::at("material", index, ErrorKind::Brightness));
         }
-        prepared[index] = material;
+        materials[index] = material;
         index += 1;
     }
     Ok(())
 }
 
 /// Tests whether the light that a material sends out may exceed [`BRIGHTEST`] at any step of its sum.
-const fn is_too_bright(material: &PreparedMaterial, lights: &[Light]) -> bool {
+const fn is_too_bright(material: &PreparedMaterial, color: Brightness, lights: &[Light]) -> bool {
     let sent = material.diffuse.to_bits() as i64 + material.specular.to_bits() as i64;
     let mut sum = material.ambient.to_bits() as i64;
     let mut index = 0;
@@ -265,7 +279,7 @@ const fn is_too_bright(material: &PreparedMaterial, lights: &[Light]) -> bool {
     }
     // `sum` grows by less than 2^35 for each light, and `color` is at most 2^30. The product is computed
     // only if `sum` is small enough.
-    let color = material.color.largest().to_bits() as i64;
+    let color = color.to_bits() as i64;
     sent > BRIGHTEST || sum > BRIGHTEST || (sum * color) >> 26 > BRIGHTEST
 }
 

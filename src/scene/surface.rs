@@ -1,10 +1,14 @@
 //! The surface at a hit: its normal, its material, and the point where rays leave it.
 
-use super::access::{SceneAccess, ShapeId};
+use super::access::{Parts, SceneAccess, ShapeId};
+use crate::checker::PreparedChecker;
+use crate::color::Color;
 use crate::material::PreparedMaterial;
 use crate::number::{Unit, absolute};
 use crate::ray::{ScaledPoint, ScaledRay};
-use crate::vector::Direction;
+use crate::shape::MaterialId;
+use crate::shape::bounded::Bounded;
+use crate::vector::{Direction, Point};
 
 /// The surface at a hit: its normal, its material, and the point where rays leave it.
 #[derive(Clone, Copy, Debug)]
@@ -69,6 +73,22 @@ impl<'a> Surface<'a> {
         }
     }
 
+    /// Tests whether the surface has the colour of its material's checker here.
+    #[inline(always)]
+    pub(crate) fn is_checkered<W: SceneAccess>(&self, world: &W) -> bool {
+        W::NEEDS.checkers && checker_of(world, self.shape).is_some_and(|it| it.holds(self.place))
+    }
+
+    /// Returns the colour of the surface: its material's, or that of the material's checker.
+    #[inline(always)]
+    pub(crate) fn color<W: SceneAccess>(&self, world: &'a W, is_checkered: bool) -> Color {
+        let own = self.material(world).color;
+        match is_checkered {
+            true => checker_of(world, self.shape).map_or(own, |it| it.color),
+            false => own,
+        }
+    }
+
     /// Returns the shape that rays from this point need not test: the surface's own. Returns
     /// [`ShapeId::NONE`] if a ray can hit the shape again, from inside of one that is not flat.
     #[inline(always)]
@@ -92,4 +112,63 @@ impl<'a> Surface<'a> {
         };
         *path = ScaledRay::new(self.place, direction);
     }
+}
+
+macro_rules! surfaces {
+    ($header:tt $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*) => {
+        impl<'a> Parts<'a> {
+            /// Returns the outward normal of a shape at a near point on it, and the shape's material.
+            #[inline(always)]
+            pub(crate) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
+                let index = shape.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        return Some((shape.normal(at), shape.material()));
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let plane = self.planes.get(index)?;
+                Some((plane.normal, plane.material))
+            }
+
+            /// Returns the radius on which the normals of a shape turn, in steps. `None` if it is flat.
+            #[inline(always)]
+            pub(crate) fn bending_radius(&self, shape: ShapeId) -> Option<i32> {
+                let index = shape.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        let (_, _, radius) = shape.outline();
+                        return (!<crate::shape::$prepared as Bounded>::IS_FLAT).then_some(radius);
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let _ = index;
+                None
+            }
+
+            /// Returns the material of a shape.
+            #[inline(always)]
+            pub(crate) fn material_of(&self, shape: ShapeId) -> Option<MaterialId> {
+                let index = shape.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        return Some(shape.material());
+                    }
+                    let index = index - self.$list.len();
+                )*
+                Some(self.planes.get(index)?.material)
+            }
+        }
+    };
+}
+kinds!(surfaces);
+
+/// Returns the checker of a shape's material; that of a material without one is a single cell. `None` for a
+/// perfect mirror, which has no colour of its own.
+#[inline(always)]
+pub(crate) fn checker_of<W: SceneAccess>(world: &W, shape: ShapeId) -> Option<&PreparedChecker> {
+    let parts = world.parts();
+    let id = parts.material_of(shape)?;
+    let is_seen = parts.material(id).mirror < Unit::ONE;
+    parts.checkers.get(id.index()).filter(|_| is_seen)
 }

@@ -70,7 +70,8 @@ pub trait Visibility {
 /// The colour of a surface without reflections, and the lights that shine on it.
 pub struct Lit {
     pub(crate) color: Color,
-    /// One bit for each light that shines on the surface, of 32. With more lights, two may share a bit.
+    /// One bit for each light that shines on the surface, of 32, and the last for a checker. With more lights, two
+    /// may share a bit.
     pub(crate) lights: u32,
 }
 
@@ -106,14 +107,16 @@ fn lit_color_by<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool
     for (index, light) in visibility.lights().iter().enumerate().skip(4) {
         received.ask::<W, V, H>(world, surface, visibility, (light, index));
     }
-    let color = received.light.filtered(material.color);
+    let is_checkered = surface.is_checkered(world);
+    let color = received.light.filtered(surface.color(world, is_checkered));
     Lit {
         color: match W::NEEDS.colors {
             true => color,
             // Then the compiler computes one of the three channels.
             false => Color::grey(color.components()[0]),
         },
-        lights: received.lights,
+        // The last bit: paths of two cells are not the same.
+        lights: received.lights ^ u32::from(is_checkered) << 31,
     }
 }
 

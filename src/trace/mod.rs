@@ -7,6 +7,7 @@
 
 mod bounce;
 mod far_light;
+mod origin;
 mod shown;
 mod stops;
 mod stretch;

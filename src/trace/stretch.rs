@@ -3,19 +3,20 @@
 //! It is known for the first hit, and for the second if a plane mirrored the path: these rays start at one
 //! eye and lie in one plane. docs/internals/edges.md has the proof.
 
+use super::origin::Origin;
 use super::shown::Shown;
 use super::stops::Stop;
 use super::{PathQuality, Stops, Tracer};
 use crate::accel::light_occluders::LightOccluders;
 use crate::accel::stretch::{Body, Chord, Stretch};
 use crate::accel::{LitStretch, Window, World, is_clear_way, lights_all};
-use crate::number::{Brightness, Length, Unit, square_root};
+use crate::number::{Brightness, Unit, square_root};
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
+use crate::scene::surface::checker_of;
 use crate::shade::highlight::sealed::Shading;
 use crate::shape::bordered::Rays;
 use crate::shape::plane::PreparedPlane;
-use crate::vector::{Direction, Point};
 
 /// Pixels between two traced ones: the window of the row, and the columns of the two.
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);
@@ -36,33 +37,6 @@ pub(crate) struct Progress {
 impl Progress {
     /// Nothing is proved.
     pub(crate) const NONE: Self = Self { hits: 0, steps: 0 };
-}
-
-/// Where the rays of a stretch come from.
-#[derive(Clone, Copy)]
-struct Origin<'a> {
-    /// The camera, or its image in one plane after another.
-    eye: Point,
-    /// Normal of the plane in which the rays lie.
-    row: Direction,
-    /// Number of reflections.
-    level: usize,
-    /// The plane that mirrored the rays last.
-    mirror: Option<(ShapeId, &'a PreparedPlane)>,
-}
-
-impl<'a> Origin<'a> {
-    /// Returns where the rays come from after a plane mirrored them, `None` if that is far.
-    fn mirrored(&self, mirror: (ShapeId, &'a PreparedPlane), epsilon: Length) -> Option<Self> {
-        let (_, plane) = mirror;
-        let across = self.row.dot(plane.normal);
-        Some(Self {
-            eye: plane.mirrored(self.eye, epsilon)?,
-            row: self.row.reflected(plane.normal, across),
-            level: self.level + 1,
-            mirror: Some(mirror),
-        })
-    }
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
@@ -140,9 +114,19 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         if first.shape == ShapeId::NONE {
             return sure(self.keeps_none(between, origin, stops), 0);
         }
+        // Quickly found, and it often is so where cells are small.
+        sure(
+            self.keeps_cell(first.shape, stops.map(|stop| stop.place), 0),
+            steps,
+        )?;
         let Some(shown) = self.shown(origin.eye, origin.row, stops) else {
             return Err(steps);
         };
+        let LitStretch { bulge, ends, .. } = shown.lit;
+        sure(
+            bulge == 0 || self.keeps_cell(first.shape, ends, bulge + 8),
+            steps,
+        )?;
         let keeps = steps > 0
             || !self.world.parts().has_bounded()
             || match origin.level > 1 {
@@ -213,6 +197,13 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             mirror: origin.mirror.map(|(_, plane)| plane),
         };
         self.keeps(between, origin, &stretch)
+    }
+
+    /// Tests whether a stretch of a shape lies in one cell of its material's checker, if it is off the line between
+    /// its ends by up to `aside` steps. Cells are convex.
+    fn keeps_cell(&self, shape: ShapeId, ends: [ScaledPoint; 2], aside: i32) -> bool {
+        let checker = checker_of(self.world, shape).filter(|_| W::NEEDS.checkers);
+        checker.is_none_or(|checker| checker.is_one_cell(ends, aside))
     }
 
     /// Tests whether no other shape comes to the front in a stretch.

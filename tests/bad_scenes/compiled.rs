@@ -75,6 +75,11 @@ const PARTS: &[(&str, &str, ErrorKind)] = &[
     ),
     ("sphere([0.0; 3], 1e-10, WHITE);", "scene", Extent),
     ("background([0.0, 17.0, 0.0]);", "scene", Background),
+    (
+        "sphere([0.0; 3], 1.0, WHITE.checker([0.0; 3], [0.0, 1e-9, 0.0]));",
+        "material 0",
+        Checker,
+    ),
     ("sky([0.0; 3], [[1.0; 3]; 3]);", "sky", Sky),
     (
         "sky(UP, [[1.0; 3], [1.0; 3], [0.0, 17.0, 0.0]]);",

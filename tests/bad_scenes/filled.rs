@@ -30,6 +30,9 @@ fn message(kind: ErrorKind) -> &'static str {
         ErrorKind::Axis => "axis must not be zero",
         ErrorKind::Color => "color components must be within 0 to 16",
         ErrorKind::Background => "background components must be within 0 to 16",
+        ErrorKind::Checker => {
+            "checker sizes must be 0 or at least 2^-27 of the scene's extent, and not all 0"
+        }
         ErrorKind::Sky => "up must not be zero",
         ErrorKind::Ambient => "ambient must be within 0 to 16",
         ErrorKind::Diffuse => "diffuse must be within 0 to 16",
@@ -263,6 +266,23 @@ fn colours_must_be_within_zero_to_sixteen() {
     assert_accepted(light(ORIGIN, [0.0, 0.5, 16.0]));
     assert_accepted(background([0.0, 0.5, 16.0]));
     assert_accepted(sky(UP, [[0.0, 0.5, 16.0]; 3]));
+}
+
+#[test]
+fn cells_of_a_checker_must_have_a_size() {
+    let fault = |color: Triple, size: Triple| {
+        let made = Material::new([0.5; 3]).with_checker(color, size);
+        made.err().map(|error| (error.part(), error.kind()))
+    };
+    let grey = [0.5; 3];
+    for size in [[0.0; 3], [1.0, -1e-9, 0.0], [0.0, BEYOND, 0.0]] {
+        assert_eq!(fault(grey, size), Some(("material", ErrorKind::Checker)));
+    }
+    assert_eq!(
+        fault([0.0, 0.0, 17.0], grey),
+        Some(("material", ErrorKind::Color))
+    );
+    assert_eq!(fault(grey, [0.0, 1e-9, 0.0]), None);
 }
 
 #[test]

@@ -108,7 +108,14 @@ fn every_example_scene_is_drawn() {
         let first = image.get_pixel(0, 0);
         assert!(image.pixels().any(|pixel| pixel != first), "{file:?}");
     }
-    let expected = ["chrome3", "harbour", "harbour_sun", "matt3", "pybadge"];
+    let expected = [
+        "checkers",
+        "chrome3",
+        "harbour",
+        "harbour_sun",
+        "matt3",
+        "pybadge",
+    ];
     assert_eq!(names, expected);
 }
 

@@ -15,7 +15,7 @@ use std::{
 use source::{paths, tokens};
 
 /// The modules of the stack and their floors. Modules on the same floor may name each other.
-const FLOORS: [(&str, u8); 19] = [
+const FLOORS: [(&str, u8); 20] = [
     ("number", 0),
     ("error", 0),
     ("error_kind", 0),
@@ -25,6 +25,7 @@ const FLOORS: [(&str, u8); 19] = [
     ("grid", 1),
     ("color", 1),
     ("background", 2),
+    ("checker", 2),
     ("material", 2),
     ("light", 2),
     ("shape", 2),

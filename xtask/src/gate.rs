@@ -32,9 +32,9 @@ pub struct Arguments {
 /// Time limit of a step. On a working machine no step takes a tenth of it.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
-/// Number of steps that run at the same time: one more than the two cores for which the gate is planned.
+/// Number of steps that run at the same time: two more than the two cores for which the gate is planned.
 /// Steps that build firmware wait for each other, and leave a core idle.
-const LANES: usize = 3;
+const LANES: usize = 4;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
 const ALONE: [&str; 12] = [
@@ -54,6 +54,9 @@ const ALONE: [&str; 12] = [
 
 /// The test programs that run the firmware of the examples.
 const BOARDS: [&str; 3] = ["board", "boards", "small_boards"];
+
+/// The test program that takes the longest of those that measure firmware.
+const LONGEST: &str = "measure";
 
 /// All tests have the films of the example `render`. The same in each step: nothing is built twice.
 const FEATURES: &str = "--features=reflet/film";
@@ -228,12 +231,15 @@ fn tests(all: bool) -> Result<Vec<Step>> {
     let mut others = test_programs(&all_others)?;
     others.retain(|name| !firmware.contains(name));
     others.extend(["--lib", "--bins"].map(str::to_owned));
-    // Two steps, so that one builds while the other emulates.
+    // Three steps, so that one builds while the others emulate.
     let is_board = |name: &String| BOARDS.iter().any(|it| name == &format!("--test={it}"));
     let (boards, measured): (Vec<_>, Vec<_>) = firmware.into_iter().partition(is_board);
+    let is_longest = |name: &String| name == &format!("--test={LONGEST}");
+    let (longest, measured): (Vec<_>, Vec<_>) = measured.into_iter().partition(is_longest);
     Ok(vec![
         step("tests on emulated boards", test(&boards)),
-        step("tests of measured firmware", test(&measured)),
+        step("tests of measured firmware", test(&longest)),
+        step("tests of firmware's size and speed", test(&measured)),
         step("tests on this machine", test(&others)),
         // Documentation tests of these two packages would repeat the reference's: they compile its
         // files again.

@@ -4,8 +4,11 @@
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use serde::Deserialize;
-use serde::de::DeserializeOwned;
+use core::fmt;
+
+use serde::de::value::SeqAccessDeserializer;
+use serde::de::{DeserializeOwned, Error, SeqAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 
 use super::error::FileError;
 use crate::host::reference::{Camera, Light, Sky};
@@ -64,6 +67,50 @@ pub(super) struct Material {
     pub specular: Option<f64>,
     pub shininess: Option<f64>,
     pub mirror: Option<f64>,
+    pub checker: Option<Checker>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Checker {
+    pub color: [f64; 3],
+    pub size: Size,
+}
+
+/// The size of a cell: along all axes, or one along each.
+#[derive(Clone, Copy)]
+pub(super) struct Size(pub [f64; 3]);
+
+impl<'de> Deserialize<'de> for Size {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Numbers;
+
+        impl<'de> Visitor<'de> for Numbers {
+            type Value = Size;
+
+            fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+                formatter.write_str("a number, or three numbers in [ ]")
+            }
+
+            fn visit_f64<E: Error>(self, size: f64) -> Result<Size, E> {
+                Ok(Size([size; 3]))
+            }
+
+            fn visit_u64<E: Error>(self, size: u64) -> Result<Size, E> {
+                self.visit_f64(size as f64)
+            }
+
+            fn visit_i64<E: Error>(self, size: i64) -> Result<Size, E> {
+                self.visit_f64(size as f64)
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, sizes: A) -> Result<Size, A::Error> {
+                Deserialize::deserialize(SeqAccessDeserializer::new(sizes)).map(Size)
+            }
+        }
+
+        deserializer.deserialize_any(Numbers)
+    }
 }
 
 /// Reads one scene or an array of scenes from JSON text.

@@ -47,12 +47,16 @@ pub(super) fn camera(camera: &reference::Camera) -> Result<Camera, Error> {
 
 fn material(index: usize, plain: &reference::Material) -> Result<Material, Error> {
     let highlight = (plain.specular, plain.shininess);
-    Material::from_numbers(
+    let made = Material::from_numbers(
         plain.color,
         plain.ambient,
         plain.diffuse,
         highlight,
         plain.mirror,
-    )
-    .map_err(|error| Error::at("material", index, error.kind()))
+    );
+    let made = made.and_then(|made| match &plain.checker {
+        Some(checker) => made.with_checker(checker.color, checker.size),
+        None => Ok(made),
+    });
+    made.map_err(|error| Error::at("material", index, error.kind()))
 }

@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use super::document;
 use super::error::Problem;
-use crate::host::reference::{self, Camera, Material, Scene};
+use crate::host::reference::{self, Camera, Checker, Material, Scene};
 use crate::number::Number;
 
 /// Default of `epsilon` for a file that does not give it: how far above a surface shadow and reflected
@@ -112,5 +112,9 @@ fn material(material: &document::Material) -> Material {
         specular: material.specular.unwrap_or(specular),
         shininess: material.shininess.unwrap_or(shininess),
         mirror: material.mirror.unwrap_or(mirror),
+        checker: material.checker.as_ref().map(|it| Checker {
+            color: it.color,
+            size: it.size.0,
+        }),
     }
 }

@@ -75,6 +75,7 @@ fn every_number_arrives_in_the_reference() {
         specular: 0.0,
         shininess: 1.0,
         mirror: 0.0,
+        checker: None,
     };
     let gold = reference::Material {
         color: [0.75, 0.625, 0.0],
@@ -83,6 +84,7 @@ fn every_number_arrives_in_the_reference() {
         specular: 0.8,
         shininess: 4.0,
         mirror: 0.5,
+        checker: None,
     };
     let expected = Scene {
         spheres: vec![reference::Sphere {

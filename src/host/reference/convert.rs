@@ -2,9 +2,9 @@
 //! that names types of the core.
 
 use super::Camera;
-use super::scene::{Light, Material, Scene, Sky};
+use super::scene::{Checker, Light, Material, Scene, Sky};
 use crate::number::Number;
-use crate::{background, camera, light, material, scene};
+use crate::{background, camera, checker, light, material, scene};
 
 /// Converts a field of the core's description to one double or an array of three.
 macro_rules! plain {
@@ -104,6 +104,14 @@ fn material(material: &material::Material) -> Material {
         specular,
         shininess,
         mirror,
+        checker: material.described_checker().as_ref().map(checker),
+    }
+}
+
+fn checker(checker: &checker::Checker) -> Checker {
+    Checker {
+        color: triple(checker.color),
+        size: triple(checker.size),
     }
 }
 
@@ -112,94 +120,4 @@ fn triple(numbers: [Number; 3]) -> [f64; 3] {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::host::reference::{Cylinder, Disc, Plane, Sphere};
-    use crate::scene::{Room, RuntimeScene};
-
-    #[test]
-    fn every_number_of_a_description_arrives_in_its_place() {
-        let mut described = RuntimeScene::<Room<1, 1, 1, 1, 2, 1>>::new();
-        let gold = material::Material::new([0.1, 0.2, 0.3])
-            .ambient(0.4)
-            .diffuse(0.5)
-            .specular(0.6, 0.7)
-            .mirror(0.8);
-        let chalk = described.add_material(material::Material::new([0.9; 3]));
-        let (chalk, gold) = (chalk.unwrap(), described.add_material(gold).unwrap());
-        described.add_sphere([1.1, 1.2, 1.3], 1.4, gold).unwrap();
-        described
-            .add_plane([2.1, 2.2, 2.3], [2.4, 2.5, 2.6], chalk)
-            .unwrap();
-        described
-            .add_cylinder([3.1, 3.2, 3.3], [3.4, 3.5, 3.6], 3.7, 3.8, gold)
-            .unwrap();
-        described
-            .add_disc([5.1, 5.2, 5.3], [5.4, 5.5, 5.6], 5.7, chalk)
-            .unwrap();
-        described
-            .add_light([4.1, 4.2, 4.3], [0.4, 0.5, 0.6])
-            .unwrap();
-        described.set_background([0.7, 0.8, 0.9]).unwrap();
-        described.set_epsilon(0.01).unwrap();
-
-        let scene = Scene::from(&described.description());
-        let sphere = Sphere {
-            center: [1.1, 1.2, 1.3],
-            radius: 1.4,
-            material: 1,
-        };
-        let plane = Plane {
-            point: [2.1, 2.2, 2.3],
-            normal: [2.4, 2.5, 2.6],
-            material: 0,
-        };
-        let cylinder = Cylinder {
-            center: [3.1, 3.2, 3.3],
-            axis: [3.4, 3.5, 3.6],
-            radius: 3.7,
-            height: 3.8,
-            material: 1,
-        };
-        let disc = Disc {
-            center: [5.1, 5.2, 5.3],
-            normal: [5.4, 5.5, 5.6],
-            radius: 5.7,
-            material: 0,
-        };
-        let light = Light {
-            position: [4.1, 4.2, 4.3],
-            color: [0.4, 0.5, 0.6],
-        };
-        let gold = Material {
-            color: [0.1, 0.2, 0.3],
-            ambient: 0.4,
-            diffuse: 0.5,
-            specular: 0.6,
-            shininess: 0.7,
-            mirror: 0.8,
-        };
-        assert_eq!(scene.spheres, [sphere]);
-        assert_eq!(scene.planes, [plane]);
-        assert_eq!(scene.cylinders, [cylinder]);
-        assert_eq!(scene.discs, [disc]);
-        assert_eq!(scene.lights, [light]);
-        assert_eq!(scene.materials[1], gold);
-        assert_eq!(scene.materials[0].color, [0.9; 3]);
-        assert_eq!(scene.materials.len(), 2);
-        assert_eq!((scene.background, scene.epsilon), ([0.7, 0.8, 0.9], 0.01));
-    }
-
-    #[test]
-    fn camera_arrives_as_it_was_described() {
-        let described = camera::Camera::look_at([0.1, 0.2, 0.3], [1.4, 1.5, 1.6], [0.7, 0.8, -0.9]);
-        let camera = Camera::from(&described.fov(33.3));
-        let expected = Camera {
-            position: [0.1, 0.2, 0.3],
-            target: [1.4, 1.5, 1.6],
-            up: [0.7, 0.8, -0.9],
-            fov: 33.3,
-        };
-        assert_eq!(camera, expected);
-    }
-}
+mod tests;

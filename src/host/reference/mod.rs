@@ -28,6 +28,7 @@
 //!     specular: 0.0,
 //!     shininess: 1.0,
 //!     mirror: 0.0,
+//!     checker: None,
 //! };
 //! let scene = Scene {
 //!     spheres: vec![Sphere { center: [0.0; 3], radius: 1.0, material: 0 }],

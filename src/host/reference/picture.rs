@@ -133,6 +133,7 @@ mod tests {
             specular: 0.0,
             shininess: 1.0,
             mirror: 0.0,
+            checker: None,
         };
         let scene = Scene {
             spheres: vec![ball],

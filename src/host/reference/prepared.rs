@@ -4,7 +4,7 @@
 use std::vec::Vec;
 
 use super::{
-    Camera, Cylinder, Disc, Light, Material, Plane, Real, Scene, Shape, Sky, Sphere, model,
+    Camera, Checker, Cylinder, Disc, Light, Material, Plane, Real, Scene, Shape, Sky, Sphere, model,
 };
 
 macro_rules! prepared {
@@ -115,6 +115,15 @@ fn material(material: &Material) -> model::Material {
         specular: material.specular as Real,
         shininess: material.shininess as Real,
         mirror: material.mirror as Real,
+        checker: material.checker.as_ref().map(checker),
+    }
+}
+
+fn checker(checker: &Checker) -> model::Checker {
+    let cells = |size: f64| if size > 0.0 { 1.0 / size } else { 0.0 };
+    model::Checker {
+        color: vector(checker.color),
+        cells: vector(checker.size.map(cells)),
     }
 }
 

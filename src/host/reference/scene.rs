@@ -174,4 +174,16 @@ pub struct Material {
     /// Share α, 0 to 1, of the reflected colour in the surface's colour; 1 − α is its own colour's
     /// share.
     pub mirror: f64,
+    /// Checker that gives parts of the surface another colour, if there is one.
+    pub checker: Option<Checker>,
+}
+
+/// A checker: the second colour of a material. Along each axis a point x lies in cell ⌊x / size⌋, and where the
+/// sum of the three is odd, the surface has this colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Checker {
+    /// Linear colour of every other cell.
+    pub color: [f64; 3],
+    /// Size of a cell along each axis, in scene units; 0 along an axis in which a cell has no end.
+    pub size: [f64; 3],
 }

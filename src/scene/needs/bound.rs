@@ -128,6 +128,15 @@ impl Needs {
         }
     }
 
+    /// Returns these needs for scenes without checkers.
+    #[must_use]
+    pub const fn without_checkers(self) -> Self {
+        Self {
+            checkers: false,
+            ..self
+        }
+    }
+
     /// Returns these needs for scenes whose background has one colour.
     #[must_use]
     pub const fn without_sky(self) -> Self {

@@ -1,8 +1,8 @@
 //! The needs that follow from the materials and the lights of a scene.
 
+use super::Parts;
 use crate::background::PreparedBackground;
 use crate::light::PreparedLight;
-use crate::material::PreparedMaterial;
 use crate::number::{Brightness, Exponent, Unit};
 use crate::shape::MaterialId;
 
@@ -48,6 +48,7 @@ pub(super) struct Finish {
     /// Whether a light is far away.
     pub(super) is_far: bool,
     pub(super) has_sky: bool,
+    pub(super) has_checkers: bool,
 }
 
 impl Finish {
@@ -60,6 +61,7 @@ impl Finish {
             is_lit_grey: true,
             is_far: false,
             has_sky: background.is_sky(),
+            has_checkers: false,
         };
         let mut index = 0;
         while index < lights.len() {
@@ -71,18 +73,20 @@ impl Finish {
     }
 
     /// Includes the material of a shape.
-    pub(super) const fn add(&mut self, materials: &[PreparedMaterial], id: MaterialId) {
-        if id.index() >= materials.len() {
+    pub(super) const fn add(&mut self, parts: &Parts<'_>, id: MaterialId) {
+        if id.index() >= parts.materials.len() || id.index() >= parts.checkers.len() {
             return;
         }
-        let material = &materials[id.index()];
+        let material = &parts.materials[id.index()];
+        let checker = &parts.checkers[id.index()];
         self.mirrors[0] |= material.mirror.to_bits() > 0;
         let is_seen = material.mirror.to_bits() < Unit::ONE.to_bits();
         self.mirrors[1] |= is_seen;
         if !is_seen {
             return;
         }
-        self.is_grey &= material.color.is_grey();
+        self.is_grey &= material.color.is_grey() && checker.color.is_grey();
+        self.has_checkers |= checker.has_cells();
         if material.specular.to_bits() > Brightness::ZERO.to_bits() {
             let shininess = shininess(material.shininess);
             if shininess as u8 > self.shininess as u8 {

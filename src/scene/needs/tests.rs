@@ -26,13 +26,15 @@ fn empty_scene_needs_nothing() {
 fn full_scene_needs_everything() {
     let needs = needs(|scene| {
         let red = scene.add_material(Material::new([0.9, 0.1, 0.1]).specular(0.5, 2.5))?;
+        let tiles = GREY.checker([0.5; 3], [1.0; 3]);
+        let tiles = scene.add_material(tiles)?;
         let glass = scene.add_material(GREY.mirror(0.5))?;
         for x in [0, 3] {
             scene.add_sphere([x, 0, 0], 1, red)?;
             scene.add_cylinder([x, 3, 0], [0, 0, 1], 1, 1, glass)?;
         }
         scene.add_disc([0, 3, 1], [0, 0, 1], 1, red)?;
-        scene.add_plane([0, 0, -2], [0, 0, 1], glass)?;
+        scene.add_plane([0, 0, -2], [0, 0, 1], tiles)?;
         scene.set_sky([0, 0, 1], [[0.5; 3], [1.0; 3], [0.25; 3]])?;
         // A sun.
         scene.add_light([9000, 9000, 9000], [1, 1, 1])

@@ -57,6 +57,10 @@ const MATERIALS: Reasons = [
     "there are several",
     "there is one at most: its numbers are constants",
 ];
+const CHECKERS: Reasons = [
+    "a material has a checker, or may have one",
+    "no material has one",
+];
 const SKY: Reasons = ["the background is a sky, or may be", "it has one colour"];
 const COLORS: Reasons = [
     "something is not grey",
@@ -64,7 +68,7 @@ const COLORS: Reasons = [
 ];
 
 /// Number of needs in the list that are not kinds of bounded shapes.
-const OTHERS: usize = 13;
+const OTHERS: usize = 14;
 
 impl Needs {
     /// Returns every need in words, the kinds of bounded shapes first.
@@ -106,6 +110,7 @@ impl Needs {
             Need::either("mirrored", self.mirrored, MIRRORED),
             Need::either("sets", self.sets, SETS),
             Need::either("materials", self.materials, MATERIALS),
+            Need::either("checkers", self.checkers, CHECKERS),
             Need::either("sky", self.sky, SKY),
             Need::either("colors", self.colors, COLORS),
         ]

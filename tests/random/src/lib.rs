@@ -89,7 +89,7 @@ fn fill(
     let mut scene = Scenery::new();
     let mut ids = Vec::new();
     for _ in 0..bytes.int_in_range(1..=3)? {
-        match material(bytes, mirrors)?.map(|it| scene.add_material(it)) {
+        match material(bytes, numbers.unit, mirrors)?.map(|it| scene.add_material(it)) {
             Some(Ok(id)) => ids.push(id),
             Some(Err(error)) => return Ok(Err(error)),
             None => {}
@@ -171,7 +171,7 @@ fn add_all(
     Ok(scene.set_sky(numbers.way(bytes)?, colors))
 }
 
-fn material(bytes: &mut Unstructured, mirrors: &mut bool) -> Result<Option<Material>> {
+fn material(bytes: &mut Unstructured, unit: f64, mirrors: &mut bool) -> Result<Option<Material>> {
     let mut part = || number::brightness(bytes);
     let color = [part()?, part()?, part()?];
     let (ambient, diffuse, specular) = (part()?, part()?, part()?);
@@ -179,5 +179,14 @@ fn material(bytes: &mut Unstructured, mirrors: &mut bool) -> Result<Option<Mater
     let shininess = number::shininess(bytes)?;
     *mirrors |= mirror > 0.0;
     let made = Material::from_numbers(color, ambient, diffuse, (specular, shininess), mirror);
-    Ok(made.ok())
+    // What is bluer than red has a checker. No more bytes are read, so a stored input keeps its shapes.
+    let [red, green, blue] = color;
+    Ok(match made {
+        Ok(made) if red < blue => {
+            let size = unit * (0.05 + green);
+            let up = if diffuse < specular { size } else { 0.0 };
+            made.with_checker([blue, green, red], [size, size, up]).ok()
+        }
+        made => made.ok(),
+    })
 }

@@ -28,7 +28,11 @@ fn refilled(description: &Description<'_>) -> Largest {
         let [ambient, diffuse, specular, shininess, mirror] = material.described_coefficients();
         let highlight = (specular, shininess);
         let color = material.described_color();
-        Material::from_numbers(color, ambient, diffuse, highlight, mirror).unwrap()
+        let made = Material::from_numbers(color, ambient, diffuse, highlight, mirror).unwrap();
+        match material.described_checker() {
+            Some(checker) => made.with_checker(checker.color, checker.size).unwrap(),
+            None => made,
+        }
     });
     let ids = Vec::from_iter(materials.map(|it| scene.add_material(it).unwrap()));
     for sphere in description.spheres {
@@ -204,10 +208,15 @@ prop_compose! {
         rest in [coefficient(), coefficient(), coefficient()],
         shininess in prop_oneof![Just(4.0), Just(5.0), 0.5..30.0],
         mirror in prop_oneof![Just(0.0), Just(1.0), 0.0..1.0],
+        checker in prop::option::weighted(0.3, coefficient()),
     ) -> Material {
         let color = if grey { [color[0]; 3] } else { color };
         let [ambient, diffuse, specular] = rest;
-        Material::from_numbers(color, ambient, diffuse, (specular, shininess), mirror).unwrap()
+        let made = Material::from_numbers(color, ambient, diffuse, (specular, shininess), mirror);
+        match checker {
+            Some(shade) => made.unwrap().with_checker([shade; 3], [0.7, 0.0, 1.1]).unwrap(),
+            None => made.unwrap(),
+        }
     }
 }
 
@@ -270,7 +279,7 @@ fn within_a_step(a: &[[u8; 3]], b: &[[u8; 3]]) -> usize {
 /// Bounds that each leave out one thing: number `I` of [`OFF`].
 struct Off<const I: usize>;
 
-const OFF: [Needs; 11] = [
+const OFF: [Needs; 12] = [
     Needs::ALL.without_spheres(),
     Needs::ALL.without_planes(),
     Needs::ALL.without_cylinders(),
@@ -282,6 +291,7 @@ const OFF: [Needs; 11] = [
     Needs::ALL.without_colors(),
     Needs::ALL.without_discs(),
     Needs::ALL.without_sky(),
+    Needs::ALL.without_checkers(),
 ];
 
 impl<const I: usize> NeedsLimit for Off<I> {
@@ -323,6 +333,7 @@ fn what_a_bound_leaves_out_is_missed_by_no_scene_within_it() {
             is_held::<8>(&scene),
             is_held::<9>(&scene),
             is_held::<10>(&scene),
+            is_held::<11>(&scene),
         ];
         for (count, held) in counts.iter().zip(held) {
             count.set(count.get() + u32::from(held));

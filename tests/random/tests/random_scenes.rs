@@ -56,6 +56,8 @@ struct Surface {
     specular: f64,
     shininess: f64,
     mirror: f64,
+    /// Colour and size of the cells of a checker.
+    checker: Option<(Triple, Triple)>,
 }
 
 /// Position of the camera relative to the scene's cube, and its field of view in degrees.
@@ -81,14 +83,20 @@ fn surface() -> impl Strategy<Value = Surface> {
     ];
     let mirror = prop_oneof![3 => Just(0.0), 3 => 0.0..1.0, 1 => Just(1.0)];
     let shares = (0.0..0.3, 0.0..1.0, 0.0..1.0);
-    (triple(0.0..1.0), shares, shininess, mirror).prop_map(
-        |(color, (ambient, diffuse, specular), shininess, mirror)| Surface {
+    let cells = prop_oneof![
+        triple(0.1..1.0),
+        (0.1..1.0).prop_map(|size| [size, size, 0.0])
+    ];
+    let checker = prop::option::weighted(0.3, (triple(0.0..1.0), cells));
+    (triple(0.0..1.0), shares, shininess, mirror, checker).prop_map(
+        |(color, (ambient, diffuse, specular), shininess, mirror, checker)| Surface {
             color,
             ambient,
             diffuse,
             specular,
             shininess,
             mirror,
+            checker,
         },
     )
 }
@@ -161,7 +169,15 @@ impl Recipe {
         let mut scene = Scenery::new();
         let made = self.materials.iter().map(|it| {
             let highlight = (it.specular, it.shininess);
-            Material::from_numbers(it.color, it.ambient, it.diffuse, highlight, it.mirror).unwrap()
+            let made =
+                Material::from_numbers(it.color, it.ambient, it.diffuse, highlight, it.mirror);
+            match it.checker {
+                Some((color, size)) => {
+                    let size = size.map(|it| it * self.scale);
+                    made.unwrap().with_checker(color, size).unwrap()
+                }
+                None => made.unwrap(),
+            }
         });
         let ids = made.map(|it| scene.add_material(it));
         let ids: Vec<MaterialId> = ids.collect::<Result<_, _>>()?;

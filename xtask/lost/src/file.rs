@@ -54,10 +54,12 @@ pub fn json(case: &Case) -> String {
         file.as_object_mut().map(|file| file.remove("background"));
     }
     let materials = scene.materials.iter().enumerate().map(|(index, it)| {
+        let checker = it.checker.as_ref();
         json!({
             "name": index.to_string(), "color": it.color, "ambient": it.ambient,
             "diffuse": it.diffuse, "specular": it.specular, "shininess": it.shininess,
             "mirror": it.mirror,
+            "checker": checker.map(|it| json!({ "color": it.color, "size": it.size })),
         })
     });
     file["materials"] = materials.collect();

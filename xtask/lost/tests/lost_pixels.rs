@@ -101,6 +101,7 @@ fn material(mirror: f64) -> Material {
         specular: 0.0,
         shininess: 1.0,
         mirror,
+        checker: None,
     }
 }
 

@@ -149,6 +149,8 @@ fn fill() -> Option<(Scene<Four>, Camera)> {
     let disc = black_box(scene.add_disc(point(), point(), number(), material));
     let light = black_box(scene.add_light(point(), [number(); 3]));
     let _ = black_box(scene.set_background([number(); 3]));
+    let checkered = Material::new([0.5; 3]).with_checker([number(); 3], [number(); 3]);
+    let _ = black_box(checkered.map(|it| scene.add_material(it)));
     let _ = black_box(scene.set_sky([number(); 3], [[number(); 3]; 3]));
     let _ = black_box(scene.set_epsilon(read));
     let camera = Camera::new(point(), point(), point(), number());

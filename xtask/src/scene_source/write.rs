@@ -62,6 +62,10 @@ fn constant(name: &str, material: &Material) -> String {
     if material.mirror != 0.0 {
         text += &format!(".mirror({})", number(material.mirror));
     }
+    if let Some(checker) = &material.checker {
+        let [color, size] = [checker.color, checker.size].map(vector);
+        text += &format!(".checker({color}, {size})");
+    }
     text + ";\n"
 }
 

@@ -265,7 +265,8 @@ fn brightest(scene: &Scene) -> f64 {
         let material = &scene.materials[material];
         let light: f64 = scene.lights.iter().map(|it| it.color[axis]).sum();
         let strongest = material.diffuse + material.specular;
-        (material.ambient + strongest * light) * material.color[axis]
+        let color = material.checker.map_or(0.0, |it| it.color[axis]);
+        (material.ambient + strongest * light) * material.color[axis].max(color)
     };
     let materials = scene.shapes().map(|it| it.material);
     let colors = materials.flat_map(|material| (0..3).map(move |axis| own(material, axis)));

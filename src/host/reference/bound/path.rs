@@ -101,6 +101,24 @@ struct Drift {
     direction: f64,
 }
 
+/// Returns a number for the cell of a checker in which a surface lies, and whether it may be another cell: the
+/// point is off by up to `error` along each axis.
+fn cell(surface: &Surface, error: f64) -> (u64, bool) {
+    let checker = surface
+        .material
+        .checker
+        .filter(|_| surface.material.mirror < 1.0);
+    let Some(checker) = checker else {
+        return (0, false);
+    };
+    let [low, here, high] =
+        [-error, 0.0, error].map(|off| checker.cell(surface.outside + Vector::grey(off)));
+    let number = here.iter().fold(0, |number, cell| {
+        mixed(number, u64::from(cell.cast_unsigned()))
+    });
+    (number, low != here || high != here)
+}
+
 /// Returns by how much the colour of a sky changes at most with the direction; 0 without a sky.
 fn slope(scene: &Scene) -> f64 {
     scene.sky.map_or(0.0, |sky| {
@@ -149,7 +167,9 @@ pub(super) fn follow(
             mixed(stage.trail, 2 * shape + u64::from(surface.is_inside)),
             lights,
         );
-        stage.is_unsure |= at.is_unsure;
+        let (cell, is_near_another) = cell(&surface, at.place);
+        stage.trail = mixed(stage.trail, cell);
+        stage.is_unsure |= at.is_unsure || is_near_another;
         stages.push(stage);
         if stage.weight < NOTHING {
             break;
@@ -226,7 +246,8 @@ impl Hit {
             let rounded = strength_error + to_the_minus(22) + lit * to_the_minus(25);
             error += lamp.color * rounded + Vector::grey(to_the_minus(20));
         }
-        let tinted = material.color.filtered(error) + received * to_the_minus(25);
+        let tinted =
+            material.color_at(surface.outside).filtered(error) + received * to_the_minus(25);
         (lights, largest(tinted) + to_the_minus(20))
     }
 

@@ -154,6 +154,51 @@ pub struct Material {
     /// Share α, 0 to 1, of the reflected colour in the surface's colour; 1 − α is its own colour's
     /// share.
     pub mirror: Real,
+    /// Checker that gives parts of the surface another colour, if there is one.
+    pub checker: Option<Checker>,
+}
+
+impl Material {
+    /// Returns the colour of the material at a point from which rays leave.
+    #[inline]
+    pub fn color_at(&self, place: Vector) -> Vector {
+        match self.checker {
+            Some(checker) if checker.is_odd(place) => checker.color,
+            _ => self.color,
+        }
+    }
+}
+
+/// A checker: the second colour of a material, in every other cell of space.
+#[derive(Clone, Copy, Debug)]
+pub struct Checker {
+    /// Linear colour of every other cell.
+    pub color: Vector,
+    /// Cells in a scene unit along each axis: 1 / size, or 0 if a cell has no end.
+    pub cells: Vector,
+}
+
+impl Checker {
+    /// Returns the cell in which a point lies, along each axis.
+    #[inline]
+    pub fn cell(&self, Vector([x, y, z]): Vector) -> [i32; 3] {
+        let Vector([across, along, up]) = self.cells;
+        [floor(x * across), floor(y * along), floor(z * up)]
+    }
+
+    /// Tests whether a point has the checker's colour: the sum of its cells is odd.
+    #[inline]
+    pub fn is_odd(&self, place: Vector) -> bool {
+        let [x, y, z] = self.cell(place);
+        (x ^ y ^ z) & 1 != 0
+    }
+}
+
+/// Returns the largest whole number that is not above a number. Without the standard library.
+#[inline]
+fn floor(number: Real) -> i32 {
+    let whole = number as i32;
+    whole.wrapping_sub((whole as Real > number).into())
 }
 
 /// The surface at the hit of a ray: point, normal, material and shape.

@@ -22,7 +22,7 @@ impl Scene<'_> {
         for lamp in self.lights {
             light += lamp.color * self.strength(surface, lamp, shading);
         }
-        surface.material.color.filtered(light)
+        surface.material.color_at(surface.outside).filtered(light)
     }
 
     /// Returns the factor of a light's colour in the light that the surface sends to the viewer: diffuse

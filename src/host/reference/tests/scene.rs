@@ -14,6 +14,7 @@ fn material(mirror: f64) -> Material {
         specular: 0.0,
         shininess: 1.0,
         mirror,
+        checker: None,
     }
 }
 
@@ -95,6 +96,7 @@ fn reflected_ray_leaves_as_steeply_as_the_ray_came() {
         specular: 0.0,
         shininess: 1.0,
         mirror: 1.0,
+        checker: None,
     };
     let surface = Surface {
         outside: Vector([1.0, 2.0, 3.0]),

@@ -16,6 +16,7 @@ const MATERIAL: Material = Material {
     specular: 0.25,
     shininess: 3.0,
     mirror: 0.0,
+    checker: None,
 };
 
 /// Returns the light that a plane z = 0 of [`MATERIAL`] sends to a viewer 30 degrees to the left of its

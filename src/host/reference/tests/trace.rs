@@ -19,6 +19,7 @@ fn glowing(color: [f64; 3], mirror: f64) -> Material {
         specular: 0.0,
         shininess: 1.0,
         mirror,
+        checker: None,
     }
 }
 

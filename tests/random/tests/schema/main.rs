@@ -92,7 +92,8 @@ fn still_life() -> Value {
         "name": "still life",
         "camera": { "position": [1, -5, 2], "target": [0, 0, 1], "up": [0, 0.5, 1], "fov": 40 },
         "materials": [ { "name": "clay", "color": [0.5, 0.25, 0.125], "ambient": 0.1,
-                         "diffuse": 0.75, "specular": 0.5, "shininess": 1, "mirror": 0 } ],
+                         "diffuse": 0.75, "specular": 0.5, "shininess": 1, "mirror": 0,
+                         "checker": { "color": [0.5, 0.75, 1], "size": [1, 0, 2] } } ],
         "lights": [ { "position": [3, -4, 6], "color": [1, 0.5, 0.25] } ],
         "spheres": [ { "center": [0, 0, 1.5], "radius": 1.25, "material": "clay" } ],
         "planes": [ { "center": [0, 0, -1], "normal": [0, 0, 2], "material": "clay" } ],
@@ -110,6 +111,7 @@ fn plain_life() -> Value {
     let mut file = still_life();
     file.as_object_mut().unwrap().remove("sky");
     file["background"] = json!([0.125, 0.25, 0.375]);
+    file["materials"][0]["checker"]["size"] = json!(0.5);
     file
 }
 
@@ -135,7 +137,7 @@ fn defaults_of_a_material_are_those_of_the_library() {
 #[test]
 fn every_number_is_judged_alike_at_its_edges() {
     let validator = validator();
-    for (whole, expected) in [(still_life(), 62), (plain_life(), 53)] {
+    for (whole, expected) in [(still_life(), 68), (plain_life(), 57)] {
         assert_eq!(verdict(&whole), Verdict::Accepted);
         let places = document::places(&whole);
         let numbers = places
@@ -172,6 +174,8 @@ fn largest_scene_is_taken_by_both() {
     for list in ["lights", "planes", "cylinders", "discs"] {
         file[list] = json!([]);
     }
+    // No cell but the largest would be told apart.
+    file["materials"][0]["checker"] = Value::Null;
     let sphere = |x| json!({ "center": [x, 0, 0], "radius": MOST, "material": "clay" });
     file["spheres"] = json!([sphere(-MOST), sphere(MOST)]);
     file["epsilon"] = json!(MOST);
@@ -221,6 +225,7 @@ fn zero_directions_are_refused_by_both() {
         "/cylinders/0/axis",
         "/discs/0/normal",
         "/sky/up",
+        "/materials/0/checker/size",
     ] {
         let mut file = still_life();
         *file.pointer_mut(place).unwrap() = json!([0, 0.0, -0.0]);

@@ -64,6 +64,7 @@ impl Draft {
             specular,
             shininess,
             mirror,
+            checker: None,
         };
         self.scene.materials.push(material);
         self.scene.materials.len() - 1
