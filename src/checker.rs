@@ -84,8 +84,8 @@ const PLACES: u32 = 31;
 /// The cells along one axis.
 #[derive(Clone, Copy, Debug)]
 struct Axis {
-    /// Cells in a step, times 2^([`PLACES`] + `shift`): 2²⁹ to 2³⁰, less if a cell is very large, and 0 if it has
-    /// no end.
+    /// Cells in a step, times 2^([`PLACES`] + `shift`): 2²⁹ to 2³⁰, less if a cell has 2³³ steps or more, and 0
+    /// if it has no end.
     cells: i32,
     /// At most 31.
     shift: u32,
@@ -101,7 +101,7 @@ impl PreparedChecker {
     };
 
     /// Converts a checker that was checked to the scene's grid. Fails with [`ErrorKind::Checker`] if a cell
-    /// is smaller than two steps.
+    /// is smaller than two steps, or larger than 2⁴⁴.
     pub(crate) const fn prepare(checker: &Checker, grid: &Grid) -> Result<Self, ErrorKind> {
         let mut prepared = Self {
             color: Color::from_numbers(checker.color).in_levels(),
@@ -161,26 +161,25 @@ impl Axis {
     };
 
     /// Prepares an axis from the size of a cell and the middle of the grid, in raw bits, and the number of bits
-    /// that make a step. `None` if a cell is smaller than two steps.
+    /// that make a step. `None` if a cell is smaller than two steps, or larger than 2⁴⁴.
     const fn new(size: i128, middle: Number, drop: u32) -> Option<Self> {
         // The size has `bits` bits, so that the quotient below has 30.
         let bits = 128 - size.leading_zeros();
-        if bits < drop + 2 {
+        if bits < drop + 2 || bits > drop + 44 {
             return None;
         }
         let shift = bits - 2 - drop;
-        // A near point is in the same cell as all others where a cell has 2³³ steps or more.
+        // Of large cells fewer bits are kept, at least 18: they place a border to 2⁻¹⁵ of the scene's extent.
         let beyond = shift.saturating_sub(31);
         Some(Self {
-            cells: narrowed(narrowed_128((1 << (bits + 29)) / size))
-                >> if beyond > 31 { 31 } else { beyond },
+            cells: narrowed(narrowed_128((1 << (bits + 29)) / size)) >> beyond,
             shift: shift - beyond,
             middle: modulo_2((middle.to_bits() << PLACES).div_euclid(size)),
         })
     }
 
-    /// Returns the place of a coordinate in steps of 2^`scale`, counted in cells from the grid's middle. Cells
-    /// that are smaller than such a step cannot be told apart.
+    /// Returns the place of a coordinate in steps of 2^`scale`, counted in cells from the grid's middle. So
+    /// far away that a step is larger than a cell, or than 2³¹ steps, all places count as the middle.
     #[inline(always)]
     fn place(&self, coordinate: i32, scale: u32) -> i64 {
         match self.shift.checked_sub(scale) {

@@ -12,7 +12,7 @@ const BELOW_EPSILON: &str = "radius and height must be larger than epsilon, whic
 const BRIGHTNESS: &str = "color * (ambient + the sum over lights of (diffuse + specular) * light color), \
     with and without color, must stay below 30: dim the material or the lights";
 const CHECKER: &str =
-    "checker sizes must be 0 or at least 2^-27 of the scene's extent, and not all 0";
+    "checker sizes must be 0 or 2^-27 to 2^16 of the scene's extent, and not all 0";
 const NO_LIGHT: &str = "nothing lights the scene: add a light, or give a material some ambient";
 const NOTHING_MOVES: &str =
     "only bounded shapes of a constant scene can have a name and move: use a RuntimeScene";
@@ -98,8 +98,8 @@ macro_rules! faults {
             Shininess,
             /// A mirror coefficient α outside 0 to 1.
             Mirror,
-            /// A checker whose cells are smaller than 2⁻²⁷ of the scene's extent, have a negative size, or no
-            /// end along any axis.
+            /// A checker whose cells are smaller than 2⁻²⁷ of the scene's extent or larger than 2¹⁶ times, have a
+            /// negative size, or no end along any axis.
             Checker,
             /// A background component outside 0 to 16.
             Background,

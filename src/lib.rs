@@ -137,6 +137,7 @@
 //! | brightest that a material may be under its lights | 30 times white |
 //! | shininess | 0 to 2²⁰, any real number |
 //! | mirror (α) | 0 to 1 |
+//! | size of a checker's cells | 0, or 2⁻²⁷ to 2¹⁶ of the scene's extent |
 //! | field of view | 0.001 to 179.999 degrees |
 //! | angle between view and up | at least 2⁻²⁴ |
 //! | reflections | 0 to 255 |

@@ -112,7 +112,7 @@ impl Fingerprint {
         let hash = hash.number(ambient).number(diffuse).number(specular);
         let hash = hash.number(shininess).number(mirror);
         match &material.described_checker() {
-            Some(checker) => hash.color(&checker.color).color(&checker.size),
+            Some(checker) => hash.color(&checker.color).color(&checker.size).index(1),
             None => hash,
         }
     }

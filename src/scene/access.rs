@@ -31,7 +31,7 @@ macro_rules! parts {
             pub(crate) planes: &'a [PreparedPlane],
             pub(crate) lights: &'a [PreparedLight],
             pub(crate) materials: &'a [PreparedMaterial],
-            /// The checkers of the materials; empty if none has one.
+            /// One for each material, whether it has a checker or not.
             pub(crate) checkers: &'a [PreparedChecker],
             pub(crate) background: PreparedBackground,
             /// Largest component of any colour that a path can add, [`Color::in_levels`]; rounded up.
@@ -100,7 +100,6 @@ macro_rules! parts {
                     $($list: if_needed(needs.$list, self.$list),)*
                     planes: if_needed(needs.planes, self.planes),
                     lights: if_needed(needs.lights, self.lights),
-                    checkers: if_needed(needs.checkers, self.checkers),
                     ..self
                 }
             }

@@ -65,7 +65,7 @@ macro_rules! needs {
             /// Number of reflections of a path that can add light: 0 without a mirror, 1 if the only
             /// shape is one plane, else 255.
             pub reflections: u8,
-            /// Whether a mirror can show a shape, and not only the background.
+            /// Whether a mirror can show a shape or a sky, and not only one colour.
             pub mirrored: bool,
             /// Whether shadow rays choose candidates among the shapes, because testing all takes longer.
             pub sets: bool,

@@ -70,8 +70,8 @@ pub trait Visibility {
 /// The colour of a surface without reflections, and the lights that shine on it.
 pub struct Lit {
     pub(crate) color: Color,
-    /// One bit for each light that shines on the surface, of 32, and the last for a checker. With more lights, two
-    /// may share a bit.
+    /// One bit for each light that shines on the surface, of 32. With more lights, two may share a bit. In a scene
+    /// with checkers, the first bit is that of the cell, which it shares with the last light.
     pub(crate) lights: u32,
 }
 
@@ -115,8 +115,10 @@ fn lit_color_by<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool
             // Then the compiler computes one of the three channels.
             false => Color::grey(color.components()[0]),
         },
-        // The last bit: paths of two cells are not the same.
-        lights: received.lights ^ u32::from(is_checkered) << 31,
+        lights: match W::NEEDS.checkers {
+            true => received.lights.rotate_left(1) ^ u32::from(is_checkered),
+            false => received.lights,
+        },
     }
 }
 

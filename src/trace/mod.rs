@@ -148,7 +148,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         W::NEEDS.sky && self.world.parts().background.is_sky()
     }
 
-    /// Returns the result of a path that hits nothing.
+    /// Returns the result of a path that hits nothing, where the background has one colour.
     pub(crate) fn missed(&self) -> Traced {
         Traced::missed::<W, K>(self.world)
     }

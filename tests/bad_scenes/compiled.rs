@@ -80,6 +80,11 @@ const PARTS: &[(&str, &str, ErrorKind)] = &[
         "material 0",
         Checker,
     ),
+    (
+        "sphere([0.0; 3], 1.0, WHITE.checker([0.0; 3], [1e6, 0.0, 0.0]));",
+        "material 0",
+        Checker,
+    ),
     ("sky([0.0; 3], [[1.0; 3]; 3]);", "sky", Sky),
     (
         "sky(UP, [[1.0; 3], [1.0; 3], [0.0, 17.0, 0.0]]);",

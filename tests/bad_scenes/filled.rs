@@ -31,7 +31,7 @@ fn message(kind: ErrorKind) -> &'static str {
         ErrorKind::Color => "color components must be within 0 to 16",
         ErrorKind::Background => "background components must be within 0 to 16",
         ErrorKind::Checker => {
-            "checker sizes must be 0 or at least 2^-27 of the scene's extent, and not all 0"
+            "checker sizes must be 0 or 2^-27 to 2^16 of the scene's extent, and not all 0"
         }
         ErrorKind::Sky => "up must not be zero",
         ErrorKind::Ambient => "ambient must be within 0 to 16",

@@ -121,6 +121,8 @@ fn bound_names_the_first_need_beyond_it() {
         (all.without_highlights(), "highlights"),
         (all.with_shininess(Shininess::Whole), "shininess"),
         (all.without_mirrors(), "mirrors"),
+        (all.without_checkers(), "checkers"),
+        (all.without_sky(), "sky"),
         (all.without_colors(), "colors"),
     ] {
         let excess = all.within(&bound).unwrap_err();

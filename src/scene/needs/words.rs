@@ -46,8 +46,8 @@ const HIGHLIGHTS: Reasons = [
     "no light shines on a specular surface",
 ];
 const MIRRORED: Reasons = [
-    "a mirror may show a shape",
-    "no mirror shows more than the background",
+    "a mirror may show a shape or a sky",
+    "no mirror shows more than one colour",
 ];
 const SETS: Reasons = [
     "choosing among the shapes that may throw a shadow saves time",

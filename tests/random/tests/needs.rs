@@ -357,6 +357,26 @@ fn dark_plane_is_told_from_nothing() {
     assert!(is_held::<0>(&scene.build().unwrap()));
 }
 
+/// A limit of a limit checks all that a scene needs.
+#[test]
+fn limit_within_a_limit_is_checked() {
+    struct Plain;
+    struct Matte;
+
+    impl NeedsLimit for Plain {
+        const NEEDS: Needs = Needs::ALL.without_checkers();
+    }
+
+    impl NeedsLimit for Matte {
+        const NEEDS: Needs = Needs::ALL.without_mirrors();
+    }
+
+    let mirrors = Mirror1::with_description(|it| refilled(&it).build().unwrap());
+    let plain = Limited::<_, Plain>::new(&mirrors).unwrap();
+    let error = Limited::<_, Matte>::new(&plain).err().unwrap();
+    assert_eq!((error.part(), error.kind()), ("mirrors", ErrorKind::Limit));
+}
+
 #[test]
 fn reflections_beyond_a_bound_are_cut_off() {
     struct Once;

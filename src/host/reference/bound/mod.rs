@@ -54,7 +54,7 @@ use crate::render::block_of;
 ///
 /// // A mirror under a sky of 0.5.
 /// let glass = Material {
-///     color: [1.0; 3], ambient: 1.0, diffuse: 0.0, specular: 0.0, shininess: 1.0, mirror: 0.5,
+///     color: [1.0; 3], ambient: 1.0, diffuse: 0.0, specular: 0.0, shininess: 1.0, mirror: 0.5, checker: None,
 /// };
 /// let scene = Scene {
 ///     planes: vec![Plane { point: [0.0; 3], normal: [0.0, 0.0, 1.0], material: 0 }],
