@@ -114,19 +114,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         if first.shape == ShapeId::NONE {
             return sure(self.keeps_none(between, origin, stops), 0);
         }
-        // Quickly found, and it often is so where cells are small.
-        sure(
-            self.keeps_cell(first.shape, stops.map(|stop| stop.place), 0),
-            steps,
-        )?;
         let Some(shown) = self.shown(origin.eye, origin.row, stops) else {
             return Err(steps);
         };
-        let LitStretch { bulge, ends, .. } = shown.lit;
-        sure(
-            bulge == 0 || self.keeps_cell(first.shape, ends, bulge + 8),
-            steps,
-        )?;
+        if W::NEEDS.checkers && !self.keeps_cell(&shown) {
+            return Err(steps);
+        }
         let keeps = steps > 0
             || !self.world.parts().has_bounded()
             || match origin.level > 1 {
@@ -199,11 +192,14 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         self.keeps(between, origin, &stretch)
     }
 
-    /// Tests whether a stretch of a shape lies in one cell of its material's checker, if it is off the line between
-    /// its ends by up to `aside` steps. Cells are convex.
-    fn keeps_cell(&self, shape: ShapeId, ends: [ScaledPoint; 2], aside: i32) -> bool {
-        let checker = checker_of(self.world, shape).filter(|_| W::NEEDS.checkers);
-        checker.is_none_or(|checker| checker.is_one_cell(ends, aside))
+    /// Tests whether a stretch lies in one cell of its material's checker. Cells are convex, so a flat one does
+    /// if its ends do.
+    fn keeps_cell(&self, shown: &Shown<'_>) -> bool {
+        let LitStretch {
+            shape, bulge, ends, ..
+        } = shown.lit;
+        let aside = if bulge > 0 { bulge + 8 } else { 0 };
+        checker_of(self.world, shape).is_none_or(|checker| checker.is_one_cell(ends, aside))
     }
 
     /// Tests whether no other shape comes to the front in a stretch.

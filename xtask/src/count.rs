@@ -170,10 +170,10 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 16_734;
+    const MOST_CODE: usize = 16_731;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 36_913;
+    const MOST_OUTSIDE: usize = 36_911;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 70;

@@ -269,7 +269,7 @@ fn test_programs(folders: &[&str]) -> Result<Vec<String>> {
     Ok(names)
 }
 
-/// Returns the other steps for the library: lints, fuzzer, package,
+/// Returns the other steps for the library: lints, package,
 /// documentation, random rays and bare-metal targets.
 fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let library = ["--package", "reflet", "--lib", "--no-default-features"];
@@ -281,18 +281,15 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     };
     // Clippy checks what the board's needs. The tests build firmware for each of the others.
     let targets = if all { &TARGETS[..] } else { &TARGETS[1..2] };
-    let seconds = if all { "600" } else { "5" };
     let warnings = ["--", "-D", "warnings"];
     let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
     let rays = cargo("test").args(["--workspace", FEATURES, "--lib", "--", "--ignored"]);
-    let fuzz = xtask().args(["fuzz", "--seconds", seconds]);
     vec![
         step("clippy, everything", rest.args(warnings)),
         step(
             "clippy, the library without features",
             cargo("clippy").args(library).args(warnings),
         ),
-        step("fuzz", fuzz),
         step(
             "package",
             cargo("package").args(["--package", "reflet", "--allow-dirty"]),
@@ -354,6 +351,7 @@ fn boards(all: bool) -> Vec<Step> {
 fn long() -> Vec<Step> {
     let rays = cargo("run").args(["--profile", "checked", "--package", "stability", "--"]);
     vec![
+        step("fuzz", xtask().args(["fuzz", "--seconds", "600"])),
         step(
             "10^8 random rays with overflow checks",
             rays.args(["--rays", "100000000"]),
