@@ -38,7 +38,7 @@ pub struct Sky {
 /// Background as it is described.
 #[derive(Clone, Copy, Debug)]
 pub struct Background {
-    /// Colour of all rays that hit nothing, if there is no sky.
+    /// Colour that a ray shows where it hits nothing. Black if there is a sky.
     pub(crate) color: [Number; 3],
     pub(crate) sky: Option<Sky>,
 }
@@ -107,7 +107,7 @@ struct PreparedSky {
     above: Color,
 }
 
-/// What a ray shows that hits nothing.
+/// What a ray shows where it hits nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Beyond {
     pub(crate) color: Color,

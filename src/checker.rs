@@ -6,7 +6,7 @@ use crate::grid::Grid;
 use crate::material::is_color;
 use crate::number::{
     Number, low_word, narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128,
-    sum_modulo_2_32, unsigned_wide, wide,
+    sum_modulo_2_32, twos_complement, wide,
 };
 use crate::ray::ScaledPoint;
 use crate::vector::Position;
@@ -191,8 +191,7 @@ impl Axis {
 
     #[inline(always)]
     fn is_odd(&self, coordinate: i32, scale: u32) -> bool {
-        let place = self.place(coordinate, scale) & i64::from(u32::MAX);
-        let place = low_word(unsigned_wide(place));
+        let place = low_word(twos_complement(self.place(coordinate, scale)));
         sum_modulo_2_32(place, self.middle) >> PLACES != 0
     }
 

@@ -76,7 +76,7 @@ impl Color {
         Self([part(r, red), part(g, green), part(b, blue)])
     }
 
-    /// Returns the larger of each component.
+    /// Returns the colour that has, in each component, the larger of this and of another colour.
     pub(crate) const fn at_least(self, other: Self) -> Self {
         const fn larger(one: Brightness, other: Brightness) -> Brightness {
             match one.to_bits() > other.to_bits() {

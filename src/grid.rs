@@ -32,7 +32,8 @@ impl Grid {
         64 - signed(self.drop)
     }
 
-    /// Returns the number of low bits of a [`Number`] that a step has.
+    /// Returns the number of low bits of a [`Number`] that a conversion to steps drops: a step is 2^`drop` of its
+    /// last places.
     pub(crate) const fn drop(&self) -> u32 {
         self.drop
     }

@@ -4,7 +4,7 @@ use crate::checker::Checker;
 use crate::color::{Color, brightness};
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
-use crate::number::{Brightness, Exponent, Number, Unit};
+use crate::number::{Brightness, Exponent, Number, Unit, numbers};
 
 /// Material as the user describes it: colour, Phong coefficients and share of reflection.
 ///
@@ -13,7 +13,7 @@ use crate::number::{Brightness, Exponent, Number, Unit};
 /// | color, ambient, diffuse, specular | 0 to 16 |
 /// | shininess | 0 to 2²⁰, any real number; small whole numbers are fastest |
 /// | mirror (α) | 0 (no reflection) to 1 (only reflection) |
-/// | checker | a second colour, 0 to 16, and the size of a cell along each axis |
+/// | checker | a second colour, 0 to 16; size of a cell along each axis: 0, or 2⁻²⁷ to 2¹⁶ of the scene's extent |
 ///
 /// ```
 /// use reflet::Material;
@@ -71,9 +71,9 @@ impl Material {
     /// Meant for constants. Panics if a component is outside of 0 to 16; in a constant, that is an error
     /// of the compiler. The other methods that take plain numbers do the same.
     #[track_caller]
-    pub const fn new([red, green, blue]: [f64; 3]) -> Self {
+    pub const fn new(color: [f64; 3]) -> Self {
         Self {
-            color: [Number::new(red), Number::new(green), Number::new(blue)],
+            color: numbers(color),
             ambient: Number::new(0.2),
             diffuse: Number::new(0.8),
             specular: Number::ZERO,
@@ -122,10 +122,7 @@ impl Material {
     /// formula.
     #[track_caller]
     pub const fn checker(mut self, color: [f64; 3], size: [f64; 3]) -> Self {
-        let ([r, g, b], [x, y, z]) = (color, size);
-        let color = [Number::new(r), Number::new(g), Number::new(b)];
-        let size = [Number::new(x), Number::new(y), Number::new(z)];
-        self.checker = Some(Checker::new(color, size));
+        self.checker = Some(Checker::new(numbers(color), numbers(size)));
         self.checked()
     }
 
@@ -139,10 +136,7 @@ impl Material {
         size: [impl Into<Number>; 3],
     ) -> Result<Self, Error> {
         self.checker = Some(Checker::new(color.map(Into::into), size.map(Into::into)));
-        match self.fault() {
-            Some(fault) => Err(Error::of("material", fault)),
-            None => Ok(self),
-        }
+        self.valid()
     }
 
     /// Creates a material from numbers known at run time.
@@ -156,7 +150,7 @@ impl Material {
         (specular, shininess): (impl Into<Number>, impl Into<Number>),
         mirror: impl Into<Number>,
     ) -> Result<Self, Error> {
-        let material = Self {
+        Self {
             color: color.map(Into::into),
             ambient: ambient.into(),
             diffuse: diffuse.into(),
@@ -164,10 +158,15 @@ impl Material {
             shininess: shininess.into(),
             mirror: mirror.into(),
             checker: None,
-        };
-        match material.fault() {
+        }
+        .valid()
+    }
+
+    /// Returns the material if all fields are in range, else the fault of the first that is not.
+    fn valid(self) -> Result<Self, Error> {
+        match self.fault() {
             Some(fault) => Err(Error::of("material", fault)),
-            None => Ok(material),
+            None => Ok(self),
         }
     }
 

@@ -164,6 +164,11 @@ impl From<micromath::F32> for Number {
     }
 }
 
+/// Converts three `f64`s, such as a position or a colour, each rounded to the nearest 2⁻⁶⁴.
+pub(crate) const fn numbers([first, second, third]: [f64; 3]) -> [Number; 3] {
+    [Number::new(first), Number::new(second), Number::new(third)]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

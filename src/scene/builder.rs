@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::light::Light;
 use crate::material::Material;
-use crate::number::Number;
+use crate::number::{Number, numbers};
 use crate::shape::plane::Plane;
 use crate::vector::Position;
 
@@ -90,7 +90,7 @@ impl<R: Capacity> SceneBuilder<R> {
     #[track_caller]
     pub const fn sky(mut self, up: [f64; 3], [below, horizon, above]: [[f64; 3]; 3]) -> Self {
         let colors = [numbers(below), numbers(horizon), numbers(above)];
-        self.set_background(Background::of_sky(Position(numbers(up)), colors));
+        self.set_background(Background::of_sky(Position::new(up), colors));
         self
     }
 
@@ -270,10 +270,6 @@ macro_rules! builder {
     };
 }
 kinds!(builder);
-
-const fn numbers([red, green, blue]: [f64; 3]) -> [Number; 3] {
-    [Number::new(red), Number::new(green), Number::new(blue)]
-}
 
 #[cfg(test)]
 pub(crate) mod tests;

@@ -57,9 +57,10 @@ macro_rules! description {
             pub lights: &'a [Light],
             /// Materials; the `material` of a shape is an index into this list.
             pub materials: &'a [Material],
-            /// Colour of rays that hit nothing, if there is no sky: red, green and blue, 0 to 16 each.
+            /// Colour that a ray shows where it hits nothing: red, green and blue, 0 to 16 each. Black if there is a
+            /// sky.
             pub background: [Number; 3],
-            /// Sky that rays show that hit nothing, if there is one.
+            /// Sky that a ray shows where it hits nothing; `None` if the background has one colour.
             pub sky: Option<Sky>,
             /// Distance above a surface at which the rays start that leave it, in scene units; see
             /// [`SceneBuilder::epsilon`](crate::SceneBuilder::epsilon).

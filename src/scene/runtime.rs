@@ -116,7 +116,7 @@ impl<R: Capacity> RuntimeScene<R> {
     /// # Errors
     /// [`ErrorKind::Background`] if a component is out of range. The scene is then unchanged.
     pub fn set_background(&mut self, color: [impl Into<Number>; 3]) -> Result<(), Error> {
-        self.set(Background::of_color(color.map(Into::into)))
+        self.replace(Background::of_color(color.map(Into::into)))
     }
 
     /// Sets a sky as the background: the direction straight up, and the colours straight down, at the
@@ -131,10 +131,11 @@ impl<R: Capacity> RuntimeScene<R> {
         colors: [[impl Into<Number>; 3]; 3],
     ) -> Result<(), Error> {
         let colors = colors.map(|color| color.map(Into::into));
-        self.set(Background::of_sky(up.into(), colors))
+        self.replace(Background::of_sky(up.into(), colors))
     }
 
-    fn set(&mut self, background: Background) -> Result<(), Error> {
+    /// Replaces the background, unless it is faulty.
+    fn replace(&mut self, background: Background) -> Result<(), Error> {
         if let Some((part, fault)) = background.fault() {
             return Err(Error::of(part, fault));
         }

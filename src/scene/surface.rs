@@ -73,20 +73,14 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// Tests whether the surface has the colour of its material's checker here.
+    /// Returns the colour of the material's checker, if the surface lies in a cell of that colour.
     #[inline(always)]
-    pub(crate) fn is_checkered<W: SceneAccess>(&self, world: &W) -> bool {
-        W::NEEDS.checkers && checker_of(world, self.shape).is_some_and(|it| it.holds(self.place))
-    }
-
-    /// Returns the colour of the surface: its material's, or that of the material's checker.
-    #[inline(always)]
-    pub(crate) fn color<W: SceneAccess>(&self, world: &'a W, is_checkered: bool) -> Color {
-        let own = self.material(world).color;
-        match is_checkered {
-            true => checker_of(world, self.shape).map_or(own, |it| it.color),
-            false => own,
+    pub(crate) fn checkered<W: SceneAccess>(&self, world: &W) -> Option<Color> {
+        if !W::NEEDS.checkers {
+            return None;
         }
+        let checker = checker_of(world, self.shape)?;
+        checker.holds(self.place).then_some(checker.color)
     }
 
     /// Returns the shape that rays from this point need not test: the surface's own. Returns

@@ -107,8 +107,8 @@ fn lit_color_by<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool
     for (index, light) in visibility.lights().iter().enumerate().skip(4) {
         received.ask::<W, V, H>(world, surface, visibility, (light, index));
     }
-    let is_checkered = surface.is_checkered(world);
-    let color = received.light.filtered(surface.color(world, is_checkered));
+    let checkered = surface.checkered(world);
+    let color = received.light.filtered(checkered.unwrap_or(material.color));
     Lit {
         color: match W::NEEDS.colors {
             true => color,
@@ -116,7 +116,7 @@ fn lit_color_by<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: bool
             false => Color::grey(color.components()[0]),
         },
         lights: match W::NEEDS.checkers {
-            true => received.lights.rotate_left(1) ^ u32::from(is_checkered),
+            true => received.lights.rotate_left(1) ^ u32::from(checkered.is_some()),
             false => received.lights,
         },
     }

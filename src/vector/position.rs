@@ -1,7 +1,7 @@
 //! Positions of a description: three numbers in scene units, before they are converted to grid steps.
 
 use super::{Direction, Vector};
-use crate::number::{Number, Unit, narrowed, narrowed_128, signed};
+use crate::number::{Number, Unit, narrowed, narrowed_128, numbers, signed};
 
 /// Three coordinates of a description, in scene units: a position, or a normal, axis or view direction
 /// that is not normalised yet.
@@ -28,8 +28,8 @@ impl Position {
     pub const ORIGIN: Self = Self([Number::ZERO; 3]);
 
     /// Creates a position from decimal numbers.
-    pub const fn new([x, y, z]: [f64; 3]) -> Self {
-        Self([Number::new(x), Number::new(y), Number::new(z)])
+    pub const fn new(coordinates: [f64; 3]) -> Self {
+        Self(numbers(coordinates))
     }
 
     /// Tests whether every coordinate is within ±[`Position::MAX_COORDINATE`].

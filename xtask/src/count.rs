@@ -170,7 +170,7 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 16_731;
+    const MOST_CODE: usize = 16_724;
 
     /// Most lines of Rust outside of the library.
     const MOST_OUTSIDE: usize = 36_911;

@@ -30,9 +30,9 @@ macro_rules! scene {
             pub lights: Vec<Light>,
             /// The materials of the scene. A shape names its material by the index in this list.
             pub materials: Vec<Material>,
-            /// Linear colour of a ray that hits nothing, if there is no sky.
+            /// Linear colour that a ray shows where it hits nothing. Not used if there is a sky.
             pub background: [f64; 3],
-            /// Sky that a ray shows that hits nothing, if there is one.
+            /// Sky that a ray shows where it hits nothing; `None` if the background has one colour.
             pub sky: Option<Sky>,
             /// Distance from a surface, along its normal, at which shadow and reflected rays start; in
             /// scene units.

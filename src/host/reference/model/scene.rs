@@ -16,9 +16,9 @@ macro_rules! scene {
             pub lights: &'a [Light],
             /// The materials of the scene, which shapes name by index.
             pub materials: &'a [Material],
-            /// Linear colour of a ray that hits nothing, if there is no sky.
+            /// Linear colour that a ray shows where it hits nothing. Not used if there is a sky.
             pub background: Vector,
-            /// Sky that a ray shows that hits nothing, if there is one.
+            /// Sky that a ray shows where it hits nothing; `None` if the background has one colour.
             pub sky: Option<Sky>,
             /// Distance from a surface, along its normal, at which shadow and reflected rays start; in
             /// scene units.
@@ -194,7 +194,7 @@ impl Checker {
     }
 }
 
-/// Returns the largest whole number that is not above a number. Without the standard library.
+/// Rounds a number down to a whole one. `core` has no such function.
 #[inline]
 fn floor(number: Real) -> i32 {
     let whole = number as i32;
