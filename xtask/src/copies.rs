@@ -57,7 +57,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 /// Fails if any loaded byte differs, or if the firmware contains no code.
 fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
     let folder = Path::new("examples").join(name);
-    let there = toolchain::build_alone(target, &folder, &["--bin", &main_program(name)?])?;
+    let there = toolchain::build_for_chip(target, &folder, &main_program(name)?)?;
     // The copy is built to the same place.
     let (weight, content) = (weigh(&there)?, fingerprint(&there)?);
     ensure!(

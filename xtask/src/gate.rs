@@ -270,7 +270,7 @@ fn test_programs(folders: &[&str]) -> Result<Vec<String>> {
 }
 
 /// Returns the other steps for the library: lints, package,
-/// documentation, random rays and bare-metal targets.
+/// documentation and bare-metal targets.
 fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let library = ["--package", "reflet", "--lib", "--no-default-features"];
     let firmware = ["--features", "scenes,micromath"];
@@ -283,7 +283,6 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let targets = if all { &TARGETS[..] } else { &TARGETS[1..2] };
     let warnings = ["--", "-D", "warnings"];
     let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
-    let rays = cargo("test").args(["--workspace", FEATURES, "--lib", "--", "--ignored"]);
     vec![
         step("clippy, everything", rest.args(warnings)),
         step(
@@ -301,7 +300,6 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
                 .args(["--features", "host,micromath,scenes"])
                 .env("RUSTDOCFLAGS", "-D warnings --cfg docsrs"),
         ),
-        step("ten million rays from every kind of surface", rays),
         step("bare metal", check(targets).args(firmware)),
         step("bare metal, no features", check(targets)),
     ]
@@ -364,12 +362,12 @@ fn long() -> Vec<Step> {
 }
 
 /// Returns the step that checks the library with the oldest Rust it supports, if that toolchain is
-/// installed. `all` adds the feature `host`, whose dependencies take long to compile.
+/// installed. `all` adds the features that take long to compile.
 fn oldest_rust(all: bool) -> Option<Step> {
     let features = if all {
         "host,micromath,scenes"
     } else {
-        "micromath,scenes"
+        "micromath"
     };
     let check = Program::new("cargo")
         .args([

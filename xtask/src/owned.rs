@@ -112,7 +112,7 @@ impl Owned {
     /// Builds the example in its place.
     pub fn build(&self) -> Result<PathBuf> {
         let folder = Path::new("examples").join(self.name);
-        toolchain::build_alone(self.target, &folder, &["--bin", self.name])
+        toolchain::build_for_chip(self.target, &folder, self.name)
     }
 }
 

@@ -134,13 +134,24 @@ pub fn build_alone(target: &str, package: &Path, more: &[&str]) -> Result<PathBu
     built(alone(cargo, package))
 }
 
+/// Builds one program of a package that needs the crate of a chip, in release mode.
+pub fn build_for_chip(target: &str, package: &Path, program: &str) -> Result<PathBuf> {
+    let cargo = cargo_build("release", target)?.args(["--bin", program]);
+    built(outside(cargo, package, &chips_directory()))
+}
+
 /// Adds the arguments for a package outside of the workspace to a command of cargo. All of them share
 /// one target folder and one set of flags, so what several need is compiled once for each target.
 pub fn alone(cargo: Program, package: &Path) -> Program {
+    outside(cargo, package, &alone_directory())
+}
+
+/// Adds the arguments for a package outside of the workspace, with this target folder.
+fn outside(cargo: Program, package: &Path, place: &Path) -> Program {
     let manifest = root().join(package).join("Cargo.toml");
     cargo
         .args(["--manifest-path".as_ref(), manifest.as_os_str()])
-        .args(["--target-dir".as_ref(), alone_directory().as_os_str()])
+        .args(["--target-dir".as_ref(), place.as_os_str()])
         // Instead of the flags in the repository's configuration, which are for the default board.
         .env("CARGO_ENCODED_RUSTFLAGS", "")
 }
@@ -148,6 +159,12 @@ pub fn alone(cargo: Program, package: &Path) -> Program {
 /// Returns cargo's target folder for packages outside of the workspace.
 pub fn alone_directory() -> PathBuf {
     target_directory().join("alone")
+}
+
+/// Returns cargo's target folder for packages that need the crate of a chip. They share little with others,
+/// and cargo builds in two folders at the same time.
+fn chips_directory() -> PathBuf {
+    target_directory().join("chips")
 }
 
 /// Builds one program of the workspace in a profile and returns its path. `arguments` are the
@@ -159,7 +176,7 @@ pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathB
 /// Builds the package in a folder outside of the repository, with that folder's own configuration. Returns
 /// the program of this name.
 pub fn build_there(target: &str, folder: &Path, name: &str) -> Result<PathBuf> {
-    let place = alone_directory();
+    let place = chips_directory();
     let cargo = cargo_build("release", target)?.args(["--target-dir".as_ref(), place.as_os_str()]);
     Ok(built(cargo.in_folder(folder))?.with_file_name(name))
 }

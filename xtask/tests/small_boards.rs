@@ -42,6 +42,7 @@ fn hash() -> u64 {
 }
 
 #[test]
+#[ignore = "long: another board"]
 fn castle_on_a_microbit_is_the_same_picture_in_10_kib_of_ram() {
     let program = build("microbit");
     let said = Qemu::arm("microbit").limit(LIMIT).run(&program);
@@ -51,6 +52,7 @@ fn castle_on_a_microbit_is_the_same_picture_in_10_kib_of_ram() {
 }
 
 #[test]
+#[ignore = "long: another board"]
 fn castle_on_risc_v_is_the_same_picture() {
     let program = build("riscv");
     let said = Qemu::riscv32().limit(LIMIT).run(&program);

@@ -172,7 +172,7 @@ fn inside_of_a_cylinder_does_not_stop_what_leaves_it() {
 }
 
 #[test]
-#[ignore = "22 million bounces: a step of its own in the gate"]
+#[ignore = "long: 22 million bounces"]
 fn insides_keep_ten_million_rays() {
     assert_kept_inside(50_000, true, 3);
     assert_kept_inside(200_000, false, 4);

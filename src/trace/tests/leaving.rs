@@ -343,7 +343,7 @@ fn plane_does_not_stop_what_leaves_it_however_small_epsilon_is() {
 }
 
 #[test]
-#[ignore = "12 million rays: a step of its own in the gate"]
+#[ignore = "long: 12 million rays"]
 fn outsides_let_ten_million_rays_go() {
     let kinds = [Kind::Sphere, Kind::Cylinder, Kind::Plane].into_iter();
     let seen: u64 = kinds

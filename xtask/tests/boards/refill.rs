@@ -10,7 +10,7 @@ const TARGET: &str = "thumbv8m.main-none-eabihf";
 /// Returns the number of pixels that are not those of the pattern.
 fn wrong(program: &str) -> usize {
     let package = Path::new("xtask/boards/refill");
-    let firmware = toolchain::build_alone(TARGET, package, &["--bin", program]).unwrap();
+    let firmware = toolchain::build_for_chip(TARGET, package, program).unwrap();
     let run = Board::PICO_2.run(&firmware, &Script::default().picture(&[]));
     let pixels = &run.unwrap().pictures[0].pixels;
     let pattern = |x: usize, y: usize| ((x * 257) ^ (y * 91)) as u16;
