@@ -7,6 +7,7 @@
 use super::{LONGEST_BLOCK, World};
 use crate::number::Length;
 use crate::ray::{Borders, Cut, RowPlane, ScaledPoint, Shadows};
+use crate::scene::access::ShapeId;
 use crate::shape::bordered::{Bordered, CastsShadow};
 use crate::shape::plane::{PreparedPlane, Side};
 use crate::vector::{Point, Vector};
@@ -37,9 +38,56 @@ pub(crate) fn until<W: World>(
     light: ScaledPoint,
     column: u32,
 ) -> u32 {
+    let borders = borders_from(column, world, (pencil, plane, light));
+    borders.until(column).unwrap_or(column)
+}
+
+/// Returns the borders of the shadows of a light on a plane, from a column on. No plane hides the light.
+fn borders_from<W: World>(
+    column: u32,
+    world: &W,
+    (pencil, plane, light): (&Pencil, &PreparedPlane, ScaledPoint),
+) -> Borders {
     let mut borders = Borders::new(column, pencil.row.axis.width + LONGEST_BLOCK);
     shadows(world, pencil, plane, light, &mut borders);
-    borders.until(column).unwrap_or(column)
+    borders
+}
+
+/// The shadows of a light on a plane that a row shows directly or in one mirror.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Cast {
+    /// The plane that mirrors the rays; [`ShapeId::NONE`] if none does.
+    pub(crate) mirror: ShapeId,
+    pub(crate) plane: ShapeId,
+    /// Index of the light.
+    pub(crate) light: usize,
+}
+
+/// The shadows that a row has asked for last, with all their borders in the row; `None` if these have no room.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RowShadows(Option<(Cast, Option<Borders>)>);
+
+impl RowShadows {
+    /// No shadows.
+    pub(crate) const NONE: Self = Self(None);
+
+    /// Returns the borders of shadows in the whole row, `None` if they have no room. `shadow` are the rays that show
+    /// the plane, the plane and the place of the light. No plane hides the light.
+    pub(crate) fn of<W: World>(
+        &mut self,
+        world: &W,
+        cast: Cast,
+        shadow: (&Pencil, &PreparedPlane, ScaledPoint),
+    ) -> Option<Borders> {
+        match self.0 {
+            Some((kept, borders)) if kept == cast => borders,
+            _ => {
+                let borders = Some(borders_from(0, world, shadow)).filter(Borders::is_whole);
+                self.0 = Some((cast, borders));
+                borders
+            }
+        }
+    }
 }
 
 /// Finds the columns at which the shadows of a light on a plane begin or end, from the first of `borders` on. No

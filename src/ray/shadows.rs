@@ -59,6 +59,8 @@ pub struct Borders {
     /// First column that the borders hold for, and the column after the last.
     first: u16,
     end: u16,
+    /// Whether every border has been noted.
+    is_whole: bool,
 }
 
 /// Largest number of borders that are noted.
@@ -71,6 +73,7 @@ impl Borders {
         count: 0,
         first: 0,
         end: 0,
+        is_whole: true,
     };
 
     /// Starts without a border, from one column up to another.
@@ -94,7 +97,10 @@ impl Borders {
                 *free = place;
                 self.count += 1;
             }
-            None => self.end = self.end.min(place[0].max(self.first)),
+            None => {
+                self.end = self.end.min(place[0].max(self.first));
+                self.is_whole = false;
+            }
         }
     }
 
@@ -113,8 +119,14 @@ impl Borders {
         Some(until.into())
     }
 
+    /// Tests whether every border has been noted.
+    pub(crate) fn is_whole(&self) -> bool {
+        self.is_whole
+    }
+
     /// Nothing is known after the first column.
     pub(crate) fn end(&mut self) {
+        self.is_whole = false;
         self.count = 0;
         self.end = self.first + 1;
     }

@@ -1,3 +1,4 @@
+use super::row_plane::Border;
 use super::*;
 use crate::number::sweep::Sweep;
 
@@ -128,4 +129,25 @@ fn trails_of_different_lengths_differ() {
             assert_ne!(noted(longer), noted(shorter), "{longer} and {shorter}");
         }
     }
+}
+
+#[test]
+fn borders_without_room_are_not_whole() {
+    let mut borders = Borders::new(0, 240);
+    let at = |column| Border {
+        first: column,
+        last: column - 1,
+    };
+    // Beside the columns there is nothing to note.
+    borders.add(at(-3));
+    for column in 1..13 {
+        borders.add(at(10 * column));
+        assert!(borders.is_whole());
+    }
+    borders.add(at(200));
+    assert!(!borders.is_whole());
+    assert_eq!((borders.until(125), borders.until(230)), (Some(199), None));
+    let mut borders = Borders::new(0, 240);
+    borders.end();
+    assert!(!borders.is_whole());
 }

@@ -2,23 +2,35 @@
 
 use super::stops::Stop;
 use super::{PathQuality, Tracer};
-use crate::accel::{World, shadows};
+use crate::accel::World;
+use crate::accel::shadows::{self, Cast, Pencil};
 use crate::ray::ScaledPoint;
+use crate::scene::access::ShapeId;
 use crate::shade::highlight::sealed::Shading;
-use crate::shape::plane::Side;
+use crate::shape::plane::{PreparedPlane, Side};
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Tests whether no shadow of a far light begins or ends between two columns, if they show a plane. `stops`
     /// are the hits of a path; `level` is the one that is shown.
     #[inline(always)]
-    pub(super) fn keeps_far_lights(&self, columns: [u32; 2], stops: &[Stop], level: usize) -> bool {
+    pub(super) fn keeps_far_lights(
+        &mut self,
+        columns: [u32; 2],
+        stops: &[Stop],
+        level: usize,
+    ) -> bool {
         // A scene without far lights links no code for them.
         let has_some = W::NEEDS.far_lights && W::NEEDS.shadows && K::SHADOWS;
         !has_some || self.keeps_each_far_light(columns, stops, level)
     }
 
     #[inline(never)]
-    fn keeps_each_far_light(&self, [first, last]: [u32; 2], stops: &[Stop], level: usize) -> bool {
+    fn keeps_each_far_light(
+        &mut self,
+        [first, last]: [u32; 2],
+        stops: &[Stop],
+        level: usize,
+    ) -> bool {
         let parts = self.world.parts();
         let Some((shown, mirrors)) = stops.get(..=level).and_then(|stops| stops.split_last())
         else {
@@ -27,21 +39,47 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         let Some(plane) = parts.plane(shown.shape) else {
             return true;
         };
-        let mut pencil = self.culling.pencil();
-        for stop in mirrors {
-            let image = pencil.zip(parts.plane(stop.shape));
-            pencil = image.and_then(|(pencil, mirror)| pencil.mirrored(mirror, parts.epsilon));
-        }
+        let pencil = mirrors.iter().fold(self.culling.pencil(), |pencil, stop| {
+            pencil?.mirrored(parts.plane(stop.shape)?, parts.epsilon)
+        });
+        let Some(pencil) = pencil else {
+            return false;
+        };
         let lights = parts.lights.iter().map(|light| light.place);
-        let mut lights = lights
-            .enumerate()
-            .filter(|(index, light)| !light.is_near() && !self.visibility.is_hidden(*index));
-        lights.all(|(_, light)| {
-            self.is_open(light)
-                && pencil.is_some_and(|pencil| {
-                    shadows::until(self.world, &pencil, plane, light, first) >= last
-                })
+        lights.enumerate().all(|(index, light)| {
+            let is_near_or_hidden = light.is_near() || self.visibility.is_hidden(index);
+            is_near_or_hidden
+                || self.is_open(light) && {
+                    let shadow = (&pencil, plane, light);
+                    self.shines_until((mirrors, shown.shape, index), shadow, first) >= last
+                }
         })
+    }
+
+    /// Returns the last column to which a light surely shines on a plane as in `column`. `mirrors` are the hits before
+    /// the plane. Behind at most one mirror the shadows of the whole row are kept.
+    fn shines_until(
+        &mut self,
+        (mirrors, plane, light): (&[Stop], ShapeId, usize),
+        shadow: (&Pencil, &PreparedPlane, ScaledPoint),
+        column: u32,
+    ) -> u32 {
+        let mirror = match mirrors {
+            [] => Some(ShapeId::NONE),
+            [only] => Some(only.shape),
+            _ => None,
+        };
+        let cast = mirror.map(|mirror| Cast {
+            mirror,
+            plane,
+            light,
+        });
+        let kept = cast.and_then(|cast| self.shadows.of(self.world, cast, shadow));
+        let (pencil, plane, light) = shadow;
+        match kept.and_then(|borders| borders.until(column)) {
+            Some(until) => until,
+            None => shadows::until(self.world, pencil, plane, light, column),
+        }
     }
 
     /// Tests whether no plane hides a light from a surface of the frame: it stands on the camera's side of each.

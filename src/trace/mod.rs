@@ -23,6 +23,7 @@ use visibility::{Culled, Plain};
 
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::screen_culling::ScreenCulling;
+use crate::accel::shadows::RowShadows;
 use crate::accel::{CullingQuality, Window, World};
 use crate::color::Sum;
 use crate::number::{Unit, share};
@@ -87,6 +88,8 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     culling: ScreenCulling<'a, W>,
     /// The bounded shapes that the camera's rays through this row can hit, on the plain path.
     list: ShapeSet,
+    /// The shadow of a far light that the row has asked for last.
+    shadows: RowShadows,
     /// Largest number of reflections of a path.
     reflections: u32,
     /// Number of rays that were followed, without shadow rays.
@@ -116,6 +119,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             visibility,
             culling,
             list,
+            shadows: RowShadows::NONE,
             reflections: reflections.min(W::NEEDS.reflections).into(),
             rays: 0,
             cut_off: Unit::ZERO,

@@ -110,3 +110,72 @@ fn light_shines_alike_up_to_the_border_of_a_shadow() {
         "{alike} {borders} {shaded} {far_lights}"
     );
 }
+
+/// The borders of a whole row, kept, say at each column what borders from that column on say.
+#[test]
+fn shadows_kept_for_a_row_end_where_those_of_a_column_end() {
+    let mut sweep = Sweep::new(67);
+    let mut compared = 0;
+    for _ in 0..60 {
+        let scene = scene(&mut sweep, 400.0);
+        let [x, y, z] = sweep.place();
+        let camera = Camera::look_at([4.0 * x, -5.0 + y, 1.6 + z], [0.0; 3], [0.1 * x, 0.0, 1.0]);
+        let (parts, generator) = (scene.parts(), camera.generator(96, 64));
+        let from = parts.grid.place(camera.description().position);
+        for row in [31, 40, 52] {
+            let pencil = Pencil {
+                eye: from.point,
+                row: generator.row_plane(row, from.point),
+            };
+            let (plane, light) = (&parts.planes[0], parts.lights[0].place);
+            let cast = Cast {
+                mirror: ShapeId::NONE,
+                plane: ShapeId::at(parts.bounded()),
+                light: 0,
+            };
+            let mut shadows = RowShadows::NONE;
+            for column in 0..96 {
+                let kept = shadows.of(&scene, cast, (&pencil, plane, light));
+                let anew = until(&scene, &pencil, plane, light, column);
+                if let Some(kept) = kept.and_then(|borders| borders.until(column)) {
+                    assert_eq!(kept, anew, "row {row}, column {column}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared > 10_000, "{compared}");
+}
+
+/// Each plane, mirror and light has shadows of its own: what is kept for one is not told of another.
+#[test]
+fn shadows_of_another_light_are_found_anew() {
+    let mut scene = RuntimeScene::<Room<1, 1, 0, 2, 1, 0>>::new();
+    let white = scene.add_material(Material::new([1.0; 3])).unwrap();
+    scene.add_sphere([0, 0, 1], 0.5, white).unwrap();
+    scene.add_plane([0, 0, 0], [0, 0, 1], white).unwrap();
+    scene.add_light([-4000, 0, 4000], [1.0; 3]).unwrap();
+    scene.add_light([0, 4000, 1000], [1.0; 3]).unwrap();
+    let scene: Scene<Room<1, 1, 0, 2, 1, 0>> = scene.build().unwrap();
+    let camera = Camera::look_at([0.0, -5.0, 2.0], [0.0; 3], [0.0, 0.0, 1.0]);
+    let (parts, generator) = (scene.parts(), camera.generator(96, 64));
+    let from = parts.grid.place(camera.description().position);
+    let pencil = Pencil {
+        eye: from.point,
+        row: generator.row_plane(32, from.point),
+    };
+    let mut shadows = RowShadows::NONE;
+    let mut of = |light: usize| {
+        let cast = Cast {
+            mirror: ShapeId::NONE,
+            plane: ShapeId::at(1),
+            light,
+        };
+        let shadow = (&pencil, &parts.planes[0], parts.lights[light].place);
+        let borders = shadows.of(&scene, cast, shadow).unwrap();
+        borders.until(0)
+    };
+    let [one, other] = [of(0), of(1)];
+    assert_ne!(one, other);
+    assert_eq!([of(0), of(1)], [one, other]);
+}
