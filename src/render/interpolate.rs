@@ -25,7 +25,7 @@ use crate::trace::{Progress, Stops, Traced, Tracer};
 /// changes from one pixel to the next.
 pub(crate) const fn block_of(width: u32) -> u32 {
     match width {
-        0..192 => LONGEST_BLOCK / 2,
+        0..160 => LONGEST_BLOCK / 2,
         _ => LONGEST_BLOCK,
     }
 }
