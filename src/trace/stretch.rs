@@ -62,16 +62,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         };
         let [start, end] = ends.map(Stops::all);
         for (first, last) in start.iter().zip(end) {
-            if first.shape != last.shape || first.is_inside != last.is_inside {
+            let is_one = first.shape == last.shape && first.is_inside == last.is_inside;
+            if !is_one || !self.keeps_far_lights(between.1, start, origin.level) {
                 return false;
             }
             if origin.level == proved.hits {
                 let steps = self.keeps_shape(between, &origin, [first, last], proved.steps);
-                let steps = steps.and_then(|()| {
-                    // Last, because it takes longest.
-                    let is_proved = self.keeps_far_lights(between.1, start, origin.level);
-                    sure(is_proved, 1 + parts.lights.len())
-                });
                 *proved = match steps {
                     Ok(()) => Progress {
                         hits: proved.hits + 1,
