@@ -11,7 +11,6 @@ use crate::number::Length;
 use crate::ray::{Ray, RowPlane};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, Nearest, nearest_of};
-use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Description, Fillable, Room, used};
 use crate::vector::{Direction, Point};
 
@@ -199,7 +198,7 @@ impl<'a, R: ActiveRoom> ActiveLists<'a, R> {
             origin: self.eye,
             direction: *direction,
         };
-        nearest_of(world, ShapeSet::ALL, (&ray, start), ShapeId::NONE)
+        nearest_of(world, (&ray, start), ShapeId::NONE)
     }
 }
 

@@ -23,7 +23,6 @@ use crate::number::{Length, high, to_u32};
 use crate::ray::{REACH, Ray};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
-use crate::scene::shape_set::ShapeSet;
 use crate::shape::bounded::{Range, SURE};
 use crate::vector::Point;
 
@@ -177,7 +176,7 @@ pub(super) fn nearest<W: World>(world: &W, ray: &Ray, (mirror, skip): (ShapeId, 
 #[cold]
 #[inline(never)]
 fn of_all<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId) -> Hit {
-    nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), skip)
+    nearest_of(world, (ray, NOWHERE), skip)
 }
 
 /// Tests whether rays of `Q` ask the hierarchy of a scene.

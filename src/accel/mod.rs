@@ -16,7 +16,6 @@ pub(crate) mod light_occluders;
 mod light_stretch;
 pub(crate) mod light_table;
 pub(crate) mod light_visibility;
-pub(crate) mod mirror_table;
 mod motion;
 pub(crate) mod row_list;
 mod scene;
@@ -42,12 +41,10 @@ pub use hierarchy::HierarchyNode;
 use light_lists::LightLists;
 use light_occluders::LightOccluders;
 use light_table::LightTable;
-use mirror_table::MirrorTables;
 
 use crate::ray::Ray;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
-use crate::scene::shape_set::ShapeSet;
 
 /// Largest number of columns of a block: how many lie at most from one traced pixel of a row to the next.
 pub(crate) const LONGEST_BLOCK: u32 = 32;
@@ -64,8 +61,6 @@ pub struct Culling {
     /// Whether rays that no table covers test only the shapes in the balls of the [`hierarchy`] that they
     /// meet.
     pub(crate) hierarchy: bool,
-    /// Whether rays reflected by round mirrors test only the shapes that [`mirror_table`] lists.
-    pub(crate) mirror_tables: bool,
     /// Whether the plain path tests only the shapes that a row can show ([`row_list`]) and those in a
     /// light's direction ([`light_lists`]). Techniques above replace it.
     pub(crate) lists: bool,
@@ -78,7 +73,6 @@ impl Culling {
         light_occluders: true,
         light_tables: true,
         hierarchy: true,
-        mirror_tables: true,
         lists: false,
     };
 
@@ -88,7 +82,6 @@ impl Culling {
         light_occluders: false,
         light_tables: false,
         hierarchy: false,
-        mirror_tables: false,
         lists: false,
     };
 
@@ -100,11 +93,7 @@ impl Culling {
 
     /// Tests whether a technique is on that replaces the plain path. The lists do not.
     pub(crate) const fn is_any(self) -> bool {
-        self.screen_bounds
-            || self.light_occluders
-            || self.light_tables
-            || self.hierarchy
-            || self.mirror_tables
+        self.screen_bounds || self.light_occluders || self.light_tables || self.hierarchy
     }
 }
 
@@ -114,25 +103,18 @@ pub trait CullingQuality {
     const CULLING: Culling;
 }
 
-/// Returns the nearest bounded shape hit by a ray that a mirror reflects.
-///
-/// Tests the shapes near the ray if the scene has a hierarchy. Else it tests those that lie ahead of the
-/// mirror in the ray's direction, if the mirror has a table of them; all shapes otherwise. `skip` is the
-/// shape that the ray leaves.
+/// Returns the nearest bounded shape hit by a ray that leaves `mirror`: tests the shapes near the ray if the scene has
+/// a hierarchy, else all. `skip` is the shape that the ray leaves from outside.
 #[inline(always)]
 pub(crate) fn nearest_ahead<W: World, Q: CullingQuality>(
     world: &W,
     ray: &Ray,
     (mirror, skip): (ShapeId, ShapeId),
 ) -> Hit {
-    if hierarchy::is_used::<W, Q>(world) {
-        return hierarchy::nearest(world, ray, (mirror, skip));
+    match hierarchy::is_used::<W, Q>(world) {
+        true => hierarchy::nearest(world, ray, (mirror, skip)),
+        false => nearest_of(world, (ray, NOWHERE), skip),
     }
-    let candidates = match W::CHOOSES_HITS && Q::CULLING.mirror_tables {
-        true => world.tables().mirror_tables.ahead(mirror, ray.direction),
-        false => ShapeSet::ALL,
-    };
-    nearest_of(world, candidates, (ray, NOWHERE), skip)
 }
 
 /// A scene that the kernels can read, together with the tables that make it fast.
@@ -159,8 +141,6 @@ pub struct Tables<'a, R: ActiveRoom> {
     pub(crate) light_tables: &'a [LightTable],
     /// For each light, short lists of the shapes that lie in each direction from it.
     pub(crate) light_lists: &'a [LightLists],
-    /// For each round mirror, the shapes that lie ahead of rays that leave it.
-    pub(crate) mirror_tables: &'a MirrorTables,
     /// The balls around the shapes of a crowd.
     pub(crate) hierarchy: Hierarchy<'a>,
 }

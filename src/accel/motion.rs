@@ -188,7 +188,6 @@ macro_rules! motion {
 
         impl<T: Apart> SceneAccess for MovingScene<T> {
             const NEEDS: Needs = <T as Apart>::NEEDS;
-            const CHOOSES_HITS: bool = !T::MIRROR_TABLES.tables.is_empty();
 
             #[inline(always)]
             fn parts(&self) -> Parts<'_> {
@@ -212,7 +211,6 @@ impl<T: Apart> World for MovingScene<T> {
             light_occluders: used(self.0.light_occluders.as_ref(), T::PARTS.lights.len()),
             light_tables: T::LIGHT_TABLES,
             light_lists: &[],
-            mirror_tables: T::MIRROR_TABLES,
             hierarchy: T::HIERARCHY,
         }
     }

@@ -4,7 +4,6 @@ use super::fingerprint::Fingerprint;
 use super::hierarchy::{Hierarchy, HierarchyNode};
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
-use super::mirror_table::MirrorTables;
 use super::{ActiveRoom, Tables, World};
 use crate::camera::Camera;
 use crate::error::Error;
@@ -205,7 +204,7 @@ impl<'a, R: Capacity> Tabled<'a, R> {
     /// Rays off mirrors and to distant lights then test few shapes of many; in a scene of more than 128
     /// bounded shapes, all shadow rays do. The picture stays the same, to
     /// the bit. The hierarchy takes as many nodes as there are bounded shapes, rounded up to a power of
-    /// two: 64 shapes take 64 nodes, 1792 bytes. If the scene has 16 bounded shapes or fewer, or if the
+    /// two: 64 shapes take 64 nodes, 1792 bytes. If the scene has 12 bounded shapes or fewer, or if the
     /// memory is too small, there is no hierarchy, and rays test more shapes.
     ///
     /// To make it for 64 spheres takes 677 thousand instructions on an emulated Cortex-M0. A frame of 64
@@ -240,7 +239,6 @@ impl<'a, R: Capacity> Tabled<'a, R> {
 
 impl<R: Capacity> SceneAccess for Scene<R> {
     const NEEDS: Needs = Needs::of_room(&R::COUNTS).without_sets();
-    const CHOOSES_HITS: bool = false;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -258,7 +256,6 @@ impl<R: ActiveRoom> World for Scene<R> {
             light_occluders: used(self.light_occluders.as_ref(), self.plain.counts.lights),
             light_tables: &[],
             light_lists: &[],
-            mirror_tables: MirrorTables::NONE,
             hierarchy: Hierarchy::NONE,
         }
     }
@@ -266,7 +263,6 @@ impl<R: ActiveRoom> World for Scene<R> {
 
 impl<R: Capacity> SceneAccess for Tabled<'_, R> {
     const NEEDS: Needs = Needs::of_room(&R::COUNTS);
-    const CHOOSES_HITS: bool = false;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {

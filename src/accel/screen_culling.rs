@@ -14,7 +14,6 @@ use super::stretch::Stretch;
 use crate::ray::{Ray, RowPlane, ScaledPoint};
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
-use crate::scene::shape_set::ShapeSet;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
@@ -85,7 +84,7 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     #[inline(always)]
     pub(crate) fn direct(&self, world: &W, column: u32, ray: &Ray) -> Hit {
         if self.camera.is_none() {
-            return nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), ShapeId::NONE);
+            return nearest_of(world, (ray, NOWHERE), ShapeId::NONE);
         }
         self.direct
             .nearest(world, column, (&ray.direction, NOWHERE))
@@ -104,7 +103,7 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         ray: &Ray,
     ) -> Hit {
         if !self.has_mirrored(world, (id, plane), window) {
-            return nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), id);
+            return nearest_of(world, (ray, NOWHERE), id);
         }
         let ray = (&ray.direction, self.mirrored.distance(ray));
         self.mirrored.nearest(world, column, ray)

@@ -7,7 +7,6 @@ use super::hierarchy::{Hierarchy, HierarchyNode, fill, is_useful};
 use super::light_lists::LightLists;
 use super::light_occluders::LightOccluders;
 use super::light_table::LightTable;
-use super::mirror_table::{MirrorTable, MirrorTables};
 use super::{ActiveRoom, Scene, Tables, World};
 use crate::checker::PreparedChecker;
 use crate::grid::Grid;
@@ -49,8 +48,6 @@ pub trait Apart: StaticScene {
     const LIGHT_TABLES: &'static [LightTable];
     /// For each light, short lists of the shapes that lie in each direction from it.
     const LIGHT_LISTS: &'static [LightLists];
-    /// For each round mirror, the shapes ahead of rays that leave it; empty if no ray would read them.
-    const MIRROR_TABLES: &'static MirrorTables;
     /// The balls around the shapes of a crowd; empty if no ray would read them.
     const HIERARCHY: Hierarchy<'static>;
 }
@@ -95,8 +92,6 @@ macro_rules! apart {
             const LIGHT_LISTS: &'static [LightLists] =
                 used(&Copied::<T>::LIGHT_LISTS, T::SCENE.plain.counts.lights);
 
-            const MIRROR_TABLES: &'static MirrorTables = &mirror_tables::<T>();
-
             const HIERARCHY: Hierarchy<'static> = hierarchy::<T>();
         }
 
@@ -120,33 +115,8 @@ macro_rules! apart {
 }
 kinds!(apart);
 
-/// Holder of an array of `N` mirror tables of the scene `T`. The length of an array cannot be computed
-/// from `T`, so [`mirror_tables`] chooses among fixed lengths.
-struct MirrorList<T, const N: usize>(PhantomData<T>);
-
-impl<T: Apart, const N: usize> MirrorList<T, N> {
-    const OF_SCENE: [MirrorTable; N] = MirrorTables::tables(&T::PARTS);
-}
-
-/// Returns the mirror tables of a constant scene, in the array length that holds them.
-const fn mirror_tables<T: Apart>() -> MirrorTables {
-    let (numbers, room) = MirrorTables::numbered(&T::PARTS);
-    let tables: &[MirrorTable] = match room {
-        0 => &[],
-        1 => &MirrorList::<T, 1>::OF_SCENE,
-        2 => &MirrorList::<T, 2>::OF_SCENE,
-        3 => &MirrorList::<T, 3>::OF_SCENE,
-        4 => &MirrorList::<T, 4>::OF_SCENE,
-        6 => &MirrorList::<T, 6>::OF_SCENE,
-        8 => &MirrorList::<T, 8>::OF_SCENE,
-        12 => &MirrorList::<T, 12>::OF_SCENE,
-        _ => &MirrorList::<T, 16>::OF_SCENE,
-    };
-    MirrorTables { numbers, tables }
-}
-
-/// Holder of the `N` nodes of the hierarchy of the scene `T`. As for mirror tables, [`hierarchy`] chooses
-/// among fixed lengths.
+/// Holder of the `N` nodes of the hierarchy of the scene `T`. The length of an array cannot be computed from
+/// `T`, so [`hierarchy`] chooses among fixed lengths.
 struct NodeList<T, const N: usize>(PhantomData<T>);
 
 impl<T: Apart, const N: usize> NodeList<T, N> {
@@ -165,6 +135,7 @@ const fn hierarchy<T: Apart>() -> Hierarchy<'static> {
         false => 0,
     };
     let nodes: &[HierarchyNode] = match room {
+        16 => &NodeList::<T, 16>::OF_SCENE,
         32 => &NodeList::<T, 32>::OF_SCENE,
         64 => &NodeList::<T, 64>::OF_SCENE,
         128 => &NodeList::<T, 128>::OF_SCENE,
@@ -195,7 +166,6 @@ impl<T> Copy for Static<T> {}
 
 impl<T: Apart> SceneAccess for Static<T> {
     const NEEDS: Needs = <T as Apart>::NEEDS;
-    const CHOOSES_HITS: bool = !T::MIRROR_TABLES.tables.is_empty();
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -213,7 +183,6 @@ impl<T: Apart> World for Static<T> {
             light_occluders: T::LIGHT_OCCLUDERS,
             light_tables: T::LIGHT_TABLES,
             light_lists: T::LIGHT_LISTS,
-            mirror_tables: T::MIRROR_TABLES,
             hierarchy: T::HIERARCHY,
         }
     }

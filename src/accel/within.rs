@@ -92,7 +92,6 @@ impl<W: Copy, B> Copy for Within<W, B> {}
 
 impl<W: SceneAccess, B: NeedsLimit> SceneAccess for Within<W, B> {
     const NEEDS: Needs = W::NEEDS.both(&B::NEEDS);
-    const CHOOSES_HITS: bool = W::CHOOSES_HITS;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {
@@ -106,7 +105,6 @@ pub struct Whole<W>(pub(crate) W);
 
 impl<W: SceneAccess> SceneAccess for Whole<W> {
     const NEEDS: Needs = Needs::ALL;
-    const CHOOSES_HITS: bool = W::CHOOSES_HITS;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {

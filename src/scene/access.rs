@@ -191,16 +191,12 @@ pub trait SceneAccess {
     /// Features of the library that the scene can need. The code for others is not linked.
     const NEEDS: Needs;
 
-    /// Whether tables name the candidates of reflected rays, so that not all shapes are tested.
-    const CHOOSES_HITS: bool;
-
     /// Returns the parts of the scene.
     fn parts(&self) -> Parts<'_>;
 }
 
 impl<W: SceneAccess> SceneAccess for &W {
     const NEEDS: Needs = W::NEEDS;
-    const CHOOSES_HITS: bool = W::CHOOSES_HITS;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {

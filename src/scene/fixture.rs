@@ -22,7 +22,6 @@ kinds!(plain);
 
 impl<R: Capacity> SceneAccess for PlainScene<R> {
     const NEEDS: Needs = Needs::of_room(&R::COUNTS);
-    const CHOOSES_HITS: bool = false;
 
     fn parts(&self) -> Parts<'_> {
         PlainScene::parts(self)

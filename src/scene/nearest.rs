@@ -67,33 +67,30 @@ macro_rules! questions {
             }
         }
 
-        /// Returns the nearest hit of a ray among the candidates, beyond `start`. The distance counts
+        /// Returns the nearest hit of a ray among all bounded shapes, beyond `start`. The distance counts
         /// from there.
         ///
         /// Skips the shape `skip`, which the ray leaves from outside.
         #[inline(never)]
         pub(crate) fn nearest_of<W: SceneAccess>(
             world: &W,
-            candidates: &ShapeSet,
             (ray, start): (&Ray, Length),
             skip: ShapeId,
         ) -> Hit {
             let mut nearest = Nearest::beyond(start);
             let parts = world.parts();
-            let lengths = parts.lengths();
-            let (kind, first) = (0, 0);
+            let first = 0;
             $(
-                candidates.any(W::CHOOSES_HITS, (kind, lengths), parts.$list, |index, shape| {
-                    nearest.ask(shape, ray, ShapeId::at(first + index), skip)
-                });
-                let (kind, first) = (kind + 1, first + lengths[kind]);
+                for (index, shape) in parts.$list.iter().enumerate() {
+                    nearest.ask(shape, ray, ShapeId::at(first + index), skip);
+                }
+                let first = first + parts.$list.len();
             )*
-            let _ = (kind, first);
+            let _ = first;
             nearest.hit()
         }
 
-        /// Returns the nearest hit of a ray among the candidates, as [`nearest_of`] does. Takes less flash
-        /// and more time.
+        /// Returns the nearest hit of a ray among the candidates, as [`nearest_of`] does among all.
         #[inline(never)]
         pub(crate) fn nearest_listed<W: SceneAccess>(
             world: &W,
@@ -161,14 +158,12 @@ impl Nearest {
         }
     }
 
-    /// Intersects a ray with a shape, unless the shape is `skip`. Always returns `false`, so that the
-    /// caller's loop goes on.
+    /// Intersects a ray with a shape, unless the shape is `skip`.
     #[inline(always)]
-    fn ask<K: Bounded>(&mut self, shape: &K, ray: &Ray, id: ShapeId, skip: ShapeId) -> bool {
+    fn ask<K: Bounded>(&mut self, shape: &K, ray: &Ray, id: ShapeId, skip: ShapeId) {
         if id != skip {
             self.take(shape.intersect(ray, self.range()), id);
         }
-        false
     }
 
     /// Intersects a ray with a shape that is prepared for rays from one point.

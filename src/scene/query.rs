@@ -19,7 +19,7 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
     skip: ShapeId,
 ) -> Option<(ScaledPoint, ShapeId)> {
     nearest_hit_by(world, ray, skip, |ray| {
-        nearest_of(world, ShapeSet::ALL, (ray, NOWHERE), skip)
+        nearest_of(world, (ray, NOWHERE), skip)
     })
 }
 

@@ -427,6 +427,5 @@ fn clear_lights_are_hidden_by_what_blocks_the_way_to_them() {
     );
 }
 
-mod ahead;
 mod planes;
 mod switches;

@@ -6,13 +6,22 @@
 //! widened by more than both.
 
 use super::{Hierarchy, HierarchyNode};
-use crate::accel::mirror_table::{MOST, UNSURE};
 use crate::number::{square_root, to_u16, to_u32, unsigned_wide, wide};
 use crate::ray::BALL;
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::shape::MaterialId;
 use crate::vector::Point;
+
+/// Largest number of bounded shapes of which all are tested: among so few, a hierarchy saves nothing.
+const MOST: usize = 12;
+
+/// Upper bound on the rounding error of the squares in the first test of a kernel.
+///
+/// In units of 2³², the parts are: 24 for the length of a direction and the term that corrects it (2⁻²⁴
+/// and 2⁻²⁵ of a square below 2⁶⁰), 4 for the constant that the test adds because products are
+/// rounded down, and one for each of these products.
+const UNSURE: u64 = 32 << 32;
 
 impl<'a> Hierarchy<'a> {
     /// Returns the number of nodes for the bounded shapes of a scene; 0 if they are too few, or too many

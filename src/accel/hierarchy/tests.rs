@@ -3,6 +3,7 @@ use crate::accel::Scene;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
 use crate::scene::nearest::any_blocks;
+use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Room, RuntimeScene};
 use crate::vector::{Direction, Vector};
 
@@ -110,7 +111,7 @@ fn compare(scenes: usize, rays: usize) -> usize {
         for _ in 0..rays {
             let (ray, mirror, skip) = next_ray(&scene, &mut sweep, before);
             let hit = nearest(&tabled, &ray, (mirror, skip));
-            let plain = nearest_of(&scene, ShapeSet::ALL, (&ray, NOWHERE), skip);
+            let plain = nearest_of(&scene, (&ray, NOWHERE), skip);
             assert_eq!(hit, plain, "{ray:?} off {mirror:?}");
             let reach = Length::from_bits(sweep.within(0, 1 << 29));
             let blocks = any_blocks(&scene, ShapeSet::ALL, &ray, skip, reach);
@@ -129,6 +130,41 @@ fn compare(scenes: usize, rays: usize) -> usize {
 fn hits_are_those_of_the_plain_path() {
     let met = compare(30, 1000);
     assert!(met > 10_000, "{met}");
+}
+
+/// Returns a scene of so many mirrors in a row.
+fn row(count: i32) -> Built {
+    let mut scene = Scenery::new();
+    let mirror = Material::new([0.5; 3]).mirror(0.5);
+    let mirror = scene.add_material(mirror).unwrap();
+    for index in 0..count {
+        scene.add_sphere([index, 0, 0], 0.5, mirror).unwrap();
+    }
+    scene.build().unwrap()
+}
+
+#[test]
+fn thirteen_shapes_are_the_fewest_with_a_hierarchy() {
+    let mut memory = [HierarchyNode::NONE; 16];
+    let few = row(12);
+    assert!(
+        few.tabled()
+            .with_hierarchy(&mut memory)
+            .tables()
+            .hierarchy
+            .is_empty()
+    );
+    let scene = row(13);
+    let tabled = scene.tabled().with_hierarchy(&mut memory);
+    assert_eq!(tabled.tables().hierarchy.nodes.len(), 16);
+    let (mut sweep, mut met) = (Sweep::new(23), 0);
+    for _ in 0..4000 {
+        let (ray, mirror, skip) = next_ray(&scene, &mut sweep, None);
+        let hit = nearest(&tabled, &ray, (mirror, skip));
+        assert_eq!(hit, nearest_of(&scene, (&ray, NOWHERE), skip), "{ray:?}");
+        met += usize::from(hit.shape != ShapeId::NONE);
+    }
+    assert!(met > 100, "{met}");
 }
 
 #[test]

@@ -40,7 +40,7 @@ fn first(scene: &Built, path: &ScaledRay) -> Option<(ScaledPoint, ShapeId)> {
     let hit = match path.from().is_near() {
         true => {
             let ray = (&path.ray, NOWHERE);
-            let bounded = nearest_of(scene, ShapeSet::ALL, ray, skip);
+            let bounded = nearest_of(scene, ray, skip);
             planes::nearest(scene, &path.ray, skip, bounded)
         }
         false => Hit::BEYOND,

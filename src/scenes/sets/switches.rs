@@ -12,23 +12,22 @@ use crate::scene::{Needs, Parts};
 use crate::shade::LightQuality;
 use crate::trace::PathQuality;
 
-/// The quality [`Fast`] with light tables, mirror tables and the hierarchy switched on or off. No path is cut short.
-struct With<const LIGHT_TABLES: bool, const MIRROR_TABLES: bool, const HIERARCHY: bool = true>;
+/// The quality [`Fast`] with light tables and the hierarchy switched on or off. No path is cut short.
+struct With<const LIGHT_TABLES: bool, const HIERARCHY: bool = true>;
 
-impl<const L: bool, const M: bool, const H: bool> LightQuality for With<L, M, H> {
+impl<const L: bool, const H: bool> LightQuality for With<L, H> {
     const IS_PRECISE: bool = <Fast as LightQuality>::IS_PRECISE;
 }
 
-impl<const L: bool, const M: bool, const H: bool> CullingQuality for With<L, M, H> {
+impl<const L: bool, const H: bool> CullingQuality for With<L, H> {
     const CULLING: Culling = Culling {
         light_tables: L,
-        mirror_tables: M,
         hierarchy: H,
         ..Culling::ALL
     };
 }
 
-impl<const L: bool, const M: bool, const H: bool> PathQuality for With<L, M, H> {
+impl<const L: bool, const H: bool> PathQuality for With<L, H> {
     const SMALLEST_WEIGHT: Unit = Unit::DELTA;
     const TOLERANCE: Unit = <Fast as PathQuality>::TOLERANCE;
     const IS_SURE: bool = true;
@@ -105,31 +104,16 @@ fn traced_by<W: World, Q: PathQuality>(
 
 #[test]
 fn paths_in_built_in_scenes_come_to_the_same_without_tables() {
-    /// Returns whether the scene has light tables, and whether it has mirror tables.
-    fn compared<S: BuiltIn>() -> [bool; 2] {
-        let world = &Static::<S>::new();
-        let all = traced::<_, With<true, true>>(world, &S::CAMERA);
-        let others = [
-            traced::<_, With<false, true>>(world, &S::CAMERA),
-            traced::<_, With<true, false>>(world, &S::CAMERA),
-        ];
-        assert!(others.iter().all(|it| *it == all), "{}", S::NAME);
-        let needs = <Static<S> as SceneAccess>::NEEDS;
-        [needs.sets, <Static<S> as SceneAccess>::CHOOSES_HITS]
-    }
-    // Each scene compiles the whole path anew. The run-time scenes below are all of one type.
-    let found = [compared::<Castle>(), compared::<Mirror1>()];
-    for table in [0, 1] {
-        assert!(found.iter().any(|tables| tables[table]), "{found:?}");
-    }
+    // A constant scene compiles the whole path anew. The run-time scenes below are all of one type.
+    let world = &Static::<Castle>::new();
+    let all = traced::<_, With<true>>(world, &Castle::CAMERA);
+    assert!(traced::<_, With<false>>(world, &Castle::CAMERA) == all);
+    assert!(<Static<Castle> as SceneAccess>::NEEDS.sets);
     for name in NAMES {
         let (scene, camera) = at_run_time(name);
         let world = &scene.tabled();
-        let all = traced::<_, With<true, true>>(world, &camera);
-        assert!(
-            traced::<_, With<false, true>>(world, &camera) == all,
-            "{name}"
-        );
+        let all = traced::<_, With<true>>(world, &camera);
+        assert!(traced::<_, With<false>>(world, &camera) == all, "{name}");
     }
 }
 
@@ -141,7 +125,6 @@ struct WithLists<'a, W> {
 
 impl<W: World> SceneAccess for WithLists<'_, W> {
     const NEEDS: Needs = W::NEEDS;
-    const CHOOSES_HITS: bool = false;
 
     fn parts(&self) -> Parts<'_> {
         self.scene.parts()
@@ -216,9 +199,9 @@ fn paths_in_crowds_come_to_the_same_without_a_hierarchy() {
         let distance = if number % 2 == 0 { 2.5 } else { 0.25 };
         let position = random.place().map(|x| distance * x);
         let camera = camera(&mut random, position);
-        let with = traced::<_, With<true, true>>(&tabled, &camera);
-        assert!(with == traced::<_, With<true, true, false>>(&tabled, &camera));
-        assert!(with == traced::<_, With<true, true>>(&scene.tabled(), &camera));
+        let with = traced::<_, With<true>>(&tabled, &camera);
+        assert!(with == traced::<_, With<true, false>>(&tabled, &camera));
+        assert!(with == traced::<_, With<true>>(&scene.tabled(), &camera));
     }
 }
 
@@ -232,8 +215,8 @@ fn paths_come_to_the_same_where_the_hierarchy_decides_all_shadows() {
         assert!(!tabled.tables().hierarchy.is_empty());
         let position = random.place().map(|x| 2.5 * x);
         let camera = camera(&mut random, position);
-        let with = traced::<_, With<true, true>>(&tabled, &camera);
-        assert!(with == traced::<_, With<true, true, false>>(&tabled, &camera));
+        let with = traced::<_, With<true>>(&tabled, &camera);
+        assert!(with == traced::<_, With<true, false>>(&tabled, &camera));
     }
 }
 
@@ -241,10 +224,10 @@ fn paths_come_to_the_same_where_the_hierarchy_decides_all_shadows() {
 /// plain shadow test, and on the plain path. The third number is the count of all pixels.
 fn differing<W: World>(world: &W, camera: &Camera) -> [usize; 3] {
     let from = world.parts().grid.place(camera.description().position);
-    let all = traced::<_, With<true, true>>(world, camera);
+    let all = traced::<_, With<true>>(world, camera);
     let unclear = LightVisibility::unclear(from);
     let others = [
-        traced_by::<_, With<true, true>>(world, camera, &unclear),
+        traced_by::<_, With<true>>(world, camera, &unclear),
         traced_by::<_, PlainPath>(world, camera, &unclear),
     ];
     let [shadows, plain] = others.map(|other| {

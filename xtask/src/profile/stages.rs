@@ -56,7 +56,7 @@ pub enum Rule {
 
 /// The rules of functions, by the beginning of the function's [`path`]. The first rule that matches
 /// counts. A function without a rule belongs to its caller's stage.
-const RULES: [(&str, Rule); 39] = [
+const RULES: [(&str, Rule); 38] = [
     (
         "firmware::contestant::Fixed::prepare",
         Rule::AllIs(Stage::Preparation),
@@ -83,7 +83,6 @@ const RULES: [(&str, Rule); 39] = [
         Rule::Is(Stage::Shadow),
     ),
     ("reflet::accel::hierarchy", Rule::Meets),
-    ("reflet::accel::mirror_table", Rule::Meets),
     ("reflet::accel::light_occluders", Rule::Is(Stage::Shadow)),
     ("reflet::accel::light_table", Rule::Is(Stage::Shadow)),
     ("reflet::accel::light_visibility", Rule::Is(Stage::Shadow)),
