@@ -74,7 +74,8 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
             plane,
             light,
         });
-        let kept = cast.and_then(|cast| self.shadows.of(self.world, cast, shadow));
+        let kept = cast.zip(self.shadows.as_deref_mut());
+        let kept = kept.and_then(|(cast, shadows)| shadows.of(self.world, cast, shadow));
         let (pencil, plane, light) = shadow;
         match kept.and_then(|borders| borders.until(column)) {
             Some(until) => until,

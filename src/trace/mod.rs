@@ -88,8 +88,8 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     culling: ScreenCulling<'a, W>,
     /// The bounded shapes that the camera's rays through this row can hit, on the plain path.
     list: ShapeSet,
-    /// The shadow of a far light that the row has asked for last.
-    shadows: RowShadows,
+    /// The shadows of a far light that the row has asked for last, if they are kept.
+    shadows: Option<&'a mut RowShadows>,
     /// Largest number of reflections of a path.
     reflections: u32,
     /// Number of rays that were followed, without shadow rays.
@@ -106,20 +106,22 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Whether pixels are interpolated.
     pub(crate) const IS_INTERPOLATED: bool = Q::TOLERANCE.to_bits() > 0 && !Self::IS_PLAIN;
 
-    /// Makes the tracer of one row of pixels. `reflections` is limited to what the scene needs.
+    /// Makes the tracer of one row of pixels. `reflections` is limited to what the scene needs. `shadows` keep
+    /// the shadows of far lights.
     #[inline(always)]
     pub(crate) fn new(
         world: &'a W,
         visibility: &'a LightVisibility,
         (culling, list): (ScreenCulling<'a, W>, ShapeSet),
         reflections: u8,
+        shadows: Option<&'a mut RowShadows>,
     ) -> Self {
         Self {
             world,
             visibility,
             culling,
             list,
-            shadows: RowShadows::NONE,
+            shadows,
             reflections: reflections.min(W::NEEDS.reflections).into(),
             rays: 0,
             cut_off: Unit::ZERO,

@@ -273,7 +273,11 @@ fn test_programs(folders: &[&str]) -> Result<Vec<String>> {
 /// documentation and bare-metal targets.
 fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let library = ["--package", "reflet", "--lib", "--no-default-features"];
-    let firmware = ["--features", "scenes,micromath"];
+    // The built-in scenes are compiled with the firmware that the tests build.
+    let features = [
+        "--features",
+        if all { "scenes,micromath" } else { "micromath" },
+    ];
     // In release mode, as clippy for boards and the firmware: macros are compiled once for all.
     let check = |targets: &[&str]| {
         let check = bare_metal.cargo("check", targets).args(["--release"]);
@@ -300,7 +304,7 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
                 .args(["--features", "host,micromath,scenes"])
                 .env("RUSTDOCFLAGS", "-D warnings --cfg docsrs"),
         ),
-        step("bare metal", check(targets).args(firmware)),
+        step("bare metal", check(targets).args(features)),
         step("bare metal, no features", check(targets)),
     ]
 }

@@ -35,9 +35,11 @@ fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, Quality)
     }
 }
 
+/// The cores whose instructions differ most. The pictures of an M4F and of an M33 are those of the emulated Black
+/// Pill and Pico 2, which xtask/tests/boards compares with the pictures on the desk.
 #[test]
 fn every_core_draws_the_same_pictures() {
-    let cores = ["m0", "m3", "m4f", "m33", "rv32"];
+    let cores = ["m0", "m3", "rv32"];
     let pictures = [
         ("castle", Quality::FAST),
         ("mirror1", Quality::FAST),

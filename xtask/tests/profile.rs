@@ -129,7 +129,7 @@ fn mirrored_rays_are_told_from_the_first() {
 
 #[test]
 fn empty_scene_is_neither_shaded_nor_mirrored() {
-    let lines = lines("--core m4f empty --size 8x4 --quality exact");
+    let lines = lines("--core m33 empty --size 8x4 --quality exact");
     let stages = stages(&lines);
     assert_eq!(
         ["primary", "shading", "shadow", "reflection"].map(|name| stages[name]),

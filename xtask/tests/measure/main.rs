@@ -136,6 +136,7 @@ fn scene_of_a_file_is_measured() {
 }
 
 #[test]
+#[ignore = "long: compiles all that a further core needs"]
 fn float_port_is_measured_by_the_same_command() {
     let figures = measured("--core m4f mirror1 --size 16x16 --quality float");
     assert_eq!(figures["quality"], "float");
