@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52460 | 1564 | 15520 | 291 |
-//! | Cargo's default release | 65924 | 1625 | 19648 | 327 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 43860 | 2265 | 14484 | 361 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 41480 | 3208 | 14640 | 458 |
-//! | Cargo's default dev (debug) | 453892 | 33802 | 410576 | 6765 |
+//! | lto = true, codegen-units = 1 | 52620 | 1567 | 15488 | 290 |
+//! | Cargo's default release | 68372 | 1624 | 18760 | 324 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 44680 | 2273 | 14444 | 356 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 42400 | 3321 | 14644 | 488 |
+//! | Cargo's default dev (debug) | 479644 | 37374 | 434584 | 7665 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
