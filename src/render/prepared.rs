@@ -237,9 +237,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
     }
 
     /// Calls `draw` with the colours of row `y` from column `x` on, and returns its result with a
-    /// report.
-    ///
-    /// The pixel (`x`, `y`) must lie inside of the picture.
+    /// report. The pixel (`x`, `y`) must lie inside of the picture.
     #[inline(always)]
     pub(crate) fn in_row<T>(
         &self,
