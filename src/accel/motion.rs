@@ -74,12 +74,12 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3404 | 355105 | 106.6 % |
-/// | m0 | mirror1 | 2894 | 56405 | 106.1 % |
-/// | m0 | primitives | 2776 | 22399 | 108.0 % |
-/// | m3 | castle | 2012 | 84817 | 106.3 % |
-/// | m3 | mirror1 | 1598 | 13600 | 106.7 % |
-/// | m3 | primitives | 1529 | 6011 | 110.7 % |
+/// | m0 | castle | 3404 | 355101 | 109.0 % |
+/// | m0 | mirror1 | 2894 | 56406 | 106.5 % |
+/// | m0 | primitives | 2780 | 22399 | 109.1 % |
+/// | m3 | castle | 2016 | 84817 | 107.2 % |
+/// | m3 | mirror1 | 1598 | 13601 | 108.6 % |
+/// | m3 | primitives | 1529 | 5995 | 111.8 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
