@@ -170,7 +170,7 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 16_724;
+    const MOST_CODE: usize = 16_622;
 
     /// Most lines of Rust outside of the library.
     const MOST_OUTSIDE: usize = 36_932;

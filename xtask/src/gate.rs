@@ -78,8 +78,7 @@ pub fn run(arguments: Arguments) -> Result<()> {
     }
     let mut steps = VecDeque::from(tests(arguments.all)?);
     steps.extend(library(&bare_metal, arguments.all));
-    // Clippy belongs to the toolchain in use. Without `Prebuilt`, this toolchain has no core library
-    // for the boards.
+    // Clippy belongs to the toolchain in use, which can lint for boards only if it is `Prebuilt`.
     if let BareMetal::Prebuilt = bare_metal {
         steps.extend(boards(arguments.all));
     }
@@ -269,15 +268,11 @@ fn test_programs(folders: &[&str]) -> Result<Vec<String>> {
     Ok(names)
 }
 
-/// Returns the other steps for the library: lints, package,
-/// documentation and bare-metal targets.
+/// Returns the other steps for the library: lints, package, documentation and bare-metal targets.
 fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let library = ["--package", "reflet", "--lib", "--no-default-features"];
     // The built-in scenes are compiled with the firmware that the tests build.
-    let features = [
-        "--features",
-        if all { "scenes,micromath" } else { "micromath" },
-    ];
+    let features = ["--features", "micromath"];
     // In release mode, as clippy for boards and the firmware: macros are compiled once for all.
     let check = |targets: &[&str]| {
         let check = bare_metal.cargo("check", targets).args(["--release"]);

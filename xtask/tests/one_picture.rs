@@ -35,8 +35,7 @@ fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, Quality)
     }
 }
 
-/// The cores whose instructions differ most. The pictures of an M4F and of an M33 are those of the emulated Black
-/// Pill and Pico 2, which xtask/tests/boards compares with the pictures on the desk.
+/// Pictures of an M4F and an M33 are compared by xtask/tests/boards: the Black Pill's and the Pico 2's.
 #[test]
 fn every_core_draws_the_same_pictures() {
     let cores = ["m0", "m3", "rv32"];
