@@ -53,7 +53,7 @@ fn borders_from<W: World>(
     borders
 }
 
-/// The shadows of a light on a plane that a row shows directly or in one mirror.
+/// Says which shadows are meant: those of one light on one plane, which a row shows directly or in one mirror.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Cast {
     /// The plane that mirrors the rays; [`ShapeId::NONE`] if none does.
@@ -63,7 +63,7 @@ pub(crate) struct Cast {
     pub(crate) light: usize,
 }
 
-/// The shadows that a row has asked for last, with all their borders in the row; `None` if these have no room.
+/// Keeps the borders of the shadows that a row asked for last. The borders are `None` if there are more than fit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RowShadows(Option<(Cast, Option<Borders>)>);
 
@@ -71,8 +71,8 @@ impl RowShadows {
     /// No shadows.
     pub(crate) const NONE: Self = Self(None);
 
-    /// Returns the borders of shadows in the whole row, `None` if they have no room. `shadow` are the rays that show
-    /// the plane, the plane and the place of the light. No plane hides the light.
+    /// Returns the borders of shadows in the whole row, `None` if there are more than fit. `shadow` holds the row's
+    /// rays, the plane and the position of the light. No plane hides the light.
     pub(crate) fn of<W: World>(
         &mut self,
         world: &W,

@@ -138,7 +138,7 @@ fn borders_without_room_are_not_whole() {
         first: column,
         last: column - 1,
     };
-    // Beside the columns there is nothing to note.
+    // A border to the left of all columns is not noted.
     borders.add(at(-3));
     for column in 1..13 {
         borders.add(at(10 * column));

@@ -267,7 +267,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         Traced::missed::<_, K>(&self.world).sum
     }
 
-    /// Returns the tracer for the rays of row `y`. In a scene with far lights it keeps their shadows in `shadows`.
+    /// Returns the tracer for the rays of row `y`. `shadows` is only used in a scene with far lights.
     #[inline(always)]
     fn tracer<'s>(
         &'s self,

@@ -88,7 +88,7 @@ pub(crate) struct Tracer<'a, W: World, K, Q> {
     culling: ScreenCulling<'a, W>,
     /// The bounded shapes that the camera's rays through this row can hit, on the plain path.
     list: ShapeSet,
-    /// The shadows of a far light that the row has asked for last, if they are kept.
+    /// The borders of a far light's shadows that the row asked for last; `None` in a scene without far lights.
     shadows: Option<&'a mut RowShadows>,
     /// Largest number of reflections of a path.
     reflections: u32,
@@ -106,8 +106,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Whether pixels are interpolated.
     pub(crate) const IS_INTERPOLATED: bool = Q::TOLERANCE.to_bits() > 0 && !Self::IS_PLAIN;
 
-    /// Makes the tracer of one row of pixels. `reflections` is limited to what the scene needs. `shadows` keep
-    /// the shadows of far lights.
+    /// Makes the tracer of one row of pixels. `reflections` is limited to what the scene needs. `shadows` keeps
+    /// the borders of far lights' shadows from one stretch to the next.
     #[inline(always)]
     pub(crate) fn new(
         world: &'a W,

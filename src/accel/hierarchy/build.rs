@@ -13,10 +13,10 @@ use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::shape::MaterialId;
 use crate::vector::Point;
 
-/// Largest number of bounded shapes of which all are tested: among so few, a hierarchy saves nothing.
+/// Largest number of bounded shapes without a hierarchy. To test all of so few takes no longer.
 const MOST: usize = 12;
 
-/// Upper bound on the rounding error of the squares in the first test of a kernel.
+/// Upper bound on the rounding error of the squares in `Vector::passes_by`, the first test of a kernel.
 ///
 /// In units of 2³², the parts are: 24 for the length of a direction and the term that corrects it (2⁻²⁴
 /// and 2⁻²⁵ of a square below 2⁶⁰), 4 for the constant that the test adds because products are
