@@ -273,25 +273,25 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     let library = ["--package", "reflet", "--lib", "--no-default-features"];
     // The built-in scenes are compiled with the firmware that the tests build.
     let features = ["--features", "micromath"];
-    // In release mode, as clippy for boards and the firmware: macros are compiled once for all.
-    let check = |targets: &[&str]| {
-        let check = bare_metal.cargo("check", targets).args(["--release"]);
-        toolchain::alone(check, Path::new("")).args(library)
-    };
     // Clippy checks what the board's needs. The tests build firmware for each of the others.
     let targets = if all { &TARGETS[..] } else { &TARGETS[1..2] };
+    // In release mode, as clippy for boards and the firmware: macros are compiled once for all.
+    let on_bare_metal = |subcommand: &str| {
+        let check = bare_metal.cargo(subcommand, targets).args(["--release"]);
+        toolchain::alone(check, Path::new("")).args(library)
+    };
     let warnings = ["--", "-D", "warnings"];
+    let without_features = match bare_metal {
+        BareMetal::Prebuilt => on_bare_metal("clippy").args(warnings),
+        BareMetal::BuildStd { .. } => on_bare_metal("check"),
+    };
     let rest = cargo("clippy").args(["--workspace", "--all-targets", "--all-features"]);
+    // `all` also compiles the package from nothing but its own files.
+    let unverified: &[&str] = if all { &[] } else { &["--no-verify"] };
+    let package = cargo("package").args(["--package", "reflet", "--allow-dirty"]);
     vec![
         step("clippy, everything", rest.args(warnings)),
-        step(
-            "clippy, the library without features",
-            cargo("clippy").args(library).args(warnings),
-        ),
-        step(
-            "package",
-            cargo("package").args(["--package", "reflet", "--allow-dirty"]),
-        ),
+        step("package", package.args(unverified)),
         step(
             "documentation, as docs.rs builds it",
             cargo("doc")
@@ -299,15 +299,14 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
                 .args(["--features", "host,micromath,scenes"])
                 .env("RUSTDOCFLAGS", "-D warnings --cfg docsrs"),
         ),
-        step("bare metal", check(targets).args(features)),
-        step("bare metal, no features", check(targets)),
+        step("bare metal", on_bare_metal("check").args(features)),
+        step("bare metal, no features", without_features),
     ]
 }
 
-/// Returns the steps that lint the code for boards. They share what is compiled. Of the measurement
-/// firmware only the library is linted, because the rest is generated. `all` adds other cores, which compile the
-/// same files, and the examples that need the crate of a chip, which takes minutes to check. The tests build
-/// all of these in any case.
+/// Returns the steps that lint the code for boards. They share what is compiled. `all` adds the measurement
+/// firmware, of which only the library is linted, because the rest is generated, and the examples for other
+/// boards, whose crates of a chip take minutes to check. The tests build all of these in any case.
 fn boards(all: bool) -> Vec<Step> {
     let warnings = ["--", "-D", "warnings"];
     let alone = |package: &str, part: &str, target: &str| {
@@ -322,15 +321,13 @@ fn boards(all: bool) -> Vec<Step> {
     let board = ["--package", "reflet", "--example", "board"];
     let clippy = cargo("clippy").args(["--release", "--target", m3]);
     let board = toolchain::alone(clippy, Path::new("")).args(board);
-    let mut steps = vec![
-        step(
-            &format!("clippy, examples/board, {m3}"),
-            board.args(warnings),
-        ),
-        alone("xtask/firmware", "--lib", m3),
-    ];
+    let mut steps = vec![step(
+        &format!("clippy, examples/board, {m3}"),
+        board.args(warnings),
+    )];
     if all {
         steps.extend([
+            alone("xtask/firmware", "--lib", m3),
             alone("examples/microbit", "--bins", m0),
             alone("xtask/firmware", "--lib", m0),
             alone("examples/riscv", "--bins", rv32),

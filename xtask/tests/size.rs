@@ -69,28 +69,27 @@ fn linked(scene: &Value, quality: Quality, shading: Shading) -> (BTreeSet<String
 fn code_for_what_a_scene_has_not_is_not_in_its_firmware() {
     let (fast, phong) = (Quality::FAST, Shading::BlinnPhong);
     let all = linked(&scene(), fast, phong);
-    let with = |key, value: f64| with_material(scene(), key, &json!(value));
-    let plane = without(without(scene(), "spheres"), "cylinders");
-    // Scenes that lack one thing, each with a name of which no function may be left.
-    let pairs = [
-        (without(scene(), "spheres"), "shape::sphere::"),
-        (without(scene(), "planes"), "shape::plane::"),
-        (without(scene(), "cylinders"), "shape::cylinder::"),
-        (without(scene(), "lights"), "shade::sent_on"),
-        (plane, "occluded"),
-        (with("specular", 0.0), "half_way_square"),
-        (with("shininess", 3.0), "fractional_power"),
-        (with("shininess", 4.0), "highlight::power_of"),
-        (with("mirror", 0.0), "Surface::reflect"),
-        (with("mirror", 1.0), "lit_color"),
-    ];
+    // A coefficient of all materials, lists that the scene lacks, and names that no function has then.
+    let lacking = "
+specular 0 spheres => shape::sphere:: half_way_square
+shininess 3 planes => shape::plane:: fractional_power
+shininess 4 cylinders => shape::cylinder:: highlight::power_of
+mirror 0 lights => shade::sent_on Surface::reflect
+mirror 1 => lit_color
+mirror 0.4 spheres cylinders => occluded";
     let has = |names: &BTreeSet<String>, part: &str| names.iter().any(|name| name.contains(part));
-    for (scene, part) in pairs {
+    for (scene_lacks, parts) in lacking.lines().filter_map(|line| line.split_once(" => ")) {
+        let mut words = scene_lacks.split(' ');
+        let (key, value) = (words.next().unwrap(), words.next().unwrap());
+        let value = value.parse::<f64>().unwrap().into();
+        let scene = with_material(words.fold(scene(), without), key, &value);
         let (names, flash) = linked(&scene, fast, phong);
-        assert!(has(&all.0, part), "{part} is not found where it is needed");
-        let left: Vec<_> = names.iter().filter(|name| name.contains(part)).collect();
-        assert!(left.is_empty(), "{part}: {left:?}");
-        assert!(flash < all.1, "{part}: {flash} bytes, not below {}", all.1);
+        for part in parts.split_whitespace() {
+            assert!(has(&all.0, part), "{part} is not found where it is needed");
+            let left: Vec<_> = names.iter().filter(|name| name.contains(part)).collect();
+            assert!(left.is_empty(), "{part}: {left:?}");
+        }
+        assert!(flash < all.1, "{parts}: {flash} bytes, not below {}", all.1);
     }
 
     // Shadings and qualities that the scene does not use.

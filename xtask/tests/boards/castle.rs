@@ -128,7 +128,6 @@ fn both_cores_of_a_pico_draw_the_castle_and_follow_the_keys() {
     let turned = first.orbited(10, 0).unwrap().orbited(10, 0).unwrap();
     let expected = [
         simulated::<Castle>(&Castle::CAMERA),
-        simulated::<ShadingLights>(&first),
         simulated::<ShadingLights>(&turned.orbited(0, 10).unwrap()),
     ];
     test(&PICO, &expected);

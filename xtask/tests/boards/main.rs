@@ -27,7 +27,7 @@ pub struct Copied {
 
 pub static PICO: Copied = Copied::of(
     &xtask::owned::PICO,
-    &[&[], &[Key::Select], &[Key::Right, Key::Right, Key::Up]],
+    &[&[], &[Key::Select, Key::Right, Key::Right, Key::Up]],
 );
 pub static PICO_2: Copied = Copied::of(&xtask::owned::PICO_2, &[&[], &[Key::Right]]);
 pub static BLACK_PILL: Copied = Copied::of(&xtask::owned::BLACK_PILL, &[&[], &[Key::Select]]);
