@@ -35,10 +35,11 @@ fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, Quality)
     }
 }
 
-/// Pictures of an M4F and an M33 are compared by xtask/tests/boards: the Black Pill's and the Pico 2's.
+/// Pictures of an M4F and an M33 are compared by xtask/tests/boards: the Black Pill's and the Pico 2's. Those
+/// of an M3 are the kept ones, which xtask/tests/measure draws again.
 #[test]
 fn every_core_draws_the_same_pictures() {
-    let cores = ["m0", "m3", "rv32"];
+    let cores = ["m0", "rv32"];
     let pictures = [
         ("castle", Quality::FAST),
         ("mirror1", Quality::FAST),

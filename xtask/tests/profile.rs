@@ -109,6 +109,7 @@ fn stages_and_tables_add_up_to_the_total() {
 }
 
 #[test]
+#[ignore = "long: two more firmware"]
 fn mirrored_rays_are_told_from_the_first() {
     let of = |reflections| {
         let lines = lines(&format!(
