@@ -37,7 +37,7 @@ const LIMIT: Duration = Duration::from_secs(60 * 60);
 const LANES: usize = 4;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
-const ALONE: [&str; 12] = [
+const ALONE: [&str; 13] = [
     "examples/blackpill",
     "examples/esp32c3",
     "examples/microbit",
@@ -45,6 +45,7 @@ const ALONE: [&str; 12] = [
     "examples/pico2",
     "examples/riscv",
     "fuzz",
+    "tests/schema",
     "xtask/boards/refill",
     "xtask/faulty",
     "xtask/firmware",
@@ -344,7 +345,10 @@ fn boards(all: bool) -> Vec<Step> {
 /// Returns the steps that only `--all` runs.
 fn long() -> Vec<Step> {
     let rays = cargo("run").args(["--profile", "checked", "--package", "stability", "--"]);
+    let schema = cargo("test").args(["--manifest-path", "tests/schema/Cargo.toml"]);
+    let schema = schema.args(["--target-dir".as_ref(), target_directory().as_os_str()]);
     vec![
+        step("schema of scene files", schema),
         step("fuzz", xtask().args(["fuzz", "--seconds", "600"])),
         step(
             "10^8 random rays with overflow checks",

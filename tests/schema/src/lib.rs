@@ -1,6 +1,8 @@
 //! Tests that the schema of scene files accepts and refuses the same files as their parser, as far
 //! as a schema can.
 
+#![cfg(test)]
+
 mod document;
 
 use std::path::{Path, PathBuf};
