@@ -34,8 +34,11 @@ pub(crate) const fn block_of(width: u32) -> u32 {
 const SHORT: u32 = 8;
 
 /// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block; 2 to 5 are in the
-/// middle of 4, 8, 16 and 32 pixels; the last is never read again.
+/// middle of 4, 8, 16 and 32 pixels; the last is [`UNREAD`].
 const SLOTS: usize = 7;
+
+/// The slot of a pixel whose hits nobody asks for. None are stored there.
+const UNREAD: usize = SLOTS - 1;
 
 /// A traced pixel.
 #[derive(Clone, Copy)]
@@ -160,8 +163,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             if first > self.window.last {
                 self.window = self.tracer.advance(first, first + SHORT);
             }
-            let color = self.trace(first, 0).sum;
-            return self.set(first, color);
+            return self.trace_each(first, first + 1);
         }
         let block = self.block;
         self.window = self.tracer.advance(first, first + block);
@@ -169,8 +171,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             return;
         }
         if first + block > self.last {
-            self.trace_each(first);
-            return;
+            return self.trace_each(first, self.last + 1);
         }
         let start = match self.end {
             (column, end) if column == first => end,
@@ -195,11 +196,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         true
     }
 
-    /// Traces each pixel of a block up to the last column. Nothing is interpolated.
-    #[inline(always)]
-    fn trace_each(&mut self, first: u32) {
-        for column in first..=self.last.min(first + self.block - 1) {
-            let color = self.trace(column, 0).sum;
+    /// Traces each pixel from column `first` to the one before `end`. Nothing is interpolated.
+    fn trace_each(&mut self, first: u32, end: u32) {
+        for column in first..end {
+            let color = self.trace(column, UNREAD).sum;
             self.set(column, color);
         }
     }
@@ -213,21 +213,24 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             return;
         }
         let is_alike = start.signature.is_same_as(end.signature);
-        if length == 2 {
-            // To find out what lies between would take longer than to trace the one pixel.
-            let bend = known.bend(ends, Self::TOLERANCE).filter(|_| is_alike);
-            let between = match bend {
-                Some(bend) => start.sum.half_way(end.sum, bend),
-                None => self.trace(first + 1, SLOTS - 1).sum,
-            };
-            return self.set(first + 1, between);
-        }
         if let (Known::Part(proved), true) = (&mut known, is_alike && length >= Self::SHORTEST) {
             let stops = [start, end].map(|end| &self.stops[end.slot % SLOTS]);
             let window = (&self.window, [first, first + length]);
             if !Q::IS_SURE || self.tracer.is_steady(window, stops, proved) {
                 known = Known::Steady(Bend::ZERO);
             }
+        }
+        // Of what is left, nothing would be found out.
+        if let (Known::Part(_), true) = (known, length <= Self::SHORTEST) {
+            return self.trace_each(first + 1, first + length);
+        }
+        if length == 2 {
+            let bend = known.bend(ends, Self::TOLERANCE).filter(|_| is_alike);
+            let between = match bend {
+                Some(bend) => start.sum.half_way(end.sum, bend),
+                None => self.trace(first + 1, UNREAD).sum,
+            };
+            return self.set(first + 1, between);
         }
         let half = length / 2;
         let middle = self.trace(first + half, length.trailing_zeros() as usize);
@@ -267,8 +270,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     fn traced(&mut self, column: u32, slot: usize) -> Traced {
         let direction = self.directions.of(column);
         let pixel = (&self.window, column);
-        self.tracer
-            .trace(pixel, direction, &mut self.stops[slot % SLOTS])
+        let stops = &mut self.stops[slot % SLOTS];
+        self.tracer.trace(pixel, direction, (stops, slot != UNREAD))
     }
 }
 

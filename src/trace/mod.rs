@@ -166,7 +166,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     }
 
     /// Follows one path from the camera in `direction`, and returns its colour and signature. Stores its
-    /// hits in `stops` if pixels are interpolated.
+    /// hits in `stops` if pixels are interpolated and `is_read`. The signature has no meaning otherwise.
     ///
     /// The path goes through the pixel of a column that lies in the window.
     #[inline(always)]
@@ -174,15 +174,18 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         &mut self,
         pixel: (&Window, u32),
         direction: Direction,
-        stops: &mut Stops,
+        (stops, is_read): (&mut Stops, bool),
     ) -> Traced {
         let world = self.world;
         let mut ray = ScaledRay::new(self.visibility.from, direction);
         let mut traced = Traced::NONE;
         stops.clear();
         let (mut throughput, mut bounce, mut is_bounded) = (Unit::ONE, Bounce::NONE, true);
-        // Smallest throughput of a hit that can be seen.
-        let least = world.parts().smallest_weight(Q::TOLERANCE);
+        // Smallest throughput of a hit that can be seen; more than any if nobody asks.
+        let least = match is_read {
+            true => world.parts().smallest_weight(Q::TOLERANCE),
+            false => Unit::from_bits(i32::MAX),
+        };
         let is_seen = |throughput| Self::IS_INTERPOLATED && Q::IS_SURE && throughput >= least;
         loop {
             let Some(surface) = self.surface(pixel, &ray, &bounce) else {

@@ -71,7 +71,9 @@ fn followed_by<K: Shading, Q: PathQuality, W: World>(
     let window = tracer.advance(0, 0);
     let mut stops = Stops::NONE;
     Followed {
-        sum: tracer.trace((&window, 0), path.direction(), &mut stops).sum,
+        sum: tracer
+            .trace((&window, 0), path.direction(), (&mut stops, true))
+            .sum,
         rays: tracer.rays,
         cut_off: tracer.cut_off,
     }
