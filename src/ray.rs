@@ -28,7 +28,7 @@ use crate::vector::{Direction, Point, Vector};
 /// Radius of the ball around the middle of the scene that holds every bounded shape, in raw steps.
 pub const BALL: i32 = 1 << 28;
 
-/// Largest magnitude of a coordinate of a near point, in raw steps.
+/// Limit of the coordinates of near points, in raw steps: they are from -`NEAR` to below `NEAR`.
 ///
 /// Two near points are at most 2√3 · 3 · 2²⁷ < 2³¹·⁵ apart, and each coordinate of their difference is
 /// within ±2³⁰.
@@ -40,7 +40,7 @@ pub const REACH: Length = Length::from_bits(1 << 30);
 
 /// Point at any distance, with a scale: `point` · 2^`scale` raw steps from the middle of the scene.
 ///
-/// In normal form, every coordinate of `point` is within ±[`NEAR`], and `scale` is 0 or the smallest
+/// In normal form, every coordinate of `point` is from -[`NEAR`] to below [`NEAR`], and `scale` is 0 or the smallest
 /// that allows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScaledPoint {
@@ -101,7 +101,7 @@ impl ScaledPoint {
         self.scale == 0
     }
 
-    /// Creates a near point, or returns `None` if a coordinate is outside of ±[`NEAR`].
+    /// Creates a near point, or returns `None` if a coordinate is not from -[`NEAR`] to below [`NEAR`].
     #[inline(always)]
     pub(crate) const fn near(point: Point) -> Option<Self> {
         if is_near(point) {
@@ -160,13 +160,14 @@ const fn shift_of(difference: u32) -> u32 {
     if difference > 31 { 31 } else { difference }
 }
 
-/// Tests whether every coordinate of a point is within ±[`NEAR`].
+/// Tests whether every coordinate of a point is from -[`NEAR`] to below [`NEAR`]. That limit is a constant of
+/// one instruction for Arm, the next larger number is not.
 #[inline(always)]
 const fn is_near(point: Point) -> bool {
     const SPAN: u32 = 2 * unsigned(NEAR);
-    offset_modulo_2_32(point.x, NEAR) <= SPAN
-        && offset_modulo_2_32(point.y, NEAR) <= SPAN
-        && offset_modulo_2_32(point.z, NEAR) <= SPAN
+    offset_modulo_2_32(point.x, NEAR) < SPAN
+        && offset_modulo_2_32(point.y, NEAR) < SPAN
+        && offset_modulo_2_32(point.z, NEAR) < SPAN
 }
 
 /// Ray from a near point. Shapes are tested against such rays.

@@ -87,8 +87,8 @@ fn place_is_near_up_to_three_halves_of_the_ball() {
         }
     }
     assert_eq!(
-        raw(grid.place(Position::new([1.5, 0.0, 0.0]))),
-        [NEAR, 0, 0]
+        raw(grid.place(Position::new([-1.5, 0.0, 0.0]))),
+        [-NEAR, 0, 0]
     );
 }
 

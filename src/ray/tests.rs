@@ -21,7 +21,7 @@ fn is_normal(place: ScaledPoint) -> bool {
 #[test]
 fn point_that_is_near_stays_as_it_is() {
     let mut sweep = Sweep::new(1);
-    for edge in [[0; 3], [NEAR; 3], [-NEAR; 3]]
+    for edge in [[0; 3], [NEAR - 1; 3], [-NEAR; 3]]
         .into_iter()
         .chain((0..9999).map(|_| sweep.triple(NEAR)))
     {
@@ -35,7 +35,7 @@ fn point_that_is_near_stays_as_it_is() {
 #[test]
 fn point_beyond_the_near_region_is_kept_in_coarser_steps() {
     for (x, found) in [
-        (NEAR + 1, (NEAR / 2, 1)),
+        (NEAR, (NEAR / 2, 1)),
         (-NEAR - 1, (-NEAR / 2 - 1, 1)),
         (i32::MAX, (i32::MAX >> 3, 3)),
         (i32::MIN, (i32::MIN >> 3, 3)),

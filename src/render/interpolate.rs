@@ -214,7 +214,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         }
         let is_alike = start.signature.is_same_as(end.signature);
         if let (Known::Part(proved), true) = (&mut known, is_alike && length >= Self::SHORTEST) {
-            let stops = [start, end].map(|end| &self.stops[end.slot % SLOTS]);
+            let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
             let window = (&self.window, [first, first + length]);
             if !Q::IS_SURE || self.tracer.is_steady(window, stops, proved) {
                 known = Known::Steady(Bend::ZERO);
@@ -270,7 +270,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     fn traced(&mut self, column: u32, slot: usize) -> Traced {
         let direction = self.directions.of(column);
         let pixel = (&self.window, column);
-        let stops = &mut self.stops[slot % SLOTS];
+        let stops = &mut self.stops[slot.min(UNREAD)];
         self.tracer.trace(pixel, direction, (stops, slot != UNREAD))
     }
 }
