@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52620 | 1567 | 15488 | 290 |
-//! | Cargo's default release | 68372 | 1624 | 18760 | 324 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 44680 | 2273 | 14444 | 356 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 42400 | 3321 | 14644 | 488 |
-//! | Cargo's default dev (debug) | 479644 | 37374 | 434584 | 7665 |
+//! | lto = true, codegen-units = 1 | 52708 | 1528 | 15552 | 286 |
+//! | Cargo's default release | 68536 | 1587 | 18796 | 315 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 44720 | 2231 | 14420 | 351 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 42448 | 3283 | 14672 | 488 |
+//! | Cargo's default dev (debug) | 479328 | 36922 | 434236 | 7629 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

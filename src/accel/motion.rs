@@ -74,12 +74,12 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3404 | 355101 | 109.0 % |
-/// | m0 | mirror1 | 2894 | 56406 | 106.5 % |
-/// | m0 | primitives | 2780 | 22399 | 109.1 % |
-/// | m3 | castle | 2016 | 84817 | 107.2 % |
-/// | m3 | mirror1 | 1598 | 13601 | 108.6 % |
-/// | m3 | primitives | 1529 | 5995 | 111.8 % |
+/// | m0 | castle | 3408 | 355103 | 109.0 % |
+/// | m0 | mirror1 | 2898 | 56408 | 106.5 % |
+/// | m0 | primitives | 2784 | 22401 | 109.3 % |
+/// | m3 | castle | 2012 | 84815 | 107.2 % |
+/// | m3 | mirror1 | 1594 | 13599 | 108.9 % |
+/// | m3 | primitives | 1525 | 5993 | 111.9 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {

@@ -6,6 +6,7 @@
 //! parabola may be further off than the quality's tolerance, or if it is not sure what lies between, both
 //! halves are treated in the same way (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer
 //! Graphics and Applications 11(4), 1991, without guesses).
+//! Of eight pixels or fewer that are not sure, each is traced.
 //!
 //! Blocks are aligned, and a block's colours depend on its own pixels only. So a part of a row has the
 //! colours that it has in the whole row.
