@@ -52,8 +52,7 @@ struct End {
 
 impl End {
     #[inline(always)]
-    fn new(traced: Traced, slot: usize) -> Self {
-        let Traced { sum, signature } = traced;
+    fn new(Traced { sum, signature }: Traced, slot: usize) -> Self {
         Self {
             sum,
             signature,
@@ -270,9 +269,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     #[inline(always)]
     fn traced(&mut self, column: u32, slot: usize) -> Traced {
         let direction = self.directions.of(column);
-        let pixel = (&self.window, column);
-        let stops = &mut self.stops[slot.min(UNREAD)];
-        self.tracer.trace(pixel, direction, (stops, slot != UNREAD))
+        let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
+        self.tracer.trace((&self.window, column), direction, stops)
     }
 }
 

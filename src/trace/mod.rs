@@ -181,7 +181,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let mut traced = Traced::NONE;
         stops.clear();
         let (mut throughput, mut bounce, mut is_bounded) = (Unit::ONE, Bounce::NONE, true);
-        let least = self.least_stored(is_read);
+        // Smallest throughput of a hit that is stored: one that can be seen. More than any if no hit is read.
+        let least = is_read.then(|| world.parts().smallest_weight(Q::TOLERANCE));
+        let least = least.unwrap_or(Unit::from_bits(i32::MAX));
         let is_seen = |throughput| Self::IS_INTERPOLATED && Q::IS_SURE && throughput >= least;
         loop {
             let Some(surface) = self.surface(pixel, &ray, &bounce) else {
@@ -219,16 +221,6 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         self.rays += bounce.count + 1;
         traced.signature = traced.signature.ended(is_bounded);
         traced
-    }
-
-    /// Returns the smallest throughput of a hit that is stored: one that can be seen. It is more than any if no
-    /// hit is read.
-    #[inline(always)]
-    fn least_stored(&self, is_read: bool) -> Unit {
-        match is_read {
-            true => self.world.parts().smallest_weight(Q::TOLERANCE),
-            false => Unit::from_bits(i32::MAX),
-        }
     }
 
     /// Tests whether the rays after a reflection have known bounds: only planes mirrored them, and not too
