@@ -79,11 +79,11 @@ pub fn run(arguments: Arguments) -> Result<()> {
     }
     let mut steps = VecDeque::from(tests(arguments.all)?);
     steps.extend(library(&bare_metal, arguments.all));
-    // Clippy belongs to the toolchain in use, which can lint for boards only if it is `Prebuilt`.
-    if let BareMetal::Prebuilt = bare_metal {
-        steps.extend(boards(arguments.all));
-    }
     if arguments.all {
+        // Clippy belongs to the toolchain in use, which can lint for boards only if it is `Prebuilt`.
+        if let BareMetal::Prebuilt = bare_metal {
+            steps.extend(boards());
+        }
         steps.extend(long());
     }
     let mut untried = Vec::new();
@@ -305,10 +305,10 @@ fn library(bare_metal: &BareMetal, all: bool) -> Vec<Step> {
     ]
 }
 
-/// Returns the steps that lint the code for boards. They share what is compiled. `all` adds the measurement
-/// firmware, of which only the library is linted, because the rest is generated, and the examples for other
-/// boards, whose crates of a chip take minutes to check. The tests build all of these in any case.
-fn boards(all: bool) -> Vec<Step> {
+/// Returns the steps that lint the code for boards. They share what is compiled. Of the measurement firmware
+/// only the library is linted, because the rest is generated. The crates of chips take minutes to check, and the
+/// tests build all of these in any case, so only `--all` lints them.
+fn boards() -> Vec<Step> {
     let warnings = ["--", "-D", "warnings"];
     let alone = |package: &str, part: &str, target: &str| {
         let program = cargo("clippy").args(["--release", "--target", target]);
@@ -322,24 +322,21 @@ fn boards(all: bool) -> Vec<Step> {
     let board = ["--package", "reflet", "--example", "board"];
     let clippy = cargo("clippy").args(["--release", "--target", m3]);
     let board = toolchain::alone(clippy, Path::new("")).args(board);
-    let mut steps = vec![step(
-        &format!("clippy, examples/board, {m3}"),
-        board.args(warnings),
-    )];
-    if all {
-        steps.extend([
-            alone("xtask/firmware", "--lib", m3),
-            alone("examples/microbit", "--bins", m0),
-            alone("xtask/firmware", "--lib", m0),
-            alone("examples/riscv", "--bins", rv32),
-            alone("xtask/firmware", "--lib", rv32),
-            alone("examples/blackpill", "--bins", m4),
-            alone("examples/esp32c3", "--bins", rv32_without_atomics),
-            alone("examples/pico", "--bins", m0),
-            alone("examples/pico2", "--bins", m33),
-        ]);
-    }
-    steps
+    vec![
+        step(
+            &format!("clippy, examples/board, {m3}"),
+            board.args(warnings),
+        ),
+        alone("xtask/firmware", "--lib", m3),
+        alone("examples/microbit", "--bins", m0),
+        alone("xtask/firmware", "--lib", m0),
+        alone("examples/riscv", "--bins", rv32),
+        alone("xtask/firmware", "--lib", rv32),
+        alone("examples/blackpill", "--bins", m4),
+        alone("examples/esp32c3", "--bins", rv32_without_atomics),
+        alone("examples/pico", "--bins", m0),
+        alone("examples/pico2", "--bins", m33),
+    ]
 }
 
 /// Returns the steps that only `--all` runs.
