@@ -160,8 +160,8 @@ const fn shift_of(difference: u32) -> u32 {
     if difference > 31 { 31 } else { difference }
 }
 
-/// Tests whether every coordinate of a point is from -[`NEAR`] to below [`NEAR`]. That limit is a constant of
-/// one instruction for Arm, the next larger number is not.
+/// Tests whether every coordinate of a point is from -[`NEAR`] to below [`NEAR`]. Arm compares
+/// with this limit in one instruction; with the next larger number it takes three.
 #[inline(always)]
 const fn is_near(point: Point) -> bool {
     const SPAN: u32 = 2 * unsigned(NEAR);

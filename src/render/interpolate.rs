@@ -6,7 +6,7 @@
 //! parabola may be further off than the quality's tolerance, or if it is not sure what lies between, both
 //! halves are treated in the same way (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer
 //! Graphics and Applications 11(4), 1991, without guesses).
-//! Of eight pixels or fewer that are not sure, each is traced.
+//! Of eight pixels or fewer, each is traced instead.
 //!
 //! Blocks are aligned, and a block's colours depend on its own pixels only. So a part of a row has the
 //! colours that it has in the whole row.
@@ -38,7 +38,7 @@ const SHORT: u32 = 8;
 /// middle of 4, 8, 16 and 32 pixels; the last is [`UNREAD`].
 const SLOTS: usize = 7;
 
-/// The slot of a pixel whose hits nobody asks for. None are stored there.
+/// The slot of a traced pixel whose hits are never read. No hit is stored there.
 const UNREAD: usize = SLOTS - 1;
 
 /// A traced pixel.
@@ -220,7 +220,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
                 known = Known::Steady(Bend::ZERO);
             }
         }
-        // Of what is left, nothing would be found out.
+        // Halves of it would be too short to prove anything.
         if let (Known::Part(_), true) = (known, length <= Self::SHORTEST) {
             return self.trace_each(first + 1, first + length);
         }

@@ -181,7 +181,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let mut traced = Traced::NONE;
         stops.clear();
         let (mut throughput, mut bounce, mut is_bounded) = (Unit::ONE, Bounce::NONE, true);
-        // Smallest throughput of a hit that is stored: one that can be seen. More than any if no hit is read.
+        // Hits are stored from this throughput on: those that can be seen; none if nobody reads them.
         let least = is_read.then(|| world.parts().smallest_weight(Q::TOLERANCE));
         let least = least.unwrap_or(Unit::from_bits(i32::MAX));
         let is_seen = |throughput| Self::IS_INTERPOLATED && Q::IS_SURE && throughput >= least;

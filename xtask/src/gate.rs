@@ -24,7 +24,8 @@ use crate::{
 /// Sets up, then runs the gate and stops after the first step that fails.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct Arguments {
-    /// Adds what takes long: every ignored test, 10 minutes of fuzzing, 10^8 random rays
+    /// Adds what takes long: every ignored test, lints for boards, the schema of scene files, 10 minutes of fuzzing,
+    /// 10^8 random rays
     #[arg(long)]
     all: bool,
 }

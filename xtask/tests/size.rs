@@ -78,7 +78,8 @@ mirror 0 lights => shade::sent_on Surface::reflect
 mirror 1 => lit_color
 mirror 0.4 spheres cylinders => occluded";
     let has = |names: &BTreeSet<String>, part: &str| names.iter().any(|name| name.contains(part));
-    for (scene_lacks, parts) in lacking.lines().filter_map(|line| line.split_once(" => ")) {
+    for line in lacking.trim().lines() {
+        let (scene_lacks, parts) = line.split_once(" => ").unwrap();
         let mut words = scene_lacks.split(' ');
         let (key, value) = (words.next().unwrap(), words.next().unwrap());
         let value = value.parse::<f64>().unwrap().into();
@@ -164,10 +165,12 @@ fn are_not_slower_than_with_everything(names: &[&'static str]) {
 
 /// Largest flash of some scenes on thumbv7m, whatever the budget says: scene, quality, reflections
 /// and bytes.
-const LIMITS: [(&str, Quality, u8, u64); 4] = [
+const LIMITS: [(&str, Quality, u8, u64); 6] = [
     ("floor", Quality::FAST, 4, 12 * 1024),
     ("corner1", Quality::SMALL, 4, 7 * 1024 + 512),
+    ("shading_lights", Quality::SMALL, 0, 9 * 1024 + 256),
     ("castle", Quality::FAST, 4, 53 * 1024),
+    ("castle", Quality::DRAFT, 4, 38 * 1024),
     // Of these, 1 KB are lists that halve its instructions.
     ("castle", Quality::SMALL, 4, 15 * 1024),
 ];

@@ -124,8 +124,8 @@ fn scene_of_a_user_takes_one_changed_line() {
 #[test]
 fn both_cores_of_a_pico_draw_the_castle_and_follow_the_keys() {
     assert_eq!(PICO.run().said[0], "cores: 2");
-    let first = ShadingLights::CAMERA;
-    let turned = first.orbited(10, 0).unwrap().orbited(10, 0).unwrap();
+    let turned = ShadingLights::CAMERA.orbited(10, 0).unwrap();
+    let turned = turned.orbited(10, 0).unwrap();
     let expected = [
         simulated::<Castle>(&Castle::CAMERA),
         simulated::<ShadingLights>(&turned.orbited(0, 10).unwrap()),

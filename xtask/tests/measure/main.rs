@@ -108,7 +108,7 @@ fn only_row_of_a_frame_is_the_worst_one() {
 
 #[test]
 fn same_measurement_comes_to_the_same_figures() {
-    let settings = "floor --size 17x9 --reflections 7 --shading phong --quality exact";
+    let settings = "mirror1 --size 17x9 --reflections 7 --shading phong --quality exact";
     let figures = measured(settings);
     assert_eq!(figures, measured(settings));
     assert_eq!(figures["reflections"], 7);
