@@ -12,49 +12,45 @@
 use crate::number::{Unit, divide, narrowed, signed, square_root, to_u32, unsigned, unsigned_wide};
 use crate::vector::{Direction, Vector};
 
+/// Number of cells along each axis, a power of two.
+pub(super) const SIDE: usize = 8;
+
 /// Margin that widens the bounds of a coordinate: 2⁻¹⁶ in Q2.30.
 const MARGIN: i32 = 1 << 14;
 
-/// Returns the index of the cell of a direction. `SIDE`, the number of cells along each axis, is a
-/// power of two.
+/// Returns the index of the cell of a direction.
 #[inline(always)]
-pub(super) const fn cell_of<const SIDE: usize>(direction: Direction) -> usize {
+pub(super) const fn cell_of(direction: Direction) -> usize {
     let Vector { x, y, z } = direction.raw();
-    cell::<SIDE>(
-        cell_number::<SIDE>(x),
-        cell_number::<SIDE>(y),
-        cell_number::<SIDE>(z),
-    )
+    cell(cell_number(x), cell_number(y), cell_number(z))
 }
 
-/// Returns how many low bits of a Q2.30 coordinate do not belong to its cell's number, which is -SIDE /
-/// 2 to SIDE / 2 - 1.
-const fn cell_bits<const SIDE: usize>() -> u32 {
-    31 - SIDE.trailing_zeros()
-}
+/// Number of low bits of a Q2.30 coordinate that do not belong to its cell's number, which is -SIDE / 2 to
+/// SIDE / 2 - 1.
+const CELL_BITS: u32 = 31 - SIDE.trailing_zeros();
 
 /// Returns the number of the cell that a Q2.30 coordinate lies in: -SIDE / 2 to SIDE / 2 - 1.
 #[inline(always)]
-const fn cell_number<const SIDE: usize>(coordinate: i32) -> i32 {
+const fn cell_number(coordinate: i32) -> i32 {
     // A coordinate may exceed ±1 by a few last places, where there is no cell. The shift moves it
     // inside; it moves a coordinate by less than the margin.
-    (coordinate - (coordinate >> 25)) >> cell_bits::<SIDE>()
+    (coordinate - (coordinate >> 25)) >> CELL_BITS
 }
 
 /// Returns the numbers of the first and the last cell along an axis that hold a coordinate between two, or
 /// within `more` of them.
-pub(super) fn cells_between<const SIDE: usize>([low, high]: [i32; 2], more: i32) -> (i32, i32) {
+pub(super) fn cells_between([low, high]: [i32; 2], more: i32) -> (i32, i32) {
     const ONE: i32 = 1 << 30;
     let more = more + MARGIN;
     (
-        cell_number::<SIDE>(low.saturating_sub(more).max(-ONE)),
-        cell_number::<SIDE>(high.saturating_add(more).min(ONE)),
+        cell_number(low.saturating_sub(more).max(-ONE)),
+        cell_number(high.saturating_add(more).min(ONE)),
     )
 }
 
 /// Returns the index of a cell from its numbers along the three axes, each -SIDE / 2 to SIDE / 2 - 1.
 #[inline(always)]
-pub(super) const fn cell<const SIDE: usize>(x: i32, y: i32, z: i32) -> usize {
+pub(super) const fn cell(x: i32, y: i32, z: i32) -> usize {
     let sides = signed(to_u32(SIDE));
     let middle = (sides / 2) * (sides * sides + sides + 1);
     unsigned((x * sides + y) * sides + z + middle) as usize
@@ -84,14 +80,14 @@ impl Cap {
     }
 
     /// Tests whether a cell has a point whose cosine to the middle of the cap is at least cos φ.
-    pub(super) const fn reaches<const SIDE: usize>(&self, cell: [i32; 3]) -> bool {
+    pub(super) const fn reaches(&self, cell: [i32; 3]) -> bool {
         let coordinates = self.direction.components();
         let mut largest = 0_i64;
         let mut axis = 0;
         while axis < 3 {
             // The cell, widened by the margin on both sides.
-            let low = ((cell[axis] as i64) << cell_bits::<SIDE>()) - MARGIN as i64;
-            let high = ((cell[axis] as i64 + 1) << cell_bits::<SIDE>()) + MARGIN as i64;
+            let low = ((cell[axis] as i64) << CELL_BITS) - MARGIN as i64;
+            let high = ((cell[axis] as i64 + 1) << CELL_BITS) + MARGIN as i64;
             let coordinate = coordinates[axis].to_bits() as i64;
             largest += coordinate * if coordinate > 0 { high } else { low };
             axis += 1;
@@ -105,9 +101,9 @@ impl Cap {
     }
 
     /// Returns the numbers of the first and the last cell that the cap reaches along an axis.
-    pub(super) const fn cells<const SIDE: usize>(&self, axis: usize) -> (i32, i32) {
+    pub(super) const fn cells(&self, axis: usize) -> (i32, i32) {
         let (low, high) = self.range(axis);
-        (cell_number::<SIDE>(low), cell_number::<SIDE>(high))
+        (cell_number(low), cell_number(high))
     }
 
     /// Returns the least and the largest value of a coordinate in the cap. `middle` is its value in the

@@ -15,7 +15,7 @@ use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::vector::{Direction, Point};
 
 /// Number of parts of the range of one coordinate.
-const PARTS: usize = 8;
+const PARTS: usize = 6;
 
 /// The bounded shapes in each direction from one light.
 #[derive(Clone, Copy, Debug)]

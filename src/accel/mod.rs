@@ -7,7 +7,6 @@
 mod active_list;
 mod active_lists;
 mod cap;
-mod direction_table;
 pub(crate) mod drawable;
 mod fingerprint;
 pub(crate) mod hierarchy;

@@ -102,9 +102,12 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
         if area.is_zero_sized() {
             return Ok(report);
         }
-        let Some(generator) = self.generator() else {
-            target.fill_solid(&area.translate(top_left), shown(self.only_sum()))?;
+        if let Some(only) = self.only_sum() {
+            target.fill_solid(&area.translate(top_left), shown(only))?;
             report.rays = u64::from(area.size.width) * u64::from(area.size.height);
+            return Ok(report);
+        }
+        let Some(generator) = self.generator() else {
             return Ok(report);
         };
         let (left, width) = (area.top_left.x, area.size.width);

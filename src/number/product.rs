@@ -54,12 +54,6 @@ pub const fn scaled_unsigned(a: u32, short: u32) -> u32 {
     multiplier::scaled_unsigned(a, short)
 }
 
-/// Returns `a` · `short` · 2⁻¹⁵, rounded down. `a` is within ±2²⁹, and `short` is below 2¹⁶.
-#[inline(always)]
-pub const fn scaled(a: i32, short: u32) -> i32 {
-    multiplier::scaled(a, short)
-}
-
 /// Returns the high word of the product of two unsigned numbers: `a` · `b` · 2⁻³², rounded down.
 #[inline(always)]
 pub const fn high_unsigned(a: u32, b: u32) -> u32 {
@@ -69,7 +63,7 @@ pub const fn high_unsigned(a: u32, b: u32) -> u32 {
 // The Arm cores without a long multiply are those without atomic exchanges.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 mod multiplier {
-    use crate::number::narrow::{signed, signed_wide, unsigned};
+    use crate::number::narrow::{signed_wide, unsigned};
 
     #[inline(always)]
     pub(super) const fn wide(a: i32, b: i32) -> i64 {
@@ -99,11 +93,6 @@ mod multiplier {
     #[inline(always)]
     pub(super) const fn scaled_unsigned(a: u32, short: u32) -> u32 {
         high_unsigned(a, short << 15)
-    }
-
-    #[inline(always)]
-    pub(super) const fn scaled(a: i32, short: u32) -> i32 {
-        high(a << 2, signed(short << 15))
     }
 }
 
@@ -152,11 +141,6 @@ mod halves {
         ((a >> 16) * short + (((a & 0xffff) * short) >> 16)) >> 1
     }
 
-    #[inline(always)]
-    pub(super) const fn scaled(a: i32, short: u32) -> i32 {
-        2 * (a >> 16) * short as i32 + ((low_half(a) as u32 * short) >> 15) as i32
-    }
-
     /// Returns the high word of the product of two unsigned numbers, computed from the signed product.
     /// The compiler would recognise a direct sum of unsigned halves and call the product of 64 by 64
     /// bits.
@@ -200,10 +184,6 @@ mod tests {
                 let product = u64::from(a) * u64::from(short);
                 let scaled = halves::scaled_unsigned(a, short);
                 assert_eq!(u64::from(scaled), product >> 17, "{a} * {short}");
-                let held = a as i32 >> 2;
-                let product = i64::from(held) * i64::from(short);
-                let scaled = halves::scaled(held, short);
-                assert_eq!(scaled, (product >> 15) as i32, "{held} * {short}");
             }
         }
     }

@@ -1,44 +1,55 @@
 //! Reciprocal square roots and reciprocals, and the square roots and quotients computed from them.
 //!
-//! A table gives the start y₀, and one Householder step of third order refines it (Householder 1970;
-//! Muller et al., Handbook of Floating-Point Arithmetic, section 4.7). With e = 1 - x y₀², the
-//! reciprocal root is y₀ (1 + e/2 + 3e²/8). The first term left out, 5e³/16, is below 2⁻²⁸, because the
-//! table has 256 entries per unit. Rounding adds about as much.
+//! A table gives the start y₀, and one Newton step refines it (Muller et al., Handbook of Floating-Point
+//! Arithmetic, section 4.7). With e = 1 - x y₀², the reciprocal root is y₀ (1 + e/2). The table holds y₀ at 64
+//! points per unit, and a straight line between two points is within 2⁻¹⁶ of the root, so |e| is below 2⁻¹⁴.
+//! The first term left out, 3e²/8, is below 2⁻²⁹. Rounding adds more.
 
 use super::narrow::{
     difference_modulo_2_32, low_word, narrowed_unsigned, plus_signed, shifted_left, signed,
-    signed_difference, to_u16, to_u32, unsigned,
+    signed_difference, signed_wide, to_u16, unsigned, unsigned_wide,
 };
-use super::product::{scaled, scaled_unsigned};
+use super::product::scaled_unsigned;
 use super::{Unit, high_unsigned, leading_zeros};
 
-/// Start values for reciprocal roots and reciprocals. From entry 256 on, entry i is 2¹⁶ / √x at the
-/// middle of x = i/256 .. (i + 1)/256, for x from 1 to 4. The first 256 entries are 2¹⁶ / x at the
-/// middle of x = 1 + i/256 .. 1 + (i + 1)/256.
-static TABLE: [u16; 1024] = table();
+/// Start values, at points between which lines are drawn: first 2¹⁶ / x for x from 1 to 2, then 2¹⁶ / √x for x from
+/// 1 to 4, both in steps of 1/64.
+static TABLE: [u16; RECIPROCALS + ROOTS] = table();
+
+/// Number of points of the reciprocal, and of the reciprocal root.
+const RECIPROCALS: usize = 65;
+const ROOTS: usize = 193;
 
 /// Computes the table of start values.
-const fn table() -> [u16; 1024] {
-    let mut entries = [0; 1024];
-    let mut index = 0;
-    while index < 256 {
-        let middle = 2 * (256 + to_u32(index)) + 1;
-        entries[index] = to_u16(((1 << 25) + middle / 2) / middle);
-        index += 1;
+const fn table() -> [u16; RECIPROCALS + ROOTS] {
+    /// Returns a start value with 12 fraction bits for x = `index` / 64.
+    const fn curve(index: usize, is_root: bool) -> i64 {
+        let index = index as u64;
+        signed_wide(match is_root {
+            true => ((1 << 62) / index).isqrt(),
+            false => (1 << 34) / index,
+        })
     }
-    while index < 1024 {
-        // 2^16 / √((2 index + 1) / 512) = √(2^41 / (2 index + 1))
-        let square = (1_u64 << 41) * 4 / (2 * index as u64 + 1);
-        let twice = square.isqrt();
-        let rounded = twice.div_ceil(2);
-        entries[index] = if rounded > 0xffff {
-            0xffff
-        } else {
-            to_u16(narrowed_unsigned(rounded))
-        };
-        index += 1;
+    let mut entries = [0; RECIPROCALS + ROOTS];
+    let mut place = 0;
+    while place < entries.len() {
+        let is_root = place >= RECIPROCALS;
+        let index = 64 + if is_root { place - RECIPROCALS } else { place };
+        let value = curve(index, is_root);
+        let bend = curve(index - 1, is_root) - 2 * value + curve(index + 1, is_root);
+        // A line lies above the curve, by up to an eighth of the second difference. Half of that is taken off, so
+        // that it lies above and below. Values are rounded down, because those between two are rounded up.
+        entries[place] = to_u16(narrowed_unsigned(unsigned_wide((value - bend / 16) >> 12)));
+        place += 1;
     }
     entries
+}
+
+/// Returns the value of the line from a point of the table to the next, `way` · 2⁻¹¹ of the way to it.
+#[inline(always)]
+const fn on_line(point: usize, way: u32) -> u32 {
+    let [before, after] = [TABLE[point] as u32, TABLE[point + 1] as u32];
+    before - (((before - after) * way) >> 11)
 }
 
 /// Returns the reciprocal root 2³¹ / √x for x = `mantissa` · 2⁻³⁰, 1 to 4. The result is in Q1.31, from
@@ -47,17 +58,12 @@ const fn table() -> [u16; 1024] {
 /// The relative error is below 2⁻²⁷·⁵.
 pub const fn reciprocal_root(mantissa: u32) -> i32 {
     debug_assert!(mantissa >= 1 << 30);
-    let start = TABLE[(mantissa >> 22) as usize] as u32;
-    // Q30 · Q32 >> 32: x y₀² in Q30, within 2⁻⁸ of one.
-    let product = signed(high_unsigned(mantissa, start * start));
-    let error = (1 << 30) - product;
-    let coarse = error >> 6;
-    // Within ±2²¹·⁵, so that `scaled` can shift it up and take the high word of its product with the
-    // start.
-    let correction = (error >> 1) + signed((3 * unsigned(coarse * coarse)) >> 21);
-    let refined = scaled(correction, start);
-    // If x is 1, the start is too small and the terms left out are negative: the sum stays below 2³¹.
-    signed(plus_signed(start << 15, refined))
+    // From 64 / 64 to 255 / 64.
+    let point = (mantissa >> 24) as usize + RECIPROCALS - 64;
+    let start = on_line(point, (mantissa >> 13) & 0x7ff);
+    // Q30 · Q32 >> 32: x y₀² in Q30. The error is within ±2¹⁶, so that its half times the start fits.
+    let error = (1 << 30) - signed(high_unsigned(mantissa, start * start));
+    signed(start << 15) + (((error >> 1) * signed(start)) >> 15)
 }
 
 /// Normalises a squared length. Returns the left shift that brings a vector of that squared length to a
@@ -108,17 +114,15 @@ pub const fn root_of_unit(square: Unit) -> Unit {
 
 /// Returns the reciprocal 2³¹ / x for x = `mantissa` · 2⁻³¹, 1 to 2, with a relative error below 2⁻²⁶.
 ///
-/// The table gives the start y₀. One step of third order refines it: y₀ (1 + e + e²) with e = 1 - x y₀
-/// below 2⁻⁹.
+/// A line of the table gives the start y₀, and one Newton step refines it: y₀ (1 + e) with e = 1 - x y₀ within
+/// ±2⁻¹⁴. The term left out, e², is below 2⁻²⁸.
 const fn reciprocal(mantissa: u32) -> u32 {
-    let start = TABLE[(mantissa >> 23) as usize & 0xff] as u32;
-    // Signed, within ±2²¹.
+    debug_assert!(mantissa >= 1 << 31);
+    let point = (mantissa >> 25) as usize & 0x3f;
+    let start = on_line(point, (mantissa >> 14) & 0x7ff);
+    // Signed, within ±2¹⁶.
     let error = signed_difference(1 << 30, scaled_unsigned(mantissa, start));
-    let coarse = error >> 7;
-    let correction = error + ((coarse * coarse) >> 16);
-    let refined = scaled(correction, start);
-    // If x is 1, the start is too small and the term left out is negative: the sum stays below 2³¹.
-    plus_signed(start << 15, refined)
+    plus_signed(start << 15, ((error >> 1) * signed(start)) >> 14)
 }
 
 /// Returns 2³⁰ · `numerator` / `denominator`, with a relative error below 2⁻²⁶. The numerator is below

@@ -17,3 +17,6 @@ pub(crate) use report::light_cut_off;
 use interpolate::Colors;
 #[cfg(feature = "host")]
 pub(crate) use interpolate::block_of;
+
+#[cfg(test)]
+mod tests;

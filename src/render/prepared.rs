@@ -212,18 +212,21 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         }
         let inside = pixels.len().min((self.frame.width - x) as usize);
         let (pixels, _) = pixels.split_at_mut(inside);
-        let Some(generator) = self.generator() else {
-            fill(pixels, shown(self.only_sum()));
+        if let Some(only) = self.only_sum() {
+            fill(pixels, shown(only));
+            let rays = inside as u64;
             return Report {
-                rays: inside as u64,
+                rays,
                 ..Report::NONE
             };
+        }
+        let Some(generator) = self.generator() else {
+            return Report::NONE;
         };
         self.fill(generator, [x, y], pixels, shown)
     }
 
-    /// Fills pixels that lie inside of the picture. Not inlined, so that the tracer leaves the stack
-    /// again.
+    /// Fills pixels inside of the picture. Not inlined, so that the tracer leaves the stack again.
     #[inline(never)]
     fn fill<C: Copy>(
         &self,
@@ -253,18 +256,17 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         (drawn, Report::of(&tracer))
     }
 
-    /// Returns the generator of the camera rays, or `None` if the scene has no shape.
+    /// Returns the generator of the camera rays, unless all pixels have one colour ([`Rows::only_sum`]).
     #[inline(always)]
     pub(crate) fn generator(&self) -> Option<&'a RayGenerator> {
-        match S::World::<'a>::NEEDS.is_nothing() {
-            true => None,
-            false => self.frame.generator.as_ref(),
-        }
+        self.frame.generator.as_ref()
     }
 
-    /// Returns the sum of a ray that hits nothing: the colour of every pixel if the scene has no shape.
-    pub(crate) fn only_sum(&self) -> Sum {
-        Traced::missed::<_, K>(&self.world).sum
+    /// Returns the sum of every pixel if the scene has no shape and no sky.
+    #[inline(always)]
+    pub(crate) fn only_sum(&self) -> Option<Sum> {
+        let is_empty = S::World::<'a>::NEEDS.is_nothing() || self.world.parts().is_empty();
+        is_empty.then(|| Traced::missed::<_, K>(&self.world).sum)
     }
 
     /// Returns the tracer for the rays of row `y`. `shadows` is only used in a scene with far lights.
@@ -291,8 +293,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
     }
 }
 
-/// Fills pixels with one colour. Not inlined: inlined, it would make the compiler unroll its caller's
-/// loops.
+/// Fills pixels with one colour. Inlined, it would make the compiler unroll its caller's loops.
 #[inline(never)]
 fn fill<C: Copy>(pixels: &mut [C], color: C) {
     pixels.fill(color);

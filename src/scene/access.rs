@@ -179,10 +179,10 @@ impl<'a> Parts<'a> {
         unit_product(change, self.dimness)
     }
 
-    /// Tests whether the scene has no shape, so that no ray can hit anything.
+    /// Tests whether the scene has no shape and no sky, so that all rays show one colour.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
-        !self.has_bounded() && self.planes.is_empty()
+        !self.has_bounded() && self.planes.is_empty() && !self.background.is_sky()
     }
 }
 

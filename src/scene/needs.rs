@@ -137,6 +137,11 @@ macro_rules! needs {
                 !(self.planes || self.sky $(|| self.$list)*)
             }
 
+            /// Tests whether the colour of a surface, or a ray that leaves it, can depend on where it is hit.
+            pub(crate) const fn places(&self) -> bool {
+                self.lights || self.mirrored || self.checkers $(|| self.$list)*
+            }
+
             $(
                 #[doc = concat!("Returns these needs without ", stringify!($list), ".")]
                 #[must_use]

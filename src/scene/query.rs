@@ -18,23 +18,29 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
     ray: &ScaledRay,
     skip: ShapeId,
 ) -> Option<(ScaledPoint, ShapeId)> {
-    nearest_hit_by(world, ray, skip, |ray| {
-        nearest_of(world, (ray, NOWHERE), skip)
-    })
+    let nearest = |ray: &Ray| nearest_of(world, (ray, NOWHERE), skip);
+    nearest_hit_by(world, ray, skip, (true, nearest))
 }
 
 /// Returns the first hit of a ray, as [`nearest_hit`] does. `nearest` returns the nearest hit of the
-/// bounded shapes. It is given the near part of the ray.
+/// bounded shapes. It is given the near part of the ray. If nothing asks for the place of a hit, the place is
+/// that where the ray starts.
 #[inline(always)]
 pub(crate) fn nearest_hit_by<W: SceneAccess>(
     world: &W,
     ray: &ScaledRay,
     skip: ShapeId,
-    nearest: impl Fn(&Ray) -> Hit,
+    (asks_place, nearest): (bool, impl Fn(&Ray) -> Hit),
 ) -> Option<(ScaledPoint, ShapeId)> {
     let (mut distance, mut shape) = (NOT_MET, ShapeId::NONE);
+    // Nothing compares the distance of an only plane.
+    let asks_distance = asks_place || world.parts().planes.len() > 1;
     for (id, plane) in planes::others(world, skip) {
-        let own = plane.intersect_far(ray);
+        let own = match asks_distance {
+            true => plane.intersect_far(ray),
+            false if plane.is_met_far(ray) => 0,
+            false => NOT_MET,
+        };
         if own < distance {
             (distance, shape) = (own, id);
         }
@@ -56,7 +62,11 @@ pub(crate) fn nearest_hit_by<W: SceneAccess>(
     if distance == NOT_MET {
         return None;
     }
-    Some((place_along(ray, distance)?, shape))
+    let at = match asks_place {
+        true => place_along(ray, distance)?,
+        false => ray.from(),
+    };
+    Some((at, shape))
 }
 
 /// Returns the first hit of a ray whose near hit `hit` is known: point and shape; `None` if nothing is

@@ -16,7 +16,7 @@ use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
-use crate::number::{Length, Number, signed_wide, square_root, unsigned_wide, wide};
+use crate::number::{Length, Number, signed_wide, square_root, to_u8, unsigned_wide, wide};
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -78,7 +78,9 @@ pub struct PreparedSphere {
     radius: i32,
     /// Square of the sphere's radius, in squared steps.
     square: i64,
-    normaliser: Normaliser,
+    /// The parts of a [`Normaliser`], without the room between them.
+    inverse: i32,
+    lift: u8,
     pub(crate) material: MaterialId,
     /// Whether the sphere touches or cuts another shape.
     touches: bool,
@@ -122,9 +124,19 @@ impl PreparedSphere {
             center,
             radius: raw,
             square: wide(raw, raw),
-            normaliser,
+            inverse: normaliser.inverse,
+            lift: to_u8(normaliser.lift),
             material,
             touches: false,
+        }
+    }
+
+    /// Returns what turns a vector from the centre to the surface into a direction.
+    #[inline(always)]
+    fn normaliser(&self) -> Normaliser {
+        Normaliser {
+            lift: self.lift.into(),
+            inverse: self.inverse,
         }
     }
 
@@ -266,7 +278,7 @@ impl Bounded for PreparedSphere {
 
     #[inline(always)]
     fn normal(&self, at: Point) -> Direction {
-        self.normaliser.direction(self.center.to(at))
+        self.normaliser().direction(self.center.to(at))
     }
 
     #[inline(always)]

@@ -2,11 +2,11 @@
 
 use super::{PathQuality, Tracer};
 use crate::accel::{Window, World, nearest_ahead};
-use crate::ray::{ScaledPoint, ScaledRay};
+use crate::ray::{Ray, ScaledPoint, ScaledRay};
 use crate::scene::FEW;
 use crate::scene::access::ShapeId;
-use crate::scene::nearest::{Hit, nearest_listed};
-use crate::scene::query::{located, nearest_hit, nearest_hit_by};
+use crate::scene::nearest::{Hit, NOWHERE, nearest_listed, nearest_of};
+use crate::scene::query::{located, nearest_hit_by};
 use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Surface, planes};
 use crate::shade::highlight::sealed::Shading;
@@ -57,18 +57,17 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     fn plain_hit(&self, ray: &ScaledRay, bounce: &Bounce) -> Option<(ScaledPoint, ShapeId)> {
         let (world, skip) = (self.world, bounce.skip);
-        match Q::CULLING.lists && world.parts().bounded() > FEW {
-            true => {
-                let candidates = match bounce.count {
-                    0 => self.list,
-                    _ => *ShapeSet::ALL,
-                };
-                nearest_hit_by(world, ray, skip, |ray| {
-                    nearest_listed(world, &candidates, ray, skip)
-                })
-            }
-            false => nearest_hit(world, ray, skip),
-        }
+        let is_listed = Q::CULLING.lists && world.parts().bounded() > FEW;
+        let candidates = match is_listed && bounce.count == 0 {
+            true => self.list,
+            false => *ShapeSet::ALL,
+        };
+        let nearest = |ray: &Ray| match is_listed {
+            true => nearest_listed(world, &candidates, ray, skip),
+            false => nearest_of(world, (ray, NOWHERE), skip),
+        };
+        // Every pixel is traced, so nothing but the surface itself asks where it is.
+        nearest_hit_by(world, ray, skip, (W::NEEDS.places(), nearest))
     }
 
     /// Returns the first hit of a ray in the near region. Returns [`Hit::BEYOND`] for a ray that starts

@@ -27,12 +27,7 @@ impl PreparedPlane {
     /// [`NOT_MET`].
     #[inline(never)]
     pub(crate) fn intersect_far(&self, path: &ScaledRay) -> u64 {
-        let (height, scale) = self.height_far(path.from());
-        let climb = path.direction().dot(self.normal).to_bits();
-        // A cosine that becomes 0 when it is rounded down to 2⁻²⁸ counts as 0. Near rays do the same, so
-        // they do not hit the plane from below. If this ray did, the surface would be shaded from above.
-        let climb = if climb >> 2 == 0 { 0 } else { climb };
-        let Some((height, descent)) = descent(height, climb) else {
+        let Some(((height, descent), scale)) = self.approach_far(path) else {
             return NOT_MET;
         };
         let Quotient { mantissa, exponent } = divide(height, descent);
@@ -41,6 +36,24 @@ impl PreparedPlane {
             true => unsigned_wide(shifted(mantissa.into(), exponent.max(-63))),
             false => NOT_MET,
         }
+    }
+
+    /// Tests whether a ray from any point hits the plane at any distance.
+    #[inline(always)]
+    pub(crate) fn is_met_far(&self, path: &ScaledRay) -> bool {
+        self.approach_far(path).is_some()
+    }
+
+    /// Returns the height of a ray's start over the plane and its rate of descent, both positive, and the scale
+    /// of the height. Returns `None` if the ray does not hit the plane.
+    #[inline(always)]
+    fn approach_far(&self, path: &ScaledRay) -> Option<((u64, u32), u32)> {
+        let (height, scale) = self.height_far(path.from());
+        let climb = path.direction().dot(self.normal).to_bits();
+        // A cosine that becomes 0 when it is rounded down to 2⁻²⁸ counts as 0. Near rays do the same, so
+        // they do not hit the plane from below. If this ray did, the surface would be shaded from above.
+        let climb = if climb >> 2 == 0 { 0 } else { climb };
+        Some((descent(height, climb)?, scale))
     }
 
     /// Returns the signed height of a point above the plane and the scale of that height.
