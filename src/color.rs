@@ -149,6 +149,9 @@ pub(crate) const fn brightness(number: Number) -> Brightness {
     Brightness::from_bits(number.quantised(26))
 }
 
+/// Half of an 8-bit level, as a part of a [`Sum`].
+const HALF: i32 = 1 << 15;
+
 /// Sum of weighted colours along one path, in Q8.24. Every colour comes from [`Color::in_levels`].
 ///
 /// If the weights sum to at most one and colours are below 32, the sum stays below 32. Every term is
@@ -157,8 +160,11 @@ pub(crate) const fn brightness(number: Number) -> Brightness {
 pub struct Sum([i32; 3]);
 
 impl Sum {
-    /// Empty sum: all components are 0.
+    /// No difference of two sums.
     pub const ZERO: Self = Self([0; 3]);
+
+    /// No light. It holds half of an 8-bit level, so that [`Sum::to_rgb8`] only has to cut.
+    pub const DARK: Self = Self([HALF; 3]);
 
     /// Adds `weight` · `color`, rounded down to 2⁻²⁴. Neither factor is below 0.
     #[inline(always)]
@@ -228,13 +234,13 @@ impl Sum {
     /// Returns red, green and blue in steps of 2⁻²⁴.
     #[cfg(test)]
     pub(crate) fn to_bits(self) -> [i32; 3] {
-        self.0
+        self.0.map(|sum| sum - HALF)
     }
 
     /// Converts the sum to 8 bits per component: clamped to 0 to 1, then round(255 c).
     #[inline(always)]
     pub fn to_rgb8(self) -> [u8; 3] {
-        let level = |sum: i32| to_u8(unsigned(((sum + (1 << 15)) >> 16).clamp(0, 255)));
+        let level = |sum: i32| to_u8(unsigned((sum >> 16).clamp(0, 255)));
         let [red, green, blue] = self.0;
         [level(red), level(green), level(blue)]
     }

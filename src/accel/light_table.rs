@@ -7,12 +7,12 @@
 
 use super::cap::{Cap, SIDE, cell, cell_of, cells_between};
 use super::{CullingQuality, World};
-use crate::light::PreparedLight;
 use crate::number::{Unit, signed, to_u8, to_u32};
+use crate::ray::ScaledPoint;
 use crate::scene::Parts;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::shape::bordered::Rays;
-use crate::vector::{Direction, Point, Vector};
+use crate::vector::{Direction, Vector};
 
 /// Number of cells of a table.
 const CELLS: usize = SIDE * SIDE * SIDE;
@@ -113,11 +113,6 @@ impl CellSets {
     /// A table in the making, with an empty set of shapes in every cell.
     const NONE: Self = Self([ShapeSet::NONE; CELLS]);
 
-    /// Adds a shape to all cells.
-    const fn add_everywhere(&mut self, shape: ShapeSet) {
-        self.add_ball(Vector::ZERO, 1, shape);
-    }
-
     /// Adds a shape inside of a ball to all cells that the ball reaches.
     ///
     /// `way` is the vector from the table's point to the ball's centre. The radius is widened by 2⁻¹²
@@ -171,8 +166,11 @@ macro_rules! light_table {
         $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
     ) => {
         impl LightTable {
-            /// Makes the table of a light at a near point.
-            pub(crate) const fn around(light: Point, parts: &Parts<'_>) -> Self {
+            /// Makes the table of a light. If the light is far, every direction holds every shape.
+            pub(crate) const fn around(light: ScaledPoint, parts: &Parts<'_>) -> Self {
+                if !light.is_near() {
+                    return Self::ALL;
+                }
                 let layout = SetLayout::new(parts.lengths());
                 let mut cells = CellSets::NONE;
                 let kind = 0;
@@ -181,12 +179,13 @@ macro_rules! light_table {
                     while index < parts.$list.len() {
                         let shape = ShapeSet::of(layout.bit(kind, index));
                         if parts.moving.meets(shape) {
-                            cells.add_everywhere(shape);
+                            // It may be anywhere.
+                            cells.add_ball(Vector::ZERO, 1, shape);
                         }
                         let mut link = 0;
                         while link < crate::shape::$prepared::LINKS {
                             let (center, radius) = parts.$list[index].link(link);
-                            cells.add_ball(light.to(center), radius, shape);
+                            cells.add_ball(light.point.to(center), radius, shape);
                             link += 1;
                         }
                         index += 1;
@@ -202,20 +201,12 @@ macro_rules! light_table {
 kinds!(light_table);
 
 impl LightTable {
-    /// Makes the table of a light. If the light is far, every direction holds every shape.
-    pub(super) const fn of_light(light: &PreparedLight, parts: &Parts<'_>) -> Self {
-        match light.place.is_near() {
-            true => Self::around(light.place.point, parts),
-            false => Self::ALL,
-        }
-    }
-
     /// Makes the tables of all lights of a scene, in their order. Unused places hold every shape.
     pub(super) const fn of_lights<const L: usize>(parts: &Parts<'_>) -> [Self; L] {
         let mut tables = [Self::ALL; L];
         let mut index = 0;
         while index < parts.lights.len() && index < L {
-            tables[index] = Self::of_light(&parts.lights[index], parts);
+            tables[index] = Self::around(parts.lights[index].place, parts);
             index += 1;
         }
         tables
@@ -230,11 +221,7 @@ pub(super) fn rays_set<W: World, Q: CullingQuality>(
     rays: &Rays,
     bulge: i32,
 ) -> ShapeSet {
-    let table = match W::NEEDS.sets && Q::CULLING.light_tables {
-        true => world.tables().light_tables.get(light),
-        false => None,
-    };
-    table.map_or(*ShapeSet::ALL, |table| {
+    table_of::<W, Q>(world, light).map_or(*ShapeSet::ALL, |table| {
         table.between(rays.ends, rays.widening(bulge))
     })
 }
@@ -247,11 +234,16 @@ pub(crate) fn light_set<W: World, Q: CullingQuality>(
     light: usize,
     direction: Direction,
 ) -> &ShapeSet {
-    let table = match W::NEEDS.sets && Q::CULLING.light_tables {
+    table_of::<W, Q>(world, light).map_or(ShapeSet::ALL, |table| table.at(direction))
+}
+
+/// Returns the table of a light, if it has one and `Q` uses tables.
+#[inline(always)]
+fn table_of<W: World, Q: CullingQuality>(world: &W, light: usize) -> Option<&LightTable> {
+    match W::NEEDS.sets && Q::CULLING.light_tables {
         true => world.tables().light_tables.get(light),
         false => None,
-    };
-    table.map_or(ShapeSet::ALL, |table| table.at(direction))
+    }
 }
 
 #[cfg(test)]

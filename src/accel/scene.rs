@@ -180,7 +180,7 @@ impl<R: Capacity> Scene<R> {
         let mut light_tables: R::Lights<LightTable> = Array::filled(LightTable::ALL);
         let parts = self.plain.parts();
         for (light, table) in parts.lights.iter().zip(light_tables.as_mut()) {
-            *table = LightTable::of_light(light, &parts);
+            *table = LightTable::around(light.place, &parts);
         }
         Tabled {
             scene: self,

@@ -3,7 +3,7 @@
 use super::*;
 
 fn quantised(value: f64) -> u8 {
-    let mut sum = Sum::ZERO;
+    let mut sum = Sum::DARK;
     let color = Color::grey(brightness(Number::new(value)));
     sum.add(Unit::ONE, color.in_levels());
     sum.to_rgb8()[0]

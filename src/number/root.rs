@@ -14,14 +14,13 @@ use super::{Unit, high_unsigned, leading_zeros};
 
 /// Start values, at points between which lines are drawn: first 2¹⁶ / x for x from 1 to 2, then 2¹⁶ / √x for x from
 /// 1 to 4, both in steps of 1/64.
-static TABLE: [u16; RECIPROCALS + ROOTS] = table();
+static TABLE: [u16; 258] = table();
 
-/// Number of points of the reciprocal, and of the reciprocal root.
+/// Number of points of the reciprocal.
 const RECIPROCALS: usize = 65;
-const ROOTS: usize = 193;
 
 /// Computes the table of start values.
-const fn table() -> [u16; RECIPROCALS + ROOTS] {
+const fn table() -> [u16; 258] {
     /// Returns a start value with 12 fraction bits for x = `index` / 64.
     const fn curve(index: usize, is_root: bool) -> i64 {
         let index = index as u64;
@@ -30,7 +29,7 @@ const fn table() -> [u16; RECIPROCALS + ROOTS] {
             false => (1 << 34) / index,
         })
     }
-    let mut entries = [0; RECIPROCALS + ROOTS];
+    let mut entries = [0; 258];
     let mut place = 0;
     while place < entries.len() {
         let is_root = place >= RECIPROCALS;

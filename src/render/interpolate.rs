@@ -17,7 +17,6 @@ use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
 use crate::color::{Bend, Sum};
 use crate::number::Unit;
-use crate::ray::PathSignature;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Progress, Stops, Traced, Tracer};
@@ -44,21 +43,9 @@ const UNREAD: usize = SLOTS - 1;
 /// A traced pixel.
 #[derive(Clone, Copy)]
 struct End {
-    sum: Sum,
-    signature: PathSignature,
+    traced: Traced,
     /// Where its hits are stored.
     slot: usize,
-}
-
-impl End {
-    #[inline(always)]
-    fn new(Traced { sum, signature }: Traced, slot: usize) -> Self {
-        Self {
-            sum,
-            signature,
-            slot,
-        }
-    }
 }
 
 /// The colours of a row of pixels, computed from one column on to the right.
@@ -142,7 +129,13 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             },
             block,
             colors: [Sum::ZERO; LONGEST_BLOCK as usize],
-            end: (u32::MAX, End::new(Traced::NONE, 0)),
+            end: (
+                u32::MAX,
+                End {
+                    traced: Traced::NONE,
+                    slot: 0,
+                },
+            ),
             stops: [Stops::NONE; SLOTS],
             clear_until: 0,
         };
@@ -199,7 +192,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// Traces each pixel from column `first` to the one before `end`. Nothing is interpolated.
     fn trace_each(&mut self, first: u32, end: u32) {
         for column in first..end {
-            let color = self.trace(column, UNREAD).sum;
+            let color = self.trace(column, UNREAD).traced.sum;
             self.set(column, color);
         }
     }
@@ -208,11 +201,11 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// to the traced pixel after the last. `ends` are these two.
     fn between(&mut self, (first, length): (u32, u32), ends: [&End; 2], mut known: Known) {
         let [start, end] = ends;
-        self.set(first, start.sum);
+        self.set(first, start.traced.sum);
         if length == 1 {
             return;
         }
-        let is_alike = start.signature.is_same_as(end.signature);
+        let is_alike = start.traced.signature.is_same_as(end.traced.signature);
         if let (Known::Part(proved), true) = (&mut known, is_alike && length >= Self::SHORTEST) {
             let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
             let window = (&self.window, [first, first + length]);
@@ -227,17 +220,17 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         if length == 2 {
             let bend = known.bend(ends, Self::TOLERANCE).filter(|_| is_alike);
             let between = match bend {
-                Some(bend) => start.sum.half_way(end.sum, bend),
-                None => self.trace(first + 1, UNREAD).sum,
+                Some(bend) => start.traced.sum.half_way(end.traced.sum, bend),
+                None => self.trace(first + 1, UNREAD).traced.sum,
             };
             return self.set(first + 1, between);
         }
         let half = length / 2;
         let middle = self.trace(first + half, length.trailing_zeros() as usize);
         if let (Known::Steady(expected), true) = (known, is_alike) {
-            let bend = Bend::of(start.sum, middle.sum, end.sum);
+            let bend = Bend::of(start.traced.sum, middle.traced.sum, end.traced.sum);
             if bend.less(expected).is_within(4 * Self::TOLERANCE) {
-                let sums = [start.sum, middle.sum, end.sum];
+                let sums = [start.traced.sum, middle.traced.sum, end.traced.sum];
                 let colors = self.colors.get_mut(Self::place(first)..);
                 return Sum::parabola(sums, half, colors.unwrap_or_default());
             }
@@ -262,7 +255,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     /// Traces the pixel of a column, out of line.
     #[inline(never)]
     fn trace(&mut self, column: u32, slot: usize) -> End {
-        End::new(self.traced(column, slot), slot)
+        let traced = self.traced(column, slot);
+        End { traced, slot }
     }
 
     /// Traces the pixel of a column, inlined into the caller.
@@ -291,7 +285,12 @@ impl Known {
         let Self::Steady(bend) = self else {
             return None;
         };
-        let is_flat = || end.sum.less(start.sum).is_within(3 * tolerance);
+        let is_flat = || {
+            end.traced
+                .sum
+                .less(start.traced.sum)
+                .is_within(3 * tolerance)
+        };
         (bend.is_within(4 * tolerance) || is_flat()).then_some(bend)
     }
 }

@@ -38,7 +38,7 @@ pub(crate) fn nearest_hit_by<W: SceneAccess>(
     for (id, plane) in planes::others(world, skip) {
         let own = match asks_distance {
             true => plane.intersect_far(ray),
-            false if plane.is_met_far(ray) => 0,
+            false if plane.approach_far(ray).is_some() => 0,
             false => NOT_MET,
         };
         if own < distance {

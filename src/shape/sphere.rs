@@ -131,15 +131,6 @@ impl PreparedSphere {
         }
     }
 
-    /// Returns what turns a vector from the centre to the surface into a direction.
-    #[inline(always)]
-    fn normaliser(&self) -> Normaliser {
-        Normaliser {
-            lift: self.lift.into(),
-            inverse: self.inverse,
-        }
-    }
-
     /// Returns the sphere with its flag set: whether it touches or cuts another shape.
     pub(crate) const fn touching(mut self, touches: bool) -> Self {
         self.touches = touches;
@@ -278,7 +269,8 @@ impl Bounded for PreparedSphere {
 
     #[inline(always)]
     fn normal(&self, at: Point) -> Direction {
-        self.normaliser().direction(self.center.to(at))
+        let (lift, inverse) = (self.lift.into(), self.inverse);
+        Normaliser { lift, inverse }.direction(self.center.to(at))
     }
 
     #[inline(always)]

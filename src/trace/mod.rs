@@ -57,7 +57,7 @@ pub(crate) struct Traced {
 impl Traced {
     /// The state at the start of a path: no light, nothing hit.
     pub(crate) const NONE: Self = Self {
-        sum: Sum::ZERO,
+        sum: Sum::DARK,
         signature: PathSignature::new(),
     };
 

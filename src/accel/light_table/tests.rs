@@ -2,11 +2,12 @@ use super::*;
 use crate::accel::Scene;
 use crate::material::Material;
 use crate::number::sweep::Sweep;
-use crate::ray::{BALL, NEAR, ScaledPoint, ScaledRay};
+use crate::ray::{BALL, NEAR, ScaledRay};
 use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::occluded;
 use crate::scene::{Needs, RuntimeScene};
+use crate::vector::Point;
 
 type Built = Scene<Room<2, 2, 2, 1, 1>>;
 
@@ -48,7 +49,7 @@ fn plain_shadow_rays_are_blocked_alike_with_a_table_and_without() {
         });
         let (direction, distance) = from.to(light).0.direction_and_length();
         let ray = ScaledRay::new(from, direction);
-        let table = LightTable::around(light.point, &parts);
+        let table = LightTable::around(light, &parts);
         let set = table.at(direction.reversed());
         let skip = match round % 5 {
             index @ 0..4 => ShapeId::at(index),

@@ -38,16 +38,10 @@ impl PreparedPlane {
         }
     }
 
-    /// Tests whether a ray from any point hits the plane at any distance.
-    #[inline(always)]
-    pub(crate) fn is_met_far(&self, path: &ScaledRay) -> bool {
-        self.approach_far(path).is_some()
-    }
-
     /// Returns the height of a ray's start over the plane and its rate of descent, both positive, and the scale
     /// of the height. Returns `None` if the ray does not hit the plane.
     #[inline(always)]
-    fn approach_far(&self, path: &ScaledRay) -> Option<((u64, u32), u32)> {
+    pub(crate) fn approach_far(&self, path: &ScaledRay) -> Option<((u64, u32), u32)> {
         let (height, scale) = self.height_far(path.from());
         let climb = path.direction().dot(self.normal).to_bits();
         // A cosine that becomes 0 when it is rounded down to 2⁻²⁸ counts as 0. Near rays do the same, so

@@ -201,7 +201,7 @@ fn normal_points_away_from_the_centre_and_has_length_one() {
         );
         let normal = normal.map(|coordinate| coordinate / 2f64.powi(30));
         // Coordinates are rounded down to 2^-28; a short normal is normalised to the last places.
-        let short = sphere.normaliser().lift > LIFT;
+        let short = u32::from(sphere.lift) > LIFT;
         let rounded = 2.0 * 2f64.powi(if short { -29 } else { -28 });
         // The normal is too long by the same factor as the vector from the centre to the hit. Rounding
         // three coordinates down to even steps changes that vector by at most √12.

@@ -31,7 +31,7 @@ struct Summed {
 
 /// Runs the loop of `Tracer::trace` without its rays. Follows no throughput below `smallest`.
 fn looped(hits: &[PreparedMaterial], smallest: Unit) -> Summed {
-    let (mut sum, mut weight) = (Sum::ZERO, Unit::ONE);
+    let (mut sum, mut weight) = (Sum::DARK, Unit::ONE);
     for (reflections, hit) in hits.iter().enumerate() {
         let reflected = share(weight, hit.mirror);
         sum.add(weight - reflected, hit.color);
