@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52708 | 1528 | 15552 | 286 |
-//! | Cargo's default release | 68536 | 1587 | 18796 | 315 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 44720 | 2231 | 14420 | 351 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 42448 | 3283 | 14672 | 488 |
-//! | Cargo's default dev (debug) | 479328 | 36922 | 434236 | 7629 |
+//! | lto = true, codegen-units = 1 | 50976 | 1535 | 13856 | 288 |
+//! | Cargo's default release | 65004 | 1599 | 17352 | 320 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 43740 | 2211 | 13292 | 348 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 40488 | 3299 | 13120 | 494 |
+//! | Cargo's default dev (debug) | 472960 | 36679 | 433640 | 7537 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

@@ -74,12 +74,12 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3408 | 355103 | 109.0 % |
-/// | m0 | mirror1 | 2898 | 56408 | 106.5 % |
-/// | m0 | primitives | 2784 | 22401 | 109.3 % |
-/// | m3 | castle | 2012 | 84815 | 107.2 % |
-/// | m3 | mirror1 | 1594 | 13599 | 108.9 % |
-/// | m3 | primitives | 1525 | 5993 | 111.9 % |
+/// | m0 | castle | 3315 | 354817 | 109.1 % |
+/// | m0 | mirror1 | 2798 | 56383 | 107.1 % |
+/// | m0 | primitives | 2683 | 22386 | 109.6 % |
+/// | m3 | castle | 2017 | 86576 | 107.4 % |
+/// | m3 | mirror1 | 1600 | 13927 | 108.9 % |
+/// | m3 | primitives | 1531 | 6102 | 112.3 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
