@@ -18,7 +18,7 @@ pub(super) const SIDE: usize = 8;
 /// Margin that widens the bounds of a coordinate: 2⁻¹⁶ in Q2.30.
 const MARGIN: i32 = 1 << 14;
 
-/// Returns the index of the cell of a direction.
+/// Returns the index of the cell that a direction lies in.
 #[inline(always)]
 pub(super) const fn cell_of(direction: Direction) -> usize {
     let Vector { x, y, z } = direction.raw();

@@ -2,7 +2,7 @@
 //!
 //! A table gives the start y₀, and one Newton step refines it (Muller et al., Handbook of Floating-Point
 //! Arithmetic, section 4.7). With e = 1 - x y₀², the reciprocal root is y₀ (1 + e/2). The table holds y₀ at 64
-//! points per unit, and a straight line between two points is within 2⁻¹⁶ of the root, so |e| is below 2⁻¹⁴.
+//! points per unit, and a straight line between two points is within 2⁻¹⁵ of the root, so |e| is below 2⁻¹⁴.
 //! The first term left out, 3e²/8, is below 2⁻²⁹. Rounding adds more.
 
 use super::narrow::{

@@ -23,8 +23,8 @@ pub(crate) fn nearest_hit<W: SceneAccess>(
 }
 
 /// Returns the first hit of a ray, as [`nearest_hit`] does. `nearest` returns the nearest hit of the
-/// bounded shapes. It is given the near part of the ray. If nothing asks for the place of a hit, the place is
-/// that where the ray starts.
+/// bounded shapes. It is given the near part of the ray. Unless `asks_place`, the place of a hit on a
+/// plane is not computed: the start of the ray stands for it.
 #[inline(always)]
 pub(crate) fn nearest_hit_by<W: SceneAccess>(
     world: &W,

@@ -38,8 +38,8 @@ impl PreparedPlane {
         }
     }
 
-    /// Returns the height of a ray's start over the plane and its rate of descent, both positive, and the scale
-    /// of the height. Returns `None` if the ray does not hit the plane.
+    /// Returns how a ray from any point approaches the plane: ((h, d), s) means a start h · 2^(s - 30) steps from
+    /// it, and d · 2⁻³⁰ steps nearer with each step. Returns `None` if the ray does not hit the plane.
     #[inline(always)]
     pub(crate) fn approach_far(&self, path: &ScaledRay) -> Option<((u64, u32), u32)> {
         let (height, scale) = self.height_far(path.from());
