@@ -92,10 +92,10 @@ impl System {
     /// Returns the first fault.
     #[inline]
     pub fn check(&mut self) -> Result<(), Fault> {
-        match self.fault.take() {
-            Some(fault) => Err(fault),
-            None => Ok(()),
+        if self.fault.is_none() {
+            return Ok(());
         }
+        self.fault.take().map_or(Ok(()), Err)
     }
 
     /// Lets the DMA work until now.

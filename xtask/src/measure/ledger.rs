@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result};
+use rustix::time::{ClockId, clock_gettime};
 
 use crate::toolchain;
 
@@ -37,9 +38,30 @@ pub(super) fn timed<T>(what: &str, firmware: &str, work: impl FnOnce() -> T) -> 
     result
 }
 
-/// Notes that a board was emulated for some time, and what it did.
-pub fn note_board(time: Duration, did: &str) {
-    note(BOARD, time, did);
+/// How long an emulation took. Other programs run beside it, so the clock shows more than it needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Emulated {
+    clock: Duration,
+    processor: Duration,
+}
+
+impl Emulated {
+    /// Emulates, and takes the time of this thread.
+    pub fn timed<T>(emulate: impl FnOnce() -> T) -> (T, Self) {
+        let processor = || Duration::try_from(clock_gettime(ClockId::ThreadCPUTime));
+        let (start, spent) = (Instant::now(), processor());
+        let result = emulate();
+        let (clock, now) = (start.elapsed(), processor());
+        let processor = now.unwrap_or_default() - spent.unwrap_or_default();
+        (result, Self { clock, processor })
+    }
+}
+
+/// Notes that a board was emulated, and what it did.
+pub fn note_board(time: Emulated, did: &str) {
+    let processor = time.processor.as_secs_f64();
+    let did = format!("{did}, {processor:.1} s of the processor");
+    note(BOARD, time.clock, &did);
 }
 
 /// Notes what took how long.

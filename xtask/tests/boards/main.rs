@@ -10,10 +10,10 @@ mod wiring;
 
 use std::path::PathBuf;
 use std::sync::OnceLock;
-use std::time::{Duration, Instant};
 
 use boards::{Board, Key, Run, Script};
 use xtask::copies;
+use xtask::measure::ledger::Emulated;
 use xtask::owned::Owned;
 
 /// A board, the firmware that a copy of its example builds, and what it does.
@@ -22,7 +22,7 @@ pub struct Copied {
     /// The keys before each picture.
     keys: &'static [&'static [Key]],
     built: OnceLock<PathBuf>,
-    ran: OnceLock<(Run, Duration)>,
+    ran: OnceLock<(Run, Emulated)>,
 }
 
 pub static PICO: Copied = Copied::of(
@@ -53,13 +53,12 @@ impl Copied {
     }
 
     /// Runs the firmware once, from the reset to the last picture. Also returns how long that took.
-    fn ran(&self) -> &(Run, Duration) {
+    fn ran(&self) -> &(Run, Emulated) {
         self.ran.get_or_init(|| {
             let script = Script::default();
             let script = self.keys.iter().fold(script, |all, keys| all.picture(keys));
-            let (firmware, start) = (self.firmware(), Instant::now());
-            let run = self.board().run(firmware, &script).unwrap();
-            (run, start.elapsed())
+            let firmware = self.firmware();
+            Emulated::timed(|| self.board().run(firmware, &script).unwrap())
         })
     }
 

@@ -12,6 +12,9 @@ use crate::board::ChipKind;
 use crate::fault::{Fault, fault};
 use crate::system::System;
 
+/// The instruction WFE, which waits for an event.
+const WFE: [u8; 2] = 0xbf20_u16.to_le_bytes();
+
 /// Instructions that the timer of the system may lag behind.
 const SYSTICK_LAG: u32 = 16;
 
@@ -29,6 +32,8 @@ pub struct M33 {
     steps: u32,
     /// Whether other cores write to the same memory.
     is_shared: bool,
+    /// Whether the core has executed WFE, and may wait for an event.
+    may_wait: bool,
     timer: SystemTimer,
 }
 
@@ -40,6 +45,7 @@ impl M33 {
             core: CortexM33::new(number, Arc::clone(atomics)),
             steps: 0,
             is_shared,
+            may_wait: false,
             timer: SystemTimer {
                 divider,
                 ticks: 0,
@@ -99,7 +105,10 @@ impl Core for M33 {
     }
 
     fn step(&mut self, system: &mut System) -> Result<u64, Fault> {
-        mend(system, self.core.regs.pc())?;
+        if let Some(code) = system.memory.code(self.core.regs.pc()) {
+            self.may_wait |= code.starts_with(&WFE);
+            mend(system, self.core.regs.pc(), code)?;
+        }
         let before = self.core.cycles();
         self.core.ppb.update_latest_cycles(before);
         // Whether the core is asleep has been tested; no peripheral interrupts it.
@@ -112,15 +121,19 @@ impl Core for M33 {
     }
 
     fn is_asleep(&mut self, system: &mut System) -> bool {
+        if !self.may_wait {
+            return false;
+        }
         let number = self.number();
         if self.core.is_wfe_waiting() && system.atomics.event_flag_consume(number) {
             system.atomics.clear_wfe_waiting(number);
         }
-        self.core.is_wfe_waiting()
+        self.may_wait = self.core.is_wfe_waiting();
+        self.may_wait
     }
 
     fn begin_turn(&mut self, system: &mut System) {
-        if self.is_shared && !self.core.is_wfe_waiting() && self.core.it_state() == 0 {
+        if self.is_shared && !self.may_wait && self.core.it_state() == 0 {
             let pc = self.core.regs.pc();
             self.core.regs.set_pc(CLREX_AT);
             self.core.step(system);
@@ -145,12 +158,10 @@ impl Core for M33 {
     }
 }
 
-/// Replaces the instruction at an address by one that the crate executes correctly. It is a fault
-/// if the crate has none.
-fn mend(system: &mut System, pc: u32) -> Result<(), Fault> {
-    let Some([low, high, second @ ..]) = system.memory.code(pc) else {
-        return Ok(());
-    };
+/// Replaces an instruction by one that the crate executes correctly. It is a fault if the crate has
+/// none.
+#[inline]
+fn mend(system: &mut System, pc: u32, [low, high, second @ ..]: [u8; 4]) -> Result<(), Fault> {
     if !matches!(high, 0xe8 | 0xea | 0xf3 | 0xfa) {
         return Ok(());
     }
