@@ -84,9 +84,16 @@ pub const fn unit_shift(square: u64) -> (u32, u32) {
     )
 }
 
+/// Returns what [`root_of_square`] returns, as a call: for roots that are not taken for each ray.
+#[inline(never)]
+pub const fn square_root(square: u64) -> i32 {
+    root_of_square(square)
+}
+
 /// Returns the square root of `square`, which is below 2⁶². The root has a relative error below 2⁻²⁷ and
 /// is rounded down.
-pub const fn square_root(square: u64) -> i32 {
+#[inline(always)]
+pub const fn root_of_square(square: u64) -> i32 {
     let (shift, mantissa) = unit_shift(square);
     let root = high_unsigned(mantissa, unsigned(reciprocal_root(mantissa)) << 1);
     signed(root >> shift) & -((square != 0) as i32)

@@ -3,7 +3,7 @@
 use super::line::Cut;
 use super::row_plane::SLACK;
 use super::shadows::Shadows;
-use crate::number::{Unit, over, scaled_by_unit, square_root, unsigned_wide, wide};
+use crate::number::{Unit, over, root_of_square, scaled_by_unit, unsigned_wide, wide};
 use crate::vector::{Direction, Vector};
 
 /// The chord in which a plane through a point cuts a disc.
@@ -42,7 +42,7 @@ impl ChordLine {
         };
         let half = |radius: i32, offset: i32| {
             let square = wide(radius, radius) - wide(offset, offset);
-            square_root(unsigned_wide(square.max(0)))
+            root_of_square(unsigned_wide(square.max(0)))
         };
         let outer = half(radius + off, (offset.abs() - off).max(0)) + 2;
         let inner = half((radius - off).max(0), offset.abs() + off);

@@ -6,8 +6,8 @@
 
 use super::ScreenAxis;
 use crate::number::{
-    Unit, ratio, root_of_unit, scaled_by_unit, signed, square_root, to_u16, unit_product, unsigned,
-    unsigned_wide, wide,
+    Unit, ratio, root_of_square, root_of_unit, scaled_by_unit, signed, to_u16, unit_product,
+    unsigned, unsigned_wide, wide,
 };
 use crate::vector::{Direction, Vector};
 
@@ -185,7 +185,7 @@ impl RowPlane {
             return None;
         }
         let square = wide(radius - apart, radius + apart);
-        let circle = square_root(unsigned_wide(square));
+        let circle = root_of_square(unsigned_wide(square));
         let (ahead, aside) = (way.dot(self.axis.ahead), way.dot(self.axis.aside));
         if ahead - circle < (ahead >> 10) + 64 * SLACK {
             // The circle holds the eye or reaches beside it.
@@ -195,7 +195,7 @@ impl RowPlane {
             };
         }
         let rest = wide(ahead, ahead) - square;
-        let tangent = square_root(unsigned_wide(rest + wide(aside, aside)));
+        let tangent = root_of_square(unsigned_wide(rest + wide(aside, aside)));
         let (middle, spread) = (wide(ahead, aside), wide(circle, tangent));
         let scale = self.axis.columns_for_each(rest);
         // Both roots are rounded by up to one step.
@@ -214,7 +214,7 @@ impl RowPlane {
     pub(crate) fn chord(&self, way: Vector, normal: Direction, radius: i32) -> Chord {
         let across = normal.crossed_with(self.normal.raw());
         let apart = way.dot(self.normal);
-        let sine = square_root(across.square()).min(Unit::ONE.to_bits());
+        let sine = root_of_square(across.square()).min(Unit::ONE.to_bits());
         let reach = scaled_by_unit(radius + SLACK, Unit::from_bits(sine));
         if apart.abs() > reach + SLACK {
             return Chord::None;

@@ -256,6 +256,9 @@ impl Bounded for PreparedCylinder {
     }
 
     fn blocks(&self, ray: &Ray, reach: Length) -> bool {
+        if self.is_passed_by(ray) {
+            return false;
+        }
         let from = self.seen_from(ray.origin);
         self.met(&from, &ray.direction, Length::from_bits(0), reach)
             .is_some()

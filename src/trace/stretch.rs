@@ -10,7 +10,7 @@ use super::{PathQuality, Stops, Tracer};
 use crate::accel::light_occluders::LightOccluders;
 use crate::accel::stretch::{Body, Chord, Stretch};
 use crate::accel::{LitStretch, Window, World, is_clear_way, lights_all};
-use crate::number::{Brightness, Unit, square_root};
+use crate::number::{Brightness, Unit, root_of_square};
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::surface::checker_of;
@@ -175,7 +175,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             },
         };
         // The curve is not further from the eye than its chord.
-        let [one, other] = stops.map(|stop| square_root(origin.eye.to(stop.place.point).square()));
+        let [one, other] =
+            stops.map(|stop| root_of_square(origin.eye.to(stop.place.point).square()));
         let reach = one.max(other) + shown.lit.slack;
         let stretch = Stretch {
             columns: between.1,

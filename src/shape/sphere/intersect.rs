@@ -1,7 +1,7 @@
 //! Hits of a ray on a sphere: the distance to the hit, and whether the sphere blocks a ray.
 
 use super::PreparedSphere;
-use crate::number::{Length, signed_wide, square_root, unsigned_wide, wide};
+use crate::number::{Length, root_of_square, signed_wide, unsigned_wide, wide};
 use crate::ray::Ray;
 use crate::vector::{Direction, Vector};
 
@@ -33,7 +33,7 @@ impl PreparedSphere {
         }
         // The lowest bit is set, so that the root needs no test for zero. The root of 0 becomes 1 at
         // most.
-        let half_chord = square_root(unsigned_wide(half_chord_square) | 1);
+        let half_chord = root_of_square(unsigned_wide(half_chord_square) | 1);
         let entry = distance - half_chord;
         let met = if entry > start.to_bits() {
             entry
