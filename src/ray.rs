@@ -20,8 +20,7 @@ pub(crate) use screen_axis::ScreenAxis;
 pub use shadows::{Borders, Shadows};
 
 use crate::number::{
-    Length, high, narrowed, offset_modulo_2_32, product_modulo_2_32, shifted, signed,
-    sum_modulo_2_32, unsigned,
+    Length, high, offset_modulo_2_32, product_modulo_2_32, sum_modulo_2_32, unsigned,
 };
 use crate::vector::{Direction, Point, Vector};
 
@@ -69,19 +68,9 @@ impl ScaledPoint {
 
     /// Creates a point from 64-bit coordinates in raw steps, each within ±2⁶², and brings it to normal
     /// form.
-    #[inline(never)]
     pub const fn from_wide(coordinates: [i64; 3]) -> Self {
-        let [x, y, z] = coordinates;
-        let bits = 64 - ((x ^ x >> 63) | (y ^ y >> 63) | (z ^ z >> 63)).leading_zeros();
-        let shift = bits.saturating_sub(30);
-        Self::new(
-            Point::new(
-                narrowed(shifted(x, -signed(shift))),
-                narrowed(shifted(y, -signed(shift))),
-                narrowed(shifted(z, -signed(shift))),
-            ),
-            shift,
-        )
+        let (way, scale) = Vector::leading(coordinates, 30);
+        Self::new(Point::at(way), scale)
     }
 
     /// Returns a point so far away in a direction that rays from all near points to it are parallel, within

@@ -10,8 +10,8 @@ pub use direction::Direction;
 pub use position::Position;
 
 use crate::number::{
-    Length, Unit, high, high_unsigned, narrowed, reciprocal_root, rounded, signed, unit_shift,
-    unsigned, unsigned_wide, wide,
+    Length, Unit, high, high_unsigned, narrowed, reciprocal_root, rounded, shifted, signed,
+    unit_shift, unsigned, unsigned_wide, wide,
 };
 
 /// Point of the scene, in raw scene steps from the middle of the scene.
@@ -37,6 +37,11 @@ impl Point {
     /// Returns the vector from `self` to `other`. Every coordinate of both points is within ±2³⁰.
     pub const fn to(self, other: Self) -> Vector {
         Vector::new(other.x - self.x, other.y - self.y, other.z - self.z)
+    }
+
+    /// Returns the point at the end of a vector from the middle of the scene.
+    pub(crate) const fn at(way: Vector) -> Self {
+        Self::new(way.x, way.y, way.z)
     }
 
     /// Returns the vector from the middle of the scene to the point.
@@ -91,6 +96,22 @@ impl Vector {
     /// Creates a vector from its components in raw steps.
     pub const fn new(x: i32, y: i32, z: i32) -> Self {
         Self { x, y, z }
+    }
+
+    /// Returns a vector of wide coordinates, each rounded down so that all have at most `bits` bits and a sign,
+    /// and the right shift that this takes.
+    ///
+    /// Not inlined, because a 64-bit shift takes many instructions and callers need it rarely.
+    #[inline(never)]
+    pub(crate) const fn leading([x, y, z]: [i64; 3], bits: u32) -> (Self, u32) {
+        let used = 64 - ((x ^ x >> 63) | (y ^ y >> 63) | (z ^ z >> 63)).leading_zeros();
+        let shift = used.saturating_sub(bits);
+        let vector = Self::new(
+            narrowed(shifted(x, -signed(shift))),
+            narrowed(shifted(y, -signed(shift))),
+            narrowed(shifted(z, -signed(shift))),
+        );
+        (vector, shift)
     }
 
     /// Adds two vectors. The sums must fit 32 bits.

@@ -83,6 +83,10 @@ pub(super) fn into_ball(path: &ScaledRay) -> Option<(Ray, u64)> {
 #[inline(never)]
 pub(super) fn place_along(path: &ScaledRay, distance: u64) -> Option<ScaledPoint> {
     let ScaledPoint { point, scale } = path.from();
+    if scale == 0 && distance < u64::from(unsigned(REACH.to_bits())) {
+        let distance = Length::from_bits(signed(narrowed_unsigned(distance)));
+        return Some(ScaledPoint::new(point.along(path.direction(), distance), 0));
+    }
     if scale > FURTHEST_SCALE {
         return None;
     }

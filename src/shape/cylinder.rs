@@ -15,7 +15,9 @@ use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
-use crate::number::{Length, Number, narrowed, scaled_by_unit, square_root, unsigned_wide, wide};
+use crate::number::{
+    Length, Number, narrowed, scaled_by_unit, square_root, to_u8, unsigned_wide, wide,
+};
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -83,12 +85,14 @@ pub struct PreparedCylinder {
     center: Point,
     axis: Direction,
     radius: i32,
-    /// Square of the radius in the scale of `normaliser`: (radius << lift)² · 2⁻³⁰, from 2²⁸ to 2³⁰.
+    /// Square of the radius lifted as in a [`Normaliser`]: (radius << lift)² · 2⁻³⁰, from 2²⁸ to 2³⁰.
     lifted_square: i32,
     half_height: i32,
     /// Radius of a ball around the cylinder, in steps.
     reach: i32,
-    normaliser: Normaliser,
+    /// The parts of a [`Normaliser`], without the room between them.
+    inverse: i32,
+    lift: u8,
     pub(crate) material: MaterialId,
 }
 
@@ -151,7 +155,8 @@ impl PreparedCylinder {
             lifted_square: narrowed(wide(lifted, lifted) >> 30),
             half_height: half_height.to_bits(),
             reach: rounded_up(square_root(outline.square())),
-            normaliser,
+            inverse: normaliser.inverse,
+            lift: to_u8(normaliser.lift),
             material,
         }
     }
@@ -198,7 +203,7 @@ impl PreparedCylinder {
                 .plus(Vector::new(step.x * steps, step.y * steps, step.z * steps));
         let square = unsigned_wide(wide(radius, radius)) + step.square();
         let reach = square_root(square) + Self::LINKS;
-        (Point::new(at.x, at.y, at.z), reach)
+        (Point::at(at), reach)
     }
 
     /// Tests whether a ray from a near point misses the ball around the cylinder.
@@ -281,8 +286,9 @@ impl Bounded for PreparedCylinder {
     #[inline(always)]
     fn normal(&self, at: Point) -> Direction {
         let outward = self.center.to(at);
-        self.normaliser
-            .direction(outward.without(self.axis, outward.dot(self.axis)))
+        let (lift, inverse) = (self.lift.into(), self.inverse);
+        let across = outward.without(self.axis, outward.dot(self.axis));
+        Normaliser { lift, inverse }.direction(across)
     }
 
     #[inline(always)]

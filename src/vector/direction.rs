@@ -2,9 +2,7 @@
 //! scene.
 
 use super::Vector;
-use crate::number::{
-    Unit, high, minus_wide, narrowed, scaled_by_unit, shifted, signed, signed_wide, wide,
-};
+use crate::number::{Unit, high, minus_wide, narrowed, scaled_by_unit, signed_wide, wide};
 
 /// Unit vector, Q2.30 per coordinate. Its length is within 2⁻²⁶ of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -176,19 +174,10 @@ impl Direction {
         let x = wide(a.y, b.z) - wide(a.z, b.y);
         let y = wide(a.z, b.x) - wide(a.x, b.z);
         let z = wide(a.x, b.y) - wide(a.y, b.x);
-        let bits = 64 - (x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs()).leading_zeros();
-        if bits < 30 {
-            return None;
+        match Vector::leading([x, y, z], 29) {
+            (_, 0) => None,
+            crossed => Some(crossed),
         }
-        let shift = bits - 29;
-        Some((
-            Vector::new(
-                narrowed(shifted(x, -signed(shift))),
-                narrowed(shifted(y, -signed(shift))),
-                narrowed(shifted(z, -signed(shift))),
-            ),
-            shift,
-        ))
     }
 
     /// Returns the cross product with a perpendicular direction, which is a direction again.

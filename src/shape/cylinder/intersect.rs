@@ -62,7 +62,7 @@ impl PreparedCylinder {
         if flat < STEEP {
             return self.met_steeply(seen, direction, start, reach);
         }
-        let lifted = sideways << self.normaliser.lift;
+        let lifted = sideways << self.lift;
         let half_chord_square = high_positive(self.lifted_square, flat) - high(lifted, lifted);
         if half_chord_square < 0 {
             return None;
@@ -70,7 +70,7 @@ impl PreparedCylinder {
         // Middle and half length of the chord inside the cylinder, measured perpendicular to the axis,
         // times the sine.
         let ahead = seen.way.dot(*direction) - scaled_by_unit(seen.rise, climb);
-        let half_chord = root_of_lifted(unsigned(half_chord_square), self.normaliser.lift);
+        let half_chord = root_of_lifted(unsigned(half_chord_square), self.lift.into());
         // Height of the chord's middle along the axis, times the square of the sine.
         let height = wide(ahead, climb.to_bits()) + wide(seen.rise, -flat);
         let climbed = wide(half_chord, climb.to_bits());

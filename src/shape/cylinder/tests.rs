@@ -330,7 +330,7 @@ fn normal_points_away_from_the_axis_and_has_length_one() {
         // three coordinates rounded down: 1 + 1/2 + √3 steps. The normal's coordinates are rounded down
         // to 2^-28; a short normal is normalised to the last places.
         let moved = 3.5 / f64::from(radius);
-        let short = cylinder.normaliser.lift > LIFT;
+        let short = u32::from(cylinder.lift) > LIFT;
         let rounded = 2.0 * 2f64.powi(if short { -29 } else { -28 });
         let aside = length(plus(unit(normal), -1.0, unit(truth)));
         assert!(aside <= moved + rounded, "{aside:e}: {radius}");

@@ -55,7 +55,10 @@ impl PreparedPlane {
     fn height_far(&self, place: ScaledPoint) -> (i64, u32) {
         let scale = place.scale.max(self.far_scale);
         let along = place.point.to_vector().dot_wide(self.normal);
-        let at_scale = |value: i64, from: u32| shifted(value, -signed((scale - from).min(63)));
+        let at_scale = |value: i64, from: u32| match scale == from {
+            true => value,
+            false => shifted(value, -signed((scale - from).min(63))),
+        };
         (
             at_scale(along, place.scale) - at_scale(self.far_offset, self.far_scale),
             scale,
