@@ -1,9 +1,13 @@
 //! Floor 1: linear colour, the sum of colours over reflections, and the one function that quantises a
 //! colour.
 
+mod parabola;
+
+pub use parabola::{LONGEST, Parabola};
+
 use crate::number::{
     Brightness, Number, Unit, add_high_positive, high_positive, narrowed, offset_modulo_2_32,
-    scaled_by_unit, signed, to_u8, unsigned, wide_positive,
+    scaled_by_unit, to_u8, unsigned, wide_positive,
 };
 
 /// Linear colour: red, green and blue in Q6.26, each from 0 to below 32.
@@ -178,24 +182,6 @@ impl Sum {
         self.0 = [red, green, blue];
     }
 
-    /// Fills `sums` with the parabola through three sums at distances of `half`, 2 to 8, up to the last of
-    /// the three.
-    pub fn parabola([start, middle, end]: [Self; 3], half: u32, sums: &mut [Self]) {
-        let bits = half.trailing_zeros();
-        let bend = Bend::of(start, middle, end);
-        // Second difference for a distance of 1, and the first one at the start.
-        let second = bend.each(bend, |bend, _| bend >> (2 * bits));
-        let slope = middle.each(start, |middle, start| (middle - start) >> bits);
-        let half = signed(half);
-        let mut first = slope.each(second, |slope, second| slope - second * (half - 1) / 2);
-        let mut sum = start;
-        for place in sums.iter_mut().take(2 * half.unsigned_abs() as usize) {
-            *place = sum;
-            sum = sum.each(first, |sum, first| sum + first);
-            first = first.each(second, |first, second| first + second);
-        }
-    }
-
     /// Returns a quarter of a second difference: that for half the distance.
     #[inline(always)]
     pub fn quarter(self) -> Self {
@@ -248,16 +234,6 @@ impl Sum {
 
 /// Second difference of three sums at equal distances: their deviation from a straight line.
 pub type Bend = Sum;
-
-impl Bend {
-    /// Returns the second difference of three sums at equal distances:
-    /// `before` - 2 · `middle` + `after`.
-    #[inline(always)]
-    pub fn of(before: Sum, middle: Sum, after: Sum) -> Self {
-        let ends = before.each(after, |before, after| before + after);
-        ends.each(middle, |ends, middle| ends - 2 * middle)
-    }
-}
 
 /// Converts a coordinate of a normal to a brightness: (1 + `unit`) / 2. The view of normals shows it.
 ///

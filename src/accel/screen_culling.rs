@@ -149,6 +149,24 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         }
     }
 
+    /// Returns the last column before a border between two columns of a window: the last one of the first shape, or
+    /// the one before the first one of the other. `None` if neither lies between.
+    pub(crate) fn border(
+        &mut self,
+        world: &'a W,
+        mirror: Option<(ShapeId, &PreparedPlane)>,
+        (window, columns): (&Window, [u32; 2]),
+        shapes: [ShapeId; 2],
+    ) -> Option<u32> {
+        match mirror {
+            None => self.direct.border(world, columns, shapes),
+            Some(mirror) => match self.has_mirrored(world, mirror, window) {
+                true => self.mirrored.border(world, columns, shapes),
+                false => None,
+            },
+        }
+    }
+
     /// Returns the camera, and the normal of the plane in which the row's rays lie. `None` if the camera is
     /// far.
     pub(crate) fn eye(&self) -> Option<(Point, Direction)> {

@@ -140,12 +140,56 @@ macro_rules! keep {
                 let _ = (kind, first);
                 true
             }
+
+            /// Returns the first and the last column of an active shape.
+            #[inline(never)]
+            fn columns_of<W: SceneAccess>(&self, world: &W, shape: ShapeId) -> Option<[u32; 2]> {
+                let lengths = world.parts().lengths();
+                let (kind, first) = (0, 0);
+                $(
+                    if W::NEEDS.$list {
+                        if let Some(columns) = self.$list.columns_of(first, shape) {
+                            return Some(columns);
+                        }
+                    }
+                    let (kind, first) = (kind + 1, first + lengths[kind]);
+                )*
+                let _ = (kind, first);
+                None
+            }
         }
     };
 }
 kinds!(keep);
 
+impl<R: ActiveRoom> ActiveLists<'_, R> {
+    /// Returns the last column before a border between two columns, which show these shapes: the last one of the
+    /// first shape, or the one before the first one of the other. `None` if neither lies between.
+    pub(super) fn border<W: SceneAccess>(
+        &self,
+        world: &W,
+        [start, end]: [u32; 2],
+        [one, other]: [ShapeId; 2],
+    ) -> Option<u32> {
+        let begins = self.columns_of(world, other);
+        let begins = begins.and_then(|[first, _]| first.checked_sub(1));
+        let is_between = |column: &u32| start <= *column && *column < end;
+        begins.filter(is_between).or_else(|| {
+            let ends = self.columns_of(world, one);
+            ends.map(|[_, last]| last).filter(is_between)
+        })
+    }
+}
+
 impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
+    /// Returns the first and the last column of a shape. `first` is the number of the first shape of this kind.
+    fn columns_of(&self, first: usize, shape: ShapeId) -> Option<[u32; 2]> {
+        let index = shape.index().checked_sub(first)?;
+        let mut active = self.active.as_ref().iter();
+        let found = active.find(|it| usize::from(it.index) == index)?;
+        Some([found.span.first.into(), found.span.last.into()])
+    }
+
     /// Tests whether no shape of this kind comes to the front in a stretch. `first` is the number of the
     /// first shape of this kind.
     #[inline(always)]

@@ -43,7 +43,8 @@ fn parabola_goes_through_all_sums_of_a_parabola() {
         for half in [2, 4, 8] {
             let mut filled = [Sum::ZERO; 17];
             let three = [sums[0], sums[half], sums[2 * half]];
-            Sum::parabola(three, half as u32, &mut filled);
+            let curve = Parabola::through(three, half as u32, 2 * half as u32);
+            curve.fill(filled.iter_mut().take(2 * half));
             for (place, (found, truth)) in filled.iter().zip(&sums).enumerate() {
                 match place < 2 * half {
                     true => assert!(found.less(*truth).is_within(16), "{place} of {half}"),
@@ -57,22 +58,38 @@ fn parabola_goes_through_all_sums_of_a_parabola() {
 #[test]
 fn rounding_of_a_parabola_stays_below_a_hundredth_of_a_level() {
     let mut sweep = crate::number::sweep::Sweep::new(51);
-    for _ in 0..20_000 {
-        let half = 2_usize << sweep.within(0, 2);
+    for round in 0..20_000 {
+        let length = 3 + round % (LONGEST - 2);
+        let half = length / 2;
         let three = [0; 3].map(|_| sweep.triple(1 << 25));
-        let mut filled = [Sum::ZERO; 16];
-        Sum::parabola(three.map(Sum), half as u32, &mut filled);
-        for (place, found) in filled.iter().take(2 * half).enumerate() {
-            let way = place as f64 / half as f64;
+        let mut filled = [Sum::ZERO; LONGEST];
+        let curve = Parabola::through(three.map(Sum), half as u32, length as u32);
+        curve.fill(filled.iter_mut().take(length));
+        for (place, found) in filled.iter().take(length).enumerate() {
             for axis in 0..3 {
                 let [start, middle, end] = three.map(|it| f64::from(it[axis]));
-                let bend = start - 2.0 * middle + end;
-                let truth = start + way * (middle - start) + way * (way - 1.0) / 2.0 * bend;
-                let off = (f64::from(found.0[axis]) - truth).abs();
-                assert!(off < 400.0, "{off} at {place} of {half}: {three:?}");
+                let slope = (middle - start) / half as f64;
+                let second = (end - middle) / (length - half) as f64 - slope;
+                let way = second * (place as f64 - half as f64) / length as f64 + slope;
+                let off = (f64::from(found.0[axis]) - (start + way * place as f64)).abs();
+                assert!(off < 650.0, "{off} at {place} of {length}: {three:?}");
             }
         }
+        let found = curve.bend(half as u32);
+        if length == 2 * half {
+            let [start, middle, end] = three.map(Sum);
+            let exact = bend(start, middle, end);
+            assert!(
+                found.less(exact).is_within(2 * (half * half) as i32 + 2),
+                "{length}"
+            );
+        }
     }
+}
+
+/// Returns the second difference of three sums.
+fn bend(before: Sum, middle: Sum, after: Sum) -> Bend {
+    after.less(middle).less(middle.less(before))
 }
 
 #[test]
@@ -85,16 +102,12 @@ fn half_way_is_exact_with_the_bend_of_the_three() {
     ] {
         let sums = curve(factors);
         for (start, middle, end) in [(0, 1, 2), (3, 5, 7), (0, 8, 16)] {
-            let bend = Bend::of(sums[start], sums[middle], sums[end]);
-            let found = sums[start].half_way(sums[end], bend);
+            let bent = bend(sums[start], sums[middle], sums[end]);
+            let found = sums[start].half_way(sums[end], bent);
             assert!(found.less(sums[middle]).is_within(1), "{factors:?}");
             // A quarter of the bend is that for half the distance.
-            let quarter = Bend::of(sums[0], sums[4], sums[8]).quarter();
-            assert!(
-                quarter
-                    .less(Bend::of(sums[0], sums[2], sums[4]))
-                    .is_within(1)
-            );
+            let quarter = bend(sums[0], sums[4], sums[8]).quarter();
+            assert!(quarter.less(bend(sums[0], sums[2], sums[4])).is_within(1));
         }
     }
 }

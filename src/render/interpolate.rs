@@ -3,23 +3,25 @@
 //! A row is divided into blocks of columns. The pixels at both ends of a block are traced. If all paths
 //! between two traced pixels surely meet the same shapes, lit by the same lights, the colours between them
 //! are smooth, and a parabola gives them. It goes through the pixel half way, which is traced, too. If the
-//! parabola may be further off than the quality's tolerance, or if it is not sure what lies between, both
-//! halves are treated in the same way (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer
+//! parabola may be further off than the quality's tolerance, both halves are treated in the same way. So they are
+//! if it is not sure what lies between, but then the block is divided at a border if one is known (Akimoto, Mase, Suenaga, "Pixel-Selected Ray Tracing", IEEE Computer
 //! Graphics and Applications 11(4), 1991, without guesses).
 //! Of eight pixels or fewer, each is traced instead.
 //!
 //! Blocks are aligned, and a block's colours depend on its own pixels only. So a part of a row has the
 //! colours that it has in the whole row.
 
+mod between;
 mod output;
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
-use crate::color::{Bend, Sum};
+use crate::color::{LONGEST, Sum};
 use crate::number::Unit;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
-use crate::trace::{Progress, Stops, Traced, Tracer};
+use crate::trace::{Stops, Traced, Tracer};
+use between::{DIVISIONS, Known};
 
 /// Returns the number of columns of a block in a picture of `width` columns. The wider the picture, the less
 /// changes from one pixel to the next.
@@ -33,9 +35,9 @@ pub(crate) const fn block_of(width: u32) -> u32 {
 /// Number of columns of a block in a quality that guesses, and of a window if every pixel is traced.
 const SHORT: u32 = 8;
 
-/// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block; 2 to 5 are in the
-/// middle of 4, 8, 16 and 32 pixels; the last is [`UNREAD`].
-const SLOTS: usize = 7;
+/// Number of traced pixels whose hits are stored: 0 and 1 are the ends of a block, then one for each division;
+/// the last is [`UNREAD`].
+const SLOTS: usize = DIVISIONS + 3;
 
 /// The slot of a traced pixel whose hits are never read. No hit is stored there.
 const UNREAD: usize = SLOTS - 1;
@@ -87,6 +89,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         assert!(
             Q::TOLERANCE.to_bits() >= 0 && Q::TOLERANCE.to_bits() <= Unit::ONE.to_bits(),
             "a quality has a tolerance of 0 to 1"
+        );
+        assert!(
+            LONGEST_BLOCK as usize <= LONGEST,
+            "a parabola reaches over a block"
         );
     };
 
@@ -173,7 +179,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         // The two ends of a block take turns.
         let end = self.trace(first + block, 1 - start.slot);
         self.end = (first + block, end);
-        self.between((first, block), [&start, &end], Known::Part(Progress::NONE));
+        self.between((first, block), [&start, &end], Known::NOTHING);
     }
 
     /// Takes a block as clear if no path in the current window hits a shape. Returns whether it is.
@@ -195,49 +201,6 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             let color = self.trace(column, UNREAD).traced.sum;
             self.set(column, color);
         }
-    }
-
-    /// Computes the colours of `length` pixels, a power of two, from the traced pixel at column `first` up
-    /// to the traced pixel after the last. `ends` are these two.
-    fn between(&mut self, (first, length): (u32, u32), ends: [&End; 2], mut known: Known) {
-        let [start, end] = ends;
-        self.set(first, start.traced.sum);
-        if length == 1 {
-            return;
-        }
-        let is_alike = start.traced.signature.is_same_as(end.traced.signature);
-        if let (Known::Part(proved), true) = (&mut known, is_alike && length >= Self::SHORTEST) {
-            let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
-            let window = (&self.window, [first, first + length]);
-            if !Q::IS_SURE || self.tracer.is_steady(window, stops, proved) {
-                known = Known::Steady(Bend::ZERO);
-            }
-        }
-        // Halves of it would be too short to prove anything.
-        if let (Known::Part(_), true) = (known, length <= Self::SHORTEST) {
-            return self.trace_each(first + 1, first + length);
-        }
-        if length == 2 {
-            let bend = known.bend(ends, Self::TOLERANCE).filter(|_| is_alike);
-            let between = match bend {
-                Some(bend) => start.traced.sum.half_way(end.traced.sum, bend),
-                None => self.trace(first + 1, UNREAD).traced.sum,
-            };
-            return self.set(first + 1, between);
-        }
-        let half = length / 2;
-        let middle = self.trace(first + half, length.trailing_zeros() as usize);
-        if let (Known::Steady(expected), true) = (known, is_alike) {
-            let bend = Bend::of(start.traced.sum, middle.traced.sum, end.traced.sum);
-            if bend.less(expected).is_within(4 * Self::TOLERANCE) {
-                let sums = [start.traced.sum, middle.traced.sum, end.traced.sum];
-                let colors = self.colors.get_mut(Self::place(first)..);
-                return Sum::parabola(sums, half, colors.unwrap_or_default());
-            }
-            known = Known::Steady(bend.quarter());
-        }
-        self.between((first, half), [start, &middle], known);
-        self.between((first + half, half), [&middle, end], known);
     }
 
     /// Returns the place of a column among the colours.
@@ -265,32 +228,5 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         let direction = self.directions.of(column);
         let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
         self.tracer.trace((&self.window, column), direction, stops)
-    }
-}
-
-/// What is known of the paths between two traced ones.
-#[derive(Clone, Copy)]
-enum Known {
-    /// Not all of it.
-    Part(Progress),
-    /// All surely meet the same. The second difference of three traced pixels is expected to be this.
-    Steady(Bend),
-}
-
-impl Known {
-    /// Returns the expected second difference of three traced pixels if the one between the other two can be
-    /// interpolated: the second difference is at most four times the tolerance, or the colours of the two
-    /// differ by at most three times the tolerance.
-    fn bend(self, [start, end]: [&End; 2], tolerance: i32) -> Option<Bend> {
-        let Self::Steady(bend) = self else {
-            return None;
-        };
-        let is_flat = || {
-            end.traced
-                .sum
-                .less(start.traced.sum)
-                .is_within(3 * tolerance)
-        };
-        (bend.is_within(4 * tolerance) || is_flat()).then_some(bend)
     }
 }

@@ -5,6 +5,7 @@
 //! carried along. The path ends when the throughput is zero or too small, when nothing is hit, or after
 //! the last reflection.
 
+mod border;
 mod bounce;
 mod far_light;
 mod origin;

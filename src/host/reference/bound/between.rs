@@ -1,73 +1,86 @@
 //! Bounds the error of interpolated pixels, if the colours of the traced pixels were exact. This file
 //! knows one row of colours and no paths.
 //!
-//! A row is divided into aligned blocks. A block is halved until all paths of a part surely meet the same.
-//! A part of four or more pixels is then a parabola through its start, middle and end. The middle of a
-//! part of two pixels is half way between both ends, or moved by the bend of the part around.
+//! A row is divided into aligned blocks. A block is divided until all paths of a part surely meet the same: at a
+//! border that is known, or else in halves. A part of three or more pixels is then a parabola through its start,
+//! middle and end. The middle of a part of two pixels is half way between both ends, or moved by the bend of the part
+//! around. This file knows no borders: any part of a block may be one.
 
 use super::{Stage, Vector, largest};
+
+/// Length of the shortest part of which it is found out what lies between; of a block of 8, it is half the block.
+/// Halves of a part are shorter.
+const SHORTEST: usize = 8;
 
 /// Returns the largest interpolation error that the pixel in column `x` of a row may have. Returns `None`
 /// if rounding may decide whether the paths around meet the same.
 pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> Option<f64> {
+    let start = x - x % block.max(1);
+    // The start of a block is traced. Beyond the row, all is traced.
+    if start == x || start + block >= row.len() {
+        return Some(0.0);
+    }
+    let is_alike = |at: &usize| row[*at].is_unsure || row[*at].trail == row[x].trail;
+    let first = (start..x).rev().take_while(is_alike).last().unwrap_or(x);
+    let last = (x + 1..=start + block)
+        .take_while(is_alike)
+        .last()
+        .unwrap_or(x);
+    if first == x || last == x {
+        return Some(0.0);
+    }
+    if row[first..=last].iter().any(|it| it.is_unsure) {
+        return None;
+    }
+    let shortest = SHORTEST.min(block / 2);
     let mut worst: f64 = 0.0;
-    let mut around = None;
-    for bits in (1..=block.max(1).ilog2()).rev() {
-        let length = 1 << bits;
-        let start = x - x % length;
-        // The start of a part is traced or belongs to a longer part. Beyond the row, all is traced.
-        if start == x || start + length >= row.len() {
-            continue;
-        }
-        let part = Part {
-            row,
-            start,
-            length,
-            tolerance,
-            around,
-        };
-        match part.sameness(x) {
-            Sameness::Other => around = None,
-            Sameness::Unsure => return None,
-            Sameness::Same => {
-                worst = worst.max(part.error(x));
-                around = Some(part.bend());
-            }
+    for start in first..x {
+        for end in (x + 1).max(start + shortest)..=last {
+            let part = Part {
+                row,
+                start,
+                length: end - start,
+                tolerance,
+                around: None,
+            };
+            worst = worst.max(part.worst(x));
         }
     }
     Some(worst)
 }
 
-/// A part of a block: the columns from one traced pixel to another, a power of two.
+/// A part of a block: the columns from one traced pixel to another. All its paths meet the same.
 struct Part<'a> {
     row: &'a [&'a Stage],
     start: usize,
     length: usize,
     tolerance: f64,
-    /// The second difference of the part that is twice as long, if all its paths meet the same.
+    /// The second difference of the part around, of which this is a half.
     around: Option<Vector>,
 }
 
-/// Whether all paths of a part meet the same as one of them.
-enum Sameness {
-    Same,
-    /// They do, but for some paths rounding decides what they meet.
-    Unsure,
-    Other,
-}
-
 impl Part<'_> {
-    /// Returns whether all paths of the part meet the same as that of pixel `x`.
-    fn sameness(&self, x: usize) -> Sameness {
-        let part = &self.row[self.start..=self.start + self.length];
-        let is_alike = |it: &&Stage| it.trail == self.row[x].trail;
-        if !part.iter().all(|it| it.is_unsure || is_alike(it)) {
-            return Sameness::Other;
+    /// Returns the largest error of pixel `x` if it is interpolated from this part or from a half of it, a half of
+    /// that, and so on.
+    fn worst(self, x: usize) -> f64 {
+        let own = self.error(x);
+        let half = self.length / 2;
+        let middle = self.start + half;
+        if self.length == 2 || x == middle {
+            return own;
         }
-        match part.iter().any(|it| it.is_unsure) {
-            true => Sameness::Unsure,
-            false => Sameness::Same,
-        }
+        let around = Some(self.bend());
+        let (start, length) = match x < middle {
+            true => (self.start, half),
+            false => (middle, self.length - half),
+        };
+        let part = Self {
+            start,
+            length,
+            around,
+            ..self
+        };
+        own.max(part.worst(x))
     }
 
     /// Returns the colour of a column.
@@ -77,13 +90,22 @@ impl Part<'_> {
 
     /// Returns the colours at the start, in the middle and at the end.
     fn colors(&self) -> [Vector; 3] {
-        [0, 1, 2].map(|half| self.color(self.start + half * self.length / 2))
+        [0, self.length / 2, self.length].map(|place| self.color(self.start + place))
     }
 
-    /// Returns the second difference of these three colours.
-    fn bend(&self) -> Vector {
+    /// Returns the slope up to the middle, and by how much the slope after it differs, for each column.
+    fn slopes(&self) -> [Vector; 2] {
         let [start, middle, end] = self.colors();
-        (end - middle) - (middle - start)
+        let half = self.length / 2;
+        let before = (middle - start) * (1.0 / half as f64);
+        let after = (end - middle) * (1.0 / (self.length - half) as f64);
+        [before, (after - before) * (1.0 / self.length as f64)]
+    }
+
+    /// Returns the second difference at a distance of half the length.
+    fn bend(&self) -> Vector {
+        let half = (self.length / 2) as f64;
+        self.slopes()[1] * (2.0 * half * half)
     }
 
     /// Returns the largest error of pixel `x` if it is interpolated from this part, 0 if it cannot be.
@@ -92,8 +114,9 @@ impl Part<'_> {
         let expected = self.around.map(|bend| bend * 0.25);
         let miss = |color: Vector| largest(color - self.color(x)) + self.slack();
         if self.length > 2 {
-            let way = (x - self.start) as f64 / self.length as f64;
-            let curve = start + (end - start) * way - self.bend() * (2.0 * way * (1.0 - way));
+            let (way, half) = ((x - self.start) as f64, (self.length / 2) as f64);
+            let [slope, change] = self.slopes();
+            let curve = start + slope * way + change * (way * (way - half));
             let is_exact = |expected: Vector| self.allows(self.bend() - expected, 4.0);
             let is_taken = is_exact(Vector::ZERO) || expected.is_some_and(is_exact);
             return if is_taken { miss(curve) } else { 0.0 };

@@ -1,0 +1,131 @@
+//! Floor 7: the colours between two traced pixels of a block: interpolated, or divided further.
+
+use super::{Colors, End, UNREAD};
+use crate::accel::World;
+use crate::color::{Bend, Parabola};
+use crate::render::Quality;
+use crate::shade::highlight::sealed::Shading;
+use crate::trace::Progress;
+
+/// Number of times that a block is divided at most before what is left of it is traced.
+pub(super) const DIVISIONS: usize = 2;
+
+impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
+    /// Computes the colours of `length` pixels from the traced pixel at column `first` up to the traced pixel after
+    /// the last. `ends` are these two.
+    pub(super) fn between(
+        &mut self,
+        (first, length): (u32, u32),
+        ends: [&End; 2],
+        mut known: Known,
+    ) {
+        let [start, end] = ends;
+        self.set(first, start.traced.sum);
+        if length == 1 {
+            return;
+        }
+        let is_alike = start.traced.signature.is_same_as(end.traced.signature);
+        let columns = [first, first + length];
+        if let (Known::Part(proved, _), true) = (&mut known, is_alike && length >= Self::SHORTEST) {
+            let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
+            let between = (&self.window, columns);
+            if !Q::IS_SURE || self.tracer.is_steady(between, stops, proved) {
+                known = Known::Steady(Bend::ZERO);
+            }
+        }
+        match known {
+            Known::Part(proved, divisions) => {
+                // Parts of it would be too short to prove anything.
+                if length <= Self::SHORTEST || divisions == DIVISIONS {
+                    return self.trace_each(first + 1, first + length);
+                }
+                self.divide(columns, ends, (proved, divisions));
+            }
+            Known::Steady(expected) => self.interpolate((first, length), ends, is_alike, expected),
+        }
+    }
+
+    /// Computes the colours between two traced pixels that do not show the same: up to a border between them, if
+    /// one is known, and from there on; else of both halves.
+    #[inline(always)]
+    fn divide(
+        &mut self,
+        [first, last]: [u32; 2],
+        [start, end]: [&End; 2],
+        (proved, divisions): (Progress, usize),
+    ) {
+        let known = Known::Part(proved, divisions + 1);
+        let slot = 2 + divisions;
+        let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
+        let border = match Q::IS_SURE {
+            true => self.tracer.border((&self.window, [first, last]), stops),
+            false => None,
+        };
+        let Some(before) = border else {
+            let half = (last - first) / 2;
+            let middle = self.trace(first + half, slot);
+            self.between((first, half), [start, &middle], known);
+            return self.between((first + half, last - first - half), [&middle, end], known);
+        };
+        if first < before {
+            let middle = self.trace(before, slot);
+            self.between((first, before - first), [start, &middle], known);
+            self.set(before, middle.traced.sum);
+        }
+        if before + 1 < last {
+            let middle = self.trace(before + 1, slot);
+            self.between((before + 1, last - before - 1), [&middle, end], known);
+        }
+    }
+
+    /// Computes the colours between two traced pixels of one path, or, unless `is_alike`, of paths that differ in
+    /// what cannot be seen. The second difference of the three is expected to be this.
+    #[inline(always)]
+    fn interpolate(
+        &mut self,
+        (first, length): (u32, u32),
+        ends: [&End; 2],
+        is_alike: bool,
+        expected: Bend,
+    ) {
+        let [start, end] = ends;
+        if length == 2 {
+            // The second difference is at most four times the tolerance, or the two differ by at most three times.
+            let change = || end.traced.sum.less(start.traced.sum);
+            let is_flat =
+                expected.is_within(4 * Self::TOLERANCE) || change().is_within(3 * Self::TOLERANCE);
+            let between = match is_alike && is_flat {
+                true => start.traced.sum.half_way(end.traced.sum, expected),
+                false => self.trace(first + 1, UNREAD).traced.sum,
+            };
+            return self.set(first + 1, between);
+        }
+        let half = length / 2;
+        let middle = self.trace(first + half, UNREAD);
+        let sums = [start, &middle, end].map(|it| it.traced.sum);
+        let curve = Parabola::through(sums, half, length);
+        let bend = curve.bend(half);
+        if is_alike && bend.less(expected).is_within(4 * Self::TOLERANCE) {
+            let colors = self.colors.get_mut(Self::place(first)..);
+            let colors = colors.unwrap_or_default().iter_mut();
+            return curve.fill(colors.take(length as usize));
+        }
+        let known = Known::Steady(bend.quarter());
+        self.between((first, half), [start, &middle], known);
+        self.between((first + half, length - half), [&middle, end], known);
+    }
+}
+
+/// What is known of the paths between two traced ones.
+#[derive(Clone, Copy)]
+pub(super) enum Known {
+    /// Not all of it, after so many divisions of the block.
+    Part(Progress, usize),
+    /// All surely meet the same. The second difference of three traced pixels is expected to be this.
+    Steady(Bend),
+}
+
+impl Known {
+    /// Nothing is known of a block.
+    pub(super) const NOTHING: Self = Self::Part(Progress::NONE, 0);
+}
