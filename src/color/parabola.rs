@@ -1,7 +1,7 @@
 //! The parabola through three sums, in steps of one column.
 
 use super::{Bend, Sum};
-use crate::number::{Unit, scaled_by_unit, signed};
+use crate::number::{Unit, scaled_by_unit, signed, to_u32};
 
 /// Largest number of columns of a parabola.
 pub const LONGEST: usize = 32;
@@ -11,7 +11,7 @@ static PARTS: [i32; LONGEST] = {
     let mut parts = [0; LONGEST];
     let mut place = 0;
     while place < LONGEST {
-        let number = place as i32 + 1;
+        let number = signed(to_u32(place)) + 1;
         parts[place] = ((1 << 30) + number / 2) / number;
         place += 1;
     }

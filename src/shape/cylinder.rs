@@ -206,14 +206,6 @@ impl PreparedCylinder {
         (Point::at(at), reach)
     }
 
-    /// Tests whether a ray from a near point misses the ball around the cylinder.
-    #[inline(always)]
-    pub(crate) fn is_passed_by(&self, ray: &Ray) -> bool {
-        let (center, radius) = self.ball();
-        let way = ray.origin.to(center);
-        way.passes_by(way.dot(ray.direction), radius)
-    }
-
     /// Tests whether the prepared values decide which points the cylinder hides from a light. They
     /// always do, so the result is `true`.
     pub(crate) const fn is_told(&self, _: &CylinderFromLight) -> bool {
@@ -261,12 +253,8 @@ impl Bounded for PreparedCylinder {
     }
 
     fn blocks(&self, ray: &Ray, reach: Length) -> bool {
-        if self.is_passed_by(ray) {
-            return false;
-        }
-        let from = self.seen_from(ray.origin);
-        self.met(&from, &ray.direction, Length::from_bits(0), reach)
-            .is_some()
+        let start = Length::from_bits(0);
+        self.intersect(ray, Range { start, reach }).is_some()
     }
 
     #[inline(always)]

@@ -5,6 +5,7 @@ use crate::number::{
     Length, high, high_positive, high_unsigned, leading_zeros, narrowed, ratio, reciprocal_root,
     scaled_by_unit, signed, square_root, unit_shift, unsigned, unsigned_wide, wide, wide_positive,
 };
+use crate::ray::Ray;
 use crate::vector::Direction;
 
 /// Square of the sine of the angle between ray and axis, Q2.30, below which a ray counts as almost
@@ -13,6 +14,14 @@ use crate::vector::Direction;
 pub(super) const STEEP: i32 = 1 << 26;
 
 impl PreparedCylinder {
+    /// Tests whether a ray from a near point misses the ball around the cylinder.
+    #[inline(always)]
+    pub(crate) fn is_passed_by(&self, ray: &Ray) -> bool {
+        let (center, radius) = self.ball();
+        let way = ray.origin.to(center);
+        way.passes_by(way.dot(ray.direction), radius)
+    }
+
     /// Returns the distance at which a ray first hits the wall, from outside or from inside, above
     /// `start` and below `reach`. `seen` was prepared for the ray's origin.
     #[inline(always)]
