@@ -2,6 +2,7 @@
 //! highlight on it can be interpolated. docs/internals/edges.md has the proofs.
 
 use super::stops::Stop;
+use super::stretch::LARGEST_TURN;
 use super::{PathQuality, Tracer};
 use crate::accel::{LitStretch, World};
 use crate::material::PreparedMaterial;
@@ -117,20 +118,26 @@ impl Shown<'_> {
         let ([first, last], [one, other]) = (self.lit.ends, self.normals);
         let [start, end] = rays.ends;
         let glances = [glance(one, first, start), glance(other, last, end)];
-        self.bend::<K>(rays)
+        let [view, end] = glances.each_ref().map(|it| it.view);
+        let Some(view) = view.change_to(end) else {
+            return false;
+        };
+        let view = square_root(view.square());
+        if view > LARGEST_TURN.to_bits() {
+            return false;
+        }
+        self.bend::<K>(rays.turn().to_bits() + view)
             .is_some_and(|bend| K::is_smooth(&glances, bend, self.material.shininess))
     }
 
-    /// Returns by how much the vector that the highlight depends on may be off a straight line, in Q4.28.
+    /// Returns by how much the vector that the highlight depends on may be off a straight line, in Q4.28. `turn` is the
+    /// length of the changes of the directions to the light and to the eye, Q2.30.
     ///
-    /// The normals turn on a circle of radius k, the directions to the light on one of radius 1. A chord c of
+    /// The normals turn on a circle of radius k, the directions on circles of radius 1. A chord c of
     /// a circle of radius k is off the arc by c² / (8 k), and by a fifteenth more up to 60 degrees. Twice
-    /// that is taken for the sum of both, because they do not turn in step.
-    fn bend<K: Shading>(&self, rays: &Rays) -> Option<i32> {
-        let half = scaled_by_unit(
-            self.turn.to_bits() + rays.turn().to_bits(),
-            Unit::from_bits(1 << 29),
-        );
+    /// that is taken for the sum of all three, because they do not turn in step.
+    fn bend<K: Shading>(&self, turn: i32) -> Option<i32> {
+        let half = scaled_by_unit(self.turn.to_bits() + turn, Unit::from_bits(1 << 29));
         let square = scaled_by_unit(half, Unit::from_bits(half));
         let circle = self.circle.to_bits();
         let bend = (square < circle).then(|| ratio(unsigned(square), unsigned(circle)))?;

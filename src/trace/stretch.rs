@@ -21,9 +21,9 @@ use crate::shape::plane::PreparedPlane;
 /// Pixels between two traced ones: the window of the row, and the columns of the two.
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);
 
-/// Largest change of a direction, the normal or that to a light or into the sky, for which three pixels show how
+/// Largest change of a direction, the normal or that to a light, to the eye or into the sky, for which three pixels show how
 /// colours change: about 20 degrees.
-const LARGEST_TURN: Unit = Unit::from_bits(3 << 27);
+pub(super) const LARGEST_TURN: Unit = Unit::from_bits(3 << 27);
 
 /// How much is proved of the paths of a stretch. It holds for each part of the stretch, too.
 #[derive(Clone, Copy, Debug)]

@@ -41,6 +41,16 @@ fn default_quality_loses_no_pixel_of_random_scenes() {
 }
 
 #[test]
+fn highlight_of_a_pixel_on_a_plane_is_not_lost_where_the_view_turns() {
+    let case = Family::Glossy.case(SEED, 227);
+    let judged = case.judge(Size::new(96, 72), &[Quality::Fast]).unwrap();
+    assert_eq!(
+        Summary::of(&[&judged], Quality::Fast, Counts::lost).worst,
+        0.0
+    );
+}
+
+#[test]
 fn quality_that_guesses_loses_pixels() {
     let [lost, _] = worst(Quality::Draft);
     assert!(lost > 1.0, "{lost} %");
