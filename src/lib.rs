@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 50976 | 1535 | 13856 | 288 |
-//! | Cargo's default release | 65004 | 1599 | 17352 | 320 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 43740 | 2211 | 13292 | 348 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 40488 | 3299 | 13120 | 494 |
-//! | Cargo's default dev (debug) | 472960 | 36679 | 433640 | 7537 |
+//! | lto = true, codegen-units = 1 | 50016 | 1533 | 13716 | 293 |
+//! | Cargo's default release | 63872 | 1603 | 17452 | 321 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 45088 | 2212 | 14056 | 353 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 41648 | 3289 | 13724 | 505 |
+//! | Cargo's default dev (debug) | 481124 | 36642 | 442092 | 7723 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

@@ -92,7 +92,6 @@ pub const fn square_root(square: u64) -> i32 {
 
 /// Returns the square root of `square`, which is below 2⁶². The root has a relative error below 2⁻²⁷ and
 /// is rounded down.
-#[inline(always)]
 pub const fn root_of_square(square: u64) -> i32 {
     let (shift, mantissa) = unit_shift(square);
     let root = high_unsigned(mantissa, unsigned(reciprocal_root(mantissa)) << 1);
