@@ -74,12 +74,12 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3315 | 354667 | 108.3 % |
-/// | m0 | mirror1 | 2798 | 56233 | 106.1 % |
-/// | m0 | primitives | 2683 | 21772 | 109.2 % |
+/// | m0 | castle | 3319 | 355595 | 108.6 % |
+/// | m0 | mirror1 | 2806 | 56389 | 106.3 % |
+/// | m0 | primitives | 2691 | 21824 | 109.5 % |
 /// | m3 | castle | 2013 | 85856 | 109.0 % |
-/// | m3 | mirror1 | 1615 | 13723 | 110.5 % |
-/// | m3 | primitives | 1533 | 5764 | 112.7 % |
+/// | m3 | mirror1 | 1615 | 13723 | 110.4 % |
+/// | m3 | primitives | 1533 | 5764 | 112.8 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
