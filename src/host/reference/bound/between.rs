@@ -12,13 +12,13 @@ use super::{Stage, Vector, largest};
 /// Halves of a part are shorter.
 const SHORTEST: usize = 8;
 
-/// Returns the largest interpolation error that the pixel in column `x` of a row may have. Returns `None`
-/// if rounding may decide whether the paths around meet the same.
-pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> Option<f64> {
+/// Returns the largest interpolation error that the pixel in column `x` of a row may have, and
+/// whether rounding may decide what the paths around meet.
+pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> (f64, bool) {
     let start = x - x % block.max(1);
     // The start of a block is traced. Beyond the row, all is traced.
     if start == x || start + block >= row.len() {
-        return Some(0.0);
+        return (0.0, false);
     }
     let is_alike = |at: &usize| row[*at].is_unsure || row[*at].trail == row[x].trail;
     let first = (start..x).rev().take_while(is_alike).last().unwrap_or(x);
@@ -27,11 +27,9 @@ pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> O
         .last()
         .unwrap_or(x);
     if first == x || last == x {
-        return Some(0.0);
+        return (0.0, false);
     }
-    if row[first..=last].iter().any(|it| it.is_unsure) {
-        return None;
-    }
+    let is_unsure = row[first..=last].iter().any(|it| it.is_unsure);
     let shortest = SHORTEST.min(block / 2);
     let mut worst: f64 = 0.0;
     for start in first..x {
@@ -46,7 +44,7 @@ pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> O
             worst = worst.max(part.worst(x));
         }
     }
-    Some(worst)
+    (worst, is_unsure)
 }
 
 /// A part of a block: the columns from one traced pixel to another. All its paths meet the same.

@@ -227,12 +227,12 @@ impl Paths {
 
     fn bound(&self, row: &[&Stage], x: usize, ending: &Ending) -> Bound {
         let own = row[x];
-        let between = between::error(row, x, ending.block as usize, ending.tolerance);
+        let (between, is_unsure) = between::error(row, x, ending.block as usize, ending.tolerance);
         Bound {
             truncation: own.weight * self.brightest,
             rounding: own.rounding,
-            between: between.unwrap_or(0.0),
-            is_unsure: own.is_unsure || between.is_none(),
+            between,
+            is_unsure: own.is_unsure || is_unsure,
         }
     }
 }
