@@ -41,12 +41,16 @@ use light_lists::LightLists;
 use light_occluders::LightOccluders;
 use light_table::LightTable;
 
+use crate::color::LONGEST;
+use crate::number::to_u32;
 use crate::ray::Ray;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
 
 /// Largest number of columns of a block: how many lie at most from one traced pixel of a row to the next.
-pub(crate) const LONGEST_BLOCK: u32 = 32;
+///
+/// A parabola reaches over all of them.
+pub(crate) const LONGEST_BLOCK: u32 = to_u32(LONGEST);
 
 /// Switches of the culling techniques.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

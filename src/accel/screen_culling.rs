@@ -149,8 +149,8 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         }
     }
 
-    /// Returns the last column before a border between two columns of a window: the last one of the first shape, or
-    /// the one before the first one of the other. `None` if neither lies between.
+    /// Returns the last column before a border between two columns of a window, of which one shows the first shape and
+    /// the other the second. The second shape begins there, or else the first one ends. `None` if neither does.
     pub(crate) fn border(
         &mut self,
         world: &'a W,

@@ -141,7 +141,7 @@ macro_rules! keep {
                 true
             }
 
-            /// Returns the first and the last column of an active shape.
+            /// Returns the first and the last column in which rays can hit a shape. `None` if it is not active.
             #[inline(never)]
             fn columns_of<W: SceneAccess>(&self, world: &W, shape: ShapeId) -> Option<[u32; 2]> {
                 let lengths = world.parts().lengths();
@@ -163,8 +163,8 @@ macro_rules! keep {
 kinds!(keep);
 
 impl<R: ActiveRoom> ActiveLists<'_, R> {
-    /// Returns the last column before a border between two columns, which show these shapes: the last one of the
-    /// first shape, or the one before the first one of the other. `None` if neither lies between.
+    /// Returns the last column before a border between two columns, of which one shows the first shape and the other
+    /// the second. The second shape begins there, or else the first one ends. `None` if neither does.
     pub(super) fn border<W: SceneAccess>(
         &self,
         world: &W,
@@ -182,7 +182,8 @@ impl<R: ActiveRoom> ActiveLists<'_, R> {
 }
 
 impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
-    /// Returns the first and the last column of a shape. `first` is the number of the first shape of this kind.
+    /// Returns the first and the last column in which rays can hit a shape. `None` if it is not active, or of another
+    /// kind. `first` is the number of the first shape of this kind.
     fn columns_of(&self, first: usize, shape: ShapeId) -> Option<[u32; 2]> {
         let index = shape.index().checked_sub(first)?;
         let mut active = self.active.as_ref().iter();

@@ -6,37 +6,37 @@ use crate::number::{Unit, scaled_by_unit, signed, to_u32};
 /// Largest number of columns of a parabola.
 pub const LONGEST: usize = 32;
 
-/// Quotients 2³⁰ / n for n from 1 to [`LONGEST`], rounded to nearest.
-static PARTS: [i32; LONGEST] = {
-    let mut parts = [0; LONGEST];
+/// Reciprocals of 1 to [`LONGEST`], in Q2.30, rounded to nearest.
+static RECIPROCALS: [i32; LONGEST] = {
+    let mut reciprocals = [0; LONGEST];
     let mut place = 0;
     while place < LONGEST {
         let number = signed(to_u32(place)) + 1;
-        parts[place] = ((1 << 30) + number / 2) / number;
+        reciprocals[place] = ((1 << 30) + number / 2) / number;
         place += 1;
     }
-    parts
+    reciprocals
 };
 
-/// Returns a number that divides another by `number`, 1 to [`LONGEST`], if they are multiplied as units.
+/// Returns the reciprocal of a number of columns, 1 to [`LONGEST`].
 #[inline(always)]
-fn part(number: u32) -> Unit {
-    Unit::from_bits(PARTS[(number as usize - 1) % LONGEST])
+fn reciprocal(number: u32) -> Unit {
+    Unit::from_bits(RECIPROCALS[(number as usize - 1) % LONGEST])
 }
 
-/// Parabola through three sums, at 0, at a column between, and at the last.
+/// Parabola through the sums of three columns. Columns are counted from the first of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Parabola {
     start: Sum,
-    /// Its first difference at the start, and its second one, for a distance of 1.
+    /// First and second difference at the start, for a distance of one column.
     first: Sum,
     second: Sum,
 }
 
 impl Parabola {
-    /// Returns the parabola through three sums at 0, `half` and `length`.
+    /// Returns the parabola through the sums of columns 0, `half` and `length`.
     pub fn through([start, middle, end]: [Sum; 3], half: u32, length: u32) -> Self {
-        let [near, far, whole] = [half, length - half, length].map(part);
+        let [near, far, whole] = [half, length - half, length].map(reciprocal);
         let before = middle.each(start, |middle, start| scaled_by_unit(middle - start, near));
         let after = end.each(middle, |end, middle| scaled_by_unit(end - middle, far));
         let second = after.each(before, |after, before| {
@@ -51,13 +51,13 @@ impl Parabola {
         }
     }
 
-    /// Returns the second difference of three sums at a distance of `half`.
+    /// Returns the second difference of the sums of three columns, each `half` columns after the one before.
     pub fn bend(&self, half: u32) -> Bend {
         let square = signed(half * half);
         self.second.each(self.second, |second, _| second * square)
     }
 
-    /// Fills places with the sums at 0, 1, 2, ....
+    /// Fills places with the sums of columns 0, 1, 2, ....
     pub fn fill<'a>(self, places: impl Iterator<Item = &'a mut Sum>) {
         let (mut sum, mut first) = (self.start, self.first);
         for place in places {

@@ -84,7 +84,8 @@ pub const fn unit_shift(square: u64) -> (u32, u32) {
     )
 }
 
-/// Returns what [`root_of_square`] returns, as a call: for roots that are not taken for each ray.
+/// Returns what [`root_of_square`] returns. It is never inlined, which saves flash where a root is not taken for each
+/// ray.
 #[inline(never)]
 pub const fn square_root(square: u64) -> i32 {
     root_of_square(square)

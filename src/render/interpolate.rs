@@ -16,7 +16,7 @@ mod output;
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
-use crate::color::{LONGEST, Sum};
+use crate::color::Sum;
 use crate::number::Unit;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
@@ -89,10 +89,6 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         assert!(
             Q::TOLERANCE.to_bits() >= 0 && Q::TOLERANCE.to_bits() <= Unit::ONE.to_bits(),
             "a quality has a tolerance of 0 to 1"
-        );
-        assert!(
-            LONGEST_BLOCK as usize <= LONGEST,
-            "a parabola reaches over a block"
         );
     };
 

@@ -83,7 +83,7 @@ pub(super) fn into_ball(path: &ScaledRay) -> Option<(Ray, u64)> {
 #[inline(never)]
 pub(super) fn place_along(path: &ScaledRay, distance: u64) -> Option<ScaledPoint> {
     let ScaledPoint { point, scale } = path.from();
-    // A place near a near ray takes 32 bits.
+    // On the near part of a ray from a near point, 32 bits hold every coordinate.
     if scale == 0 && distance < u64::from(unsigned(REACH.to_bits())) {
         let distance = Length::from_bits(signed(narrowed_unsigned(distance)));
         return Some(ScaledPoint::new(point.along(path.direction(), distance), 0));

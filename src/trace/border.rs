@@ -1,5 +1,5 @@
-//! A column between two traced ones at which what their paths show changes. It need not be right: nothing depends on
-//! it but how a stretch is divided.
+//! The column at which a stretch is best divided. A wrong column costs time and changes nothing else: both parts are
+//! treated as any stretch is.
 
 use super::stretch::Between;
 use super::{PathQuality, Stops, Tracer};
@@ -7,8 +7,8 @@ use crate::accel::World;
 use crate::shade::highlight::sealed::Shading;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
-    /// Returns the last column before a border at which what two paths show changes, if one is known between
-    /// them: the end of a shape that the first shows, or the start of one that the other shows.
+    /// Returns the last column before a shape ends or begins between two traced pixels, of which one shows it and the
+    /// other does not, directly or in one flat mirror. `None` if no such column is known.
     #[inline(never)]
     pub(crate) fn border(&mut self, between: Between<'_>, ends: [&Stops; 2]) -> Option<u32> {
         let parts = self.world.parts();

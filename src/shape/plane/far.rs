@@ -38,8 +38,8 @@ impl PreparedPlane {
         }
     }
 
-    /// Returns how a ray from any point approaches the plane: ((h, d), s) means a start h · 2^(s - 30) steps from
-    /// it, and d · 2⁻³⁰ steps nearer with each step. Returns `None` if the ray does not hit the plane.
+    /// Returns ((h, d), s) for a ray from any point: it starts h · 2^(s - 30) steps from the plane, and each step
+    /// along it leads d · 2⁻³⁰ steps nearer. Returns `None` if the ray does not hit the plane.
     #[inline(always)]
     pub(crate) fn approach_far(&self, path: &ScaledRay) -> Option<((u64, u32), u32)> {
         let (height, scale) = self.height_far(path.from());

@@ -92,10 +92,10 @@ impl System {
     /// Returns the first fault.
     #[inline]
     pub fn check(&mut self) -> Result<(), Fault> {
-        if self.fault.is_none() {
-            return Ok(());
+        match self.fault.take() {
+            Some(fault) => Err(fault),
+            None => Ok(()),
         }
-        self.fault.take().map_or(Ok(()), Err)
     }
 
     /// Lets the DMA work until now.

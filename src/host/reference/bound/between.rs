@@ -4,7 +4,8 @@
 //! A row is divided into aligned blocks. A block is divided until all paths of a part surely meet the same: at a
 //! border that is known, or else in halves. A part of three or more pixels is then a parabola through its start,
 //! middle and end. The middle of a part of two pixels is half way between both ends, or moved by the bend of the part
-//! around. This file knows no borders: any part of a block may be one.
+//! around. Where borders lie is not known here. So the bound is the largest over all parts into which a block may be
+//! divided.
 
 use super::{Stage, Vector, largest};
 

@@ -32,7 +32,7 @@ pub struct M33 {
     steps: u32,
     /// Whether other cores write to the same memory.
     is_shared: bool,
-    /// Whether the core has executed WFE, and may wait for an event.
+    /// Whether the core may be asleep: it has executed WFE, and was not seen awake since.
     may_wait: bool,
     timer: SystemTimer,
 }
