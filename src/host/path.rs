@@ -1,11 +1,11 @@
 //! The rays that the fixed-point core follows through one pixel, converted to doubles. This file knows
 //! no colours.
 
-use std::vec::Vec;
+use alloc::vec::Vec;
 
 use crate::accel::drawable::Drawable;
 use crate::camera::Camera;
-use crate::number::Number;
+use crate::number::{Number, power_of_two};
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::scene::Surface;
 use crate::scene::access::SceneAccess;
@@ -78,7 +78,7 @@ pub fn follow<S: Drawable>(
 fn plain<W: SceneAccess>(world: &W, path: &ScaledRay) -> Ray {
     let grid = world.parts().grid;
     let ScaledPoint { point, scale } = path.from();
-    let step = 2f64.powi(scale as i32 - grid.fraction_bits());
+    let step = power_of_two(scale as i32 - grid.fraction_bits());
     let middle = grid.middle().0.map(Number::to_f64);
     let steps = [point.x, point.y, point.z];
     let units = path.direction().components();

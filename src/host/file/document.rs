@@ -1,8 +1,8 @@
 //! The JSON structure of a scene file: owns the names of the keys. It accepts any value of the right
 //! type and never checks ranges.
 
-use std::string::{String, ToString};
-use std::vec::Vec;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
 
 use core::fmt;
 

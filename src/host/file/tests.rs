@@ -1,6 +1,7 @@
 mod mistakes;
 
 use std::io;
+use std::path::Path;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
