@@ -35,6 +35,7 @@ mod fill;
 #[cfg(feature = "host")]
 mod read;
 mod resolve;
+mod source;
 mod words;
 
 use alloc::boxed::Box;
@@ -42,6 +43,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 pub use self::error::{FileError, Problem};
+pub use self::source::RustSource;
 use crate::camera;
 use crate::error_kind::ErrorKind;
 use crate::host::reference::{Camera, Scene};

@@ -1,5 +1,6 @@
 mod mistakes;
 
+use std::borrow::ToOwned;
 use std::io;
 use std::path::Path;
 use std::string::{String, ToString};
