@@ -102,3 +102,27 @@ pub extern "C" fn row(y: u32) -> *const u8 {
 pub extern "C" fn finish() -> u32 {
     answer(|playground| playground.finish())
 }
+
+/// Answers with the path of pixel (`x`, `y`) of the frame.
+#[unsafe(no_mangle)]
+pub extern "C" fn path(x: u32, y: u32) -> u32 {
+    answer(|playground| playground.path(x, y))
+}
+
+/// Answers with the error of a picture with so many reflections.
+#[unsafe(no_mangle)]
+pub extern "C" fn error_at(width: u32, height: u32, reflections: u32) -> u32 {
+    answer(|playground| playground.error_at(width, height, reflections))
+}
+
+/// Answers with the runs of row `y` of the frame.
+#[unsafe(no_mangle)]
+pub extern "C" fn row_paths(y: u32) -> u32 {
+    answer(|playground| playground.row_paths(y))
+}
+
+/// Answers with the Rust source of the scene.
+#[unsafe(no_mangle)]
+pub extern "C" fn rust() -> u32 {
+    answer(|playground| playground.rust())
+}

@@ -3,12 +3,15 @@
 //! [`Playground`] does the work; it is plain Rust and is tested on any machine. [`exports`] calls it from
 //! a browser: numbers go in and out as they are, texts through two buffers.
 
+mod accuracy;
 mod answer;
 mod display;
 pub mod exports;
 mod frame;
 mod lines;
 mod opened;
+mod paths;
+mod projection;
 mod settings;
 
 pub use answer::Answer;
@@ -84,6 +87,58 @@ impl Playground {
             (Some(opened), Some(frame)) => Answer::done(&frame.told(opened)),
             _ => Answer::no_frame(),
         }
+    }
+
+    /// Returns the path of pixel (`x`, `y`) of the frame, as `Exact` computes it.
+    pub fn path(&self, x: u32, y: u32) -> Answer {
+        let Some((opened, frame)) = self.both() else {
+            return Answer::no_frame();
+        };
+        match paths::pixel(opened, &frame.settings, (x, y)) {
+            Some(path) => Answer::done(&path),
+            None => Answer::error("the picture has no such pixel"),
+        }
+    }
+
+    /// Returns the runs of row `y` of the frame: neighbours whose paths meet the same.
+    pub fn row_paths(&self, y: u32) -> Answer {
+        match self.both() {
+            Some((opened, frame)) => Answer::done(&paths::row(opened, &frame.settings, y)),
+            None => Answer::no_frame(),
+        }
+    }
+
+    /// Compares the picture with so many reflections with that of [`accuracy::MANY`], both `Exact`, in the
+    /// view, with the frame's shading.
+    pub fn error_at(&self, width: u32, height: u32, reflections: u32) -> Answer {
+        let Some(opened) = &self.opened else {
+            return Answer::no_scene();
+        };
+        let settings = Settings {
+            width,
+            height,
+            reflections,
+            quality: 1,
+            shading: self.frame.as_ref().map_or(0, |it| it.settings.shading),
+            smooth: 1,
+            display: 0,
+        };
+        match settings.check() {
+            Ok(()) => Answer::done(&accuracy::measured(opened, settings)),
+            Err(error) => Answer::error(error),
+        }
+    }
+
+    /// Returns the Rust source of the scene, with the camera of the view.
+    pub fn rust(&self) -> Answer {
+        match &self.opened {
+            Some(opened) => Answer::text(opened.file.rust_source().camera(&opened.view).text()),
+            None => Answer::no_scene(),
+        }
+    }
+
+    fn both(&self) -> Option<(&Opened, &Frame)> {
+        self.opened.as_ref().zip(self.frame.as_ref())
     }
 }
 
