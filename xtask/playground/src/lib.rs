@@ -11,6 +11,7 @@ mod frame;
 mod lines;
 mod opened;
 mod paths;
+mod place;
 mod projection;
 mod settings;
 

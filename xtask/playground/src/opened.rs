@@ -1,11 +1,12 @@
 //! The open scene: its file, the scene built of it, and the view.
 
-use reflet::host::file::{FileError, FileScene, Problem, SceneFile};
+use reflet::host::file::{FileError, FileScene, SceneFile};
 use reflet::host::reference;
 use reflet::{Camera, Error};
 use serde::Serialize;
 
 use crate::answer::Refusal;
+use crate::place;
 
 /// Narrowest and widest field of view of the library, in degrees.
 const FIELDS_OF_VIEW: [f64; 2] = [0.001, 179.999];
@@ -44,7 +45,7 @@ pub(crate) struct View {
 impl Opened {
     /// Reads the scene at `index`, the first if that is negative.
     pub(crate) fn read(text: &str, index: i32) -> Result<Self, Refusal> {
-        let files = SceneFile::parse_all(text).map_err(|error| refusal(&error))?;
+        let files = SceneFile::parse_all(text).map_err(|error| refusal(&error, text))?;
         let names = files.iter().map(name).collect();
         let count = files.len();
         let index = usize::try_from(index).unwrap_or(0);
@@ -56,13 +57,9 @@ impl Opened {
             line: None,
             column: None,
         })?;
-        let scene = file.build().map_err(|error| refusal(&error))?;
+        let scene = file.build().map_err(|error| refusal(&error, text))?;
         let (_, camera) = file.reference();
-        let view = exact(&camera).map_err(|error| Refusal {
-            error: error.to_string(),
-            line: None,
-            column: None,
-        })?;
+        let view = exact(&camera).expect("the scene was built with this camera");
         Ok(Self {
             file,
             scene,
@@ -125,12 +122,9 @@ fn name(file: &SceneFile) -> String {
     file.name().unwrap_or_default().to_owned()
 }
 
-/// Returns the reason why a file is refused, and its place if the parser tells it.
-fn refusal(error: &FileError) -> Refusal {
-    let (line, column) = match error.problem() {
-        Problem::Json { line, column, .. } => (Some(*line), Some(*column)),
-        _ => (None, None),
-    };
+/// Returns the reason why a file is refused, and its place in the text.
+fn refusal(error: &FileError, text: &str) -> Refusal {
+    let (line, column) = place::of(error, text).unzip();
     Refusal {
         error: error.to_string(),
         line,
