@@ -112,5 +112,6 @@ macro_rules! named {
 }
 kinds!(named);
 
-#[cfg(all(test, feature = "host", feature = "scenes"))]
+#[cfg(all(feature = "host", feature = "scenes"))]
+#[cfg(test)]
 mod tests;

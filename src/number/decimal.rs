@@ -99,7 +99,7 @@ impl Number {
 /// Returns 2^`exponent`, which is within -1022 to 1023. `f64::powi` needs std.
 #[cfg(feature = "files")]
 pub(crate) const fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((exponent + 1023) as u64) << 52)
+    f64::from_bits((super::unsigned(exponent + 1023) as u64) << 52)
 }
 
 impl core::ops::Mul for Number {

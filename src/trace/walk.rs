@@ -88,13 +88,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             });
             throughput = reflected;
             if throughput == Unit::ZERO || self.is_cut_off(throughput, bounce.count) {
-                let end = match throughput < world.parts().smallest_weight(Q::SMALLEST_WEIGHT) {
-                    true => End::NoWeight,
-                    false if throughput == Unit::ZERO => End::NoWeight,
-                    false => End::LastReflection,
-                };
                 return Walked {
-                    end,
+                    end: Self::end(world, throughput),
                     missed: None,
                     sum,
                 };
@@ -105,6 +100,15 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             }
             surface.reflect(world, &mut ray);
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
+        }
+    }
+
+    /// Returns why a path ends that has this throughput and follows no further ray.
+    fn end(world: &W, throughput: Unit) -> End {
+        let least = world.parts().smallest_weight(Q::SMALLEST_WEIGHT);
+        match throughput == Unit::ZERO || throughput < least {
+            true => End::NoWeight,
+            false => End::LastReflection,
         }
     }
 

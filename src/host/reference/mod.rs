@@ -76,5 +76,6 @@ pub use self::shading::Shading;
 #[cfg(feature = "host")]
 type Real = f64;
 
-#[cfg(all(test, feature = "host"))]
+#[cfg(feature = "host")]
+#[cfg(test)]
 mod tests;
