@@ -1,6 +1,6 @@
 //! Answers to the page: whether a call did its work, and a text, mostly JSON.
 
-use serde::Serialize;
+use crate::json::{Json, object};
 
 /// The answer to a call.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -12,17 +12,21 @@ pub struct Answer {
 }
 
 /// Why a call was refused, and where in the text of the scene, counted from 1.
-#[derive(Serialize)]
 pub(crate) struct Refusal {
     pub(crate) error: String,
     pub(crate) line: Option<usize>,
     pub(crate) column: Option<usize>,
 }
+object!(Refusal {
+    error,
+    line,
+    column
+});
 
-#[derive(Serialize)]
 struct Reason {
     error: String,
 }
+object!(Reason { error });
 
 impl Answer {
     /// The work is done, and there is nothing to say.
@@ -30,7 +34,7 @@ impl Answer {
         Self::default()
     }
 
-    pub(crate) fn done(answer: &impl Serialize) -> Self {
+    pub(crate) fn done(answer: &impl Json) -> Self {
         Self::text(json(answer))
     }
 
@@ -41,7 +45,7 @@ impl Answer {
         }
     }
 
-    pub(crate) fn refused(refusal: &impl Serialize) -> Self {
+    pub(crate) fn refused(refusal: &impl Json) -> Self {
         Self {
             is_refused: true,
             text: json(refusal),
@@ -62,6 +66,8 @@ impl Answer {
     }
 }
 
-fn json(value: &impl Serialize) -> String {
-    serde_json::to_string(value).expect("no map, and no number that JSON lacks")
+fn json(value: &impl Json) -> String {
+    let mut text = String::new();
+    value.write(&mut text);
+    text
 }

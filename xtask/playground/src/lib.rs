@@ -8,6 +8,7 @@ mod answer;
 mod display;
 pub mod exports;
 mod frame;
+mod json;
 mod lines;
 mod opened;
 mod paths;
