@@ -2,8 +2,8 @@
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use reflet::Report;
+use serde::Serialize;
 
-use crate::json::object;
 use crate::lines::prepared;
 use crate::opened::Opened;
 use crate::settings::Settings;
@@ -12,6 +12,7 @@ use crate::settings::Settings;
 pub(crate) const MANY: u32 = 64;
 
 /// How far a picture is from that with [`MANY`] reflections. All but the rays is in levels of 255.
+#[derive(Serialize)]
 pub(crate) struct Error {
     reflections: u32,
     largest: u8,
@@ -20,13 +21,6 @@ pub(crate) struct Error {
     bound: f64,
     rays: u64,
 }
-object!(Error {
-    reflections,
-    largest,
-    mean,
-    bound,
-    rays
-});
 
 /// Draws two pictures that differ in the number of reflections, and compares them.
 pub(crate) fn measured(opened: &Opened, settings: Settings) -> Error {

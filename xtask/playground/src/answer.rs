@@ -1,6 +1,6 @@
 //! Answers to the page: whether a call did its work, and a text, mostly JSON.
 
-use crate::json::{Json, object};
+use serde::Serialize;
 
 /// The answer to a call.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -12,21 +12,17 @@ pub struct Answer {
 }
 
 /// Why a call was refused, and where in the text of the scene, counted from 1.
+#[derive(Serialize)]
 pub(crate) struct Refusal {
     pub(crate) error: String,
     pub(crate) line: Option<usize>,
     pub(crate) column: Option<usize>,
 }
-object!(Refusal {
-    error,
-    line,
-    column
-});
 
+#[derive(Serialize)]
 struct Reason {
     error: String,
 }
-object!(Reason { error });
 
 impl Answer {
     /// The work is done, and there is nothing to say.
@@ -34,7 +30,7 @@ impl Answer {
         Self::default()
     }
 
-    pub(crate) fn done(answer: &impl Json) -> Self {
+    pub(crate) fn done(answer: &impl Serialize) -> Self {
         Self::text(json(answer))
     }
 
@@ -45,7 +41,7 @@ impl Answer {
         }
     }
 
-    pub(crate) fn refused(refusal: &impl Json) -> Self {
+    pub(crate) fn refused(refusal: &impl Serialize) -> Self {
         Self {
             is_refused: true,
             text: json(refusal),
@@ -66,8 +62,6 @@ impl Answer {
     }
 }
 
-fn json(value: &impl Json) -> String {
-    let mut text = String::new();
-    value.write(&mut text);
-    text
+fn json(value: &impl Serialize) -> String {
+    serde_json::to_string(value).expect("no map, and no number that JSON lacks")
 }

@@ -4,9 +4,9 @@ use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use frame_hash::FrameHash;
 use reflet::Report;
+use serde::Serialize;
 
 use crate::display::shown;
-use crate::json::object;
 use crate::lines::{Lines, prepared};
 use crate::opened::Opened;
 use crate::settings::Settings;
@@ -25,6 +25,7 @@ pub(crate) struct Frame {
 }
 
 /// What a drawn frame tells.
+#[derive(Serialize)]
 pub(crate) struct Told {
     rays: u64,
     cut_off: f64,
@@ -32,13 +33,6 @@ pub(crate) struct Told {
     report: String,
     hash: Option<String>,
 }
-object!(Told {
-    rays,
-    cut_off,
-    missing_levels,
-    report,
-    hash
-});
 
 impl Frame {
     pub(crate) fn new(opened: &Opened, settings: Settings) -> Self {

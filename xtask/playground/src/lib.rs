@@ -8,7 +8,6 @@ mod answer;
 mod display;
 pub mod exports;
 mod frame;
-mod json;
 mod lines;
 mod opened;
 mod paths;

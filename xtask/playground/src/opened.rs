@@ -3,9 +3,9 @@
 use reflet::host::file::{FileError, FileScene, SceneFile};
 use reflet::host::reference;
 use reflet::{Camera, Error};
+use serde::Serialize;
 
 use crate::answer::Refusal;
-use crate::json::object;
 use crate::place;
 
 /// Narrowest and widest field of view of the library, in degrees.
@@ -21,6 +21,7 @@ pub(crate) struct Opened {
 }
 
 /// What a page learns of an open scene.
+#[derive(Serialize)]
 pub(crate) struct Facts {
     name: Option<String>,
     names: Vec<String>,
@@ -31,30 +32,15 @@ pub(crate) struct Facts {
     left_out: Vec<&'static str>,
     camera: View,
 }
-object!(Facts {
-    name,
-    names,
-    shapes,
-    lights,
-    planes,
-    needs,
-    left_out,
-    camera
-});
 
 /// A camera, with the keys of a scene file.
+#[derive(Serialize)]
 pub(crate) struct View {
     position: [f64; 3],
     target: [f64; 3],
     up: [f64; 3],
     fov: f64,
 }
-object!(View {
-    position,
-    target,
-    up,
-    fov
-});
 
 impl Opened {
     /// Reads the scene at `index`, the first if that is negative.

@@ -5,13 +5,14 @@ use reflet::host::path::{End, Path, Step, path_of, paths_of_row};
 use reflet::host::reference::Camera;
 use reflet::quality::Exact;
 use reflet::shading::{BlinnPhong, Phong, Shading};
+use serde::Serialize;
 
-use crate::json::object;
 use crate::opened::Opened;
 use crate::projection::Projection;
 use crate::settings::Settings;
 
 /// The path of a pixel, for the page.
+#[derive(Serialize)]
 pub(crate) struct Table {
     pixel: [u8; 3],
     sum: [f64; 3],
@@ -21,17 +22,9 @@ pub(crate) struct Table {
     brightest: f64,
     end: &'static str,
 }
-object!(Table {
-    pixel,
-    sum,
-    missed,
-    background,
-    steps,
-    brightest,
-    end
-});
 
 /// A surface on a path, for the page.
+#[derive(Serialize)]
 struct Line {
     shape: String,
     material: String,
@@ -46,28 +39,15 @@ struct Line {
     to: [f64; 3],
     seen: Option<[f64; 2]>,
 }
-object!(Line {
-    shape,
-    material,
-    inside,
-    alpha,
-    weight,
-    color,
-    lights,
-    sum,
-    bound,
-    from,
-    to,
-    seen
-});
 
 /// A row as runs of pixels.
+#[derive(Serialize)]
 pub(crate) struct Row {
     runs: Vec<Run>,
 }
-object!(Row { runs });
 
 /// Neighbours whose paths meet the same shapes, lit by the same lights.
+#[derive(Serialize)]
 struct Run {
     /// First and last column.
     from: usize,
@@ -75,26 +55,14 @@ struct Run {
     levels: Vec<Level>,
     missed: bool,
 }
-object!(Run {
-    from,
-    to,
-    levels,
-    missed
-});
 
-#[derive(PartialEq)]
+#[derive(PartialEq, Serialize)]
 struct Level {
     shape: String,
     flat: bool,
     inside: bool,
     lights: Vec<usize>,
 }
-object!(Level {
-    shape,
-    flat,
-    inside,
-    lights
-});
 
 /// Returns the path of a pixel; `None` outside of the picture.
 pub(crate) fn pixel(opened: &Opened, settings: &Settings, at: (u32, u32)) -> Option<Table> {

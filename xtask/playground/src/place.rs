@@ -9,15 +9,18 @@ pub(crate) fn of(error: &FileError, text: &str) -> Option<(usize, usize)> {
     let (list, index) = match error.problem() {
         Problem::Json { line, column, .. } => return Some((*line, *column)),
         Problem::Repeated { place, .. } | Problem::UnknownMaterial { place, .. } => {
-            let (list, rest) = place.split_once('[')?;
-            (list.to_owned(), rest.trim_end_matches(']').parse().ok())
+            let (list, index) = place.strip_suffix(']')?.split_once('[')?;
+            (list.to_owned(), index.parse().ok())
         }
         Problem::TwoBackgrounds => ("sky".to_owned(), None),
         Problem::Camera(_) => ("camera".to_owned(), None),
         Problem::Scene(error) | Problem::TooSmall { error, .. } => part(error),
         _ => return None,
     };
-    let mut scanner = Scanner { text, at: 0 };
+    let mut scanner = Scanner {
+        text: text.as_bytes(),
+        at: 0,
+    };
     scanner.enter_scene(error.scene())?;
     scanner.enter_key(&list)?;
     if let Some(index) = index {
@@ -36,26 +39,40 @@ fn part(error: &Error) -> (String, Option<usize>) {
 }
 
 fn line_and_column(text: &str, at: usize) -> (usize, usize) {
-    let before = &text[..at];
-    let line = before.matches('\n').count() + 1;
-    let start = before.rfind('\n').map_or(0, |it| it + 1);
-    (line, before[start..].chars().count() + 1)
+    let (mut line, mut column) = (1, 1);
+    for byte in text.bytes().take(at) {
+        match byte {
+            b'\n' => (line, column) = (line + 1, 1),
+            // The bytes of a letter after its first one.
+            0x80..=0xbf => {}
+            _ => column += 1,
+        }
+    }
+    (line, column)
+}
+
+/// Tests whether a byte may stand between two values.
+fn separates(byte: u8) -> bool {
+    const BYTE_ORDER_MARK: [u8; 3] = [0xef, 0xbb, 0xbf];
+    byte.is_ascii_whitespace() || byte == b',' || byte == b':' || BYTE_ORDER_MARK.contains(&byte)
 }
 
 /// A place in JSON text: the start of a value, or what stands before it.
 #[derive(Clone, Copy)]
 struct Scanner<'a> {
-    text: &'a str,
+    text: &'a [u8],
     at: usize,
 }
 
-impl Scanner<'_> {
+impl<'a> Scanner<'a> {
     /// Skips what separates values, and returns the next byte.
     fn next(&mut self) -> Option<u8> {
-        let rest = &self.text[self.at..];
-        let is_between = |it: char| it.is_whitespace() || ",:\u{feff}".contains(it);
-        self.at += rest.len() - rest.trim_start_matches(is_between).len();
-        self.text.as_bytes().get(self.at).copied()
+        loop {
+            match self.text.get(self.at) {
+                Some(byte) if separates(*byte) => self.at += 1,
+                byte => return byte.copied(),
+            }
+        }
     }
 
     /// Skips the next value.
@@ -63,14 +80,10 @@ impl Scanner<'_> {
         let mut depth = 0;
         while let Some(byte) = self.next() {
             match byte {
-                b'"' => self.skip_string(),
+                b'"' => _ = self.string(),
                 b'{' | b'[' => (depth, self.at) = (depth + 1, self.at + 1),
                 b'}' | b']' => (depth, self.at) = (depth - 1, self.at + 1),
-                _ => {
-                    let rest = &self.text[self.at..];
-                    let is_end = |it: char| it.is_whitespace() || ",:]}".contains(it);
-                    self.at += rest.find(is_end).unwrap_or(rest.len());
-                }
+                _ => self.skip_word(),
             }
             if depth <= 0 {
                 return;
@@ -78,34 +91,44 @@ impl Scanner<'_> {
         }
     }
 
-    fn skip_string(&mut self) {
-        let bytes = self.text.as_bytes();
-        self.at += 1;
-        while self.at < bytes.len() && bytes[self.at] != b'"' {
-            self.at += if bytes[self.at] == b'\\' { 2 } else { 1 };
+    /// Skips a number, a truth value or `null`.
+    fn skip_word(&mut self) {
+        let is_word = |byte: &u8| byte.is_ascii_alphanumeric() || b"+-.".contains(byte);
+        while self.text.get(self.at).is_some_and(is_word) {
+            self.at += 1;
         }
-        self.at += 1;
     }
 
-    /// Moves to the scene with this name, or without one: the only one, or one of an array.
+    /// Skips a text, and returns it as it is written.
+    fn string(&mut self) -> &'a [u8] {
+        let start = self.at + 1;
+        self.at = start;
+        while let Some(byte) = self.text.get(self.at).filter(|byte| **byte != b'"') {
+            self.at += if *byte == b'\\' { 2 } else { 1 };
+        }
+        let end = self.at.min(self.text.len());
+        self.at = end + 1;
+        self.text.get(start..end).unwrap_or(&[])
+    }
+
+    /// Moves to the scene with this name, or without one: the only one, or one of an array. A name with an
+    /// escape is not found.
     fn enter_scene(&mut self, name: Option<&str>) -> Option<()> {
         if self.next()? != b'[' {
             return Some(());
         }
-        let mut items = (0..).map_while(|index| {
+        let mut index = 0;
+        loop {
             let mut item = *self;
-            item.enter_item(index).map(|()| item)
-        });
-        *self = items.find(|item| item.name().as_deref() == name)?;
-        Some(())
-    }
-
-    /// Returns the name of a scene.
-    fn name(mut self) -> Option<String> {
-        self.enter_key("name")?;
-        let start = self.at;
-        self.skip();
-        serde_json::from_str(&self.text[start..self.at]).ok()
+            item.enter_item(index)?;
+            let mut own = item;
+            let own = own.enter_key("name").map(|()| own.string());
+            if own == name.map(str::as_bytes) {
+                *self = item;
+                return Some(());
+            }
+            index += 1;
+        }
     }
 
     /// Moves to an item of the array that comes next.
@@ -126,9 +149,7 @@ impl Scanner<'_> {
         self.next()?;
         self.at += 1;
         while self.next()? == b'"' {
-            let start = self.at + 1;
-            self.skip_string();
-            let is_meant = &self.text[start..self.at - 1] == key;
+            let is_meant = self.string() == key.as_bytes();
             self.next()?;
             if is_meant {
                 return Some(());
