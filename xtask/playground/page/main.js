@@ -1,0 +1,354 @@
+// The page: its settings, and who is told when they change.
+
+const WASM = /*{WASM}*/null;
+const WORKER = /*{WORKER}*/null;
+const DATA = /*{DATA}*/null;
+
+const DISPLAYS = { rgb888: 0, rgb565: 1, gray4: 2, mono: 3, "rgb565-dither": 4, "gray4-dither": 5 };
+const PRESETS = [
+  ["320x320-rgb888", "320×320, 24 bits"],
+  ["320x240-rgb565", "320×240, 16 bits"],
+  ["240x240-rgb565", "240×240, 16 bits"],
+  ["240x240-rgb565-dither", "240×240, 16 bits, dither"],
+  ["160x128-rgb565", "160×128, 16 bits"],
+  ["128x64-gray4", "128×64, 16 greys"],
+  ["128x64-gray4-dither", "128×64, 16 greys, dither"],
+  ["128x64-mono", "128×64, black and white, dither"],
+  ["64x64-rgb888", "64×64, 24 bits: the size of the hash"],
+];
+const SETTINGS = ["n", "quality", "shading", "smooth", "preset"]; // ids of their fields
+const OWN_VIEW = { turn: 0, rise: 0, zoom: 1000 };
+const ZOOM = { least: 50, most: 3000 }; // thousandths of the scene's own field of view
+const OWN_SCENE = "own";
+
+const page = {
+  scene: { text: "", index: -1 },
+  view: OWN_VIEW,
+  drawnView: OWN_VIEW, // of the last whole picture
+  refusals: 0, // views refused since then
+  lights: 0,
+  castleTime: null, // milliseconds of castle, measured here
+  measured: null, // text and index of the scene whose hash and time are known or asked for
+  chartsNear: false, // the charts are near the window: they are worth drawing
+};
+
+const engine = new Engine(Uint8Array.from(atob(WASM), (character) => character.charCodeAt(0)).buffer, WORKER);
+let side = null; // a second engine, for what must not hold up the picture
+let series = null;
+
+const picture = new Picture(byId("picture"), byId("stage"), byId("picture-overlay"), 0.78);
+const pixelPicture = new Picture(byId("pixel-picture"), byId("pixel-stage"), byId("pixel-overlay"), 0.6);
+const rowPicture = new Picture(byId("row-picture"), byId("row-stage"), byId("row-overlay"), 0.7);
+
+const editor = new Editor(
+  () => (drawer.state = "drawing"),
+  (text) => useText(text),
+);
+const drawer = new Drawer(engine, picture, request, { whole, refused, stopped });
+const askPath = latest(() => question("path", pixels.pixel), (path) => pixels.show(path));
+const askRow = latest(() => question("row", { y: rows.row }), ({ runs }) => rows.show(runs, page.lights));
+const pixels = new PixelLesson(pixelPicture, [picture, pixelPicture], askPath);
+const rows = new RowLesson(rowPicture, askRow);
+
+/** Asks the drawing worker about the picture that is drawn; `null` while there is none. */
+async function question(kind, values) {
+  if (drawer.state !== "ready") return null;
+  const answer = await ifWanted(engine.ask(kind, values));
+  return drawer.state === "ready" ? answer : null;
+}
+
+/** Does `ask`, then `show` with its answer. While an answer is awaited, only the newest further call is kept. */
+function latest(ask, show) {
+  let busy = false;
+  let again = false;
+  return async () => {
+    again = true;
+    if (busy) return;
+    busy = true;
+    while (again) {
+      again = false;
+      const answer = await ask();
+      if (answer !== null) show(answer);
+    }
+    busy = false;
+  };
+}
+
+function request() {
+  const [size, ...display] = byId("preset").value.split("-");
+  const [width, height] = size.split("x").map(Number);
+  const value = (id) => Number(byId(id).value);
+  const { turn, rise, zoom } = page.view;
+  return {
+    scene: { ...page.scene },
+    view: { turn: Math.round(turn), rise: Math.round(rise), zoom: Math.round(zoom) },
+    frame: {
+      width,
+      height,
+      reflections: value("n"),
+      quality: value("quality"),
+      shading: value("shading"),
+      smooth: value("smooth"),
+      display: DISPLAYS[display.join("-")],
+    },
+  };
+}
+
+/** A whole picture is drawn: everything that depends on it follows. */
+function whole(answer, view) {
+  page.drawnView = view;
+  page.refusals = 0;
+  page.lights = answer.scene.lights;
+  editor.accept();
+  showFrame(answer);
+  showScene(answer.scene);
+  showScenesOfFile(answer.scene.names);
+  for (const copy of [pixelPicture, rowPicture]) copy.copy(picture);
+  askPath();
+  askRow();
+  if (!side) {
+    performance.mark("first picture");
+    side = new Engine(engine.wasm, WORKER);
+    series = new Series(side, sceneNamed("closed_room").json);
+  }
+  measure();
+}
+
+function refused(answer) {
+  if (answer.what === "view" && page.refusals < 3) return stepBack();
+  if (answer.what === "scene") editor.refuse(answer);
+  else editor.refuse({ error: answer.error });
+  drawer.state = "error";
+}
+
+/** The camera cannot go there: keeps its turn, then takes the last view that was drawn, then the scene's own. */
+function stepBack() {
+  const { drawnView } = page;
+  page.view = [{ ...page.view, rise: drawnView.rise }, drawnView, OWN_VIEW][page.refusals++];
+  say("The camera cannot go further.");
+  drawer.redraw();
+}
+
+function stopped(message) {
+  const text = "The library stopped while it drew this picture. It is started again: change the scene or a setting to go on.";
+  editor.refuse({ error: `${text} (${message})` });
+  drawer.state = "error";
+}
+
+/** Hash, time and charts, in the second worker. */
+const measure = debounced(300, async () => {
+  const { scene, view, frame } = request();
+  if (page.chartsNear) series.showErrors(scene, view, frame);
+  const key = `${scene.index} ${scene.text}`;
+  if (page.measured === key) return;
+  page.measured = key;
+  const known = knownScene();
+  if (known && DATA.boards.some((row) => row.scene === known.name)) showMeasuredBoards(DATA.boards, known.name);
+  else showRough(scene, key);
+  const board = known ? DATA.hashes[known.name] : undefined;
+  showHash(null, board);
+  const hash = await ifWanted(side.ask("hash", { scene, view: OWN_VIEW }));
+  if (hash !== null && page.measured === key) showHash(hash, board);
+});
+
+async function showRough(scene, key) {
+  showRoughBoards(DATA.boards, null);
+  const castle = { text: sceneNamed("castle").json, index: -1 };
+  page.castleTime ??= await ifWanted(side.ask("time", { scene: castle, lane: "castle" }));
+  const time = await ifWanted(side.ask("time", { scene }));
+  if (time !== null && page.castleTime !== null && page.measured === key) showRoughBoards(DATA.boards, page.castleTime / time);
+}
+
+const sceneNamed = (name) => DATA.scenes.find((scene) => scene.name === name);
+
+/** The scene of the list whose text is in the editor, unchanged. */
+function knownScene() {
+  return DATA.scenes.find((scene) => scene.json === page.scene.text && page.scene.index < 1);
+}
+
+/** Draws `text` from its own camera or from the present view. */
+function useText(text, view = page.view) {
+  page.scene = { text, index: text === page.scene.text ? page.scene.index : -1 };
+  page.view = view;
+  rows.reset();
+  byId("scene").value = knownScene()?.name ?? OWN_SCENE;
+  drawer.redraw();
+}
+
+function setText(text, view = OWN_VIEW) {
+  editor.text = text;
+  useText(text, view);
+}
+
+function showScenesOfFile(names) {
+  const select = byId("scene-of-file");
+  select.replaceChildren(...names.map((name, index) => element("option", { value: index }, name ?? `scene ${index}`)));
+  select.value = Math.max(page.scene.index, 0);
+  for (const part of [select, document.querySelector('label[for="scene-of-file"]')]) part.hidden = names.length < 2;
+}
+
+/** Moves the camera. Returns whether it moved. */
+function moveTo(view) {
+  const moves = ["turn", "rise", "zoom"].some((key) => view[key] !== page.view[key]);
+  page.view = view;
+  if (moves && drawer.state !== "error") drawer.move();
+  return moves;
+}
+
+function fillSelects() {
+  const scenes = byId("scene");
+  for (const [group, label] of [["built in", "Built in"], ["sample", "Samples"]]) {
+    const options = DATA.scenes.filter((scene) => scene.group === group).map((scene) => element("option", { value: scene.name }, scene.name));
+    scenes.append(element("optgroup", { label }, ...options));
+  }
+  scenes.append(element("option", { value: OWN_SCENE, hidden: "" }, "your own"));
+  byId("preset").append(...PRESETS.map(([value, label]) => element("option", { value }, label)));
+  byId("version").textContent = DATA.version;
+}
+
+function wireControls() {
+  byId("scene").addEventListener("change", () => {
+    const scene = sceneNamed(byId("scene").value);
+    if (scene) setText(scene.json);
+  });
+  byId("scene-of-file").addEventListener("change", () => {
+    page.scene = { text: page.scene.text, index: Number(byId("scene-of-file").value) };
+    page.view = OWN_VIEW;
+    rows.reset();
+    drawer.redraw();
+  });
+  for (const id of SETTINGS) {
+    byId(id).addEventListener("input", () => {
+      byId("n-value").textContent = byId("n").value;
+      drawer.redraw();
+    });
+  }
+  byId("controls").addEventListener("submit", (event) => event.preventDefault());
+  makeOrbit(picture.canvas, {
+    turn: (by, rise) => moveTo({ ...page.view, turn: page.view.turn + by, rise: page.view.rise + rise }),
+    zoom: (by) => moveTo({ ...page.view, zoom: clamp(page.view.zoom * by, ZOOM.least, ZOOM.most) }),
+    reset: () => moveTo(OWN_VIEW),
+    click: (event) => {
+      pixels.choose(picture.dotAt(event));
+      rows.choose(picture.dotAt(event).y, event);
+    },
+    enter: () => byId("pixel-picture").focus(),
+  });
+  picture.canvas.addEventListener("pointermove", (event) => event.buttons === 0 && rows.choose(picture.dotAt(event).y));
+}
+
+/** Text of the editor with the camera as it stands. */
+async function textWithCamera() {
+  await drawer.settled();
+  const { text, index } = page.scene;
+  const { turn, rise, zoom } = request().view;
+  if (turn === 0 && rise === 0 && zoom === OWN_VIEW.zoom) return text;
+  return withCamera(text, index, await engine.ask("camera"));
+}
+
+async function rust() {
+  await drawer.settled();
+  return engine.ask("rust");
+}
+
+function wireButtons() {
+  const button = (id, action) =>
+    byId(id).addEventListener("click", async () => {
+      try {
+        await action();
+      } catch (error) {
+        say(`Not done: ${error.message}`, 12);
+      }
+    });
+  button("copy-rust", async () => copyText(await rust(), "Copied: the constant scene in Rust, ready to compile."));
+  button("download", async () => downloadText(`${knownScene()?.name ?? "scene"}.json`, await textWithCamera()));
+  button("copy-link", async () => {
+    const settings = Object.fromEntries(SETTINGS.map((id) => [id, byId(id).value]));
+    await copyText(await linkTo(await textWithCamera(), settings), "Copied: a link that contains the scene.");
+  });
+  button("reset-view", () => moveTo(OWN_VIEW));
+}
+
+function wireTheme() {
+  const set = (theme) => (document.documentElement.dataset.theme = theme);
+  let kept = "auto";
+  try {
+    kept = localStorage.getItem("reflet theme") ?? "auto";
+  } catch {
+    // Storage may be closed to files. The page then follows the system at each visit.
+  }
+  const input = document.querySelector(`input[name="theme"][value="${CSS.escape(kept)}"]`);
+  if (input) {
+    input.checked = true;
+    set(kept);
+  }
+  radios("theme", (theme) => {
+    set(theme);
+    try {
+      localStorage.setItem("reflet theme", theme);
+    } catch {
+      // As above.
+    }
+  });
+}
+
+/** Takes the scene and the settings of the page's address. Returns whether it has some. */
+async function openLink() {
+  try {
+    const link = await linked();
+    if (!link) return false;
+    for (const id of SETTINGS) {
+      const field = byId(id);
+      const before = field.value;
+      if (id in link.settings) field.value = link.settings[id];
+      if (field.value === "") field.value = before; // a choice that this version does not have
+    }
+    byId("n-value").textContent = byId("n").value;
+    setText(link.text);
+    return true;
+  } catch (error) {
+    say(`The link cannot be read: ${error.message}`, 20);
+    return false;
+  }
+}
+
+/** Draws the charts once they come near the window. */
+function watchCharts() {
+  const watch = new IntersectionObserver(
+    (seen) => {
+      if (!seen.some((entry) => entry.isIntersecting)) return;
+      watch.disconnect();
+      drawer.settled().then(() => {
+        page.chartsNear = true;
+        series.showRoom();
+        measure();
+      }, watchCharts);
+    },
+    { rootMargin: "1500px" },
+  );
+  watch.observe(byId("errors-chart"));
+}
+
+async function begin() {
+  fillSelects();
+  wireTheme();
+  wireControls();
+  wireButtons();
+  if (!(await openLink())) setText(sceneNamed("castle").json);
+  addEventListener("hashchange", openLink);
+  watchCharts();
+}
+
+/** For tests and for the curious. `hash` is that of the present view at 64×64, N = 4, Fast, Blinn-Phong. */
+window.reflet = {
+  rust,
+  hash: async () => {
+    await drawer.settled();
+    const { scene, view } = request();
+    return side.ask("hash", { scene, view, lane: "asked" });
+  },
+  text: () => editor.text,
+  setText,
+};
+
+begin();
