@@ -182,7 +182,7 @@ function setText(text, view = OWN_VIEW) {
 
 function showScenesOfFile(names) {
   const select = byId("scene-of-file");
-  select.replaceChildren(...names.map((name, index) => element("option", { value: index }, name ?? `scene ${index}`)));
+  select.replaceChildren(...names.map((name, index) => element("option", { value: index }, name || `scene ${index}`)));
   select.value = Math.max(page.scene.index, 0);
   for (const part of [select, document.querySelector('label[for="scene-of-file"]')]) part.hidden = names.length < 2;
 }

@@ -60,11 +60,11 @@ function* drawFrame(frame, band) {
   let spent = 0;
   prepare(frame);
   const rowBytes = frame.width * 4;
-  let bytes = new Uint8Array(rowBytes * frame.height);
+  const bytes = new Uint8Array(rowBytes * frame.height);
   let first = 0;
   for (let y = 0; y < frame.height; y++) {
-    const row = new Uint8Array(library.memory.buffer, library.row(y) >>> 0, rowBytes);
-    bytes.set(row, (y - first) * rowBytes);
+    const start = library.row(y) >>> 0; // first: the call may let the memory grow, which takes the old buffer away
+    bytes.set(new Uint8Array(library.memory.buffer, start, rowBytes), (y - first) * rowBytes);
     const now = performance.now();
     if (now - sliceStart < SLICE && y + 1 < frame.height) continue;
     spent += now - sliceStart;
