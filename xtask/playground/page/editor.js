@@ -50,7 +50,7 @@ class Editor {
   refuse({ error, line, column }) {
     const box = byId("error");
     const place = line ? ["Line ", element("span", { id: "error-line" }, String(line)), column ? `, column ${column}: ` : ": "] : [];
-    box.replaceChildren(...place, error);
+    box.replaceChildren(...place, error.replace(/^line \d+, column \d+: /, ""));
     if (line) {
       const go = element("button", { type: "button", class: "link" }, "Go to the line");
       go.addEventListener("click", () => this.go(line));

@@ -116,7 +116,8 @@ function whole(answer, view) {
 
 function refused(answer) {
   if (answer.what === "view" && page.refusals < 3) return stepBack();
-  if (answer.what === "scene") editor.refuse(answer);
+  const line = answer.line ?? lineOfPart(page.scene.text, page.scene.index, answer.error);
+  if (answer.what === "scene") editor.refuse({ ...answer, line });
   else editor.refuse({ error: answer.error });
   drawer.state = "error";
 }

@@ -1,4 +1,4 @@
-// The text of a scene file with another camera. All other characters of the text stay.
+// Places in the text of a scene file: where the camera stands, and at which line a part begins.
 
 /** End of the JSON value that starts at `at`. The text is valid JSON: the library has read it. */
 function valueEnd(text, at) {
@@ -54,10 +54,26 @@ function cameraText({ position, target, up, fov }) {
   return `{ "position": ${list(position)}, "target": ${list(target)}, "up": ${list(up)}, "fov": ${fov} }`;
 }
 
-/** `text` with `camera` as the camera of scene `index`; -1 is the first one. */
+/** Start of the text of scene `index`; -1 is the first one. -1 if there is none. */
+function sceneStart(text, index) {
+  const start = text.search(/[[{]/);
+  if (start < 0 || text[start] === "{") return start;
+  return partsOf(text, start)[Math.max(index, 0)]?.start ?? -1;
+}
+
+/** `text` with `camera` as the camera of scene `index`. */
 function withCamera(text, index, camera) {
-  let start = text.search(/[[{]/);
-  if (start >= 0 && text[start] === "[") start = partsOf(text, start)[Math.max(index, 0)]?.start ?? -1;
+  const start = sceneStart(text, index);
   const found = start < 0 ? null : partsOf(text, start).find((part) => part.key === "camera");
   return found ? text.slice(0, found.start) + cameraText(camera) + text.slice(found.end) : text;
+}
+
+/** Line of the part that an error names, such as `spheres[2]` or `camera`; `null` if it names none. */
+function lineOfPart(text, index, error) {
+  const named = /\b(\w+)\[(\d+)\]/.exec(error) ?? /\b(camera|background|sky|epsilon)\b/.exec(error);
+  const start = sceneStart(text, index);
+  if (!named || start < 0) return null;
+  const list = partsOf(text, start).find((part) => part.key === named[1]);
+  const at = list && named[2] ? partsOf(text, list.start)[Number(named[2])] : list;
+  return at ? text.slice(0, at.start).split("\n").length : null;
 }
