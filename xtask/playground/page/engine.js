@@ -59,11 +59,12 @@ class Engine {
   }
 }
 
-/** Awaits `promise`; gives `null` where the answer no longer matters or could not be had. */
+/** Awaits `promise`; gives `null` where the answer no longer matters or could not be had, and says so if the library stopped. */
 async function ifWanted(promise) {
   try {
     return await promise;
   } catch (error) {
+    if (error instanceof Stopped) say(`The library stopped at a question and was started again. (${error.message})`, 12);
     if (error instanceof Cancelled || error instanceof Refused || error instanceof Stopped) return null;
     throw error;
   }

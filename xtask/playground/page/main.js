@@ -19,6 +19,7 @@ const PRESETS = [
 const SETTINGS = ["n", "quality", "shading", "smooth", "preset"]; // ids of their fields
 const OWN_VIEW = { turn: 0, rise: 0, zoom: 1000 };
 const ZOOM = { least: 50, most: 3000 }; // thousandths of the scene's own field of view
+const POLE = 89000; // highest angle of the camera above the target, in thousandths of a degree
 const OWN_SCENE = "own";
 
 const page = {
@@ -27,6 +28,7 @@ const page = {
   drawnView: OWN_VIEW, // of the last whole picture
   refusals: 0, // views refused since then
   lights: 0,
+  rise: { least: 0, most: 0 },
   castleTime: null, // milliseconds of castle, measured here
   measured: null, // text and index of the scene whose hash and time are known or asked for
   chartsNear: false, // the charts are near the window: they are worth drawing
@@ -38,7 +40,8 @@ let series = null;
 
 const picture = new Picture(byId("picture"), byId("stage"), byId("picture-overlay"), 0.78);
 const pixelPicture = new Picture(byId("pixel-picture"), byId("pixel-stage"), byId("pixel-overlay"), 0.6);
-const rowPicture = new Picture(byId("row-picture"), byId("row-stage"), byId("row-overlay"), 0.7);
+const rowPicture = new Picture(byId("row-picture"), byId("row-stage"), byId("row-overlay"), 0.55);
+rowPicture.parts = 2; // a little uneven, but the bars below stay in the window
 
 const editor = new Editor(
   () => (drawer.state = "drawing"),
@@ -53,7 +56,7 @@ const rows = new RowLesson(rowPicture, askRow);
 /** Asks the drawing worker about the picture that is drawn; `null` while there is none. */
 async function question(kind, values) {
   if (drawer.state !== "ready") return null;
-  const answer = await ifWanted(engine.ask(kind, values));
+  const answer = await ifWanted(engine.ask(kind, { ...request(), ...values }));
   return drawer.state === "ready" ? answer : null;
 }
 
@@ -99,6 +102,7 @@ function whole(answer, view) {
   page.drawnView = view;
   page.refusals = 0;
   page.lights = answer.scene.lights;
+  page.rise = riseLimits(answer.scene.camera);
   editor.accept();
   showFrame(answer);
   showScene(answer.scene);
@@ -188,8 +192,18 @@ function showScenesOfFile(names) {
   for (const part of [select, document.querySelector('label[for="scene-of-file"]')]) part.hidden = names.length < 2;
 }
 
+/** Highest and lowest `rise` for which the camera stays below the pole, in thousandths of a degree. */
+function riseLimits({ position, target, up }) {
+  const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const back = position.map((value, axis) => value - target[axis]);
+  const sine = dot(back, up) / Math.sqrt(dot(back, back) * dot(up, up));
+  const height = (Math.asin(clamp(sine, -1, 1)) * 180000) / Math.PI;
+  return { least: Math.min(-POLE - height, 0), most: Math.max(POLE - height, 0) };
+}
+
 /** Moves the camera. Returns whether it moved. */
 function moveTo(view) {
+  view.rise = clamp(view.rise, page.rise.least, page.rise.most);
   const moves = ["turn", "rise", "zoom"].some((key) => view[key] !== page.view[key]);
   page.view = view;
   if (moves && drawer.state !== "error") drawer.move();
@@ -228,7 +242,7 @@ function wireControls() {
   makeOrbit(picture.canvas, {
     turn: (by, rise) => moveTo({ ...page.view, turn: page.view.turn + by, rise: page.view.rise + rise }),
     zoom: (by) => moveTo({ ...page.view, zoom: clamp(page.view.zoom * by, ZOOM.least, ZOOM.most) }),
-    reset: () => moveTo(OWN_VIEW),
+    reset: () => moveTo({ ...OWN_VIEW }),
     click: (event) => {
       pixels.choose(picture.dotAt(event));
       rows.choose(picture.dotAt(event).y, event);
@@ -244,12 +258,12 @@ async function textWithCamera() {
   const { text, index } = page.scene;
   const { turn, rise, zoom } = request().view;
   if (turn === 0 && rise === 0 && zoom === OWN_VIEW.zoom) return text;
-  return withCamera(text, index, await engine.ask("camera"));
+  return withCamera(text, index, await engine.ask("camera", request()));
 }
 
 async function rust() {
   await drawer.settled();
-  return engine.ask("rust");
+  return engine.ask("rust", request());
 }
 
 function wireButtons() {
@@ -267,7 +281,7 @@ function wireButtons() {
     const settings = Object.fromEntries(SETTINGS.map((id) => [id, byId(id).value]));
     await copyText(await linkTo(await textWithCamera(), settings), "Copied: a link that contains the scene.");
   });
-  button("reset-view", () => moveTo(OWN_VIEW));
+  button("reset-view", () => moveTo({ ...OWN_VIEW }));
 }
 
 function wireTheme() {

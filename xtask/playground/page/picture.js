@@ -8,6 +8,7 @@ class Picture {
     this.overlay = overlay;
     this.room = room;
     this.context = canvas.getContext("2d");
+    this.parts = 1; // the size of a dot is a multiple of 1 / parts of the screen's pixels
     this.onFit = () => {};
     new ResizeObserver(() => this.fit()).observe(frame.parentElement);
     addEventListener("resize", () => this.fit());
@@ -39,7 +40,7 @@ class Picture {
     const across = (this.frame.parentElement.clientWidth * ratio) / this.width;
     const down = (innerHeight * this.room * ratio) / this.height;
     const scale = Math.max(Math.min(across, down), Math.min(across, 1));
-    const whole = scale >= 1 ? Math.floor(scale) : scale;
+    const whole = scale >= 1 ? Math.floor(scale * this.parts) / this.parts : scale;
     this.frame.style.width = `${(this.width * whole) / ratio}px`;
     this.onFit();
   }

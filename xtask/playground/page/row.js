@@ -64,7 +64,7 @@ class RowLesson {
   color(shape) {
     if (!this.hues.has(shape)) this.hues.set(shape, this.hues.size);
     const number = this.hues.get(shape);
-    return `hsl(${Math.round((number * 137.5 + 205) % 360)} ${55 + (number % 3) * 12}% ${46 + (number % 2) * 12}%)`;
+    return `hsl(${Math.round((number * 137.5 + 205) % 360)} ${38 + (number % 3) * 10}% ${45 + (number % 2) * 13}%)`;
   }
 
   show(runs, lights) {
@@ -128,7 +128,7 @@ class RowLesson {
     byId("row-legend").replaceChildren(
       ...[...shapes].map((shape) => item(chip(`background:${this.color(shape)}`), shape)),
       item(chip("", "nothing"), "nothing: the background"),
-      ...(this.lights > 0 ? [item(chip("", "lit"), `thin bars, lights 0 to ${this.lights - 1}: reached`), item(chip("", "dark"), "in shadow")] : []),
+      ...(this.lights > 0 ? [item(chip("", "lit"), this.lights === 1 ? "thin bar: light 0 reaches it" : `thin bars: lights 0 to ${this.lights - 1} reach it`), item(chip("", "dark"), "it is in shadow")] : []),
     );
   }
 }

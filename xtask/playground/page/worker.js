@@ -128,6 +128,16 @@ const questions = {
   rust: () => (accept(library.rust(), "scene"), answerText()),
 };
 
+/** Answers a question about the picture that was drawn last. A new worker first takes over its scene, view and frame. */
+function answerTo(request) {
+  if (!opened) {
+    open(request.scene);
+    setView(request.view);
+    prepare(request.frame);
+  }
+  postMessage({ id: request.id, done: questions[request.kind](request) });
+}
+
 /** Runs `step` and posts its outcome. A trap ends this worker's use: the page starts another one. */
 function guarded(request, step) {
   try {
@@ -173,5 +183,5 @@ onmessage = async ({ data }) => {
   }
   await started;
   if (tasks[data.kind]) begin(data);
-  else guarded(data, () => postMessage({ id: data.id, done: questions[data.kind](data) }));
+  else guarded(data, () => answerTo(data));
 };
