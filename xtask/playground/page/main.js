@@ -143,18 +143,24 @@ function stopped(message) {
 /** Hash, time and charts, in the second worker. */
 const measure = debounced(300, async () => {
   const { scene, view, frame } = request();
-  if (page.chartsNear) series.showErrors(scene, view, frame);
   const key = `${scene.index} ${scene.text}`;
-  if (page.measured === key) return;
-  page.measured = key;
+  if (page.measured !== key) {
+    page.measured = key;
+    await measureScene(scene, key);
+  }
+  if (page.chartsNear) series.showErrors(scene, view, frame);
+});
+
+async function measureScene(scene, key) {
   const known = knownScene();
-  if (known && DATA.boards.some((row) => row.scene === known.name)) showMeasuredBoards(DATA.boards, known.name);
-  else showRough(scene, key);
   const board = known ? DATA.hashes[known.name] : undefined;
   showHash(null, board);
   const hash = await ifWanted(side.ask("hash", { scene, view: OWN_VIEW }));
-  if (hash !== null && page.measured === key) showHash(hash, board);
-});
+  if (page.measured !== key) return;
+  if (hash !== null) showHash(hash, board);
+  if (known && DATA.boards.some((row) => row.scene === known.name)) showMeasuredBoards(DATA.boards, known.name);
+  else await showRough(scene, key);
+}
 
 async function showRough(scene, key) {
   showRoughBoards(DATA.boards, null);
