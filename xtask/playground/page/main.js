@@ -29,8 +29,9 @@ const page = {
   refusals: 0, // views refused since then
   lights: 0,
   rise: { least: 0, most: 0 },
-  castleTime: null, // milliseconds of castle, measured here
-  measured: null, // text and index of the scene whose hash and time are known or asked for
+  castleTime: Infinity, // least milliseconds of castle, measured here
+  measured: null, // index and text of the scene whose facts the page shows
+  isMeasured: false, // they are known, not only asked for
   chartsNear: false, // the charts are near the window: they are worth drawing
 };
 
@@ -50,7 +51,7 @@ const editor = new Editor(
 const drawer = new Drawer(engine, picture, request, { whole, refused, stopped });
 const askPath = latest(() => question("path", pixels.pixel), (path) => pixels.show(path));
 const askRow = latest(() => question("row", { y: rows.row }), ({ runs }) => rows.show(runs, page.lights));
-const pixels = new PixelLesson(pixelPicture, [picture, pixelPicture], askPath);
+const pixels = new PixelLesson(pixelPicture, picture, askPath);
 const rows = new RowLesson(rowPicture, askRow);
 
 /** Asks the drawing worker about the picture that is drawn; `null` while there is none. */
@@ -110,6 +111,7 @@ function whole(answer, view) {
   for (const copy of [pixelPicture, rowPicture]) copy.copy(picture);
   askPath();
   askRow();
+  forget();
   if (!side) {
     performance.mark("first picture");
     side = new Engine(engine.wasm, WORKER);
@@ -140,36 +142,44 @@ function stopped(message) {
   drawer.state = "error";
 }
 
+/** Empties the facts of a new scene until they are measured. */
+function forget() {
+  const key = `${page.scene.index} ${page.scene.text}`;
+  if (page.measured === key) return;
+  page.measured = key;
+  page.isMeasured = false;
+  const known = knownScene();
+  showHash(null, known ? DATA.hashes[known.name] : undefined);
+  if (isOnBoards(known)) showMeasuredBoards(DATA.boards, known.name);
+  else showRoughBoards(DATA.boards, null);
+}
+
 /** Hash, time and charts, in the second worker. */
 const measure = debounced(300, async () => {
   const { scene, view, frame } = request();
-  const key = `${scene.index} ${scene.text}`;
-  if (page.measured !== key) {
-    page.measured = key;
-    await measureScene(scene, key);
-  }
+  if (!page.isMeasured) await measureScene(scene, page.measured);
   if (page.chartsNear) series.showErrors(scene, view, frame);
 });
 
 async function measureScene(scene, key) {
   const known = knownScene();
-  const board = known ? DATA.hashes[known.name] : undefined;
-  showHash(null, board);
   const hash = await ifWanted(side.ask("hash", { scene, view: OWN_VIEW }));
   if (page.measured !== key) return;
-  if (hash !== null) showHash(hash, board);
-  if (known && DATA.boards.some((row) => row.scene === known.name)) showMeasuredBoards(DATA.boards, known.name);
-  else await showRough(scene, key);
+  if (hash !== null) showHash(hash, known ? DATA.hashes[known.name] : undefined);
+  page.isMeasured = true;
+  if (!isOnBoards(known)) showRough(scene, key);
 }
 
+/** Estimates frames a second by the times of this scene and of castle, both measured here. */
 async function showRough(scene, key) {
-  showRoughBoards(DATA.boards, null);
-  const castle = { text: sceneNamed("castle").json, index: -1 };
-  page.castleTime ??= await ifWanted(side.ask("time", { scene: castle, lane: "castle" }));
   const time = await ifWanted(side.ask("time", { scene }));
-  if (time !== null && page.castleTime !== null && page.measured === key) showRoughBoards(DATA.boards, page.castleTime / time);
+  const castle = time && (await ifWanted(side.ask("time", { scene: { text: sceneNamed("castle").json, index: -1 } })));
+  if (!castle || page.measured !== key) return;
+  page.castleTime = Math.min(page.castleTime, castle);
+  showRoughBoards(DATA.boards, page.castleTime / time);
 }
 
+const isOnBoards = (known) => known !== undefined && DATA.boards.some((row) => row.scene === known.name);
 const sceneNamed = (name) => DATA.scenes.find((scene) => scene.name === name);
 
 /** The scene of the list whose text is in the editor, unchanged. */
@@ -253,6 +263,7 @@ function wireControls() {
       pixels.choose(picture.dotAt(event));
       rows.choose(picture.dotAt(event).y, event);
     },
+    hide: () => pixels.hide(),
     enter: () => byId("pixel-picture").focus(),
   });
   picture.canvas.addEventListener("pointermove", (event) => event.buttons === 0 && rows.choose(picture.dotAt(event).y));

@@ -4,7 +4,7 @@ const TURN_OF_A_PIXEL = 400; // thousandths of a degree for one CSS pixel of a d
 const TURN_OF_A_KEY = 5000;
 const CLICK = 5; // CSS pixels that a pointer may move during a click
 
-/** `actions`: turn(by, rise), zoom(factor), reset(), click(event), enter(). Zoom is called with factors of the field of view. */
+/** `actions`: turn(by, rise), zoom(factor), reset(), click(event), hide(), enter(). Zoom is called with factors of the field of view. */
 function makeOrbit(canvas, actions) {
   const pointers = new Map();
   let moved = 0;
@@ -67,6 +67,7 @@ function makeOrbit(canvas, actions) {
     "-": () => actions.zoom(1.1),
     0: () => actions.reset(),
     Enter: () => actions.enter(),
+    Escape: () => actions.hide(),
   };
   canvas.addEventListener("keydown", (event) => {
     const action = keys[event.key];

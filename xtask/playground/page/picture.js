@@ -30,7 +30,6 @@ class Picture {
     this.canvas.width = width;
     this.canvas.height = height;
     this.enlarge(old);
-    this.overlay.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.fit();
   }
 
@@ -41,6 +40,7 @@ class Picture {
     const down = (innerHeight * this.room * ratio) / this.height;
     const scale = Math.max(Math.min(across, down), Math.min(across, 1));
     const whole = scale >= 1 ? Math.floor(scale * this.parts) / this.parts : scale;
+    this.overlay.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
     this.frame.style.width = `${(this.width * whole) / ratio}px`;
     this.onFit();
   }
@@ -73,7 +73,6 @@ class Picture {
 
   /** Draws a path over the picture: the pixel, then the points that the path hits. */
   showPath(pixel, steps) {
-    if (!pixel) return this.overlay.replaceChildren();
     const first = [pixel.x + 0.5, pixel.y + 0.5];
     const seen = steps.slice(1).map((step) => step.seen);
     const known = seen.findIndex((point) => point === null); // behind the camera: the line ends before it

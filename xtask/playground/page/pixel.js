@@ -1,11 +1,12 @@
 // One pixel's path: the table, the sum, and the formula with the pixel's numbers.
 
 class PixelLesson {
-  /** `pictures` show the path; `picture` is the one in which the cursor moves. `chosen(x, y)` asks for a path. */
-  constructor(picture, pictures, chosen) {
+  /** The cursor moves in `picture`; `large` shows the path, too, once a pixel is chosen. `asked()` asks for a path. */
+  constructor(picture, large, asked) {
     this.picture = picture;
-    this.pictures = pictures;
-    this.chosen = chosen;
+    this.large = large;
+    this.asked = asked;
+    this.isChosen = false;
     this.at = { across: 0.5, down: 0.6 }; // of the picture's width and height, so that it stays when the size changes
     this.channel = 0;
     this.path = null;
@@ -29,7 +30,8 @@ class PixelLesson {
     const { width, height } = this.picture;
     this.at = { across: (clamp(Math.round(x), 0, width - 1) + 0.5) / width, down: (clamp(Math.round(y), 0, height - 1) + 0.5) / height };
     this.showCursor();
-    this.chosen(this.pixel);
+    this.isChosen = true;
+    this.asked();
   }
 
   key(event) {
@@ -43,6 +45,12 @@ class PixelLesson {
     if (!move) return;
     event.preventDefault();
     this.choose({ x: this.pixel.x + move[0], y: this.pixel.y + move[1] });
+  }
+
+  /** Takes the path away from the large picture. */
+  hide() {
+    this.isChosen = false;
+    this.large.overlay.replaceChildren();
   }
 
   showCursor() {
@@ -64,7 +72,8 @@ class PixelLesson {
   show(path) {
     this.path = path;
     this.showCursor();
-    for (const picture of this.pictures) picture.showPath(this.pixel, path.steps);
+    this.picture.showPath(this.pixel, path.steps);
+    if (this.isChosen) this.large.showPath(this.pixel, path.steps);
     byId("path-table").replaceChildren(...pathRows(path));
     byId("path-sum").replaceChildren(swatch(path.sum), triple(path.sum));
     byId("path-pixel").replaceChildren(swatch(path.pixel.map((level) => level / 255)), path.pixel.join("  "));
@@ -137,9 +146,10 @@ function pathEnd({ steps, end, brightest }) {
 }
 
 /** The recursion, evaluated from the last surface back. */
-function recursion({ steps, missed, background }, channel) {
+function recursion({ steps, missed, background, end }, channel) {
   let value = missed && background ? background[channel] : 0;
-  const lines = [`c(${steps.length}) = ${fixed(value)}   ${missed ? "the background" : "cut off: counts as 0"}`];
+  const why = { missed: "the background", "no weight left": "its weight is 0" }[end] ?? "cut off: counts as 0";
+  const lines = [`c(${steps.length}) = ${fixed(value)}   ${why}`];
   for (let i = steps.length - 1; i >= 0; i--) {
     const { alpha, color } = steps[i];
     const next = value;

@@ -135,9 +135,10 @@ class RowLesson {
 
 function runInWords({ from, to, levels, missed }) {
   const columns = from === to ? `Column ${from}` : `Columns ${from} to ${to}`;
-  const step = ({ shape, flat, lights }) => {
+  const step = ({ shape, flat, lights }, level) => {
+    const mirrors = flat && (missed || level + 1 < levels.length);
     const lit = lights.length ? `lit by ${lights.length === 1 ? "light" : "lights"} ${lights.join(", ")}` : "in shadow";
-    return `${shape}${flat ? ", a flat mirror" : ""}, ${lit}`;
+    return `${shape}${mirrors ? ", a flat mirror" : ""}, ${lit}`;
   };
   const ends = missed ? ["nothing"] : [];
   return `${columns}: ${[...levels.map(step), ...ends].join("; then ")}.`;

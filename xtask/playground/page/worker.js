@@ -91,12 +91,13 @@ const tasks = {
     setView(view);
     return (yield* drawFrame(HASHED, ignore)).hash;
   },
-  /** Time of a frame. The second of two: the browser compiles wasm better once it has run. */
+  /** Time of a frame: the least of three, because the browser compiles wasm better while it runs. */
   *time({ scene }) {
     open(scene);
     setView(OWN_VIEW);
-    yield* drawFrame(TIMED, ignore);
-    return (yield* drawFrame(TIMED, ignore)).time;
+    let least = Infinity;
+    for (let frame = 0; frame < 3; frame++) least = Math.min(least, (yield* drawFrame(TIMED, ignore)).time);
+    return least;
   },
   *errors({ scene, view, width, height, most }, part) {
     open(scene);
