@@ -40,7 +40,8 @@ function cssColor(color) {
   return `rgb(${color.map((value) => Math.round(clamp(value, 0, 1) * 255)).join(" ")})`;
 }
 
-const swatch = (color) => element("span", { class: "swatch", style: `background:${cssColor(color)}`, "aria-hidden": "true" });
+const swatch = (color) =>
+  element("span", { class: "swatch", style: `background:${cssColor(color)}`, "aria-hidden": "true" });
 
 /** Calls `action` when nothing has asked for it for `wait` milliseconds. */
 function debounced(wait, action) {

@@ -68,7 +68,9 @@ class Drawer {
     const paint = moving ? this.painter(drawn, frame) : this.bands(frame);
     const running = (this.running = { moving });
     try {
-      const answer = await this.engine.ask("draw", { scene, view, frame: drawn }, (part) => paint.rows(part.y, part.bytes));
+      const answer = await this.engine.ask("draw", { scene, view, frame: drawn }, (part) =>
+        paint.rows(part.y, part.bytes),
+      );
       if (this.running !== running) return;
       this.running = null;
       this.perSample = answer.time / (drawn.width * drawn.height * drawn.smooth ** 2);

@@ -49,7 +49,9 @@ class Editor {
   /** Shows an error, at its line if it has one. */
   refuse({ error, line, column }) {
     const box = byId("error");
-    const place = line ? ["Line ", element("span", { id: "error-line" }, String(line)), column ? `, column ${column}: ` : ": "] : [];
+    const place = line
+      ? ["Line ", element("span", { id: "error-line" }, String(line)), column ? `, column ${column}: ` : ": "]
+      : [];
     box.replaceChildren(...place, error.replace(/^line \d+, column \d+: /, ""));
     if (line) {
       const go = element("button", { type: "button", class: "link" }, "Go to the line");

@@ -64,7 +64,8 @@ async function ifWanted(promise) {
   try {
     return await promise;
   } catch (error) {
-    if (error instanceof Stopped) say(`The library stopped at a question and was started again. (${error.message})`, 12);
+    if (error instanceof Stopped)
+      say(`The library stopped at a question and was started again. (${error.message})`, 12);
     if (error instanceof Cancelled || error instanceof Refused || error instanceof Stopped) return null;
     throw error;
   }

@@ -3,7 +3,8 @@
 function showFrame({ time, rays, missing_levels, report }) {
   byId("time").textContent = milliseconds(time);
   byId("rays").textContent = count(rays);
-  byId("missing").textContent = missing_levels < 0.05 ? "none that shows" : `${missing_levels.toFixed(1)} levels of 255`;
+  byId("missing").textContent =
+    missing_levels < 0.05 ? "none that shows" : `${missing_levels.toFixed(1)} levels of 255`;
   byId("report").textContent = report;
 }
 
@@ -38,7 +39,8 @@ function boardRows(boards, name, ratio) {
   return boards
     .filter((row) => row.scene === name)
     .map((row) => {
-      const value = ratio === null ? rate(row.frames_per_second) : `about ${(row.frames_per_second * ratio).toPrecision(2)}`;
+      const value =
+        ratio === null ? rate(row.frames_per_second) : `about ${(row.frames_per_second * ratio).toPrecision(2)}`;
       return element("tr", {}, element("th", { scope: "row" }, row.board), element("td", {}, value));
     });
 }

@@ -79,7 +79,9 @@ class Picture {
     const points = [first, ...(known < 0 ? seen : seen.slice(0, known))];
     const line = points.map((point) => point.join(",")).join(" ");
     const dot = Math.max(this.width, this.height) / 100;
-    const marks = points.map(([x, y], i) => drawing("circle", { cx: x, cy: y, r: i === 0 ? dot * 1.4 : dot, class: i === 0 ? "start" : "hit" }));
+    const marks = points.map(([x, y], i) =>
+      drawing("circle", { cx: x, cy: y, r: i === 0 ? dot * 1.4 : dot, class: i === 0 ? "start" : "hit" }),
+    );
     this.overlay.replaceChildren(
       drawing("polyline", { points: line, class: "under" }),
       drawing("polyline", { points: line, class: "over" }),

@@ -13,7 +13,9 @@ class PixelLesson {
     picture.canvas.addEventListener("click", (event) => this.choose(picture.dotAt(event)));
     picture.canvas.addEventListener("keydown", (event) => this.key(event));
     for (const id of ["pixel-x", "pixel-y"]) {
-      byId(id).addEventListener("change", () => this.choose({ x: Number(byId("pixel-x").value), y: Number(byId("pixel-y").value) }));
+      byId(id).addEventListener("change", () =>
+        this.choose({ x: Number(byId("pixel-x").value), y: Number(byId("pixel-y").value) }),
+      );
     }
     radios("channel", (value) => {
       this.channel = Number(value);
@@ -23,12 +25,18 @@ class PixelLesson {
 
   get pixel() {
     const { width, height } = this.picture;
-    return { x: Math.min(Math.floor(this.at.across * width), width - 1), y: Math.min(Math.floor(this.at.down * height), height - 1) };
+    return {
+      x: Math.min(Math.floor(this.at.across * width), width - 1),
+      y: Math.min(Math.floor(this.at.down * height), height - 1),
+    };
   }
 
   choose({ x, y }) {
     const { width, height } = this.picture;
-    this.at = { across: (clamp(Math.round(x), 0, width - 1) + 0.5) / width, down: (clamp(Math.round(y), 0, height - 1) + 0.5) / height };
+    this.at = {
+      across: (clamp(Math.round(x), 0, width - 1) + 0.5) / width,
+      down: (clamp(Math.round(y), 0, height - 1) + 0.5) / height,
+    };
     this.showCursor();
     this.isChosen = true;
     this.asked();
@@ -125,7 +133,12 @@ function pathRows({ steps, missed, background, sum }) {
         cell("0"),
         cell(short(weight)),
         cell(swatch(color), triple(color, 3)),
-        cell(triple(color.map((value) => weight * value), 3)),
+        cell(
+          triple(
+            color.map((value) => weight * value),
+            3,
+          ),
+        ),
         cell(swatch(sum), triple(sum, 3)),
         cell("0"),
       ),
@@ -154,7 +167,9 @@ function recursion({ steps, missed, background, end }, channel) {
     const { alpha, color } = steps[i];
     const next = value;
     value = (1 - alpha) * color[channel] + alpha * next;
-    lines.push(`c(${i}) = (1 − ${fixed(alpha, 3)}) · ${fixed(color[channel])} + ${fixed(alpha, 3)} · ${fixed(next)} = ${fixed(value)}`);
+    lines.push(
+      `c(${i}) = (1 − ${fixed(alpha, 3)}) · ${fixed(color[channel])} + ${fixed(alpha, 3)} · ${fixed(next)} = ${fixed(value)}`,
+    );
   }
   return { lines, value };
 }
@@ -168,12 +183,17 @@ function loop({ steps, missed, background }, channel) {
     const share = weight - alpha * weight;
     sum += share * color[channel];
     weight *= alpha;
-    lines.push(`i = ${i}:  s += ${fixed(share)} · ${fixed(color[channel])}  → s = ${fixed(sum)},  w = ${fixed(weight)}`);
+    lines.push(
+      `i = ${i}:  s += ${fixed(share)} · ${fixed(color[channel])}  → s = ${fixed(sum)},  w = ${fixed(weight)}`,
+    );
   });
   if (missed) {
     const added = background ? background[channel] : 0;
     sum += weight * added;
     lines.push(`miss:   s += ${fixed(weight)} · ${fixed(added)}  → s = ${fixed(sum)}`);
-  } else lines.push(weight === 0 ? "w = 0: stop" : `stop: at most w = ${fixed(weight)} times the brightest colour is missing`);
+  } else
+    lines.push(
+      weight === 0 ? "w = 0: stop" : `stop: at most w = ${fixed(weight)} times the brightest colour is missing`,
+    );
   return { lines, value: sum };
 }

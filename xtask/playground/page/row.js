@@ -73,7 +73,8 @@ class RowLesson {
     byId("row-y").max = this.picture.height - 1;
     byId("row-y").value = this.row;
     byId("row-value").textContent = this.row;
-    byId("row-count").textContent = `Row ${this.row}: ${runs.length === 1 ? "1 run" : `${runs.length} runs`} in ${this.picture.width} pixels.`;
+    byId("row-count").textContent =
+      `Row ${this.row}: ${runs.length === 1 ? "1 run" : `${runs.length} runs`} in ${this.picture.width} pixels.`;
     const deepest = Math.max(1, ...runs.map((run) => run.levels.length));
     this.bars.replaceChildren(...Array.from({ length: deepest }, (_, level) => this.level(level)).flat());
     this.select(clamp(this.current, 0, runs.length - 1));
@@ -85,18 +86,34 @@ class RowLesson {
     const width = this.picture.width;
     const lights = this.lights * (LIGHT + GAP);
     const height = BAR + GAP + lights;
-    const bars = drawing("svg", { viewBox: `0 0 ${width} ${height}`, height, preserveAspectRatio: "none", "aria-hidden": "true" });
+    const bars = drawing("svg", {
+      viewBox: `0 0 ${width} ${height}`,
+      height,
+      preserveAspectRatio: "none",
+      "aria-hidden": "true",
+    });
     for (const run of this.runs) {
       const step = run.levels[level];
       const box = { x: run.from, width: run.to - run.from + 1 };
       if (!step) {
-        if (level === run.levels.length && run.missed) bars.append(drawing("rect", { ...box, y: 0, height: BAR, class: "nothing" }, drawing("title", {}, "nothing")));
+        if (level === run.levels.length && run.missed)
+          bars.append(
+            drawing("rect", { ...box, y: 0, height: BAR, class: "nothing" }, drawing("title", {}, "nothing")),
+          );
         continue;
       }
-      bars.append(drawing("rect", { ...box, y: 0, height: BAR, fill: this.color(step.shape), class: "run" }, drawing("title", {}, step.shape)));
+      bars.append(
+        drawing(
+          "rect",
+          { ...box, y: 0, height: BAR, fill: this.color(step.shape), class: "run" },
+          drawing("title", {}, step.shape),
+        ),
+      );
       for (let light = 0; light < this.lights; light++) {
         const lit = step.lights.includes(light);
-        bars.append(drawing("rect", { ...box, y: BAR + GAP + light * (LIGHT + GAP), height: LIGHT, class: lit ? "lit" : "dark" }));
+        bars.append(
+          drawing("rect", { ...box, y: BAR + GAP + light * (LIGHT + GAP), height: LIGHT, class: lit ? "lit" : "dark" }),
+        );
       }
     }
     return [element("p", { class: "level" }, this.levelName(level)), bars];
@@ -104,7 +121,9 @@ class RowLesson {
 
   levelName(level) {
     if (level === 0) return "First hit";
-    const flat = this.runs.every((run) => run.levels.length <= level || run.levels.slice(0, level).every((step) => step.flat));
+    const flat = this.runs.every(
+      (run) => run.levels.length <= level || run.levels.slice(0, level).every((step) => step.flat),
+    );
     const mirrors = `${flat ? "flat " : ""}${level === 1 ? "mirror" : "mirrors"}`;
     return `After ${["", "one", "two", "three", "four"][level] ?? level} ${mirrors}`;
   }
@@ -113,11 +132,15 @@ class RowLesson {
     const run = this.runs[this.current];
     const y = this.row;
     const line = { x1: 0, x2: this.picture.width, y1: y + 0.5, y2: y + 0.5 };
-    this.picture.overlay.replaceChildren(drawing("line", { ...line, class: "under" }), drawing("line", { ...line, class: "over" }));
+    this.picture.overlay.replaceChildren(
+      drawing("line", { ...line, class: "under" }),
+      drawing("line", { ...line, class: "over" }),
+    );
     if (run) this.picture.overlay.append(drawing("line", { ...line, x1: run.from, x2: run.to + 1, class: "chosen" }));
     for (const bars of this.bars.querySelectorAll("svg")) {
       bars.querySelector(".chosen")?.remove();
-      if (run) bars.append(drawing("rect", { x: run.from, width: run.to - run.from + 1, y: 0, height: BAR, class: "chosen" }));
+      if (run)
+        bars.append(drawing("rect", { x: run.from, width: run.to - run.from + 1, y: 0, height: BAR, class: "chosen" }));
     }
   }
 
@@ -128,7 +151,15 @@ class RowLesson {
     byId("row-legend").replaceChildren(
       ...[...shapes].map((shape) => item(chip(`background:${this.color(shape)}`), shape)),
       item(chip("", "nothing"), "nothing: the background"),
-      ...(this.lights > 0 ? [item(chip("", "lit"), this.lights === 1 ? "thin bar: light 0 reaches it" : `thin bars: lights 0 to ${this.lights - 1} reach it`), item(chip("", "dark"), "it is in shadow")] : []),
+      ...(this.lights > 0
+        ? [
+            item(
+              chip("", "lit"),
+              this.lights === 1 ? "thin bar: light 0 reaches it" : `thin bars: lights 0 to ${this.lights - 1} reach it`,
+            ),
+            item(chip("", "dark"), "it is in shadow"),
+          ]
+        : []),
     );
   }
 }

@@ -38,7 +38,14 @@ class Series {
       { label: "Bound: Π α · brightest colour", kind: "bound", points: points("bound") },
       { label: "Largest error", kind: "largest", points: points("largest") },
       { label: "Mean error", kind: "mean", points: points("mean") },
-      { label: "Half a level", kind: "half", points: [[0, 0.5], [MOST_REFLECTIONS, 0.5]] },
+      {
+        label: "Half a level",
+        kind: "half",
+        points: [
+          [0, 0.5],
+          [MOST_REFLECTIONS, 0.5],
+        ],
+      },
     ];
     const most = Math.max(255, ...rows.map((row) => row.bound));
     showChart(byId("errors-chart"), {
@@ -50,7 +57,15 @@ class Series {
     const cell = (value) => element("td", {}, value);
     byId("errors-table").replaceChildren(
       ...rows.map((row) =>
-        element("tr", {}, element("th", { scope: "row" }, String(row.reflections)), cell(short(row.largest)), cell(short(row.mean)), cell(short(row.bound)), cell(count(row.rays))),
+        element(
+          "tr",
+          {},
+          element("th", { scope: "row" }, String(row.reflections)),
+          cell(short(row.largest)),
+          cell(short(row.mean)),
+          cell(short(row.bound)),
+          cell(count(row.rays)),
+        ),
       ),
     );
   }
@@ -92,7 +107,13 @@ class Series {
     const cell = (values) => element("td", {}, values.join("  "));
     byId("room-table").replaceChildren(
       ...rows.map((row) =>
-        element("tr", {}, element("th", { scope: "row" }, String(row.reflections)), cell(row.pixel), cell(channels.map((_, channel) => formula(row.reflections, channel).toFixed(1)))),
+        element(
+          "tr",
+          {},
+          element("th", { scope: "row" }, String(row.reflections)),
+          cell(row.pixel),
+          cell(channels.map((_, channel) => formula(row.reflections, channel).toFixed(1))),
+        ),
       ),
     );
   }
