@@ -39,6 +39,7 @@ class PixelLesson {
     };
     this.showCursor();
     this.isChosen = true;
+    byId("path-table").setAttribute("aria-busy", "true");
     this.asked();
   }
 
@@ -83,6 +84,7 @@ class PixelLesson {
     this.picture.showPath(this.pixel, path.steps);
     if (this.isChosen) this.large.showPath(this.pixel, path.steps);
     byId("path-table").replaceChildren(...pathRows(path));
+    byId("path-table").setAttribute("aria-busy", "false");
     byId("path-sum").replaceChildren(swatch(path.sum), triple(path.sum));
     byId("path-pixel").replaceChildren(swatch(path.pixel.map((level) => level / 255)), path.pixel.join("  "));
     byId("path-end").textContent = pathEnd(path);
