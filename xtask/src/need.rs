@@ -99,6 +99,22 @@ pub static QEMU_RISCV: Need = Need {
     without: None,
 };
 
+pub static WASM: Need = Need {
+    name: "target for WebAssembly",
+    is_there: toolchain::has_wasm,
+    get: toolchain::get_wasm,
+    by_hand: "rustup target add wasm32-unknown-unknown",
+    without: Some("the gate names the playground as untried"),
+};
+
+pub static CHROMIUM: Need = Need {
+    name: "Chromium",
+    is_there: || runs("chromium"),
+    get: || apt::install(&["chromium"]),
+    by_hand: "as root: apt-get install --no-install-recommends chromium",
+    without: Some("the gate names the playground as untried"),
+};
+
 pub static OLDEST_RUST: Need = Need {
     name: "oldest supported Rust",
     is_there: toolchain::has_oldest_rust,
