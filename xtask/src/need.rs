@@ -1,5 +1,5 @@
-//! Programs and libraries outside the repository that the chores use. Setup installs all of them. A chore
-//! installs those that it is about to use.
+//! Programs and libraries outside the repository that the chores use. Setup installs those of the gate. A
+//! chore installs those that it is about to use.
 
 use std::sync::Mutex;
 
@@ -109,9 +109,9 @@ pub static WASM: Need = Need {
 
 pub static CHROMIUM: Need = Need {
     name: "Chromium",
-    is_there: || runs("chromium"),
-    get: || apt::install(&["chromium"]),
-    by_hand: "as root: apt-get install --no-install-recommends chromium",
+    is_there: || runs("chromium") && runs("chromedriver"),
+    get: || apt::install(&["chromium", "chromium-driver"]),
+    by_hand: "as root: apt-get install --no-install-recommends chromium chromium-driver",
     without: Some("the gate names the playground as untried"),
 };
 

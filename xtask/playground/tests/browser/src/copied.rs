@@ -1,9 +1,9 @@
 //! Compiles scenes that the page copied as Rust, all in one program, and runs it on this machine.
 
+use std::fs;
 use std::process::Command;
-use std::{env, fs};
 
-use crate::site::repository;
+use crate::site::{repository, target};
 
 /// What the program does with each scene, and how it takes the time of the castle's frames: single ones,
 /// in one thread, while the camera orbits.
@@ -65,10 +65,9 @@ pub fn run(sources: &[String]) -> Vec<String> {
         "src/main.rs",
         &format!("{modules}{MAIN}fn main() {{\n{calls}}}\n"),
     );
-    let target = env::var_os("CARGO_TARGET_DIR").map_or(root.join("target"), |it| root.join(it));
     let cargo = Command::new("cargo")
         .args(["run", "--release", "--target-dir"])
-        .arg(target.join("copied"))
+        .arg(target().join("copied"))
         .current_dir(folder.path())
         .output()
         .unwrap();

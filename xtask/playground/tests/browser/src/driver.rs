@@ -142,6 +142,15 @@ impl Tab {
     pub fn wait(&self, milliseconds: u64) {
         thread::sleep(Duration::from_millis(milliseconds));
     }
+
+    /// Waits until the body returns `true`, for 20 s at most.
+    pub fn wait_for(&self, body: &str) {
+        let is_true = |_| {
+            self.wait(20);
+            self.run(body) == json!(true)
+        };
+        assert!((0..1000).any(is_true), "{body}");
+    }
 }
 
 impl Drop for Tab {

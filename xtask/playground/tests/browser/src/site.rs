@@ -8,7 +8,6 @@ use std::sync::OnceLock;
 use std::{env, fs};
 
 use serde_json::Value;
-use tempfile::TempDir;
 
 use crate::driver::Tab;
 
@@ -18,29 +17,31 @@ pub fn repository() -> PathBuf {
 
 /// Returns the command `cargo xtask playground`. The gate names the program that it has built.
 pub fn playground() -> Command {
-    let mut command = match env::var_os("XTASK") {
-        Some(program) => Command::new(program),
-        None => Command::new("cargo"),
-    };
-    if env::var_os("XTASK").is_none() {
-        command.arg("xtask");
-    }
+    let built = env::var_os("XTASK").map(Command::new);
+    let mut command = built.unwrap_or_else(|| {
+        let mut cargo = Command::new("cargo");
+        cargo.arg("xtask");
+        cargo
+    });
     command.arg("playground").current_dir(repository());
     command
 }
 
+/// Returns cargo's target folder.
+pub fn target() -> PathBuf {
+    repository().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
+}
+
 /// Builds the page once. Returns its address as a file.
 pub fn address() -> &'static str {
-    static SITE: OnceLock<(TempDir, String)> = OnceLock::new();
-    let (_, address) = SITE.get_or_init(|| {
-        let folder = tempfile::tempdir().unwrap();
-        let built = playground().arg("--out").arg(folder.path()).status();
+    static ADDRESS: OnceLock<String> = OnceLock::new();
+    ADDRESS.get_or_init(|| {
+        let folder = target().join("browser");
+        let built = playground().arg("--out").arg(&folder).status();
         assert!(built.unwrap().success());
-        let page = folder.path().join("index.html");
-        let address = format!("file://{}", page.display());
-        (folder, address)
-    });
-    address
+        let page = folder.join("index.html").canonicalize().unwrap();
+        format!("file://{}", page.display())
+    })
 }
 
 /// Returns the hashes that an emulated Cortex-M3 reported.
@@ -59,17 +60,21 @@ impl Tab {
     /// Opens an address and waits for the picture.
     pub fn visit(&self, address: &str) {
         self.go(address);
-        assert_eq!(self.settled(), "ready");
+        let state = self.settled();
+        assert!(
+            state == "ready",
+            "{state}: {} {:?}",
+            self.text_of("error"),
+            self.log()
+        );
     }
 
     /// Waits until the page has drawn or refused what it was asked for last. Returns its state.
     pub fn settled(&self) -> String {
         // The page waits for the end of typing.
         self.wait(400);
-        self.text(
-            "while (document.body.dataset.state === 'drawing') await new Promise((it) => setTimeout(it, 20));
-             return document.body.dataset.state;",
-        )
+        self.wait_for("return document.body.dataset.state !== 'drawing';");
+        self.text("return document.body.dataset.state;")
     }
 
     /// Chooses a value of an element, as a user does.
