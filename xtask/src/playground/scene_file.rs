@@ -1,8 +1,8 @@
 //! Writes a scene as a scene file, laid out for reading: one part a line, and nothing that is the
 //! default.
 
+use reflet::Number;
 use reflet::host::reference::{Camera, Checker, Light, Material, Scene, Shape, Sky};
-use reflet::{self, Number};
 
 /// Returns the names of a built-in scene's materials, from its source: the constants in the order in
 /// which the parts name them first. If that is not one for each material, they are numbered.
@@ -33,8 +33,8 @@ pub fn materials(source: &str, scene: &Scene) -> Vec<String> {
 pub fn text(name: &str, materials: &[String], scene: &Scene, camera: &Camera) -> String {
     let named = materials.iter().zip(&scene.materials);
     let mut entries = vec![
-        format!("\"name\": {}", quoted(name)),
-        format!("\"camera\": {}", view(camera)),
+        format!(r#""name": {}"#, quoted(name)),
+        format!(r#""camera": {}"#, view(camera)),
     ];
     entries.extend(list(
         "materials",
@@ -49,14 +49,14 @@ pub fn text(name: &str, materials: &[String], scene: &Scene, camera: &Camera) ->
         ));
     }
     match &scene.sky {
-        Some(it) => entries.push(format!("\"sky\": {}", sky(it))),
+        Some(it) => entries.push(format!(r#""sky": {}"#, sky(it))),
         None if scene.background != [0.0; 3] => {
-            entries.push(format!("\"background\": {}", vector(scene.background)));
+            entries.push(format!(r#""background": {}"#, vector(scene.background)));
         }
         None => {}
     }
     if scene.epsilon != Scene::default().epsilon {
-        entries.push(format!("\"epsilon\": {}", scene.epsilon));
+        entries.push(format!(r#""epsilon": {}"#, scene.epsilon));
     }
     format!("{{\n  {}\n}}\n", entries.join(",\n  "))
 }
@@ -69,12 +69,9 @@ fn list(name: &str, parts: impl Iterator<Item = String>) -> Option<String> {
 }
 
 fn view(camera: &Camera) -> String {
-    object(&[
-        ("position", vector(camera.position)),
-        ("target", vector(camera.target)),
-        ("up", vector(camera.up)),
-        ("fov", camera.fov.to_string()),
-    ])
+    let [position, target, up] = [camera.position, camera.target, camera.up].map(vector);
+    let fov = camera.fov;
+    format!(r#"{{ "position": {position}, "target": {target}, "up": {up}, "fov": {fov} }}"#)
 }
 
 fn material(name: &str, material: &Material) -> String {
@@ -102,17 +99,13 @@ fn material(name: &str, material: &Material) -> String {
 }
 
 fn checker(checker: &Checker) -> String {
-    object(&[
-        ("color", vector(checker.color)),
-        ("size", vector(checker.size)),
-    ])
+    let [color, size] = [checker.color, checker.size].map(vector);
+    format!(r#"{{ "color": {color}, "size": {size} }}"#)
 }
 
 fn light(light: &Light) -> String {
-    object(&[
-        ("position", vector(light.position)),
-        ("color", vector(light.color)),
-    ])
+    let [position, color] = [light.position, light.color].map(vector);
+    format!(r#"{{ "position": {position}, "color": {color} }}"#)
 }
 
 fn shape(shape: &Shape<'_>, material: &str) -> String {
@@ -122,27 +115,26 @@ fn shape(shape: &Shape<'_>, material: &str) -> String {
         _ => &["center", "normal", "radius"],
     };
     // As source of Rust, `1.0` stands for 1.
-    let fields = shape.fields.iter().map(|field| format!("{field:?}"));
     let short = |it: String| it.replace(".0,", ",").replace(".0]", "]");
-    let fields = fields.map(|it| short(it + ",").trim_end_matches(',').to_owned());
+    let fields = shape
+        .fields
+        .iter()
+        .map(|field| short(format!("{field:?},")));
+    let fields = fields.map(|it| it.trim_end_matches(',').to_owned());
     let mut pairs: Vec<_> = keys.iter().copied().zip(fields).collect();
     pairs.push(("material", quoted(material)));
     object(&pairs)
 }
 
 fn sky(sky: &Sky) -> String {
-    object(&[
-        ("up", vector(sky.up)),
-        ("below", vector(sky.below)),
-        ("horizon", vector(sky.horizon)),
-        ("above", vector(sky.above)),
-    ])
+    let [up, below, horizon, above] = [sky.up, sky.below, sky.horizon, sky.above].map(vector);
+    format!(r#"{{ "up": {up}, "below": {below}, "horizon": {horizon}, "above": {above} }}"#)
 }
 
 fn object(fields: &[(&str, String)]) -> String {
     let fields = fields
         .iter()
-        .map(|(key, value)| format!("\"{key}\": {value}"));
+        .map(|(key, value)| format!(r#""{key}": {value}"#));
     format!("{{ {} }}", fields.collect::<Vec<_>>().join(", "))
 }
 
@@ -162,32 +154,31 @@ mod tests {
 
     #[test]
     fn scene_with_everything_is_read_again_as_it_was() {
-        let file = "{
-  \"name\": \"still life\",
-  \"camera\": { \"position\": [1, -5, 2.5], \"target\": [0, 0, 1], \"up\": [0, 0.5, 1], \"fov\": 40.25 },
-  \"materials\": [
-    { \"name\": \"old clay\", \"color\": [0.5, 0.25, 0.125], \"ambient\": 0.3, \"shininess\": 2, \"mirror\": 0.5, \
-            \"checker\": { \"color\": [0.5, 0.75, 1], \"size\": [1, 0, 2] } }
+        let file = r#"{
+  "name": "still life",
+  "camera": { "position": [1, -5, 2.5], "target": [0, 0, 1], "up": [0, 0.5, 1], "fov": 40.25 },
+  "materials": [
+    { "name": "old clay", "color": [0.5, 0.25, 0.125], "ambient": 0.3, "mirror": 0.5, "checker": { "color": [0, 0, 1], "size": [1, 0, 2] } }
   ],
-  \"lights\": [
-    { \"position\": [3, -4, 6], \"color\": [1, 0.5, 0.25] }
+  "lights": [
+    { "position": [3, -4, 6], "color": [1, 0.5, 0.25] }
   ],
-  \"spheres\": [
-    { \"center\": [10, 0, 1.05], \"radius\": 1, \"material\": \"old clay\" }
+  "spheres": [
+    { "center": [10, 0, 1.05], "radius": 1, "material": "old clay" }
   ],
-  \"planes\": [
-    { \"center\": [0, 0, -1], \"normal\": [0, 0, 2], \"material\": \"old clay\" }
+  "planes": [
+    { "center": [0, 0, -1], "normal": [0, 0, 2], "material": "old clay" }
   ],
-  \"cylinders\": [
-    { \"center\": [2, 0, 1], \"axis\": [0, 0, 3], \"radius\": 0.5, \"height\": 2, \"material\": \"old clay\" }
+  "cylinders": [
+    { "center": [2, 0, 1], "axis": [0, 0, 3], "radius": 0.5, "height": 2, "material": "old clay" }
   ],
-  \"discs\": [
-    { \"center\": [2, 0, 3], \"normal\": [0, 0, 4], \"radius\": 0.75, \"material\": \"old clay\" }
+  "discs": [
+    { "center": [2, 0, 3], "normal": [0, 0, 4], "radius": 0.75, "material": "old clay" }
   ],
-  \"sky\": { \"up\": [0, 0, 5], \"below\": [0.125, 0.25, 0.375], \"horizon\": [0.5, 1, 2], \"above\": [0.0625, 0, 1] },
-  \"epsilon\": 0.0078125
+  "sky": { "up": [0, 0, 5], "below": [0.125, 0.25, 0.375], "horizon": [0.5, 1, 2], "above": [0.0625, 0, 1] },
+  "epsilon": 0.0078125
 }
-";
+"#;
         let read = SceneFile::parse(file, None).unwrap();
         let (scene, camera) = read.reference();
         assert_eq!(text("still life", read.materials(), &scene, &camera), file);
