@@ -52,6 +52,7 @@ pub fn run(sources: &[String]) -> Vec<String> {
         manifest += &format!("{package} = {{ path = {:?} }}\n", root.join(path));
     }
     write("Cargo.toml", &manifest);
+    fs::copy(root.join("Cargo.lock"), folder.path().join("Cargo.lock")).unwrap();
     let (mut modules, mut calls) = (String::new(), String::new());
     for (at, source) in sources.iter().enumerate() {
         write(&format!("src/s{at}.rs"), source);

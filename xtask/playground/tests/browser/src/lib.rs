@@ -9,7 +9,7 @@ mod site;
 
 use driver::{Tab, started};
 use serde_json::{Value, json};
-use site::{address, kept_hashes, playground};
+use site::{address, built, kept_hashes, playground};
 
 #[test]
 fn page_opens_from_its_file_without_a_word_in_the_log() {
@@ -21,6 +21,16 @@ fn page_opens_from_its_file_without_a_word_in_the_log() {
         first.as_f64().unwrap()
     );
     assert_eq!(tab.log(), Vec::<Value>::new());
+}
+
+#[test]
+fn page_is_no_larger_than_it_may_be() {
+    let size = built().1.rsplit("index.html: ").next().unwrap();
+    println!("{}", size.trim());
+    let [_, page, _, wasm] = numbers(size)[..] else {
+        panic!("{size}");
+    };
+    assert!(page <= 350_000.0 && wasm <= 200_000.0, "{size}");
 }
 
 #[test]
@@ -159,6 +169,7 @@ fn everything_can_be_reached_on_a_telephone() {
         "const page = document.documentElement;
          if (innerWidth !== 390 || page.scrollWidth > innerWidth) return [innerWidth, page.scrollWidth];
          const all = [...document.querySelectorAll('button, select, input, textarea, canvas, summary, a[href]')];
+         if (all.length < 20) return all.length;
          return all.filter((it) => it.checkVisibility() && !it.matches('.skip') && !it.closest('dialog')).filter((it) => {
            it.scrollIntoView({ block: 'center', behavior: 'instant' });
            const box = it.getBoundingClientRect();
@@ -190,6 +201,44 @@ fn link_restores_the_scene_that_it_contains() {
     tab.visit(&link);
     assert_eq!(tab.text("return window.reflet.text();"), text);
     assert_eq!(tab.hash(), hash);
+}
+
+#[test]
+fn every_setting_is_drawn_and_the_camera_orbits_and_zooms() {
+    let tab = Tab::open();
+    tab.visit(address());
+    for id in ["preset", "quality", "shading", "smooth"] {
+        let values = tab.run(&format!(
+            "return [...document.getElementById('{id}').options].map((it) => it.value);"
+        ));
+        let values = values.as_array().unwrap();
+        assert!(values.len() > 1, "{id}");
+        values
+            .iter()
+            .for_each(|it| tab.choose(id, it.as_str().unwrap()));
+    }
+    tab.choose("n", "0");
+    let mut hashes = vec![tab.hash()];
+    for event in [
+        "new KeyboardEvent('keydown', { key: 'ArrowUp', bubbles: true })",
+        "new WheelEvent('wheel', { deltaY: 100 })",
+    ] {
+        tab.run(&format!(
+            "document.getElementById('picture').dispatchEvent({event});"
+        ));
+        assert_eq!(tab.settled(), "ready");
+        assert!(!hashes.contains(&tab.hash()), "{event}");
+        hashes.push(tab.hash());
+    }
+    for id in ["row-bars", "errors-chart"] {
+        tab.run(&format!(
+            "document.getElementById('{id}').scrollIntoView();"
+        ));
+        tab.wait_for(&format!(
+            "return document.getElementById('{id}').childElementCount > 0;"
+        ));
+    }
+    assert_eq!(tab.log(), Vec::<Value>::new());
 }
 
 /// Returns the numbers in a text.

@@ -32,16 +32,22 @@ pub fn target() -> PathBuf {
     repository().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
 
-/// Builds the page once. Returns its address as a file.
-pub fn address() -> &'static str {
-    static ADDRESS: OnceLock<String> = OnceLock::new();
-    ADDRESS.get_or_init(|| {
+/// Builds the page once. Returns its address as a file, and what the command says of its size.
+pub fn built() -> &'static (String, String) {
+    static BUILT: OnceLock<(String, String)> = OnceLock::new();
+    BUILT.get_or_init(|| {
         let folder = target().join("browser");
-        let built = playground().arg("--out").arg(&folder).status();
-        assert!(built.unwrap().success());
+        let built = playground().arg("--out").arg(&folder).output().unwrap();
+        let words = String::from_utf8_lossy(&built.stderr);
+        assert!(built.status.success(), "{words}");
         let page = folder.join("index.html").canonicalize().unwrap();
-        format!("file://{}", page.display())
+        let size = String::from_utf8(built.stdout).unwrap();
+        (format!("file://{}", page.display()), size)
     })
+}
+
+pub fn address() -> &'static str {
+    &built().0
 }
 
 /// Returns the hashes that an emulated Cortex-M3 reported.
