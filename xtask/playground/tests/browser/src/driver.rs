@@ -88,6 +88,8 @@ impl Tab {
             "timeouts": { "script": 120_000 },
         });
         let mut driver = Command::new("chromedriver");
+        // Chromium leaves empty folders there.
+        driver.env("TMPDIR", profile.path());
         let (driver, port) = started(driver.arg("--port=0"), "started successfully on port ");
         let address = format!("http://127.0.0.1:{}", port.trim_end_matches('.'));
         let runtime = Builder::new_current_thread().enable_all().build().unwrap();
