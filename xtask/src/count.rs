@@ -173,7 +173,7 @@ mod tests {
     const MOST_CODE: usize = 16_823;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 36_971;
+    const MOST_OUTSIDE: usize = 38_274;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;
