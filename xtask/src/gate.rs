@@ -39,7 +39,7 @@ const LIMIT: Duration = Duration::from_secs(60 * 60);
 const LANES: usize = 4;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
-const ALONE: [&str; 15] = [
+const ALONE: [&str; 16] = [
     "examples/blackpill",
     "examples/esp32c3",
     "examples/microbit",
@@ -53,6 +53,7 @@ const ALONE: [&str; 15] = [
     "xtask/firmware",
     "xtask/no_panic",
     "xtask/playground",
+    "xtask/playground/drawing",
     "xtask/playground/tests/browser",
     "xtask/stack_peak",
 ];
@@ -377,7 +378,7 @@ fn playground() -> Result<Vec<Step>> {
     need::CHROMIUM.get_if_missing()?;
     let (library, browser) = ("xtask/playground", "xtask/playground/tests/browser");
     let alone = |subcommand: &str, package: &str| {
-        let cargo = cargo(subcommand).args(["--locked", "--manifest-path"]);
+        let cargo = cargo(subcommand).args(["--workspace", "--locked", "--manifest-path"]);
         let cargo = cargo.args([format!("{package}/Cargo.toml")]);
         cargo.args(["--target-dir".as_ref(), target_directory().as_os_str()])
     };

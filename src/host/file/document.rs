@@ -117,6 +117,7 @@ impl<'de> Deserialize<'de> for Size {
 ///
 /// The first character decides which of the two is read. So the error for a mistake deep inside names
 /// its own line and column.
+#[inline]
 pub(super) fn read(text: &str) -> Result<Vec<Scene>, FileError> {
     // Some editors put a byte-order mark at the start of a file.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);

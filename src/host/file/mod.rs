@@ -188,6 +188,7 @@ impl SceneFile {
     ///     "choose one of the scenes a, b"
     /// );
     /// ```
+    #[inline] // So that the parser is compiled for the program that calls it, small or fast as its profile says.
     pub fn parse(text: &str, name: Option<&str>) -> Result<Self, FileError> {
         let scenes = document::read(text)?;
         let chosen = resolve::choose(scenes, name).map_err(FileError::new)?;
@@ -210,6 +211,7 @@ impl SceneFile {
     /// assert_eq!((scenes.len(), scenes[1].name()), (2, Some("b")));
     /// assert!(SceneFile::parse_all("[]").unwrap().is_empty());
     /// ```
+    #[inline]
     pub fn parse_all(text: &str) -> Result<Vec<Self>, FileError> {
         let scenes = document::read(text)?;
         scenes.into_iter().map(Self::of).collect()

@@ -15,7 +15,7 @@ class Refused extends Error {
 class Stopped extends Error {}
 
 class Engine {
-  /** `wasm` is the module's bytes, `source` the worker's text. */
+  /** `wasm` is the deflated module, `source` the worker's text. */
   constructor(wasm, source) {
     this.wasm = wasm;
     this.url = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));

@@ -177,11 +177,16 @@ function begin(request) {
   wake.port2.postMessage(0);
 }
 
+/** Loads the library from its deflated module. */
+async function load(deflated) {
+  const bytes = new Blob([deflated]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+  const module = new Response(bytes, { headers: { "Content-Type": "application/wasm" } });
+  library = (await WebAssembly.instantiateStreaming(module)).instance.exports;
+}
+
 onmessage = async ({ data }) => {
   if (data.wasm) {
-    started = WebAssembly.instantiate(data.wasm, {}).then(({ instance }) => {
-      library = instance.exports;
-    });
+    started = load(data.wasm);
     started.catch((error) => postMessage({ stopped: String(error && error.message) }));
     return;
   }

@@ -1,12 +1,11 @@
 //! The error of a picture that ends its paths early, and the bound of it.
 
+use drawing::{Settings, prepared};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use reflet::Report;
 use serde::Serialize;
 
-use crate::lines::prepared;
 use crate::opened::Opened;
-use crate::settings::Settings;
 
 /// Number of reflections of the picture that others are compared with.
 pub(crate) const MANY: u32 = 64;

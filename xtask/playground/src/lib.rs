@@ -5,20 +5,17 @@
 
 mod accuracy;
 mod answer;
-mod display;
 pub mod exports;
-mod frame;
-mod lines;
 mod opened;
 mod paths;
 mod place;
 mod projection;
-mod settings;
+mod told;
 
 pub use answer::Answer;
-pub use settings::Settings;
+pub use drawing::Settings;
 
-use frame::Frame;
+use drawing::Frame;
 use opened::Opened;
 
 /// All that a page works with: the scene, and the frame that is drawn of it.
@@ -69,7 +66,7 @@ impl Playground {
         if let Err(error) = settings.check() {
             return Answer::error(error);
         }
-        self.frame = Some(Frame::new(opened, settings));
+        self.frame = Some(Frame::new(&opened.scene, &opened.view, settings));
         Answer::nothing()
     }
 
@@ -77,7 +74,7 @@ impl Playground {
     /// without a frame or beyond its last row.
     pub fn row(&mut self, y: u32) -> &[u8] {
         match (&self.opened, &mut self.frame) {
-            (Some(opened), Some(frame)) => frame.row(opened, y),
+            (Some(opened), Some(frame)) => frame.row(&opened.scene, y),
             _ => &[],
         }
     }
@@ -85,7 +82,7 @@ impl Playground {
     /// Returns what the rows have told: rays, the light that is missing, and the hash of the picture.
     pub fn finish(&self) -> Answer {
         match (&self.opened, &self.frame) {
-            (Some(opened), Some(frame)) => Answer::done(&frame.told(opened)),
+            (Some(opened), Some(frame)) => Answer::done(&told::of(opened, frame)),
             _ => Answer::no_frame(),
         }
     }

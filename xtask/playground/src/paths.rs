@@ -1,5 +1,6 @@
 //! What the paths of pixels meet: one path as a table, and a row as runs of equal paths.
 
+use drawing::Settings;
 use embedded_graphics::geometry::Size;
 use reflet::host::path::{End, Path, Step, path_of, paths_of_row};
 use reflet::host::reference::Camera;
@@ -9,7 +10,6 @@ use serde::Serialize;
 
 use crate::opened::Opened;
 use crate::projection::Projection;
-use crate::settings::Settings;
 
 /// The path of a pixel, for the page.
 #[derive(Serialize)]

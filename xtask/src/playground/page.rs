@@ -2,10 +2,12 @@
 //! knows what a script does.
 
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 use base64::prelude::{BASE64_STANDARD, Engine};
+use flate2::{Compression, write::DeflateEncoder};
 
 /// Returns the text of the page. `folder` has its parts; `data` is JSON.
 pub fn fill(folder: &Path, wasm: &[u8], data: &str) -> Result<String> {
@@ -13,7 +15,7 @@ pub fn fill(folder: &Path, wasm: &[u8], data: &str) -> Result<String> {
     let worker = read(&folder.join("worker.js"))?;
     let mut main = scripts(folder, &page)?;
     for (name, value) in [
-        ("WASM", literal(&BASE64_STANDARD.encode(wasm))?),
+        ("WASM", literal(&BASE64_STANDARD.encode(deflated(wasm)?))?),
         ("WORKER", literal(&worker)?),
         ("DATA", data.replace('<', "\\u003c")),
     ] {
@@ -52,6 +54,13 @@ fn replaced(text: &str, mark: &str, value: &str) -> Result<String> {
     Ok([before, value, after].concat())
 }
 
+/// Returns the bytes deflated, which a server's own compression cannot do once they are base64.
+fn deflated(bytes: &[u8]) -> Result<Vec<u8>> {
+    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(bytes)?;
+    Ok(encoder.finish()?)
+}
+
 /// Returns a text as a string of JavaScript that contains no tag.
 fn literal(text: &str) -> Result<String> {
     Ok(serde_json::to_string(text)?.replace('<', "\\u003c"))
@@ -78,7 +87,7 @@ mod tests {
             fs::write(folder.path().join(name), text).unwrap();
         }
         let page = fill(folder.path(), b"foo", "{\"a\":\"<b>\"}").unwrap();
-        let expected = "scripts: a.js main.js\n<style>p{}</style><script>a();const W = \"Zm9v\", \
+        let expected = "scripts: a.js main.js\n<style>p{}</style><script>a();const W = \"S8vPBwA=\", \
                         R = \"b('\\u003c/script>');\", D = {\"a\":\"\\u003cb>\"};</script>";
         assert_eq!(page, expected);
         fs::write(folder.path().join("main.js"), "").unwrap();

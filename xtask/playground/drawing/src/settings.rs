@@ -27,7 +27,7 @@ impl Settings {
     ///
     /// # Errors
     /// The setting that is out of range, and its range.
-    pub(crate) fn check(&self) -> Result<(), String> {
+    pub fn check(&self) -> Result<(), String> {
         let limits = [
             ("width", self.width, 1..=Self::LONGEST),
             ("height", self.height, 1..=Self::LONGEST),
@@ -50,7 +50,7 @@ impl Settings {
     }
 
     /// Returns the number of reflections.
-    pub(crate) fn reflections(&self) -> u8 {
+    pub fn reflections(&self) -> u8 {
         u8::try_from(self.reflections).unwrap_or(u8::MAX)
     }
 

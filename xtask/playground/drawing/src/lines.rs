@@ -10,7 +10,7 @@ use reflet::{Camera, FrameBuilder, PreparedFrame, Report};
 use crate::settings::Settings;
 
 /// A prepared frame, whatever its quality and its shading.
-pub(crate) trait Lines {
+pub trait Lines {
     /// Draws row `y` into `pixels`.
     fn line(&self, scene: &FileScene, y: u32, pixels: &mut [Rgb888]) -> Report;
 
@@ -33,7 +33,7 @@ impl<Q: Quality, K: Shading> Lines for PreparedFrame<FileScene, Q, K> {
 }
 
 /// Prepares a frame that is `smooth` times as large as the settings say.
-pub(crate) fn prepared(scene: &FileScene, camera: &Camera, settings: &Settings) -> Box<dyn Lines> {
+pub fn prepared(scene: &FileScene, camera: &Camera, settings: &Settings) -> Box<dyn Lines> {
     let frame = scene.frame(camera).reflections(settings.reflections());
     let size = Size::new(settings.width, settings.height) * settings.smooth;
     match (settings.quality, settings.shading) {

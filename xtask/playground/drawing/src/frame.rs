@@ -3,17 +3,17 @@
 use embedded_graphics::geometry::Point;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use frame_hash::FrameHash;
-use reflet::Report;
-use serde::Serialize;
+use reflet::host::file::FileScene;
+use reflet::{Camera, Report};
 
 use crate::display::shown;
 use crate::lines::{Lines, prepared};
-use crate::opened::Opened;
 use crate::settings::Settings;
 
 /// A frame, and what its rows have told so far.
-pub(crate) struct Frame {
-    pub(crate) settings: Settings,
+pub struct Frame {
+    /// The settings that it was prepared with.
+    pub settings: Settings,
     lines: Box<dyn Lines>,
     report: Report,
     /// The rows that were drawn, for the hash; each empty until then. Only of a plain picture.
@@ -24,22 +24,13 @@ pub(crate) struct Frame {
     pixels: Vec<u8>,
 }
 
-/// What a drawn frame tells.
-#[derive(Serialize)]
-pub(crate) struct Told {
-    rays: u64,
-    cut_off: f64,
-    missing_levels: f64,
-    report: String,
-    hash: Option<String>,
-}
-
 impl Frame {
-    pub(crate) fn new(opened: &Opened, settings: Settings) -> Self {
+    /// Prepares a frame.
+    pub fn new(scene: &FileScene, view: &Camera, settings: Settings) -> Self {
         let (width, smooth) = (settings.width as usize, settings.smooth as usize);
         Self {
             settings,
-            lines: prepared(&opened.scene, &opened.view, &settings),
+            lines: prepared(scene, view, &settings),
             report: Report::NONE,
             drawn: vec![Vec::new(); settings.height as usize],
             samples: vec![Rgb888::BLACK; width * smooth],
@@ -48,11 +39,11 @@ impl Frame {
     }
 
     /// Draws row `y`, and returns its pixels; nothing beyond the last row.
-    pub(crate) fn row(&mut self, opened: &Opened, y: u32) -> &[u8] {
+    pub fn row(&mut self, scene: &FileScene, y: u32) -> &[u8] {
         if y >= self.settings.height {
             return &[];
         }
-        let colors = self.averages(opened, y);
+        let colors = self.averages(scene, y);
         if self.settings.is_plain() {
             self.drawn[y as usize] = colors.iter().map(|it| [it.r(), it.g(), it.b()]).collect();
         }
@@ -65,12 +56,12 @@ impl Frame {
     }
 
     /// Returns the colours of row `y`: each the average of `smooth` by `smooth` samples, rounded.
-    fn averages(&mut self, opened: &Opened, y: u32) -> Vec<Rgb888> {
+    fn averages(&mut self, scene: &FileScene, y: u32) -> Vec<Rgb888> {
         let smooth = self.settings.smooth;
         let mut sums = vec![[0_u32; 3]; self.settings.width as usize];
         for line in 0..smooth {
             let line = y * smooth + line;
-            let report = self.lines.line(&opened.scene, line, &mut self.samples);
+            let report = self.lines.line(scene, line, &mut self.samples);
             self.report = self.report.merge(report);
             for (sum, samples) in sums.iter_mut().zip(self.samples.chunks(smooth as usize)) {
                 for sample in samples {
@@ -91,19 +82,18 @@ impl Frame {
         sums.into_iter().map(color).collect()
     }
 
-    /// Returns what the rows have told.
-    pub(crate) fn told(&self, opened: &Opened) -> Told {
-        Told {
-            rays: self.report.rays,
-            cut_off: self.report.cut_off.to_num(),
-            missing_levels: self.lines.missing_levels(&opened.scene, &self.report),
-            report: self.report.to_string(),
-            hash: self.hash(),
-        }
+    /// Returns the report of the rows that were drawn.
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// Returns the most light that is missing in a traced pixel, in levels of 255.
+    pub fn missing_levels(&self, scene: &FileScene) -> f64 {
+        self.lines.missing_levels(scene, &self.report)
     }
 
     /// Returns the hash of the picture, if all of it was drawn and nothing was changed afterwards.
-    fn hash(&self) -> Option<String> {
+    pub fn hash(&self) -> Option<u64> {
         if self.drawn.iter().any(Vec::is_empty) {
             return None;
         }
@@ -112,6 +102,6 @@ impl Frame {
             .iter()
             .flatten()
             .for_each(|pixel| hash.add(*pixel));
-        Some(format!("{:016x}", hash.value()))
+        Some(hash.value())
     }
 }
