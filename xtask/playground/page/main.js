@@ -39,7 +39,7 @@ const engine = new Engine(Uint8Array.from(atob(WASM), (character) => character.c
 let side = null; // a second engine, for what must not hold up the picture
 let series = null;
 
-const picture = new Picture(byId("picture"), byId("stage"), byId("picture-overlay"), 0.78);
+const picture = new Picture(byId("picture"), byId("stage"), byId("picture-overlay"), 0.8);
 const pixelPicture = new Picture(byId("pixel-picture"), byId("pixel-stage"), byId("pixel-overlay"), 0.6);
 const rowPicture = new Picture(byId("row-picture"), byId("row-stage"), byId("row-overlay"), 0.55);
 rowPicture.parts = 2; // a little uneven, but the bars below stay in the window
