@@ -128,8 +128,7 @@ function whole(answer, view) {
 
 function refused(answer) {
   if (answer.what === "view" && page.refusals < 3) return stepBack();
-  const line = answer.line ?? lineOfPart(page.scene.text, page.scene.index, answer.error);
-  if (answer.what === "scene") editor.refuse({ ...answer, line });
+  if (answer.what === "scene") editor.refuse(answer);
   else editor.refuse({ error: answer.error });
   drawer.state = "error";
 }

@@ -1,4 +1,4 @@
-// Places in the text of a scene file: where the camera stands, and at which line a part begins.
+// Where the camera stands in the text of a scene file.
 
 /** End of the JSON value that starts at `at`. The text is valid JSON: the library has read it. */
 function valueEnd(text, at) {
@@ -66,14 +66,4 @@ function withCamera(text, index, camera) {
   const start = sceneStart(text, index);
   const found = start < 0 ? null : partsOf(text, start).find((part) => part.key === "camera");
   return found ? text.slice(0, found.start) + cameraText(camera) + text.slice(found.end) : text;
-}
-
-/** Line of the part that an error names, such as `spheres[2]` or `camera`; `null` if it names none. */
-function lineOfPart(text, index, error) {
-  const named = /\b(\w+)\[(\d+)\]/.exec(error) ?? /\b(camera|background|sky|epsilon)\b/.exec(error);
-  const start = sceneStart(text, index);
-  if (!named || start < 0) return null;
-  const list = partsOf(text, start).find((part) => part.key === named[1]);
-  const at = list && named[2] ? partsOf(text, list.start)[Number(named[2])] : list;
-  return at ? text.slice(0, at.start).split("\n").length : null;
 }

@@ -19,9 +19,16 @@ pub(crate) struct Refusal {
     pub(crate) column: Option<usize>,
 }
 
-#[derive(Serialize)]
-struct Reason {
-    error: String,
+impl Refusal {
+    /// `place` is line and column.
+    pub(crate) fn new(reason: impl ToString, place: Option<(usize, usize)>) -> Self {
+        let (line, column) = place.unzip();
+        Self {
+            error: reason.to_string(),
+            line,
+            column,
+        }
+    }
 }
 
 impl Answer {
@@ -41,7 +48,7 @@ impl Answer {
         }
     }
 
-    pub(crate) fn refused(refusal: &impl Serialize) -> Self {
+    pub(crate) fn refused(refusal: &Refusal) -> Self {
         Self {
             is_refused: true,
             text: json(refusal),
@@ -49,8 +56,7 @@ impl Answer {
     }
 
     pub(crate) fn error(reason: impl ToString) -> Self {
-        let error = reason.to_string();
-        Self::refused(&Reason { error })
+        Self::refused(&Refusal::new(reason, None))
     }
 
     pub(crate) fn no_scene() -> Self {

@@ -49,14 +49,12 @@ impl Opened {
         let names = files.iter().map(name).collect();
         let count = files.len();
         let index = usize::try_from(index).unwrap_or(0);
-        let file = files.into_iter().nth(index).ok_or_else(|| Refusal {
-            error: match count {
-                0 => "there is no scene in the file: add one".to_owned(),
-                _ => format!("there is no scene {index}: the file has {count}"),
-            },
-            line: None,
-            column: None,
-        })?;
+        let missing = || match count {
+            0 => "there is no scene in the file: add one".to_owned(),
+            _ => format!("there is no scene {index}: the file has {count}"),
+        };
+        let file = files.into_iter().nth(index);
+        let file = file.ok_or_else(|| Refusal::new(missing(), None))?;
         let scene = file.build().map_err(|error| refusal(&error, text))?;
         let (_, camera) = file.reference();
         let view = exact(&camera).expect("the scene was built with this camera");
@@ -124,10 +122,5 @@ fn name(file: &SceneFile) -> String {
 
 /// Returns the reason why a file is refused, and its place in the text.
 fn refusal(error: &FileError, text: &str) -> Refusal {
-    let (line, column) = place::of(error, text).unzip();
-    Refusal {
-        error: error.to_string(),
-        line,
-        column,
-    }
+    Refusal::new(error, place::of(error, text))
 }

@@ -2,6 +2,8 @@
 
 use drawing::Settings;
 use embedded_graphics::geometry::Size;
+use reflet::PreparedFrame;
+use reflet::host::file::FileScene;
 use reflet::host::path::{End, Path, Step, path_of, paths_of_row};
 use reflet::host::reference::Camera;
 use reflet::quality::Exact;
@@ -115,28 +117,21 @@ pub(crate) fn row(opened: &Opened, settings: &Settings, y: u32) -> Row {
 }
 
 fn pixel_as<K: Shading>(opened: &Opened, settings: &Settings, at: (u32, u32)) -> Option<Path> {
-    let frame = opened.scene.frame(&opened.view);
-    let frame = frame.reflections(settings.reflections());
-    let frame = frame
-        .quality::<Exact>()
-        .shading::<K>()
-        .prepare(size(settings));
-    path_of(&frame.on(&*opened.scene).ok()?, at)
+    path_of(&exact::<K>(opened, settings).on(&*opened.scene).ok()?, at)
 }
 
 fn row_as<K: Shading>(opened: &Opened, settings: &Settings, y: u32) -> Vec<Path> {
-    let frame = opened.scene.frame(&opened.view);
-    let frame = frame.reflections(settings.reflections());
-    let frame = frame
-        .quality::<Exact>()
-        .shading::<K>()
-        .prepare(size(settings));
+    let frame = exact::<K>(opened, settings);
     let rows = frame.on(&*opened.scene);
     rows.map_or_else(|_| Vec::new(), |rows| paths_of_row(&rows, y))
 }
 
-fn size(settings: &Settings) -> Size {
-    Size::new(settings.width, settings.height)
+fn exact<K: Shading>(opened: &Opened, settings: &Settings) -> PreparedFrame<FileScene, Exact, K> {
+    let frame = opened.scene.frame(&opened.view);
+    let frame = frame.reflections(settings.reflections()).quality::<Exact>();
+    frame
+        .shading::<K>()
+        .prepare(Size::new(settings.width, settings.height))
 }
 
 fn line(opened: &Opened, projection: &Projection, step: &Step) -> Line {

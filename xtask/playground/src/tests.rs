@@ -6,6 +6,9 @@ use serde_json::{Value, json};
 
 use super::*;
 
+#[path = "../../src/playground/scene_file.rs"]
+mod scene_file;
+
 /// The settings of the measured pictures: 64x64, 4 reflections, Blinn-Phong, `Fast`.
 const MEASURED: Settings = Settings {
     width: 64,
@@ -26,74 +29,21 @@ const EXACT: Settings = Settings {
 struct AsFile;
 
 impl Visitor for AsFile {
-    type Output = Value;
+    type Output = String;
 
-    fn visit<S: BuiltIn>(self) -> Value {
+    fn visit<S: BuiltIn>(self) -> String {
         let scene = S::with_description(|description| Scene::from(&description));
-        let camera = Camera::from(&S::CAMERA);
-        let material = |index: usize| format!("material {index}");
-        let mut file = json!({
-            "name": S::NAME,
-            "camera": { "position": camera.position, "target": camera.target, "up": camera.up, "fov": camera.fov },
-            "epsilon": scene.epsilon,
-        });
-        file["lights"] = scene
-            .lights
-            .iter()
-            .map(|it| json!({ "position": it.position, "color": it.color }))
-            .collect();
-        file["materials"] = scene.materials.iter().enumerate().map(|(index, it)| {
-            let checker = it.checker.map(|it| json!({ "color": it.color, "size": it.size }));
-            json!({
-                "name": material(index), "color": it.color, "ambient": it.ambient, "diffuse": it.diffuse,
-                "specular": it.specular, "shininess": it.shininess, "mirror": it.mirror, "checker": checker,
-            })
-        }).collect();
-        file["spheres"] = scene
-            .spheres
-            .iter()
-            .map(|it| {
-                json!({
-                    "center": it.center, "radius": it.radius, "material": material(it.material),
-                })
-            })
-            .collect();
-        file["planes"] = scene
-            .planes
-            .iter()
-            .map(|it| {
-                json!({
-                    "center": it.point, "normal": it.normal, "material": material(it.material),
-                })
-            })
-            .collect();
-        file["cylinders"] = scene
-            .cylinders
-            .iter()
-            .map(|it| {
-                json!({
-                    "center": it.center, "axis": it.axis, "radius": it.radius, "height": it.height,
-                    "material": material(it.material),
-                })
-            })
-            .collect();
-        file["discs"] = scene.discs.iter().map(|it| json!({
-            "center": it.center, "normal": it.normal, "radius": it.radius, "material": material(it.material),
-        })).collect();
-        match scene.sky {
-            None => file["background"] = json!(scene.background),
-            Some(sky) => {
-                file["sky"] = json!({
-                    "up": sky.up, "below": sky.below, "horizon": sky.horizon, "above": sky.above,
-                })
-            }
-        }
-        file
+        let materials = scene_file::materials("", &scene);
+        scene_file::text(S::NAME, &materials, &scene, &Camera::from(&S::CAMERA))
     }
 }
 
-fn file(name: &str) -> Value {
+fn text(name: &str) -> String {
     scenes::visit(name, AsFile).unwrap()
+}
+
+fn file(name: &str) -> Value {
+    serde_json::from_str(&text(name)).unwrap()
 }
 
 fn parsed(answer: &Answer) -> Value {
@@ -108,7 +58,7 @@ fn refused(answer: &Answer) -> Value {
 
 fn opened(name: &str) -> Playground {
     let mut playground = Playground::default();
-    parsed(&playground.open(&file(name).to_string(), -1));
+    parsed(&playground.open(&text(name), -1));
     playground
 }
 
@@ -147,7 +97,7 @@ fn pictures_have_the_hashes_that_an_emulated_board_reported() {
 #[test]
 fn open_scene_tells_what_it_has_and_needs() {
     let mut playground = Playground::default();
-    let facts = parsed(&playground.open(&file("castle").to_string(), -1));
+    let facts = parsed(&playground.open(&text("castle"), -1));
     assert_eq!(
         (&facts["name"], &facts["names"]),
         (&json!("castle"), &json!(["castle"]))
@@ -411,7 +361,7 @@ fn rust_source_has_every_part_and_the_camera_of_the_view() {
         ] {
             assert_eq!(
                 count(part),
-                file[list].as_array().unwrap().len(),
+                file[list].as_array().map_or(0, Vec::len),
                 "{name}: {list}"
             );
         }

@@ -2,7 +2,7 @@
 //!
 //! The page is one file that needs no network: [`page`] fills it with its scripts, its data and the
 //! library, compiled to WebAssembly. [`scene_file`] writes the built-in scenes as scene files, [`data`]
-//! gathers what the page shows, and [`serve`] shows the folder on this machine.
+//! gathers what the page shows, and [`serve`] shows the page on this machine.
 
 mod data;
 mod page;
@@ -26,7 +26,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 
-    /// Serves the folder on this machine until Ctrl+C [default port: 8000]
+    /// Serves the page on this machine until Ctrl+C [default port: 8000]
     #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "8000")]
     serve: Option<u16>,
 }
@@ -52,7 +52,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         page.len(),
         wasm.len(),
     ))?;
-    server.map_or(Ok(()), |server| server.run(&folder))
+    server.map_or(Ok(()), |server| server.run(&page))
 }
 
 /// Makes the folder, unless it is there.
