@@ -1,13 +1,14 @@
 //! Follows one path as [`Tracer::trace`] does, with the same parts and to the same bits, and hands out each step. For
 //! tools that explain a pixel; nothing that draws calls it.
 
+use alloc::vec::Vec;
+
 use super::bounce::Bounce;
 use super::{PathQuality, Tracer};
 use crate::accel::{Window, World};
 use crate::color::{Color, Sum};
 use crate::number::Unit;
 use crate::ray::{ScaledPoint, ScaledRay};
-
 use crate::scene::Mirrors;
 use crate::scene::access::ShapeId;
 use crate::shade::highlight::sealed::Shading;
@@ -33,8 +34,9 @@ pub(crate) struct Met {
     pub(crate) sum: Sum,
 }
 
-/// Where a path ended.
+/// A path.
 pub(crate) struct Walked {
+    pub(crate) steps: Vec<Met>,
     pub(crate) end: End,
     /// Colour that the path adds where it hits nothing.
     pub(crate) missed: Option<Color>,
@@ -53,19 +55,14 @@ pub enum End {
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Follows the path of a pixel, and calls `met` for each surface on it.
-    pub(crate) fn walk(
-        &mut self,
-        pixel: (&Window, u32),
-        direction: Direction,
-        mut met: impl FnMut(Met),
-    ) -> Walked {
-        let world = self.world;
+    /// Follows the path of a pixel.
+    pub(crate) fn walk(&mut self, pixel: (&Window, u32), direction: Direction) -> Walked {
+        let (world, mut steps) = (self.world, Vec::new());
         let mut ray = ScaledRay::new(self.visibility.from, direction);
         let (mut sum, mut throughput, mut bounce) = (Sum::DARK, Unit::ONE, Bounce::NONE);
         loop {
             let Some(surface) = self.surface(pixel, &ray, &bounce) else {
-                return Self::walked_on(world, sum, throughput, ray.direction());
+                break;
             };
             let reflected = Self::reflected(world, &surface, throughput);
             let (mut color, mut lights) = (Color::BLACK, 0);
@@ -75,7 +72,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 (color, lights) = (lit.color, lit.lights);
                 sum.add(throughput - reflected, color);
             }
-            met(Met {
+            steps.push(Met {
                 shape: surface.shape,
                 is_inside: surface.is_inside,
                 from: ray.from(),
@@ -89,6 +86,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             throughput = reflected;
             if throughput == Unit::ZERO || self.is_cut_off(throughput, bounce.count) {
                 return Walked {
+                    steps,
                     end: Self::end(world, throughput),
                     missed: None,
                     sum,
@@ -96,10 +94,18 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             }
             bounce.count += 1;
             if !W::NEEDS.mirrored {
-                return Self::walked_on(world, sum, throughput, ray.direction());
+                break;
             }
             surface.reflect(world, &mut ray);
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
+        }
+        let missed = K::missed(world, ray.direction()).color;
+        sum.add(throughput, missed);
+        Walked {
+            steps,
+            end: End::Missed,
+            missed: Some(missed),
+            sum,
         }
     }
 
@@ -109,17 +115,6 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         match throughput == Unit::ZERO || throughput < least {
             true => End::NoWeight,
             false => End::LastReflection,
-        }
-    }
-
-    /// Returns the end of a path whose last ray hits nothing.
-    fn walked_on(world: &W, mut sum: Sum, weight: Unit, direction: Direction) -> Walked {
-        let missed = K::missed(world, direction).color;
-        sum.add(weight, missed);
-        Walked {
-            end: End::Missed,
-            missed: Some(missed),
-            sum,
         }
     }
 }

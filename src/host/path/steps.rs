@@ -129,37 +129,31 @@ fn paths<S: Drawable, K: Shading>(
     first: u32,
     end: u32,
 ) -> Vec<Path> {
-    let world = rows.world();
-    let mut found: (Vec<Step>, Vec<Path>) = Default::default();
-    let met = |(steps, _): &mut (Vec<Step>, Vec<Path>), met| steps.push(step(world, &met));
-    let ended = |(steps, paths): &mut (Vec<Step>, Vec<Path>), walked| {
-        paths.push(path(world, core::mem::take(steps), &walked));
-    };
-    if !rows.walk(y, first..end, &mut found, (met, ended)) {
-        return vec![empty(rows); (end - first) as usize];
+    match rows.walk(y, first..end) {
+        Some(walked) => walked.iter().map(|it| path(rows.world(), it)).collect(),
+        None => vec![empty(rows); (end - first) as usize],
     }
-    let (_, paths) = found;
-    paths
 }
 
 /// Returns the path of every pixel in a scene without shapes and without a sky.
 fn empty<S: Drawable, K: Shading>(rows: &Rows<'_, S, Exact, K>) -> Path {
     let sum = rows.only_sum().unwrap_or(Sum::DARK);
     let walked = Walked {
+        steps: Vec::new(),
         end: End::Missed,
         missed: None,
         sum,
     };
-    let path = path(rows.world(), Vec::new(), &walked);
+    let path = path(rows.world(), &walked);
     Path {
         background: Some(path.sum),
         ..path
     }
 }
 
-fn path<W: SceneAccess>(world: &W, steps: Vec<Step>, walked: &Walked) -> Path {
+fn path<W: SceneAccess>(world: &W, walked: &Walked) -> Path {
     Path {
-        steps,
+        steps: walked.steps.iter().map(|it| step(world, it)).collect(),
         end: walked.end,
         background: walked.missed.map(shares),
         sum: shares_of(walked.sum),
