@@ -60,9 +60,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let (world, mut steps) = (self.world, Vec::new());
         let mut ray = ScaledRay::new(self.visibility.from, direction);
         let (mut sum, mut throughput, mut bounce) = (Sum::DARK, Unit::ONE, Bounce::NONE);
-        loop {
+        let end = loop {
             let Some(surface) = self.surface(pixel, &ray, &bounce) else {
-                break;
+                break End::Missed;
             };
             let reflected = Self::reflected(world, &surface, throughput);
             let (mut color, mut lights) = (Color::BLACK, 0);
@@ -85,26 +85,23 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             });
             throughput = reflected;
             if throughput == Unit::ZERO || self.is_cut_off(throughput, bounce.count) {
-                return Walked {
-                    steps,
-                    end: Self::end(world, throughput),
-                    missed: None,
-                    sum,
-                };
+                break Self::end(world, throughput);
             }
             bounce.count += 1;
             if !W::NEEDS.mirrored {
-                break;
+                break End::Missed;
             }
             surface.reflect(world, &mut ray);
             (bounce.mirror, bounce.skip) = (surface.shape, surface.skip(world));
+        };
+        let missed = (end == End::Missed).then(|| K::missed(world, ray.direction()).color);
+        if let Some(color) = missed {
+            sum.add(throughput, color);
         }
-        let missed = K::missed(world, ray.direction()).color;
-        sum.add(throughput, missed);
         Walked {
             steps,
-            end: End::Missed,
-            missed: Some(missed),
+            end,
+            missed,
             sum,
         }
     }
