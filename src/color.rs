@@ -218,7 +218,7 @@ impl Sum {
     }
 
     /// Returns red, green and blue in steps of 2⁻²⁴.
-    #[cfg(test)]
+    #[cfg(any(test, feature = "files"))]
     pub(crate) fn to_bits(self) -> [i32; 3] {
         self.0.map(|sum| sum - HALF)
     }

@@ -26,7 +26,7 @@ impl Grid {
     }
 
     /// Returns the number of fraction bits: a step is 2^-`fraction_bits` scene units.
-    #[cfg(any(test, feature = "host"))]
+    #[cfg(any(test, feature = "files"))]
     pub const fn fraction_bits(&self) -> i32 {
         use crate::number::signed;
         64 - signed(self.drop)

@@ -158,7 +158,8 @@
 //! | `scenes` | eleven built-in scenes |
 //! | `defmt` | `defmt::Format` for errors and reports |
 //! | `micromath` | the numbers and vectors of `micromath` as input for cameras and run-time scenes |
-//! | `host` | tools for the desktop: double-precision reference, picture comparison, scene files |
+//! | `files` | scene files, their Rust source, and the path of a pixel; needs `alloc` |
+//! | `host` | `files`, and tools for the desktop: double-precision reference, picture comparison |
 //! | `film` | films as GIF for the example `render` |
 //! | `window` | a window for the example `render` |
 //!
@@ -181,8 +182,13 @@
     )
 )]
 
+// Both have the same macros; a test needs no feature.
+#[cfg(feature = "files")]
+#[cfg_attr(not(test), macro_use)]
+extern crate alloc;
+
 #[cfg(any(feature = "host", test))]
-#[macro_use]
+#[cfg_attr(test, macro_use)]
 extern crate std;
 
 #[macro_use]
@@ -197,7 +203,7 @@ pub mod display;
 mod error;
 mod error_kind;
 mod grid;
-#[cfg(feature = "host")]
+#[cfg(feature = "files")]
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,

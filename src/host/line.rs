@@ -1,7 +1,7 @@
 //! Escapes text from outside so that it stays on one line. Names and paths of a user may hold any
 //! character.
 
-use std::string::{String, ToString};
+use alloc::string::{String, ToString};
 
 /// Returns the text with every control character and line separator escaped as in a Rust literal: a line
 /// break becomes `\n`.

@@ -1,15 +1,18 @@
-//! The rays that the fixed-point core follows through one pixel, converted to doubles. This file knows
-//! no colours.
+//! The rays that the fixed-point core follows through one pixel, and the path of a pixel step by step, converted to
+//! doubles. This file knows no colours.
 
-use std::vec::Vec;
+mod steps;
+
+pub use self::steps::{End, Path, Step, path_of, paths_of_row};
+
+use alloc::vec::Vec;
 
 use crate::accel::drawable::Drawable;
 use crate::camera::Camera;
-use crate::number::Number;
+use crate::number::{Number, power_of_two};
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::scene::Surface;
-use crate::scene::access::SceneAccess;
-use crate::scene::access::ShapeId;
+use crate::scene::access::{Parts, SceneAccess, ShapeId};
 use crate::scene::query::nearest_hit;
 
 /// A ray of the fixed-point core, converted to doubles.
@@ -76,14 +79,39 @@ pub fn follow<S: Drawable>(
 }
 
 fn plain<W: SceneAccess>(world: &W, path: &ScaledRay) -> Ray {
-    let grid = world.parts().grid;
-    let ScaledPoint { point, scale } = path.from();
-    let step = 2f64.powi(scale as i32 - grid.fraction_bits());
-    let middle = grid.middle().0.map(Number::to_f64);
-    let steps = [point.x, point.y, point.z];
     let units = path.direction().components();
     Ray {
-        origin: [0, 1, 2].map(|axis| middle[axis] + f64::from(steps[axis]) * step),
+        origin: place_of(world, path.from()),
         direction: units.map(|unit| unit.to_num()),
     }
 }
+
+/// Converts a point to scene units.
+fn place_of<W: SceneAccess>(world: &W, ScaledPoint { point, scale }: ScaledPoint) -> [f64; 3] {
+    let grid = world.parts().grid;
+    let step = power_of_two(scale as i32 - grid.fraction_bits());
+    let middle = grid.middle().0.map(Number::to_f64);
+    let steps = [point.x, point.y, point.z];
+    [0, 1, 2].map(|axis| middle[axis] + f64::from(steps[axis]) * step)
+}
+
+macro_rules! named {
+    ($header:tt $({ $list:ident $kind:ident $($more:tt)* })*) => {
+        /// Returns the kind of a shape, and its index among those of its kind.
+        fn shape_of(parts: &Parts<'_>, shape: ShapeId) -> (&'static str, usize) {
+            let index = shape.index();
+            $(
+                if index < parts.$list.len() {
+                    return (stringify!($kind), index);
+                }
+                let index = index - parts.$list.len();
+            )*
+            ("plane", index)
+        }
+    };
+}
+kinds!(named);
+
+#[cfg(all(feature = "host", feature = "scenes"))]
+#[cfg(test)]
+mod tests;

@@ -34,6 +34,8 @@ mod zeros;
 pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;
 pub(crate) use decimal::numbers;
+#[cfg(feature = "files")]
+pub(crate) use decimal::power_of_two;
 pub use narrow::{
     absolute, bit_modulo_32, difference_modulo_2_32, fitting, from_twos_complement, low_word,
     magnitude, minus_wide, narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128,

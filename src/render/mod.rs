@@ -7,6 +7,8 @@ mod interpolate;
 mod prepared;
 mod quality;
 mod report;
+#[cfg(feature = "files")]
+mod walk;
 
 pub use builder::FrameBuilder;
 pub use prepared::{PreparedFrame, Rows};

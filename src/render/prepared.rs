@@ -271,7 +271,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
 
     /// Returns the tracer for the rays of row `y`. `shadows` is only used in a scene with far lights.
     #[inline(always)]
-    fn tracer<'s>(
+    pub(super) fn tracer<'s>(
         &'s self,
         (generator, directions): (&RayGenerator, &RowDirections),
         y: u32,

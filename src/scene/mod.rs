@@ -38,7 +38,7 @@ pub use macros::SceneLines;
 pub(crate) use needs::FEW;
 pub use needs::{Mirrors, MostReflections, Need, Needs, NeedsLimit, Shininess};
 pub(crate) use prepare::PlainScene;
-#[cfg(feature = "host")]
+#[cfg(feature = "files")]
 pub(crate) use prepare::extent_of;
 pub use runtime::{Fillable, RuntimeScene};
 pub(crate) use surface::Surface;

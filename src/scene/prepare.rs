@@ -235,10 +235,10 @@ const fn epsilon_above_the_shapes(scene: &Description<'_>) -> Error {
 
 /// Returns the extent of a scene in scene units: the radius of the ball that its grid holds. It is
 /// `None` if the scene has no grid.
-#[cfg(feature = "host")]
+#[cfg(feature = "files")]
 pub(crate) fn extent_of(scene: &Description<'_>) -> Option<f64> {
     let grid = choose_grid(scene).ok()?;
-    Some(f64::from(crate::ray::BALL) * 2_f64.powi(-grid.fraction_bits()))
+    Some(f64::from(crate::ray::BALL) * crate::number::power_of_two(-grid.fraction_bits()))
 }
 
 /// Prepares the materials. Refuses a material that is too bright under the lights of its scene.

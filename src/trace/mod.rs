@@ -14,6 +14,8 @@ mod shown;
 mod stops;
 mod stretch;
 mod visibility;
+#[cfg(feature = "files")]
+mod walk;
 
 use core::marker::PhantomData;
 
@@ -22,6 +24,10 @@ use stops::STOPS;
 pub(crate) use stops::Stops;
 pub(crate) use stretch::Progress;
 use visibility::{Culled, Plain};
+#[cfg(feature = "files")]
+pub use walk::End;
+#[cfg(feature = "files")]
+pub(crate) use walk::{Met, Walked};
 
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::screen_culling::ScreenCulling;

@@ -170,10 +170,10 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 16_823;
+    const MOST_CODE: usize = 17_350;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 36_971;
+    const MOST_OUTSIDE: usize = 39_671;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;

@@ -18,14 +18,15 @@ use clap::Args;
 use crate::{
     command::Program,
     measure::ledger,
+    need,
     toolchain::{self, BareMetal, OLDEST_RUST, TARGETS, has_oldest_rust, target_directory},
 };
 
 /// Sets up, then runs the gate and stops after the first step that fails.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct Arguments {
-    /// Adds what takes long: every ignored test, lints for boards, the schema of scene files, 10 minutes of fuzzing,
-    /// 10^8 random rays
+    /// Adds what takes long: every ignored test, lints for boards, the schema of scene files, the playground in a
+    /// browser, 10 minutes of fuzzing, 10^8 random rays
     #[arg(long)]
     all: bool,
 }
@@ -38,7 +39,7 @@ const LIMIT: Duration = Duration::from_secs(60 * 60);
 const LANES: usize = 4;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
-const ALONE: [&str; 13] = [
+const ALONE: [&str; 16] = [
     "examples/blackpill",
     "examples/esp32c3",
     "examples/microbit",
@@ -51,6 +52,9 @@ const ALONE: [&str; 13] = [
     "xtask/faulty",
     "xtask/firmware",
     "xtask/no_panic",
+    "xtask/playground",
+    "xtask/playground/drawing",
+    "xtask/playground/tests/browser",
     "xtask/stack_peak",
 ];
 
@@ -88,6 +92,15 @@ pub fn run(arguments: Arguments) -> Result<()> {
         steps.extend(long());
     }
     let mut untried = Vec::new();
+    if arguments.all {
+        match playground() {
+            Ok(all) => steps.extend(all),
+            Err(reason) => {
+                eprintln!("{reason:#}");
+                untried.push("the playground: what it needs cannot be installed here");
+            }
+        }
+    }
     match oldest_rust(arguments.all) {
         Some(step) => steps.push_back(step),
         None => untried.push("the oldest supported Rust: that toolchain cannot be installed here"),
@@ -357,6 +370,32 @@ fn long() -> Vec<Step> {
             xtask().args(["copies"]),
         ),
     ]
+}
+
+/// Returns the steps of the playground, which only `--all` runs. Installs what they need.
+fn playground() -> Result<Vec<Step>> {
+    need::WASM.get_if_missing()?;
+    need::CHROMIUM.get_if_missing()?;
+    let (library, browser) = ("xtask/playground", "xtask/playground/tests/browser");
+    let alone = |subcommand: &str, package: &str| {
+        let cargo = cargo(subcommand).args(["--workspace", "--locked", "--manifest-path"]);
+        let cargo = cargo.args([format!("{package}/Cargo.toml")]);
+        cargo.args(["--target-dir".as_ref(), target_directory().as_os_str()])
+    };
+    let clippy = |package: &str| {
+        let clippy = alone("clippy", package).args(["--all-targets", "--", "-D", "warnings"]);
+        step(&format!("clippy, {package}"), clippy)
+    };
+    let in_browser = alone("test", browser).args(["--", "--nocapture"]);
+    Ok(vec![
+        clippy(library),
+        clippy(browser),
+        step("tests of the playground's library", alone("test", library)),
+        step(
+            "playground in a browser",
+            in_browser.env("XTASK", target_directory().join("debug/xtask")),
+        ),
+    ])
 }
 
 /// Returns the step that checks the library with the oldest Rust it supports, if that toolchain is

@@ -15,6 +15,7 @@ pub mod measure;
 pub mod misuse;
 pub mod need;
 pub mod owned;
+pub mod playground;
 pub mod profile;
 pub mod scene_source;
 pub mod screenshot;

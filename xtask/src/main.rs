@@ -7,7 +7,7 @@ use clap::Parser;
 use command_line::Chosen;
 use xtask::{
     accuracy, board, copies, count, enter_root, fuzz, gate, measure, misuse::Misuse, owned,
-    profile, scene_source, screenshot, setup, size,
+    playground, profile, scene_source, screenshot, setup, size,
 };
 
 /// The chores of the reflet repository.
@@ -35,6 +35,7 @@ enum Chore {
         firmware: PathBuf,
     },
     Measure(measure::Arguments),
+    Playground(playground::Arguments),
     Profile(profile::Arguments),
     Size(size::Arguments),
     Fuzz(fuzz::Arguments),
@@ -87,6 +88,7 @@ fn run(chore: &Chore) -> Result<()> {
         Chore::Copies(arguments) => copies::run(arguments),
         Chore::Show { firmware } => board::show(firmware),
         Chore::Measure(arguments) => measure::run(arguments),
+        Chore::Playground(arguments) => playground::run(arguments),
         Chore::Profile(arguments) => profile::run(arguments),
         Chore::Size(arguments) => size::run(arguments),
         Chore::Scene { file, chosen } => scene_source::run(file, chosen),

@@ -1,5 +1,5 @@
-//! Programs and libraries outside the repository that the chores use. Setup installs all of them. A chore
-//! installs those that it is about to use.
+//! Programs and libraries outside the repository that the chores use. Setup installs those of the gate. A
+//! chore installs those that it is about to use.
 
 use std::sync::Mutex;
 
@@ -97,6 +97,22 @@ pub static QEMU_RISCV: Need = Need {
     get: || apt::install(&["qemu-system-misc"]),
     by_hand: "as root: apt-get install --no-install-recommends qemu-system-misc",
     without: None,
+};
+
+pub static WASM: Need = Need {
+    name: "target for WebAssembly",
+    is_there: toolchain::has_wasm,
+    get: toolchain::get_wasm,
+    by_hand: "rustup target add wasm32-unknown-unknown",
+    without: Some("the gate names the playground as untried"),
+};
+
+pub static CHROMIUM: Need = Need {
+    name: "Chromium",
+    is_there: || runs("chromium") && runs("chromedriver"),
+    get: || apt::install(&["chromium", "chromium-driver"]),
+    by_hand: "as root: apt-get install --no-install-recommends chromium chromium-driver",
+    without: Some("the gate names the playground as untried"),
 };
 
 pub static OLDEST_RUST: Need = Need {

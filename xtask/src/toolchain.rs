@@ -23,6 +23,9 @@ pub const TARGETS: [&str; 6] = [
     "riscv32imc-unknown-none-elf",
 ];
 
+/// The target of the playground.
+const WASM: &str = "wasm32-unknown-unknown";
+
 /// The oldest Rust version that the library supports, from Cargo.toml.
 pub const OLDEST_RUST: &str = env!("CARGO_PKG_RUST_VERSION");
 
@@ -55,6 +58,15 @@ pub fn get_bare_metal() -> Result<()> {
 
 pub fn get_oldest_rust() -> Result<()> {
     rustup(&["toolchain", "install", OLDEST_RUST, "--profile", "minimal"])
+}
+
+pub fn get_wasm() -> Result<()> {
+    rustup(&["target", "add", WASM])
+}
+
+pub fn has_wasm() -> bool {
+    let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
+    rust_library(&rustc).is_some_and(|library| library.join(WASM).is_dir())
 }
 
 pub fn has_oldest_rust() -> bool {
@@ -132,6 +144,24 @@ impl BareMetal {
 pub fn build_alone(target: &str, package: &Path, more: &[&str]) -> Result<PathBuf> {
     let cargo = cargo_build("release", target)?.args(more);
     built(alone(cargo, package))
+}
+
+/// Builds a package outside of the workspace for WebAssembly, in release mode. Installs the target first
+/// if it is missing. Returns the path of the module.
+pub fn build_wasm(package: &Path) -> Result<PathBuf> {
+    need::WASM.get_if_missing()?;
+    let cargo = Program::new("cargo").args(["build", "--release", "--locked", "--target", WASM]);
+    let cargo = cargo.args(["--message-format=json-render-diagnostics"]);
+    let messages = alone(cargo.limit(BUILD_LIMIT), package).read()?;
+    let messages = messages.lines().map(serde_json::from_str::<Value>);
+    let files = messages
+        .flatten()
+        .filter_map(|it| it["filenames"].as_array().cloned());
+    let modules = files
+        .flatten()
+        .filter_map(|it| it.as_str().map(PathBuf::from));
+    let mut modules = modules.filter(|it| it.extension().is_some_and(|it| it == "wasm"));
+    modules.next_back().context("cargo built no WebAssembly")
 }
 
 /// Builds one program of a package that needs the crate of a chip, in release mode.

@@ -1,8 +1,8 @@
 //! The JSON structure of a scene file: owns the names of the keys. It accepts any value of the right
 //! type and never checks ranges.
 
-use std::string::{String, ToString};
-use std::vec::Vec;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
 
 use core::fmt;
 
@@ -117,6 +117,7 @@ impl<'de> Deserialize<'de> for Size {
 ///
 /// The first character decides which of the two is read. So the error for a mistake deep inside names
 /// its own line and column.
+#[inline]
 pub(super) fn read(text: &str) -> Result<Vec<Scene>, FileError> {
     // Some editors put a byte-order mark at the start of a file.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);

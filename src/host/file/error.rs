@@ -1,17 +1,20 @@
 //! The errors of a scene file, each with a message of one line. This file never reads a scene file.
 
-use std::borrow::ToOwned;
-use std::fmt::{self, Display, Formatter};
+use alloc::borrow::ToOwned;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use core::fmt::{self, Display, Formatter};
+#[cfg(feature = "host")]
 use std::io;
+#[cfg(feature = "host")]
 use std::path::{Path, PathBuf};
-use std::string::{String, ToString};
-use std::vec::Vec;
 
 use super::FileRoom;
 use super::words::words;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::host::line::one_line;
+use crate::number::power_of_two;
 use crate::scene::Capacity;
 
 /// The error of a scene file that cannot be used: the file, the scene in it, and the [`Problem`].
@@ -29,6 +32,7 @@ use crate::scene::Capacity;
 /// ```
 #[derive(Debug)]
 pub struct FileError {
+    #[cfg(feature = "host")]
     file: Option<PathBuf>,
     scene: Option<String>,
     problem: Problem,
@@ -58,6 +62,7 @@ pub struct FileError {
 #[non_exhaustive]
 pub enum Problem {
     /// The file cannot be read.
+    #[cfg(feature = "host")]
     Unreadable(io::Error),
     /// The file is larger than [`MAX_BYTES`](super::MAX_BYTES).
     TooLarge,
@@ -118,6 +123,7 @@ pub enum Problem {
 impl FileError {
     pub(super) fn new(problem: Problem) -> Self {
         Self {
+            #[cfg(feature = "host")]
             file: None,
             scene: None,
             problem,
@@ -140,6 +146,7 @@ impl FileError {
         })
     }
 
+    #[cfg(feature = "host")]
     pub(super) fn in_file(mut self, file: Option<&Path>) -> Self {
         self.file = file.map(Path::to_owned);
         self
@@ -151,6 +158,7 @@ impl FileError {
     }
 
     /// Returns the path of the file, or `None` if the scene was parsed from text.
+    #[cfg(feature = "host")]
     pub fn file(&self) -> Option<&Path> {
         self.file.as_deref()
     }
@@ -167,10 +175,11 @@ impl FileError {
     }
 }
 
-impl std::error::Error for FileError {}
+impl core::error::Error for FileError {}
 
 impl Display for FileError {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        #[cfg(feature = "host")]
         if let Some(file) = &self.file {
             write!(formatter, "{}: ", one_line(&file.display().to_string()))?;
         }
@@ -190,6 +199,7 @@ impl Display for Problem {
 impl Problem {
     fn words(&self) -> String {
         match self {
+            #[cfg(feature = "host")]
             Self::Unreadable(error) => error.to_string(),
             Self::TooLarge => {
                 let megabytes = super::MAX_BYTES / 1_000_000;
@@ -215,7 +225,7 @@ impl Problem {
             Self::Scene(error) => refused(*error),
             Self::TooSmall { error, extent } => {
                 let most = rounded(*extent);
-                let least = rounded(extent * 2_f64.powi(-22));
+                let least = rounded(extent * power_of_two(-22));
                 format!(
                     "{}; here the extent is {most} and the least {least}",
                     refused(*error)
@@ -228,7 +238,8 @@ impl Problem {
 
 /// Rounds a number to four digits.
 fn rounded(number: f64) -> f64 {
-    format!("{number:.3e}").parse().expect("it was a number")
+    // Read as JSON, because the parser is linked in any case, and that of `core` has tables of its own.
+    serde_json::from_str(&format!("{number:.3e}")).expect("it was a number")
 }
 
 macro_rules! refused {

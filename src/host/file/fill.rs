@@ -1,7 +1,7 @@
 //! Fills a run-time scene of the core from a scene of the reference, through the public methods. This
 //! file has no checks of its own.
 
-use std::vec::Vec;
+use alloc::vec::Vec;
 
 use super::FileRuntimeScene;
 use crate::camera::Camera;

@@ -32,18 +32,18 @@
 mod document;
 mod error;
 mod fill;
+#[cfg(feature = "host")]
+mod read;
 mod resolve;
+mod source;
 mod words;
 
-use std::borrow::ToOwned;
-use std::boxed::Box;
-use std::fs::File;
-use std::io::{self, Read};
-use std::path::{Path, PathBuf};
-use std::string::String;
-use std::vec::Vec;
+use alloc::boxed::Box;
+use alloc::string::String;
+use alloc::vec::Vec;
 
 pub use self::error::{FileError, Problem};
+pub use self::source::RustSource;
 use crate::camera;
 use crate::error_kind::ErrorKind;
 use crate::host::reference::{Camera, Scene};
@@ -160,7 +160,8 @@ fn build(scene: &FileRuntimeScene) -> Result<Box<FileScene>, Problem> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct SceneFile {
-    path: Option<PathBuf>,
+    #[cfg(feature = "host")]
+    path: Option<std::path::PathBuf>,
     name: Option<String>,
     materials: Vec<String>,
     scene: Scene,
@@ -187,36 +188,48 @@ impl SceneFile {
     ///     "choose one of the scenes a, b"
     /// );
     /// ```
+    #[inline] // So that the parser is compiled for the program that calls it, small or fast as its profile says.
     pub fn parse(text: &str, name: Option<&str>) -> Result<Self, FileError> {
         let scenes = document::read(text)?;
-        let mut chosen = resolve::choose(scenes, name).map_err(FileError::new)?;
+        let chosen = resolve::choose(scenes, name).map_err(FileError::new)?;
+        Self::of(chosen)
+    }
+
+    /// Reads every scene of JSON `text`, in the order of the text. Two scenes may have one name.
+    ///
+    /// # Errors
+    ///
+    /// The text is not the JSON of a scene or of an array of scenes; or the material of a shape is missing.
+    ///
+    /// ```
+    /// use reflet::host::file::SceneFile;
+    ///
+    /// let camera = r#"{"position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50}"#;
+    /// let text = format!(r#"[{{"name": "a", "camera": {camera}}}, {{"name": "b", "camera": {camera}}}]"#);
+    ///
+    /// let scenes = SceneFile::parse_all(&text).unwrap();
+    /// assert_eq!((scenes.len(), scenes[1].name()), (2, Some("b")));
+    /// assert!(SceneFile::parse_all("[]").unwrap().is_empty());
+    /// ```
+    #[inline]
+    pub fn parse_all(text: &str) -> Result<Vec<Self>, FileError> {
+        let scenes = document::read(text)?;
+        scenes.into_iter().map(Self::of).collect()
+    }
+
+    /// Resolves the names in a scene.
+    fn of(mut chosen: document::Scene) -> Result<Self, FileError> {
         let name = chosen.name.take();
         let materials = chosen.materials.iter().map(|it| it.name.clone()).collect();
         let (scene, camera) = resolve::resolve(chosen)
             .map_err(|problem| FileError::new(problem).in_scene(name.as_deref()))?;
         Ok(Self {
+            #[cfg(feature = "host")]
             path: None,
             name,
             materials,
             scene,
             camera,
-        })
-    }
-
-    /// Reads the scene called `name` from the file at `path`, or the only scene if `name` is `None`.
-    ///
-    /// # Errors
-    ///
-    /// The file cannot be read or is larger than [`MAX_BYTES`]; and all errors of [`SceneFile::parse`].
-    pub fn read(path: impl AsRef<Path>, name: Option<&str>) -> Result<Self, FileError> {
-        let path = path.as_ref();
-        let read = text_of(path)
-            .map_err(FileError::new)
-            .and_then(|text| Self::parse(&text, name))
-            .map_err(|error| error.in_file(Some(path)))?;
-        Ok(Self {
-            path: Some(path.to_owned()),
-            ..read
         })
     }
 
@@ -255,29 +268,13 @@ impl SceneFile {
     }
 
     fn error(&self, problem: Problem) -> FileError {
-        FileError::new(problem)
-            .in_file(self.path.as_deref())
-            .in_scene(self.name())
+        let error = FileError::new(problem).in_scene(self.name());
+        #[cfg(feature = "host")]
+        let error = error.in_file(self.path.as_deref());
+        error
     }
 }
 
-/// Returns the text of the file at `path`, if that is UTF-8 and at most [`MAX_BYTES`] long.
-///
-/// It stops one byte beyond the limit, so a pipe or a device, which has no known size, is never read
-/// without end.
-fn text_of(path: &Path) -> Result<String, Problem> {
-    let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes))
-        .map_err(Problem::Unreadable)?;
-    if bytes.len() as u64 > MAX_BYTES {
-        return Err(Problem::TooLarge);
-    }
-    String::from_utf8(bytes).map_err(|_| {
-        let words = "the file is not UTF-8 text";
-        Problem::Unreadable(io::Error::new(io::ErrorKind::InvalidData, words))
-    })
-}
-
+#[cfg(feature = "host")]
 #[cfg(test)]
 mod tests;

@@ -1,10 +1,10 @@
 //! Chooses one scene of a file by name and replaces material names by numbers. This file never checks
 //! other values.
 
-use std::borrow::ToOwned;
-use std::collections::HashMap;
-use std::string::String;
-use std::vec::Vec;
+use alloc::borrow::ToOwned;
+use alloc::collections::BTreeMap;
+use alloc::string::String;
+use alloc::vec::Vec;
 
 use super::document;
 use super::error::Problem;
@@ -86,8 +86,8 @@ macro_rules! resolve {
 }
 kinds!(shapes, resolve);
 
-fn material_numbers(materials: &[document::Material]) -> Result<HashMap<&str, usize>, Problem> {
-    let mut numbers = HashMap::new();
+fn material_numbers(materials: &[document::Material]) -> Result<BTreeMap<&str, usize>, Problem> {
+    let mut numbers = BTreeMap::new();
     for (number, material) in materials.iter().enumerate() {
         if let Some(first) = numbers.insert(material.name.as_str(), number) {
             return Err(Problem::Repeated {

@@ -1,6 +1,8 @@
 mod mistakes;
 
+use std::borrow::ToOwned;
 use std::io;
+use std::path::Path;
 use std::string::{String, ToString};
 use std::vec::Vec;
 

@@ -1,8 +1,8 @@
 //! Words for what the JSON parser refuses: names the part and the fix. This file never reads a scene
 //! file.
 
-use std::borrow::ToOwned;
-use std::string::String;
+use alloc::borrow::ToOwned;
+use alloc::string::String;
 
 /// Returns what is wrong at `place`, such as `spheres[3].radius`, from a message of the parser without
 /// its position. `place` is empty if the scene itself is meant.

@@ -1,5 +1,7 @@
 //! The double-precision reference: computes the exact picture in `f64` with the textbook formulas.
 //!
+//! With the feature `files` alone, this module has the descriptions of scenes and cameras only.
+//!
 //! It is written independently of the fixed-point core and shares no code with it. The reference defines
 //! a picture as follows:
 //!
@@ -42,26 +44,38 @@
 //! assert_eq!(color, [0.75, 0.375, 0.0]);
 //! ```
 
+#[cfg(feature = "host")]
 pub mod bound;
 mod camera;
 mod convert;
+#[cfg(feature = "host")]
 mod model;
+#[cfg(feature = "host")]
 mod picture;
+#[cfg(feature = "host")]
 mod prepared;
+#[cfg(feature = "host")]
 mod real;
 mod scene;
+#[cfg(feature = "host")]
 mod shading;
+#[cfg(feature = "host")]
 mod trace;
 
 pub use self::camera::Camera;
+#[cfg(feature = "host")]
 pub use self::model::Vector;
+#[cfg(feature = "host")]
 pub use self::picture::{Picture, pixel, render};
 pub use self::scene::*;
+#[cfg(feature = "host")]
 pub use self::shading::Shading;
 
 /// Number type of all computations of the reference. `xtask/float_picture` compiles the same files with
 /// `f32` instead.
+#[cfg(feature = "host")]
 type Real = f64;
 
+#[cfg(feature = "host")]
 #[cfg(test)]
 mod tests;

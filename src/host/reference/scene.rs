@@ -1,8 +1,8 @@
 //! The scene of the reference, in doubles, with public fields. This file checks nothing and renders
 //! nothing.
 
+use alloc::vec::Vec;
 use core::fmt::Debug;
-use std::vec::Vec;
 
 use serde::Deserialize;
 

@@ -1,18 +1,19 @@
 //! `cargo xtask scene`: converts a scene file to the Rust source of a constant scene.
 //!
 //! The numbers are those of the file, to the last digit. A scene that the library would refuse is
-//! refused before anything is written. [`names`] turns the file's names into identifiers, [`moving`]
-//! chooses a shape that moves, [`write`] writes the source, and rustfmt formats it.
+//! refused before anything is written. The library writes the source
+//! ([`reflet::host::file::RustSource`]), [`moving`] chooses a shape that moves, and rustfmt lays it out.
 
 pub(crate) mod moving;
-mod names;
-mod write;
 
 use std::{fs, path::Path};
 
 use anyhow::{Context, Result};
 use command_line::{Chosen, with_advice};
-use reflet::host::{file::SceneFile, reference};
+use reflet::host::{
+    file::{RustSource, SceneFile},
+    reference,
+};
 
 use self::moving::Moving;
 
@@ -58,11 +59,8 @@ pub fn parse(text: &str) -> Result<(SceneFile, Source)> {
 fn source(file: &SceneFile, unnamed: &str) -> Result<Source> {
     file.build().map_err(Misuse::new)?;
     let name = file.name().unwrap_or(unnamed).to_owned();
-    let (scene, camera) = file.reference();
-    let type_name = names::type_name(&name);
-    let materials = names::constants(file.materials(), &type_name);
-    let text = write::source([&name, &type_name], &materials, &scene, &camera, None);
-    let text = laid_out(&text)?;
+    let source = file.rust_source().name(&name);
+    let (type_name, text) = (source.type_name(), laid_out(&source.text())?);
     Ok(Source {
         name,
         type_name,
@@ -83,16 +81,12 @@ pub(crate) fn with_motion(
             "nothing moves in {name}: it has no sphere, cylinder or disc"
         ))
     })?;
-    let type_name = names::type_name(name);
-    let numbers: Vec<_> = (0..scene.materials.len())
-        .map(|it| it.to_string())
-        .collect();
-    let materials = names::constants(&numbers, &type_name);
-    let text = write::source([name, &type_name], &materials, scene, camera, Some(&moving));
+    let [low, high] = moving.room();
+    let source = RustSource::new(name, scene, camera).motion(moving.kind, low, high);
     let source = Source {
         name: name.to_owned(),
-        type_name,
-        text: laid_out(&text)?,
+        type_name: source.type_name(),
+        text: laid_out(&source.text())?,
     };
     Ok((source, moving))
 }

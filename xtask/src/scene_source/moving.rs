@@ -2,8 +2,6 @@
 
 use reflet::host::reference::Scene;
 
-use super::write::{fields, vector};
-
 /// Side of the motion box, in diameters of the ball around the shape.
 const ROOM: f64 = 1.125;
 
@@ -34,16 +32,15 @@ impl Moving {
         let shape = scene.shapes().find(|it| it.kind == kind)?;
         Some(Self {
             kind,
-            fields: fields(&shape).collect(),
+            fields: shape.fields.iter().map(|it| format!("{it:?}")).collect(),
             center,
             radius,
         })
     }
 
-    /// Returns the line of `scene!` that declares the box in which the shape moves.
-    pub fn motion(&self) -> String {
-        let corner = |side: f64| vector(self.center.map(|middle| middle + side * self.radius));
-        format!("motion({}, {})", corner(-ROOM), corner(ROOM))
+    /// Returns the corners of the box in which the shape moves.
+    pub fn room(&self) -> [[f64; 3]; 2] {
+        [-ROOM, ROOM].map(|side| self.center.map(|middle| middle + side * self.radius))
     }
 
     /// Returns the `firmware::Moves` of the scene, of which `scene` is the type: the shape is moved to
@@ -98,9 +95,6 @@ mod tests {
             material: 0,
         });
         let moving = Moving::of(&scene).unwrap();
-        assert_eq!(
-            moving.motion(),
-            "motion([-8.0, -7.0, -6.0], [10.0, 11.0, 12.0])"
-        );
+        assert_eq!(moving.room(), [[-8.0, -7.0, -6.0], [10.0, 11.0, 12.0]]);
     }
 }

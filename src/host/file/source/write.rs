@@ -1,23 +1,19 @@
-//! Writes the Rust source of a scene, before rustfmt formats it.
+//! Writes the lines of the Rust source of a scene.
 
-use std::collections::BTreeSet;
+use alloc::borrow::ToOwned;
+use alloc::collections::BTreeSet;
+use alloc::string::String;
+use alloc::vec::Vec;
 
-use reflet::host::reference::{Camera, Light, Material, Scene, Shape};
-
-use super::moving::Moving;
+use super::{Motion, RustSource};
+use crate::host::reference::{Light, Material, Scene, Shape};
 
 /// Default of a scene's epsilon, the distance by which rays are lifted off surfaces.
 const EPSILON: f64 = 1e-3;
 
-/// Returns the source of a constant scene. `materials` are the names of the materials' constants;
-/// `moving` is the shape that moves, if one does.
-pub fn source(
-    [name, type_name]: [&str; 2],
-    materials: &[String],
-    scene: &Scene,
-    camera: &Camera,
-    moving: Option<&Moving>,
-) -> String {
+/// Returns the source of a constant scene. `materials` are the names of the materials' constants.
+pub(super) fn text(source: &RustSource<'_>, type_name: &str, materials: &[String]) -> String {
+    let (scene, camera) = (source.scene, &source.camera);
     let used = used_materials(scene);
     let mut constants = String::new();
     for index in &used {
@@ -25,7 +21,7 @@ pub fn source(
         constants += &material;
     }
     let import = if used.is_empty() { "" } else { "Material, " };
-    let name = name.escape_debug();
+    let name = source.name.escape_debug();
     format!(
         "//! The scene `{name}`, written from a scene file by `cargo xtask scene`.\n\n\
          use reflet::{{Camera, {import}scene}};\n\n\
@@ -42,7 +38,7 @@ pub fn source(
         vector(camera.target),
         vector(camera.up),
         number(camera.fov),
-        parts(scene, materials, moving),
+        parts(scene, materials, source.motion.as_ref()),
     )
 }
 
@@ -70,18 +66,25 @@ fn constant(name: &str, material: &Material) -> String {
 }
 
 /// Returns a line for each part. rustfmt leaves what is inside of a macro as it is.
-fn parts(scene: &Scene, materials: &[String], moving: Option<&Moving>) -> String {
-    let mut is_first = moving.is_some();
+fn parts(scene: &Scene, materials: &[String], motion: Option<&Motion>) -> String {
+    let mut is_first = motion.is_some();
     let shape = |it: Shape| {
-        let moves = is_first && moving.is_some_and(|moving| moving.kind == it.kind);
+        let moves = is_first && motion.is_some_and(|motion| motion.kind == it.kind);
         is_first &= !moves;
         let handle = if moves { " MOVING" } else { "" };
-        let fields: Vec<_> = fields(&it).collect();
-        let (fields, material) = (fields.join(", "), &materials[it.material]);
+        let fields = it.fields.iter().map(|field| format!("{field:?}"));
+        let (fields, material) = (
+            fields.collect::<Vec<_>>().join(", "),
+            &materials[it.material],
+        );
         format!("{}{handle}({fields}, {material})", it.kind)
     };
     let light = |it: &Light| format!("light({}, {})", vector(it.position), vector(it.color));
-    let mut parts: Vec<String> = moving.map(Moving::motion).into_iter().collect();
+    let corners = |motion: &Motion| {
+        let [low, high] = [motion.low, motion.high].map(vector);
+        format!("motion({low}, {high})")
+    };
+    let mut parts: Vec<String> = motion.map(corners).into_iter().collect();
     parts.extend(scene.shapes().map(shape));
     parts.extend(scene.lights.iter().map(light));
     if let Some(sky) = &scene.sky {
@@ -99,12 +102,7 @@ fn parts(scene: &Scene, materials: &[String], moving: Option<&Moving>) -> String
     parts.into_iter().map(line).collect()
 }
 
-/// Returns the arguments of a shape's line without the material.
-pub(super) fn fields(shape: &Shape<'_>) -> impl Iterator<Item = String> {
-    shape.fields.iter().map(|field| format!("{field:?}"))
-}
-
-pub(super) fn vector([x, y, z]: [f64; 3]) -> String {
+fn vector([x, y, z]: [f64; 3]) -> String {
     format!("[{}, {}, {}]", number(x), number(y), number(z))
 }
 

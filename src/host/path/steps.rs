@@ -1,0 +1,206 @@
+//! What the path of a pixel meets, step by step, and what each surface adds to the pixel's colour. The colours are those
+//! of the quality `Exact`, to the bit; this file only converts them to doubles.
+
+use alloc::vec::Vec;
+
+use super::{place_of, shape_of};
+use crate::accel::drawable::Drawable;
+use crate::color::{Color, Sum};
+use crate::number::{Brightness, Unit};
+use crate::render::{Exact, Rows};
+use crate::scene::access::SceneAccess;
+use crate::shade::Shading;
+pub use crate::trace::End;
+use crate::trace::{Met, Walked};
+
+/// The path of a pixel: c = Σᵢ (1 − αᵢ) · (Π over k < i of αₖ) · cᵢ, term by term. [`path_of`] returns it.
+///
+/// All colours are linear, as shares of white.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Path {
+    /// The surfaces that the path meets, in order.
+    pub steps: Vec<Step>,
+    /// The reason why the path ends.
+    pub end: End,
+    /// Colour of the background that the last ray shows, if it hits nothing. Its weight is that after the
+    /// last step.
+    pub background: Option<[f64; 3]>,
+    /// Colour of the pixel, before it is clamped and rounded.
+    pub sum: [f64; 3],
+    /// Red, green and blue that `Exact` draws.
+    pub pixel: [u8; 3],
+    /// Largest component of any colour that a path of this scene can meet.
+    pub brightest: f64,
+}
+
+/// A surface on the path of a pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Step {
+    /// Kind of the shape, such as `sphere`.
+    pub kind: &'static str,
+    /// Index of the shape among those of its kind.
+    pub index: usize,
+    /// Index of the material of the shape.
+    pub material: usize,
+    /// Whether the ray meets the shape from inside, or a plane against its normal.
+    pub is_inside: bool,
+    /// Share αᵢ of the light that the surface mirrors.
+    pub alpha: f64,
+    /// Weight of the path before the surface: Π over k < i of αₖ.
+    pub weight: f64,
+    /// Weight of the path after the surface.
+    pub weight_after: f64,
+    /// Colour cᵢ of the surface without reflections; black for a perfect mirror, which has none.
+    pub color: [f64; 3],
+    /// Indices of the lights that shine on the surface; empty for a perfect mirror. Of more than 31 lights,
+    /// the later ones are missing.
+    pub lights: Vec<usize>,
+    /// Sum of the path up to this surface.
+    pub sum: [f64; 3],
+    /// Most that a component of the pixel's colour can still gain: the weight after the surface times
+    /// [`Path::brightest`].
+    pub bound: f64,
+    /// Where the ray starts that meets the surface, in scene units.
+    pub from: [f64; 3],
+    /// Where rays leave the surface, epsilon above it, in scene units.
+    pub to: [f64; 3],
+}
+
+/// Returns the path of pixel (`x`, `y`), as `Exact` computes it. `None` outside of the picture.
+///
+/// ```
+/// use embedded_graphics::prelude::Size;
+/// use reflet::host::path::{End, path_of};
+/// use reflet::quality::Exact;
+/// use reflet::{Camera, Material, scene};
+///
+/// const GLASS: Material = Material::new([1.0, 0.5, 0.0]).ambient(1.0).mirror(0.5);
+/// scene! {
+///     struct Floor {
+///         plane([0.0; 3], [0.0, 0.0, 1.0], GLASS);
+///         background([0.0, 0.0, 1.0]);
+///     }
+/// }
+///
+/// let camera = Camera::look_at([0.0, 0.0, 2.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+/// let frame = Floor::frame(&camera).quality::<Exact>().prepare(Size::new(1, 1));
+/// let path = path_of(&frame.on(&Floor)?, (0, 0)).unwrap();
+/// let step = &path.steps[0];
+/// assert_eq!((step.kind, step.index, step.alpha, step.weight), ("plane", 0, 0.5, 1.0));
+/// assert_eq!((path.end, path.pixel), (End::Missed, [128, 64, 128]));
+/// # Ok::<(), reflet::Error>(())
+/// ```
+pub fn path_of<S: Drawable, K: Shading>(
+    rows: &Rows<'_, S, Exact, K>,
+    (x, y): (u32, u32),
+) -> Option<Path> {
+    let [width, height] = rows.sides();
+    let is_inside = x < width && y < height;
+    is_inside.then(|| paths(rows, y, x, x + 1).pop()).flatten()
+}
+
+/// Returns the paths of all pixels of row `y`, from the left; none below the picture.
+///
+/// ```
+/// use embedded_graphics::prelude::Size;
+/// use reflet::host::path::{path_of, paths_of_row};
+/// use reflet::quality::Exact;
+/// use reflet::scenes::{BuiltIn, Mirror2};
+///
+/// let frame = Mirror2::frame(&Mirror2::CAMERA).quality::<Exact>().prepare(Size::new(16, 12));
+/// let rows = frame.on(&Mirror2)?;
+/// let paths = paths_of_row(&rows, 6);
+/// assert_eq!(paths.len(), 16);
+/// assert_eq!(Some(&paths[3]), path_of(&rows, (3, 6)).as_ref());
+/// # Ok::<(), reflet::Error>(())
+/// ```
+pub fn paths_of_row<S: Drawable, K: Shading>(rows: &Rows<'_, S, Exact, K>, y: u32) -> Vec<Path> {
+    let [width, height] = rows.sides();
+    match y < height {
+        true => paths(rows, y, 0, width),
+        false => Vec::new(),
+    }
+}
+
+/// Returns the paths of the columns from `first` to the one before `end` of a row.
+fn paths<S: Drawable, K: Shading>(
+    rows: &Rows<'_, S, Exact, K>,
+    y: u32,
+    first: u32,
+    end: u32,
+) -> Vec<Path> {
+    match rows.walk(y, first..end) {
+        Some(walked) => walked.iter().map(|it| path(rows.world(), it)).collect(),
+        None => vec![empty(rows); (end - first) as usize],
+    }
+}
+
+/// Returns the path of every pixel in a scene without shapes and without a sky.
+fn empty<S: Drawable, K: Shading>(rows: &Rows<'_, S, Exact, K>) -> Path {
+    let sum = rows.only_sum().unwrap_or(Sum::DARK);
+    let walked = Walked {
+        steps: Vec::new(),
+        end: End::Missed,
+        missed: None,
+        sum,
+    };
+    let path = path(rows.world(), &walked);
+    Path {
+        background: Some(path.sum),
+        ..path
+    }
+}
+
+fn path<W: SceneAccess>(world: &W, walked: &Walked) -> Path {
+    Path {
+        steps: walked.steps.iter().map(|it| step(world, it)).collect(),
+        end: walked.end,
+        background: walked.missed.map(shares),
+        sum: shares_of(walked.sum),
+        pixel: walked.sum.to_rgb8(),
+        brightest: share(world.parts().brightest),
+    }
+}
+
+fn step<W: SceneAccess>(world: &W, met: &Met) -> Step {
+    let parts = world.parts();
+    let (kind, index) = shape_of(&parts, met.shape);
+    let [weight, weight_after] = met.throughput.map(Unit::to_num::<f64>);
+    // In a scene with checkers, the first bit is that of the cell.
+    let (lights, bits) = match W::NEEDS.checkers {
+        true => (met.lights >> 1, 31),
+        false => (met.lights, 32),
+    };
+    let shines = |light: &usize| lights >> light & 1 == 1;
+    Step {
+        kind,
+        index,
+        material: parts.material_of(met.shape).map_or(0, |it| it.index()),
+        is_inside: met.is_inside,
+        alpha: met.mirror.to_num(),
+        weight,
+        weight_after,
+        color: shares(met.color),
+        lights: (0..parts.lights.len().min(bits)).filter(shines).collect(),
+        sum: shares_of(met.sum),
+        bound: weight_after * share(parts.brightest),
+        from: place_of(world, met.from),
+        to: place_of(world, met.to),
+    }
+}
+
+/// Colours are stored in 255 of 256 parts; this scales back.
+const SCALE: f64 = 256.0 / 255.0;
+
+fn share(brightness: Brightness) -> f64 {
+    brightness.to_num::<f64>() * SCALE
+}
+
+fn shares(color: Color) -> [f64; 3] {
+    color.components().map(share)
+}
+
+fn shares_of(sum: Sum) -> [f64; 3] {
+    let step = SCALE / f64::from(1 << 24);
+    sum.to_bits().map(|bits| f64::from(bits) * step)
+}

@@ -1,0 +1,144 @@
+//! The library behind the playground: a scene, a view and a frame, for a page that draws row by row.
+//!
+//! [`Playground`] does the work; it is plain Rust and is tested on any machine. [`exports`] calls it from
+//! a browser: numbers go in and out as they are, texts through two buffers.
+
+mod accuracy;
+mod answer;
+pub mod exports;
+mod opened;
+mod paths;
+mod place;
+mod projection;
+mod told;
+
+pub use answer::Answer;
+pub use drawing::Settings;
+
+use drawing::Frame;
+use opened::Opened;
+
+/// All that a page works with: the scene, and the frame that is drawn of it.
+#[derive(Default)]
+pub struct Playground {
+    opened: Option<Opened>,
+    frame: Option<Frame>,
+}
+
+impl Playground {
+    /// Reads the scene at `index` of a scene file; of an array, a negative index is the first scene. An open
+    /// scene stays open if this one is refused.
+    pub fn open(&mut self, text: &str, index: i32) -> Answer {
+        let opened = match Opened::read(text, index) {
+            Ok(opened) => opened,
+            Err(refusal) => return Answer::refused(&refusal),
+        };
+        let answer = Answer::done(&opened.facts());
+        (self.opened, self.frame) = (Some(opened), None);
+        answer
+    }
+
+    /// Sets the view: the file's camera after an orbit by `turn` and `rise`, in thousandths of a degree, with the field
+    /// of view times `zoom` / 1000.
+    pub fn set_view(&mut self, turn: i32, rise: i32, zoom: u32) -> Answer {
+        let Some(opened) = &mut self.opened else {
+            return Answer::no_scene();
+        };
+        match opened.set_view(turn, rise, zoom) {
+            Ok(()) => Answer::nothing(),
+            Err(error) => Answer::error(error),
+        }
+    }
+
+    /// Returns the camera of the view.
+    pub fn camera(&self) -> Answer {
+        match &self.opened {
+            Some(opened) => Answer::done(&opened.camera()),
+            None => Answer::no_scene(),
+        }
+    }
+
+    /// Prepares a frame of the scene in its present view.
+    pub fn frame(&mut self, settings: Settings) -> Answer {
+        let Some(opened) = &self.opened else {
+            return Answer::no_scene();
+        };
+        if let Err(error) = settings.check() {
+            return Answer::error(error);
+        }
+        self.frame = Some(Frame::new(&opened.scene, &opened.view, settings));
+        Answer::nothing()
+    }
+
+    /// Draws row `y` of the frame, and returns its pixels: red, green, blue and 255 each. Returns nothing
+    /// without a frame or beyond its last row.
+    pub fn row(&mut self, y: u32) -> &[u8] {
+        match (&self.opened, &mut self.frame) {
+            (Some(opened), Some(frame)) => frame.row(&opened.scene, y),
+            _ => &[],
+        }
+    }
+
+    /// Returns what the rows have told: rays, the light that is missing, and the hash of the picture.
+    pub fn finish(&self) -> Answer {
+        match (&self.opened, &self.frame) {
+            (Some(opened), Some(frame)) => Answer::done(&told::of(opened, frame)),
+            _ => Answer::no_frame(),
+        }
+    }
+
+    /// Returns the path of pixel (`x`, `y`) of the frame, as `Exact` computes it.
+    pub fn path(&self, x: u32, y: u32) -> Answer {
+        let Some((opened, frame)) = self.both() else {
+            return Answer::no_frame();
+        };
+        match paths::pixel(opened, &frame.settings, (x, y)) {
+            Some(path) => Answer::done(&path),
+            None => Answer::error("the picture has no such pixel"),
+        }
+    }
+
+    /// Returns the runs of row `y` of the frame: neighbours whose paths meet the same.
+    pub fn row_paths(&self, y: u32) -> Answer {
+        match self.both() {
+            Some((opened, frame)) => Answer::done(&paths::row(opened, &frame.settings, y)),
+            None => Answer::no_frame(),
+        }
+    }
+
+    /// Compares the picture with so many reflections with that of [`accuracy::MANY`], both `Exact`, in the
+    /// view, with the frame's shading.
+    pub fn error_at(&self, width: u32, height: u32, reflections: u32) -> Answer {
+        let Some(opened) = &self.opened else {
+            return Answer::no_scene();
+        };
+        let settings = Settings {
+            width,
+            height,
+            reflections,
+            quality: 1,
+            shading: self.frame.as_ref().map_or(0, |it| it.settings.shading),
+            smooth: 1,
+            display: 0,
+        };
+        match settings.check() {
+            Ok(()) => Answer::done(&accuracy::measured(opened, settings)),
+            Err(error) => Answer::error(error),
+        }
+    }
+
+    /// Returns the Rust source of the scene, with the camera of the view.
+    pub fn rust(&self) -> Answer {
+        match &self.opened {
+            Some(opened) => Answer::text(opened.file.rust_source().camera(&opened.view).text()),
+            None => Answer::no_scene(),
+        }
+    }
+
+    fn both(&self) -> Option<(&Opened, &Frame)> {
+        self.opened.as_ref().zip(self.frame.as_ref())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,85 @@
+//! Compiles scenes that the page copied as Rust, all in one program, and runs it on this machine.
+
+use std::fs;
+use std::process::Command;
+
+use crate::site::{repository, target};
+
+/// What the program does with each scene, and how it takes the time of the castle's frames: single ones,
+/// in one thread, while the camera orbits.
+const MAIN: &str = r#"
+use embedded_graphics::{geometry::Size, pixelcolor::{Rgb888, RgbColor}};
+use frame_hash::FrameHash;
+
+macro_rules! draw {
+    ($scene:path, $camera:expr, $side:expr) => {{
+        let frame = <$scene>::frame(&$camera).reflections(4).prepare(Size::new($side, $side));
+        let rows = frame.on(&$scene).unwrap();
+        let (mut row, mut hash) = ([Rgb888::BLACK; $side], FrameHash::NONE);
+        for y in 0..$side {
+            rows.row(y, 0, &mut row);
+            row.iter().for_each(|it| hash.add([it.r(), it.g(), it.b()]));
+        }
+        hash.value()
+    }};
+}
+
+macro_rules! time {
+    ($scene:path, $camera:expr) => {{
+        let mut times: Vec<f64> = (0..31).map(|turn| {
+            let camera = $camera.orbited(5 * turn, 0).unwrap();
+            let start = std::time::Instant::now();
+            std::hint::black_box(draw!($scene, camera, 320));
+            1e3 * start.elapsed().as_secs_f64()
+        }).collect();
+        times.sort_by(f64::total_cmp);
+        times[15]
+    }};
+}
+"#;
+
+const MANIFEST: &str = "[package]\nname = \"copied\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
+     embedded-graphics = { version = \"0.8\", default-features = false }\n";
+
+/// Returns the lines that the program prints: the hash of each source at 64x64, then the median of the
+/// milliseconds of the first one's frames at 320x320.
+pub fn run(sources: &[String]) -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    fs::create_dir(folder.path().join("src")).unwrap();
+    let (root, mut manifest) = (repository(), MANIFEST.to_owned());
+    for (package, path) in [("reflet", "."), ("frame_hash", "xtask/frame_hash")] {
+        manifest += &format!("{package} = {{ path = {:?} }}\n", root.join(path));
+    }
+    write("Cargo.toml", &manifest);
+    fs::copy(root.join("Cargo.lock"), folder.path().join("Cargo.lock")).unwrap();
+    let (mut modules, mut calls) = (String::new(), String::new());
+    for (at, source) in sources.iter().enumerate() {
+        write(&format!("src/s{at}.rs"), source);
+        modules += &format!("mod s{at};\n");
+        let scene = format!("s{at}::{}, s{at}::CAMERA", type_name(source));
+        calls += &format!("println!(\"{{:016x}}\", draw!({scene}, 64));\n");
+    }
+    let castle = type_name(&sources[0]);
+    calls += &format!("println!(\"{{}}\", time!(s0::{castle}, s0::CAMERA));\n");
+    write(
+        "src/main.rs",
+        &format!("{modules}{MAIN}fn main() {{\n{calls}}}\n"),
+    );
+    let cargo = Command::new("cargo")
+        .args(["run", "--release", "--target-dir"])
+        .arg(target().join("copied"))
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let words = String::from_utf8_lossy(&cargo.stderr);
+    assert!(cargo.status.success(), "{words}");
+    let printed = String::from_utf8(cargo.stdout).unwrap();
+    printed.lines().map(str::to_owned).collect()
+}
+
+/// Returns the name of the scene's type.
+fn type_name(source: &str) -> &str {
+    let rest = source.split_once("pub struct ").expect("a scene").1;
+    rest.split_once(" {").expect("its parts").0
+}

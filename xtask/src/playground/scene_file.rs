@@ -1,0 +1,186 @@
+//! Writes a scene as a scene file, laid out for reading: one part a line, and nothing that is the
+//! default.
+
+use reflet::Number;
+use reflet::host::reference::{Camera, Checker, Light, Material, Scene, Shape, Sky};
+
+/// Returns the names of a built-in scene's materials, from its source: the constants in the order in
+/// which the parts name them first. If that is not one for each material, they are numbered.
+pub fn materials(source: &str, scene: &Scene) -> Vec<String> {
+    let parts = source.lines().skip_while(|line| *line != "scene! {");
+    let mut names: Vec<String> = Vec::new();
+    for line in parts {
+        let last = line
+            .strip_suffix(");")
+            .and_then(|it| it.rsplit(", ").next());
+        let is_name = |it: &&str| it.starts_with(|letter: char| letter.is_ascii_uppercase());
+        if let Some(name) = last.filter(is_name) {
+            let name = name.to_lowercase().replace('_', " ");
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+    }
+    match names.len() == scene.materials.len() {
+        true => names,
+        false => (1..=scene.materials.len())
+            .map(|it| format!("material {it}"))
+            .collect(),
+    }
+}
+
+/// Returns the text of the file. `materials` are the names of the materials.
+pub fn text(name: &str, materials: &[String], scene: &Scene, camera: &Camera) -> String {
+    let named = materials.iter().zip(&scene.materials);
+    let mut entries = vec![
+        format!(r#""name": {}"#, quoted(name)),
+        format!(r#""camera": {}"#, view(camera)),
+    ];
+    entries.extend(list(
+        "materials",
+        named.map(|(name, it)| material(name, it)),
+    ));
+    entries.extend(list("lights", scene.lights.iter().map(light)));
+    for kind in ["spheres", "planes", "cylinders", "discs"] {
+        let shapes = scene.shapes().filter(|it| it.list == kind);
+        entries.extend(list(
+            kind,
+            shapes.map(|it| shape(&it, &materials[it.material])),
+        ));
+    }
+    match &scene.sky {
+        Some(it) => entries.push(format!(r#""sky": {}"#, sky(it))),
+        None if scene.background != [0.0; 3] => {
+            entries.push(format!(r#""background": {}"#, vector(scene.background)));
+        }
+        None => {}
+    }
+    if scene.epsilon != Scene::default().epsilon {
+        entries.push(format!(r#""epsilon": {}"#, scene.epsilon));
+    }
+    format!("{{\n  {}\n}}\n", entries.join(",\n  "))
+}
+
+/// Returns a list with one part a line, or `None` if it is empty.
+fn list(name: &str, parts: impl Iterator<Item = String>) -> Option<String> {
+    let parts: Vec<_> = parts.collect();
+    let text = format!("\"{name}\": [\n    {}\n  ]", parts.join(",\n    "));
+    (!parts.is_empty()).then_some(text)
+}
+
+fn view(camera: &Camera) -> String {
+    let [position, target, up] = [camera.position, camera.target, camera.up].map(vector);
+    let fov = camera.fov;
+    format!(r#"{{ "position": {position}, "target": {target}, "up": {up}, "fov": {fov} }}"#)
+}
+
+fn material(name: &str, material: &Material) -> String {
+    let defaults = reflet::Material::new([0.0; 3]).described_coefficients();
+    let given = [
+        material.ambient,
+        material.diffuse,
+        material.specular,
+        material.shininess,
+        material.mirror,
+    ];
+    let keys = ["ambient", "diffuse", "specular", "shininess", "mirror"];
+    let mut fields = vec![("name", quoted(name)), ("color", vector(material.color))];
+    for ((key, value), default) in keys
+        .into_iter()
+        .zip(given)
+        .zip(defaults.map(Number::to_f64))
+    {
+        if value != default {
+            fields.push((key, value.to_string()));
+        }
+    }
+    fields.extend(material.checker.as_ref().map(|it| ("checker", checker(it))));
+    object(&fields)
+}
+
+fn checker(checker: &Checker) -> String {
+    let [color, size] = [checker.color, checker.size].map(vector);
+    format!(r#"{{ "color": {color}, "size": {size} }}"#)
+}
+
+fn light(light: &Light) -> String {
+    let [position, color] = [light.position, light.color].map(vector);
+    format!(r#"{{ "position": {position}, "color": {color} }}"#)
+}
+
+fn shape(shape: &Shape<'_>, material: &str) -> String {
+    let keys: &[&str] = match shape.kind {
+        "cylinder" => &["center", "axis", "radius", "height"],
+        "sphere" => &["center", "radius"],
+        _ => &["center", "normal", "radius"],
+    };
+    // As source of Rust, `1.0` stands for 1.
+    let short = |it: String| it.replace(".0,", ",").replace(".0]", "]");
+    let fields = shape
+        .fields
+        .iter()
+        .map(|field| short(format!("{field:?},")));
+    let fields = fields.map(|it| it.trim_end_matches(',').to_owned());
+    let mut pairs: Vec<_> = keys.iter().copied().zip(fields).collect();
+    pairs.push(("material", quoted(material)));
+    object(&pairs)
+}
+
+fn sky(sky: &Sky) -> String {
+    let [up, below, horizon, above] = [sky.up, sky.below, sky.horizon, sky.above].map(vector);
+    format!(r#"{{ "up": {up}, "below": {below}, "horizon": {horizon}, "above": {above} }}"#)
+}
+
+fn object(fields: &[(&str, String)]) -> String {
+    let fields = fields
+        .iter()
+        .map(|(key, value)| format!(r#""{key}": {value}"#));
+    format!("{{ {} }}", fields.collect::<Vec<_>>().join(", "))
+}
+
+fn vector([x, y, z]: [f64; 3]) -> String {
+    format!("[{x}, {y}, {z}]")
+}
+
+fn quoted(text: &str) -> String {
+    format!("{text:?}")
+}
+
+#[cfg(test)]
+mod tests {
+    use reflet::host::file::SceneFile;
+
+    use super::*;
+
+    #[test]
+    fn scene_with_everything_is_read_again_as_it_was() {
+        let file = r#"{
+  "name": "still life",
+  "camera": { "position": [1, -5, 2.5], "target": [0, 0, 1], "up": [0, 0.5, 1], "fov": 40.25 },
+  "materials": [
+    { "name": "old clay", "color": [0.5, 0.25, 0.125], "ambient": 0.3, "mirror": 0.5, "checker": { "color": [0, 0, 1], "size": [1, 0, 2] } }
+  ],
+  "lights": [
+    { "position": [3, -4, 6], "color": [1, 0.5, 0.25] }
+  ],
+  "spheres": [
+    { "center": [10, 0, 1.05], "radius": 1, "material": "old clay" }
+  ],
+  "planes": [
+    { "center": [0, 0, -1], "normal": [0, 0, 2], "material": "old clay" }
+  ],
+  "cylinders": [
+    { "center": [2, 0, 1], "axis": [0, 0, 3], "radius": 0.5, "height": 2, "material": "old clay" }
+  ],
+  "discs": [
+    { "center": [2, 0, 3], "normal": [0, 0, 4], "radius": 0.75, "material": "old clay" }
+  ],
+  "sky": { "up": [0, 0, 5], "below": [0.125, 0.25, 0.375], "horizon": [0.5, 1, 2], "above": [0.0625, 0, 1] },
+  "epsilon": 0.0078125
+}
+"#;
+        let read = SceneFile::parse(file, None).unwrap();
+        let (scene, camera) = read.reference();
+        assert_eq!(text("still life", read.materials(), &scene, &camera), file);
+    }
+}
