@@ -185,6 +185,12 @@ impl Vector {
         (direction, length)
     }
 
+    /// Returns what [`Vector::direction_and_length`] does, out of line: code that is rare takes less flash.
+    #[inline(never)]
+    pub const fn normalised(self) -> (Direction, Length) {
+        self.direction_and_length()
+    }
+
     /// Returns the direction, the length, and the quotient `part` / length, which is limited to one.
     /// `part` is in steps. One reciprocal root gives all three.
     #[inline(always)]

@@ -32,8 +32,10 @@ pub struct ActiveShape<'a, K: Bordered> {
     /// The shape, prepared for rays from the eye.
     pub(super) from: K::FromPoint,
     pub(super) shape: &'a K,
-    /// Columns in which rays can hit the shape.
+    /// Columns in which the row shows the whole shape, and what mirrored rays cannot reach of it.
     pub(super) span: Span<K::Rims>,
+    /// First and last column in which rays can hit the shape: of those, and of its rectangle.
+    pub(super) columns: [u16; 2],
     /// Index of the shape among its kind.
     pub(super) index: u16,
 }
@@ -42,7 +44,7 @@ impl<K: Bordered> ActiveShape<'_, K> {
     /// Tests whether rays through a column can hit the shape.
     #[inline(always)]
     fn has_column(&self, column: u32) -> bool {
-        let (first, last) = (u32::from(self.span.first), u32::from(self.span.last));
+        let [first, last] = self.columns.map(u32::from);
         difference_modulo_2_32(column, first) <= difference_modulo_2_32(last, first)
     }
 }
@@ -128,7 +130,7 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
         (first, last): (u32, u32),
         (eye, row): (Point, &RowPlane),
     ) -> Option<u32> {
-        self.active.keep(|it| u32::from(it.span.last) >= first);
+        self.active.keep(|it| u32::from(it.columns[1]) >= first);
         let mut until = u32::MAX;
         while let Some(rect) = rects.get(self.next) {
             if rect.has_row(y) {
@@ -167,6 +169,7 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
                 from,
                 shape,
                 span,
+                columns: [span.first.max(rect.left), span.last.min(rect.right)],
                 index: to_u16(to_u32(rect.shape())),
             }),
         }

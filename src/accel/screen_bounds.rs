@@ -2,14 +2,16 @@
 //!
 //! There is one list of rectangles for the shapes themselves, and one for each mirroring plane: the
 //! shapes mirrored in it, as the camera sees them there. Bound: a radius is widened by 2⁻¹⁰ of it and
-//! 64 steps, and by two epsilon more if mirrored. A rectangle is widened by one or two pixels.
+//! 64 steps, and by two epsilon more if mirrored. A rectangle is widened by one or two pixels. Of a sphere whose
+//! centre lies behind the plane, only the cap in front of it counts.
 
 use super::screen_axis::{Columns, widened};
 use super::screen_rect::{ScreenRect, insert};
-use crate::number::Length;
+use crate::number::{Length, narrowed, square_root, unsigned_wide, wide};
 use crate::ray::ScreenAxis;
 use crate::scene::access::SceneAccess;
 use crate::scene::{Array, Capacity};
+use crate::shape::bordered::Ball;
 use crate::shape::bounded::Bounded;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Point, Vector};
@@ -114,6 +116,10 @@ impl Eye<'_> {
     fn look_at<K: Bounded>(&self, shapes: &[K], rects: &mut [ScreenRect]) {
         for (index, shape) in shapes.iter().enumerate() {
             let (center, half_axis, radius) = shape.outline();
+            let (center, radius) = match K::IS_BALL {
+                true => self.in_front((center, radius)),
+                false => (center, radius),
+            };
             let rect = match self.seen(center, half_axis) {
                 Some((way, _)) if K::IS_BALL => self.ball(index, way, radius),
                 Some((way, _)) if K::IS_FLAT => self.capsule(index, (way, Vector::ZERO), radius),
@@ -122,6 +128,26 @@ impl Eye<'_> {
             };
             insert(rects, index, rect);
         }
+    }
+
+    /// Returns a ball around the part of a ball that mirrored rays can reach: what lies in front of the plane.
+    ///
+    /// If the centre lies behind the plane, that part is a cap of less than half of the ball. It lies in the ball
+    /// over the circle in which the plane cuts the whole.
+    fn in_front(&self, (center, radius): Ball) -> Ball {
+        let Some(plane) = self.plane else {
+            return (center, radius);
+        };
+        let [height, camera] = [center, self.axes[0].origin].map(|it| plane.height(it) >> 30);
+        let depth = if camera < 0 { height } else { -height };
+        let whole = widened(radius) + self.lift();
+        if depth <= 0 || depth >= i64::from(whole) || camera == 0 {
+            return (center, radius);
+        }
+        let depth = narrowed(depth);
+        let square = wide(whole - depth, whole + depth);
+        let foot = plane.foot(center, narrowed(height));
+        (foot, square_root(unsigned_wide(square)).min(radius))
     }
 
     /// Returns what the radii of mirrored shapes are enlarged by: two epsilon. A mirrored ray starts
@@ -175,3 +201,6 @@ impl Eye<'_> {
         ))
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -129,23 +129,25 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     }
 
     /// Tests whether all rays of a stretch surely hit what its ends hit: rays of the camera, or their first
-    /// reflection in a plane. The stretch lies in `window`.
+    /// reflection in a plane. The stretch lies in `window`. If another shape may come to the front, returns where it
+    /// begins or ends, as far as that is known.
     pub(crate) fn keeps(
         &mut self,
         world: &'a W,
         mirror: Option<(ShapeId, &PreparedPlane)>,
         window: &Window,
         stretch: &Stretch<'_>,
-    ) -> bool {
+    ) -> Result<(), Option<u32>> {
         if !world.parts().has_bounded() {
-            return true;
+            return Ok(());
         }
         match mirror {
-            None => self.bounds.is_some() && self.direct.keep::<W>(world, stretch),
-            Some((id, plane)) => {
-                self.has_mirrored(world, (id, plane), window)
-                    && self.mirrored.keep::<W>(world, stretch)
-            }
+            None if self.bounds.is_none() => Err(None),
+            None => self.direct.keep::<W>(world, stretch),
+            Some((id, plane)) => match self.has_mirrored(world, (id, plane), window) {
+                true => self.mirrored.keep::<W>(world, stretch),
+                false => Err(None),
+            },
         }
     }
 

@@ -42,7 +42,7 @@ impl Chord {
     /// Tests whether a ball surely holds no point of the chord.
     pub(crate) fn misses(&self, (center, radius): Ball) -> bool {
         let [first, last] = self.ends;
-        let (direction, length) = first.to(last).direction_and_length();
+        let (direction, length) = first.to(last).normalised();
         let way = first.to(center);
         let along = way.dot(direction).max(0).min(length.to_bits());
         let reach = u64::from((radius + self.bulge).unsigned_abs());
@@ -123,22 +123,27 @@ macro_rules! keep {
         $({ $list:ident $($more:tt)* })*
     ) => {
         impl<R: ActiveRoom> ActiveLists<'_, R> {
-            /// Tests whether all rays of a stretch surely hit the shape that both ends hit.
+            /// Tests whether all rays of a stretch surely hit the shape that both ends hit. If another shape may
+            /// come to the front, returns the last column before it begins, or its last one, if it lies between.
             #[inline(never)]
-            pub(super) fn keep<W: SceneAccess>(&self, world: &W, stretch: &Stretch<'_>) -> bool {
+            pub(super) fn keep<W: SceneAccess>(
+                &self,
+                world: &W,
+                stretch: &Stretch<'_>,
+            ) -> Result<(), Option<u32>> {
                 if self.is_full {
-                    return false;
+                    return Err(None);
                 }
                 let lengths = world.parts().lengths();
                 let (kind, first) = (0, 0);
                 $(
-                    if W::NEEDS.$list && !self.$list.keeps::<W>(first, stretch) {
-                        return false;
+                    if W::NEEDS.$list {
+                        self.$list.keeps::<W>(first, stretch)?;
                     }
                     let (kind, first) = (kind + 1, first + lengths[kind]);
                 )*
                 let _ = (kind, first);
-                true
+                Ok(())
             }
 
             /// Returns the first and the last column in which rays can hit a shape. `None` if it is not active.
@@ -192,27 +197,49 @@ impl<'a, K: Bordered, V: Storage<ActiveShape<'a, K>>> ActiveList<'a, K, V> {
     }
 
     /// Tests whether no shape of this kind comes to the front in a stretch. `first` is the number of the
-    /// first shape of this kind.
+    /// first shape of this kind. If one may, returns a border of it as [`ActiveLists::keep`] does.
     #[inline(always)]
-    fn keeps<W: SceneAccess>(&self, first: usize, stretch: &Stretch<'_>) -> bool {
-        self.active.as_ref().iter().all(|it| {
-            let id = ShapeId::at(first + usize::from(it.index));
-            match meeting(&it.span, stretch.columns) {
-                Meeting::Never => true,
-                _ if id == stretch.shape => {
-                    // The two ends hit a convex body, so all rays between do.
-                    !has_rim(&it.span, stretch.columns)
-                }
-                Meeting::Always => it.never_crosses::<W>(stretch),
-                Meeting::Changes => {
-                    it.begins_behind::<W>(stretch) && it.never_crosses::<W>(stretch)
-                }
-            }
-        })
+    fn keeps<W: SceneAccess>(
+        &self,
+        first: usize,
+        stretch: &Stretch<'_>,
+    ) -> Result<(), Option<u32>> {
+        let id = |it: &ActiveShape<'_, K>| ShapeId::at(first + usize::from(it.index));
+        let mut active = self.active.as_ref().iter();
+        match active.find(|it| !it.is_kept::<W>(id(it), stretch)) {
+            None => Ok(()),
+            Some(it) => Err(it.border(stretch.columns)),
+        }
     }
 }
 
 impl<K: Bordered> ActiveShape<'_, K> {
+    /// Tests whether the shape `id` surely does not come to the front in a stretch, or is the one that it shows.
+    #[inline(always)]
+    fn is_kept<W: SceneAccess>(&self, id: ShapeId, stretch: &Stretch<'_>) -> bool {
+        let ([start, end], [left, right]) = (stretch.columns, self.columns.map(u32::from));
+        if end < left || right < start {
+            return true;
+        }
+        match meeting(&self.span, stretch.columns) {
+            Meeting::Never => true,
+            // The two ends hit a convex body, so all rays between do.
+            _ if id == stretch.shape => !has_rim(&self.span, stretch.columns),
+            Meeting::Always => self.never_crosses::<W>(stretch),
+            Meeting::Changes => {
+                self.begins_behind::<W>(stretch) && self.never_crosses::<W>(stretch)
+            }
+        }
+    }
+
+    /// Returns the last column before the shape begins, or else its last one, if it lies between two columns.
+    fn border(&self, [start, end]: [u32; 2]) -> Option<u32> {
+        let [first, last] = [self.span.first, self.span.last].map(u32::from);
+        let is_between = |column: &u32| (start..end).contains(column);
+        let before = first.checked_sub(1).filter(is_between);
+        before.or(Some(last).filter(is_between))
+    }
+
     /// Tests whether the shape surely crosses no point that the stretch shows.
     fn never_crosses<W: SceneAccess>(&self, stretch: &Stretch<'_>) -> bool {
         stretch.chord.as_ref().is_none_or(|chord| {

@@ -26,7 +26,7 @@ impl ChordLine {
         let (normal, radius) = disc;
         let across = normal.crossed_with(plane.raw());
         let apart = way.dot(plane);
-        let (along, sine) = across.direction_and_length();
+        let (along, sine) = across.normalised();
         let sine = Unit::from_bits(sine.to_bits().min(Unit::ONE.to_bits()));
         if apart.abs() > scaled_by_unit(radius + SLACK, sine) + SLACK {
             return Cut::None;

@@ -35,9 +35,9 @@ impl RowPlane {
     pub(crate) fn cut(&self, normal: Direction, height: i64) -> Cut<Line> {
         let [ahead, aside] = [self.axis.ahead, self.axis.aside].map(|it| normal.dot(it).to_bits());
         let towards = scaled(self.axis.ahead, ahead).plus(scaled(self.axis.aside, aside));
-        let (towards, sine) = towards.direction_and_length();
+        let (towards, sine) = towards.normalised();
         let sine = sine.to_bits().min(Unit::ONE.to_bits());
-        if sine < Unit::ONE.to_bits() >> 5 {
+        if sine < Unit::ONE.to_bits() >> 8 {
             return Cut::Unknown;
         }
         // The sine is at least 2^-bits.

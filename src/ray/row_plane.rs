@@ -232,7 +232,7 @@ impl RowPlane {
             false => Unit::ONE,
         };
         let half = root_of_unit(Unit::ONE - unit_product(share, share));
-        let (along, _) = across.direction_and_length();
+        let (along, _) = across.normalised();
         let offset = scaled_by_unit(radius, share);
         let towards = normal.crossed(along);
         let foot = way.plus(towards.scaled(if apart < 0 { -offset } else { offset }));

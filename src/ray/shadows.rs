@@ -32,7 +32,7 @@ impl Line {
             return None;
         }
         let along = way.dot(self.along);
-        let (up, height) = way.without(self.along, along).direction_and_length();
+        let (up, height) = way.without(self.along, along).normalised();
         let height = height.to_bits();
         (height > 64 * SLACK + 4 * (self.off >> scale)).then(|| Lamp {
             up,

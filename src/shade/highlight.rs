@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::smooth::{Glance, is_smooth, quarter};
+use super::smooth::{Glance, Samples, quarter, samples};
 use super::{LightQuality, Lit, Visibility, lit_color};
 use crate::background::Beyond;
 use crate::color::{Color, halved};
@@ -35,7 +35,7 @@ pub trait Shading: sealed::Shading {}
 impl<T: sealed::Shading> Shading for T {}
 
 pub(crate) mod sealed {
-    use super::super::smooth::Glance;
+    use super::super::smooth::{Glance, Samples};
     use super::super::{LightQuality, Lit, Visibility};
     use crate::background::Beyond;
     use crate::number::Exponent;
@@ -60,9 +60,8 @@ pub(crate) mod sealed {
             visibility: &V,
         ) -> Lit;
 
-        /// Tests whether the highlight of a light changes so little between two points of a surface that
-        /// it can be interpolated.
-        fn is_smooth(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> bool;
+        /// Returns how many pixels show how the highlight of a light changes between two points of a surface.
+        fn samples(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> Samples;
 
         /// Returns what a ray in a direction shows that hits nothing.
         fn missed<W: SceneAccess>(world: &W, direction: Direction) -> Beyond;
@@ -119,8 +118,8 @@ impl<H: Highlight> sealed::Shading for H {
         lit_color::<W, Q, V, Self>(world, surface, visibility)
     }
 
-    fn is_smooth(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> bool {
-        is_smooth(ends.each_ref().map(H::deviation), bend, shininess)
+    fn samples(ends: &[Glance; 2], bend: i32, shininess: Exponent) -> Samples {
+        samples(ends.each_ref().map(H::deviation), bend, shininess)
     }
 
     #[inline(always)]
@@ -145,8 +144,8 @@ impl sealed::Shading for Normals {
         }
     }
 
-    fn is_smooth(_: &[Glance; 2], _: i32, _: Exponent) -> bool {
-        true
+    fn samples(_: &[Glance; 2], _: i32, _: Exponent) -> Samples {
+        Samples::Three
     }
 
     fn missed<W: SceneAccess>(_: &W, _: Direction) -> Beyond {

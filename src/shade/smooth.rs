@@ -24,7 +24,7 @@ impl Glance {
     /// Returns the unit vector half way between the directions to the light and to the viewer, in Q4.28.
     pub(super) fn half_way(&self) -> Vector {
         let sum = quarter(self.view).plus(quarter(self.along));
-        let (direction, _) = sum.direction_and_length();
+        let (direction, _) = sum.normalised();
         quarter(direction.reversed())
     }
 }
@@ -35,26 +35,46 @@ pub(super) fn quarter(direction: Direction) -> Vector {
     Vector::new(x >> 2, y >> 2, z >> 2)
 }
 
-/// Largest square of the change times s, in Q2.30, for which samples show how a highlight changes.
+/// How many pixels of a stretch show how its colours change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Samples {
+    /// Both ends, and one half way.
+    Three,
+    /// These, and one half way between each two.
+    Five,
+    /// No fewer than all.
+    All,
+}
+
+/// Largest square of the change times s, in Q2.30, for which three pixels show how a highlight changes.
 const SMOOTH: u64 = 1 << 29;
+
+/// Largest square of the change times s, in Q34.30, for which five pixels show it.
+const BENT: u64 = 8 << 30;
 
 /// Smallest square of the distance from zero times s, in Q34.30, for which a highlight is dark: below e⁻⁸.
 const DARK: u64 = 16 << 30;
 
-/// Tests whether a highlight can be interpolated between two points, from its deviations there in Q4.28.
+/// Returns how many pixels show how a highlight changes between two points, from its deviations there in Q4.28.
 /// Between them, the deviation is at most `bend` off the line, in Q4.28.
-pub(super) fn is_smooth([one, other]: [Vector; 2], bend: i32, shininess: Exponent) -> bool {
+pub(super) fn samples([one, other]: [Vector; 2], bend: i32, shininess: Exponent) -> Samples {
     let change = other.minus(one);
-    let square = change.square() >> 26;
     let shininess = u64::from(shininess.next_integer());
-    if square * shininess <= SMOOTH {
-        return true;
+    let square = (change.square() >> 26) * shininess;
+    if square <= SMOOTH {
+        return Samples::Three;
     }
     let nearest = nearest(one, other, change) - bend;
-    nearest > 0 && (unsigned_wide(wide(nearest, nearest)) >> 26) * shininess >= DARK
+    if nearest > 0 && (unsigned_wide(wide(nearest, nearest)) >> 26) * shininess >= DARK {
+        return Samples::Three;
+    }
+    match square <= BENT {
+        true => Samples::Five,
+        false => Samples::All,
+    }
 }
 
-/// Tests whether samples show how a highlight changes, if the vectors that it depends on change by at most
+/// Tests whether three pixels show how a highlight changes, if the vectors that it depends on change by at most
 /// `change`, in Q4.28.
 pub(crate) fn is_little(change: i32, shininess: Exponent) -> bool {
     let square = unsigned_wide(wide(change, change)) >> 26;

@@ -72,7 +72,7 @@ impl Rays {
     pub(crate) fn new(apex: ScaledPoint, places: [ScaledPoint; 2]) -> Self {
         let [one, other] = places.map(|place| {
             let (way, scale) = apex.to(place);
-            let (direction, length) = way.direction_and_length();
+            let (direction, length) = way.normalised();
             (direction, if scale == 0 { length } else { REACH })
         });
         Self {
@@ -137,6 +137,8 @@ struct Base {
     middle: Vector,
     /// Half of the length, in steps, rounded up.
     half: i32,
+    /// Direction from the first end to the last.
+    along: Direction,
 }
 
 /// What a distance is enlarged by, in steps, because products are rounded.
@@ -161,12 +163,12 @@ impl Fan {
             true => places[0].point.to(places[1].point),
             false => last.raw().minus(first.raw()),
         };
-        let (along, length) = along.direction_and_length();
+        let (along, length) = along.normalised();
         let across = first.crossed_with(along.raw());
         if across.square() < 1 << 50 {
             return None;
         }
-        let (normal, _) = across.direction_and_length();
+        let (normal, _) = across.normalised();
         // From the first side, the other end lies in this direction.
         let inner = |side: Direction, other: Direction| {
             let outward = side.crossed(normal);
@@ -185,6 +187,7 @@ impl Fan {
                     (one.z + other.z) >> 1,
                 ),
                 half: (length.to_bits() >> 1) + 2,
+                along,
             }
         });
         Some(Self {
@@ -195,6 +198,11 @@ impl Fan {
             sides: [inner(first, last), inner(last, first)],
             base,
         })
+    }
+
+    /// Tests whether an end of the fan is far.
+    pub(super) fn is_far(&self) -> bool {
+        self.reaches.iter().any(|&reach| reach >= REACH)
     }
 
     /// Tests whether no point of the fan lies in a body. `way` is the vector from the apex to the body's
@@ -218,15 +226,9 @@ impl Fan {
     /// Tests whether the fan surely avoids a ball. `way` is the vector from the apex to its centre.
     ///
     /// If the ball's centre lies beyond the third side, the nearest point of the fan is on that side, in the
-    /// ball over its two ends.
+    /// ball over its two ends, unless the centre lies beside a ray before that ray ends.
     pub(crate) fn avoids_ball(&self, way: Vector, radius: i32) -> bool {
-        let Some(Base {
-            outward,
-            distance,
-            middle,
-            half,
-        }) = self.base
-        else {
+        let Some(base) = self.base else {
             return self.avoids(way, |_| radius);
         };
         let apart = way.dot(self.normal).abs();
@@ -234,15 +236,43 @@ impl Fan {
         if apart >= reach {
             return true;
         }
-        let beyond = way.dot(outward) - distance;
-        if beyond > self.thickness && middle.minus(way).square() > square(reach + half)
-            || beyond < -distance - reach
+        let beyond = way.dot(base.outward) - base.distance;
+        if beyond < -base.distance - reach {
+            return true;
+        }
+        let aside = self.sides.map(|side| way.dot(side));
+        let is_beside =
+            |end: usize| aside[end] > 0 && way.dot(self.ends[end]) < self.reaches[end].to_bits();
+        if beyond > self.thickness
+            && base.middle.minus(way).square() > square(reach + base.half)
+            && !is_beside(0)
+            && !is_beside(1)
         {
             return true;
         }
-        let [one, other] = self.sides.map(|side| way.dot(side));
-        let aside = beyond.max(one).max(other);
+        let aside = beyond.max(aside[0]).max(aside[1]);
         aside > 0 && square(aside) + square(apart) > square(reach)
+    }
+
+    /// Tests whether all rays of the fan surely end before they come near to a ball: each is nearest to the ball's
+    /// centre where it ends, outside of the ball.
+    ///
+    /// For a point p of the straight line between the ends, (c - p) · (p - apex) is a concave function of p, so it
+    /// is above 0 if it is at both ends.
+    #[inline(never)]
+    pub(crate) fn ends_before_ball(&self, way: Vector, radius: i32) -> bool {
+        let Some(base) = self.base else {
+            return false;
+        };
+        let reach = radius + self.thickness;
+        let beyond = [0, 1].map(|end| way.dot(self.ends[end]) - self.reaches[end].to_bits());
+        let nearest = self.reaches[0].min(self.reaches[1]).to_bits();
+        if beyond[0].min(beyond[1]) < 5 * self.thickness || way.square() > 4 * square(nearest) {
+            return false;
+        }
+        let from = way.minus(base.middle);
+        let along = from.dot(base.along).max(-base.half).min(base.half);
+        from.without(base.along, along).square() > square(reach)
     }
 
     /// Tests whether the fan surely avoids a rod.

@@ -1,5 +1,6 @@
 //! Helpers for the tests of all shapes: rays, and vectors in double precision.
 
+pub(super) mod fans;
 pub(super) mod rows;
 
 pub(super) use std::vec::Vec;

@@ -176,6 +176,11 @@ impl PreparedPlane {
         point.to_vector().dot_wide(self.normal) - self.offset
     }
 
+    /// Returns the point of the plane that is nearest to a near point at this height.
+    pub(crate) const fn foot(&self, point: Point, height: i32) -> Point {
+        Point::at(point.to_vector().without(self.normal, height))
+    }
+
     /// Returns the mirror image of a near point in the plane, moved by epsilon towards the side of the
     /// point. Rays from the point that the plane reflects seem to start there. Returns `None` unless the
     /// image is surely near.

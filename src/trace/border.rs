@@ -2,15 +2,25 @@
 //! treated as any stretch is.
 
 use super::stretch::Between;
-use super::{PathQuality, Stops, Tracer};
+use super::{PathQuality, Progress, Stops, Tracer};
 use crate::accel::World;
 use crate::shade::highlight::sealed::Shading;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
-    /// Returns the last column before a shape ends or begins between two traced pixels, of which one shows it and the
-    /// other does not, directly or in one flat mirror. `None` if no such column is known.
+    /// Returns the last column before a shape ends or begins between two traced pixels: one that kept `proved` from
+    /// going on, or one that one of the pixels shows and the other does not, directly or in one flat mirror. `None` if
+    /// no such column is known.
     #[inline(never)]
-    pub(crate) fn border(&mut self, between: Between<'_>, ends: [&Stops; 2]) -> Option<u32> {
+    pub(crate) fn border(
+        &mut self,
+        between: Between<'_>,
+        ends: [&Stops; 2],
+        proved: &Progress,
+    ) -> Option<u32> {
+        let [start, last] = between.1;
+        if let Some(border) = proved.border.filter(|it| (start..last).contains(it)) {
+            return Some(border);
+        }
         let parts = self.world.parts();
         if !parts.has_bounded() {
             return None;

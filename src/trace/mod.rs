@@ -8,6 +8,7 @@
 mod border;
 mod bounce;
 mod far_light;
+mod lights;
 mod origin;
 mod shown;
 mod stops;

@@ -12,7 +12,7 @@ use crate::number::{
 };
 use crate::ray::ScaledPoint;
 use crate::shade::highlight::sealed::Shading;
-use crate::shade::{Glance, is_little};
+use crate::shade::{Glance, Samples, is_little};
 use crate::shape::bordered::{Ball, Rays};
 use crate::vector::{Direction, Point};
 
@@ -29,6 +29,8 @@ pub(super) struct Shown<'a> {
     /// Ball around all points, if they are near.
     pub(super) ball: Option<Ball>,
     pub(super) eye: Point,
+    /// Radius on which the normals turn, in steps; 0 if the surface is flat.
+    radius: i32,
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
@@ -43,7 +45,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         }
         // From inside, an arc may be longer than half a circle.
         if is_curved && first.is_inside {
-            let view = |stop: &Stop| eye.to(stop.place.point).direction_and_length().0;
+            let view = |stop: &Stop| eye.to(stop.place.point).normalised().0;
             if view(first).dot(view(last)) <= Unit::ZERO {
                 return None;
             }
@@ -62,6 +64,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             circle: Unit::ONE,
             ball: None,
             eye,
+            radius: parts.bending_radius(first.shape).unwrap_or(0),
         };
         if first.place.is_near() && last.place.is_near() {
             let epsilon = parts.epsilon.to_bits().max(parts.inner_epsilon.to_bits());
@@ -100,34 +103,48 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     }
 }
 
+/// Smallest cosine between the normal and the view for which five pixels show a surface that turns by more than
+/// [`LARGEST_TURN`]: 0.3. Nearer to the outline, the normal turns ever faster from column to column.
+const GRAZED: Unit = Unit::from_bits((1 << 30) / 10 * 3);
+
+/// What a cosine of a curved surface may be off by, and more: 2⁻¹⁶.
+const SURE_COSINE: i32 = 1 << 14;
+
 impl Shown<'_> {
-    /// Tests whether the highlight of a light can be interpolated. `rays` are those of the light.
-    pub(super) fn keeps_highlight<K: Shading>(&self, rays: &Rays) -> bool {
+    /// Returns how many pixels show how the highlight of a light changes. `rays` are those of the light.
+    pub(super) fn highlight_samples<K: Shading>(&self, rays: &Rays) -> Samples {
         if self.is_surely_smooth::<K>(rays) {
-            return true;
+            return Samples::Three;
         }
+        let views = self.views();
+        let glances = [0, 1].map(|end| Glance {
+            normal: self.normals[end],
+            view: views[end],
+            along: rays.ends[end],
+        });
+        let [view, end] = views;
+        let view = view.change_to(end).map(|it| square_root(it.square()));
+        let Some(view) = view.filter(|view| *view < Unit::ONE.to_bits()) else {
+            return Samples::All;
+        };
+        let least = match view > LARGEST_TURN.to_bits() {
+            true => Samples::Five,
+            false => Samples::Three,
+        };
+        match self.bend::<K>(rays.turn().to_bits() + view) {
+            Some(bend) => least.max(K::samples(&glances, bend, self.material.shininess)),
+            None => Samples::All,
+        }
+    }
+
+    /// Returns the directions from the eye to the two ends.
+    #[inline(never)]
+    fn views(&self) -> [Direction; 2] {
         let eye = ScaledPoint {
             point: self.eye,
             scale: 0,
         };
-        let glance = |normal, end, along| Glance {
-            normal,
-            view: eye.to(end).0.direction_and_length().0,
-            along,
-        };
-        let ([first, last], [one, other]) = (self.lit.ends, self.normals);
-        let [start, end] = rays.ends;
-        let glances = [glance(one, first, start), glance(other, last, end)];
-        let [view, end] = glances.each_ref().map(|it| it.view);
-        let Some(view) = view.change_to(end) else {
-            return false;
-        };
-        let view = square_root(view.square());
-        if view > LARGEST_TURN.to_bits() {
-            return false;
-        }
-        self.bend::<K>(rays.turn().to_bits() + view)
-            .is_some_and(|bend| K::is_smooth(&glances, bend, self.material.shininess))
+        self.lit.ends.map(|end| eye.to(end).0.normalised().0)
     }
 
     /// Returns by how much the vector that the highlight depends on may be off a straight line, in Q4.28. `turn` is the
@@ -144,12 +161,24 @@ impl Shown<'_> {
         Some((bend >> 2) << (2 * K::TURNS))
     }
 
+    /// Tests whether an end is seen at a grazing angle.
+    pub(super) fn is_grazed(&self) -> bool {
+        let views = self.views();
+        (0..2).any(|end| views[end].reversed().dot(self.normals[end]) < GRAZED)
+    }
+
     /// Tests whether the normal is at right angles to the light at a point between the ends, or may be. There
     /// a highlight ends at once.
+    ///
+    /// The light's height above the surface is its distance times the cosine. So it does not change its sign if the
+    /// least of both cosines is above what [`bend_of_height`] returns.
+    #[inline(never)]
     pub(super) fn may_turn_away(&self, rays: &Rays) -> bool {
         let cosines = [0, 1].map(|end| self.normals[end].dot(rays.ends[end]).to_bits().abs());
-        let turns = (self.turn.to_bits() >> 1) + (rays.turn().to_bits() >> 1);
-        cosines[0].min(cosines[1]) <= turns + (turns >> 3)
+        let [one, other] = rays.reaches;
+        let distance = one.min(other).to_bits();
+        let bend = bend_of_height(self.turn, self.circle, [self.radius, distance]);
+        bend.is_none_or(|bend| cosines[0].min(cosines[1]) <= bend + SURE_COSINE)
     }
 
     /// Tests whether a highlight surely changes little, from bounds of the changes of the normal and of the
@@ -162,7 +191,7 @@ impl Shown<'_> {
         let Some((middle, radius)) = self.ball else {
             return false;
         };
-        let (view, distance) = self.eye.to(middle).direction_and_length();
+        let (view, distance) = self.eye.to(middle).normalised();
         let distance = distance.to_bits();
         if distance >> 3 <= radius {
             return false;
@@ -182,6 +211,26 @@ impl Shown<'_> {
         let change = narrowed(change) << K::TURNS;
         is_little(change, self.material.shininess)
     }
+}
+
+/// Returns an upper bound of how far the height of a light above a curved surface is off the straight line between its
+/// values at two points, over the light's distance from the nearer one. The normals turn by `turn` on a circle of
+/// radius `circle`. `None` if the light is not further away than the surface's radius, or the normals turn too much.
+///
+/// At a point with the normal n, the height is n · (L - c) - r, for a light L, a centre c and a radius r. The normals
+/// turn on a circle of radius k. With A = |L - c|, its second derivative is at most A k. So it is off the straight line
+/// by at most A k φ² / 8, where φ is the angle of the turn t. Up to 60 degrees, k φ² is below 1.1 t² / k; 1.25 is
+/// taken. A is at most distance + r.
+fn bend_of_height(turn: Unit, circle: Unit, [radius, distance]: [i32; 2]) -> Option<i32> {
+    let square = unit_product(turn, turn);
+    if radius >= distance || square >= circle {
+        return None;
+    }
+    let [square, circle] = [square, circle].map(|it| unsigned(it.to_bits()));
+    let bend = ratio(square, circle) >> 3;
+    let share = Unit::from_bits(ratio(unsigned(radius), unsigned(distance)));
+    let bend = bend + scaled_by_unit(bend, share);
+    Some(bend + (bend >> 2))
 }
 
 /// Returns an upper bound of the angle by which a curve in a plane turns between two points, as the length

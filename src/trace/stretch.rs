@@ -7,13 +7,13 @@ use super::origin::Origin;
 use super::shown::Shown;
 use super::stops::Stop;
 use super::{PathQuality, Stops, Tracer};
-use crate::accel::light_occluders::LightOccluders;
 use crate::accel::stretch::{Body, Chord, Stretch};
-use crate::accel::{LitStretch, Window, World, is_clear_way, lights_all};
-use crate::number::{Brightness, Unit, root_of_square};
+use crate::accel::{LitStretch, Window, World, is_clear_way};
+use crate::number::{Unit, root_of_square};
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::surface::checker_of;
+use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
 use crate::shape::bordered::Rays;
 use crate::shape::plane::PreparedPlane;
@@ -22,7 +22,7 @@ use crate::shape::plane::PreparedPlane;
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);
 
 /// Largest change of a direction, the normal or that to a light, to the eye or into the sky, for which three pixels show how
-/// colours change: about 20 degrees.
+/// colours change: about 20 degrees. Five show it up to 60.
 pub(super) const LARGEST_TURN: Unit = Unit::from_bits(3 << 27);
 
 /// How much is proved of the paths of a stretch. It holds for each part of the stretch, too.
@@ -32,11 +32,20 @@ pub(crate) struct Progress {
     hits: usize,
     /// Of the next hit, 0 if nothing is proved, else 1 + the number of lights.
     steps: usize,
+    /// How many pixels show how the colours of what is proved change.
+    pub(crate) samples: Samples,
+    /// Last column before a shape begins or ends that kept the proof from going on, if one did.
+    pub(super) border: Option<u32>,
 }
 
 impl Progress {
     /// Nothing is proved.
-    pub(crate) const NONE: Self = Self { hits: 0, steps: 0 };
+    pub(crate) const NONE: Self = Self {
+        hits: 0,
+        steps: 0,
+        samples: Samples::Three,
+        border: None,
+    };
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
@@ -67,11 +76,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 return false;
             }
             if origin.level == proved.hits {
-                let steps = self.keeps_shape(between, &origin, [first, last], proved.steps);
+                let steps = self.keeps_shape(between, &origin, [first, last], proved);
                 *proved = match steps {
                     Ok(()) => Progress {
                         hits: proved.hits + 1,
                         steps: 0,
+                        ..*proved
                     },
                     Err(steps) => Progress { steps, ..*proved },
                 };
@@ -83,8 +93,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             let Some(plane) = plane.filter(|plane| self.mirrors(plane)) else {
                 return true;
             };
-            // Rays that a far point mirrors have no known bounds.
-            let is_near = first.place.is_near() && last.place.is_near();
+            // Rays that come from a far point and are mirrored again have no known bounds.
+            let is_near = origin.level == 0 || first.place.is_near() && last.place.is_near();
             let image = origin.mirrored((first.shape, plane), parts.epsilon);
             let Some(image) = image.filter(|_| is_near) else {
                 return false;
@@ -108,11 +118,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         between: Between<'_>,
         origin: &Origin<'_>,
         stops: [&Stop; 2],
-        steps: usize,
+        proved: &mut Progress,
     ) -> Result<(), usize> {
+        let steps = proved.steps;
         let [first, _] = stops;
         if first.shape == ShapeId::NONE {
-            return sure(self.keeps_none(between, origin, stops), 0);
+            return sure(self.keeps_none(between, origin, stops, proved), 0);
         }
         let Some(shown) = self.shown(origin.eye, origin.row, stops) else {
             return Err(steps);
@@ -124,14 +135,20 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             || !self.world.parts().has_bounded()
             || match origin.level > 1 {
                 true => shown.ball.is_some() && is_clear_way(self.world, origin.eye, &shown.lit),
-                false => self.keeps_front(between, origin, stops, &shown),
+                false => self.keeps_front(between, origin, (stops, &shown), proved),
             };
         sure(keeps, 0)?;
-        self.keeps_lights(&shown, steps.max(1))
+        self.keeps_lights(&shown, steps.max(1), &mut proved.samples)
     }
 
     /// Tests whether all rays between two that hit nothing hit nothing, and show a sky that can be interpolated.
-    fn keeps_none(&mut self, between: Between<'_>, origin: &Origin<'_>, stops: [&Stop; 2]) -> bool {
+    fn keeps_none(
+        &mut self,
+        between: Between<'_>,
+        origin: &Origin<'_>,
+        stops: [&Stop; 2],
+        proved: &mut Progress,
+    ) -> bool {
         let turn = || Rays::new(ScaledPoint::ORIGIN, stops.map(|stop| stop.place)).turn();
         if self.has_sky() && turn() > LARGEST_TURN {
             return false;
@@ -145,7 +162,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 reach: None,
                 mirror: origin.mirror.map(|(_, plane)| plane),
             };
-            return self.keeps(between, origin, &stretch);
+            return self.keeps(between, origin, &stretch, proved);
         }
         let beyond = LitStretch {
             shape: ShapeId::NONE,
@@ -162,8 +179,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         &mut self,
         between: Between<'_>,
         origin: &Origin<'_>,
-        stops: [&Stop; 2],
-        shown: &Shown<'_>,
+        (stops, shown): ([&Stop; 2], &Shown<'_>),
+        proved: &mut Progress,
     ) -> bool {
         let parts = self.world.parts();
         let shape = shown.lit.shape;
@@ -190,7 +207,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             reach: (!shown.lit.is_hollow).then_some(reach),
             mirror: origin.mirror.map(|(_, plane)| plane),
         };
-        self.keeps(between, origin, &stretch)
+        self.keeps(between, origin, &stretch, proved)
     }
 
     /// Tests whether a stretch lies in one cell of its material's checker. Cells are convex, so a flat one does
@@ -203,82 +220,24 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         checker_of(self.world, shape).is_none_or(|checker| checker.is_one_cell(ends, aside))
     }
 
-    /// Tests whether no other shape comes to the front in a stretch.
-    fn keeps(&mut self, between: Between<'_>, origin: &Origin<'_>, stretch: &Stretch<'_>) -> bool {
-        self.culling
-            .keeps(self.world, origin.mirror, between.0, stretch)
-    }
-
-    /// Tests whether each light shines on a whole stretch or on nothing of it, with a highlight that can be
-    /// interpolated. `steps` are proved before. Returns how many are if not all are.
-    fn keeps_lights(&self, shown: &Shown<'_>, steps: usize) -> Result<(), usize> {
-        // A perfect mirror has no colour of its own.
-        if K::REFLECTS && shown.material.mirror == Unit::ONE {
-            return Ok(());
-        }
-        let lights = self.world.tables().light_occluders;
-        for (index, light) in lights.iter().enumerate().skip(steps - 1) {
-            let is_hidden = self.visibility.is_hidden(index);
-            sure(
-                is_hidden || self.keeps_light(shown, light, index),
-                1 + index,
-            )?;
-        }
-        Ok(())
-    }
-
-    /// Tests whether a light shines on a whole stretch or on nothing of it, with a highlight that can be
-    /// interpolated.
-    fn keeps_light(
-        &self,
-        shown: &Shown<'_>,
-        light: &LightOccluders<W::Room>,
-        index: usize,
+    /// Tests whether no other shape comes to the front in a stretch. Notes in `proved` where one that may begins or
+    /// ends.
+    fn keeps(
+        &mut self,
+        (window, _): Between<'_>,
+        origin: &Origin<'_>,
+        stretch: &Stretch<'_>,
+        proved: &mut Progress,
     ) -> bool {
-        let world = self.world;
-        let has_shadows = K::SHADOWS && W::NEEDS.shadows;
-        let has_highlight = W::NEEDS.highlights && shown.material.specular > Brightness::ZERO;
-        let place = light.light().place;
-        let ([first, last], [one, other]) = (shown.lit.ends, shown.normals);
-        let faces = |end: ScaledPoint, normal| end.to(place).0.dot(normal) > 0;
-        let is_facing = faces(first, one);
-        // What is flat and faces away at both ends faces away between.
-        let is_flat = shown.turn == Unit::ZERO;
-        if is_facing != faces(last, other) {
-            return false;
-        }
-        if !is_facing && is_flat {
-            return true;
-        }
-        let rays = Rays::new(place, shown.lit.ends);
-        if rays.turn() > LARGEST_TURN || shown.turn > LARGEST_TURN {
-            return false;
-        }
-        if has_highlight && !is_flat && shown.may_turn_away(&rays) {
-            return false;
-        }
-        if !is_facing {
-            return true;
-        }
-        // Shadows of far lights on planes are known by now.
-        let is_known =
-            W::NEEDS.far_lights && !place.is_near() && world.parts().is_plane(shown.lit.shape);
-        if has_shadows && !is_known {
-            if !self.visibility.is_clear(index) {
-                return false;
-            }
-            match lights_all::<W, Q>(world, (light, index), &shown.lit, &rays) {
-                None => return false,
-                Some(false) => return true,
-                Some(true) => {}
-            }
-        }
-        !has_highlight || shown.keeps_highlight::<K>(&rays)
+        let culling = &mut self.culling;
+        let kept = culling.keeps(self.world, origin.mirror, window, stretch);
+        proved.border = kept.err().flatten();
+        kept.is_ok()
     }
 }
 
 /// Returns an error with the number of steps before if a step is not proved.
-fn sure(is_proved: bool, steps: usize) -> Result<(), usize> {
+pub(super) fn sure(is_proved: bool, steps: usize) -> Result<(), usize> {
     match is_proved {
         true => Ok(()),
         false => Err(steps),

@@ -4,6 +4,7 @@ use super::{Colors, End, UNREAD};
 use crate::accel::World;
 use crate::color::{Bend, Parabola};
 use crate::render::Quality;
+use crate::shade::Samples;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::Progress;
 
@@ -30,7 +31,7 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
             let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
             let between = (&self.window, columns);
             if !Q::IS_SURE || self.tracer.is_steady(between, stops, proved) {
-                known = Known::Steady(Bend::ZERO);
+                known = Known::Steady(Bend::ZERO, proved.samples);
             }
         }
         match known {
@@ -41,7 +42,9 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
                 }
                 self.divide(columns, ends, (proved, divisions));
             }
-            Known::Steady(expected) => self.interpolate((first, length), ends, is_alike, expected),
+            Known::Steady(expected, samples) => {
+                self.interpolate((first, length), ends, is_alike, (expected, samples));
+            }
         }
     }
 
@@ -58,7 +61,9 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         let slot = 2 + divisions;
         let stops = [start, end].map(|end| &self.stops[end.slot.min(UNREAD)]);
         let border = match Q::IS_SURE {
-            true => self.tracer.border((&self.window, [first, last]), stops),
+            true => self
+                .tracer
+                .border((&self.window, [first, last]), stops, &proved),
             false => None,
         };
         let Some(before) = border else {
@@ -79,22 +84,24 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
     }
 
     /// Computes the colours between two traced pixels of one path, or, unless `is_alike`, of paths that differ in
-    /// what cannot be seen. The second difference of the three is expected to be this.
+    /// what cannot be seen. The second difference of the three is expected to be this. `samples` says how
+    /// many have to be traced at least.
     #[inline(always)]
     fn interpolate(
         &mut self,
         (first, length): (u32, u32),
         ends: [&End; 2],
         is_alike: bool,
-        expected: Bend,
+        (expected, samples): (Bend, Samples),
     ) {
         let [start, end] = ends;
+        let is_smooth = is_alike && samples == Samples::Three;
         if length == 2 {
             // The second difference is at most four times the tolerance, or the two differ by at most three times.
             let change = || end.traced.sum.less(start.traced.sum);
             let is_flat =
                 expected.is_within(4 * Self::TOLERANCE) || change().is_within(3 * Self::TOLERANCE);
-            let between = match is_alike && is_flat {
+            let between = match is_smooth && is_flat {
                 true => start.traced.sum.half_way(end.traced.sum, expected),
                 false => self.trace(first + 1, UNREAD).traced.sum,
             };
@@ -105,12 +112,12 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         let sums = [start, &middle, end].map(|it| it.traced.sum);
         let curve = Parabola::through(sums, half, length);
         let bend = curve.bend(half);
-        if is_alike && bend.less(expected).is_within(4 * Self::TOLERANCE) {
+        if is_smooth && bend.less(expected).is_within(4 * Self::TOLERANCE) {
             let colors = self.colors.get_mut(Self::place(first)..);
             let colors = colors.unwrap_or_default().iter_mut();
             return curve.fill(colors.take(length as usize));
         }
-        let known = Known::Steady(bend.quarter());
+        let known = Known::Steady(bend.quarter(), Samples::Three);
         self.between((first, half), [start, &middle], known);
         self.between((first + half, length - half), [&middle, end], known);
     }
@@ -121,8 +128,9 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
 pub(super) enum Known {
     /// Not all of it, after so many divisions of the block.
     Part(Progress, usize),
-    /// All surely meet the same. The second difference of three traced pixels is expected to be this.
-    Steady(Bend),
+    /// All surely meet the same. The second difference of three traced pixels is expected to be this. So many
+    /// show at least how colours change.
+    Steady(Bend, Samples),
 }
 
 impl Known {

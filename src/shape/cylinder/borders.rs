@@ -1,10 +1,10 @@
 //! Where a cylinder begins and ends in a row, and what it surely does to a stretch.
 
 use super::{CylinderFromLight, CylinderFromPoint, PreparedCylinder};
-use crate::number::{Length, signed, signed_wide, square_root, wide};
+use crate::number::{Unit, ratio, scaled_by_unit, signed, signed_wide, square_root, wide};
 use crate::ray::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
 use crate::shape::bordered::{Ball, Bordered, Fan, Rod, SLACK, square};
-use crate::vector::{Direction, Vector};
+use crate::vector::Vector;
 
 impl Bordered for PreparedCylinder {
     /// Where the rims of both ends begin and end.
@@ -49,6 +49,7 @@ impl Bordered for PreparedCylinder {
         {
             return true;
         }
+        let whole = from;
         let from = &from.from;
         // If both ends pass the axis on the same side, further away than the radius, all rays do.
         let [one, other] = fan.ends.map(|end| from.sideways(end));
@@ -63,38 +64,89 @@ impl Bordered for PreparedCylinder {
                 half: self.half_height,
                 radius: self.radius,
             },
-        )
+        ) || self.is_passed(whole, fan)
     }
 
-    /// The rays of the apex to a straight line lie in one plane, which cuts the wall in an ellipse. If the
-    /// normals at two of its points differ by less than a right angle, the part between them lies in the
-    /// ball over their distance. If that ball does not reach the rims, all rays between hit the wall.
+    /// Rays to a straight line that meet the solid at both ends meet it between, as it is convex. They hit the wall
+    /// unless they go in at one open end and out at the other, or begin or end inside.
     fn hides(&self, from: &CylinderFromLight, fan: &Fan) -> bool {
-        if fan.thickness > SLACK {
+        if fan.thickness > SLACK || from.nearest <= SLACK || fan.is_far() {
             return false;
         }
-        let entry = |direction: Direction, reach: Length| {
-            let start = Length::from_bits(0);
-            let hit = self.met(&from.from, &direction, start, reach)?;
-            let at = direction.scaled(hit.to_bits()).minus(from.from.way);
-            let height = at.dot(self.axis);
-            let outward = at.without(self.axis, height);
-            // The wall is hit from outside.
-            (outward.dot(direction) < 0).then_some((at, height, outward))
-        };
-        let ([one, other], [near, far]) = (fan.ends, fan.reaches);
-        let (Some(first), Some(last)) = (entry(one, near), entry(other, far)) else {
-            return false;
-        };
-        let chord = square_root(first.0.minus(last.0).square());
-        let turn =
-            wide(first.2.x, last.2.x) + wide(first.2.y, last.2.y) + wide(first.2.z, last.2.z);
-        turn > wide(self.radius, self.radius) >> 1
-            && (first.1 + last.1).abs() + chord < 2 * self.half_height - SLACK
+        let seen = self.along_axis(from, fan, self.half_height);
+        let [one, other] = seen.heights;
+        let inner = self.half_height - SLACK;
+        let (low, high) = (one.min(other), one.max(other));
+        let goes_through =
+            seen.light >= inner && low <= -inner || seen.light <= -inner && high >= inner;
+        let outer = self.half_height + SLACK;
+        let is_outside =
+            low > outer || high < -outer || are_beside(seen.ends, seen.ends, self.radius + SLACK);
+        !goes_through && is_outside
     }
 }
 
+/// The rays of a light to two points, as seen along a cylinder's axis: vectors from the axis, and heights above the
+/// cylinder's middle.
+struct AlongAxis {
+    /// The two points.
+    ends: [Vector; 2],
+    heights: [i32; 2],
+    /// Height of the light.
+    light: i32,
+    /// Where the rays come between the rims: the light, points on the rays, or the ends themselves.
+    starts: [Vector; 2],
+}
+
 impl PreparedCylinder {
+    /// Returns the rays of a light to the two ends of a near fan. Further than `half` from the cylinder's middle they
+    /// do not count.
+    #[inline(never)]
+    fn along_axis(&self, from: &CylinderFromLight, fan: &Fan, half: i32) -> AlongAxis {
+        let CylinderFromPoint { way, rise, .. } = from.from;
+        let points = [0, 1].map(|end| fan.ends[end].scaled(fan.reaches[end].to_bits()).minus(way));
+        let heights = points.map(|point| point.dot(self.axis));
+        let ends = [0, 1].map(|end| points[end].without(self.axis, heights[end]));
+        let (light, apex) = (-rise, Vector::ZERO.minus(way.without(self.axis, rise)));
+        let edge = if light > half { half } else { -half };
+        let start = |end: usize| {
+            if light.abs() <= half {
+                return apex;
+            }
+            let (rest, whole) = (edge - heights[end], light - heights[end]);
+            if (rest > 0) != (light > 0) || rest.abs() >= whole.abs() {
+                return ends[end];
+            }
+            let share = Unit::from_bits(ratio(rest.unsigned_abs(), whole.unsigned_abs()));
+            let Vector { x, y, z } = apex.minus(ends[end]);
+            let [x, y, z] = [x, y, z].map(|it| scaled_by_unit(it, share));
+            ends[end].plus(Vector::new(x, y, z))
+        };
+        AlongAxis {
+            ends,
+            heights,
+            light,
+            starts: [start(0), start(1)],
+        }
+    }
+
+    /// Tests whether the rays of a near fan surely pass the cylinder: above or below it, or beside it where they are
+    /// between its rims. There they are a convex figure, which a line parallel to its side keeps from the circle.
+    #[inline(never)]
+    pub(super) fn is_passed(&self, from: &CylinderFromLight, fan: &Fan) -> bool {
+        if fan.is_far() {
+            return false;
+        }
+        let more = fan.thickness + SLACK;
+        let (half, radius) = (self.half_height + more, self.radius + more);
+        let seen = self.along_axis(from, fan, half);
+        let [one, other] = seen.heights;
+        one.min(other).min(seen.light) > half
+            || one.max(other).max(seen.light) < -half
+            || are_beside(seen.ends, seen.starts, radius)
+            || are_beside(seen.starts, seen.ends, radius)
+    }
+
     /// Returns the columns, in sixteenths, between which rays hit the infinite cylinder, and whether they
     /// are exact. Returns `None` if no ray of the row hits it.
     ///
@@ -169,4 +221,19 @@ impl PreparedCylinder {
         }
         rims
     }
+}
+
+/// Tests whether four points surely lie further than `radius` from an axis, all on the side of the middle of the first
+/// two. The points are vectors from the axis, across it.
+#[inline(never)]
+fn are_beside(these: [Vector; 2], others: [Vector; 2], radius: i32) -> bool {
+    let [one, other] = these;
+    let middle = Vector::new(
+        (one.x >> 1) + (other.x >> 1),
+        (one.y >> 1) + (other.y >> 1),
+        (one.z >> 1) + (other.z >> 1),
+    );
+    let (side, _) = middle.normalised();
+    let mut points = these.iter().chain(&others);
+    points.all(|point| point.dot(side) > radius)
 }

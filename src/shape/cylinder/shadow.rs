@@ -13,7 +13,7 @@ impl CastsShadow for PreparedCylinder {
     fn cut_by(&self, line: &Line, way: Vector) -> Cut<[[i32; 2]; 2]> {
         let climb = line.along.dot(self.axis);
         let across = line.along.raw().minus(self.axis.raw_times(climb.to_bits()));
-        let (across, sine) = across.direction_and_length();
+        let (across, sine) = across.normalised();
         let sine = Unit::from_bits(sine.to_bits().min(Unit::ONE.to_bits()));
         if sine < Unit::from_bits(1 << 26) {
             // Almost along the axis: near the shape, the line leaves it by less than a sixteenth.

@@ -1,4 +1,5 @@
 mod borders;
+mod fans;
 
 use super::super::LIFT;
 use super::intersect::{STEEP, root_of_lifted};

@@ -13,6 +13,45 @@ fn opposite_normals_turn_too_much() {
     assert!(turn_in_plane(opposite(), across).is_none());
 }
 
+/// Heights of lights above circles, against their straight lines.
+#[test]
+fn height_of_a_light_bends_no_more_than_its_bound() {
+    let mut sweep = crate::number::sweep::Sweep::new(62);
+    let mut bent = 0.0_f64;
+    for _ in 0..20_000 {
+        let [away, aside, shift] = sweep.triple(1 << 20).map(|it| f64::from(it) / 1048576.0);
+        let (circle, radius) = (1.0 - away * away, 1.0);
+        let (circle, angle) = (circle.sqrt(), aside * 1.04);
+        let light = (1.2 + 5.0 * shift.abs(), 7.0 * shift, 3.0 * away);
+        let height = |angle: f64| {
+            circle * (light.0 * angle.cos() + light.1 * angle.sin()) + away * light.2 - radius
+        };
+        let from = |angle: f64| {
+            let (x, y) = (circle * angle.cos(), circle * angle.sin());
+            let ways = [light.0 - x, light.1 - y, light.2 - away];
+            ways.iter().map(|it| it * it).sum::<f64>().sqrt()
+        };
+        let distance = from(0.0).min(from(angle));
+        let turn = 2.0 * circle * (angle.abs() / 2.0).sin();
+        let bits = |share: f64| Unit::from_bits((share * f64::from(1 << 30)) as i32);
+        let steps = [radius, distance].map(|it| (it * f64::from(1 << 24)) as i32);
+        let Some(bound) = bend_of_height(bits(turn), bits(circle), steps) else {
+            continue;
+        };
+        for part in 0..=8 {
+            let share = f64::from(part) / 8.0;
+            let line = height(0.0) * (1.0 - share) + height(angle) * share;
+            let off = (height(share * angle) - line).abs() / distance;
+            bent = bent.max(off);
+            assert!(
+                off <= f64::from(bound) / f64::from(1 << 30) + 1e-7,
+                "{light:?} {angle}"
+            );
+        }
+    }
+    assert!(bent > 0.05, "{bent}");
+}
+
 #[test]
 fn light_between_two_places_turns_too_much() {
     let places = [ScaledPoint::ORIGIN; 2];

@@ -140,6 +140,55 @@ fn assert_kept(scene: &Few, camera: &Camera, size: Size) -> Result<(), TestCaseE
     Ok(())
 }
 
+/// Returns the share of the pixels that are within 1 of the picture with every pixel traced, and the share of its rays
+/// that are followed.
+fn cost(scene: &Few, camera: &Camera, size: Size) -> (f64, f64) {
+    let built = scene.build().unwrap();
+    let fast = built.frame(camera).prepare(size);
+    let all = built.frame(camera).quality::<All<Fast>>().prepare(size);
+    let (fast, all) = (fast.on(&built).unwrap(), all.on(&built).unwrap());
+    let within1 = compare(&painted(&fast), &painted(&all)).unwrap().within1;
+    let mut row = vec![Rgb888::BLACK; size.width as usize];
+    let (mut few, mut many) = (0, 0);
+    for y in 0..size.height {
+        few += fast.row(y, 0, &mut row).rays;
+        many += all.row(y, 0, &mut row).rays;
+    }
+    (within1, few as f64 / many as f64)
+}
+
+/// Returns a scene with a lamp, and with a ball with a highlight ahead of the camera.
+fn glossy(center: [f64; 3], radius: f64) -> Few {
+    let mut scene = Few::new();
+    let red = Material::from_numbers([0.8, 0.3, 0.2], 0.2, 0.6, (0.3, 8.0), 0).unwrap();
+    let red = scene.add_material(red).unwrap();
+    scene.add_sphere(center, radius, red).unwrap();
+    scene.add_light([-9.0, -4.0, 12.0], [1.0; 3]).unwrap();
+    scene
+}
+
+#[test]
+fn ball_with_a_highlight_is_interpolated_around_its_middle() {
+    let (within1, rays) = cost(
+        &glossy([0.0, 10.0, 0.0], 4.0),
+        &ahead(0.0, 60.0),
+        Size::new(200, 160),
+    );
+    assert!(within1 >= 0.9995 && rays < 0.4, "{within1} {rays}");
+}
+
+#[test]
+fn mirror_up_to_the_horizon_is_interpolated() {
+    let mut scene = glossy([0.0, 10.0, 3.0], 1.0);
+    let mirror = Material::from_numbers([0.5; 3], 0.2, 0.3, (0, 0), 0.6).unwrap();
+    let mirror = scene.add_material(mirror).unwrap();
+    scene.add_plane([0, 0, -2], [0, 0, 1], mirror).unwrap();
+    scene.set_background([0.3, 0.4, 0.6]).unwrap();
+    // The floor is far away in all rows of the picture but a few.
+    let (within1, rays) = cost(&scene, &ahead(0.0, 3.0), Size::new(160, 40));
+    assert!(within1 >= 0.9995 && rays < 0.2, "{within1} {rays}");
+}
+
 /// Returns a camera at the origin that looks along y, downwards by the slope `down`.
 fn ahead(down: f64, fov: f64) -> Camera {
     Camera::new([0.0; 3], [0.0, 1.0, -down], [0.0, 0.0, 1.0], fov).unwrap()

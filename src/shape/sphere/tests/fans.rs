@@ -1,0 +1,34 @@
+//! Tests of what a sphere surely does to a light's rays.
+
+use super::*;
+use crate::shape::bordered::Bordered;
+use crate::shape::fixture::fans::{any_fan, segment_distance};
+
+/// A sphere that spares a fan meets none of its rays. One that hides it meets all of them, if it hides both ends.
+#[test]
+fn sphere_spares_and_hides_whole_fans() {
+    let mut sweep = Sweep::new(51);
+    let (mut spared, mut hidden, mut before) = (0, 0, 0);
+    for _ in 0..60_000 {
+        let radius = sweep.octaves(8, 25);
+        let center = sweep.triple(1 << 26);
+        let sphere = sphere(center, radius);
+        let lit = any_fan(&mut sweep, center, radius);
+        let from = sphere.seen_from_light(lit.light);
+        let way = in_doubles(lit.light.to(sphere.center));
+        let points = lit.points(&mut sweep);
+        let are_met = points.map(|to| segment_distance(to, way) < f64::from(radius));
+        // The kernel asks for both ends first.
+        let hides = are_met[0] && are_met[8] && sphere.hides(&from, &lit.fan);
+        let spares = sphere.spares(&from, &lit.fan);
+        assert!(!spares || !are_met.contains(&true), "{sphere:?} {lit:?}");
+        assert!(!hides || !are_met.contains(&false), "{sphere:?} {lit:?}");
+        spared += u32::from(spares);
+        hidden += u32::from(hides);
+        before += u32::from(spares && !lit.fan.avoids_ball(from.way, radius));
+    }
+    assert!(
+        spared > 10_000 && hidden > 2_000 && before > 300,
+        "{spared} {hidden} {before}"
+    );
+}

@@ -1,0 +1,96 @@
+//! Whether the lights surely shine alike on a stretch of pixels, and how many pixels show how its colours change.
+//! docs/internals/edges.md has the proofs.
+
+use super::shown::Shown;
+use super::stretch::{LARGEST_TURN, sure};
+use super::{PathQuality, Tracer};
+use crate::accel::light_occluders::LightOccluders;
+use crate::accel::{World, lights_all};
+use crate::number::{Brightness, Unit};
+use crate::ray::ScaledPoint;
+use crate::shade::Samples;
+use crate::shade::highlight::sealed::Shading;
+use crate::shape::bordered::Rays;
+
+impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
+    /// Tests whether each light shines on a whole stretch or on nothing of it, and all pixels of the stretch can be
+    /// told from some. Raises `samples` to their number. `steps` are proved before. Returns how many are if not all
+    /// are.
+    pub(super) fn keeps_lights(
+        &self,
+        shown: &Shown<'_>,
+        steps: usize,
+        samples: &mut Samples,
+    ) -> Result<(), usize> {
+        // A perfect mirror has no colour of its own.
+        if K::REFLECTS && shown.material.mirror == Unit::ONE {
+            return Ok(());
+        }
+        let lights = self.world.tables().light_occluders;
+        for (index, light) in lights.iter().enumerate().skip(steps - 1) {
+            if self.visibility.is_hidden(index) {
+                continue;
+            }
+            let own = self.samples(shown, light, index);
+            sure(own < Samples::All, 1 + index)?;
+            *samples = own.max(*samples);
+        }
+        Ok(())
+    }
+
+    /// Returns how many pixels show how a light shines on a stretch: all, unless it surely shines on the whole stretch
+    /// or on nothing of it.
+    fn samples(&self, shown: &Shown<'_>, light: &LightOccluders<W::Room>, index: usize) -> Samples {
+        let place = light.light().place;
+        let ([first, last], [one, other]) = (shown.lit.ends, shown.normals);
+        let faces = |end: ScaledPoint, normal| end.to(place).0.dot(normal) > 0;
+        let is_facing = faces(first, one);
+        // What is flat and faces away at both ends faces away between.
+        let is_flat = shown.turn == Unit::ZERO;
+        if is_facing != faces(last, other) {
+            return Samples::All;
+        }
+        if !is_facing && is_flat {
+            return Samples::Three;
+        }
+        let rays = Rays::new(place, shown.lit.ends);
+        let has_highlight = W::NEEDS.highlights && shown.material.specular > Brightness::ZERO;
+        if rays.turn() >= Unit::ONE
+            || shown.turn > LARGEST_TURN && shown.is_grazed()
+            || has_highlight && !is_flat && shown.may_turn_away(&rays)
+        {
+            return Samples::All;
+        }
+        let samples = match rays.turn().max(shown.turn) > LARGEST_TURN {
+            true => Samples::Five,
+            false => Samples::Three,
+        };
+        match is_facing.then(|| self.shines((light, index), shown, &rays)) {
+            Some(None) => Samples::All,
+            Some(Some(true)) if has_highlight => samples.max(shown.highlight_samples::<K>(&rays)),
+            _ => samples,
+        }
+    }
+
+    /// Returns whether a light shines on all points of a stretch that faces it, or on none; `None` if that is not sure.
+    #[inline(always)]
+    fn shines(
+        &self,
+        (light, index): (&LightOccluders<W::Room>, usize),
+        shown: &Shown<'_>,
+        rays: &Rays,
+    ) -> Option<bool> {
+        let world = self.world;
+        // Shadows of far lights on planes are known by now.
+        let is_known = W::NEEDS.far_lights
+            && !light.light().place.is_near()
+            && world.parts().is_plane(shown.lit.shape);
+        if !(K::SHADOWS && W::NEEDS.shadows) || is_known {
+            return Some(true);
+        }
+        match self.visibility.is_clear(index) {
+            true => lights_all::<W, Q>(world, (light, index), &shown.lit, rays),
+            false => None,
+        }
+    }
+}
