@@ -1,8 +1,8 @@
 //! Tools for the desktop: the double-precision reference, picture comparison, scene files, and the path
 //! of one pixel. This module uses the ray tracer; the ray tracer never uses this module.
 //!
-//! The feature `files` has scene files ([`file`]), the descriptions that they are read into
-//! ([`reference`]) and the path of a pixel ([`path`]). It needs `alloc`, so that a page of a
+//! The feature `files` has scene files ([`mod@file`]), the descriptions that they are read into
+//! ([`mod@reference`]) and the path of a pixel ([`path`]). It needs `alloc`, so that a page of a
 //! browser can use it, too. The feature `host` adds the rest and needs `std`.
 
 #[macro_use]

@@ -29,6 +29,8 @@
 //! error. `docs/scene.schema.json` in the repository is a JSON Schema of this format. A scene may name it
 //! by a key `$schema`, which is ignored here, so that editors complete and check the file.
 
+// What reads a file is `#[inline]`: a program then compiles it as it compiles itself, small or fast.
+
 mod document;
 mod error;
 mod fill;
@@ -117,6 +119,7 @@ pub fn built(scene: &Scene, camera: &Camera) -> Result<Box<FileScene>, FileError
     filled.map_err(FileError::new)
 }
 
+#[inline]
 fn filled(
     scene: &Scene,
     camera: &Camera,
@@ -128,6 +131,7 @@ fn filled(
     Ok((target, camera))
 }
 
+#[inline]
 fn build(scene: &FileRuntimeScene) -> Result<Box<FileScene>, Problem> {
     scene.build().map(Box::new).map_err(|error| {
         let extent = extent_of(&scene.description());
@@ -188,7 +192,7 @@ impl SceneFile {
     ///     "choose one of the scenes a, b"
     /// );
     /// ```
-    #[inline] // So that the parser is compiled for the program that calls it, small or fast as its profile says.
+    #[inline]
     pub fn parse(text: &str, name: Option<&str>) -> Result<Self, FileError> {
         let scenes = document::read(text)?;
         let chosen = resolve::choose(scenes, name).map_err(FileError::new)?;
@@ -218,6 +222,7 @@ impl SceneFile {
     }
 
     /// Resolves the names in a scene.
+    #[inline]
     fn of(mut chosen: document::Scene) -> Result<Self, FileError> {
         let name = chosen.name.take();
         let materials = chosen.materials.iter().map(|it| it.name.clone()).collect();
@@ -253,6 +258,7 @@ impl SceneFile {
     /// # Errors
     ///
     /// The core refuses a part of the scene, or there are more parts than a file may hold.
+    #[inline]
     pub fn runtime(&self) -> Result<(Box<FileRuntimeScene>, camera::Camera), FileError> {
         filled(&self.scene, &self.camera).map_err(|problem| self.error(problem))
     }
@@ -262,6 +268,7 @@ impl SceneFile {
     /// # Errors
     ///
     /// All errors of [`SceneFile::runtime`]; or the core refuses the scene as a whole.
+    #[inline]
     pub fn build(&self) -> Result<Box<FileScene>, FileError> {
         let (scene, _) = self.runtime()?;
         build(&scene).map_err(|problem| self.error(problem))
