@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 50016 | 1533 | 13716 | 293 |
-//! | Cargo's default release | 63872 | 1603 | 17452 | 321 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 45088 | 2212 | 14056 | 353 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 41648 | 3289 | 13724 | 505 |
-//! | Cargo's default dev (debug) | 481124 | 36642 | 442092 | 7723 |
+//! | lto = true, codegen-units = 1 | 51132 | 1414 | 13692 | 281 |
+//! | Cargo's default release | 65764 | 1494 | 17396 | 316 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 47004 | 2120 | 14380 | 341 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 43868 | 3177 | 14272 | 511 |
+//! | Cargo's default dev (debug) | 490412 | 36088 | 449536 | 7380 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

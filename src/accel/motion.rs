@@ -74,12 +74,12 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3319 | 355595 | 108.6 % |
-/// | m0 | mirror1 | 2806 | 56389 | 106.3 % |
-/// | m0 | primitives | 2691 | 21824 | 109.5 % |
-/// | m3 | castle | 2013 | 85856 | 109.0 % |
-/// | m3 | mirror1 | 1615 | 13723 | 110.4 % |
-/// | m3 | primitives | 1533 | 5764 | 112.8 % |
+/// | m0 | castle | 3319 | 367538 | 107.9 % |
+/// | m0 | mirror1 | 2806 | 57232 | 106.9 % |
+/// | m0 | primitives | 2691 | 22054 | 109.9 % |
+/// | m3 | castle | 2013 | 88140 | 109.3 % |
+/// | m3 | mirror1 | 1615 | 14002 | 110.3 % |
+/// | m3 | primitives | 1533 | 5818 | 112.8 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
