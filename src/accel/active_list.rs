@@ -32,9 +32,9 @@ pub struct ActiveShape<'a, K: Bordered> {
     /// The shape, prepared for rays from the eye.
     pub(super) from: K::FromPoint,
     pub(super) shape: &'a K,
-    /// Columns in which the row shows the whole shape, and what mirrored rays cannot reach of it.
+    /// Columns of the whole shape: also of the part that mirrored rays do not reach.
     pub(super) span: Span<K::Rims>,
-    /// First and last column in which rays can hit the shape: of those, and of its rectangle.
+    /// First and last column in which rays can hit the shape: those of the span that lie in its rectangle.
     pub(super) columns: [u16; 2],
     /// Index of the shape among its kind.
     pub(super) index: u16,

@@ -13,9 +13,8 @@ use crate::shade::highlight::sealed::Shading;
 use crate::shape::bordered::Rays;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
-    /// Tests whether each light shines on a whole stretch or on nothing of it, and all pixels of the stretch can be
-    /// told from some. Raises `samples` to their number. `steps` are proved before. Returns how many are if not all
-    /// are.
+    /// Tests whether each light surely shines on a whole stretch or on nothing of it. Raises `samples` to the number of
+    /// pixels that show how it shines. `steps` are proved before. If a light is not proved, returns how many steps are.
     pub(super) fn keeps_lights(
         &self,
         shown: &Shown<'_>,

@@ -131,8 +131,12 @@ impl Shown<'_> {
             true => Samples::Five,
             false => Samples::Three,
         };
-        match self.bend::<K>(rays.turn().to_bits() + view) {
-            Some(bend) => least.max(K::samples(&glances, bend, self.material.shininess)),
+        let turns = [self.turn.to_bits(), rays.turn().to_bits(), view];
+        match bend_of_highlight(turns, self.circle) {
+            Some(bend) => {
+                let bend = bend << (2 * K::TURNS);
+                least.max(K::samples(&glances, bend, self.material.shininess))
+            }
             None => Samples::All,
         }
     }
@@ -145,20 +149,6 @@ impl Shown<'_> {
             scale: 0,
         };
         self.lit.ends.map(|end| eye.to(end).0.normalised().0)
-    }
-
-    /// Returns by how much the vector that the highlight depends on may be off a straight line, in Q4.28. `turn` is the
-    /// length of the changes of the directions to the light and to the eye, Q2.30.
-    ///
-    /// The normals turn on a circle of radius k, the directions on circles of radius 1. A chord c of
-    /// a circle of radius k is off the arc by c² / (8 k), and by a fifteenth more up to 60 degrees. Twice
-    /// that is taken for the sum of all three, because they do not turn in step.
-    fn bend<K: Shading>(&self, turn: i32) -> Option<i32> {
-        let half = scaled_by_unit(self.turn.to_bits() + turn, Unit::from_bits(1 << 29));
-        let square = scaled_by_unit(half, Unit::from_bits(half));
-        let circle = self.circle.to_bits();
-        let bend = (square < circle).then(|| ratio(unsigned(square), unsigned(circle)))?;
-        Some((bend >> 2) << (2 * K::TURNS))
     }
 
     /// Tests whether an end is seen at a grazing angle.
@@ -211,6 +201,21 @@ impl Shown<'_> {
         let change = narrowed(change) << K::TURNS;
         is_little(change, self.material.shininess)
     }
+}
+
+/// Returns by how much the vector that a highlight depends on may be off a straight line, in Q4.28. `turns` are the
+/// lengths of the changes of the normal and of the directions to the light and to the eye, Q2.30. The normals turn on a
+/// circle of the radius `circle`, the directions on circles of radius 1. `None` if they turn too much.
+///
+/// A chord c of a circle of radius k is off the arc by c² / (8 k), and by a fifteenth more up to 60 degrees. Twice
+/// that is taken for the sum of all three, because they do not turn in step.
+fn bend_of_highlight(turns: [i32; 3], circle: Unit) -> Option<i32> {
+    // Half of each, so that the sum fits.
+    let half = turns.iter().map(|turn| (turn >> 1) + 1).sum::<i32>();
+    let half = Some(Unit::from_bits(half)).filter(|half| *half < Unit::ONE)?;
+    let square = unit_product(half, half);
+    let [square_bits, circle_bits] = [square, circle].map(|it| unsigned(it.to_bits()));
+    (square < circle).then(|| ratio(square_bits, circle_bits) >> 2)
 }
 
 /// Returns an upper bound of how far the height of a light above a curved surface is off the straight line between its
