@@ -21,8 +21,8 @@ use crate::shape::plane::PreparedPlane;
 /// Pixels between two traced ones: the window of the row, and the columns of the two.
 pub(crate) type Between<'a> = (&'a Window, [u32; 2]);
 
-/// Largest change of a direction, the normal or that to a light, to the eye or into the sky, for which three pixels show how
-/// colours change: about 20 degrees. Five show it up to 60.
+/// Largest change of a direction for which three pixels show how colours change: about 20 degrees. The direction is the
+/// normal, or leads to a light, to the eye or into the sky. Five pixels show changes of up to 60 degrees.
 pub(super) const LARGEST_TURN: Unit = Unit::from_bits(3 << 27);
 
 /// How much is proved of the paths of a stretch. It holds for each part of the stretch, too.
@@ -32,9 +32,9 @@ pub(crate) struct Progress {
     hits: usize,
     /// Of the next hit, 0 if nothing is proved, else 1 + the number of lights.
     steps: usize,
-    /// How many pixels show how the colours of what is proved change.
+    /// Number of pixels that show how the colours of the proved hits change.
     pub(crate) samples: Samples,
-    /// Last column before a shape begins or ends that kept the proof from going on, if one did.
+    /// The last proof failed because a shape may come to the front: the last column before it begins or ends.
     pub(super) border: Option<u32>,
 }
 
@@ -93,7 +93,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             let Some(plane) = plane.filter(|plane| self.mirrors(plane)) else {
                 return true;
             };
-            // Rays that come from a far point and are mirrored again have no known bounds.
+            // A far mirror shows near shapes as a near one does: the image of the eye is near. Rays that a second mirror
+            // sends on from a far point have no known bounds.
             let is_near = origin.level == 0 || first.place.is_near() && last.place.is_near();
             let image = origin.mirrored((first.shape, plane), parts.epsilon);
             let Some(image) = image.filter(|_| is_near) else {

@@ -14,7 +14,7 @@ use crate::scene::access::ShapeId;
 use crate::shade::highlight::sealed::Shading;
 use crate::vector::Direction;
 
-/// A surface on a path, and what it adds.
+/// A surface that a path meets, and the colour that it adds.
 pub(crate) struct Met {
     pub(crate) shape: ShapeId,
     pub(crate) is_inside: bool,

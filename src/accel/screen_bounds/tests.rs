@@ -8,7 +8,7 @@ fn length([x, y, z]: [f64; 3]) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
-/// What of a sphere lies in front of a mirror, on the camera's side, lies in the ball that stands for it.
+/// The part of a sphere on the camera's side of a mirror lies in the ball that `in_front` returns.
 #[test]
 fn ball_in_front_of_a_mirror_holds_the_cap_of_a_sphere() {
     let mut sweep = Sweep::new(61);

@@ -128,8 +128,8 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
 pub(super) enum Known {
     /// Not all of it, after so many divisions of the block.
     Part(Progress, usize),
-    /// All surely meet the same. The second difference of three traced pixels is expected to be this. So many
-    /// show at least how colours change.
+    /// All surely meet the same. The second difference of three traced pixels is expected to be this. At least so
+    /// many pixels are traced.
     Steady(Bend, Samples),
 }
 

@@ -18,7 +18,7 @@ thread_local! {
     static STATE: RefCell<State> = RefCell::default();
 }
 
-/// Calls `ask`, keeps the text of its answer, and returns whether it is refused.
+/// Runs a request, stores the text of its answer, and returns 1 if it is refused, else 0.
 fn answer(ask: impl FnOnce(&mut Playground) -> Answer) -> u32 {
     STATE.with_borrow_mut(|state| {
         let answer = ask(&mut state.playground);

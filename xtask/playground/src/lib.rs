@@ -70,8 +70,8 @@ impl Playground {
         Answer::nothing()
     }
 
-    /// Draws row `y` of the frame, and returns its pixels: red, green, blue and 255 each. Returns nothing
-    /// without a frame or beyond its last row.
+    /// Draws row `y` of the frame, and returns its pixels: red, green, blue and 255 each. Returns no pixels if
+    /// there is no frame, or no such row.
     pub fn row(&mut self, y: u32) -> &[u8] {
         match (&self.opened, &mut self.frame) {
             (Some(opened), Some(frame)) => frame.row(&opened.scene, y),

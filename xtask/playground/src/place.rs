@@ -29,7 +29,7 @@ pub(crate) fn of(error: &FileError, text: &str) -> Option<(usize, usize)> {
     Some(line_and_column(text, scanner.at))
 }
 
-/// Returns the key of the part that the library refuses, and the index in its list.
+/// Returns the key of the refused part in a scene file, and its index if the key holds a list.
 fn part(error: &Error) -> (String, Option<usize>) {
     match error.index() {
         Some(index) => (format!("{}s", error.part()), Some(index)),

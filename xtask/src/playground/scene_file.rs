@@ -29,7 +29,7 @@ pub fn materials(source: &str, scene: &Scene) -> Vec<String> {
     }
 }
 
-/// Returns the text of the file. `materials` are the names of the materials.
+/// Returns a scene as the text of a scene file. `materials` are the names of its materials, in order.
 pub fn text(name: &str, materials: &[String], scene: &Scene, camera: &Camera) -> String {
     let named = materials.iter().zip(&scene.materials);
     let mut entries = vec![
