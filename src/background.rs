@@ -3,7 +3,7 @@
 use crate::color::Color;
 use crate::error_kind::ErrorKind;
 use crate::material::is_color;
-use crate::number::{Number, Unit};
+use crate::number::{Number, Unit, to_u32};
 use crate::vector::{Direction, Position};
 
 /// Sky as the user describes it: the colour of a ray that hits nothing depends on how steep it is.
@@ -111,22 +111,31 @@ struct PreparedSky {
 #[derive(Clone, Copy, Debug)]
 pub struct Beyond {
     pub(crate) color: Color,
-    /// Whether the ray points below the horizon of a sky. At the horizon the colours have a kink.
-    is_below: bool,
+    /// Number that a path's signature notes: no shape has it. It tells the two sides of a horizon apart, where the
+    /// colours have a kink, and the discs of suns.
+    note: u32,
 }
+
+/// The note of a ray above the horizon. Below it is one less, and that of a disc is less by at least two.
+const ABOVE: u32 = u32::MAX;
 
 impl Beyond {
     /// Creates what all rays show where there is no sky.
     pub(crate) const fn of_one_color(color: Color) -> Self {
+        Self { color, note: ABOVE }
+    }
+
+    /// Creates what rays show that meet the disc of a sun, by the sun's index among the lights.
+    pub(crate) fn of_disc(light: usize, color: Color) -> Self {
         Self {
             color,
-            is_below: false,
+            note: ABOVE - 2 - (to_u32(light) & 0xff),
         }
     }
 
     /// Returns the number that a path's signature notes: no shape has it.
     pub(crate) fn note(&self) -> u32 {
-        u32::MAX - u32::from(self.is_below)
+        self.note
     }
 }
 
@@ -179,7 +188,7 @@ impl PreparedBackground {
         let share = Unit::from_bits(rise.abs().min(Unit::ONE.to_bits()));
         Beyond {
             color: self.horizon.towards(end, share),
-            is_below,
+            note: ABOVE - u32::from(is_below),
         }
     }
 }

@@ -105,6 +105,8 @@ macro_rules! faults {
             Background,
             /// A sky whose `up` has length zero.
             Sky,
+            /// A sun whose direction has length zero, or whose disc is not within 0 to 90 degrees.
+            Sun,
             /// An epsilon that is zero, negative, or not smaller than the scene's extent.
             Epsilon,
             /// A material that may send out more than 30 times white under the lights of its scene.
@@ -169,6 +171,7 @@ macro_rules! faults {
                     Self::Checker => CHECKER,
                     Self::Background => "background components must be within 0 to 16",
                     Self::Sky => "up must not be zero",
+                    Self::Sun => "direction must not be zero, and disc must be within 0 to 90 degrees",
                     Self::Epsilon => "epsilon must be greater than 0 and smaller than the scene",
                     Self::Brightness => BRIGHTNESS,
                     $(

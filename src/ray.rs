@@ -17,6 +17,7 @@ pub use line::{Cut, Line};
 pub(crate) use row_plane::{ANY_COLUMN, Chord, NO_COLUMN, SLACK, column};
 pub use row_plane::{RowPlane, Span};
 pub(crate) use screen_axis::ScreenAxis;
+pub(crate) use shadows::within_reach;
 pub use shadows::{Borders, Shadows};
 
 use crate::number::{

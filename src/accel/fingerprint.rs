@@ -74,6 +74,9 @@ impl Fingerprint {
         while index < scene.lights.len() {
             let light = &scene.lights[index];
             hash = hash.light(index, &light.position).color(&light.color);
+            if let Some(disc) = light.sun {
+                hash = hash.number(disc).index(1);
+            }
             index += 1;
         }
         hash

@@ -217,7 +217,7 @@ impl<T: Apart> World for MovingScene<T> {
 }
 
 impl<R: Capacity> Scene<R> {
-    /// Changes the position of a light, in scene units. It keeps its colour.
+    /// Changes the position of a light, in scene units, or the direction towards a sun. It keeps its colour.
     ///
     /// Prepares only the occluders of this light again. A light may leave the motion box.
     ///

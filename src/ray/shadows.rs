@@ -4,7 +4,8 @@ use super::ScaledPoint;
 use super::line::{Cut, Line};
 use super::row_plane::{Border, RowPlane, SLACK};
 use crate::number::{
-    Quotient, divide, narrowed, narrowed_unsigned, signed, signed_wide, to_u16, unsigned,
+    Quotient, Unit, divide, narrowed, narrowed_unsigned, over, scaled_by_unit, signed, signed_wide,
+    to_u16, unsigned,
 };
 use crate::vector::{Direction, Point, Vector};
 
@@ -15,11 +16,18 @@ pub struct Lamp {
     pub(crate) up: Direction,
     /// Normal of the plane.
     pub(crate) across: Direction,
-    /// The light: along the line from its start, and height above it, in steps of 2^`scale`.
+    /// The light: along the line from its start, and height above it, in steps of 2^`scale`. If its rays are parallel,
+    /// the parts of the direction towards it, Q2.30.
     pub(crate) along: i32,
     pub(crate) height: i32,
     pub(crate) scale: u32,
+    /// Whether the light's rays are parallel. Its height over its distance then is at least 2^-`bits`.
+    pub(crate) is_parallel: bool,
+    bits: u32,
 }
+
+/// Scale from which on a light's rays to near points are parallel, within rounding: that of suns.
+const PARALLEL: u32 = 30;
 
 impl Line {
     /// Returns a light over the line. `start` leads from the eye to the line's start. `None` if the light is
@@ -28,6 +36,9 @@ impl Line {
         let Point { x, y, z } = eye;
         let [x, y, z] = [x + start.x, y + start.y, z + start.z];
         let (way, scale) = ScaledPoint::new(Point::new(x, y, z), 0).to(light);
+        if scale >= PARALLEL {
+            return self.parallel(way);
+        }
         if scale > 12 {
             return None;
         }
@@ -40,6 +51,25 @@ impl Line {
             along,
             height,
             scale,
+            is_parallel: false,
+            bits: 0,
+        })
+    }
+
+    /// Returns a light with parallel rays. `None` if they are almost along the line.
+    fn parallel(&self, towards: Vector) -> Option<Lamp> {
+        let towards = towards.normalised().0.raw();
+        let along = towards.dot(self.along);
+        let (up, height) = towards.without(self.along, along).normalised();
+        let height = height.to_bits().min(Unit::ONE.to_bits());
+        (height > Unit::ONE.to_bits() >> 6).then(|| Lamp {
+            up,
+            across: self.along.crossed(up),
+            along,
+            height,
+            scale: 0,
+            is_parallel: true,
+            bits: height.leading_zeros() - 1,
         })
     }
 }
@@ -47,8 +77,36 @@ impl Line {
 impl Lamp {
     /// Returns what the distance of a body from the plane of line and light may be off by, in steps.
     pub(crate) fn off(&self, line: &Line) -> i32 {
-        ((2 * SLACK) << self.scale) + line.off
+        ((2 * SLACK) << self.scale << self.bits) + line.off
     }
+
+    /// Returns a length at right angles to parallel rays, as it falls on the line, clamped.
+    pub(crate) fn cast(&self, length: i32) -> i32 {
+        over(length, Unit::from_bits(self.height)).unwrap_or(FURTHEST * length.signum())
+    }
+
+    /// Returns where the parallel ray through a point meets the line: two places. The point lies between two places
+    /// along the line, and two heights above it.
+    ///
+    /// A point at (a, h) falls on a - h s / z, for the direction (s, z) towards the light. Both are off by 2⁻²⁸, so
+    /// the place is off by h 2⁻²⁷ / z².
+    pub(crate) fn under(&self, [along, height]: [[i32; 2]; 2]) -> [i32; 2] {
+        let slope = Unit::from_bits(self.along);
+        let [one, other] = height.map(|it| self.cast(scaled_by_unit(it, slope)));
+        let highest = height[0].abs().max(height[1].abs());
+        let off = 4 + i64::from(((highest >> 27) + 1) << (2 * self.bits));
+        let low = i64::from(along[0]) - i64::from(one.max(other)) - off;
+        let high = i64::from(along[1]) - i64::from(one.min(other)) + off;
+        [low, high].map(within_reach)
+    }
+}
+
+/// Largest place on a line, in steps.
+const FURTHEST: i32 = 1 << 30;
+
+/// Returns a place on a line, limited to [`FURTHEST`].
+pub(crate) fn within_reach(place: i64) -> i32 {
+    narrowed(place.max((-FURTHEST).into()).min(FURTHEST.into()))
 }
 
 /// The borders of a row that lie after a column, in no order.
@@ -179,6 +237,12 @@ impl Shadows<'_> {
     /// above it.
     pub(crate) fn corners(&mut self, [along, height]: [[i32; 2]; 2]) {
         let lamp = self.lamp;
+        if lamp.is_parallel {
+            if height[1] >= 0 {
+                self.place(lamp.under([along, height]));
+            }
+            return;
+        }
         let coarser = |[from, to]: [i32; 2], light: i32| {
             let [from, to] = [from >> lamp.scale, (to >> lamp.scale) + 1];
             [from, to].map(|it| i64::from(it) - i64::from(light))

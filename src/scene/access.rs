@@ -99,7 +99,7 @@ macro_rules! parts {
                 Self {
                     $($list: if_needed(needs.$list, self.$list),)*
                     planes: if_needed(needs.planes, self.planes),
-                    lights: if_needed(needs.lights, self.lights),
+                    lights: if_needed(needs.lights || needs.sky, self.lights),
                     ..self
                 }
             }
@@ -182,7 +182,7 @@ impl<'a> Parts<'a> {
     /// Tests whether the scene has no shape and no sky, so that all rays show one colour.
     #[inline(always)]
     pub(crate) fn is_empty(&self) -> bool {
-        !self.has_bounded() && self.planes.is_empty() && !self.background.is_sky()
+        !self.has_bounded() && self.planes.is_empty() && !self.has_sky()
     }
 }
 

@@ -28,6 +28,14 @@ pub(super) const fn brightest(
         index += 1;
     }
     index = 0;
+    while index < lights.len() {
+        let own = bits(lights[index].color.in_levels().largest());
+        if lights[index].disc().is_some() && own > most {
+            most = own;
+        }
+        index += 1;
+    }
+    index = 0;
     while index < materials.len() && index < checkers.len() {
         let color = materials[index].color.at_least(checkers[index].color);
         let own = brightest_of(&materials[index], color, lights);

@@ -235,14 +235,30 @@ macro_rules! builder {
 
             /// Adds a point light. Each component of its colour is 0 to 16.
             #[track_caller]
-            pub const fn light(mut self, position: [f64; 3], color: [f64; 3]) -> Self {
+            pub const fn light(self, position: [f64; 3], color: [f64; 3]) -> Self {
+                self.lit(Light::lamp(Position::new(position), numbers(color)))
+            }
+
+            /// Adds a sun: a light that shines from one direction everywhere. `direction` points towards it and may
+            /// have any length but 0. Each component of its colour is 0 to 16. No disc of it is seen.
+            #[track_caller]
+            pub const fn sun(self, direction: [f64; 3], color: [f64; 3]) -> Self {
+                self.sun_with_disc(direction, color, 0.0)
+            }
+
+            /// Adds a sun whose disc is seen where a ray hits nothing, also in mirrors. `degrees` is the angle that
+            /// the disc covers, 0 to 90; our own sun covers half a degree.
+            #[track_caller]
+            pub const fn sun_with_disc(self, direction: [f64; 3], color: [f64; 3], degrees: f64) -> Self {
+                let (direction, disc) = (Position::new(direction), Number::new(degrees));
+                self.lit(Light::sun(direction, numbers(color), disc))
+            }
+
+            #[track_caller]
+            const fn lit(mut self, light: Light) -> Self {
                 let index = self.described.lights.len;
-                self.described.lights.refuse_more("light", ErrorKind::TooManyLights);
-                let light = Light {
-                    position: Position::new(position),
-                    color: numbers(color),
-                };
-                self.refuse("light", Some(index), light.fault());
+                self.described.lights.refuse_more(light.kind(), ErrorKind::TooManyLights);
+                self.refuse(light.kind(), Some(index), light.fault());
                 self.described.lights.push(light);
                 self.last = None;
                 self

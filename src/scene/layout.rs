@@ -167,8 +167,10 @@ const fn with_companions(
 ) -> u128 {
     let mut index = 0;
     while index < scene.lights.len() {
-        let away = distance(middle, scene.lights[index].position);
-        radius = accompanied(radius, furthest, away);
+        let light = &scene.lights[index];
+        if light.sun.is_none() {
+            radius = accompanied(radius, furthest, distance(middle, light.position));
+        }
         index += 1;
     }
     if let Some(camera) = scene.camera {
@@ -232,7 +234,9 @@ const fn middle_of(scene: &Description<'_>) -> Position {
     }
     index = 0;
     while index < scene.lights.len() {
-        bounds.add(scene.lights[index].position, 0);
+        if scene.lights[index].sun.is_none() {
+            bounds.add(scene.lights[index].position, 0);
+        }
         index += 1;
     }
     bounds.middle()

@@ -44,7 +44,7 @@ macro_rules! room {
 /// Declares a constant scene: a type without fields, whose scene the compiler checks and prepares.
 ///
 /// Each line is a method of [`SceneBuilder`](crate::SceneBuilder) with its arguments: `sphere`, `plane`,
-/// `cylinder`, `disc`, `light`, `background`, `epsilon`, `camera`, `motion`. The macro counts the parts
+/// `cylinder`, `disc`, `light`, `sun`, `background`, `epsilon`, `camera`, `motion`. The macro counts the parts
 /// and chooses the room. A mistake stops the compiler with a message that names the part, its line and the
 /// fix.
 ///

@@ -5,6 +5,7 @@
 //! units, so users never choose a binary point.
 
 pub(crate) mod access;
+mod beyond;
 mod brightness;
 mod builder;
 mod capacity;

@@ -9,7 +9,6 @@ use super::prepare::PlainScene;
 use super::shape_set::{SetLayout, ShapeSet};
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
-use crate::light::PreparedLight;
 use crate::shape::Extent;
 use crate::vector::Position;
 
@@ -87,7 +86,7 @@ macro_rules! motion {
 kinds!(motion);
 
 impl<R: Capacity> PlainScene<R> {
-    /// Changes the position of a light, in scene units. It keeps its colour.
+    /// Changes the position of a light, in scene units, or the direction of a sun. It keeps its colour.
     #[inline(never)]
     pub(crate) fn light(&mut self, index: usize, position: Position) -> Result<(), Error> {
         let error = |fault| Error::at("light", index, fault);
@@ -101,10 +100,10 @@ impl<R: Capacity> PlainScene<R> {
             .get_mut(index)
             .filter(|_| index < known);
         let light = light.ok_or(error(ErrorKind::UnknownHandle))?;
-        *light = PreparedLight {
-            place: self.grid.place(position),
-            ..*light
-        };
+        if light.sun().is_some() && position.magnitude() == 0 {
+            return Err(error(ErrorKind::Sun));
+        }
+        *light = light.moved(position, &self.grid);
         Ok(())
     }
 

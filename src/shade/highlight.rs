@@ -124,7 +124,7 @@ impl<H: Highlight> sealed::Shading for H {
 
     #[inline(always)]
     fn missed<W: SceneAccess>(world: &W, direction: Direction) -> Beyond {
-        world.parts().background.beyond(direction, W::NEEDS.sky)
+        world.parts().beyond(direction, W::NEEDS.sky)
     }
 }
 

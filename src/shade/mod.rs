@@ -13,7 +13,7 @@ use highlight::{Cosines, Highlight};
 use crate::color::{Color, Lighting};
 use crate::light::PreparedLight;
 use crate::number::{Brightness, Length, Unit, bit_modulo_32, lit};
-use crate::ray::{ScaledPoint, ScaledRay};
+use crate::ray::{REACH, ScaledPoint, ScaledRay};
 use crate::scene::Surface;
 use crate::scene::access::SceneAccess;
 use crate::scene::planes::for_first_four;
@@ -189,8 +189,16 @@ fn strength<W: SceneAccess, V: Visibility, H: Highlight>(
     (light, index): (&V::Light, usize),
 ) -> Brightness {
     let place = V::light(light).place;
-    let (way, scale) = surface.place.to(place);
-    let (direction, distance) = way.direction_and_length();
+    // A scene without far lights links no code for suns.
+    let sun = V::light(light).sun().filter(|_| W::NEEDS.far_lights);
+    let (direction, distance, scale) = match sun {
+        Some(direction) => (direction, REACH, place.scale),
+        None => {
+            let (way, scale) = surface.place.to(place);
+            let (direction, distance) = way.direction_and_length();
+            (direction, distance, scale)
+        }
+    };
     if surface.normal.dot(direction) <= Unit::ZERO {
         return Brightness::ZERO;
     }

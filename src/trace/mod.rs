@@ -159,7 +159,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Tests whether rays that hit nothing show different colours.
     #[inline(always)]
     fn has_sky(&self) -> bool {
-        W::NEEDS.sky && self.world.parts().background.is_sky()
+        W::NEEDS.sky && self.world.parts().has_sky()
     }
 
     /// Returns the result of a path that hits nothing, where the background has one colour.

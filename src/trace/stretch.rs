@@ -150,9 +150,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         stops: [&Stop; 2],
         proved: &mut Progress,
     ) -> bool {
-        let turn = || Rays::new(ScaledPoint::ORIGIN, stops.map(|stop| stop.place)).turn();
-        if self.has_sky() && turn() > LARGEST_TURN {
-            return false;
+        if self.has_sky() {
+            let rays = Rays::new(ScaledPoint::ORIGIN, stops.map(|stop| stop.place));
+            let turn = rays.turn();
+            if turn > LARGEST_TURN || !self.world.parts().keeps_discs(rays.ends, turn) {
+                return false;
+            }
         }
         if origin.level < 2 {
             let stretch = Stretch {

@@ -11,6 +11,9 @@ use crate::scene::{Room, RuntimeScene, Surface};
 
 type Built = Scene<Room<3, 1, 2, 1, 1, 2>>;
 
+/// Distance of a light that is a sun.
+const SUN: f64 = 1e6;
+
 /// Returns a scene of shapes over a floor, some of which cut it, and a light at a distance.
 fn scene(sweep: &mut Sweep, far: f64) -> Built {
     let mut scene = RuntimeScene::<Room<3, 1, 2, 1, 1, 2>>::new();
@@ -38,7 +41,10 @@ fn scene(sweep: &mut Sweep, far: f64) -> Built {
     scene.add_plane([0, 0, 0], [0, 0, 1], white).unwrap();
     let (towards, size) = place(0.6);
     let light = towards.map(|it| it * far + size);
-    scene.add_light(light, [1.0; 3]).unwrap();
+    match far == SUN {
+        true => scene.add_sun(light, [1.0; 3], 0).unwrap(),
+        false => scene.add_light(light, [1.0; 3]).unwrap(),
+    };
     scene.build().unwrap()
 }
 
@@ -68,8 +74,8 @@ fn is_lit(scene: &Built, from: ScaledPoint, direction: crate::vector::Direction)
 fn light_shines_alike_up_to_the_border_of_a_shadow() {
     let mut sweep = Sweep::new(61);
     let (mut alike, mut borders, mut shaded, mut far_lights) = (0, 0, 0, 0);
-    for round in 0..400 {
-        let far = [4.0, 40.0, 400.0, 4000.0][round % 4];
+    for round in 0..500 {
+        let far = [4.0, 40.0, 400.0, 4000.0, SUN][round % 5];
         let scene = scene(&mut sweep, far);
         let [x, y, z] = sweep.place();
         let camera = Camera::look_at([4.0 * x, -5.0 + y, 1.6 + z], [0.0; 3], [0.1 * x, 0.0, 1.0]);

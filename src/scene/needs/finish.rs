@@ -67,6 +67,10 @@ impl Finish {
         while index < lights.len() {
             finish.is_lit_grey &= lights[index].color.is_grey();
             finish.is_far |= !lights[index].place.is_near();
+            if lights[index].disc().is_some() {
+                finish.has_sky = true;
+                finish.is_grey &= lights[index].color.is_grey();
+            }
             index += 1;
         }
         finish

@@ -4,7 +4,7 @@ use super::{CylinderFromPoint, PreparedCylinder};
 use crate::number::{
     Unit, over, scaled_by_unit, share_of, signed_wide, square_root, unsigned_wide, wide,
 };
-use crate::ray::{ChordLine, Cut, Line, SLACK, Shadows};
+use crate::ray::{ChordLine, Cut, Line, SLACK, Shadows, within_reach};
 use crate::shape::bordered::{CastsShadow, square};
 use crate::vector::{Direction, Vector};
 
@@ -56,6 +56,9 @@ impl CastsShadow for PreparedCylinder {
             let chord = ChordLine::of(lamp.across, way.plus(half), (self.axis, self.radius));
             shadows.chord(chord);
         }
+        if lamp.is_parallel {
+            return self.touch(way, shadows);
+        }
         // The two planes through the light that touch the wall.
         let light = line
             .along
@@ -85,6 +88,39 @@ impl CastsShadow for PreparedCylinder {
                 }
             };
             shadows.rays([ray(inner), ray(outer)]);
+        }
+    }
+}
+
+impl PreparedCylinder {
+    /// Adds the borders of the wall's shadow under parallel rays: where the two planes that touch it cut the line.
+    fn touch(&self, way: Vector, shadows: &mut Shadows<'_>) {
+        let (line, lamp) = (shadows.line, shadows.lamp);
+        let towards = line.along.scaled(lamp.along).plus(lamp.up.scaled(lamp.height));
+        let (normal, sine) = self.axis.crossed_with(towards).normalised();
+        if sine.to_bits() < Unit::ONE.to_bits() >> 6 {
+            return shadows.borders.end();
+        }
+        // The normal is off by 2^(bits - 28).
+        let bits = sine.to_bits().min(Unit::ONE.to_bits()).leading_zeros() - 1;
+        let off = lamp.off(line) << bits;
+        let (climb, apart) = (line.along.dot(normal), way.dot(normal));
+        let steep = climb.to_bits().unsigned_abs().leading_zeros() - 1;
+        if steep > 10 {
+            // Almost along the planes: the line stays away from them, or it is not known where it cuts them.
+            let is_apart = (apart.abs() - self.radius).abs() > off + (1 << 20);
+            if !is_apart {
+                shadows.borders.end();
+            }
+            return;
+        }
+        for radius in [-self.radius, self.radius] {
+            let Some(place) = over(apart + radius, climb) else {
+                continue;
+            };
+            let off = (i64::from(off) << steep) + i64::from(place.abs() >> (26 - bits - steep));
+            let place = i64::from(place);
+            shadows.place([place - off, place + off].map(within_reach));
         }
     }
 }

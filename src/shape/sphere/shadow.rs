@@ -2,7 +2,7 @@
 
 use super::PreparedSphere;
 use crate::number::{signed_wide, square_root, unsigned_wide, wide};
-use crate::ray::{Cut, Line, SLACK, Shadows};
+use crate::ray::{Cut, Line, SLACK, Shadows, within_reach};
 use crate::shape::bordered::CastsShadow;
 use crate::vector::Vector;
 
@@ -41,6 +41,9 @@ impl CastsShadow for PreparedSphere {
         if height < outer {
             shadows.cut(self.cut_by(shadows.line, way));
         }
+        if lamp.is_parallel {
+            return touch(shadows, [way.dot(shadows.line.along), height], [inner, outer]);
+        }
         // In the light's steps.
         let y = i64::from(way.dot(shadows.line.along) >> lamp.scale) - i64::from(lamp.along);
         let z = i64::from(height >> lamp.scale) - i64::from(lamp.height);
@@ -63,5 +66,16 @@ impl CastsShadow for PreparedSphere {
             };
             shadows.rays([ray(inner), ray(outer)]);
         }
+    }
+}
+
+/// Adds the borders of a circle's shadow under parallel rays: on both sides of the ray through its centre, by its radius,
+/// which lies between two.
+fn touch(shadows: &mut Shadows<'_>, center: [i32; 2], circle: [i32; 2]) {
+    let lamp = shadows.lamp;
+    let [from, to] = lamp.under(center.map(|it| [it - SLACK, it + SLACK])).map(i64::from);
+    let [inner, outer] = circle.map(|it| i64::from(lamp.cast(it)));
+    for ends in [[from - outer - 2, to - inner + 2], [from + inner - 2, to + outer + 2]] {
+        shadows.place(ends.map(within_reach));
     }
 }
