@@ -121,4 +121,10 @@ macro_rules! __line {
     (described light) => {
         $crate::description::Light
     };
+    (described sun) => {
+        $crate::description::Light
+    };
+    (described sun_with_disc) => {
+        $crate::description::Light
+    };
 }

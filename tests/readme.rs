@@ -168,6 +168,7 @@ fn limits_of_scene_files_are_the_librarys() {
         ("cylinders", file::MAX_CYLINDERS),
         ("discs", file::MAX_DISCS),
         ("lights", file::MAX_LIGHTS),
+        ("suns", file::MAX_SUNS),
         ("materials", file::MAX_MATERIALS),
     ] {
         let row = format!("| `{part}` | empty | at most {most} {part} |");

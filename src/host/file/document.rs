@@ -36,6 +36,8 @@ macro_rules! document {
             pub materials: Vec<Material>,
             #[serde(default)]
             pub lights: Vec<Light>,
+            #[serde(default)]
+            pub suns: Vec<Sun>,
             $(
                 #[serde(default)]
                 pub $list: Vec<$described>,
@@ -56,6 +58,15 @@ macro_rules! document {
     };
 }
 kinds!(shapes, document);
+
+/// A sun: the direction points towards it, the disc is an angle in degrees.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Sun {
+    pub direction: [f64; 3],
+    pub color: [f64; 3],
+    pub disc: Option<f64>,
+}
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

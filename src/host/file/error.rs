@@ -254,6 +254,7 @@ macro_rules! refused {
             let names = [
                 $((stringify!($kind), stringify!($list)),)*
                 ("light", "lights"),
+                ("sun", "suns"),
                 ("material", "materials"),
             ];
             let list = names.iter().find(|(part, _)| *part == error.part());
@@ -263,7 +264,8 @@ macro_rules! refused {
             let room = FileRoom::COUNTS;
             let most = match error.kind() {
                 $(ErrorKind::$too_many => room.$list,)*
-                ErrorKind::TooManyLights => room.lights,
+                // What did not fit is as many parts as fit.
+                ErrorKind::TooManyLights => index,
                 ErrorKind::TooManyMaterials => room.materials,
                 fault => return format!("{list}[{index}]: {fault}"),
             };

@@ -3,9 +3,10 @@
 
 use alloc::vec::Vec;
 
-use super::FileRuntimeScene;
+use super::{FileRuntimeScene, MAX_LIGHTS, MAX_SUNS};
 use crate::camera::Camera;
 use crate::error::Error;
+use crate::error_kind::ErrorKind;
 use crate::host::reference;
 use crate::material::Material;
 
@@ -22,9 +23,7 @@ macro_rules! fill {
             for (index, plain) in scene.materials.iter().enumerate() {
                 ids.push(target.add_material(material(index, plain)?)?);
             }
-            for light in &scene.lights {
-                target.add_light(light.position, light.color)?;
-            }
+            lights(target, &scene.lights)?;
             $(
                 for it in &scene.$list {
                     target.$add($(it.$field,)* ids[it.material])?;
@@ -39,6 +38,28 @@ macro_rules! fill {
     };
 }
 kinds!(shapes, fill);
+
+/// Adds the lights. Lamps and suns are counted apart, as in a file.
+fn lights(target: &mut FileRuntimeScene, lights: &[reference::Light]) -> Result<(), Error> {
+    let (mut lamps, mut suns) = (0, 0);
+    for light in lights {
+        let (part, count, most) = match light.sun {
+            None => ("light", &mut lamps, MAX_LIGHTS),
+            Some(_) => ("sun", &mut suns, MAX_SUNS),
+        };
+        let at = |kind| Error::at(part, *count, kind);
+        if *count == most {
+            return Err(at(ErrorKind::TooManyLights));
+        }
+        let added = match light.sun {
+            None => target.add_light(light.position, light.color),
+            Some(disc) => target.add_sun(light.position, light.color, disc),
+        };
+        added.map_err(|error| at(error.kind()))?;
+        *count += 1;
+    }
+    Ok(())
+}
 
 /// Converts a camera of the reference to one of the core.
 pub(super) fn camera(camera: &reference::Camera) -> Result<Camera, Error> {

@@ -69,13 +69,16 @@ pub const MAX_DISCS: usize = 128;
 /// Largest number of lights in a scene that is read from a scene file: 16.
 pub const MAX_LIGHTS: usize = 16;
 
+/// Largest number of suns in a scene that is read from a scene file: 4.
+pub const MAX_SUNS: usize = 4;
+
 /// Largest number of materials in a scene that is read from a scene file: 256.
 pub const MAX_MATERIALS: usize = 256;
 
 /// Capacity of a scene that is read from a scene file: the `MAX_` limit of each kind of part.
 ///
 /// ```
-/// use reflet::host::file::{MAX_CYLINDERS, MAX_DISCS, MAX_LIGHTS, MAX_MATERIALS};
+/// use reflet::host::file::{MAX_CYLINDERS, MAX_DISCS, MAX_LIGHTS, MAX_MATERIALS, MAX_SUNS};
 /// use reflet::host::file::{FileRoom, FileRuntimeScene, FileScene, MAX_PLANES, MAX_SPHERES};
 /// use reflet::host::reference::Scene;
 ///
@@ -85,7 +88,7 @@ pub const MAX_MATERIALS: usize = 256;
 ///         && scene.planes.len() <= MAX_PLANES
 ///         && scene.cylinders.len() <= MAX_CYLINDERS
 ///         && scene.discs.len() <= MAX_DISCS
-///         && scene.lights.len() <= MAX_LIGHTS
+///         && scene.lights.len() <= MAX_LIGHTS + MAX_SUNS
 ///         && scene.materials.len() <= MAX_MATERIALS
 /// }
 /// assert!(fits(&Scene::default()));
@@ -95,8 +98,10 @@ pub const MAX_MATERIALS: usize = 256;
 /// assert!(built.needs().is_nothing());
 /// # Ok::<(), reflet::Error>(())
 /// ```
-pub type FileRoom =
-    Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, MAX_LIGHTS, MAX_MATERIALS, MAX_DISCS>;
+pub type FileRoom = Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, LIGHTS, MAX_MATERIALS, MAX_DISCS>;
+
+/// Largest number of lights and suns of a file.
+const LIGHTS: usize = MAX_LIGHTS + MAX_SUNS;
 
 /// A run-time scene with the capacity [`FileRoom`], to be filled from a scene file.
 pub type FileRuntimeScene = RuntimeScene<FileRoom>;

@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 
 use super::document;
 use super::error::Problem;
-use crate::host::reference::{self, Camera, Checker, Material, Scene};
+use crate::host::reference::{self, Camera, Checker, Light, Material, Scene};
 use crate::number::Number;
 
 /// Default of `epsilon` for a file that does not give it: how far above a surface shadow and reflected
@@ -74,7 +74,7 @@ macro_rules! resolve {
             )*
             let resolved = Scene {
                 $($list,)*
-                lights: scene.lights,
+                lights: scene.lights.into_iter().chain(scene.suns.iter().map(sun)).collect(),
                 materials: scene.materials.iter().map(material).collect(),
                 background: scene.background.unwrap_or_default(),
                 sky: scene.sky,
@@ -98,6 +98,15 @@ fn material_numbers(materials: &[document::Material]) -> Result<BTreeMap<&str, u
         }
     }
     Ok(numbers)
+}
+
+/// Returns a sun; without `disc` no disc of it is seen.
+fn sun(sun: &document::Sun) -> Light {
+    Light {
+        position: sun.direction,
+        color: sun.color,
+        sun: Some(sun.disc.unwrap_or(0.0)),
+    }
 }
 
 /// Returns the material with the defaults of [`crate::Material::new`] for what the file leaves out.

@@ -1,4 +1,5 @@
 mod mistakes;
+mod suns;
 
 use std::borrow::ToOwned;
 use std::io;
@@ -115,6 +116,7 @@ fn every_number_arrives_in_the_reference() {
         lights: vec![reference::Light {
             position: [3.0, -4.0, 6.0],
             color: [1.0, 0.5, 0.25],
+            sun: None,
         }],
         materials: vec![clay, gold],
         background: [0.125, 0.25, 0.375],

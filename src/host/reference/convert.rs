@@ -91,6 +91,7 @@ fn light(light: &light::Light) -> Light {
     Light {
         position: triple(light.position.0),
         color: triple(light.color),
+        sun: light.sun.map(Number::to_f64),
     }
 }
 

@@ -101,9 +101,18 @@ fn sky(sky: &Sky) -> model::Sky {
 }
 
 fn light(light: &Light) -> model::Light {
+    let position = vector(light.position);
     model::Light {
-        position: vector(light.position),
+        position: if light.sun.is_some() {
+            position.unit()
+        } else {
+            position
+        },
         color: vector(light.color),
+        sun: light.sun.map(|degrees| match degrees > 0.0 {
+            true => (degrees.to_radians() / 2.0).cos() as Real,
+            false => 2.0,
+        }),
     }
 }
 

@@ -148,14 +148,17 @@ pub struct Sky {
     pub above: [f64; 3],
 }
 
-/// A point light that does not fall off with distance.
+/// A light that does not fall off with distance: a lamp, which is a point, or a sun, which is a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Light {
-    /// Position of the light, in scene units.
+    /// Position of a lamp, in scene units. Of a sun, the direction towards it, of any length above 0.
     pub position: [f64; 3],
     /// Linear colour of the light.
     pub color: [f64; 3],
+    /// `None` for a lamp. Of a sun, the angle of its disc in the sky, in degrees; 0 shows none.
+    #[serde(skip)]
+    pub sun: Option<f64>,
 }
 
 /// The material of a surface: its colour, and how it reflects light.

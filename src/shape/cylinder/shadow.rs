@@ -96,7 +96,10 @@ impl PreparedCylinder {
     /// Adds the borders of the wall's shadow under parallel rays: where the two planes that touch it cut the line.
     fn touch(&self, way: Vector, shadows: &mut Shadows<'_>) {
         let (line, lamp) = (shadows.line, shadows.lamp);
-        let towards = line.along.scaled(lamp.along).plus(lamp.up.scaled(lamp.height));
+        let towards = line
+            .along
+            .scaled(lamp.along)
+            .plus(lamp.up.scaled(lamp.height));
         let (normal, sine) = self.axis.crossed_with(towards).normalised();
         if sine.to_bits() < Unit::ONE.to_bits() >> 6 {
             return shadows.borders.end();

@@ -42,7 +42,11 @@ impl CastsShadow for PreparedSphere {
             shadows.cut(self.cut_by(shadows.line, way));
         }
         if lamp.is_parallel {
-            return touch(shadows, [way.dot(shadows.line.along), height], [inner, outer]);
+            return touch(
+                shadows,
+                [way.dot(shadows.line.along), height],
+                [inner, outer],
+            );
         }
         // In the light's steps.
         let y = i64::from(way.dot(shadows.line.along) >> lamp.scale) - i64::from(lamp.along);
@@ -73,9 +77,14 @@ impl CastsShadow for PreparedSphere {
 /// which lies between two.
 fn touch(shadows: &mut Shadows<'_>, center: [i32; 2], circle: [i32; 2]) {
     let lamp = shadows.lamp;
-    let [from, to] = lamp.under(center.map(|it| [it - SLACK, it + SLACK])).map(i64::from);
+    let [from, to] = lamp
+        .under(center.map(|it| [it - SLACK, it + SLACK]))
+        .map(i64::from);
     let [inner, outer] = circle.map(|it| i64::from(lamp.cast(it)));
-    for ends in [[from - outer - 2, to - inner + 2], [from + inner - 2, to + outer + 2]] {
+    for ends in [
+        [from - outer - 2, to - inner + 2],
+        [from + inner - 2, to + outer + 2],
+    ] {
         shadows.place(ends.map(within_reach));
     }
 }

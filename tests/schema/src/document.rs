@@ -5,12 +5,13 @@ use reflet::host::file as limits;
 use serde_json::{Map, Value, json};
 
 /// The lists of a scene file, and the largest number of parts in each.
-pub const LISTS: [(&str, usize); 6] = [
+pub const LISTS: [(&str, usize); 7] = [
     ("spheres", limits::MAX_SPHERES),
     ("planes", limits::MAX_PLANES),
     ("cylinders", limits::MAX_CYLINDERS),
     ("discs", limits::MAX_DISCS),
     ("lights", limits::MAX_LIGHTS),
+    ("suns", limits::MAX_SUNS),
     ("materials", limits::MAX_MATERIALS),
 ];
 
@@ -81,7 +82,7 @@ pub fn scene(bytes: &mut Unstructured) -> Result<Value> {
     scene.insert("camera".to_owned(), camera);
     let materials = names.iter().map(|name| material(bytes, name));
     scene.insert("materials".to_owned(), materials.collect::<Result<_>>()?);
-    for kind in ["spheres", "planes", "cylinders", "discs", "lights"] {
+    for kind in ["spheres", "planes", "cylinders", "discs", "lights", "suns"] {
         if bytes.arbitrary()? {
             let count = bytes.int_in_range(0..=3)?;
             let parts = (0..count).map(|_| part(bytes, kind, names));
@@ -125,6 +126,7 @@ fn part(bytes: &mut Unstructured, kind: &str, names: &[&str]) -> Result<Value> {
         "cylinders" => json!({ "center": center, "axis": way, "radius": radius,
                                "height": height, "material": name }),
         "discs" => json!({ "center": center, "normal": way, "radius": radius, "material": name }),
+        "suns" => json!({ "direction": way, "color": color(bytes)?, "disc": radius }),
         _ => json!({ "position": center, "color": color(bytes)? }),
     })
 }

@@ -97,6 +97,7 @@ fn still_life() -> Value {
                          "diffuse": 0.75, "specular": 0.5, "shininess": 1, "mirror": 0,
                          "checker": { "color": [0.5, 0.75, 1], "size": [1, 0, 2] } } ],
         "lights": [ { "position": [3, -4, 6], "color": [1, 0.5, 0.25] } ],
+        "suns": [ { "direction": [3, -4, 5], "color": [0.25, 1, 0.5], "disc": 0.5 } ],
         "spheres": [ { "center": [0, 0, 1.5], "radius": 1.25, "material": "clay" } ],
         "planes": [ { "center": [0, 0, -1], "normal": [0, 0, 2], "material": "clay" } ],
         "cylinders": [ { "center": [2, 0, 1], "axis": [0, 0, 3], "radius": 0.5, "height": 2.5,
@@ -139,7 +140,7 @@ fn defaults_of_a_material_are_those_of_the_library() {
 #[test]
 fn every_number_is_judged_alike_at_its_edges() {
     let validator = validator();
-    for (whole, expected) in [(still_life(), 68), (plain_life(), 57)] {
+    for (whole, expected) in [(still_life(), 75), (plain_life(), 64)] {
         assert_eq!(verdict(&whole), Verdict::Accepted);
         let places = document::places(&whole);
         let numbers = places
@@ -227,6 +228,7 @@ fn zero_directions_are_refused_by_both() {
         "/cylinders/0/axis",
         "/discs/0/normal",
         "/sky/up",
+        "/suns/0/direction",
         "/materials/0/checker/size",
     ] {
         let mut file = still_life();

@@ -79,7 +79,14 @@ fn parts(scene: &Scene, materials: &[String], motion: Option<&Motion>) -> String
         );
         format!("{}{handle}({fields}, {material})", it.kind)
     };
-    let light = |it: &Light| format!("light({}, {})", vector(it.position), vector(it.color));
+    let light = |it: &Light| {
+        let [position, color] = [it.position, it.color].map(vector);
+        match it.sun {
+            None => format!("light({position}, {color})"),
+            Some(0.0) => format!("sun({position}, {color})"),
+            Some(disc) => format!("sun_with_disc({position}, {color}, {})", number(disc)),
+        }
+    };
     let corners = |motion: &Motion| {
         let [low, high] = [motion.low, motion.high].map(vector);
         format!("motion({low}, {high})")

@@ -33,6 +33,7 @@
 //! unsure if a ray a 32nd of a pixel beside it hits another shape or is lit by another light.
 
 mod between;
+mod edges;
 mod path;
 
 use std::vec::Vec;

@@ -3,6 +3,7 @@
 
 use std::vec::Vec;
 
+use super::edges::{cell, disc, mixed};
 use super::largest;
 use crate::host::reference::Shading;
 use crate::host::reference::model::{Ray, Scene, Surface, Vector};
@@ -67,14 +68,15 @@ impl Stage {
     /// direction is off by at most `drift`, and its length by up to 2⁻¹⁶.
     fn missed(self, scene: &Scene, direction: Vector, drift: f64) -> Self {
         let background = scene.beyond(direction);
+        let (disc, is_at_edge) = disc(scene, direction, drift + to_the_minus(15));
         let is_below = scene.sky.is_some_and(|sky| direction.dot(sky.up) < 0.0);
         let error = slope(scene) * (drift + to_the_minus(16));
         Self {
             color: (Vector(self.color) + background * self.weight).0,
             weight: 0.0,
             rounding: self.rounding + (to_the_minus(24) + self.weight * (to_the_minus(25) + error)),
-            trail: mixed(self.trail, u64::MAX - u64::from(is_below)),
-            ..self
+            trail: mixed(mixed(self.trail, u64::MAX - u64::from(is_below)), disc),
+            is_unsure: self.is_unsure || is_at_edge,
         }
     }
 
@@ -99,24 +101,6 @@ impl Stage {
 struct Drift {
     place: f64,
     direction: f64,
-}
-
-/// Returns a number for the cell of a checker in which a surface lies, and whether it may be another cell: the
-/// point is off by up to `error` along each axis.
-fn cell(surface: &Surface, error: f64) -> (u64, bool) {
-    let checker = surface
-        .material
-        .checker
-        .filter(|_| surface.material.mirror < 1.0);
-    let Some(checker) = checker else {
-        return (0, false);
-    };
-    let [low, here, high] =
-        [-error, 0.0, error].map(|off| checker.cell(surface.outside + Vector::grey(off)));
-    let number = here.iter().fold(0, |number, cell| {
-        mixed(number, u64::from(cell.cast_unsigned()))
-    });
-    (number, low != here || high != here)
 }
 
 /// Returns by how much the colour of a sky changes at most with the direction; 0 without a sky.
@@ -236,11 +220,10 @@ impl Hit {
             if lit <= 0.0 {
                 continue;
             }
-            let way = lamp.position - surface.outside;
-            let distance = way.length();
+            let (towards, distance) = lamp.seen_from(surface.outside);
             let light = (self.place + 3.0 * precision.step) / distance + to_the_minus(26);
             let diffuse = self.normal + light + to_the_minus(28);
-            let gleam = self.gleam(surface, way * (1.0 / distance), light, shading);
+            let gleam = self.gleam(surface, towards, light, shading);
             let strength_error = material.diffuse * diffuse + material.specular * gleam;
             received += lamp.color * lit;
             let rounded = strength_error + to_the_minus(22) + lit * to_the_minus(25);
@@ -278,11 +261,4 @@ impl Hit {
         let own = (shininess + 4.0) * to_the_minus(28);
         (most - here).max(here - least) + own
     }
-}
-
-/// Mixes `word` into the hash `trail`: FNV-1a for whole words, with a rotation.
-fn mixed(trail: u64, word: u64) -> u64 {
-    (trail ^ word.wrapping_add(0x9e37_79b9_7f4a_7c15))
-        .wrapping_mul(0x0100_0000_01b3)
-        .rotate_left(23)
 }

@@ -101,7 +101,9 @@ impl Scene<'_> {
     /// Returns the colour of a ray in this direction that hits nothing.
     #[inline]
     pub fn beyond(&self, direction: Vector) -> Vector {
-        self.sky.map_or(self.background, |sky| sky.color(direction))
+        let sun = self.lights.iter().find(|it| it.is_shown(direction));
+        let sky = || self.sky.map_or(self.background, |sky| sky.color(direction));
+        sun.map_or_else(sky, |sun| sun.color)
     }
 }
 
@@ -129,13 +131,37 @@ impl Sky {
     }
 }
 
-/// A point light that does not fall off with distance.
+/// A light that does not fall off with distance: a lamp, which is a point, or a sun, which is a direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Light {
-    /// Position of the light, in scene units.
+    /// Position of a lamp, in scene units. Of a sun, the unit direction towards it.
     pub position: Vector,
     /// Linear colour of the light.
     pub color: Vector,
+    /// `None` for a lamp. Of a sun, the cosine of half the angle of its disc; above 1 if none is seen.
+    pub sun: Option<Real>,
+}
+
+impl Light {
+    /// Returns the unit direction to the light from a point, and its distance in scene units.
+    #[inline]
+    pub fn seen_from(&self, place: Vector) -> (Vector, Real) {
+        match self.sun {
+            Some(_) => (self.position, Real::INFINITY),
+            None => {
+                let way = self.position - place;
+                let distance = way.length();
+                (way * (1.0 / distance), distance)
+            }
+        }
+    }
+
+    /// Tests whether a ray in a unit direction that hits nothing shows the light's disc.
+    #[inline]
+    fn is_shown(&self, direction: Vector) -> bool {
+        self.sun
+            .is_some_and(|cosine| direction.dot(self.position) >= cosine)
+    }
 }
 
 /// The material of a surface: its colour, and how it reflects light.

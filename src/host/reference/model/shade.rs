@@ -40,11 +40,10 @@ impl Scene<'_> {
     /// light is behind the surface or blocked.
     #[inline]
     pub fn arrival(&self, surface: &Surface, lamp: &Light) -> Option<(Vector, Real)> {
-        let to_lamp = lamp.position - surface.outside;
-        let distance = to_lamp.length();
+        let (direction, distance) = lamp.seen_from(surface.outside);
         let ray = Ray {
             origin: surface.outside,
-            direction: to_lamp * (1.0 / distance),
+            direction,
         };
         let facing = surface.normal.dot(ray.direction);
         // For a light exactly at this point `facing` is not a number, and so not above zero.

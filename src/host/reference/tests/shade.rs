@@ -35,6 +35,7 @@ fn lit_on(
     let light = |position| Light {
         position,
         color: [1.0, 0.0, 0.5],
+        sun: None,
     };
     let plane = |height| Plane {
         point: [0.0, 0.0, height],

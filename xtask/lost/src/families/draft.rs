@@ -173,7 +173,11 @@ impl Draft {
         let position = (Vector([x, y, z.abs() + 0.15]).unit() * far).0;
         let bright = self.random.between(0.7, 1.2);
         let color = self.random.color().map(|it| (it * bright).max(0.1));
-        self.scene.lights.push(Light { position, color });
+        self.scene.lights.push(Light {
+            position,
+            color,
+            sun: None,
+        });
     }
 
     /// Points a camera at `target` from this offset, with a field of view in degrees. One of five

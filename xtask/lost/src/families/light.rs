@@ -57,7 +57,11 @@ pub fn fences(draft: &mut Draft) {
         let position = (angle + UP * slope) * draft.random.log_between(4.0, 60.0);
         let color = [draft.random.between(0.5, 1.0); 3];
         let position = position.0;
-        draft.scene.lights.push(Light { position, color });
+        draft.scene.lights.push(Light {
+            position,
+            color,
+            sun: None,
+        });
     }
     let target = draft.random.point().across(UP);
     let offset = draft.random.across(UP) + UP * draft.random.between(0.1, 1.2);
