@@ -26,6 +26,8 @@ pub struct Surface<'a> {
     /// Whether the ray hit the surface from inside, or a plane against its normal.
     pub(crate) is_inside: bool,
     material: &'a PreparedMaterial,
+    /// Number of the material; only read in a scene with checkers.
+    number: MaterialId,
 }
 
 /// Largest error of the cosine at a curved surface: 2⁻¹⁶.
@@ -42,7 +44,7 @@ impl<'a> Surface<'a> {
         view: Direction,
     ) -> Option<Self> {
         let parts = world.parts();
-        let (outward, material) = parts.outside(shape, at.point)?;
+        let (outward, number) = parts.outside(shape, at.point)?;
         let climb = view.short_dot(outward);
         // At the rim of a shape, rounding must not make the outside an inside.
         let (is_inside, epsilon) = match parts.bending_radius(shape) {
@@ -59,7 +61,8 @@ impl<'a> Surface<'a> {
             facing: Unit::from_bits(absolute(climb.to_bits())),
             shape,
             is_inside,
-            material: parts.material(material),
+            material: parts.material(number),
+            number,
         })
     }
 
@@ -76,11 +79,20 @@ impl<'a> Surface<'a> {
     /// Returns the colour of the material's checker, if the surface lies in a cell of that colour.
     #[inline(always)]
     pub(crate) fn checkered<W: SceneAccess>(&self, world: &W) -> Option<Color> {
+        let checker = self.checker(world)?;
+        checker.holds(self.place).then_some(checker.color)
+    }
+
+    /// Returns the checker of the material, if it has more than one cell.
+    #[inline(always)]
+    pub(crate) fn checker<'w, W: SceneAccess>(&self, world: &'w W) -> Option<&'w PreparedChecker> {
         if !W::NEEDS.checkers {
             return None;
         }
-        let checker = checker_of(world, self.shape)?;
-        checker.holds(self.place).then_some(checker.color)
+        world
+            .parts()
+            .checker(self.number)
+            .filter(|it| it.has_cells())
     }
 
     /// Returns the shape that rays from this point need not test: the surface's own. Returns
@@ -159,10 +171,16 @@ kinds!(surfaces);
 
 /// Returns the checker of a shape's material; that of a material without one is a single cell. `None` for a
 /// perfect mirror, which has no colour of its own.
-#[inline(always)]
 pub(crate) fn checker_of<W: SceneAccess>(world: &W, shape: ShapeId) -> Option<&PreparedChecker> {
     let parts = world.parts();
-    let id = parts.material_of(shape)?;
-    let is_seen = parts.material(id).mirror < Unit::ONE;
-    parts.checkers.get(id.index()).filter(|_| is_seen)
+    parts.checker(parts.material_of(shape)?)
+}
+
+impl<'a> Parts<'a> {
+    /// Returns the checker of a material, as [`checker_of`] does.
+    #[inline(always)]
+    fn checker(&self, id: MaterialId) -> Option<&'a PreparedChecker> {
+        let is_seen = self.material(id).mirror < Unit::ONE;
+        self.checkers.get(id.index()).filter(|_| is_seen)
+    }
 }
