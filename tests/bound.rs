@@ -37,14 +37,8 @@ fn complaints(name: &str) -> Vec<String> {
     let precision = precision(source.scene());
     let mut complaints = Vec::new();
     for shading in [Tested::BlinnPhong, Tested::Phong] {
-        let paths = Paths::follow(
-            &scene,
-            &camera,
-            (SIDE, SIDE),
-            ALL,
-            shading.into(),
-            &precision,
-        );
+        let (size, model) = ((SIDE, SIDE), shading.into());
+        let paths = Paths::follow(&scene, &camera, size, ALL, model, &precision);
         for reflections in [0, 1, 2, 4, 8, 255] {
             let pictures = match shading {
                 Tested::Phong => pictures::<Phong>(&source, shading, reflections),
@@ -137,14 +131,9 @@ fn closed_room_of_mirrors_converges_as_the_formula_says() {
         for alpha in [0.5, 0.9, 0.99, 0.999] {
             let scene = room(alpha, is_round).build().unwrap();
             for reflections in 0..=255_u8 {
-                let picture = scene.frame(&camera).reflections(reflections);
-                let picture = painted(
-                    &picture
-                        .quality::<Exact>()
-                        .prepare(Size::new(6, 5))
-                        .on(&scene)
-                        .unwrap(),
-                );
+                let frame = scene.frame(&camera).reflections(reflections);
+                let frame = frame.quality::<Exact>().prepare(Size::new(6, 5));
+                let picture = painted(&frame.on(&scene).unwrap());
                 let share = 1.0 - alpha.powi(i32::from(reflections) + 1);
                 for pixel in picture.pixels {
                     for (channel, color) in pixel.into_iter().zip(COLOR) {
