@@ -5,13 +5,11 @@ use std::fmt::Display;
 
 use command_line::{Quality, Settings, Shading, Source};
 use embedded_graphics::prelude::Size;
+use reflet::description::Description;
 use reflet::host::compare::{Difference, compare};
-use reflet::host::painted;
-use reflet::host::reference::{self, render};
-use reflet::quality::{Exact, Fast, Small};
+use reflet::host::reference::render;
 use reflet::scenes::NAMES;
-use reflet::shading::Phong;
-use reflet::{Camera, Material, Scene, SceneBuilder, room};
+use reflet::{Camera, Material, SceneBuilder, room};
 
 const SIDE: u32 = 320;
 const REFLECTIONS: u8 = 4;
@@ -80,39 +78,45 @@ impl Bar {
     }
 }
 
-/// Draws a scene in one shading and compares it with the reference. Returns a line for each missed
-/// bar.
-fn missed(name: &str, shading: Shading) -> Vec<String> {
-    let source = Source::built_in(name).unwrap();
-    let (scene, camera) = source.reference();
-    let truth = render(
-        &scene,
-        &camera,
-        SIDE,
-        SIDE,
-        REFLECTIONS.into(),
-        shading.into(),
-    );
-    let size = Size::new(SIDE, SIDE);
-    let bars = match shading {
-        Shading::Normals => vec![(NORMALS, Quality::Fast)],
-        _ => vec![
-            (DRAFT, Quality::Draft),
-            (FAST, Quality::Fast),
-            (SMALL, Quality::Small),
-            (EXACT, Quality::Exact),
-        ],
-    };
-    let missed = bars.into_iter().filter_map(|(bar, quality)| {
+/// Draws a scene in some qualities and compares each picture with the reference.
+fn differences(
+    source: &Source,
+    shading: Shading,
+    qualities: impl IntoIterator<Item = Quality>,
+) -> impl Iterator<Item = Difference> {
+    let ((scene, camera), n) = (source.reference(), REFLECTIONS.into());
+    let truth = render(&scene, &camera, SIDE, SIDE, n, shading.into());
+    qualities.into_iter().map(move |quality| {
         let settings = Settings {
             reflections: REFLECTIONS,
             shading,
             quality,
         };
-        let picture = source.drawn(size, settings);
-        bar.missed(name, &compare(&picture, &truth).unwrap())
-    });
-    missed.collect()
+        let picture = source.drawn(Size::new(SIDE, SIDE), settings);
+        compare(&picture, &truth).unwrap()
+    })
+}
+
+/// Returns a line for each bar that a scene misses in one shading.
+fn missed(name: &str, shading: Shading) -> Vec<String> {
+    let source = Source::built_in(name).unwrap();
+    let (bars, qualities) = match shading {
+        Shading::Normals => (vec![NORMALS], vec![Quality::Fast]),
+        _ => (
+            vec![DRAFT, FAST, SMALL, EXACT],
+            vec![
+                Quality::Draft,
+                Quality::Fast,
+                Quality::Small,
+                Quality::Exact,
+            ],
+        ),
+    };
+    let found = differences(&source, shading, qualities);
+    let missed = bars.iter().zip(found);
+    missed
+        .filter_map(|(bar, found)| bar.missed(name, &found))
+        .collect()
 }
 
 fn assert_bars_are_met(shading: Shading) {
@@ -166,9 +170,6 @@ const TELEPHOTO: SceneBuilder<room!(spheres: 4, planes: 1, cylinders: 1, lights:
 const FAR_AWAY: Camera =
     Camera::look_at([12.0, -89.0, 4.5], [0.1, 0.0, 0.5], [0.0, 0.0, 1.0]).fov(2.5);
 
-const TELEPHOTO_SCENE: Scene<room!(spheres: 4, planes: 1, cylinders: 1, lights: 2)> =
-    TELEPHOTO.build();
-
 const LAMP: Material = Material::new([1.8; 3]).ambient(16.0).diffuse(0.0);
 const DULL: Material = Material::new([0.2; 3])
     .ambient(1.0)
@@ -184,44 +185,18 @@ const LAMPLIGHT: SceneBuilder<room!(spheres: 1, planes: 1)> = SceneBuilder::new(
     .plane([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], DULL)
     .camera(ABOVE_THE_FLOOR);
 
-const LAMPLIGHT_SCENE: Scene<room!(spheres: 1, planes: 1)> = LAMPLIGHT.build();
+/// Returns a scene that is seen by its own camera.
+fn described(scene: &Description<'_>) -> Source {
+    let camera = scene.camera.expect("the scene has a camera");
+    let (scene, camera) = (scene.into(), (&camera).into());
+    Source::described("described".to_owned(), scene, camera).unwrap()
+}
 
 #[test]
 fn reflection_of_something_bright_is_not_cut_off() {
-    let scene = reference::Scene::from(&LAMPLIGHT.description());
-    let camera = reference::Camera::from(&ABOVE_THE_FLOOR);
-    let n = u32::from(REFLECTIONS);
-    let truth = render(
-        &scene,
-        &camera,
-        SIDE,
-        SIDE,
-        n,
-        reference::Shading::BlinnPhong,
-    );
-    let frame = || {
-        LAMPLIGHT_SCENE
-            .frame(&ABOVE_THE_FLOOR)
-            .reflections(REFLECTIONS)
-    };
-    let size = Size::new(SIDE, SIDE);
-    for picture in [
-        painted(
-            &frame()
-                .quality::<Fast>()
-                .prepare(size)
-                .on(&LAMPLIGHT_SCENE)
-                .unwrap(),
-        ),
-        painted(
-            &frame()
-                .quality::<Small>()
-                .prepare(size)
-                .on(&LAMPLIGHT_SCENE)
-                .unwrap(),
-        ),
-    ] {
-        let found = compare(&picture, &truth).unwrap();
+    let source = described(&LAMPLIGHT.description());
+    let qualities = [Quality::Fast, Quality::Small];
+    for found in differences(&source, Shading::BlinnPhong, qualities) {
         assert!(found.within1 >= 0.999, "{found:?}");
     }
 }
@@ -229,38 +204,13 @@ fn reflection_of_something_bright_is_not_cut_off() {
 #[test]
 fn telephoto_view_does_not_hurt_fixed_point() {
     let bar = Bar {
-        name: "exact",
-        same: 0.998,
-        within1: 0.999,
         psnr: 60.0,
+        ..EXACT
     };
-    let scene = reference::Scene::from(&TELEPHOTO.description());
-    let camera = reference::Camera::from(&FAR_AWAY);
-    let frame = TELEPHOTO_SCENE
-        .frame(&FAR_AWAY)
-        .reflections(REFLECTIONS)
-        .quality::<Exact>();
-    let size = Size::new(SIDE, SIDE);
-    let n = u32::from(REFLECTIONS);
-    let pairs = [
-        (
-            painted(&frame.prepare(size).on(&TELEPHOTO_SCENE).unwrap()),
-            reference::Shading::BlinnPhong,
-        ),
-        (
-            painted(
-                &frame
-                    .shading::<Phong>()
-                    .prepare(size)
-                    .on(&TELEPHOTO_SCENE)
-                    .unwrap(),
-            ),
-            reference::Shading::Phong,
-        ),
-    ];
-    for (picture, shading) in pairs {
-        let truth = render(&scene, &camera, SIDE, SIDE, n, shading);
-        let found = compare(&picture, &truth).unwrap();
-        assert_eq!(bar.missed(format!("{shading:?}"), &found), None);
+    let source = described(&TELEPHOTO.description());
+    for shading in [Shading::BlinnPhong, Shading::Phong] {
+        for found in differences(&source, shading, [Quality::Exact]) {
+            assert_eq!(bar.missed(format!("{shading:?}"), &found), None);
+        }
     }
 }

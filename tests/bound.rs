@@ -12,6 +12,11 @@ use reflet::scenes::NAMES;
 use reflet::shading::{BlinnPhong, Phong, Shading};
 use reflet::{Camera, Material, RuntimeScene, Unit, room};
 
+#[path = "common/bound.rs"]
+mod held;
+
+use held::{ending, held};
+
 const SIDE: u32 = 96;
 
 /// Number of reflections after which nothing is left of any path of the scenes.
@@ -25,57 +30,6 @@ impl Quality for Short {
     const TOLERANCE: Unit = Fast::TOLERANCE;
 }
 
-fn ending<Q: Quality>(reflections: u8) -> Ending {
-    Ending {
-        reflections: reflections.into(),
-        smallest_weight: Q::SMALLEST_WEIGHT.to_num(),
-        block: Ending::block_of(SIDE, Q::TOLERANCE.to_num()),
-        tolerance: Q::TOLERANCE.to_num(),
-    }
-}
-
-/// Comparison of a picture with its bounds.
-#[derive(Debug, Default)]
-struct Held {
-    pixels: usize,
-    /// Number of sure pixels, for which a bound is promised.
-    sure: usize,
-    /// Number of sure pixels that exceed their bound.
-    broken: usize,
-    /// Number of unsure pixels that exceed their bound: rounding changed what their paths hit.
-    decided: usize,
-    /// Largest bound of the sure pixels, in 255ths. `worst` is their largest error.
-    most: f64,
-    worst: f64,
-}
-
-fn held(paths: &Paths, ending: &Ending, found: &Picture) -> Held {
-    let mut held = Held::default();
-    let places = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
-    let pixels = places.zip(&found.pixels);
-    for (bound, ((x, y), found)) in paths.bounds(ending).iter().zip(pixels) {
-        let truth = paths.path(x, y).ended(ALL, 0.0).color;
-        let apart = (0..3).map(|axis| {
-            let exact = 255.0 * truth[axis].clamp(0.0, 1.0);
-            (f64::from(found[axis]) - exact).abs()
-        });
-        let apart = apart.fold(0.0, f64::max);
-        // Only one of the two is rounded to 8 bits.
-        let most = 255.0 * bound.share() + 0.5;
-        held.pixels += 1;
-        let is_further = apart > most;
-        if bound.is_unsure {
-            held.decided += usize::from(is_further);
-            continue;
-        }
-        held.sure += 1;
-        held.broken += usize::from(is_further);
-        held.most = held.most.max(most);
-        held.worst = held.worst.max(apart);
-    }
-    held
-}
-
 /// Returns a line for each picture of a scene that is further off than its bound.
 fn complaints(name: &str) -> Vec<String> {
     let source = Source::built_in(name).unwrap();
@@ -83,21 +37,15 @@ fn complaints(name: &str) -> Vec<String> {
     let precision = precision(source.scene());
     let mut complaints = Vec::new();
     for shading in [Tested::BlinnPhong, Tested::Phong] {
-        let paths = Paths::follow(
-            &scene,
-            &camera,
-            (SIDE, SIDE),
-            ALL,
-            shading.into(),
-            &precision,
-        );
+        let (size, model) = ((SIDE, SIDE), shading.into());
+        let paths = Paths::follow(&scene, &camera, size, ALL, model, &precision);
         for reflections in [0, 1, 2, 4, 8, 255] {
             let pictures = match shading {
                 Tested::Phong => pictures::<Phong>(&source, shading, reflections),
                 _ => pictures::<BlinnPhong>(&source, shading, reflections),
             };
             for (quality, ending, picture) in pictures {
-                let held = held(&paths, &ending, &picture);
+                let held = held(&paths, &ending, &picture, ALL);
                 let line = format!("{name:<18} {shading:?} {quality} {reflections} {held:?}");
                 println!("{line}");
                 // Up to two thirds of the pixels may be unsure because of edges, but few of them
@@ -127,11 +75,19 @@ fn pictures<K: Shading>(
         source.drawn(size, settings)
     };
     [
-        ("fast", ending::<Fast>(reflections), drawn(Known::Fast)),
-        ("exact", ending::<Exact>(reflections), drawn(Known::Exact)),
+        (
+            "fast",
+            ending::<Fast>(reflections, SIDE),
+            drawn(Known::Fast),
+        ),
+        (
+            "exact",
+            ending::<Exact>(reflections, SIDE),
+            drawn(Known::Exact),
+        ),
         (
             "short",
-            ending::<Short>(reflections),
+            ending::<Short>(reflections, SIDE),
             source.painted::<Short, K>(size, reflections),
         ),
     ]
@@ -175,14 +131,9 @@ fn closed_room_of_mirrors_converges_as_the_formula_says() {
         for alpha in [0.5, 0.9, 0.99, 0.999] {
             let scene = room(alpha, is_round).build().unwrap();
             for reflections in 0..=255_u8 {
-                let picture = scene.frame(&camera).reflections(reflections);
-                let picture = painted(
-                    &picture
-                        .quality::<Exact>()
-                        .prepare(Size::new(6, 5))
-                        .on(&scene)
-                        .unwrap(),
-                );
+                let frame = scene.frame(&camera).reflections(reflections);
+                let frame = frame.quality::<Exact>().prepare(Size::new(6, 5));
+                let picture = painted(&frame.on(&scene).unwrap());
                 let share = 1.0 - alpha.powi(i32::from(reflections) + 1);
                 for pixel in picture.pixels {
                     for (channel, color) in pixel.into_iter().zip(COLOR) {

@@ -3,7 +3,7 @@
 use embedded_graphics::prelude::Size;
 use reflet::host::compare::compare;
 use reflet::host::painted;
-use reflet::host::reference::{self, Picture, Shading};
+use reflet::host::reference::{Picture, Shading, render};
 use reflet::quality::Exact;
 use reflet::{Camera, Material, RuntimeScene, room};
 
@@ -12,22 +12,10 @@ type Room = RuntimeScene<room!(spheres: 1, planes: 2, lights: 1, materials: 1)>;
 /// Returns the picture in fixed point. Checks that it is within 1 of the reference in every pixel.
 fn exact(scene: &Room, camera: &Camera) -> Picture {
     let built = scene.build().unwrap();
-    let picture = painted(
-        &built
-            .frame(camera)
-            .quality::<Exact>()
-            .prepare(Size::new(33, 33))
-            .on(&built)
-            .unwrap(),
-    );
-    let truth = reference::render(
-        &reference::Scene::from(&scene.description()),
-        &reference::Camera::from(camera),
-        33,
-        33,
-        4,
-        Shading::BlinnPhong,
-    );
+    let frame = built.frame(camera).quality::<Exact>();
+    let picture = painted(&frame.prepare(Size::new(33, 33)).on(&built).unwrap());
+    let (scene, camera) = ((&scene.description()).into(), camera.into());
+    let truth = render(&scene, &camera, 33, 33, 4, Shading::BlinnPhong);
     let difference = compare(&picture, &truth).unwrap();
     assert_eq!(difference.within1, 1.0, "{difference:?}");
     picture

@@ -66,16 +66,9 @@ where
     scene
         .add_plane(vector([0.0, 0.0, -0.4]), vector([0.1, 0.0, 1.0]), gold)
         .unwrap();
-    let axis = vector([0.0, 0.3, 1.0]);
-    scene
-        .add_cylinder(
-            vector([1.5, 0.4, 0.5]),
-            axis,
-            number(0.3),
-            number(1.1),
-            gold,
-        )
-        .unwrap();
+    let [center, axis] = [[1.5, 0.4, 0.5], [0.0, 0.3, 1.0]].map(vector);
+    let added = scene.add_cylinder(center, axis, number(0.3), number(1.1), gold);
+    added.unwrap();
     scene
         .add_light(vector([3.3, -4.4, 5.5]), [0.9, 0.9, 0.8].map(number))
         .unwrap();

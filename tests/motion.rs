@@ -3,18 +3,21 @@
 
 use embedded_graphics::prelude::Size;
 use reflet::__private::Drawable;
-use reflet::description::{Cylinder, Disc, Light, Sphere};
+use reflet::description::{self, Description};
 use reflet::host::painted;
 use reflet::host::reference::Picture;
 use reflet::quality::{Exact, Fast, Quality};
 use reflet::scenes::{Castle, Mirror1};
 use reflet::shading::{BlinnPhong, Phong};
 use reflet::{
-    Camera, Error, ErrorKind, FrameBuilder, Handle, Material, MaterialId, MovingScene,
-    PreparedFrame, Rows, RuntimeScene, Scene, SceneBuilder, room, scene,
+    Camera, Error, ErrorKind, FrameBuilder, Handle, Material, MovingScene, PreparedFrame, Rows,
+    RuntimeScene, Scene, SceneBuilder, room, scene,
 };
 
-type Parts = room!(spheres: 5, planes: 1, cylinders: 3, discs: 3, lights: 2, materials: 4);
+use Move::{Cylinder, Disc, Light, Sphere};
+
+/// Room for the parts of both scenes.
+type Parts = room!(spheres: 18, planes: 1, cylinders: 3, discs: 3, lights: 2, materials: 4);
 
 const GOLD: Material = Material::new([0.7, 0.6, 0.0])
     .specular(0.8, 4.0)
@@ -25,6 +28,9 @@ const WATER: Material = Material::new([0.3, 0.4, 0.6]).mirror(0.3);
 
 const LOW: [f64; 3] = [-4.0, -4.0, -0.5];
 const HIGH: [f64; 3] = [4.0, 4.0, 5.0];
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+/// A place in the middle of the motion box.
+const AT: [f64; 3] = [0.0, 0.0, 2.0];
 const CAMERA: Camera = Camera::look_at([1.0, -9.0, 4.0], [0.0, 0.0, 1.5], [0.0, 0.0, 1.0]);
 
 scene! {
@@ -50,47 +56,91 @@ scene! {
     }
 }
 
-/// Where the parts of a scene are. Materials go with the index of a part.
-#[derive(Clone)]
-struct Places {
-    spheres: [([f64; 3], f64); 5],
-    cylinders: [([f64; 3], [f64; 3], f64, f64); 3],
-    discs: [([f64; 3], [f64; 3], f64); 3],
-    lights: [[f64; 3]; 2],
+/// A new place and size of a part, which is named by its number among those of its kind.
+#[derive(Clone, Copy)]
+enum Move {
+    Sphere(usize, [f64; 3], f64),
+    /// Number, centre, axis, radius and height.
+    Cylinder(usize, [f64; 3], [f64; 3], f64, f64),
+    /// Number, centre, normal and radius.
+    Disc(usize, [f64; 3], [f64; 3], f64),
+    Light(usize, [f64; 3]),
 }
 
-/// Places of all parts of the scene [`Tower`] before anything moves.
-const START: Places = Places {
-    spheres: [
-        ([0.0, 0.0, 1.0], 0.75),
-        ([1.0, -1.0, 2.0], 0.5),
-        ([-1.5, 0.5, 0.75], 0.75),
-        ([1.75, 1.0, 0.5], 0.5),
-        ([0.25, -2.0, 0.375], 0.375),
-    ],
-    cylinders: [
-        ([0.0, 1.0, 2.0], [1.0, 0.0, 0.5], 0.25, 1.5),
-        ([2.25, -0.5, 1.0], [0.0, 0.0, 1.0], 0.375, 2.0),
-        ([-2.5, -1.0, 1.25], [0.0, 0.25, 1.0], 0.25, 2.5),
-    ],
-    discs: [
-        ([0.0, 0.0, 3.0], [0.0, -0.5, 1.0], 0.75),
-        ([-1.0, 2.0, 1.5], [0.25, -1.0, 0.0], 1.0),
-        ([2.0, 2.0, 2.5], [1.0, 1.0, 0.5], 0.5),
-    ],
-    lights: [[2.5, -2.5, 4.5], [-2.5, -1.0, 4.0]],
-};
+impl Move {
+    /// Returns the kind of the part, as errors name it, and its number.
+    fn part(self) -> (&'static str, usize) {
+        match self {
+            Sphere(index, ..) => ("sphere", index),
+            Cylinder(index, ..) => ("cylinder", index),
+            Disc(index, ..) => ("disc", index),
+            Light(index, _) => ("light", index),
+        }
+    }
+}
+
+/// The parts of a scene as they are described.
+#[derive(Clone)]
+struct Places {
+    spheres: Vec<description::Sphere>,
+    cylinders: Vec<description::Cylinder>,
+    discs: Vec<description::Disc>,
+    planes: Vec<description::Plane>,
+    lights: Vec<description::Light>,
+    materials: Vec<Material>,
+}
+
+/// Handles of the parts of a scene that may move.
+#[derive(Clone)]
+struct Handles {
+    spheres: Vec<Handle<description::Sphere>>,
+    cylinders: Vec<Handle<description::Cylinder>>,
+    discs: Vec<Handle<description::Disc>>,
+    lights: Vec<Handle<description::Light>>,
+}
 
 /// A built scene and the handles of its parts.
 struct Built {
     scene: Scene<Parts>,
-    spheres: Vec<Handle<Sphere>>,
-    cylinders: Vec<Handle<Cylinder>>,
-    discs: Vec<Handle<Disc>>,
-    lights: Vec<Handle<Light>>,
+    handles: Handles,
 }
 
 impl Places {
+    fn of(described: Description<'_>) -> Self {
+        Self {
+            spheres: described.spheres.to_vec(),
+            cylinders: described.cylinders.to_vec(),
+            discs: described.discs.to_vec(),
+            planes: described.planes.to_vec(),
+            lights: described.lights.to_vec(),
+            materials: described.materials.to_vec(),
+        }
+    }
+
+    /// Places of all parts of the scene [`Tower`] before anything moves.
+    fn start() -> Self {
+        Tower::with_description(Self::of)
+    }
+
+    fn take(&mut self, moved: Move) {
+        match moved {
+            Sphere(index, center, radius) => {
+                let it = &mut self.spheres[index];
+                (it.center, it.radius) = (center.into(), radius.into());
+            }
+            Cylinder(index, center, axis, radius, height) => {
+                let it = &mut self.cylinders[index];
+                (it.center, it.axis) = (center.into(), axis.into());
+                (it.radius, it.height) = (radius.into(), height.into());
+            }
+            Disc(index, center, normal, radius) => {
+                let it = &mut self.discs[index];
+                (it.center, it.normal, it.radius) = (center.into(), normal.into(), radius.into());
+            }
+            Light(index, position) => self.lights[index].position = position.into(),
+        }
+    }
+
     fn built(&self) -> Built {
         self.built_in(Some([LOW, HIGH]))
     }
@@ -101,40 +151,86 @@ impl Places {
         if let Some([low, high]) = motion {
             scene.set_motion(low, high).unwrap();
         }
-        let ids = [GOLD, CHALK, GLASS, WATER].map(|it| scene.add_material(it).unwrap());
-        let [gold, chalk, glass, water] = ids;
-        let of = |materials: [MaterialId; 5]| materials.into_iter();
-        let spheres = self
-            .spheres
-            .iter()
-            .zip(of([gold, chalk, glass, chalk, gold]));
-        let spheres = spheres.map(|((center, radius), id)| scene.add_sphere(*center, *radius, id));
+        let ids = self.materials.iter();
+        let ids: Vec<_> = ids.map(|it| scene.add_material(*it).unwrap()).collect();
+        let spheres = self.spheres.iter();
+        let spheres =
+            spheres.map(|it| scene.add_sphere(it.center, it.radius, ids[it.material.index()]));
         let spheres = spheres.map(Result::unwrap).collect();
-        let cylinders = self
-            .cylinders
-            .iter()
-            .zip(of([gold, chalk, glass, gold, gold]));
-        let cylinders = cylinders.map(|((center, axis, radius, height), id)| {
-            scene.add_cylinder(*center, *axis, *radius, *height, id)
+        let cylinders = self.cylinders.iter().map(|it| {
+            let id = ids[it.material.index()];
+            scene.add_cylinder(it.center, it.axis, it.radius, it.height, id)
         });
         let cylinders = cylinders.map(Result::unwrap).collect();
-        let discs = self.discs.iter().zip(of([glass, glass, chalk, gold, gold]));
-        let discs = discs
-            .map(|((center, normal, radius), id)| scene.add_disc(*center, *normal, *radius, id));
+        let discs = self.discs.iter().map(|it| {
+            let id = ids[it.material.index()];
+            scene.add_disc(it.center, it.normal, it.radius, id)
+        });
         let discs = discs.map(Result::unwrap).collect();
-        scene.add_plane([0, 0, 0], [0, 0, 1], water).unwrap();
-        let colors = [[0.9, 0.9, 0.8], [0.4, 0.4, 0.5]];
-        let lights = self.lights.iter().zip(colors);
-        let lights = lights.map(|(position, color)| scene.add_light(*position, color));
+        for it in &self.planes {
+            let id = ids[it.material.index()];
+            scene.add_plane(it.point, it.normal, id).unwrap();
+        }
+        let lights = self.lights.iter();
+        let lights = lights.map(|it| scene.add_light(it.position, it.color));
         let lights = lights.map(Result::unwrap).collect();
         scene.set_background([0.2, 0.3, 0.5]).unwrap();
         scene.set_camera(CAMERA);
         Built {
             scene: scene.build().unwrap(),
-            spheres,
-            cylinders,
-            discs,
-            lights,
+            handles: Handles {
+                spheres,
+                cylinders,
+                discs,
+                lights,
+            },
+        }
+    }
+}
+
+impl Handles {
+    /// Returns the handles of the parts of [`Tower`] that have a name.
+    fn of_tower() -> Self {
+        Self {
+            spheres: vec![Tower::BALL, Tower::MARBLE],
+            cylinders: vec![Tower::LOG],
+            discs: vec![Tower::LID],
+            lights: Vec::new(),
+        }
+    }
+}
+
+/// A scene in which parts move.
+trait Moving: Drawable {
+    fn take(&mut self, handles: &Handles, moved: Move) -> Result<(), Error>;
+}
+
+impl Moving for Scene<Parts> {
+    fn take(&mut self, handles: &Handles, moved: Move) -> Result<(), Error> {
+        match moved {
+            Sphere(it, center, radius) => self.set_sphere(handles.spheres[it], center, radius),
+            Cylinder(it, center, axis, radius, height) => {
+                self.set_cylinder(handles.cylinders[it], center, axis, radius, height)
+            }
+            Disc(it, center, normal, radius) => {
+                self.set_disc(handles.discs[it], center, normal, radius)
+            }
+            Light(it, position) => self.set_light(handles.lights[it], position),
+        }
+    }
+}
+
+impl Moving for MovingScene<Tower> {
+    fn take(&mut self, handles: &Handles, moved: Move) -> Result<(), Error> {
+        match moved {
+            Sphere(it, center, radius) => self.set_sphere(handles.spheres[it], center, radius),
+            Cylinder(it, center, axis, radius, height) => {
+                self.set_cylinder(handles.cylinders[it], center, axis, radius, height)
+            }
+            Disc(it, center, normal, radius) => {
+                self.set_disc(handles.discs[it], center, normal, radius)
+            }
+            Light(..) => panic!("lights of a constant scene do not move"),
         }
     }
 }
@@ -181,21 +277,36 @@ impl Random {
         ]
     }
 
-    fn sphere(&mut self) -> ([f64; 3], f64) {
+    fn sphere(&mut self, index: usize) -> Move {
         let radius = self.within(0.25, 1.0);
-        (self.place(radius), radius)
+        Sphere(index, self.place(radius), radius)
     }
 
-    fn cylinder(&mut self) -> ([f64; 3], [f64; 3], f64, f64) {
-        let (radius, height) = (self.within(0.25, 0.75), self.within(0.5, 2.5));
-        // A scene that is built anew takes a cylinder to reach that far.
-        let around = radius + height / 2.0;
-        (self.place(around), self.direction(), radius, height)
-    }
-
-    fn disc(&mut self) -> ([f64; 3], [f64; 3], f64) {
-        let radius = self.within(0.25, 1.0);
-        (self.place(radius), self.direction(), radius)
+    /// Returns a move of one of the parts to which there are handles.
+    fn moved(&mut self, handles: &Handles) -> Move {
+        let counts = [
+            handles.spheres.len(),
+            handles.cylinders.len(),
+            handles.discs.len(),
+            handles.lights.len(),
+        ];
+        let kinds = counts.iter().filter(|count| **count > 0).count();
+        let kind = self.below(kinds as u32) as usize;
+        let index = self.below(counts[kind] as u32) as usize;
+        match kind {
+            0 => self.sphere(index),
+            1 => {
+                let (radius, height) = (self.within(0.25, 0.75), self.within(0.5, 2.5));
+                // A scene that is built anew takes a cylinder to reach that far.
+                let around = radius + height / 2.0;
+                Cylinder(index, self.place(around), self.direction(), radius, height)
+            }
+            2 => {
+                let radius = self.within(0.25, 1.0);
+                Disc(index, self.place(radius), self.direction(), radius)
+            }
+            _ => Light(index, self.place(0.0)),
+        }
     }
 
     fn camera(&mut self) -> Camera {
@@ -223,51 +334,22 @@ fn assert_drawn_as_built<S: Drawable>(scene: &S, places: &Places, camera: &Camer
 #[test]
 fn scene_whose_parts_have_moved_is_drawn_as_one_that_is_built_there() {
     for seed in [0x5eed, 0xba11, 0x1097] {
-        let mut random = Random(seed);
-        let (mut built, mut places) = (START.built(), START.clone());
+        let (mut random, mut places) = (Random(seed), Places::start());
+        let Built { mut scene, handles } = places.built();
         for step in 0..60 {
-            match random.below(4) {
-                0 => {
-                    let (index, (center, radius)) = (random.below(5) as usize, random.sphere());
-                    places.spheres[index] = (center, radius);
-                    let moved = built.scene.set_sphere(built.spheres[index], center, radius);
-                    moved.unwrap();
-                }
-                1 => {
-                    let (index, moved) = (random.below(3) as usize, random.cylinder());
-                    places.cylinders[index] = moved;
-                    let (handle, (center, axis, radius, height)) = (built.cylinders[index], moved);
-                    let moved = built
-                        .scene
-                        .set_cylinder(handle, center, axis, radius, height);
-                    moved.unwrap();
-                }
-                2 => {
-                    let (index, moved) = (random.below(3) as usize, random.disc());
-                    places.discs[index] = moved;
-                    let (handle, (center, normal, radius)) = (built.discs[index], moved);
-                    let moved = built.scene.set_disc(handle, center, normal, radius);
-                    moved.unwrap();
-                }
-                _ => {
-                    let (index, position) = (random.below(2) as usize, random.place(0.0));
-                    places.lights[index] = position;
-                    built
-                        .scene
-                        .set_light(built.lights[index], position)
-                        .unwrap();
-                }
-            }
+            let moved = random.moved(&handles);
+            places.take(moved);
+            scene.take(&handles, moved).unwrap();
             let camera = random.camera();
-            assert_drawn_as_built(&built.scene, &places, &camera, step);
-            assert_drawn_as_built(&built.scene.tabled(), &places, &camera, step);
+            assert_drawn_as_built(&scene, &places, &camera, step);
+            assert_drawn_as_built(&scene.tabled(), &places, &camera, step);
         }
     }
 }
 
 #[test]
 fn constant_scene_is_drawn_the_same_in_flash_in_ram_and_built_at_run_time() {
-    let built = START.built();
+    let built = Places::start().built();
     for camera in [CAMERA, CAMERA.orbited(100, 10).unwrap()] {
         let expected = pictures(&built.scene, &camera);
         assert!(pictures(&Tower, &camera) == expected);
@@ -279,53 +361,18 @@ fn constant_scene_is_drawn_the_same_in_flash_in_ram_and_built_at_run_time() {
 
 #[test]
 fn constant_scene_whose_parts_have_moved_is_drawn_as_one_that_is_built_there() {
+    let handles = Handles::of_tower();
     for seed in [0x5eed, 0xba11, 0x1097] {
-        let mut random = Random(seed);
-        let (mut scene, mut places) = (MovingScene::<Tower>::new(), START.clone());
-        let mut filled = START.built();
+        let (mut random, mut places) = (Random(seed), Places::start());
+        let (mut scene, mut filled) = (MovingScene::<Tower>::new(), places.built().scene);
         for step in 0..60 {
-            match random.below(4) {
-                0 => {
-                    let (center, radius) = random.sphere();
-                    places.spheres[0] = (center, radius);
-                    scene.set_sphere(Tower::BALL, center, radius).unwrap();
-                    filled
-                        .scene
-                        .set_sphere(Tower::BALL, center, radius)
-                        .unwrap();
-                }
-                1 => {
-                    let (center, radius) = random.sphere();
-                    places.spheres[1] = (center, radius);
-                    scene.set_sphere(Tower::MARBLE, center, radius).unwrap();
-                    filled
-                        .scene
-                        .set_sphere(Tower::MARBLE, center, radius)
-                        .unwrap();
-                }
-                2 => {
-                    let moved @ (center, axis, radius, height) = random.cylinder();
-                    places.cylinders[0] = moved;
-                    let set = scene.set_cylinder(Tower::LOG, center, axis, radius, height);
-                    set.unwrap();
-                    let set = filled
-                        .scene
-                        .set_cylinder(Tower::LOG, center, axis, radius, height);
-                    set.unwrap();
-                }
-                _ => {
-                    let moved @ (center, normal, radius) = random.disc();
-                    places.discs[0] = moved;
-                    scene.set_disc(Tower::LID, center, normal, radius).unwrap();
-                    filled
-                        .scene
-                        .set_disc(Tower::LID, center, normal, radius)
-                        .unwrap();
-                }
-            }
+            let moved = random.moved(&handles);
+            places.take(moved);
+            scene.take(&handles, moved).unwrap();
+            filled.take(&handles, moved).unwrap();
             let camera = random.camera();
             assert_drawn_as_built(&scene, &places, &camera, step);
-            assert_drawn_as_built(&filled.scene, &places, &camera, step);
+            assert_drawn_as_built(&filled, &places, &camera, step);
         }
     }
 }
@@ -358,42 +405,19 @@ scene! {
     }
 }
 
-/// Returns the scene [`Swarm`], built at run time, without a hierarchy, with its ball in another place.
-fn swarm(center: [f64; 3], radius: f64) -> Scene<room!(spheres: 18, lights: 1, materials: 2)> {
-    let mut scene = RuntimeScene::new();
-    let [gold, glass] = [GOLD, GLASS].map(|it| scene.add_material(it).unwrap());
-    scene.add_sphere(center, radius, gold).unwrap();
-    Swarm::with_description(|swarm| {
-        for ball in swarm.spheres.iter().skip(1) {
-            scene.add_sphere(ball.center, ball.radius, glass).unwrap();
-        }
-    });
-    scene.add_light([2.5, -2.5, 4.5], [0.9, 0.9, 0.8]).unwrap();
-    scene.set_background([0.2, 0.3, 0.5]).unwrap();
-    scene.set_motion(LOW, HIGH).unwrap();
-    scene.build().unwrap()
-}
-
+/// The scene that is built at run time has no hierarchy.
 #[test]
 fn mirror_that_moves_among_many_is_drawn_as_one_that_is_built_there() {
-    let mut random = Random(0x5a4);
+    let (mut random, mut places) = (Random(0x5a4), Swarm::with_description(Places::of));
     let mut scene = MovingScene::<Swarm>::new();
     for step in 0..40 {
-        let (center, radius) = random.sphere();
-        scene.set_sphere(Swarm::BALL, center, radius).unwrap();
-        let camera = random.camera();
-        let built = swarm(center, radius);
-        let [fast, exact] = pictures(&scene, &camera);
-        let [built_fast, built_exact] = pictures(&built, &camera);
-        assert!(exact == built_exact, "{step}");
-        // How much is certain between two pixels depends on the tables, which know where a ball may move.
-        let pixels = fast.pixels.iter().zip(&built_fast.pixels);
-        let is_further = |(one, other): (&[u8; 3], &[u8; 3])| {
-            one.iter()
-                .zip(other)
-                .any(|(one, other)| one.abs_diff(*other) > 1)
+        let moved = random.sphere(0);
+        places.take(moved);
+        let Sphere(_, center, radius) = moved else {
+            unreachable!()
         };
-        assert_eq!(pixels.filter(|it| is_further(*it)).count(), 0, "{step}");
+        scene.set_sphere(Swarm::BALL, center, radius).unwrap();
+        assert_drawn_as_built(&scene, &places, &random.camera(), step);
     }
 }
 
@@ -401,11 +425,9 @@ fn mirror_that_moves_among_many_is_drawn_as_one_that_is_built_there() {
 fn handle_of_a_constant_scene_counts_parts_of_its_kind() {
     assert_eq!((Tower::BALL.index(), Tower::MARBLE.index()), (0, 1));
     assert_eq!((Tower::LOG.index(), Tower::LID.index()), (0, 0));
-    let built = START.built();
-    assert_eq!(
-        (built.spheres[1], built.discs[0]),
-        (Tower::MARBLE, Tower::LID)
-    );
+    let handles = Places::start().built().handles;
+    let found = (handles.spheres[1], handles.discs[0]);
+    assert_eq!(found, (Tower::MARBLE, Tower::LID));
 }
 
 #[track_caller]
@@ -415,71 +437,62 @@ fn assert_refused<S: Drawable>(frame: &PreparedFrame<S>, scene: &S) {
     assert_eq!(found, ("scene", None, ErrorKind::Changed));
 }
 
-/// A change of a scene that is refused.
-type Change = fn(&mut Built) -> Result<(), Error>;
-
 #[test]
 fn prepared_frame_refuses_a_scene_that_has_changed() {
-    let mut built = START.built();
+    let Built { mut scene, handles } = Places::start().built();
     let frame = |scene: &Scene<Parts>| scene.frame(&CAMERA).prepare(Size::new(9, 9));
-    let changes: [Change; 4] = [
-        |it| it.scene.set_sphere(it.spheres[2], [0.5, 0.5, 2.5], 0.5),
-        |it| {
-            it.scene
-                .set_cylinder(it.cylinders[1], [0, 0, 2], [0, 1, 1], 0.5, 1)
-        },
-        |it| {
-            it.scene
-                .set_disc(it.discs[1], [0.5, 0.5, 2.5], [0, 0, 1], 0.5)
-        },
-        |it| it.scene.set_light(it.lights[1], [0.5, 0.5, 2.5]),
-    ];
-    for change in changes {
-        let before = frame(&built.scene);
-        assert!(before.on(&built.scene).is_ok());
-        change(&mut built).unwrap();
-        assert_refused(&before, &built.scene);
-        assert!(frame(&built.scene).on(&built.scene).is_ok());
+    for moved in [
+        Sphere(2, [0.5, 0.5, 2.5], 0.5),
+        Cylinder(1, AT, [0.0, 1.0, 1.0], 0.5, 1.0),
+        Disc(1, [0.5, 0.5, 2.5], UP, 0.5),
+        Light(1, [0.5, 0.5, 2.5]),
+    ] {
+        let before = frame(&scene);
+        assert!(before.on(&scene).is_ok());
+        scene.take(&handles, moved).unwrap();
+        assert_refused(&before, &scene);
+        assert!(frame(&scene).on(&scene).is_ok());
     }
     let mut scene = MovingScene::<Tower>::new();
     let before = scene.frame(&CAMERA).prepare(Size::new(9, 9));
-    scene.set_disc(Tower::LID, [0, 0, 2], [0, 0, 1], 1).unwrap();
+    scene.set_disc(Tower::LID, AT, UP, 1).unwrap();
     assert_refused(&before, &scene);
 }
 
 #[test]
 fn prepared_frame_refuses_another_scene_of_the_same_type() {
-    let one = START.built();
-    let mut places = START;
-    places.spheres[4].1 = 0.5;
-    let frame = one.scene.frame(&CAMERA).prepare(Size::new(9, 9));
+    let mut places = Places::start();
+    let (one, again) = (places.built().scene, places.built().scene);
+    let boxless = places.built_in(None).scene;
+    places.spheres[4].radius = 0.5.into();
+    let frame = one.frame(&CAMERA).prepare(Size::new(9, 9));
     assert_refused(&frame, &places.built().scene);
-    assert_refused(&frame, &START.built_in(None).scene);
+    assert_refused(&frame, &boxless);
     // A copy, and a scene that is described in the same way, are the same scene.
-    let copy = one.scene;
-    assert!(frame.on(&copy).is_ok() && frame.on(&START.built().scene).is_ok());
-    let tabled = one.scene.tabled();
+    let copy = one;
+    assert!(frame.on(&copy).is_ok() && frame.on(&again).is_ok());
+    let tabled = one.tabled();
     let frame = tabled.frame(&CAMERA).prepare(Size::new(9, 9));
     assert_refused(&frame, &places.built().scene.tabled());
 }
 
 #[test]
 fn prepared_frame_refuses_a_copy_that_has_changed_in_another_way() {
-    let mut one = START.built();
-    let mut other = one.scene;
-    let handle = one.spheres[0];
-    one.scene.set_sphere(handle, [1, 0, 1], 0.5).unwrap();
-    other.set_sphere(handle, [0, 1, 1], 0.5).unwrap();
-    let frame = one.scene.frame(&CAMERA).prepare(Size::new(9, 9));
+    let Built { scene, handles } = Places::start().built();
+    let [mut one, mut other, mut lit] = [scene; 3];
+    let here = Sphere(0, [1.0, 0.0, 1.0], 0.5);
+    let there = Sphere(0, [0.0, 1.0, 1.0], 0.5);
+    one.take(&handles, here).unwrap();
+    other.take(&handles, there).unwrap();
+    let frame = one.frame(&CAMERA).prepare(Size::new(9, 9));
     assert_refused(&frame, &other);
 
-    let mut other = START.built().scene;
-    other.set_light(one.lights[0], [0, 1, 1]).unwrap();
-    assert_refused(&frame, &other);
+    lit.take(&handles, Light(0, [0.0, 1.0, 1.0])).unwrap();
+    assert_refused(&frame, &lit);
 
     let [mut one, mut other] = [MovingScene::<Tower>::new(), MovingScene::new()];
-    one.set_sphere(Tower::BALL, [1, 0, 1], 0.5).unwrap();
-    other.set_sphere(Tower::BALL, [0, 1, 1], 0.5).unwrap();
+    one.take(&handles, here).unwrap();
+    other.take(&handles, there).unwrap();
     let frame = one.frame(&CAMERA).prepare(Size::new(9, 9));
     assert_refused(&frame, &other);
 }
@@ -498,220 +511,112 @@ fn prepared_frame_refuses_another_constant_scene_of_the_same_type() {
     assert_refused(&frame, &FAR);
 }
 
-/// Fails unless a change is refused with this error, and the scene is as it was.
+/// Fails unless a move is refused with this error, and the scene is as it was.
 #[track_caller]
-fn assert_unchanged<S: Drawable>(
-    scene: &mut S,
-    expected: (&str, usize, ErrorKind),
-    change: impl FnOnce(&mut S) -> Result<(), Error>,
-) {
+fn assert_stays(scene: &mut impl Moving, handles: &Handles, kind: ErrorKind, moved: Move) {
     let before = pictures(scene, &CAMERA);
     let frame = FrameBuilder::new(scene, &CAMERA).prepare(Size::new(9, 9));
-    let error = change(scene).expect_err("the change is refused");
-    let (part, index, kind) = expected;
-    assert_eq!(
-        (error.part(), error.index(), error.kind()),
-        (part, Some(index), kind)
-    );
+    let error = scene.take(handles, moved);
+    let error = error.expect_err("the change is refused");
+    let (part, index) = moved.part();
+    let found = (error.part(), error.index(), error.kind());
+    assert_eq!(found, (part, Some(index), kind));
     assert!(pictures(scene, &CAMERA) == before);
-    assert!(
-        frame.on(scene).is_ok(),
-        "a scene that is as it was is the same scene"
-    );
+    let is_same = frame.on(scene).is_ok();
+    assert!(is_same, "a scene that is as it was is the same scene");
 }
 
 #[test]
 fn part_that_would_leave_the_motion_box_stays() {
-    use ErrorKind::Motion;
-    let Built {
-        mut scene,
-        spheres,
-        cylinders,
-        discs,
-        ..
-    } = START.built();
-    let scene = &mut scene;
+    let Built { mut scene, handles } = Places::start().built();
+    let mut stays = |moved| assert_stays(&mut scene, &handles, ErrorKind::Motion, moved);
     // Less than a hundredth out, on each side.
     for axis in 0..3 {
         for (side, sign) in [(LOW, -1.0), (HIGH, 1.0)] {
-            let mut at = [0.0, 0.0, 2.0];
+            let mut at = AT;
             at[axis] = side[axis] - sign * 0.99;
-            let (sphere, disc) = (spheres[3], discs[2]);
-            assert_unchanged(scene, ("sphere", 3, Motion), |it| {
-                it.set_sphere(sphere, at, 1)
-            });
-            assert_unchanged(scene, ("disc", 2, Motion), |it| {
-                it.set_disc(disc, at, [0, 0, 1], 1)
-            });
+            stays(Sphere(3, at, 1.0));
+            stays(Disc(2, at, UP, 1.0));
             at[axis] = side[axis] - sign * 1.4;
-            assert_unchanged(scene, ("cylinder", 1, Motion), |it| {
-                it.set_cylinder(cylinders[1], at, [0, 0, 1], 1, 2)
-            });
+            stays(Cylinder(1, at, UP, 1.0, 2.0));
             // The box itself is large enough.
             at[axis] = side[axis] - sign;
-            START.built().scene.set_sphere(sphere, at, 1).unwrap();
-            START
-                .built()
-                .scene
-                .set_disc(disc, at, [0, 0, 1], 1)
-                .unwrap();
+            for moved in [Sphere(3, at, 1.0), Disc(2, at, UP, 1.0)] {
+                let mut scene = Places::start().built().scene;
+                scene.take(&handles, moved).unwrap();
+            }
         }
     }
     for power in [4, 10, 14, 20, 25, 28, 29, 30] {
         let (at, most) = (2f64.powi(power), 2f64.powi(power - 1));
-        for (place, radius) in [
-            ([at, 0.0, 0.0], 1.0),
-            ([0.0, -at, 0.0], most),
-            ([0.0; 3], most),
-        ] {
-            let sphere = spheres[3];
-            assert_unchanged(scene, ("sphere", 3, Motion), |it| {
-                it.set_sphere(sphere, place, radius)
-            });
-        }
+        stays(Sphere(3, [at, 0.0, 0.0], 1.0));
+        stays(Sphere(3, [0.0, -at, 0.0], most));
+        stays(Sphere(3, [0.0; 3], most));
     }
-    let mut scene = MovingScene::<Tower>::new();
-    assert_unchanged(&mut scene, ("sphere", 1, Motion), |it| {
-        it.set_sphere(Tower::MARBLE, [0, 0, 6], 1)
-    });
-    assert_unchanged(&mut scene, ("cylinder", 0, Motion), |it| {
-        it.set_cylinder(Tower::LOG, [0, 0, 4], [0, 0, 1], 1, 2)
-    });
-    assert_unchanged(&mut scene, ("disc", 0, Motion), |it| {
-        it.set_disc(Tower::LID, [0.0, 0.0, 0.25], [0, 0, 1], 1)
-    });
+    let (mut scene, handles) = (MovingScene::<Tower>::new(), Handles::of_tower());
+    let mut stays = |moved| assert_stays(&mut scene, &handles, ErrorKind::Motion, moved);
+    stays(Sphere(1, [0.0, 0.0, 6.0], 1.0));
+    stays(Cylinder(0, [0.0, 0.0, 4.0], UP, 1.0, 2.0));
+    stays(Disc(0, [0.0, 0.0, 0.25], UP, 1.0));
 }
 
 #[test]
 fn part_of_a_scene_without_a_motion_box_stays() {
-    use ErrorKind::Motion;
-    let Built {
-        mut scene,
-        spheres,
-        cylinders,
-        discs,
-        lights,
-    } = START.built_in(None);
-    let at = [0, 0, 2];
-    assert_unchanged(&mut scene, ("sphere", 0, Motion), |it| {
-        it.set_sphere(spheres[0], at, 1)
-    });
-    assert_unchanged(&mut scene, ("disc", 0, Motion), |it| {
-        it.set_disc(discs[0], at, at, 1)
-    });
-    assert_unchanged(&mut scene, ("cylinder", 0, Motion), |it| {
-        it.set_cylinder(cylinders[0], at, at, 1, 1)
-    });
+    let Built { mut scene, handles } = Places::start().built_in(None);
+    let mut stays = |moved| assert_stays(&mut scene, &handles, ErrorKind::Motion, moved);
+    stays(Sphere(0, AT, 1.0));
+    stays(Disc(0, AT, AT, 1.0));
+    stays(Cylinder(0, AT, AT, 1.0, 1.0));
     // A light needs no box.
-    scene.set_light(lights[0], at).unwrap();
+    scene.take(&handles, Light(0, AT)).unwrap();
 }
 
 #[test]
 fn handle_of_another_scene_is_refused() {
-    use ErrorKind::UnknownHandle;
-    let more = START.built();
+    let more = Places::start().built().handles;
     let mut scene = RuntimeScene::<Parts>::new();
     scene.set_motion(LOW, HIGH).unwrap();
     let chalk = scene.add_material(CHALK).unwrap();
     scene.add_sphere([0, 0, 1], 1, chalk).unwrap();
     scene.add_light([2, -2, 4], [1, 1, 1]).unwrap();
     let mut scene = scene.build().unwrap();
-    let (scene, at) = (&mut scene, [0, 0, 2]);
-    assert_unchanged(scene, ("sphere", 1, UnknownHandle), |it| {
-        it.set_sphere(more.spheres[1], at, 1)
-    });
-    assert_unchanged(scene, ("cylinder", 0, UnknownHandle), |it| {
-        it.set_cylinder(more.cylinders[0], at, at, 1, 1)
-    });
-    assert_unchanged(scene, ("disc", 2, UnknownHandle), |it| {
-        it.set_disc(more.discs[2], at, at, 1)
-    });
-    assert_unchanged(scene, ("light", 1, UnknownHandle), |it| {
-        it.set_light(more.lights[1], at)
-    });
+    let mut stays = |moved| assert_stays(&mut scene, &more, ErrorKind::UnknownHandle, moved);
+    stays(Sphere(1, AT, 1.0));
+    stays(Cylinder(0, AT, AT, 1.0, 1.0));
+    stays(Disc(2, AT, AT, 1.0));
+    stays(Light(1, AT));
 
     // Parts of a constant scene that have no name do not move.
     let mut scene = MovingScene::<Tower>::new();
-    for sphere in &more.spheres[2..] {
-        assert_unchanged(
-            &mut scene,
-            ("sphere", sphere.index(), UnknownHandle),
-            |it| it.set_sphere(*sphere, at, 1),
-        );
-    }
-    for cylinder in &more.cylinders[1..] {
-        assert_unchanged(
-            &mut scene,
-            ("cylinder", cylinder.index(), UnknownHandle),
-            |it| it.set_cylinder(*cylinder, at, at, 1, 1),
-        );
-    }
-    for disc in &more.discs[1..] {
-        assert_unchanged(&mut scene, ("disc", disc.index(), UnknownHandle), |it| {
-            it.set_disc(*disc, at, at, 1)
-        });
-    }
+    let mut stays = |moved| assert_stays(&mut scene, &more, ErrorKind::UnknownHandle, moved);
+    (2..5).for_each(|it| stays(Sphere(it, AT, 1.0)));
+    (1..3).for_each(|it| stays(Cylinder(it, AT, AT, 1.0, 1.0)));
+    (1..3).for_each(|it| stays(Disc(it, AT, AT, 1.0)));
 }
 
 #[test]
 fn wrong_numbers_change_nothing() {
     use ErrorKind::{Axis, Coordinate, Height, Normal, Radius, Tiny};
-    let Built {
-        mut scene,
-        spheres,
-        cylinders,
-        discs,
-        lights,
-    } = START.built();
-    let (scene, at, nan) = (&mut scene, [0, 0, 2], [0.0, f64::NAN, 2.0]);
-    let (sphere, cylinder, disc) = (spheres[1], cylinders[1], discs[1]);
-    assert_unchanged(scene, ("sphere", 1, Radius), |it| {
-        it.set_sphere(sphere, at, 0)
-    });
-    assert_unchanged(scene, ("sphere", 1, Radius), |it| {
-        it.set_sphere(sphere, at, -1)
-    });
-    assert_unchanged(scene, ("sphere", 1, Tiny), |it| {
-        it.set_sphere(sphere, at, 1e-9)
-    });
-    assert_unchanged(scene, ("sphere", 1, Coordinate), |it| {
-        it.set_sphere(sphere, nan, 1)
-    });
-    assert_unchanged(scene, ("sphere", 1, Coordinate), |it| {
-        it.set_sphere(sphere, at, f64::NAN)
-    });
-    let far = [0.0, 0.0, 2e9];
-    assert_unchanged(scene, ("sphere", 1, Coordinate), |it| {
-        it.set_sphere(sphere, far, 1)
-    });
-    assert_unchanged(scene, ("cylinder", 1, Radius), |it| {
-        it.set_cylinder(cylinder, at, at, 0, 1)
-    });
-    assert_unchanged(scene, ("cylinder", 1, Height), |it| {
-        it.set_cylinder(cylinder, at, at, 1, 0)
-    });
-    assert_unchanged(scene, ("cylinder", 1, Axis), |it| {
-        it.set_cylinder(cylinder, at, [0, 0, 0], 1, 1)
-    });
-    assert_unchanged(scene, ("disc", 1, Radius), |it| {
-        it.set_disc(disc, at, at, 0)
-    });
-    assert_unchanged(scene, ("disc", 1, Normal), |it| {
-        it.set_disc(disc, at, [0, 0, 0], 1)
-    });
-    assert_unchanged(scene, ("light", 1, Coordinate), |it| {
-        it.set_light(lights[1], nan)
-    });
-    assert_unchanged(scene, ("light", 1, Coordinate), |it| {
-        it.set_light(lights[1], far)
-    });
-    let mut scene = MovingScene::<Tower>::new();
-    assert_unchanged(&mut scene, ("sphere", 0, Radius), |it| {
-        it.set_sphere(Tower::BALL, at, 0)
-    });
-    assert_unchanged(&mut scene, ("disc", 0, Normal), |it| {
-        it.set_disc(Tower::LID, at, [0, 0, 0], 1)
-    });
+    let Built { mut scene, handles } = Places::start().built();
+    let (far, nan) = ([0.0, 0.0, 2e9], [0.0, f64::NAN, 2.0]);
+    let mut stays = |kind, moved| assert_stays(&mut scene, &handles, kind, moved);
+    stays(Radius, Sphere(1, AT, 0.0));
+    stays(Radius, Sphere(1, AT, -1.0));
+    stays(Tiny, Sphere(1, AT, 1e-9));
+    stays(Coordinate, Sphere(1, nan, 1.0));
+    stays(Coordinate, Sphere(1, AT, f64::NAN));
+    stays(Coordinate, Sphere(1, far, 1.0));
+    stays(Radius, Cylinder(1, AT, AT, 0.0, 1.0));
+    stays(Height, Cylinder(1, AT, AT, 1.0, 0.0));
+    stays(Axis, Cylinder(1, AT, [0.0; 3], 1.0, 1.0));
+    stays(Radius, Disc(1, AT, AT, 0.0));
+    stays(Normal, Disc(1, AT, [0.0; 3], 1.0));
+    stays(Coordinate, Light(1, nan));
+    stays(Coordinate, Light(1, far));
+    let (mut scene, handles) = (MovingScene::<Tower>::new(), Handles::of_tower());
+    let mut stays = |kind, moved| assert_stays(&mut scene, &handles, kind, moved);
+    stays(Radius, Sphere(0, AT, 0.0));
+    stays(Normal, Disc(0, AT, [0.0; 3], 1.0));
 }
 
 /// What can be sent to another thread or core, and shared with it.
@@ -726,5 +631,5 @@ const _: () = {
     assert_send_and_sync::<Rows<'static, Scene<Parts>, Exact, Phong>>();
     assert_send_and_sync::<Rows<'static, MovingScene<Tower>>>();
     assert_send_and_sync::<FrameBuilder<'static, Scene<Parts>>>();
-    assert_send_and_sync::<Handle<Sphere>>();
+    assert_send_and_sync::<Handle<description::Sphere>>();
 };

@@ -74,37 +74,6 @@ fn figures_of_moving_scenes_are_the_measured_ones() {
     assert_eq!(table(&read("src/accel/motion.rs"), COLUMNS), expected);
 }
 
-/// Returns a table with a row for each build profile, with these figures of both scenes.
-fn profiles(columns: &str, figures: &[&str]) -> Vec<String> {
-    let rule = "--:|".repeat(2 * figures.len());
-    let mut expected = vec![columns.to_owned(), format!("|---|{rule}")];
-    for scenes in measured("profiles.jsonl").chunks(2) {
-        let names = [&scenes[0]["scene"], &scenes[1]["scene"]];
-        assert_eq!(names, ["castle", "corner1"]);
-        assert_eq!(scenes[0]["profile"], scenes[1]["profile"]);
-        let figures = scenes.iter().flat_map(|row| {
-            let figures = figures.iter().map(|name| row[*name].as_f64().unwrap());
-            figures.map(|figure| format!(" {figure:.0} |"))
-        });
-        let profile = scenes[0]["profile"].as_str().unwrap();
-        expected.push(format!("| {profile} |{}", figures.collect::<String>()));
-    }
-    assert!(expected.len() > 4, "{expected:?}");
-    expected
-}
-
-#[test]
-fn figures_of_the_build_profiles_are_the_measured_ones() {
-    const SHORT: &str =
-        "| profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |";
-    let expected = profiles(SHORT, &["flash", "instructions_per_pixel"]);
-    assert_eq!(table(&read("src/lib.rs"), SHORT), expected);
-    const LONG: &str = "| profile | castle flash | castle instr/pixel | castle stack | corner1 flash \
-                        | corner1 instr/pixel | corner1 stack |";
-    let expected = profiles(LONG, &["flash", "instructions_per_pixel", "stack"]);
-    assert_eq!(table(&read("docs/sizes.md"), LONG), expected);
-}
-
 #[test]
 fn figures_of_the_qualities_are_the_measured_ones() {
     const COLUMNS: &str = "| quality | flash | instructions a pixel | pixels equal to double precision \

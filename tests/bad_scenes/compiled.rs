@@ -9,263 +9,87 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 
-use reflet::ErrorKind::{self, *};
+use reflet::ErrorKind;
 use serde_json::Value;
 
-/// Parts of a scene as `scene!` and `SceneBuilder` take them, the name of the wrong part, and what is
-/// wrong with it.
-const PARTS: &[(&str, &str, ErrorKind)] = &[
-    ("sphere([0.0; 3], 0.0, WHITE);", "sphere 0", Radius),
-    ("sphere([0.0; 3], -1.0, WHITE);", "sphere 0", Radius),
-    (
-        "cylinder([0.0; 3], UP, 0.0, 1.0, WHITE);",
-        "cylinder 0",
-        Radius,
-    ),
-    ("sphere([0.0; 3], f64::NAN, WHITE);", "sphere 0", Coordinate),
-    (
-        "sphere([0.0; 3], f64::INFINITY, WHITE);",
-        "sphere 0",
-        Coordinate,
-    ),
-    (
-        "cylinder([0.0; 3], UP, 1.0, -0.5, WHITE);",
-        "cylinder 0",
-        Height,
-    ),
-    ("plane([0.0; 3], [0.0; 3], WHITE);", "plane 0", Normal),
-    (
-        "cylinder([0.0; 3], [0.0; 3], 1.0, 1.0, WHITE);",
-        "cylinder 0",
-        Axis,
-    ),
-    ("disc([0.0; 3], UP, 0.0, WHITE);", "disc 0", Radius),
-    ("disc([0.0; 3], [0.0; 3], 1.0, WHITE);", "disc 0", Normal),
-    (
-        "sphere([0.0, 1.1e9, 0.0], 1.0, WHITE);",
-        "sphere 0",
-        Coordinate,
-    ),
-    (
-        "sphere([f64::NAN, 0.0, 0.0], 1.0, WHITE);",
-        "sphere 0",
-        Coordinate,
-    ),
-    (
-        "plane([0.0, 0.0, -1.1e9], UP, WHITE);",
-        "plane 0",
-        Coordinate,
-    ),
-    (
-        "light([0.0, f64::NEG_INFINITY, 0.0], [1.0; 3]);",
-        "light 0",
-        Coordinate,
-    ),
-    ("light([0.0; 3], [1.0, 1.0, 16.1]);", "light 0", Color),
-    ("light([0.0; 3], [-0.1, 1.0, 1.0]);", "light 0", Color),
-    (
-        "sphere([0.0; 3], 1.0, WHITE); sphere([0.0; 3], -1.0, WHITE);",
-        "sphere 1",
-        Radius,
-    ),
-    (
-        "sphere([0.0; 3], 1.0, WHITE); sphere([0.0; 3], 1e-9, WHITE);",
-        "sphere 1",
-        Tiny,
-    ),
-    ("sphere([0.0; 3], 1e-10, WHITE);", "scene", Extent),
-    ("background([0.0, 17.0, 0.0]);", "scene", Background),
-    (
-        "sphere([0.0; 3], 1.0, WHITE.checker([0.0; 3], [0.0, 1e-9, 0.0]));",
-        "material 0",
-        Checker,
-    ),
-    (
-        "sphere([0.0; 3], 1.0, WHITE.checker([0.0; 3], [1e6, 0.0, 0.0]));",
-        "material 0",
-        Checker,
-    ),
-    ("sky([0.0; 3], [[1.0; 3]; 3]);", "sky", Sky),
-    (
-        "sky(UP, [[1.0; 3], [1.0; 3], [0.0, 17.0, 0.0]]);",
-        "sky",
-        Color,
-    ),
-    ("epsilon(0.0);", "scene", Epsilon),
-    ("sphere([0.0; 3], 1e-4, WHITE);", "sphere 0", BelowEpsilon),
-    (
-        "sphere([0.0; 3], 1.0, WHITE.diffuse(2.0)); light([9.0; 3], [16.0; 3]);",
-        "material 0",
-        Brightness,
-    ),
-    (
-        "sphere([0.0; 3], 1.0, WHITE.ambient(0.0));",
-        "scene",
-        NoLight,
-    ),
-    (
-        "plane([0.0; 3], UP, WHITE.ambient(0.0)); background([1.0; 3]);",
-        "scene",
-        NoLight,
-    ),
-    (
-        "camera(Camera::look_at([1.0; 3], [1.0; 3], UP));",
-        "camera",
-        View,
-    ),
-    (
-        "motion([0.0; 3], [1.0, -1.0, 1.0]); sphere([0.0; 3], 1.0, WHITE);",
-        "motion",
-        Motion,
-    ),
-    (
-        "motion([0.0; 3], [1.0, 2e9, 1.0]); sphere([0.0; 3], 1.0, WHITE);",
-        "motion",
-        Coordinate,
-    ),
-];
+// Each line is a case: what is wrong, an arrow, the name of the wrong part, and the kind of the error.
+
+/// Parts of a scene as `scene!` and `SceneBuilder` take them.
+const PARTS: &str = "
+sphere([0.0; 3], 0.0, WHITE); => sphere 0: Radius
+sphere([0.0; 3], -1.0, WHITE); => sphere 0: Radius
+cylinder([0.0; 3], UP, 0.0, 1.0, WHITE); => cylinder 0: Radius
+sphere([0.0; 3], f64::NAN, WHITE); => sphere 0: Coordinate
+sphere([0.0; 3], f64::INFINITY, WHITE); => sphere 0: Coordinate
+cylinder([0.0; 3], UP, 1.0, -0.5, WHITE); => cylinder 0: Height
+plane([0.0; 3], [0.0; 3], WHITE); => plane 0: Normal
+cylinder([0.0; 3], [0.0; 3], 1.0, 1.0, WHITE); => cylinder 0: Axis
+disc([0.0; 3], UP, 0.0, WHITE); => disc 0: Radius
+disc([0.0; 3], [0.0; 3], 1.0, WHITE); => disc 0: Normal
+sphere([0.0, 1.1e9, 0.0], 1.0, WHITE); => sphere 0: Coordinate
+sphere([f64::NAN, 0.0, 0.0], 1.0, WHITE); => sphere 0: Coordinate
+plane([0.0, 0.0, -1.1e9], UP, WHITE); => plane 0: Coordinate
+light([0.0, f64::NEG_INFINITY, 0.0], [1.0; 3]); => light 0: Coordinate
+light([0.0; 3], [1.0, 1.0, 16.1]); => light 0: Color
+light([0.0; 3], [-0.1, 1.0, 1.0]); => light 0: Color
+sphere([0.0; 3], 1.0, WHITE); sphere([0.0; 3], -1.0, WHITE); => sphere 1: Radius
+sphere([0.0; 3], 1.0, WHITE); sphere([0.0; 3], 1e-9, WHITE); => sphere 1: Tiny
+sphere([0.0; 3], 1e-10, WHITE); => scene: Extent
+background([0.0, 17.0, 0.0]); => scene: Background
+sphere([0.0; 3], 1.0, WHITE.checker([0.0; 3], [0.0, 1e-9, 0.0])); => material 0: Checker
+sphere([0.0; 3], 1.0, WHITE.checker([0.0; 3], [1e6, 0.0, 0.0])); => material 0: Checker
+sky([0.0; 3], [[1.0; 3]; 3]); => sky: Sky
+sky(UP, [[1.0; 3], [1.0; 3], [0.0, 17.0, 0.0]]); => sky: Color
+epsilon(0.0); => scene: Epsilon
+sphere([0.0; 3], 1e-4, WHITE); => sphere 0: BelowEpsilon
+sphere([0.0; 3], 1.0, WHITE.diffuse(2.0)); light([9.0; 3], [16.0; 3]); => material 0: Brightness
+sphere([0.0; 3], 1.0, WHITE.ambient(0.0)); => scene: NoLight
+plane([0.0; 3], UP, WHITE.ambient(0.0)); background([1.0; 3]); => scene: NoLight
+camera(Camera::look_at([1.0; 3], [1.0; 3], UP)); => camera: View
+motion([0.0; 3], [1.0, -1.0, 1.0]); sphere([0.0; 3], 1.0, WHITE); => motion: Motion
+motion([0.0; 3], [1.0, 2e9, 1.0]); sphere([0.0; 3], 1.0, WHITE); => motion: Coordinate";
 
 /// Parts that move in a `scene!`.
-const MOVING: &[(&str, &str, ErrorKind)] = &[
-    ("sphere BALL([0.0; 3], 1.0, WHITE);", "sphere 0", Motion),
-    (
-        "motion([-1.0; 3], [1.0, 1.0, 0.9]); sphere BALL([0.0; 3], 1.0, WHITE);",
-        "sphere 0",
-        Motion,
-    ),
-    (
-        "motion([-2.0; 3], [2.0; 3]); disc([9.0; 3], UP, 1.0, WHITE); disc LID([0.0, 1.5, 0.0], UP, 1.0, WHITE);",
-        "disc 1",
-        Motion,
-    ),
-    (
-        "motion([-2.0; 3], [2.0; 3]); cylinder LOG([0.0; 3], UP, 1.0, 4.0, WHITE);",
-        "cylinder 0",
-        Motion,
-    ),
-    ("plane FLOOR([0.0; 3], UP, WHITE);", "FLOOR", NothingMoves),
-    (
-        "sphere([0.0; 3], 1.0, WHITE); light LAMP([9.0; 3], [1.0; 3]);",
-        "LAMP",
-        NothingMoves,
-    ),
-];
+const MOVING: &str = "
+sphere BALL([0.0; 3], 1.0, WHITE); => sphere 0: Motion
+motion([-1.0; 3], [1.0, 1.0, 0.9]); sphere BALL([0.0; 3], 1.0, WHITE); => sphere 0: Motion
+motion([-2.0; 3], [2.0; 3]); disc([9.0; 3], UP, 1.0, WHITE); disc LID([0.0, 1.5, 0.0], UP, 1.0, WHITE); => disc 1: Motion
+motion([-2.0; 3], [2.0; 3]); cylinder LOG([0.0; 3], UP, 1.0, 4.0, WHITE); => cylinder 0: Motion
+plane FLOOR([0.0; 3], UP, WHITE); => FLOOR: NothingMoves
+sphere([0.0; 3], 1.0, WHITE); light LAMP([9.0; 3], [1.0; 3]); => LAMP: NothingMoves";
 
-/// What does not fit the room of a `SceneBuilder`: the room, the parts, the name of the wrong part, and
-/// what is wrong with it.
-const ROOMS: &[(&str, &str, &str, ErrorKind)] = &[
-    (
-        "spheres: 1",
-        "sphere([0.0; 3], 1.0, WHITE); sphere([1.0; 3], 1.0, WHITE);",
-        "sphere 1",
-        TooManySpheres,
-    ),
-    (
-        "planes: 1",
-        "plane([0.0; 3], UP, WHITE); plane([1.0; 3], UP, WHITE);",
-        "plane 1",
-        TooManyPlanes,
-    ),
-    (
-        "cylinders: 1",
-        "cylinder([0.0; 3], UP, 1.0, 1.0, WHITE); cylinder([1.0; 3], UP, 1.0, 1.0, WHITE);",
-        "cylinder 1",
-        TooManyCylinders,
-    ),
-    (
-        "discs: 1",
-        "disc([0.0; 3], UP, 1.0, WHITE); disc([1.0; 3], UP, 1.0, WHITE);",
-        "disc 1",
-        TooManyDiscs,
-    ),
-    (
-        "lights: 1",
-        "light([0.0; 3], [1.0; 3]); light([1.0; 3], [1.0; 3]);",
-        "light 1",
-        TooManyLights,
-    ),
-    (
-        "planes: 1",
-        "sphere([0.0; 3], 1.0, WHITE);",
-        "sphere 0",
-        TooManySpheres,
-    ),
-    (
-        "spheres: 1, planes: 1, materials: 1",
-        "sphere([0.0; 3], 1.0, WHITE); plane([0.0; 3], UP, WHITE.mirror(0.5));",
-        "material 1",
-        TooManyMaterials,
-    ),
-    (
-        "spheres: 2",
-        "sphere([0.0; 3], 1.0, WHITE);",
-        "spheres",
-        UnusedRoom,
-    ),
-    (
-        "spheres: 1, planes: 1",
-        "sphere([0.0; 3], 1.0, WHITE);",
-        "planes",
-        UnusedRoom,
-    ),
-    (
-        "spheres: 1, cylinders: 1",
-        "sphere([0.0; 3], 1.0, WHITE);",
-        "cylinders",
-        UnusedRoom,
-    ),
-    (
-        "spheres: 1, discs: 3",
-        "sphere([0.0; 3], 1.0, WHITE);",
-        "discs",
-        UnusedRoom,
-    ),
-    (
-        "spheres: 1, lights: 1",
-        "sphere([0.0; 3], 1.0, WHITE);",
-        "lights",
-        UnusedRoom,
-    ),
-];
+/// What does not fit the room of a `SceneBuilder`: the room, a bar, and the parts.
+const ROOMS: &str = "
+spheres: 1 | sphere([0.0; 3], 1.0, WHITE); sphere([1.0; 3], 1.0, WHITE); => sphere 1: TooManySpheres
+planes: 1 | plane([0.0; 3], UP, WHITE); plane([1.0; 3], UP, WHITE); => plane 1: TooManyPlanes
+cylinders: 1 | cylinder([0.0; 3], UP, 1.0, 1.0, WHITE); cylinder([1.0; 3], UP, 1.0, 1.0, WHITE); => cylinder 1: TooManyCylinders
+discs: 1 | disc([0.0; 3], UP, 1.0, WHITE); disc([1.0; 3], UP, 1.0, WHITE); => disc 1: TooManyDiscs
+lights: 1 | light([0.0; 3], [1.0; 3]); light([1.0; 3], [1.0; 3]); => light 1: TooManyLights
+planes: 1 | sphere([0.0; 3], 1.0, WHITE); => sphere 0: TooManySpheres
+spheres: 1, planes: 1, materials: 1 | sphere([0.0; 3], 1.0, WHITE); plane([0.0; 3], UP, WHITE.mirror(0.5)); => material 1: TooManyMaterials
+spheres: 2 | sphere([0.0; 3], 1.0, WHITE); => spheres: UnusedRoom
+spheres: 1, planes: 1 | sphere([0.0; 3], 1.0, WHITE); => planes: UnusedRoom
+spheres: 1, cylinders: 1 | sphere([0.0; 3], 1.0, WHITE); => cylinders: UnusedRoom
+spheres: 1, discs: 3 | sphere([0.0; 3], 1.0, WHITE); => discs: UnusedRoom
+spheres: 1, lights: 1 | sphere([0.0; 3], 1.0, WHITE); => lights: UnusedRoom";
 
 /// Constants of one material or camera.
-const CONSTANTS: &[(&str, &str, ErrorKind)] = &[
-    ("Material::new([0.5, 0.5, 17.0])", "material", Color),
-    ("Material::new([f64::NAN, 0.5, 0.5])", "material", Color),
-    ("WHITE.ambient(-0.1)", "material", Ambient),
-    ("WHITE.diffuse(16.1)", "material", Diffuse),
-    ("WHITE.specular(-1.0, 4.0)", "material", Specular),
-    ("WHITE.specular(1.0, 1048577.0)", "material", Shininess),
-    ("WHITE.specular(1.0, -4.0)", "material", Shininess),
-    ("WHITE.mirror(1.1)", "material", Mirror),
-    ("WHITE.mirror(f64::NAN)", "material", Mirror),
-    (
-        "Camera::look_at([0.0, 2e9, 0.0], [0.0; 3], UP)",
-        "camera",
-        Coordinate,
-    ),
-    ("Camera::look_at([1.0; 3], [1.0; 3], UP)", "camera", View),
-    (
-        "Camera::look_at([0.0; 3], [0.0, 0.0, 5.0], UP)",
-        "camera",
-        Up,
-    ),
-    (
-        "Camera::look_at([0.0; 3], [1.0; 3], [0.0; 3])",
-        "camera",
-        Up,
-    ),
-    (
-        "Camera::look_at([0.0; 3], [1.0; 3], UP).fov(180.0)",
-        "camera",
-        FieldOfView,
-    ),
-    (
-        "Camera::look_at([0.0; 3], [1.0; 3], UP).fov(0.0)",
-        "camera",
-        FieldOfView,
-    ),
-];
+const CONSTANTS: &str = "
+Material::new([0.5, 0.5, 17.0]) => material: Color
+Material::new([f64::NAN, 0.5, 0.5]) => material: Color
+WHITE.ambient(-0.1) => material: Ambient
+WHITE.diffuse(16.1) => material: Diffuse
+WHITE.specular(-1.0, 4.0) => material: Specular
+WHITE.specular(1.0, 1048577.0) => material: Shininess
+WHITE.specular(1.0, -4.0) => material: Shininess
+WHITE.mirror(1.1) => material: Mirror
+WHITE.mirror(f64::NAN) => material: Mirror
+Camera::look_at([0.0, 2e9, 0.0], [0.0; 3], UP) => camera: Coordinate
+Camera::look_at([1.0; 3], [1.0; 3], UP) => camera: View
+Camera::look_at([0.0; 3], [0.0, 0.0, 5.0], UP) => camera: Up
+Camera::look_at([0.0; 3], [1.0; 3], [0.0; 3]) => camera: Up
+Camera::look_at([0.0; 3], [1.0; 3], UP).fov(180.0) => camera: FieldOfView
+Camera::look_at([0.0; 3], [1.0; 3], UP).fov(0.0) => camera: FieldOfView";
 
 /// What the compiler itself refuses: items of a program, the first line of the message, and lines of it
 /// that show the mistake.
@@ -339,30 +163,55 @@ impl Wrong {
     }
 }
 
+/// Returns the kind of an error by its name.
+fn kind(name: &str) -> ErrorKind {
+    macro_rules! by_name {
+        ($($kind:ident)*) => {
+            match name {
+                $(stringify!($kind) => ErrorKind::$kind,)*
+                _ => panic!("{name} is not in this list"),
+            }
+        };
+    }
+    by_name! {
+        Ambient Axis Background BelowEpsilon Brightness Checker Color Coordinate Diffuse Epsilon Extent
+        FieldOfView Height Mirror Motion NoLight Normal NothingMoves Radius Shininess Sky Specular Tiny
+        TooManyCylinders TooManyDiscs TooManyLights TooManyMaterials TooManyPlanes TooManySpheres
+        UnusedRoom Up View
+    }
+}
+
+/// Returns the cases of a table: what is wrong, the name of the wrong part, and the kind of the error.
+fn cases(table: &str) -> impl Iterator<Item = (&str, &str, ErrorKind)> {
+    table.lines().skip(1).map(|line| {
+        let (wrong, expected) = line.split_once(" => ").expect("an arrow");
+        let (part, name) = expected.split_once(": ").expect("a part and a kind");
+        (wrong, part, kind(name))
+    })
+}
+
 /// Returns every program that does not compile.
 fn wrong() -> Vec<Wrong> {
-    let described = PARTS.iter().flat_map(|(parts, name, kind)| {
+    let described = cases(PARTS).flat_map(|(parts, name, kind)| {
         let items = [in_macro(parts), in_builder(&fitting(parts), parts)];
-        items.map(|items| Wrong::new(items, name, *kind))
+        items.map(|items| Wrong::new(items, name, kind))
     });
-    let moving = MOVING.iter();
-    let moving = moving.map(|(parts, name, kind)| Wrong::new(in_macro(parts), name, *kind));
-    let rooms = ROOMS
-        .iter()
-        .map(|(room, parts, name, kind)| Wrong::new(in_builder(room, parts), name, *kind));
-    let constants = CONSTANTS.iter().map(|(value, part, kind)| {
-        let type_of = if *part == "camera" {
-            "Camera"
-        } else {
-            "Material"
-        };
-        Wrong::new(format!("const TRIED: {type_of} = {value};"), part, *kind)
+    let moving = cases(MOVING);
+    let moving = moving.map(|(parts, name, kind)| Wrong::new(in_macro(parts), name, kind));
+    let rooms = cases(ROOMS).map(|(both, name, kind)| {
+        let (room, parts) = both.split_once(" | ").expect("a bar");
+        Wrong::new(in_builder(room, parts), name, kind)
+    });
+    let constants = cases(CONSTANTS).map(|(value, part, kind)| {
+        let (start, rest) = part.split_at(1);
+        let type_of = start.to_uppercase() + rest;
+        Wrong::new(format!("const TRIED: {type_of} = {value};"), part, kind)
     });
     let lights = "light([9.0; 3], [1.0; 3]); ".repeat(17);
-    let many = Wrong::new(in_macro(&lights), "light 16", TooManyLights);
+    let many = Wrong::new(in_macro(&lights), "light 16", ErrorKind::TooManyLights);
     let balls = (0..17).map(|number| format!("sphere BALL{number}([0.0; 3], 1.0, WHITE); "));
     let balls = format!("motion([-2.0; 3], [2.0; 3]); {}", balls.collect::<String>());
-    let many_move = Wrong::new(in_macro(&balls), "sphere 16", TooManyMoving);
+    let many_move = Wrong::new(in_macro(&balls), "sphere 16", ErrorKind::TooManyMoving);
     let refused = REFUSED.iter().map(|(items, first_line, shown)| Wrong {
         items: (*items).to_owned(),
         first_line: (*first_line).to_owned(),

@@ -1,18 +1,13 @@
 //! Tests the films of the render example.
 
-#[cfg(feature = "film")]
 use std::fs;
 
-#[cfg(feature = "film")]
 use gif::{ColorOutput, DecodeOptions, Repeat};
 
 use super::program::Folder;
-use super::refused;
-#[cfg(feature = "film")]
-use super::{call_and_words, floor, png, printed};
+use super::{call_and_words, floor, png, printed, refused};
 
 /// Returns how often a film repeats, how long it shows each frame, and the RGBA8 bytes of each frame.
-#[cfg(feature = "film")]
 fn film(bytes: &[u8]) -> (Repeat, Vec<u16>, Vec<Vec<u8>>) {
     let mut options = DecodeOptions::new();
     options.set_color_output(ColorOutput::RGBA);
@@ -26,7 +21,6 @@ fn film(bytes: &[u8]) -> (Repeat, Vec<u16>, Vec<Vec<u8>>) {
 }
 
 /// Returns the root of the mean squared difference of two pictures, in levels of 255.
-#[cfg(feature = "film")]
 fn difference(rgba: &[u8], rgb: &[u8]) -> f64 {
     let shown = rgba.chunks_exact(4).flat_map(|pixel| &pixel[..3]);
     let squares = shown
@@ -35,7 +29,6 @@ fn difference(rgba: &[u8], rgb: &[u8]) -> f64 {
     (squares.sum::<f64>() / rgb.len() as f64).sqrt()
 }
 
-#[cfg(feature = "film")]
 #[test]
 fn film_is_an_orbit_that_repeats_without_end() {
     let folder = Folder::new("film");
@@ -61,7 +54,6 @@ fn film_is_an_orbit_that_repeats_without_end() {
     );
 }
 
-#[cfg(feature = "film")]
 #[test]
 fn frames_are_a_whole_turn_apart_from_their_first() {
     let folder = Folder::new("turn");
@@ -82,7 +74,6 @@ fn frames_are_a_whole_turn_apart_from_their_first() {
     assert!(one != half && one != three);
 }
 
-#[cfg(feature = "film")]
 #[test]
 fn film_with_few_colours_keeps_them() {
     let folder = Folder::new("few_colours");
@@ -95,7 +86,6 @@ fn film_with_few_colours_keeps_them() {
     assert!(difference(&frames[0], &still) == 0.0);
 }
 
-#[cfg(feature = "film")]
 #[test]
 fn film_of_the_readme_is_what_its_command_draws() {
     let root = env!("CARGO_MANIFEST_DIR");
@@ -121,7 +111,6 @@ fn film_of_the_readme_is_what_its_command_draws() {
     );
 }
 
-#[cfg(feature = "film")]
 #[test]
 fn film_that_cannot_be_drawn_is_refused_in_one_line() {
     let folder = Folder::new("no_film");
@@ -152,13 +141,4 @@ fn film_that_cannot_be_drawn_is_refused_in_one_line() {
         );
     }
     assert_eq!(folder.files(), ["file", "frame-001.png"]);
-}
-
-#[cfg(not(feature = "film"))]
-#[test]
-fn film_needs_its_feature() {
-    let folder = Folder::new("film");
-    let line = refused(&folder, "--orbit 4 --gif a.gif");
-    let expected = "--orbit needs the feature `film`: cargo run ";
-    assert!(line.starts_with(expected), "{line}");
 }

@@ -2,6 +2,7 @@
 
 mod dithering;
 mod examples;
+#[cfg(feature = "film")]
 mod film;
 mod output;
 mod program;
@@ -398,6 +399,15 @@ fn disk_that_is_full_is_named() {
     let folder = Folder::new("full");
     let line = refused(&folder, "floor --size 2x2 --raw /dev/full");
     let expected = "/dev/full cannot be written: No space left";
+    assert!(line.starts_with(expected), "{line}");
+}
+
+#[cfg(not(feature = "film"))]
+#[test]
+fn film_needs_its_feature() {
+    let folder = Folder::new("film");
+    let line = refused(&folder, "--orbit 4 --gif a.gif");
+    let expected = "--orbit needs the feature `film`: cargo run ";
     assert!(line.starts_with(expected), "{line}");
 }
 

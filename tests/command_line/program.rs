@@ -48,33 +48,29 @@ impl Folder {
 
     /// Runs the program with arguments that are separated by spaces.
     pub fn render(&self, arguments: &str) -> Outcome {
-        self.run(&arguments.split_whitespace().collect::<Vec<_>>())
+        self.run(&words(arguments))
     }
 
     pub fn run(&self, arguments: &[&str]) -> Outcome {
-        finish(self.command("render", arguments).stdout(Stdio::piped()))
+        finish(&mut self.command("render", arguments))
     }
 
     /// Runs another example without arguments.
     pub fn example(&self, name: &'static str) -> Outcome {
-        finish(self.command(name, &[]).stdout(Stdio::piped()))
+        finish(&mut self.command(name, &[]))
     }
 
     /// Runs the program with a standard output that has no reader.
     pub fn render_unread(&self, arguments: &str) -> Outcome {
         let (reader, writer) = std::io::pipe().expect("a pipe");
         drop(reader);
-        finish(
-            self.command("render", &arguments.split_whitespace().collect::<Vec<_>>())
-                .stdout(writer),
-        )
+        finish(self.command("render", &words(arguments)).stdout(writer))
     }
 
     /// Runs the program. Returns its exit code, the bytes on standard output, and the text on
     /// standard error.
     pub fn render_bytes(&self, arguments: &str) -> (i32, Vec<u8>, String) {
-        let arguments: Vec<_> = arguments.split_whitespace().collect();
-        let output = self.command("render", &arguments).output();
+        let output = self.command("render", &words(arguments)).output();
         let output = output.expect("the example runs");
         let words = String::from_utf8(output.stderr).expect("the example says UTF-8");
         let code = output.status.code().expect("the example ends by itself");
@@ -85,40 +81,32 @@ impl Folder {
     #[cfg(target_os = "linux")]
     pub fn render_in_4_gigabytes(&self, arguments: &str) -> Outcome {
         let mut shell = Command::new("sh");
-        shell
-            .args(["-c", "ulimit -v 4000000 && exec \"$0\" \"$@\""])
-            .arg(binary("render"));
-        shell
-            .args(arguments.split_whitespace())
-            .current_dir(&self.0);
-        finish(shell.stdout(Stdio::piped()).stderr(Stdio::piped()))
+        shell.args(["-c", "ulimit -v 4000000 && exec \"$0\" \"$@\""]);
+        shell.arg(binary("render")).args(words(arguments));
+        finish(shell.current_dir(&self.0))
     }
 
     /// Runs the program with environment variables.
     #[cfg(feature = "window")]
     pub fn render_with(&self, arguments: &str, variables: &[(&str, &str)]) -> Outcome {
-        let mut command = self.command("render", &arguments.split_whitespace().collect::<Vec<_>>());
-        finish(
-            command
-                .envs(variables.iter().copied())
-                .stdout(Stdio::piped()),
-        )
+        let mut command = self.command("render", &words(arguments));
+        finish(command.envs(variables.iter().copied()))
     }
 
     fn command(&self, example: &'static str, arguments: &[&str]) -> Command {
         let mut command = Command::new(binary(example));
-        command
-            .args(arguments)
-            .current_dir(&self.0)
-            .stdin(Stdio::null())
-            .stderr(Stdio::piped());
+        command.args(arguments).current_dir(&self.0);
+        command.stdin(Stdio::null());
         command
     }
 }
 
+fn words(arguments: &str) -> Vec<&str> {
+    arguments.split_whitespace().collect()
+}
+
 fn finish(command: &mut Command) -> Outcome {
-    let output = command.spawn().and_then(|child| child.wait_with_output());
-    let output = output.expect("the example runs");
+    let output = command.output().expect("the example runs");
     let text = |bytes| String::from_utf8(bytes).expect("the example prints UTF-8");
     Outcome {
         code: output.status.code().expect("the example ends by itself"),

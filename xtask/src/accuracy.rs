@@ -4,9 +4,11 @@
 use std::fmt::Write as _;
 
 use anyhow::{Context, Result};
-use float_picture::Shading;
-use float_picture::accuracy::{NAMES, Row, measure};
-use reflet::host::compare::Difference;
+use command_line::{Quality, Settings, Shading, Source};
+use embedded_graphics::geometry::Size;
+use reflet::host::compare::{Difference, compare};
+use reflet::host::reference::render;
+use reflet::scenes;
 use serde::Serialize;
 
 use crate::kept;
@@ -20,13 +22,53 @@ const SIDE: u32 = 320;
 /// Number of reflections that each ray may have.
 const REFLECTIONS: u8 = 4;
 
-/// Index of `f32` (single precision) in [`NAMES`]: the last entry.
-const SINGLE: usize = NAMES.len() - 1;
+/// The measured qualities. The float port in single precision follows.
+const QUALITIES: [Quality; 3] = [Quality::Fast, Quality::Small, Quality::Exact];
+
+/// Names of the qualities and of single precision, in the order of [`Picture::differences`].
+const NAMES: [&str; 4] = ["fast", "small", "exact", "f32"];
+
+/// Share of pixels equal to the reference's that counts as all of them: one in ten thousand may
+/// differ.
+const ALL: f64 = 0.9999;
 
 /// Accuracy of one built-in scene in one shading.
 struct Picture {
+    scene: &'static str,
     shading: &'static str,
-    row: Row,
+    /// Differences from the reference: those of each quality, then that of the float port in `f32`.
+    differences: [Difference; NAMES.len()],
+}
+
+impl Picture {
+    fn measured(scene: &'static str, shading: Shading) -> Result<Self> {
+        let source = Source::built_in(scene).context("no built-in scene")?;
+        let ((exact, camera), n) = (source.reference(), REFLECTIONS.into());
+        let truth = render(&exact, &camera, SIDE, SIDE, n, shading.into());
+        let fixed = QUALITIES.map(|quality| {
+            let settings = Settings {
+                reflections: REFLECTIONS,
+                shading,
+                quality,
+            };
+            source.drawn(Size::new_equal(SIDE), settings)
+        });
+        let [fast, small, precise] = fixed;
+        let single = float_picture::render(&exact, &camera, (SIDE, SIDE), n, shading.into());
+        Ok(Self {
+            scene,
+            shading: shading.name(),
+            differences: [fast, small, precise, single]
+                .map(|picture| compare(&picture, &truth).expect("all have one size")),
+        })
+    }
+
+    /// Tests whether a quality equals the reference in at least as many pixels as single precision
+    /// does, or in all but one of ten thousand. `quality` is an index into [`NAMES`].
+    fn is_as_near_as_single_precision(&self, quality: usize) -> bool {
+        let [.., single] = self.differences.map(|it| it.same);
+        self.differences[quality].same >= single.min(ALL)
+    }
 }
 
 /// One line of [`FIGURES_FILE`]. Shares are in percent. In JSON the keys are the names of the fields.
@@ -43,28 +85,26 @@ struct Line {
 }
 
 pub fn run() -> Result<()> {
-    let mut pictures = Vec::new();
-    for (shading, model) in [
-        ("blinn-phong", Shading::BlinnPhong),
-        ("phong", Shading::Phong),
-    ] {
-        for scene in reflet::scenes::NAMES {
-            let row = measure(scene, SIDE, REFLECTIONS, model).context("no built-in scene")?;
-            pictures.push(Picture { shading, row });
-        }
-    }
+    let pictures = measured()?;
     kept::write(FIGURES_FILE.as_ref(), &lines(&pictures)?)?;
     kept::write(PAGE.as_ref(), &page(&pictures)?)
+}
+
+fn measured() -> Result<Vec<Picture>> {
+    let shadings = [Shading::BlinnPhong, Shading::Phong].into_iter();
+    let pictures =
+        shadings.flat_map(|shading| scenes::NAMES.map(|it| Picture::measured(it, shading)));
+    pictures.collect()
 }
 
 fn lines(pictures: &[Picture]) -> Result<String> {
     let rounded = |number: f64, digits: f64| (number * digits).round() / digits;
     let mut lines = String::new();
-    for Picture { shading, row } in pictures {
-        for (quality, of) in NAMES.into_iter().zip(&row.differences) {
+    for picture in pictures {
+        for (quality, of) in NAMES.into_iter().zip(&picture.differences) {
             let line = Line {
-                scene: row.scene,
-                shading,
+                scene: picture.scene,
+                shading: picture.shading,
                 quality,
                 same: rounded(100.0 * of.same, 1e3),
                 within1: rounded(100.0 * of.within1, 1e3),
@@ -94,10 +134,10 @@ fn page(pictures: &[Picture]) -> Result<String> {
          at least as many pixels as `f32`, or on 99.99 %:\n",
         pictures.len()
     )?;
-    for (index, name) in NAMES.iter().enumerate().take(SINGLE) {
+    for (index, name) in NAMES.iter().enumerate().take(QUALITIES.len()) {
         let near = pictures
             .iter()
-            .filter(|it| it.row.is_as_near_as_single_precision(index))
+            .filter(|it| it.is_as_near_as_single_precision(index))
             .count();
         writeln!(page, "- `{name}`: {near}")?;
     }
@@ -107,13 +147,13 @@ fn page(pictures: &[Picture]) -> Result<String> {
 /// Returns the worst value of each figure for one quality, and the picture in which it occurs.
 fn worst(pictures: &[Picture], index: usize) -> String {
     let worst = FIGURES.map(|figure| {
-        let badness = |it: &&Picture| figure.badness(&it.row.differences[index]);
+        let badness = |it: &&Picture| figure.badness(&it.differences[index]);
         let worst = pictures
             .iter()
             .max_by(|one, other| badness(one).total_cmp(&badness(other)));
         worst.map_or_else(String::new, |it| {
-            let text = figure.text(&it.row.differences[index]);
-            format!("{text} ({}, {})", it.row.scene, it.shading)
+            let text = figure.text(&it.differences[index]);
+            format!("{text} ({}, {})", it.scene, it.shading)
         })
     });
     worst.join(" | ")
@@ -168,16 +208,14 @@ mod tests {
 
     fn pictures() -> [Picture; 2] {
         [("ball", 0.5, 9), ("cube", 0.75, 200)].map(|(scene, same, max)| Picture {
+            scene,
             shading: "phong",
-            row: Row {
-                scene,
-                differences: [
-                    difference(same, max),
-                    difference(0.999, 1),
-                    difference(0.99995, 1),
-                    difference(0.99999, 1),
-                ],
-            },
+            differences: [
+                difference(same, max),
+                difference(0.999, 1),
+                difference(0.99995, 1),
+                difference(0.99999, 1),
+            ],
         })
     }
 
@@ -198,10 +236,20 @@ mod tests {
     }
 
     #[test]
+    fn exact_is_no_worse_than_single_precision() {
+        let exact = NAMES.iter().position(|name| *name == "exact").unwrap();
+        let pictures = measured().unwrap();
+        let worse = pictures.iter();
+        let worse = worse.filter(|it| !it.is_as_near_as_single_precision(exact));
+        let worse: Vec<_> = worse.map(|it| (it.scene, it.shading)).collect();
+        assert!(worse.is_empty(), "{worse:?}");
+    }
+
+    #[test]
     fn picture_with_one_pixel_in_ten_thousand_off_is_as_near_as_any() {
         let [picture, _] = pictures();
         assert_eq!(
-            [0, 1, 2].map(|quality| picture.row.is_as_near_as_single_precision(quality)),
+            [0, 1, 2].map(|quality| picture.is_as_near_as_single_precision(quality)),
             [false, false, true]
         );
     }

@@ -238,7 +238,6 @@ fn tests(all: bool) -> Result<Vec<Step>> {
         "tests",
         "tests/random/tests",
         "xtask/boards/tests",
-        "xtask/float_picture/tests",
         "xtask/lost/tests",
         "xtask/stability/tests",
     ];

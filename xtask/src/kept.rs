@@ -3,7 +3,7 @@
 use std::{fs, path::Path};
 
 use anyhow::{Context, Result, bail};
-use serde::de::DeserializeOwned;
+use serde::{Serialize, de::DeserializeOwned};
 
 /// Reads a file of JSON lines, one value a line. `command` is the chore that writes the file; the
 /// error names it.
@@ -15,6 +15,14 @@ pub fn read<T: DeserializeOwned>(file: &Path, command: &str) -> Result<Vec<T>> {
     let values = text.lines().map(serde_json::from_str);
     let values: Result<_, _> = values.collect();
     values.with_context(|| format!("{name} is not what the command writes"))
+}
+
+/// Writes a file of JSON lines, one value a line.
+pub fn write_lines<T: Serialize>(file: &Path, values: &[T]) -> Result<()> {
+    let lines = values
+        .iter()
+        .map(|it| Ok(serde_json::to_string(it)? + "\n"));
+    write(file, &lines.collect::<Result<String>>()?)
 }
 
 pub fn write(file: &Path, text: &str) -> Result<()> {

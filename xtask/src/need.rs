@@ -41,7 +41,7 @@ impl Need {
     }
 
     /// Installs it, and tests whether it is there then.
-    pub fn install(&self) -> Result<()> {
+    fn install(&self) -> Result<()> {
         (self.get)()?;
         ensure!(
             (self.is_there)(),

@@ -20,3 +20,29 @@ pub fn markdown(texts: usize, head: &[String], rows: &[Vec<String>]) -> String {
     text.extend(rows.iter().map(|cells| line(cells)));
     text
 }
+
+/// A text whose table of the same head is replaced; each of its lines begins with `prefix`. `None` if
+/// it has no such table.
+pub fn with_table(text: &str, prefix: &str, table: &str) -> Option<String> {
+    let head = format!("{prefix}{}", table.lines().next()?);
+    let (before, rest) = text.split_once(&head)?;
+    let is_row = |line: &&str| line.starts_with(&format!("{prefix}|"));
+    let after = rest.split_inclusive('\n').skip(1).skip_while(is_row);
+    let rows = table.lines().map(|line| format!("{prefix}{line}\n"));
+    Some(before.to_owned() + &rows.collect::<String>() + &after.collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_rows_of_the_table_are_replaced() {
+        let text = "//! a\n//! | x | y |\n//! |---|\n//! | old |\n//!\n//! | other |\n";
+        let replaced = with_table(text, "//! ", "| x | y |\n|---|\n| 1 |\n| 2 |\n");
+        let expected =
+            "//! a\n//! | x | y |\n//! |---|\n//! | 1 |\n//! | 2 |\n//!\n//! | other |\n";
+        assert_eq!(replaced.as_deref(), Some(expected));
+        assert_eq!(with_table("nothing\n", "", "| x |\n"), None);
+    }
+}

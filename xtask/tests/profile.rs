@@ -2,9 +2,8 @@
 
 use std::collections::HashMap;
 
-use serde_json::Value;
 use xtask::measure::{Core, Quality, Scene, Size, Task, outcome};
-use xtask::profile::{STAGES, Stage, profile};
+use xtask::profile::{STAGES, Stage, Sums, Table, profile};
 use xtask::root;
 
 mod common;
@@ -13,37 +12,23 @@ use common::{Done, assert_mistakes, xtask};
 
 const STAGE_NAMES: &str = "preparation spans primary shading shadow reflection output other";
 
-fn stage_names() -> impl Iterator<Item = &'static str> {
-    STAGE_NAMES.split(' ')
-}
+const EXACT: Quality = Quality::EXACT;
 
-fn lines(arguments: &str) -> Vec<Value> {
-    let Done { code, out, err } = xtask(&root(), &format!("profile --json {arguments}"));
-    assert_eq!((code, err.as_str()), (0, ""));
-    let line = |line| serde_json::from_str(line).unwrap();
-    out.lines().map(line).collect()
-}
-
-fn stages(lines: &[Value]) -> HashMap<&str, u64> {
-    let figures = lines.iter().filter(|line| line["table"].is_null());
-    let figure = |line| (text(line, "stage"), count(line));
-    figures.map(figure).collect()
-}
-
-fn text<'a>(line: &'a Value, key: &str) -> &'a str {
-    line[key].as_str().unwrap()
-}
-
-fn count(line: &Value) -> u64 {
-    line["instructions"].as_u64().unwrap()
+fn task(core: &str, scene: &'static str, size: Size, quality: Quality) -> Task {
+    let core = Core::find(core).unwrap();
+    Task::new(core, Scene::BuiltIn(scene), size, quality)
 }
 
 #[test]
 fn total_is_what_measure_counts_but_for_the_calls() {
     // As the kept figures are measured, so that the firmware serves both.
     const ROWS: u64 = 64;
-    let (core, scene) = (Core::M3, Scene::BuiltIn("primitives"));
-    let task = Task::new(core, scene, Size::new(64, ROWS as u32), Quality::FAST);
+    let task = task(
+        "m3",
+        "primitives",
+        Size::new(64, ROWS as u32),
+        Quality::FAST,
+    );
     let (sums, counted) = (profile(&task).unwrap(), outcome(&task).unwrap());
     // Between the two readings of the clock, the firmware also loads arguments and makes the call.
     let call = 1..=32;
@@ -59,65 +44,53 @@ fn total_is_what_measure_counts_but_for_the_calls() {
 #[test]
 fn stages_and_tables_add_up_to_the_total() {
     // The Cortex-M0 lacks instructions, so all stages call the routines that replace them.
-    let lines = lines("--core m0 castle --size 8x8 --functions --top 100000");
-    let stages = stages(&lines);
-    let sum: u64 = stage_names().map(|name| stages[name]).sum();
-    assert_eq!(
-        (stages.len(), sum),
-        (stage_names().count() + 1, stages["total"])
-    );
-    let rows = |table: &str, stage: Option<&str>| {
-        let rows = lines.iter().filter(|line| line["table"] == table);
-        let rows = rows.filter(|line| line["stage"].as_str() == stage);
-        rows.cloned().collect::<Vec<_>>()
-    };
-    let sum = |rows: &[Value]| rows.iter().map(count).sum::<u64>();
-    for name in stage_names() {
-        assert_eq!(sum(&rows("innermost", Some(name))), stages[name], "{name}");
-        for row in rows("library", Some(name)) {
-            let all = row["all_per_pixel"].as_f64().unwrap() * 64.0;
-            assert!(
-                (count(&row)..=stages[name]).contains(&(all.round() as u64)),
-                "{row}"
-            );
+    let sums = profile(&task("m0", "castle", Size::new(8, 8), Quality::FAST)).unwrap();
+    for stage in STAGES {
+        let own = |table| {
+            let rows = sums.rows(table).filter(|(it, ..)| *it == Some(stage));
+            rows.map(|(.., row)| row.own).sum::<u64>()
+        };
+        assert_eq!(own(Table::Innermost), sums.stage(stage), "{stage:?}");
+        let library = sums.rows(Table::Library);
+        for (_, name, row) in library.filter(|(it, ..)| *it == Some(stage)) {
+            let is_between = (row.own..=sums.stage(stage)).contains(&row.second);
+            assert!(is_between, "{stage:?} {name}: {row:?}");
         }
     }
-    let linked = rows("linked", None);
-    assert_eq!(sum(&linked), stages["total"]);
-    let calls = |start: &str| {
-        let rows = linked
-            .iter()
-            .filter(|row| text(row, "name").starts_with(start));
-        let calls = rows.map(|row| row["calls_per_pixel"].as_f64().unwrap());
-        calls.sum::<f64>()
-    };
+    let linked: Vec<_> = sums.rows(Table::Linked).collect();
+    let sum: u64 = linked.iter().map(|(.., row)| row.own).sum();
+    assert_eq!(sum, sums.total());
     // Each row of eight columns is one block.
-    assert_eq!(
-        calls("reflet::render::interpolate::Colors<W,K,Q>::follow"),
-        0.125
-    );
+    let follow = "reflet::render::interpolate::Colors<W,K,Q>::follow";
+    let follow = linked
+        .iter()
+        .filter(|(_, name, _)| name.starts_with(follow));
+    assert_eq!(follow.map(|(.., row)| row.second).sum::<u64>(), 8);
     // A routine with many callers belongs to the stage of each of them.
-    let stages_of = |name: &str| {
-        let is_in = |stage: &&str| {
-            let rows = rows("innermost", Some(stage));
-            rows.iter().any(|row| text(row, "name") == name)
-        };
-        stage_names().filter(is_in).count()
-    };
-    let shared = linked.iter().map(|row| stages_of(text(row, "name")));
-    assert!(shared.max().unwrap() > 2);
-    assert!(stages["other"] < stages["total"] / 10, "{stages:?}");
+    let mut stages = HashMap::<_, u32>::new();
+    for (_, name, row) in sums.rows(Table::Innermost) {
+        *stages.entry(name).or_default() += u32::from(row.own > 0);
+    }
+    let of_linked = linked.iter().filter_map(|(_, name, _)| stages.get(name));
+    assert!(of_linked.max().unwrap() > &2);
+    assert!(sums.stage(Stage::Other) < sums.total() / 10);
 }
 
 #[test]
 #[ignore = "long: two more firmware"]
 fn mirrored_rays_are_told_from_the_first() {
     let of = |reflections| {
-        let lines = lines(&format!(
-            // Every pixel is traced.
-            "mirror1 --size 16x24 --quality exact --reflections {reflections}"
-        ));
-        ["primary", "reflection", "shading", "shadow"].map(|name| stages(&lines)[name])
+        // Every pixel is traced.
+        let mut task = task("m3", "mirror1", Size::new(16, 24), EXACT);
+        task.settings.reflections = reflections;
+        let sums: Sums = profile(&task).unwrap();
+        let stages = [
+            Stage::Primary,
+            Stage::Reflection,
+            Stage::Shading,
+            Stage::Shadow,
+        ];
+        stages.map(|stage| sums.stage(stage))
     };
     let [primary, reflection, shading, shadow] = of(0);
     assert_eq!(reflection, 0);
@@ -131,23 +104,16 @@ fn mirrored_rays_are_told_from_the_first() {
 
 #[test]
 fn empty_scene_is_neither_shaded_nor_mirrored() {
-    let lines = lines("--core m33 empty --size 8x4 --quality exact");
-    let stages = stages(&lines);
-    assert_eq!(
-        ["primary", "shading", "shadow", "reflection"].map(|name| stages[name]),
-        [0; 4],
-        "every pixel has the same colour"
-    );
-    assert!(stages["output"] > 32 && stages["preparation"] > 0);
-    let line = lines.last().unwrap();
-    assert_eq!(
-        (text(line, "stage"), line["share"].as_f64()),
-        ("total", Some(1.0))
-    );
-    assert_eq!(
-        line["instructions_per_pixel"].as_f64().unwrap() * 32.0,
-        count(line) as f64
-    );
+    let sums = profile(&task("m33", "empty", Size::new(8, 4), EXACT)).unwrap();
+    let without = [
+        Stage::Primary,
+        Stage::Shading,
+        Stage::Shadow,
+        Stage::Reflection,
+    ];
+    let found = without.map(|stage| sums.stage(stage));
+    assert_eq!(found, [0; 4], "every pixel has the same colour");
+    assert!(sums.stage(Stage::Output) > 32 && sums.stage(Stage::Preparation) > 0);
 }
 
 #[test]
@@ -159,7 +125,8 @@ fn tables_name_what_they_show() {
     assert_eq!(parts.len(), 5, "{out}");
     let first = |line: &str| line.split_whitespace().next().unwrap_or("").to_owned();
     let names: Vec<_> = parts[0].lines().map(first).collect();
-    assert_eq!(names.join(" "), format!("stage {} total", STAGE_NAMES));
+    assert_eq!(names.join(" "), format!("stage {STAGE_NAMES} total"));
+    assert!(parts[0].ends_with(" 100.0%"), "{out}");
     for part in &parts[1..] {
         // A title, the column heads and the rows.
         assert_eq!(part.lines().count(), 5, "{part}");

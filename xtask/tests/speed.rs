@@ -3,6 +3,7 @@
 use xtask::measure::frames;
 use xtask::owned::PICO_2;
 use xtask::root;
+use xtask::table::with_table;
 
 mod common;
 
@@ -40,7 +41,7 @@ measure --core rv32 floor --size 8x8 --clock 100 => no timings of instructions a
 /// Tests that the table in README.md has the kept figures.
 fn assert_readme_has(kept: &[frames::Kept]) {
     let readme = fs::read_to_string(root().join("README.md")).unwrap();
-    let expected = frames::with_table(&readme, &frames::readme_table(kept));
+    let expected = with_table(&readme, "", &frames::readme_table(kept));
     let again = "`cargo xtask measure --frames` has to be run again";
     assert!(expected.as_ref() == Some(&readme), "{again}");
 }

@@ -8,8 +8,9 @@ use std::cell::Cell;
 use embedded_graphics::prelude::Size;
 use proptest::{prelude::*, test_runner::TestRunner};
 use reflet::__private::{Drawable, Everything};
-use reflet::description::Description;
-use reflet::host::{painted, reference::Picture};
+use reflet::host::file::{FileScene, built};
+use reflet::host::painted;
+use reflet::host::reference::{self, Picture};
 use reflet::needs::{Limited, Mirrors, MostReflections, Needs, NeedsLimit, Shininess};
 use reflet::quality::{Exact, Fast, Quality, Small};
 use reflet::scenes::{BuiltIn, Castle, Floor, Mirror1, NAMES, Primitives, Visitor, visit};
@@ -19,63 +20,19 @@ use reflet::{Camera, ErrorKind, FrameBuilder, Material, RuntimeScene, Scene, roo
 /// Size of the built-in scenes' pictures in these tests.
 const SIZE: Size = Size::new(80, 60);
 
-/// A scene type with enough room for every built-in scene.
-type Largest = RuntimeScene<Much>;
-type Much = room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16);
-
-/// Returns a run-time scene filled from a description.
-fn refilled(description: &Description<'_>) -> Largest {
-    let mut scene = Largest::new();
-    let materials = description.materials.iter().map(|material: &Material| {
-        let [ambient, diffuse, specular, shininess, mirror] = material.described_coefficients();
-        let highlight = (specular, shininess);
-        let color = material.described_color();
-        let made = Material::from_numbers(color, ambient, diffuse, highlight, mirror).unwrap();
-        match material.described_checker() {
-            Some(checker) => made.with_checker(checker.color, checker.size).unwrap(),
-            None => made,
-        }
-    });
-    let ids = Vec::from_iter(materials.map(|it| scene.add_material(it).unwrap()));
-    for sphere in description.spheres {
-        let id = ids[sphere.material.index()];
-        scene.add_sphere(sphere.center, sphere.radius, id).unwrap();
-    }
-    for plane in description.planes {
-        let id = ids[plane.material.index()];
-        scene.add_plane(plane.point, plane.normal, id).unwrap();
-    }
-    for it in description.cylinders {
-        let id = ids[it.material.index()];
-        let added = scene.add_cylinder(it.center, it.axis, it.radius, it.height, id);
-        added.unwrap();
-    }
-    for it in description.discs {
-        let id = ids[it.material.index()];
-        scene.add_disc(it.center, it.normal, it.radius, id).unwrap();
-    }
-    for light in description.lights {
-        scene.add_light(light.position, light.color).unwrap();
-    }
-    match description.sky {
-        Some(it) => scene
-            .set_sky(it.up, [it.below, it.horizon, it.above])
-            .unwrap(),
-        None => scene.set_background(description.background).unwrap(),
-    }
-    scene.set_epsilon(description.epsilon).unwrap();
-    scene.set_camera(description.camera.unwrap());
-    scene
+/// Returns a built-in scene that is filled at run time, in a type with room for everything.
+fn refilled<S: BuiltIn>() -> Box<FileScene> {
+    let scene = S::with_description(|description| reference::Scene::from(&description));
+    built(&scene, &reference::Camera::from(&S::CAMERA)).unwrap()
 }
 
 /// Compares a constant scene, of which only the needed parts are linked, with the same scene filled
 /// at run time in a type that has room for everything.
 fn assert_is_the_same_at_run_time<S: BuiltIn>() {
-    let scene = S::with_description(|description| refilled(&description).build().unwrap());
-    let (fixed, view) = (S::INSTANCE, (&S::CAMERA, SIZE));
-    assert_alike::<Fast, BlinnPhong>(S::NAME, view, fixed, &scene);
-    assert_alike::<Exact, Phong>(S::NAME, view, fixed, &scene);
-    assert_alike::<Small, BlinnPhong>(S::NAME, view, fixed, &scene);
+    let (fixed, filled, view) = (S::INSTANCE, &*refilled::<S>(), (&S::CAMERA, SIZE));
+    assert_alike::<Fast, BlinnPhong>(S::NAME, view, fixed, filled);
+    assert_alike::<Exact, Phong>(S::NAME, view, fixed, filled);
+    assert_alike::<Small, BlinnPhong>(S::NAME, view, fixed, filled);
     assert_alike::<Fast, BlinnPhong>(S::NAME, view, fixed, &Everything(fixed));
 }
 
@@ -86,8 +43,7 @@ impl Visitor for SameNeeds {
     type Output = ();
 
     fn visit<S: BuiltIn>(self) {
-        let scene = S::with_description(|description| refilled(&description).build().unwrap());
-        assert_eq!(Needs::of::<S>(), scene.needs(), "{}", S::NAME);
+        assert_eq!(Needs::of::<S>(), refilled::<S>().needs(), "{}", S::NAME);
     }
 }
 
@@ -165,28 +121,30 @@ impl NeedsLimit for Bare {
 
 #[test]
 fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
-    let castle = Castle::with_description(|it| refilled(&it).build().unwrap());
-    let limited = Limited::<_, Like>::new(&castle).unwrap();
+    let castle = &*refilled::<Castle>();
+    let limited = Limited::<_, Like>::new(castle).unwrap();
     let view = (&Castle::CAMERA, SIZE);
-    assert_alike::<Fast, BlinnPhong>("castle", view, &castle, &limited);
+    assert_alike::<Fast, BlinnPhong>("castle", view, castle, &limited);
 
-    let floor = Floor::with_description(|it| refilled(&it).build().unwrap());
-    let limited = Limited::<_, Bare>::new(&floor).unwrap();
-    assert_alike::<Fast, BlinnPhong>("floor", (&Floor::CAMERA, SIZE), &floor, &limited);
-    let excess = |scene: &Scene<Much>| {
-        let error = Limited::<_, Bare>::new(scene).err()?;
-        assert_eq!((error.kind(), error.index()), (ErrorKind::Limit, None));
-        Some(error.part())
-    };
-    assert_eq!(excess(&castle), Some("spheres"));
-    assert_eq!(excess(&floor), None);
-    let mut two_floors = Largest::new();
+    let floor = &*refilled::<Floor>();
+    let limited = Limited::<_, Bare>::new(floor).unwrap();
+    assert_alike::<Fast, BlinnPhong>("floor", (&Floor::CAMERA, SIZE), floor, &limited);
+    assert_eq!(excess(castle), Some("spheres"));
+    assert_eq!(excess(floor), None);
+    let mut two_floors = Few::new();
     let glass = Material::new([0.5; 3]).mirror(0.5);
     let glass = two_floors.add_material(glass).unwrap();
     two_floors.add_plane([0, 0, -1], [0, 0, 1], glass).unwrap();
     two_floors.add_plane([0, 0, 1], [0, 0, 1], glass).unwrap();
     let excess = excess(&two_floors.build().unwrap());
     assert_eq!(excess, Some("mirrored"));
+}
+
+/// Returns what a scene has beyond a bare floor.
+fn excess(scene: &impl Drawable) -> Option<&'static str> {
+    let error = Limited::<_, Bare>::new(scene).err()?;
+    assert_eq!((error.kind(), error.index()), (ErrorKind::Limit, None));
+    Some(error.part())
 }
 
 #[test]
@@ -373,8 +331,8 @@ fn limit_within_a_limit_is_checked() {
         const NEEDS: Needs = Needs::ALL.without_mirrors();
     }
 
-    let mirrors = Mirror1::with_description(|it| refilled(&it).build().unwrap());
-    let plain = Limited::<_, Plain>::new(&mirrors).unwrap();
+    let mirrors = &*refilled::<Mirror1>();
+    let plain = Limited::<_, Plain>::new(mirrors).unwrap();
     let error = Limited::<_, Matte>::new(&plain).err().unwrap();
     assert_eq!((error.part(), error.kind()), ("mirrors", ErrorKind::Limit));
 }
@@ -387,11 +345,11 @@ fn reflections_beyond_a_bound_are_cut_off() {
         const NEEDS: Needs = Needs::ALL.with_reflections(1);
     }
 
-    let mirrors = Mirror1::with_description(|it| refilled(&it).build().unwrap());
+    let mirrors = &*refilled::<Mirror1>();
     let size = Size::new(64, 48);
     let once = mirrors.frame(&Mirror1::CAMERA).reflections(1);
-    let once = painted(&once.prepare(size).on(&mirrors).unwrap());
-    let bound = Limited::<_, Once>::new(&mirrors).unwrap();
+    let once = painted(&once.prepare(size).on(mirrors).unwrap());
+    let bound = Limited::<_, Once>::new(mirrors).unwrap();
     assert!(picture::<Fast, BlinnPhong>(&bound, &Mirror1::CAMERA, size) == once);
     let most = Limited::<_, MostReflections<1>>::new(&Mirror1).unwrap();
     assert!(picture::<Fast, BlinnPhong>(&most, &Mirror1::CAMERA, size) == once);

@@ -1,10 +1,11 @@
 //! Code that the commands of the repository share: names of scenes, sizes, qualities and shadings on
-//! the command line, where output goes, and error messages of one line. Only [`print()`] prints, and
+//! the command line, scene files, where output goes, and error messages of one line. Only [`print()`] prints, and
 //! [`parse`] if the command line asks for help.
 
 mod draw;
 mod file;
 mod mistake;
+pub mod scene_file;
 mod setting;
 mod source;
 

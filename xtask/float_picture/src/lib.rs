@@ -11,7 +11,6 @@ mod kinds;
 #[path = "../../../src/host/shapes.rs"]
 mod shapes;
 
-pub mod accuracy;
 pub mod port;
 pub mod single;
 

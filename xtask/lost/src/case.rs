@@ -5,19 +5,21 @@ use command_line::{Quality as Fixed, Settings, Source};
 use embedded_graphics::geometry::Size;
 use reflet::host::file::FileError;
 use reflet::host::reference::{Camera, Scene};
-use reflet::quality::{Draft, Exact, Fast};
+use reflet::quality::{Draft, Exact, Fast, Small};
 use reflet::shading::Unshadowed;
 
 use crate::count::{Cause, Counts, Pixel, RIGHT, causes, difference, lost};
 use crate::truth::{Truth, truth};
 
-/// A quality that interpolates, and so may lose pixels.
+/// A quality that may lose pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Quality {
     /// [`Fast`].
     Fast,
     /// [`Draft`], which guesses.
     Draft,
+    /// [`Exact`], which decides by bounds what rays can hit. It is tested against [`Small`].
+    Exact,
 }
 
 impl Quality {
@@ -30,6 +32,15 @@ impl Quality {
         match self {
             Self::Fast => Fixed::Fast,
             Self::Draft => Fixed::Draft,
+            Self::Exact => Fixed::Exact,
+        }
+    }
+
+    /// Returns the quality that must have a pixel right, if this one is to have lost it.
+    fn right(self) -> Fixed {
+        match self {
+            Self::Exact => Fixed::Small,
+            Self::Fast | Self::Draft => Fixed::Exact,
         }
     }
 }
@@ -96,11 +107,15 @@ impl Case {
         let exact = lit(Fixed::Exact);
         let judge = |&quality: &Quality| {
             let pixels = lit(quality.fixed());
-            let is_lost = lost(&truth.lit, &exact, &pixels);
+            let right = match quality.right() {
+                Fixed::Exact => &exact,
+                other => &lit(other),
+            };
+            let is_lost = lost(&truth.lit, right, &pixels);
             let causes = causes(&is_lost, &truth.is_apart, || {
-                let exact = unshadowed(&plain, Fixed::Exact, how);
+                let right = unshadowed(&plain, quality.right(), how);
                 let drawn = unshadowed(&plain, quality.fixed(), how);
-                lost(&truth.plain, &exact, &drawn)
+                lost(&truth.plain, &right, &drawn)
             });
             Lost {
                 quality,
@@ -157,7 +172,8 @@ fn unshadowed(source: &Source, quality: Fixed, (size, reflections): (Size, u8)) 
     let picture = match quality {
         Fixed::Draft => source.painted::<Draft, Unshadowed>(size, reflections),
         Fixed::Fast => source.painted::<Fast, Unshadowed>(size, reflections),
-        Fixed::Small | Fixed::Exact => source.painted::<Exact, Unshadowed>(size, reflections),
+        Fixed::Small => source.painted::<Small, Unshadowed>(size, reflections),
+        Fixed::Exact => source.painted::<Exact, Unshadowed>(size, reflections),
     };
     picture.pixels
 }

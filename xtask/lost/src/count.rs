@@ -26,11 +26,11 @@ pub fn difference(one: Pixel, other: Pixel) -> u8 {
     channels.max().unwrap_or(0)
 }
 
-/// Tests for each pixel whether `Exact` has it right and the tested quality visibly wrong.
-pub fn lost(truth: &[Pixel], exact: &[Pixel], tested: &[Pixel]) -> Vec<bool> {
-    let pixels = truth.iter().zip(exact).zip(tested);
-    let is_lost = pixels.map(|((truth, exact), tested)| {
-        difference(*exact, *truth) <= RIGHT && difference(*tested, *truth) > VISIBLE
+/// Tests for each pixel whether one quality has it right and the tested one visibly wrong.
+pub fn lost(truth: &[Pixel], right: &[Pixel], tested: &[Pixel]) -> Vec<bool> {
+    let pixels = truth.iter().zip(right).zip(tested);
+    let is_lost = pixels.map(|((truth, right), tested)| {
+        difference(*right, *truth) <= RIGHT && difference(*tested, *truth) > VISIBLE
     });
     is_lost.collect()
 }

@@ -3,13 +3,13 @@
 use clap::ValueEnum;
 use embedded_graphics::geometry::Size;
 use lost::case::{Case, Quality};
-use lost::count::{Counts, difference};
+use lost::count::{Counts, VISIBLE, difference};
 use lost::families::{Family, scene_of_run};
 use lost::table::{HEAD, Summary, row};
 use lost::truth::truth;
 use lost::{file, on_all_cores};
 use reflet::host::file::{SceneFile, built};
-use reflet::host::reference::{Camera, Cylinder, Material, Scene, Shading, Sphere, render};
+use reflet::host::reference::{Camera, Cylinder, Material, Scene, Shading, Sphere, pixel, render};
 
 /// Least percentage of pixels that `Exact` has within 1, without shadows and highlights.
 const BAR_PLAIN: f64 = 95.0;
@@ -48,6 +48,40 @@ fn highlight_of_a_pixel_on_a_plane_is_not_lost_where_the_view_turns() {
         Summary::of(&[&judged], Quality::Fast, Counts::lost).worst,
         0.0
     );
+}
+
+/// Tests whether rays a 32nd of a pixel to each side have the colour of a pixel in double precision.
+fn is_sure(case: &Case, index: usize) -> bool {
+    let Size { width, height } = SIZE;
+    let (x, y) = (index as u32 % width, index as u32 / width);
+    let color = |size, at| {
+        let n = case.reflections.into();
+        let color = pixel(&case.scene, &case.camera, size, at, n, Shading::BlinnPhong);
+        color.map(|it| (255.0 * it).round().clamp(0.0, 255.0) as u8)
+    };
+    let own = color((width, height), (x, y));
+    // In a picture 16 times as large, these are the four pixels in the middle of this one.
+    let mut beside = [(7, 7), (7, 8), (8, 7), (8, 8)].into_iter();
+    beside.all(|(right, down)| {
+        let at = (16 * x + right, 16 * y + down);
+        difference(color((16 * width, 16 * height), at), own) <= VISIBLE
+    })
+}
+
+/// `Exact` decides shadows by tangents. `Small` tests every shape.
+#[test]
+fn exact_loses_no_pixel_where_shapes_touch() {
+    let losers = on_all_cores(200, |number| {
+        let mut case = Family::Touching.case(SEED, number as u64);
+        // Rays start far above the surfaces that touch, as far as a small shape is wide, or hardly.
+        case.scene.epsilon = [1e-2, 1e-3, 1e-4, 1e-9][number % 4];
+        let judged = case.judge(SIZE, &[Quality::Exact]).unwrap();
+        let causes = judged.lost[0].causes.iter().enumerate();
+        let lost = causes.filter(|(index, cause)| cause.is_some() && is_sure(&case, *index));
+        (lost.count() > 0).then_some(case.name)
+    });
+    let losers: Vec<_> = losers.into_iter().flatten().collect();
+    assert!(losers.is_empty(), "{losers:?}");
 }
 
 #[test]

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::*;
 
-#[path = "../../src/playground/scene_file.rs"]
+#[path = "../../command_line/src/scene_file.rs"]
 mod scene_file;
 
 /// The settings of the measured pictures: 64x64, 4 reflections, Blinn-Phong, `Fast`.

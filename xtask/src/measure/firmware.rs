@@ -110,23 +110,10 @@ impl Place {
 /// Returns the program that measures a task, and builds it if it is not there.
 pub(super) fn build(task: &Task) -> Result<Programs<'_>> {
     let job = task.job(&Place::of(task.core).scene());
-    let source = job.source;
-    let (target, profile) = (task.core.target, task.profile);
-    let scene = images::place(("scene", &source, task.scene.source(), target, profile.name))?;
-    let chosen = [profile.arguments, &["--bin", "scene"]];
     let text = task.scene.source();
-    make(
-        task.core,
-        text,
-        &source,
-        ("scene", &scene),
-        profile,
-        &chosen,
-    )?;
-    let ticket = job.ticket;
     Ok(Programs {
-        scene,
-        ticket,
+        scene: program("scene", task.core, text, &job.source, task.profile)?,
+        ticket: job.ticket,
         task,
     })
 }
@@ -136,30 +123,12 @@ fn empty(task: &Task) -> Result<PathBuf> {
     /// As long as any other, so that the code that reports it is the same.
     const TICKET: u64 = 0x0123_4567_89ab_cdef;
     let source = task::order(task.settings.size, TICKET);
-    let (target, profile) = (task.core.target, task.profile);
-    let program = images::place(("empty", &source, target, profile.name))?;
-    let chosen = [profile.arguments, &["--bin", "empty"]];
-    make(
-        task.core,
-        None,
-        &source,
-        ("empty", &program),
-        profile,
-        &chosen,
-    )?;
-    Ok(program)
+    program("empty", task.core, None, &source, task.profile)
 }
 
 /// Returns the program that draws several built-in scenes and reports a hash of each picture.
 pub(super) fn build_pictures(core: &Core, source: &str) -> Result<PathBuf> {
-    let program = images::place(("pictures", source, core.target))?;
-    let profile = BuildProfile::RECOMMENDED;
-    let chosen = [
-        profile.arguments,
-        &["--bin", "pictures", "--features", "pictures"],
-    ];
-    make(core, None, source, ("pictures", &program), profile, &chosen)?;
-    Ok(program)
+    program("pictures", core, None, source, BuildProfile::RECOMMENDED)
 }
 
 /// The firmware that goes through several settings of a scene; `job` makes its source of the place
@@ -170,35 +139,28 @@ pub(crate) fn build_sweep(
     job: impl FnOnce(&Path) -> String,
 ) -> Result<PathBuf> {
     let source = job(&Place::of(core).scene());
-    let program = images::place(("sweep", &source, scene.source(), core.target))?;
     let profile = BuildProfile::RECOMMENDED;
-    let chosen = [
-        profile.arguments,
-        &["--bin", "sweep", "--features", "sweep"],
-    ];
-    let text = scene.source();
-    make(core, text, &source, ("sweep", &program), profile, &chosen)?;
-    Ok(program)
+    program("sweep", core, scene.source(), &source, profile)
 }
 
-/// Builds the program of a job and keeps it where it is wanted, unless it is there. `scene` is the
-/// source of a file's scene.
-fn make(
+/// Returns the program of this name for a job, and builds it if it is not there. `scene` is the source
+/// of a file's scene.
+fn program(
+    name: &str,
     core: &Core,
     scene: Option<&str>,
     job: &str,
-    (name, wanted): (&str, &Path),
     profile: &BuildProfile,
-    chosen: &[&[&str]],
-) -> Result<()> {
-    if wanted.is_file() {
-        return Ok(());
+) -> Result<PathBuf> {
+    let program = images::place((name, job, scene, core.target, profile.name))?;
+    if program.is_file() {
+        return Ok(program);
     }
     let place = Place::of(core);
     let _lock = place.lock()?;
     // Somebody else may have built it in the meantime.
-    if wanted.is_file() {
-        return Ok(());
+    if program.is_file() {
+        return Ok(program);
     }
     if let Some(text) = scene {
         write(&place.scene(), text)?;
@@ -206,9 +168,16 @@ fn make(
     let source = place.jobs.join("job.rs");
     write(&source, job)?;
     let title = format!("{name} on {}: {}", core.name, summary(job));
-    ledger::timed("build", &title, || compile(core, &source, chosen))?;
+    // A feature of its own lets the other programs be built without what only this one needs.
+    let features: &[&str] = match name {
+        "pictures" | "sweep" => &["--features", name],
+        _ => &[],
+    };
+    let chosen = [profile.arguments, &["--bin", name], features].concat();
+    ledger::timed("build", &title, || compile(core, &source, &chosen))?;
     let built = toolchain::alone_directory().join(core.target);
-    images::keep(&built.join(profile.folder).join(name), wanted)
+    images::keep(&built.join(profile.folder).join(name), &program)?;
+    Ok(program)
 }
 
 /// Returns the line of a job that names the scene and its settings.
@@ -218,11 +187,11 @@ fn summary(job: &str) -> String {
     named.unwrap_or("nothing").to_owned()
 }
 
-fn compile(core: &Core, job: &Path, chosen: &[&[&str]]) -> Result<()> {
+fn compile(core: &Core, job: &Path, chosen: &[&str]) -> Result<()> {
     let cargo = toolchain::BareMetal::get()?.cargo("build", &[core.target]);
     toolchain::alone(cargo, Path::new("xtask/firmware"))
         .args(["--quiet", "--locked"])
-        .args(chosen.concat())
+        .args(chosen)
         .env("MEASURE_JOB", job)
         .limit(BUILD_LIMIT)
         .read()?;

@@ -11,7 +11,8 @@ use serde::{Deserialize, Serialize};
 use super::speed::{Board, SIZE};
 use super::{Core, Quality, Scene, Task, record};
 use crate::owned::{ALL, Owned};
-use crate::{kept, root, table::markdown};
+use crate::table::{markdown, with_table};
+use crate::{kept, root};
 
 /// Scenes in files, which come first: people know them at sight.
 const FILES: [&str; 5] = ["harbour", "harbour_sun", "matt3", "chrome3", "pybadge"];
@@ -42,14 +43,11 @@ pub fn renew() -> Result<()> {
             });
         }
     }
-    let text = lines
-        .iter()
-        .map(|line| Ok(serde_json::to_string(line)? + "\n"));
-    kept::write(&file(), &text.collect::<Result<String>>()?)?;
+    kept::write_lines(&file(), &lines)?;
     let readme = root().join("README.md");
     let old = fs::read_to_string(&readme).context("cannot read README.md")?;
     let new =
-        with_table(&old, &readme_table(&lines)).context("README.md has no table of boards")?;
+        with_table(&old, "", &readme_table(&lines)).context("README.md has no table of boards")?;
     kept::write(&readme, &new)?;
     record::renew_page()
 }
@@ -121,12 +119,4 @@ fn cell(kept: &[Kept], board: &str, scene: &str) -> String {
         || "-".to_owned(),
         |line| format!("{:.2}", line.frames_per_second),
     )
-}
-
-/// Returns the text of README.md with another table of boards; `None` if it has no place for one.
-pub fn with_table(text: &str, table: &str) -> Option<String> {
-    const MARKS: [&str; 2] = ["<!-- boards -->\n", "<!-- /boards -->"];
-    let (before, rest) = text.split_once(MARKS[0])?;
-    let (_, after) = rest.split_once(MARKS[1])?;
-    Some([before, MARKS[0], table, MARKS[1], after].concat())
 }

@@ -51,15 +51,14 @@ impl From<MovingFigures> for Kept {
 
 /// Measures the moving scenes again and writes their file of kept figures.
 pub fn renew() -> Result<()> {
-    let mut lines = String::new();
+    let mut rows = Vec::new();
     for core in CORES.iter().filter(|core| CORE_NAMES.contains(&core.name)) {
         for name in SCENES {
             let task = Task::new(core, Scene::BuiltIn(name), SIZE, Quality::FAST);
-            lines += &serde_json::to_string(&Kept::from(measure(&task)?))?;
-            lines.push('\n');
+            rows.push(Kept::from(measure(&task)?));
         }
     }
-    kept::write(&file(), &lines)
+    kept::write_lines(&file(), &rows)
 }
 
 /// Reads the kept figures of moving scenes.

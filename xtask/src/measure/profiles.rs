@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::build_profile::PROFILES;
 use super::{Core, Quality, Scene, Size, Task, count};
-use crate::table::markdown;
+use crate::table::{markdown, with_table};
 use crate::{kept, root};
 
 /// Scenes from which build profiles are measured: a large one and a small one.
@@ -54,16 +54,8 @@ pub fn renew() -> Result<()> {
         rows.push(row);
     }
     ensure!(draw_the_same(&rows), "profiles draw different pictures");
-    let lines = rows
-        .iter()
-        .map(|row| Ok(serde_json::to_string(row)? + "\n"));
-    let lines: String = lines.collect::<Result<_>>()?;
-    kept::write(&kept_rows(), &lines)?;
-    let tables = [
-        ("docs/sizes.md", "", long(&rows)),
-        ("src/lib.rs", "//! ", short(&rows)),
-    ];
-    for (name, prefix, table) in tables {
+    kept::write_lines(&kept_rows(), &rows)?;
+    for (name, prefix, table) in pages(&rows) {
         let old = fs::read_to_string(file(name)).with_context(|| format!("cannot read {name}"))?;
         let new = with_table(&old, prefix, &table)
             .with_context(|| format!("{name} has no table of profiles"))?;
@@ -73,6 +65,15 @@ pub fn renew() -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// Returns the tables of the figures: the file in which each stands, what its lines begin with there, and
+/// the table.
+fn pages(rows: &[Row]) -> [(&'static str, &'static str, String); 2] {
+    [
+        ("docs/sizes.md", "", long(rows)),
+        ("src/lib.rs", "//! ", short(rows)),
+    ]
 }
 
 /// What is measured: every scene in the first profile, then in the second, and so on.
@@ -166,17 +167,6 @@ fn whole(number: f64) -> String {
     format!("{number:.0}")
 }
 
-/// A text whose table of the same head is replaced; each of its lines begins with `prefix`. `None` if
-/// it has no such table.
-fn with_table(text: &str, prefix: &str, table: &str) -> Option<String> {
-    let head = format!("{prefix}{}", table.lines().next()?);
-    let (before, rest) = text.split_once(&head)?;
-    let is_row = |line: &&str| line.starts_with(&format!("{prefix}|"));
-    let after = rest.split_inclusive('\n').skip(1).skip_while(is_row);
-    let rows = table.lines().map(|line| format!("{prefix}{line}\n"));
-    Some(before.to_owned() + &rows.collect::<String>() + &after.collect::<String>())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -213,13 +203,11 @@ mod tests {
     }
 
     #[test]
-    fn only_the_rows_of_the_table_are_replaced() {
-        let text = "//! a\n//! | x | y |\n//! |---|\n//! | old |\n//!\n//! | other |\n";
-        let replaced = with_table(text, "//! ", "| x | y |\n|---|\n| 1 |\n| 2 |\n");
-        let expected =
-            "//! a\n//! | x | y |\n//! |---|\n//! | 1 |\n//! | 2 |\n//!\n//! | other |\n";
-        assert_eq!(replaced.as_deref(), Some(expected));
-        assert_eq!(with_table("nothing\n", "", "| x |\n"), None);
+    fn pages_have_the_kept_figures() {
+        for (name, prefix, table) in pages(&read().unwrap()) {
+            let page = fs::read_to_string(file(name)).unwrap();
+            assert_eq!(with_table(&page, prefix, &table), Some(page), "{name}");
+        }
     }
 
     #[test]

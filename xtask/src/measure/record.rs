@@ -51,17 +51,16 @@ fn page() -> Result<String> {
 }
 
 fn renew_core(core: &'static Core) -> Result<()> {
-    let mut lines = String::new();
+    let mut rows = Vec::new();
     for task in tasks(core) {
         let figures = measure(&task)?;
         println!(
             "{:<4} {:<18} {:<5} {:>10.1} instructions a pixel",
             figures.core, figures.scene, figures.quality, figures.instructions_per_pixel
         );
-        lines += &figures.json()?;
-        lines.push('\n');
+        rows.push(figures);
     }
-    kept::write(&file(core), &lines)
+    kept::write_lines(&file(core), &rows)
 }
 
 pub fn tasks(core: &'static Core) -> Vec<Task> {

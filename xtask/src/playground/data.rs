@@ -6,11 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
-use command_line::Source;
+use command_line::{Source, scene_file};
 use reflet::scenes;
 use serde::Serialize;
 
-use super::{PACKAGE, scene_file};
+use super::PACKAGE;
 use crate::measure::{Core, frames, record};
 use crate::root;
 

@@ -1,12 +1,11 @@
 //! `cargo xtask playground`: builds the page in which people try reflet in a browser.
 //!
 //! The page is one file that needs no network: [`page`] fills it with its scripts, its data and the
-//! library, compiled to WebAssembly. [`scene_file`] writes the built-in scenes as scene files, [`data`]
+//! library, compiled to WebAssembly. `command_line` writes the built-in scenes as scene files, [`data`]
 //! gathers what the page shows, and [`serve`] shows the page on this machine.
 
 mod data;
 mod page;
-mod scene_file;
 mod serve;
 
 use std::fs;

@@ -16,7 +16,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 
 pub use self::stages::{STAGES, Stage};
-pub use self::sums::Sums;
+pub use self::sums::{Sums, Table};
 use self::{names::Names, record::Record};
 use crate::measure::{Quality, Task, arguments::Choice, with_program};
 use crate::misuse::Misuse;
@@ -35,10 +35,6 @@ pub struct Arguments {
     /// How many rows each table of functions has at most
     #[arg(long, value_name = "N", default_value_t = 40, requires = "functions")]
     top: usize,
-
-    /// Print lines of JSON instead of tables
-    #[arg(long)]
-    json: bool,
 }
 
 pub fn run(arguments: &Arguments) -> Result<()> {
@@ -46,11 +42,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let sums = profile(&task)?;
     let rows = arguments.functions.then_some(arguments.top);
     let pixels = task.settings.size.pixels();
-    let text = match arguments.json {
-        true => print::json(&sums, pixels, rows),
-        false => print::tables(&sums, pixels, rows),
-    };
-    crate::print(text)
+    crate::print(print::tables(&sums, pixels, rows))
 }
 
 /// Counts the instructions of one frame, by stage and by function.

@@ -95,8 +95,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     print(table::markdown(4, &head, &rows) + "\n")?;
     if arguments.target.is_none() && arguments.scene.is_none() {
         let board = weigh(&board::build_example(BOARD)?)?;
-        let lines = figures.iter().map(|it| Ok(it.json()? + "\n"));
-        kept::write(&budget(), &lines.collect::<Result<String>>()?)?;
+        kept::write_lines(&budget(), &figures)?;
         let page = page::write(&figures, board, &profiles::read()?);
         kept::write(&root().join("docs/sizes.md"), &page)?;
     }

@@ -235,3 +235,51 @@ fn scene_made_larger_by_a_power_of_two_shows_the_same_picture() {
         }
     }
 }
+
+/// Returns a scene with a far light and floors without an end. Every coordinate is a multiple of 1/64,
+/// and the camera is at this many times its usual distance.
+fn in_64ths(distance: f64) -> Draft {
+    let eye = [0.5, -5.5, 2.0].map(|it| it * distance);
+    Draft::through(eye, [0.0, 0.0, 0.5], [0.0, 0.125, 1.0], 50.0 / distance)
+        .sphere([-1.0, 0.0, 0.75], 0.75, "gold")
+        .sphere([0.5, -1.0, 0.25], 0.25, "chalk")
+        .sphere([1.5, 0.5, 0.5], 0.5, "water")
+        .cylinder([0.5, 0.75, 0.75], [0.0, 0.25, 1.0], (0.375, 1.5), "gold")
+        .cylinder([0.0, 1.5, 0.25], [1.0, 0.0, 0.0], (0.125, 4.0), "chalk")
+        .plane([5.0, 7.0, 0.0], UP, "water")
+        .plane([0.0, 40.0, 0.0], [1.0, -9.0, 0.0], "chalk")
+        .shining([3.0, -4.0, 6.0], [0.75, 0.75, 0.5])
+        .shining([-3000.0, -4000.0, 6000.0], [0.5; 3])
+        .epsilon(1.0 / 1024.0)
+}
+
+/// A scene has no position of its own: moved by numbers that the format holds, it gives the same
+/// picture to the bit.
+#[test]
+fn scene_moved_by_what_the_format_holds_shows_the_same_picture() {
+    for distance in [1.0, 16.0] {
+        let text = in_64ths(distance).text();
+        let picture = drawn(&text);
+        let mut colors = picture.pixels.clone();
+        colors.sort_unstable();
+        colors.dedup();
+        assert!(colors.len() > 1000, "{} colours", colors.len());
+        for (power, offset) in [
+            (0, [1.0, 0.0, 0.0]),
+            (0, [-0.015625, 1000.0, 3.5]),
+            (0, [1e8, -1e8, 123_456_789.0]),
+            (-9, [1e6, 2e6, -3e6]),
+            (9, [-7777.5, 0.25, 31.0]),
+        ] {
+            let moved = changed(&text, |at, is_place| match is_place {
+                true => (Vector(at) + Vector(offset)).0,
+                false => at,
+            });
+            let found = drawn(&enlarged(&moved, 2f64.powi(power)));
+            assert!(
+                found.pixels == picture.pixels,
+                "{distance}, {power}, {offset:?}"
+            );
+        }
+    }
+}
