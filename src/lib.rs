@@ -269,7 +269,13 @@ pub mod description {
     pub use crate::checker::Checker;
     pub use crate::light::Light;
     pub use crate::scene::Description;
-    pub use crate::shape::{cylinder::Cylinder, disc::Disc, plane::Plane, sphere::Sphere};
+    pub use crate::shape::{
+        cylinder::Cylinder,
+        disc::Disc,
+        plane::Plane,
+        sphere::Sphere,
+        triangle::{Corners, Normals, Triangle},
+    };
 }
 
 /// Items that the macros of the crate name. They are not part of the interface.

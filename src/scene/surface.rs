@@ -50,13 +50,22 @@ impl<'a> Surface<'a> {
             Some(_) if climb > RIM => (true, parts.inner_epsilon),
             Some(_) => (false, parts.epsilon),
         };
-        let normal = outward.reversed_if(is_inside);
+        let flat = outward.reversed_if(is_inside);
+        let bent = match W::NEEDS.triangles {
+            true => parts.bent(shape, at.point, (flat, view)),
+            false => None,
+        };
+        // The cosine is at most 1.0001 in magnitude.
+        let facing = Unit::from_bits(absolute(climb.to_bits()));
+        let (normal, facing) = match bent {
+            Some(bent) => (bent, (-view.dot(bent)).max(Unit::ZERO)),
+            None => (flat, facing),
+        };
         Some(Self {
-            place: at.lifted(normal, epsilon),
+            place: at.lifted(flat, epsilon),
             normal,
             view,
-            // The cosine is at most 1.0001 in magnitude.
-            facing: Unit::from_bits(absolute(climb.to_bits())),
+            facing,
             shape,
             is_inside,
             material: parts.material(material),
@@ -87,7 +96,10 @@ impl<'a> Surface<'a> {
     /// [`ShapeId::NONE`] if a ray can hit the shape again, from inside of one that is not flat.
     #[inline(always)]
     pub(crate) fn skip<W: SceneAccess>(&self, world: &W) -> ShapeId {
-        match self.is_inside && world.parts().bending_radius(self.shape).is_some() {
+        let is_met_again = self.is_inside && world.parts().bending_radius(self.shape).is_some()
+            // A light may shine from behind on a surface with other normals than its own.
+            || W::NEEDS.triangles && world.parts().is_smooth(self.shape);
+        match is_met_again {
             true => ShapeId::NONE,
             false => self.shape,
         }
@@ -123,6 +135,35 @@ macro_rules! surfaces {
                 )*
                 let plane = self.planes.get(index)?;
                 Some((plane.normal, plane.material))
+            }
+
+            /// Returns the normal with which a point of a flat shape is shaded, if that is not `flat`, the shape's own
+            /// normal on the viewer's side.
+            #[inline(always)]
+            fn bent(&self, shape: ShapeId, at: Point, (flat, view): (Direction, Direction)) -> Option<Direction> {
+                let index = shape.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        return shape.bent(at, flat, view);
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let _ = index;
+                None
+            }
+
+            /// Tests whether a flat shape is shaded with other normals than its own.
+            #[inline(always)]
+            pub(crate) fn is_smooth(&self, shape: ShapeId) -> bool {
+                let index = shape.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        return shape.is_smooth();
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let _ = index;
+                false
             }
 
             /// Returns the radius on which the normals of a shape turn, in steps. `None` if it is flat.
