@@ -42,6 +42,16 @@ const PARTS: &[(&str, &str, ErrorKind)] = &[
     ("disc([0.0; 3], UP, 0.0, WHITE);", "disc 0", Radius),
     ("disc([0.0; 3], [0.0; 3], 1.0, WHITE);", "disc 0", Normal),
     (
+        "triangle([[0.0; 3], UP, UP], None, WHITE);",
+        "triangle 0",
+        Corners,
+    ),
+    (
+        "triangle([[0.0; 3], UP, [1.0, 0.0, 0.0]], Some([UP, [0.0; 3], UP]), WHITE);",
+        "triangle 0",
+        Normal,
+    ),
+    (
         "sphere([0.0, 1.1e9, 0.0], 1.0, WHITE);",
         "sphere 0",
         Coordinate,
@@ -282,7 +292,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ),
     (
         "type Tried = reflet::RuntimeScene<room!(spheres: 1, sperez: 2)>; const TRIED: Option<Tried> = None;",
-        "error[E0080]: evaluation panicked: room!(..) has no such list; it has spheres, cylinders, discs, planes, lights, materials",
+        "error[E0080]: evaluation panicked: room!(..) has no such list; it has spheres, cylinders, discs, triangles, planes, lights, materials",
         "room!(spheres: 1, sperez: 2)",
     ),
 ];
@@ -410,7 +420,7 @@ fn calls(parts: &str) -> impl Iterator<Item = &str> {
 
 /// Returns the room that parts fill.
 fn fitting(parts: &str) -> String {
-    let kinds = ["sphere", "plane", "cylinder", "disc", "light"];
+    let kinds = ["sphere", "plane", "cylinder", "disc", "triangle", "light"];
     let counted = kinds.map(|kind| {
         let count = calls(parts)
             .filter(|call| call.starts_with(&format!("{kind}(")))

@@ -292,6 +292,7 @@ const OFF: [Needs; 12] = [
     Needs::ALL.with_mirrors(Mirrors::All),
     Needs::ALL.without_colors(),
     Needs::ALL.without_discs(),
+    Needs::ALL.without_triangles(),
     Needs::ALL.without_sky(),
     Needs::ALL.without_checkers(),
 ];

@@ -5,11 +5,12 @@ use reflet::host::file as limits;
 use serde_json::{Map, Value, json};
 
 /// The lists of a scene file, and the largest number of parts in each.
-pub const LISTS: [(&str, usize); 6] = [
+pub const LISTS: [(&str, usize); 7] = [
     ("spheres", limits::MAX_SPHERES),
     ("planes", limits::MAX_PLANES),
     ("cylinders", limits::MAX_CYLINDERS),
     ("discs", limits::MAX_DISCS),
+    ("triangles", limits::MAX_TRIANGLES),
     ("lights", limits::MAX_LIGHTS),
     ("materials", limits::MAX_MATERIALS),
 ];
@@ -81,7 +82,7 @@ pub fn scene(bytes: &mut Unstructured) -> Result<Value> {
     scene.insert("camera".to_owned(), camera);
     let materials = names.iter().map(|name| material(bytes, name));
     scene.insert("materials".to_owned(), materials.collect::<Result<_>>()?);
-    for kind in ["spheres", "planes", "cylinders", "discs", "lights"] {
+    for kind in ["spheres", "planes", "cylinders", "discs", "triangles", "lights"] {
         if bytes.arbitrary()? {
             let count = bytes.int_in_range(0..=3)?;
             let parts = (0..count).map(|_| part(bytes, kind, names));
@@ -125,6 +126,14 @@ fn part(bytes: &mut Unstructured, kind: &str, names: &[&str]) -> Result<Value> {
         "cylinders" => json!({ "center": center, "axis": way, "radius": radius,
                                "height": height, "material": name }),
         "discs" => json!({ "center": center, "normal": way, "radius": radius, "material": name }),
+        "triangles" => {
+            let [x, y, z] = center;
+            let corners = [center, [x + radius, y, z], [x, y + 1.0, z + height]];
+            match bytes.arbitrary()? {
+                true => json!({ "corners": corners, "normals": [way; 3], "material": name }),
+                false => json!({ "corners": corners, "material": name }),
+            }
+        }
         _ => json!({ "position": center, "color": color(bytes)? }),
     })
 }
