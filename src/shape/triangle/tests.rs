@@ -1,3 +1,4 @@
+mod borders;
 mod mesh;
 mod normals;
 

@@ -21,7 +21,8 @@ const SIZE: Size = Size::new(80, 60);
 
 /// A scene type with enough room for every built-in scene.
 type Largest = RuntimeScene<Much>;
-type Much = room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, lights: 8, materials: 16);
+type Much =
+    room!(spheres: 64, planes: 8, cylinders: 32, discs: 16, triangles: 8, lights: 8, materials: 16);
 
 /// Returns a run-time scene filled from a description.
 fn refilled(description: &Description<'_>) -> Largest {
@@ -281,7 +282,7 @@ fn within_a_step(a: &[[u8; 3]], b: &[[u8; 3]]) -> usize {
 /// Bounds that each leave out one thing: number `I` of [`OFF`].
 struct Off<const I: usize>;
 
-const OFF: [Needs; 12] = [
+const OFF: [Needs; 13] = [
     Needs::ALL.without_spheres(),
     Needs::ALL.without_planes(),
     Needs::ALL.without_cylinders(),
