@@ -56,7 +56,7 @@ macro_rules! kinds {
             }
             {
                 triangles triangle Triangle PreparedTriangle
-                F Triangles [ActiveTriangles 32] set_triangle
+                F Triangles [ActiveTriangles F] set_triangle
                 TooManyTriangles without_triangles
                 /// Adds a triangle, visible from both sides. The corners must not lie on one line. `normals` are
                 /// those at the corners, each of any length but 0, or `None` for a flat triangle.

@@ -50,26 +50,34 @@ impl<'a> Surface<'a> {
             Some(_) if climb > RIM => (true, parts.inner_epsilon),
             Some(_) => (false, parts.epsilon),
         };
-        let flat = outward.reversed_if(is_inside);
-        let bent = match W::NEEDS.triangles {
-            true => parts.bent(shape, at.point, (flat, view)),
-            false => None,
-        };
-        // The cosine is at most 1.0001 in magnitude.
-        let facing = Unit::from_bits(absolute(climb.to_bits()));
-        let (normal, facing) = match bent {
-            Some(bent) => (bent, (-view.dot(bent)).max(Unit::ZERO)),
-            None => (flat, facing),
-        };
-        Some(Self {
-            place: at.lifted(flat, epsilon),
+        let normal = outward.reversed_if(is_inside);
+        let surface = Self {
+            place: at.lifted(normal, epsilon),
             normal,
             view,
-            facing,
+            // The cosine is at most 1.0001 in magnitude.
+            facing: Unit::from_bits(absolute(climb.to_bits())),
             shape,
             is_inside,
             material: parts.material(material),
+        };
+        Some(match W::NEEDS.triangles {
+            true => surface.bent(&parts, at.point),
+            false => surface,
         })
+    }
+
+    /// Returns the surface with the normal of a smooth shape at a near point on it, if it has one.
+    #[inline(always)]
+    fn bent(self, parts: &Parts<'_>, at: Point) -> Self {
+        match parts.bent(self.shape, at, (self.normal, self.view)) {
+            None => self,
+            Some(normal) => Self {
+                normal,
+                facing: (-self.view.dot(normal)).max(Unit::ZERO),
+                ..self
+            },
+        }
     }
 
     /// Returns the material of the surface. It is a constant if the scene is constant and has one
