@@ -231,7 +231,7 @@ impl Shape for Triangle {
         let from_corner = ray.origin - self.corner;
         let second = from_corner.dot(across) / volume;
         // Not a number for a ray along the triangle.
-        if !(second >= 0.0 && second <= 1.0) {
+        if !(0.0..=1.0).contains(&second) {
             return None;
         }
         let aside = from_corner.cross(one);
