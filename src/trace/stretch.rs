@@ -126,9 +126,6 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         if first.shape == ShapeId::NONE {
             return sure(self.keeps_none(between, origin, stops, proved), 0);
         }
-        if W::NEEDS.triangles && self.world.parts().is_smooth(first.shape) {
-            return Err(steps);
-        }
         let Some(shown) = self.shown(origin.eye, origin.row, stops) else {
             return Err(steps);
         };
