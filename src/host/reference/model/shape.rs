@@ -266,8 +266,7 @@ impl Triangle {
     /// Returns the normal with which a point is shaded. `flat` is the triangle's own normal on the viewer's side, and
     /// the viewer looks along `view`.
     ///
-    /// The sum of the corners' normals by areas is turned to the viewer's side. If a mirror with this normal reflects
-    /// the view into the triangle, the normal is bent until the reflection runs along it.
+    /// If a mirror with this normal reflects the view into the triangle, it is bent until the reflection runs along it.
     #[inline]
     pub fn shaded(&self, at: Vector, flat: Vector, view: Vector) -> Vector {
         let Some([first, second, third]) = self.normals else {
