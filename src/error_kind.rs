@@ -5,12 +5,13 @@ use core::fmt;
 // Messages of [`ErrorKind`] that are longer than a line.
 const COORDINATE: &str =
     "coordinates and sizes must be finite and within -2^30 to 2^30 scene units";
-const TINY: &str = "radius and half the height must be at least 2^-22 of the scene's extent: \
+const TINY: &str = "radius, half the height and a triangle's altitudes must be at least 2^-22 of the scene's extent: \
     enlarge it or shrink the scene";
 const BELOW_EPSILON: &str = "radius and height must be larger than epsilon, which is 0.001 by default: \
     enlarge the shape or set a smaller epsilon";
 const BRIGHTNESS: &str = "color * (ambient + the sum over lights of (diffuse + specular) * light color), \
     with and without color, must stay below 30: dim the material or the lights";
+const CORNERS: &str = "corners must not lie on one line: make the smallest altitude at least 2^-20 of the longest side";
 const CHECKER: &str =
     "checker sizes must be 0 or 2^-27 to 2^16 of the scene's extent, and not all 0";
 const NO_LIGHT: &str = "nothing lights the scene: add a light, or give a material some ambient";
@@ -39,7 +40,7 @@ macro_rules! faults {
         ///         ErrorKind::Radius | ErrorKind::Tiny | ErrorKind::BelowEpsilon => "radius",
         ///         ErrorKind::Height => "height",
         ///         ErrorKind::Normal | ErrorKind::Axis => "direction",
-        ///         ErrorKind::Coordinate | ErrorKind::Extent => "position",
+        ///         ErrorKind::Coordinate | ErrorKind::Extent | ErrorKind::Corners => "position",
         ///         ErrorKind::Color | ErrorKind::Brightness => "color",
         ///         ErrorKind::Ambient => "ambient",
         ///         ErrorKind::Diffuse => "diffuse",
@@ -51,6 +52,7 @@ macro_rules! faults {
         ///         ErrorKind::View | ErrorKind::Up | ErrorKind::FieldOfView => "camera",
         ///         ErrorKind::TooManySpheres | ErrorKind::TooManyCylinders => "room",
         ///         ErrorKind::TooManyDiscs | ErrorKind::TooManyPlanes => "room",
+        ///         ErrorKind::TooManyTriangles => "room",
         ///         ErrorKind::TooManyLights | ErrorKind::TooManyMaterials => "room",
         ///         ErrorKind::UnusedRoom => "room",
         ///         ErrorKind::UnknownMaterial => "material",
@@ -76,9 +78,11 @@ macro_rules! faults {
             Normal,
             /// An axis of length zero.
             Axis,
+            /// Corners of a triangle on one line, or almost: its smallest altitude is below 2⁻²⁰ of its longest side.
+            Corners,
             /// A coordinate, radius or height that is not a finite number within ±2³⁰.
             Coordinate,
-            /// A radius, or half a height, below 2⁻²² of the scene's extent: the format cannot hold it.
+            /// A radius, half a height or an altitude below 2⁻²² of the scene's extent: the format cannot hold it.
             Tiny,
             /// A shape that is not larger than an epsilon of 0.001 or less, and neither are all shapes
             /// together.
@@ -158,6 +162,7 @@ macro_rules! faults {
                     Self::Height => "height must be greater than 0",
                     Self::Normal => "normal must not be zero",
                     Self::Axis => "axis must not be zero",
+                    Self::Corners => CORNERS,
                     Self::Coordinate => COORDINATE,
                     Self::Tiny => TINY,
                     Self::BelowEpsilon => BELOW_EPSILON,

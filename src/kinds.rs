@@ -27,9 +27,9 @@ macro_rules! kinds {
         $write! {
             $($next)?
             {
-                [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize = 8, const D: usize = 0]
-                [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize, const D: usize]
-                [S, P, C, L, M, D]
+                [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize = 8, const D: usize = 0, const F: usize = 0]
+                [const S: usize, const P: usize, const C: usize, const L: usize, const M: usize, const D: usize, const F: usize]
+                [S, P, C, L, M, D, F]
             }
             {
                 spheres sphere Sphere PreparedSphere
@@ -54,6 +54,14 @@ macro_rules! kinds {
                 /// radius is greater than 0, in scene units.
                 add_disc(center: Position, normal: Position, radius: Number)
             }
+            {
+                triangles triangle Triangle PreparedTriangle
+                F Triangles [ActiveTriangles F] set_triangle
+                TooManyTriangles without_triangles
+                /// Adds a triangle, visible from both sides. The corners must not lie on one line. `normals` are
+                /// those at the corners, each of any length but 0, or `None` for a flat triangle.
+                add_triangle(corners: Corners, normals: Normals)
+            }
         }
     };
 }
@@ -70,6 +78,7 @@ macro_rules! __room {
             { $crate::__private::Counts::parameter(&$counts, "L") },
             { $crate::__private::Counts::parameter(&$counts, "M") },
             { $crate::__private::Counts::parameter(&$counts, "D") },
+            { $crate::__private::Counts::parameter(&$counts, "F") },
         >
     };
 }
@@ -113,6 +122,9 @@ macro_rules! __line {
     };
     (described disc) => {
         $crate::description::Disc
+    };
+    (described triangle) => {
+        $crate::description::Triangle
     };
     // These cannot move: `SceneBuilder` says so.
     (described plane) => {

@@ -1,6 +1,6 @@
 //! Ray-traced mirrors on microcontrollers.
 //!
-//! The library renders scenes of spheres, planes, open cylinders, discs and point lights. It computes in
+//! The library renders scenes of spheres, planes, open cylinders, discs, triangles and point lights. It computes in
 //! fixed point, row by row and without a frame buffer, and draws into any [embedded-graphics]
 //! `DrawTarget`. Each pixel is
 //!
@@ -269,7 +269,13 @@ pub mod description {
     pub use crate::checker::Checker;
     pub use crate::light::Light;
     pub use crate::scene::Description;
-    pub use crate::shape::{cylinder::Cylinder, disc::Disc, plane::Plane, sphere::Sphere};
+    pub use crate::shape::{
+        cylinder::Cylinder,
+        disc::Disc,
+        plane::Plane,
+        sphere::Sphere,
+        triangle::{Corners, Normals, Triangle},
+    };
 }
 
 /// Items that the macros of the crate name. They are not part of the interface.
@@ -286,5 +292,5 @@ pub mod __private {
     pub use core::{concat, stringify};
 
     /// Largest room of a constant scene. [`scene!`](crate::scene) counts the parts of a scene in it.
-    pub type LargestRoom = Room<512, 32, 128, 16, 256, 128>;
+    pub type LargestRoom = Room<512, 32, 128, 16, 256, 128, 128>;
 }

@@ -14,7 +14,7 @@ mod shadows;
 
 pub use chord::ChordLine;
 pub use line::{Cut, Line};
-pub(crate) use row_plane::{ANY_COLUMN, Chord, NO_COLUMN, SLACK, column};
+pub(crate) use row_plane::{ANY_COLUMN, Chord, NO_COLUMN, SLACK, Seen, column};
 pub use row_plane::{RowPlane, Span};
 pub(crate) use screen_axis::ScreenAxis;
 pub(crate) use shadows::within_reach;

@@ -8,6 +8,7 @@ mod position;
 
 pub use direction::Direction;
 pub use position::Position;
+pub(crate) use position::leading_shift;
 
 use crate::number::{
     Length, Unit, high, high_unsigned, narrowed, reciprocal_root, rounded, shifted, signed,
@@ -122,6 +123,25 @@ impl Vector {
     /// Subtracts `other` from this vector. The differences must fit 32 bits.
     pub(crate) const fn minus(self, other: Self) -> Self {
         Self::new(self.x - other.x, self.y - other.y, self.z - other.z)
+    }
+
+    /// Returns the vector with all components shifted to the left. They must fit 32 bits.
+    pub(crate) const fn lifted(self, shift: u32) -> Self {
+        Self::new(self.x << shift, self.y << shift, self.z << shift)
+    }
+
+    /// Returns the exact dot product with another vector. Components of one are within ±2³⁰, of the other ±2³¹.
+    pub(crate) const fn dot_raw(self, b: Self) -> i64 {
+        wide(self.x, b.x) + wide(self.y, b.y) + wide(self.z, b.z)
+    }
+
+    /// Returns the exact cross product with another vector. All components are within ±2³⁰.
+    pub(crate) const fn cross_wide(self, b: Self) -> [i64; 3] {
+        [
+            wide(self.y, b.z) - wide(self.z, b.y),
+            wide(self.z, b.x) - wide(self.x, b.z),
+            wide(self.x, b.y) - wide(self.y, b.x),
+        ]
     }
 
     /// Returns the dot product with `direction`: the length of the vector along it, in steps with 30

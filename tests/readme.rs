@@ -136,6 +136,7 @@ fn limits_of_scene_files_are_the_librarys() {
         ("planes", file::MAX_PLANES),
         ("cylinders", file::MAX_CYLINDERS),
         ("discs", file::MAX_DISCS),
+        ("triangles", file::MAX_TRIANGLES),
         ("lights", file::MAX_LIGHTS),
         ("suns", file::MAX_SUNS),
         ("materials", file::MAX_MATERIALS),

@@ -43,8 +43,8 @@ scenes_named! {
     Camera Error ErrorKind FrameBuilder Handle Material MaterialId MovingScene Number Position
     PreparedFrame Report Rows RuntimeScene Scene SceneBuilder Unit
     budget description display host needs quality room scene scenes shading
-    Budgeted CameraDescription Choice Cylinder Description Disc Light Limited Need Needs NeedsLimit
-    Plane Sphere Tabled
+    Budgeted CameraDescription Choice Corners Cylinder Description Disc Light Limited Need Needs NeedsLimit
+    Normals Plane Sphere Tabled Triangle
 }
 
 scenes_named! {
@@ -53,7 +53,7 @@ scenes_named! {
     LargestRoom NAMES PARTS R Room SCENE SceneLines StaticScene T
     build camera concat counts described f moves_as name named new of_fields other parameter parts
     read stringify with_counts
-    S P C L M D
+    S P C L M D F
 }
 
 scenes_named! {
@@ -65,7 +65,7 @@ scenes_named! {
 scenes_named! {
     scene_has_a_name_of_a_part:
     background cylinder disc epsilon light motion plane sky sphere spheres planes cylinders discs lights
-    materials
+    materials triangle triangles
 }
 
 /// Macros, traits and constants of a user that have the names of words in the macros.

@@ -19,6 +19,15 @@ macro_rules! add {
     ($hash:ident, Number, $value:expr) => {
         $hash.number($value)
     };
+    ($hash:ident, Corners, $value:expr) => {
+        $hash.positions(&$value.positions())
+    };
+    ($hash:ident, Normals, $value:expr) => {
+        match &$value.0 {
+            Some(normals) => $hash.positions(normals),
+            None => $hash,
+        }
+    };
 }
 
 macro_rules! fingerprint {
@@ -61,6 +70,10 @@ macro_rules! fingerprint {
 kinds!(fingerprint);
 
 impl Fingerprint {
+    const fn positions(self, [one, two, three]: &[Position; 3]) -> Self {
+        self.position(one).position(two).position(three)
+    }
+
     const fn planes_and_lights(self, scene: &Description<'_>) -> Self {
         let mut hash = self;
         let mut index = 0;

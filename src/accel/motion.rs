@@ -14,7 +14,7 @@ use crate::number::Number;
 use crate::scene::access::SceneAccess;
 use crate::scene::shape_set::{SetLayout, ShapeSet};
 use crate::scene::{Capacity, Handle, Needs, Parts, used};
-use crate::shape::MaterialId;
+use crate::shape::{Corners, MaterialId, Normals};
 use crate::vector::Position;
 
 /// A copy of a constant scene in RAM, whose named shapes can move.

@@ -13,6 +13,7 @@ use crate::light::Light;
 use crate::material::Material;
 use crate::number::{Number, numbers};
 use crate::shape::plane::Plane;
+use crate::shape::{Corners, Normals};
 use crate::vector::Position;
 
 /// Largest number of shapes of a constant scene that may move.
@@ -176,6 +177,12 @@ macro_rules! plain {
     };
     (Number) => {
         f64
+    };
+    (Corners) => {
+        [[f64; 3]; 3]
+    };
+    (Normals) => {
+        Option<[[f64; 3]; 3]>
     };
 }
 

@@ -79,7 +79,7 @@ macro_rules! capacity {
         }
 
         /// The room of a scene: `S` spheres, `P` planes, `C` cylinders, `L` lights, `M` materials, `D`
-        /// discs.
+        /// discs, `F` triangles.
         #[derive(Clone, Copy, Debug)]
         pub struct Room<$($declaration)*>;
 

@@ -22,7 +22,7 @@ pub trait SceneLines {
 
 /// Writes the type of a scene's room: how many parts of each kind the scene can hold.
 ///
-/// The lists are `spheres`, `planes`, `cylinders`, `discs`, `lights` and `materials`. A list that is not
+/// The lists are `spheres`, `planes`, `cylinders`, `discs`, `triangles`, `lights` and `materials`. A list that is not
 /// named has no room, and the code for it is not linked. `materials` defaults to 8. Write it where a
 /// type stands.
 ///
@@ -44,7 +44,7 @@ macro_rules! room {
 /// Declares a constant scene: a type without fields, whose scene the compiler checks and prepares.
 ///
 /// Each line is a method of [`SceneBuilder`](crate::SceneBuilder) with its arguments: `sphere`, `plane`,
-/// `cylinder`, `disc`, `light`, `sun`, `background`, `epsilon`, `camera`, `motion`. The macro counts the parts
+/// `cylinder`, `disc`, `triangle`, `light`, `sun`, `background`, `epsilon`, `camera`, `motion`. The macro counts the parts
 /// and chooses the room. A mistake stops the compiler with a message that names the part, its line and the
 /// fix.
 ///

@@ -10,8 +10,8 @@ use crate::error_kind::ErrorKind;
 use crate::light::Light;
 use crate::material::Material;
 use crate::number::Number;
-use crate::shape::MaterialId;
 use crate::shape::plane::Plane;
+use crate::shape::{Corners, MaterialId, Normals};
 use crate::vector::Position;
 
 /// A scene that is filled while the program runs, before it is prepared. `R` is its room, written with

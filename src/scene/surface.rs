@@ -53,7 +53,7 @@ impl<'a> Surface<'a> {
             Some(_) => (false, parts.epsilon),
         };
         let normal = outward.reversed_if(is_inside);
-        Some(Self {
+        let surface = Self {
             place: at.lifted(normal, epsilon),
             normal,
             view,
@@ -63,7 +63,24 @@ impl<'a> Surface<'a> {
             is_inside,
             material: parts.material(number),
             number,
+        };
+        Some(match W::NEEDS.triangles {
+            true => surface.bent(&parts, at.point),
+            false => surface,
         })
+    }
+
+    /// Returns the surface with the normal of a smooth shape at a near point on it, if it has one.
+    #[inline(always)]
+    fn bent(self, parts: &Parts<'_>, at: Point) -> Self {
+        match parts.bent(self.shape, at, (self.normal, self.view)) {
+            None => self,
+            Some(normal) => Self {
+                normal,
+                facing: (-self.view.dot(normal)).max(Unit::ZERO),
+                ..self
+            },
+        }
     }
 
     /// Returns the material of the surface. It is a constant if the scene is constant and has one
@@ -99,7 +116,10 @@ impl<'a> Surface<'a> {
     /// [`ShapeId::NONE`] if a ray can hit the shape again, from inside of one that is not flat.
     #[inline(always)]
     pub(crate) fn skip<W: SceneAccess>(&self, world: &W) -> ShapeId {
-        match self.is_inside && world.parts().bending_radius(self.shape).is_some() {
+        let is_met_again = self.is_inside && world.parts().bending_radius(self.shape).is_some()
+            // A light may shine from behind on a surface with other normals than its own.
+            || W::NEEDS.triangles && world.parts().is_smooth(self.shape);
+        match is_met_again {
             true => ShapeId::NONE,
             false => self.shape,
         }
@@ -135,6 +155,35 @@ macro_rules! surfaces {
                 )*
                 let plane = self.planes.get(index)?;
                 Some((plane.normal, plane.material))
+            }
+
+            /// Returns the normal with which a point of a flat shape is shaded, if that is not `flat`, the shape's own
+            /// normal on the viewer's side.
+            #[inline(always)]
+            fn bent(&self, shape: ShapeId, at: Point, (flat, view): (Direction, Direction)) -> Option<Direction> {
+                let index = shape.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        return shape.bent(at, flat, view);
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let _ = index;
+                None
+            }
+
+            /// Tests whether a flat shape is shaded with other normals than its own.
+            #[inline(always)]
+            pub(crate) fn is_smooth(&self, shape: ShapeId) -> bool {
+                let index = shape.index();
+                $(
+                    if let Some(shape) = self.$list.get(index) {
+                        return shape.is_smooth();
+                    }
+                    let index = index - self.$list.len();
+                )*
+                let _ = index;
+                false
             }
 
             /// Returns the radius on which the normals of a shape turn, in steps. `None` if it is flat.

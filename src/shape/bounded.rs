@@ -76,6 +76,19 @@ pub trait Bounded: Copy + Debug + 'static {
     /// Returns the outward normal at a point on the shape.
     fn normal(&self, at: Point) -> Direction;
 
+    /// Returns the normal with which a point of a flat shape is shaded, if that is another one than its own.
+    /// `flat` is the shape's own normal on the viewer's side, and the viewer looks along `view`. Defaults to `None`.
+    #[inline(always)]
+    fn bent(&self, _at: Point, _flat: Direction, _view: Direction) -> Option<Direction> {
+        None
+    }
+
+    /// Tests whether a flat shape is shaded with other normals than its own. Defaults to `false`.
+    #[inline(always)]
+    fn is_smooth(&self) -> bool {
+        false
+    }
+
     /// Returns the material of the shape.
     fn material(&self) -> MaterialId;
 }

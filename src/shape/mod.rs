@@ -10,6 +10,7 @@ pub mod disc;
 mod fixture;
 pub mod plane;
 pub mod sphere;
+pub mod triangle;
 
 use crate::error_kind::ErrorKind;
 use crate::number::{Length, Number, Unit, divide, high, narrowed, unsigned};
@@ -24,6 +25,7 @@ macro_rules! exports {
     };
 }
 kinds!(exports);
+pub use triangle::{Corners, Normals};
 
 /// Identifier of a material of one scene.
 ///
@@ -52,15 +54,15 @@ impl MaterialId {
 }
 
 /// Bounding ball of a described shape, and the smallest size of the shape, in scene units.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Extent {
     pub(crate) center: Position,
     pub(crate) radius: Number,
-    /// Smallest size of the shape: its radius or half its height, whichever is smaller.
+    /// Smallest size of the shape: its radius or half its height, whichever is smaller, or the smallest altitude.
     pub(crate) smallest: Number,
 }
 
-/// Smallest radius and half height that a shape may have, in steps. Hits are known to about two steps,
+/// Smallest radius, half height and altitude that a shape may have, in steps. Hits are known to about two steps,
 /// so normals are known to about 1/32.
 const SMALLEST: i32 = 64;
 

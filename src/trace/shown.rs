@@ -37,8 +37,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Returns the surface that a stretch shows. `None` if it turns too much.
     pub(super) fn shown(&self, eye: Point, row: Direction, stops: [&Stop; 2]) -> Option<Shown<'a>> {
         let parts = self.world.parts();
-        let (normals, material) = self.normals(stops)?;
         let [first, last] = stops;
+        // How the normals of a smooth triangle turn is not known.
+        if W::NEEDS.triangles && parts.is_smooth(first.shape) {
+            return None;
+        }
+        let (normals, material) = self.normals(stops)?;
         let is_curved = parts.bending_radius(first.shape).is_some();
         if first.place.is_near() != last.place.is_near() {
             return None;

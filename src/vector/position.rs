@@ -88,14 +88,18 @@ impl Position {
         if magnitude == 0 {
             return None;
         }
-        let shift = 128 - signed(magnitude.leading_zeros()) - 29;
+        let shift = leading_shift(magnitude);
+        Some((self.coarser(shift), shift))
+    }
+
+    /// Returns the position as a vector, scaled by 2^-`shift`. Its coordinates must fit 30 bits.
+    pub(crate) const fn coarser(self, shift: i32) -> Vector {
         let [x, y, z] = self.0;
-        let vector = Vector::new(
+        Vector::new(
             leading_bits(x, shift),
             leading_bits(y, shift),
             leading_bits(z, shift),
-        );
-        Some((vector, shift))
+        )
     }
 
     /// Returns the direction of the position as a vector from the origin, exact to the last bit. Returns
@@ -106,6 +110,11 @@ impl Position {
             None => None,
         }
     }
+}
+
+/// Returns the right shift that leaves 29 bits of a magnitude above 0.
+pub(crate) const fn leading_shift(magnitude: u128) -> i32 {
+    128 - signed(magnitude.leading_zeros()) - 29
 }
 
 /// Returns the larger of two numbers.

@@ -26,12 +26,16 @@ plane([0.0; 3], [0.0; 3], WHITE); => plane 0: Normal
 cylinder([0.0; 3], [0.0; 3], 1.0, 1.0, WHITE); => cylinder 0: Axis
 disc([0.0; 3], UP, 0.0, WHITE); => disc 0: Radius
 disc([0.0; 3], [0.0; 3], 1.0, WHITE); => disc 0: Normal
+triangle([[0.0; 3], UP, UP], None, WHITE); => triangle 0: Corners
+triangle([[0.0; 3], UP, [1.0, 0.0, 0.0]], Some([UP, [0.0; 3], UP]), WHITE); => triangle 0: Normal
 sphere([0.0, 1.1e9, 0.0], 1.0, WHITE); => sphere 0: Coordinate
 sphere([f64::NAN, 0.0, 0.0], 1.0, WHITE); => sphere 0: Coordinate
 plane([0.0, 0.0, -1.1e9], UP, WHITE); => plane 0: Coordinate
 light([0.0, f64::NEG_INFINITY, 0.0], [1.0; 3]); => light 0: Coordinate
 light([0.0; 3], [1.0, 1.0, 16.1]); => light 0: Color
 light([0.0; 3], [-0.1, 1.0, 1.0]); => light 0: Color
+sun([0.0; 3], [1.0; 3]); => sun 0: Sun
+sun_with_disc(UP, [1.0; 3], 91.0); => sun 0: Sun
 sphere([0.0; 3], 1.0, WHITE); sphere([0.0; 3], -1.0, WHITE); => sphere 1: Radius
 sphere([0.0; 3], 1.0, WHITE); sphere([0.0; 3], 1e-9, WHITE); => sphere 1: Tiny
 sphere([0.0; 3], 1e-10, WHITE); => scene: Extent
@@ -56,7 +60,8 @@ motion([-1.0; 3], [1.0, 1.0, 0.9]); sphere BALL([0.0; 3], 1.0, WHITE); => sphere
 motion([-2.0; 3], [2.0; 3]); disc([9.0; 3], UP, 1.0, WHITE); disc LID([0.0, 1.5, 0.0], UP, 1.0, WHITE); => disc 1: Motion
 motion([-2.0; 3], [2.0; 3]); cylinder LOG([0.0; 3], UP, 1.0, 4.0, WHITE); => cylinder 0: Motion
 plane FLOOR([0.0; 3], UP, WHITE); => FLOOR: NothingMoves
-sphere([0.0; 3], 1.0, WHITE); light LAMP([9.0; 3], [1.0; 3]); => LAMP: NothingMoves";
+sphere([0.0; 3], 1.0, WHITE); light LAMP([9.0; 3], [1.0; 3]); => LAMP: NothingMoves
+sphere([0.0; 3], 1.0, WHITE); sun SUN([9.0; 3], [1.0; 3]); => SUN: NothingMoves";
 
 /// What does not fit the room of a `SceneBuilder`: the room, a bar, and the parts.
 const ROOMS: &str = "
@@ -106,7 +111,7 @@ const REFUSED: &[(&str, &str, &str)] = &[
     ),
     (
         "type Tried = reflet::RuntimeScene<room!(spheres: 1, sperez: 2)>; const TRIED: Option<Tried> = None;",
-        "error[E0080]: evaluation panicked: room!(..) has no such list; it has spheres, cylinders, discs, planes, lights, materials",
+        "error[E0080]: evaluation panicked: room!(..) has no such list; it has spheres, cylinders, discs, triangles, planes, lights, materials",
         "room!(spheres: 1, sperez: 2)",
     ),
 ];
@@ -174,8 +179,8 @@ fn kind(name: &str) -> ErrorKind {
         };
     }
     by_name! {
-        Ambient Axis Background BelowEpsilon Brightness Checker Color Coordinate Diffuse Epsilon Extent
-        FieldOfView Height Mirror Motion NoLight Normal NothingMoves Radius Shininess Sky Specular Tiny
+        Ambient Axis Background BelowEpsilon Brightness Checker Color Coordinate Corners Diffuse Epsilon Extent
+        FieldOfView Height Mirror Motion NoLight Normal NothingMoves Radius Shininess Sky Specular Sun Tiny
         TooManyCylinders TooManyDiscs TooManyLights TooManyMaterials TooManyPlanes TooManySpheres
         UnusedRoom Up View
     }
@@ -259,9 +264,13 @@ fn calls(parts: &str) -> impl Iterator<Item = &str> {
 
 /// Returns the room that parts fill.
 fn fitting(parts: &str) -> String {
-    let kinds = ["sphere", "plane", "cylinder", "disc", "light"];
+    let kinds = ["sphere", "plane", "cylinder", "disc", "triangle", "light"];
+    // A sun takes the room of a light.
+    let parts = parts
+        .replace("sun_with_disc(", "light(")
+        .replace("sun(", "light(");
     let counted = kinds.map(|kind| {
-        let count = calls(parts)
+        let count = calls(&parts)
             .filter(|call| call.starts_with(&format!("{kind}(")))
             .count();
         format!("{kind}s: {count}")

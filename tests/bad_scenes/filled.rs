@@ -4,8 +4,9 @@ use reflet::{
     Camera, Error, ErrorKind, Material, MaterialId, Number, Position, RuntimeScene, room,
 };
 
-type Scenery =
-    RuntimeScene<room!(spheres: 2, planes: 2, cylinders: 2, discs: 2, lights: 2, materials: 2)>;
+type Scenery = RuntimeScene<
+    room!(spheres: 2, planes: 2, cylinders: 2, discs: 2, triangles: 2, lights: 2, materials: 2),
+>;
 type Triple = [f64; 3];
 
 const NAN: f64 = f64::NAN;
@@ -43,13 +44,17 @@ fn message(kind: ErrorKind) -> &'static str {
         ErrorKind::TooManySpheres => "too many spheres: raise `spheres` in room!(..)",
         ErrorKind::TooManyPlanes => "too many planes: raise `planes` in room!(..)",
         ErrorKind::TooManyCylinders => "too many cylinders: raise `cylinders` in room!(..)",
+        ErrorKind::Corners => {
+            "corners must not lie on one line: make the smallest altitude at least 2^-20 of the longest side"
+        }
+        ErrorKind::TooManyTriangles => "too many triangles: raise `triangles` in room!(..)",
         ErrorKind::TooManyDiscs => "too many discs: raise `discs` in room!(..)",
         ErrorKind::TooManyLights => "too many lights: raise `lights` in room!(..)",
         ErrorKind::TooManyMaterials => "too many materials: raise `materials` in room!(..)",
         ErrorKind::UnknownMaterial => "material does not exist in this scene: add it first",
         ErrorKind::Extent => "extent must be larger than 2^-30 scene units: scale the scene up",
         ErrorKind::Tiny => {
-            "radius and half the height must be at least 2^-22 of the scene's extent: enlarge it \
+            "radius, half the height and a triangle's altitudes must be at least 2^-22 of the scene's extent: enlarge it \
              or shrink the scene"
         }
         ErrorKind::Brightness => {
@@ -104,6 +109,13 @@ fn disc(center: Triple, normal: Triple, radius: f64) -> Addition {
     Box::new(move |scene, id| scene.add_disc(center, normal, radius, id).map(|_| ()))
 }
 
+fn triangle(corners: [Triple; 3], normals: Option<[Triple; 3]>) -> Addition {
+    Box::new(move |scene, id| scene.add_triangle(corners, normals, id).map(|_| ()))
+}
+
+/// Corners of a triangle.
+const CORNERS: [Triple; 3] = [ORIGIN, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+
 fn light(position: Triple, color: Triple) -> Addition {
     Box::new(move |scene, _| scene.add_light(position, color).map(|_| ()))
 }
@@ -134,6 +146,7 @@ fn furnished() -> (Scenery, MaterialId) {
         .add_cylinder([3, 0, 0], [0, 0, 1], 1, 2, white)
         .unwrap();
     scene.add_disc([3, 0, 1], [0, 0, 1], 1, white).unwrap();
+    scene.add_triangle(CORNERS, None, white).unwrap();
     scene.add_light([0, -9, 9], [1, 1, 1]).unwrap();
     (scene, white)
 }
@@ -185,6 +198,14 @@ fn coordinates_beyond_the_format_are_refused() {
         assert_refused(("cylinder", Some(1), kind), cylinder(ORIGIN, at, 1.0, 1.0));
         assert_refused(("disc", Some(1), kind), disc(at, UP, 1.0));
         assert_refused(("disc", Some(1), kind), disc(ORIGIN, at, 1.0));
+        assert_refused(
+            ("triangle", Some(1), kind),
+            triangle([at, CORNERS[1], CORNERS[2]], None),
+        );
+        assert_refused(
+            ("triangle", Some(1), kind),
+            triangle(CORNERS, Some([UP, at, UP])),
+        );
         assert_refused(("light", Some(1), kind), light(at, [1.0; 3]));
     }
     for at in GOOD_TRIPLES {
@@ -240,12 +261,38 @@ fn normals_and_axes_must_point_somewhere() {
             ("disc", Some(1), ErrorKind::Normal),
             disc(ORIGIN, zero, 1.0),
         );
+        assert_refused(
+            ("triangle", Some(1), ErrorKind::Normal),
+            triangle(CORNERS, Some([UP, UP, zero])),
+        );
     }
     for short in [[1e-15, 0.0, 0.0], [0.0, -1e-19, 0.0]] {
         assert_accepted(plane(ORIGIN, short));
         assert_accepted(cylinder(ORIGIN, short, 1.0, 1.0));
         assert_accepted(disc(ORIGIN, short, 1.0));
     }
+}
+
+#[test]
+fn corners_must_not_lie_on_one_line() {
+    let kind = ("triangle", Some(1), ErrorKind::Corners);
+    let [one, other, _] = CORNERS;
+    for third in [
+        one,
+        other,
+        [0.5, 0.0, 0.0],
+        [-3.0, 0.0, 0.0],
+        [0.5, 1e-7, 0.0],
+    ] {
+        assert_refused(kind, triangle([one, other, third], None));
+    }
+    for third in [[0.5, 1e-4, 0.0], [-90.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+        assert_accepted(triangle([one, other, third], None));
+    }
+    assert_accepted(triangle(
+        CORNERS,
+        Some([UP, [1e-15, 0.0, 0.0], [0.0, -9.0, 0.0]]),
+    ));
 }
 
 #[test]
@@ -315,6 +362,7 @@ fn more_than_the_room_is_refused() {
             plane([at; 3], [0.0, 1.0, 0.0]),
             cylinder([at; 3], [0.0, 1.0, 0.0], 1.0, 1.0),
             disc([at; 3], [0.0, 1.0, 0.0], 1.0),
+            triangle([[at; 3], UP, ORIGIN], None),
             light([at; 3], [1.0; 3]),
             material([0.1 * at; 3]),
         ]
@@ -328,6 +376,7 @@ fn more_than_the_room_is_refused() {
         ("plane", Some(2), ErrorKind::TooManyPlanes),
         ("cylinder", Some(2), ErrorKind::TooManyCylinders),
         ("disc", Some(2), ErrorKind::TooManyDiscs),
+        ("triangle", Some(2), ErrorKind::TooManyTriangles),
         ("light", Some(2), ErrorKind::TooManyLights),
         ("material", Some(2), ErrorKind::TooManyMaterials),
     ];
@@ -358,6 +407,11 @@ fn what_shows_in_the_whole_scene_is_refused_when_it_is_built() {
     let (mut scene, white) = furnished();
     scene.add_disc([0; 3], [0, 0, 1], 1e-9, white).unwrap();
     assert_error(scene.build().err(), ("disc", Some(1), ErrorKind::Tiny));
+
+    let (mut scene, white) = furnished();
+    let small = CORNERS.map(|corner| corner.map(|it| 1e-9 * it));
+    scene.add_triangle(small, None, white).unwrap();
+    assert_error(scene.build().err(), ("triangle", Some(1), ErrorKind::Tiny));
 
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();

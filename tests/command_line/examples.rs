@@ -113,8 +113,11 @@ fn every_example_scene_is_drawn() {
         "chrome3",
         "harbour",
         "harbour_sun",
+        "icosahedron",
         "matt3",
         "pybadge",
+        "tetrahedron",
+        "tree",
     ];
     assert_eq!(names, expected);
 }

@@ -170,7 +170,7 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 17_588;
+    const MOST_CODE: usize = 18_525;
 
     /// Most lines of Rust outside of the library.
     const MOST_OUTSIDE: usize = 38_537;

@@ -19,6 +19,12 @@ type Position = [f64; 3];
 /// A size, such as a radius or a height.
 type Number = f64;
 
+/// The three corners of a triangle.
+type Corners = [[f64; 3]; 3];
+
+/// Normals at the corners of a triangle, which a file may leave out.
+type Normals = Option<[[f64; 3]; 3]>;
+
 macro_rules! document {
     ($parameters:tt $({
         $list:ident $kind:ident $described:ident $add:ident $fields:tt $room:ident $too_many:ident { $($key:tt)* }

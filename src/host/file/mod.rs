@@ -18,6 +18,7 @@
 //!     { "center": [2, 0, 1], "axis": [0, 0, 1], "radius": 0.5, "height": 2, "material": "gold" }
 //!   ],
 //!   "discs": [ { "center": [2, 0, 2], "normal": [0, 0, 1], "radius": 0.5, "material": "gold" } ],
+//!   "triangles": [ { "corners": [[0, 0, 3], [1, 0, 3], [0, 1, 3]], "material": "gold" } ],
 //!   "background": [0, 0, 0],
 //!   "epsilon": 0.001
 //! }
@@ -26,7 +27,7 @@
 //! `name`, `background`, `epsilon` and every list are optional. A list that is left out is empty;
 //! `background` and `epsilon` have the values above by default. Of a material, `name` and `color` are
 //! enough: the rest has the defaults of [`Material::new`](crate::Material::new). An unknown key is an
-//! error. `docs/scene.schema.json` in the repository is a JSON Schema of this format. A scene may name it
+//! error. A triangle may have `normals` at its corners. `docs/scene.schema.json` in the repository is a JSON Schema of this format. A scene may name it
 //! by a key `$schema`, which is ignored here, so that editors complete and check the file.
 
 // What reads a file is `#[inline]`: a program then compiles it as it compiles itself, small or fast.
@@ -66,6 +67,9 @@ pub const MAX_CYLINDERS: usize = 128;
 /// Largest number of discs in a scene that is read from a scene file: 128.
 pub const MAX_DISCS: usize = 128;
 
+/// Largest number of triangles in a scene that is read from a scene file: 128.
+pub const MAX_TRIANGLES: usize = 128;
+
 /// Largest number of lights in a scene that is read from a scene file: 16.
 pub const MAX_LIGHTS: usize = 16;
 
@@ -78,8 +82,8 @@ pub const MAX_MATERIALS: usize = 256;
 /// Capacity of a scene that is read from a scene file: the `MAX_` limit of each kind of part.
 ///
 /// ```
-/// use reflet::host::file::{MAX_CYLINDERS, MAX_DISCS, MAX_LIGHTS, MAX_MATERIALS, MAX_SUNS};
-/// use reflet::host::file::{FileRoom, FileRuntimeScene, FileScene, MAX_PLANES, MAX_SPHERES};
+/// use reflet::host::file::{FileRoom, FileRuntimeScene, FileScene, MAX_CYLINDERS, MAX_DISCS, MAX_LIGHTS};
+/// use reflet::host::file::{MAX_MATERIALS, MAX_PLANES, MAX_SPHERES, MAX_SUNS, MAX_TRIANGLES};
 /// use reflet::host::reference::Scene;
 ///
 /// /// Tests whether a file with this scene can be read.
@@ -88,6 +92,7 @@ pub const MAX_MATERIALS: usize = 256;
 ///         && scene.planes.len() <= MAX_PLANES
 ///         && scene.cylinders.len() <= MAX_CYLINDERS
 ///         && scene.discs.len() <= MAX_DISCS
+///         && scene.triangles.len() <= MAX_TRIANGLES
 ///         && scene.lights.len() <= MAX_LIGHTS + MAX_SUNS
 ///         && scene.materials.len() <= MAX_MATERIALS
 /// }
@@ -98,10 +103,15 @@ pub const MAX_MATERIALS: usize = 256;
 /// assert!(built.needs().is_nothing());
 /// # Ok::<(), reflet::Error>(())
 /// ```
-pub type FileRoom = Room<MAX_SPHERES, MAX_PLANES, MAX_CYLINDERS, LIGHTS, MAX_MATERIALS, MAX_DISCS>;
-
-/// Largest number of lights and suns of a file.
-const LIGHTS: usize = MAX_LIGHTS + MAX_SUNS;
+pub type FileRoom = Room<
+    MAX_SPHERES,
+    MAX_PLANES,
+    MAX_CYLINDERS,
+    { MAX_LIGHTS + MAX_SUNS },
+    MAX_MATERIALS,
+    MAX_DISCS,
+    MAX_TRIANGLES,
+>;
 
 /// A run-time scene with the capacity [`FileRoom`], to be filled from a scene file.
 pub type FileRuntimeScene = RuntimeScene<FileRoom>;

@@ -31,6 +31,9 @@ fn scene() -> Value {
         "cylinders": [ { "center": [2, 0, 1], "axis": [0, 0, 3], "radius": 0.5, "height": 2.5,
                          "material": "gold" } ],
         "discs": [ { "center": [2, 0.5, 3], "normal": [0, 0, 4], "radius": 0.75, "material": "clay" } ],
+        "triangles": [ { "corners": [[4, 0, 1], [5, 0, 1], [4, 0, 2.5]], "material": "gold",
+                         "normals": [[0, -1, 0], [0.5, -1, 0], [0, -1, 0.5]] },
+                       { "corners": [[4, 0, 1], [5, 0, 1], [4, 1, 1]], "material": "clay" } ],
         "background": [0.125, 0.25, 0.375],
         "epsilon": 0.0078125
     })
@@ -113,6 +116,18 @@ fn every_number_arrives_in_the_reference() {
             radius: 0.75,
             material: 0,
         }],
+        triangles: vec![
+            reference::Triangle {
+                corners: [[4.0, 0.0, 1.0], [5.0, 0.0, 1.0], [4.0, 0.0, 2.5]],
+                normals: Some([[0.0, -1.0, 0.0], [0.5, -1.0, 0.0], [0.0, -1.0, 0.5]]),
+                material: 1,
+            },
+            reference::Triangle {
+                corners: [[4.0, 0.0, 1.0], [5.0, 0.0, 1.0], [4.0, 1.0, 1.0]],
+                normals: None,
+                material: 0,
+            },
+        ],
         lights: vec![reference::Light {
             position: [3.0, -4.0, 6.0],
             color: [1.0, 0.5, 0.25],

@@ -26,13 +26,18 @@ fn wrong_value(place: &str, message: &str) -> Option<String> {
         _ => place,
     };
     if message == "trailing characters" && is_inside {
-        return Some(format!("{place} has more than 3 numbers: remove the rest"));
+        let items = if is_of_lists(place) {
+            "lists"
+        } else {
+            "numbers"
+        };
+        return Some(format!("{place} has more than 3 {items}: remove the rest"));
     }
     if let Some(rest) = message.strip_prefix("invalid length ") {
         let (length, expected) = rest.split_once(", expected ")?;
         return Some(format!(
             "{place} must be {}, not {length}",
-            wanted(expected)
+            wanted(place, expected)
         ));
     }
     let (found, expected) = message
@@ -40,7 +45,7 @@ fn wrong_value(place: &str, message: &str) -> Option<String> {
         .split_once(", expected ")?;
     Some(format!(
         "{place} must be {}, not {}",
-        wanted(expected),
+        wanted(place, expected),
         given(found)
     ))
 }
@@ -73,16 +78,22 @@ fn wrong_key(place: &str, message: &str) -> Option<String> {
 }
 
 /// Returns the words for a type that the parser expects.
-fn wanted(expected: &str) -> String {
+fn wanted(place: &str, expected: &str) -> String {
     match expected {
         "f64" => "a number",
         "a string" => "a text",
         "a sequence" => "a list, in [ ]",
+        "an array of length 3" if is_of_lists(place) => "3 lists of 3 numbers, one for each corner",
         "an array of length 3" => "a list of 3 numbers",
         _ if expected.starts_with("struct ") => "an object, in { }",
         _ => expected,
     }
     .to_owned()
+}
+
+/// Tests whether the value at a place is a list of lists: one for each corner of a triangle.
+fn is_of_lists(place: &str) -> bool {
+    place.ends_with(".corners") || place.ends_with(".normals")
 }
 
 /// Returns the words for a value that the parser found.

@@ -14,6 +14,12 @@ macro_rules! plain {
     (Number $value:expr) => {
         $value.to_f64()
     };
+    (Corners $value:expr) => {
+        $value.positions().map(|it| triple(it.0))
+    };
+    (Normals $value:expr) => {
+        $value.0.map(|normals| normals.map(|it| triple(it.0)))
+    };
 }
 
 macro_rules! convert {

@@ -4,7 +4,8 @@
 use std::vec::Vec;
 
 use super::{
-    Camera, Checker, Cylinder, Disc, Light, Material, Plane, Real, Scene, Shape, Sky, Sphere, model,
+    Camera, Checker, Cylinder, Disc, Light, Material, Plane, Real, Scene, Shape, Sky, Sphere,
+    Triangle, model,
 };
 
 macro_rules! prepared {
@@ -88,6 +89,18 @@ fn disc(disc: &Disc) -> model::Disc {
         normal: vector(disc.normal).unit(),
         radius: disc.radius as Real,
         material: disc.material,
+    }
+}
+
+fn triangle(triangle: &Triangle) -> model::Triangle {
+    let [corner, second, third] = triangle.corners.map(vector);
+    model::Triangle {
+        corner,
+        sides: [second - corner, third - corner],
+        normals: triangle
+            .normals
+            .map(|it| it.map(|normal| vector(normal).unit())),
+        material: triangle.material,
     }
 }
 

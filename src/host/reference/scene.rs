@@ -12,6 +12,12 @@ type Position = [f64; 3];
 /// A size, such as a radius or a height, in scene units.
 type Number = f64;
 
+/// The three corners of a triangle, in scene units.
+type Corners = [[f64; 3]; 3];
+
+/// Normals at the corners of a triangle; `None` if it is flat.
+type Normals = Option<[[f64; 3]; 3]>;
+
 macro_rules! scene {
     ([$($parameter:tt)*] $({
         $list:ident $kind:ident $described:ident $add:ident($($field:ident: $type:ident)*) $room:ident $($more:tt)*
@@ -74,7 +80,7 @@ macro_rules! scene {
         ///
         /// ```
         /// use reflet::host::reference::PARAMETERS;
-        /// assert_eq!(PARAMETERS, ["spheres", "planes", "cylinders", "lights", "materials", "discs"]);
+        /// assert_eq!(PARAMETERS, ["spheres", "planes", "cylinders", "lights", "materials", "discs", "triangles"]);
         /// ```
         pub const PARAMETERS: &[&str] = {
             $(const $room: &str = stringify!($list);)*

@@ -4,7 +4,7 @@ use crate::error_kind::ErrorKind;
 use crate::material::Material;
 use crate::scene::{Capacity, Room, RuntimeScene};
 
-type Scenery = RuntimeScene<Room<4, 3, 2, 2, 4, 1>>;
+type Scenery = RuntimeScene<Room<4, 3, 2, 2, 4, 1, 1>>;
 
 /// Returns the needs of a scene that `fill` has filled.
 fn needs<T>(fill: impl FnOnce(&mut Scenery) -> Result<T, Error>) -> Needs {
@@ -34,6 +34,7 @@ fn full_scene_needs_everything() {
             scene.add_cylinder([x, 3, 0], [0, 0, 1], 1, 1, glass)?;
         }
         scene.add_disc([0, 3, 1], [0, 0, 1], 1, red)?;
+        scene.add_triangle([[0, 3, 2], [1, 3, 2], [0, 4, 2]], None, red)?;
         scene.add_plane([0, 0, -2], [0, 0, 1], tiles)?;
         scene.set_sky([0, 0, 1], [[0.5; 3], [1.0; 3], [0.25; 3]])?;
         // A sun.
@@ -117,6 +118,7 @@ fn bound_names_the_first_need_beyond_it() {
         (all.without_planes(), "planes"),
         (all.without_cylinders(), "cylinders"),
         (all.without_discs(), "discs"),
+        (all.without_triangles(), "triangles"),
         (all.without_lights(), "lights"),
         (all.without_highlights(), "highlights"),
         (all.with_shininess(Shininess::Whole), "shininess"),

@@ -239,7 +239,7 @@ fn within_a_step(a: &[[u8; 3]], b: &[[u8; 3]]) -> usize {
 /// Bounds that each leave out one thing: number `I` of [`OFF`].
 struct Off<const I: usize>;
 
-const OFF: [Needs; 12] = [
+const OFF: [Needs; 13] = [
     Needs::ALL.without_spheres(),
     Needs::ALL.without_planes(),
     Needs::ALL.without_cylinders(),
@@ -250,6 +250,7 @@ const OFF: [Needs; 12] = [
     Needs::ALL.with_mirrors(Mirrors::All),
     Needs::ALL.without_colors(),
     Needs::ALL.without_discs(),
+    Needs::ALL.without_triangles(),
     Needs::ALL.without_sky(),
     Needs::ALL.without_checkers(),
 ];

@@ -18,8 +18,9 @@ use reflet::{Camera, Error, Material, MaterialId, RuntimeScene, room};
 pub use draw::Drawn;
 
 /// A scene with enough room for what a few hundred bytes describe.
-pub type Scenery =
-    RuntimeScene<room!(spheres: 6, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4)>;
+pub type Scenery = RuntimeScene<
+    room!(spheres: 6, planes: 4, cylinders: 4, discs: 4, triangles: 4, lights: 4, materials: 4),
+>;
 
 /// A described scene, and how to draw it.
 #[derive(Clone, Debug)]
@@ -101,7 +102,34 @@ fn fill(
     if let Err(error) = add_all(bytes, numbers, &mut scene, &ids)? {
         return Ok(Err(error));
     }
-    Ok(add_discs(bytes, numbers, &mut scene, &ids)?.map(|()| scene))
+    if let Err(error) = add_discs(bytes, numbers, &mut scene, &ids)? {
+        return Ok(Err(error));
+    }
+    Ok(add_triangles(bytes, numbers, &mut scene, &ids)?.map(|()| scene))
+}
+
+/// Adds triangles, after the discs.
+fn add_triangles(
+    bytes: &mut Unstructured,
+    numbers: &mut Numbers,
+    scene: &mut Scenery,
+    ids: &[MaterialId],
+) -> Result<std::result::Result<(), Error>> {
+    for _ in 0..bytes.int_in_range(0..=4)? {
+        let mut corner = || numbers.place(bytes);
+        let corners = [corner()?, corner()?, corner()?];
+        let mut way = || numbers.way(bytes);
+        let normals = [way()?, way()?, way()?];
+        let id = *bytes.choose(ids)?;
+        let added = match bytes.arbitrary()? {
+            true => scene.add_triangle(corners, normals, id),
+            false => scene.add_triangle(corners, None, id),
+        };
+        if let Err(error) = added {
+            return Ok(Err(error));
+        }
+    }
+    Ok(Ok(()))
 }
 
 /// Adds discs. They are read after all other parts, so that the bytes of older inputs still make the

@@ -10,6 +10,7 @@ pub const LISTS: [(&str, usize); 7] = [
     ("planes", limits::MAX_PLANES),
     ("cylinders", limits::MAX_CYLINDERS),
     ("discs", limits::MAX_DISCS),
+    ("triangles", limits::MAX_TRIANGLES),
     ("lights", limits::MAX_LIGHTS),
     ("suns", limits::MAX_SUNS),
     ("materials", limits::MAX_MATERIALS),
@@ -82,7 +83,15 @@ pub fn scene(bytes: &mut Unstructured) -> Result<Value> {
     scene.insert("camera".to_owned(), camera);
     let materials = names.iter().map(|name| material(bytes, name));
     scene.insert("materials".to_owned(), materials.collect::<Result<_>>()?);
-    for kind in ["spheres", "planes", "cylinders", "discs", "lights", "suns"] {
+    for kind in [
+        "spheres",
+        "planes",
+        "cylinders",
+        "discs",
+        "triangles",
+        "lights",
+        "suns",
+    ] {
         if bytes.arbitrary()? {
             let count = bytes.int_in_range(0..=3)?;
             let parts = (0..count).map(|_| part(bytes, kind, names));
@@ -127,6 +136,14 @@ fn part(bytes: &mut Unstructured, kind: &str, names: &[&str]) -> Result<Value> {
                                "height": height, "material": name }),
         "discs" => json!({ "center": center, "normal": way, "radius": radius, "material": name }),
         "suns" => json!({ "direction": way, "color": color(bytes)?, "disc": radius }),
+        "triangles" => {
+            let [x, y, z] = center;
+            let corners = [center, [x + radius, y, z], [x, y + 1.0, z + height]];
+            match bytes.arbitrary()? {
+                true => json!({ "corners": corners, "normals": [way; 3], "material": name }),
+                false => json!({ "corners": corners, "material": name }),
+            }
+        }
         _ => json!({ "position": center, "color": color(bytes)? }),
     })
 }

@@ -103,6 +103,8 @@ fn still_life() -> Value {
         "cylinders": [ { "center": [2, 0, 1], "axis": [0, 0, 3], "radius": 0.5, "height": 2.5,
                          "material": "clay" } ],
         "discs": [ { "center": [2, 0, 3], "normal": [0, 0, 4], "radius": 0.75, "material": "clay" } ],
+        "triangles": [ { "corners": [[4, 0, 1], [5, 0, 1], [4, 0, 2.5]], "material": "clay",
+                         "normals": [[0, -1, 0], [0.5, -1, 0], [0, -1, 0.5]] } ],
         "sky": { "up": [0, 0, 5], "below": [0.125, 0.25, 0.375], "horizon": [0.5, 1, 2],
                  "above": [0.0625, 0, 1] },
         "epsilon": 0.0078125
@@ -174,7 +176,7 @@ fn sky_and_background_together_are_refused_by_both() {
 fn largest_scene_is_taken_by_both() {
     const MOST: i32 = 1 << 30;
     let mut file = still_life();
-    for list in ["lights", "planes", "cylinders", "discs"] {
+    for list in ["lights", "planes", "cylinders", "discs", "triangles"] {
         file[list] = json!([]);
     }
     // No cell but the largest would be told apart.
@@ -227,6 +229,7 @@ fn zero_directions_are_refused_by_both() {
         "/planes/0/normal",
         "/cylinders/0/axis",
         "/discs/0/normal",
+        "/triangles/0/normals/1",
         "/sky/up",
         "/suns/0/direction",
         "/materials/0/checker/size",

@@ -126,7 +126,15 @@ fn draw_within() {
 }
 
 /// Room for four of everything.
-type Four = room!(spheres: 4, planes: 4, cylinders: 4, discs: 4, lights: 4, materials: 4);
+type Four = room!(
+    spheres: 4,
+    planes: 4,
+    cylinders: 4,
+    discs: 4,
+    triangles: 4,
+    lights: 4,
+    materials: 4
+);
 
 /// Fills a scene, and makes and moves a camera, at run time.
 fn fill() -> Option<(Scene<Four>, Camera)> {
@@ -147,6 +155,8 @@ fn fill() -> Option<(Scene<Four>, Camera)> {
     let _ = black_box(scene.add_plane(point(), point(), material));
     let cylinder = black_box(scene.add_cylinder(point(), point(), number(), number(), material));
     let disc = black_box(scene.add_disc(point(), point(), number(), material));
+    let corners = || [point(), point(), point()];
+    let triangle = black_box(scene.add_triangle(corners(), black_box(Some(corners())), material));
     let light = black_box(scene.add_light(point(), [number(); 3]));
     let _ = black_box(scene.set_background([number(); 3]));
     let checkered = Material::new([0.5; 3]).with_checker([number(); 3], [number(); 3]);
@@ -159,6 +169,7 @@ fn fill() -> Option<(Scene<Four>, Camera)> {
     let _ = black_box(scene.set_sphere(sphere.ok()?, point(), number()));
     let _ = black_box(scene.set_cylinder(cylinder.ok()?, point(), point(), number(), number()));
     let _ = black_box(scene.set_disc(disc.ok()?, point(), point(), number()));
+    let _ = black_box(scene.set_triangle(triangle.ok()?, corners(), black_box(Some(corners()))));
     let _ = black_box(scene.set_light(light.ok()?, point()));
     Some((black_box(scene), camera.ok()?))
 }
@@ -171,6 +182,8 @@ scene! {
         sphere BALL([1.0, 1.0, 1.0], 1.0, CHALK);
         cylinder BARREL([2.0, 2.0, 2.0], [0.0, 0.0, 1.0], 1.0, 1.0, CHALK);
         disc LID([3.0, 3.0, 3.0], [0.0, 0.0, 1.0], 1.0, CHALK);
+        triangle SAIL([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+            Some([[0.0, 0.0, 1.0], [0.5, 0.0, 1.0], [0.0, 0.5, 1.0]]), CHALK);
         light([3.0, -4.0, 9.0], [1.0, 1.0, 1.0]);
     }
 }
@@ -185,6 +198,9 @@ fn moved() -> Option<MovingScene<Bounce>> {
     barrel.ok()?;
     scene
         .set_disc(Bounce::LID, point(), point(), number())
+        .ok()?;
+    scene
+        .set_triangle(Bounce::SAIL, [point(); 3], black_box(None))
         .ok()?;
     Some(black_box(scene))
 }

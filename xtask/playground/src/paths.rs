@@ -155,7 +155,7 @@ fn line(opened: &Opened, projection: &Projection, step: &Step) -> Line {
 fn level(step: &Step) -> Level {
     Level {
         shape: shape(step),
-        flat: ["plane", "disc"].contains(&step.kind),
+        flat: ["plane", "disc", "triangle"].contains(&step.kind),
         inside: step.is_inside,
         lights: step.lights.clone(),
     }

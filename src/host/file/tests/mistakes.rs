@@ -48,6 +48,31 @@ fn broken_text_is_reported_with_line_and_column() {
 }
 
 #[test]
+fn triangle_with_two_or_four_corners_is_told_to_have_three() {
+    let point = json!([0, 0, 0]);
+    for (pointer, count, expected) in [
+        (
+            "/triangles/0/corners",
+            2,
+            "triangles[0].corners must be 3 lists of 3 numbers, one for each corner, not 2",
+        ),
+        (
+            "/triangles/0/normals",
+            4,
+            "triangles[0].normals has more than 3 lists: remove the rest",
+        ),
+    ] {
+        let found = complaint(&scene_with(pointer, vec![point.clone(); count]));
+        assert!(found.ends_with(expected), "{found}");
+    }
+    let found = complaint(&scene_with("/triangles/0/corners/1", json!([0, 0])));
+    assert!(
+        found.ends_with("triangles[0].corners[1] must be a list of 3 numbers, not 2"),
+        "{found}"
+    );
+}
+
+#[test]
 fn unknown_key_is_named() {
     let found = complaint("{ \"sheres\": [] }");
     assert!(
@@ -68,11 +93,19 @@ fn every_key_but_the_optional_ones_is_required() {
         "/planes/0",
         "/cylinders/0",
         "/discs/0",
+        "/triangles/0",
     ];
     for pointer in objects {
         let object = scene();
         let object = object.pointer(pointer).and_then(Value::as_object).unwrap();
-        let optional = ["ambient", "diffuse", "specular", "shininess", "mirror"];
+        let optional = [
+            "ambient",
+            "diffuse",
+            "specular",
+            "shininess",
+            "mirror",
+            "normals",
+        ];
         for key in object.keys().filter(|it| !optional.contains(&it.as_str())) {
             let found = complaint(&scene_without(pointer, key));
             assert!(
@@ -85,7 +118,7 @@ fn every_key_but_the_optional_ones_is_required() {
 
 #[test]
 fn unknown_material_is_named_with_its_shape() {
-    for list in ["spheres", "planes", "cylinders", "discs"] {
+    for list in ["spheres", "planes", "cylinders", "discs", "triangles"] {
         let found = complaint(&scene_with(&format!("/{list}/0/material"), "brass"));
         let expected = format!(
             "scene still life: {list}[0].material: there is no material brass: add it to materials"
@@ -136,6 +169,17 @@ fn what_the_core_refuses_is_reported_with_its_place() {
             "/discs/0/normal",
             json!([0, 0, 0]),
             "discs[0]: normal must not be zero",
+        ),
+        (
+            "/triangles/0/corners/2",
+            json!([6, 0, 1]),
+            "triangles[0]: corners must not lie on one line: make the smallest altitude at least 2^-20 of the \
+             longest side",
+        ),
+        (
+            "/triangles/0/normals/1",
+            json!([0, 0, 0]),
+            "triangles[0]: normal must not be zero",
         ),
         (
             "/planes/0/normal",

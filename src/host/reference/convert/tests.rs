@@ -1,12 +1,12 @@
 //! Tests of the conversion of descriptions.
 
 use super::*;
-use crate::host::reference::{Cylinder, Disc, Plane, Sphere};
+use crate::host::reference::{Cylinder, Disc, Plane, Sphere, Triangle};
 use crate::scene::{Room, RuntimeScene};
 
 #[test]
 fn every_number_of_a_description_arrives_in_its_place() {
-    let mut described = RuntimeScene::<Room<1, 1, 1, 1, 2, 1>>::new();
+    let mut described = RuntimeScene::<Room<1, 1, 1, 1, 2, 1, 2>>::new();
     let gold = material::Material::new([0.1, 0.2, 0.3])
         .ambient(0.4)
         .diffuse(0.5)
@@ -24,6 +24,10 @@ fn every_number_of_a_description_arrives_in_its_place() {
     described
         .add_disc([5.1, 5.2, 5.3], [5.4, 5.5, 5.6], 5.7, chalk)
         .unwrap();
+    let corners = [[6.1, 6.2, 6.3], [6.4, 6.5, 6.7], [6.8, 6.9, 7.1]];
+    let normals = [[7.2, 7.3, 7.4], [7.5, 7.6, 7.7], [7.8, 7.9, 8.1]];
+    described.add_triangle(corners, None, gold).unwrap();
+    described.add_triangle(corners, normals, chalk).unwrap();
     described
         .add_light([4.1, 4.2, 4.3], [0.4, 0.5, 0.6])
         .unwrap();
@@ -72,6 +76,15 @@ fn every_number_of_a_description_arrives_in_its_place() {
     assert_eq!(scene.planes, [plane]);
     assert_eq!(scene.cylinders, [cylinder]);
     assert_eq!(scene.discs, [disc]);
+    let triangle = |normals, material| Triangle {
+        corners,
+        normals,
+        material,
+    };
+    assert_eq!(
+        scene.triangles,
+        [triangle(None, 1), triangle(Some(normals), 0)]
+    );
     assert_eq!(scene.lights, [light]);
     assert_eq!(scene.materials[1], gold);
     assert_eq!(scene.materials[0].color, [0.9; 3]);

@@ -56,9 +56,10 @@ macro_rules! scene {
                     )*
                 };
                 let is_inside = normal.dot(ray.direction) > 0.0;
-                let normal = if is_inside { -normal } else { normal };
+                let flat = if is_inside { -normal } else { normal };
+                let normal = self.shaded(shape, at, flat, ray.direction);
                 Some(Surface {
-                    outside: at + normal * self.epsilon,
+                    outside: at + flat * self.epsilon,
                     normal,
                     viewer: -ray.direction,
                     material: &self.materials[material],
@@ -98,6 +99,18 @@ macro_rules! scene {
 kinds!(shapes, scene);
 
 impl Scene<'_> {
+    /// Returns the normal with which a point of a shape is shaded.
+    #[inline]
+    fn shaded(&self, shape: Met, at: Vector, normal: Vector, view: Vector) -> Vector {
+        match shape {
+            Met::Triangle(index) => match self.triangles.get(index) {
+                Some(triangle) => triangle.shaded(at, normal, view),
+                None => normal,
+            },
+            _ => normal,
+        }
+    }
+
     /// Returns the colour of a ray in this direction that hits nothing.
     #[inline]
     pub fn beyond(&self, direction: Vector) -> Vector {
@@ -230,10 +243,10 @@ fn floor(number: Real) -> i32 {
 /// The surface at the hit of a ray: point, normal, material and shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface<'a> {
-    /// The hit point, moved off the surface by epsilon along `normal`, to the side from which the ray
-    /// came.
+    /// The hit point, moved off the surface by epsilon along the shape's own normal, to the side from which the
+    /// ray came.
     pub outside: Vector,
-    /// Unit normal of the surface, on the side from which the ray came.
+    /// Unit normal with which the surface is shaded, on the side from which the ray came.
     pub normal: Vector,
     /// Unit direction from the surface back along the ray, to the viewer.
     pub viewer: Vector,

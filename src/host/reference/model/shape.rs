@@ -28,7 +28,7 @@ pub trait Shape {
     fn meet(&self, ray: &Ray, reach: Real) -> Option<Real>;
 
     /// Returns the unit normal at a point of the surface: outwards on a sphere or cylinder, the
-    /// described normal on a plane or disc.
+    /// described normal on a plane or disc, and the cross product of a triangle's sides.
     fn normal(&self, at: Vector) -> Vector;
 
     /// Returns the curvature: 1 / radius of a sphere or cylinder, 0 of a flat shape.
@@ -81,6 +81,19 @@ pub struct Disc {
     pub normal: Vector,
     /// Radius of the disc, in scene units.
     pub radius: Real,
+    /// Index of the shape's material in the scene's list.
+    pub material: usize,
+}
+
+/// A triangle that is visible from both sides, prepared for tracing.
+#[derive(Clone, Copy, Debug)]
+pub struct Triangle {
+    /// First corner of the triangle, in scene units.
+    pub corner: Vector,
+    /// Vectors from the first corner to the second and to the third.
+    pub sides: [Vector; 2],
+    /// Unit normals at the corners, `None` if the triangle is flat.
+    pub normals: Option<[Vector; 3]>,
     /// Index of the shape's material in the scene's list.
     pub material: usize,
 }
@@ -205,5 +218,83 @@ impl Shape for Disc {
 
     fn curvature(&self) -> Real {
         0.0
+    }
+}
+
+impl Shape for Triangle {
+    /// Returns the distance by Cramer's rule, as Möller and Trumbore do.
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, reach: Real) -> Option<Real> {
+        let [one, other] = self.sides;
+        let across = ray.direction.cross(other);
+        let volume = one.dot(across);
+        let from_corner = ray.origin - self.corner;
+        let second = from_corner.dot(across) / volume;
+        // Not a number for a ray along the triangle.
+        if !(0.0..=1.0).contains(&second) {
+            return None;
+        }
+        let aside = from_corner.cross(one);
+        let third = ray.direction.dot(aside) / volume;
+        if third < 0.0 || second + third > 1.0 {
+            return None;
+        }
+        let distance = other.dot(aside) / volume;
+        (distance > 0.0 && distance < reach).then_some(distance)
+    }
+
+    #[inline]
+    fn normal(&self, _: Vector) -> Vector {
+        let [one, other] = self.sides;
+        one.cross(other).unit()
+    }
+
+    /// Returns how fast the normal turns, with a reserve: the largest difference of two normals over the smallest
+    /// altitude.
+    fn curvature(&self) -> Real {
+        let Some([first, second, third]) = self.normals else {
+            return 0.0;
+        };
+        let [one, other] = self.sides;
+        let longest = one.length().max(other.length()).max((other - one).length());
+        let turn = (second - first).length() + (third - first).length();
+        2.0 * turn * longest / one.cross(other).length()
+    }
+}
+
+impl Triangle {
+    /// Returns the normal with which a point is shaded. `flat` is the triangle's own normal on the viewer's side, and
+    /// the viewer looks along `view`.
+    ///
+    /// If a mirror with this normal reflects the view into the triangle, it is bent until the reflection runs along it.
+    #[inline]
+    pub fn shaded(&self, at: Vector, flat: Vector, view: Vector) -> Vector {
+        let Some([first, second, third]) = self.normals else {
+            return flat;
+        };
+        let ([one, other], place) = (self.sides, at - self.corner);
+        let across = one.cross(other);
+        let weight = |area: Vector| (area.dot(across) / across.dot(across)).clamp(0.0, 1.0);
+        let (b, c) = (weight(place.cross(other)), weight(one.cross(place)));
+        let c = c.min(1.0 - b);
+        let sum = first * (1.0 - b - c) + second * b + third * c;
+        if sum.dot(sum) < 1e-6 {
+            return flat;
+        }
+        let normal = sum.unit();
+        let normal = if normal.dot(flat) < 0.0 {
+            -normal
+        } else {
+            normal
+        };
+        let mirrored = (-view).mirrored(normal);
+        if mirrored.dot(flat) >= 0.0 {
+            return normal;
+        }
+        let between = mirrored.across(flat).unit() - view;
+        match between.dot(between) < 1e-6 {
+            true => flat,
+            false => between.unit(),
+        }
     }
 }

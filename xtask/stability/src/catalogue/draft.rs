@@ -98,6 +98,14 @@ impl Draft {
         self.part("discs", disc)
     }
 
+    /// Adds a flat triangle.
+    pub fn triangle(self, corners: [[f64; 3]; 3], material: &str) -> Self {
+        self.part(
+            "triangles",
+            json!({"corners": corners, "material": material}),
+        )
+    }
+
     /// Sets the background colour.
     pub fn before(mut self, background: [f64; 3]) -> Self {
         self.0["background"] = json!(background);

@@ -33,6 +33,47 @@ fn edge_on(slope: f64) -> Draft {
         .disc([-1.0, 0.0, 0.0], [5.0, -1.0 + slope, 0.0], 0.8, "mirror")
 }
 
+/// Returns triangles that are seen edge-on but for a slope: a mirror level with the eye, and one upright.
+fn triangles_edge_on(slope: f64) -> Draft {
+    ahead()
+        .sphere([0.0, 0.5, 0.6], 0.5, "gold")
+        .sphere([0.3, 0.0, -0.7], 0.5, "chalk")
+        .triangle(
+            [
+                [-1.2, -0.8, 0.8 * slope],
+                [1.2, -0.8, 0.8 * slope],
+                [0.0, 1.2, -1.2 * slope],
+            ],
+            "mirror",
+        )
+        .triangle(
+            [
+                [-1.2, -1.0, -0.6],
+                [-1.2, -1.0, 0.9],
+                [-1.5 + slope, 1.5, 0.2],
+            ],
+            "red",
+        )
+}
+
+/// Returns needles of 1 to 10^4: upright, leaning and along the view.
+fn needles() -> Draft {
+    ahead()
+        .sphere([0.3, 0.6, -0.4], 0.5, "gold")
+        .triangle(
+            [[-0.8, 0.0, -1.5], [-0.8, 0.0, 1.5], [-0.7997, 0.0, 1.5]],
+            "chalk",
+        )
+        .triangle(
+            [[-0.5, 0.0, -1.0], [1.0, 0.0, 1.2], [1.0002, 0.0, 1.1998]],
+            "red",
+        )
+        .triangle(
+            [[0.9, -2.0, -0.5], [0.5, 4.0, -0.6], [0.5, 4.0, -0.5994]],
+            "white",
+        )
+}
+
 /// Returns a cylinder that is closed by discs at both ends, over a floor.
 fn closed() -> Draft {
     Draft::seen_from([1.0, -5.0, 2.5], [0.0, 0.0, 0.5])
@@ -48,6 +89,9 @@ fn rays() -> Vec<Case> {
         "rows of pixels beside the horizon meet the floor at any distance, up to for ever";
     let rim = "a rim's rays touch: the root of what is left of two equal squares";
     let edge = "the rate at which a ray nears the disc is a difference of two numbers beside one";
+    let side = "which side of an edge a ray passes is a difference of two products, and its approach another";
+    let thin =
+        "two sides are almost one line, and their cross product a difference of equal products";
     let axis = "the square of the sine to the axis is a difference of two numbers beside one";
     let high = still_life([0.0, -4.0, 1.0], [0.0, 0.0, 1.0], 50.0);
     let low = still_life([0.0, -4.0, 1e-4], [0.0, 0.0, 1e-4], 50.0);
@@ -85,6 +129,13 @@ fn rays() -> Vec<Case> {
         ),
         picture("mirror disc seen edge-on", edge, edge_on(0.0)),
         picture("mirror disc 0.1° from edge-on", edge, edge_on(1.0 / 573.0)),
+        picture("mirror triangle seen edge-on", side, triangles_edge_on(0.0)),
+        picture(
+            "mirror triangle 0.1° from edge-on",
+            side,
+            triangles_edge_on(1.0 / 573.0),
+        ),
+        picture("triangles of 1 to 10^4", thin, needles()),
         picture("along a cylinder's axis", axis, along),
         picture("parallel to a cylinder's axis", axis, parallel),
         picture("along a cylinder's wall", axis, wall),

@@ -1,0 +1,229 @@
+//! Tests triangles in pictures: compared with double precision, in every quality, and as a constant scene.
+
+use embedded_graphics::prelude::Size;
+use reflet::host::compare::compare;
+use reflet::host::painted;
+use reflet::host::reference::{self, Picture, render};
+use reflet::quality::{Exact, Fast, Quality, Small};
+use reflet::shading::{BlinnPhong, Phong, Shading};
+use reflet::{Camera, Material, MaterialId, RuntimeScene, Scene, room, scene};
+
+const SIDE: u32 = 160;
+const REFLECTIONS: u8 = 4;
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+type Room = room!(spheres: 1, planes: 1, triangles: 90, lights: 2, materials: 4);
+type Scenery = RuntimeScene<Room>;
+type Built = Scene<Room>;
+type Triple = [f64; 3];
+
+fn unit(a: Triple) -> Triple {
+    let length = a.iter().map(|it| it * it).sum::<f64>().sqrt();
+    a.map(|it| it / length)
+}
+
+/// Returns the triangles of an icosahedron whose sides are halved `times` times, with corners on the unit sphere.
+fn ball(times: usize) -> Vec<[Triple; 3]> {
+    let golden = f64::midpoint(1.0, 5f64.sqrt());
+    let mut corners = Vec::new();
+    for one in [-1.0, 1.0] {
+        for other in [-golden, golden] {
+            corners.extend([[0.0, one, other], [one, other, 0.0], [other, 0.0, one]]);
+        }
+    }
+    let apart = |a: Triple, b: Triple| {
+        let square: f64 = (0..3).map(|axis| (a[axis] - b[axis]).powi(2)).sum();
+        square.sqrt()
+    };
+    let mut triangles = Vec::new();
+    for a in 0..12 {
+        for b in a + 1..12 {
+            for c in b + 1..12 {
+                let [p, q, r] = [a, b, c].map(|it: usize| corners[it]);
+                let sides = [apart(p, q), apart(q, r), apart(r, p)];
+                if sides.iter().all(|side| (side - 2.0).abs() < 1e-9) {
+                    triangles.push([p, q, r].map(unit));
+                }
+            }
+        }
+    }
+    for _ in 0..times {
+        let halved = triangles.iter().flat_map(|&[p, q, r]| {
+            let middle = |a: Triple, b: Triple| unit([0, 1, 2].map(|axis| a[axis] + b[axis]));
+            let [s, t, u] = [middle(p, q), middle(q, r), middle(r, p)];
+            [[p, s, u], [s, q, t], [u, t, r], [s, t, u]]
+        });
+        triangles = halved.collect();
+    }
+    triangles
+}
+
+fn materials(scene: &mut Scenery) -> [MaterialId; 3] {
+    let red = Material::new([0.9, 0.2, 0.1]).ambient(0.2).diffuse(0.6);
+    let gold = Material::new([0.7, 0.6, 0.0]).ambient(0.2).diffuse(0.4);
+    let chalk = Material::new([0.9, 0.9, 0.8]).ambient(0.2).diffuse(0.8);
+    [
+        red.specular(0.5, 20.0),
+        gold.specular(0.8, 4.0).mirror(0.4),
+        chalk,
+    ]
+    .map(|material| scene.add_material(material).unwrap())
+}
+
+fn furnished(mirror: f64) -> (Scenery, [MaterialId; 3], Camera) {
+    let mut scene = Scenery::new();
+    let ids = materials(&mut scene);
+    let floor = Material::new([0.5, 0.6, 0.7]).mirror(mirror);
+    let floor = scene.add_material(floor).unwrap();
+    scene.add_plane([0, 0, 0], [0, 0, 1], floor).unwrap();
+    scene.add_sphere([1.6, 1.0, 0.6], 0.6, ids[0]).unwrap();
+    scene.add_light([3.0, -5.0, 6.0], [0.8; 3]).unwrap();
+    scene.add_light([-6.0, -3.0, 3.0], [0.4; 3]).unwrap();
+    scene.set_background([0.21, 0.29, 0.52]).unwrap();
+    let camera = Camera::look_at([0.5, -6.0, 2.3], [0.1, 0.0, 1.0], UP).fov(45.0);
+    (scene, ids, camera)
+}
+
+/// A ball of 80 flat triangles, some of which mirror, above a mirroring floor.
+fn facets() -> (Scenery, Camera) {
+    let (mut scene, ids, camera) = furnished(0.5);
+    for (index, corners) in ball(1).into_iter().enumerate() {
+        let place = |it: Triple| [it[0] - 0.4, it[1], it[2] + 1.2];
+        scene
+            .add_triangle(corners.map(place), None, ids[index % 3])
+            .unwrap();
+    }
+    (scene, camera)
+}
+
+/// A ball of 20 triangles with the normals of a sphere, and triangles seen edge-on and as needles.
+fn smooth() -> (Scenery, Camera) {
+    let (mut scene, [red, gold, chalk], camera) = furnished(0.0);
+    for corners in ball(1) {
+        let place = |it: Triple| [0.8 * it[0] - 0.6, 0.8 * it[1], 0.8 * it[2] + 1.0];
+        scene
+            .add_triangle(corners.map(place), corners, red)
+            .unwrap();
+    }
+    for corners in [
+        // A needle of 1 to 10^4.
+        [[1.0, -1.0, 0.5], [1.5, -1.0, 2.5], [1.5002, -1.0, 2.5]],
+        // In the plane of the eye.
+        [[0.5, -6.0, 2.3], [-1.0, 0.0, 2.3], [1.0, 0.0, 2.3]],
+        [[0.9, 0.5, 1.6], [1.9, 0.5, 1.6], [1.4, -0.5, 1.9]],
+    ] {
+        scene.add_triangle(corners, None, chalk).unwrap();
+    }
+    let leaning = [[-2.5, 1.0, 0.0], [-1.0, 1.5, 0.0], [-1.8, 1.6, 2.2]];
+    let normals = [[-0.5, -1.0, 0.2], [0.5, -1.0, 0.0], [0.0, -1.0, -0.5]];
+    scene.add_triangle(leaning, normals, gold).unwrap();
+    (scene, camera)
+}
+
+fn picture<Q: Quality, K: Shading>(scene: &Built, camera: &Camera, side: u32) -> Picture {
+    let frame = scene.frame(camera).reflections(REFLECTIONS);
+    let frame = frame.quality::<Q>().shading::<K>();
+    painted(&frame.prepare(Size::new(side, side)).on(scene).unwrap())
+}
+
+/// Checks the shares of pixels that are equal or within 1 of the reference in every quality, and that `Fast` is within
+/// 1 of `Exact`.
+fn assert_near<K: Shading>((scene, camera): (Scenery, Camera), shading: reference::Shading) {
+    let truth = {
+        let (scene, camera) = ((&scene.description()).into(), (&camera).into());
+        render(&scene, &camera, SIDE, SIDE, REFLECTIONS.into(), shading)
+    };
+    let built = scene.build().unwrap();
+    let exact = picture::<Exact, K>(&built, &camera, SIDE);
+    let fast = picture::<Fast, K>(&built, &camera, SIDE);
+    let small = picture::<Small, K>(&built, &camera, SIDE);
+    for (name, picture, same, within1) in [
+        ("fast", &fast, 0.985, 0.998),
+        ("small", &small, 0.99, 0.9995),
+        ("exact", &exact, 0.999, 0.9997),
+    ] {
+        let found = compare(picture, &truth).unwrap();
+        println!("{name}: {found:?}");
+        let is_near = found.same >= same && found.within1 >= within1;
+        assert!(is_near, "{name}: {found:?}");
+    }
+    let found = compare(&fast, &exact).unwrap();
+    println!("fast and exact: {found:?}");
+    assert!(found.within1 >= 0.999, "{found:?}");
+}
+
+#[test]
+fn flat_triangles_are_painted_as_double_precision_paints_them() {
+    assert_near::<BlinnPhong>(facets(), reference::Shading::BlinnPhong);
+}
+
+#[test]
+fn smooth_triangles_are_painted_as_double_precision_paints_them() {
+    assert_near::<BlinnPhong>(smooth(), reference::Shading::BlinnPhong);
+    assert_near::<Phong>(smooth(), reference::Shading::Phong);
+}
+
+/// A closed mesh around the camera hides the background from it.
+#[test]
+fn no_pixel_shows_what_is_outside_of_a_mesh() {
+    let mut scene = Scenery::new();
+    let grey = Material::new([0.5; 3]).ambient(1.0).diffuse(0.0);
+    let grey = scene.add_material(grey).unwrap();
+    for corners in ball(1) {
+        scene.add_triangle(corners, None, grey).unwrap();
+    }
+    scene.set_background([1.0, 0.0, 0.0]).unwrap();
+    let built = scene.build().unwrap();
+    for target in [[0.0, 1.0, 0.0], [0.3, -0.2, 1.0], [-0.5, 0.1, -0.4]] {
+        let camera = Camera::look_at([0.05, 0.1, -0.2], target, [0.1, 0.2, 0.9]).fov(120.0);
+        for picture in [
+            picture::<Fast, BlinnPhong>(&built, &camera, 200),
+            picture::<Small, BlinnPhong>(&built, &camera, 200),
+        ] {
+            let is_grey = |[red, green, blue]: &[u8; 3]| red == green && green == blue;
+            assert!(picture.pixels.iter().all(is_grey));
+        }
+    }
+}
+
+const CLAY: Material = Material::new([0.8, 0.5, 0.3]).ambient(0.2);
+const FACE: [[f64; 3]; 3] = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.5]];
+
+scene! {
+    /// A flat and a smooth triangle.
+    struct Sail {
+        motion([-4.0, -4.0, -4.0], [4.0, 4.0, 4.0]);
+        triangle(FACE, None, CLAY);
+        triangle FORE([[0.2, -0.5, 0.0], [1.5, -0.5, 0.0], [0.2, -0.5, 1.2]],
+            Some([[0.0, -1.0, 0.0], [0.7, -0.7, 0.0], [0.0, -0.7, 0.7]]), CLAY);
+        light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0]);
+    }
+}
+
+#[test]
+fn constant_scene_is_the_same_picture_as_one_that_is_filled_and_moved() {
+    let camera = Camera::look_at([0.3, -4.0, 1.0], [0.3, 0.0, 0.6], UP).fov(50.0);
+    let size = Size::new(64, 64);
+    let constant = painted(&Sail::frame(&camera).prepare(size).on(&Sail).unwrap());
+    let mut scene = Scenery::new();
+    let clay = scene.add_material(CLAY).unwrap();
+    scene.set_motion([-4, -4, -4], [4, 4, 4]).unwrap();
+    scene.add_triangle(FACE, None, clay).unwrap();
+    let fore = scene.add_triangle(FACE, None, clay).unwrap();
+    scene.add_light([3, -4, 6], [1, 1, 1]).unwrap();
+    let mut built = scene.build().unwrap();
+    let corners = [[0.2, -0.5, 0.0], [1.5, -0.5, 0.0], [0.2, -0.5, 1.2]];
+    let normals = [[0.0, -1.0, 0.0], [0.7, -0.7, 0.0], [0.0, -0.7, 0.7]];
+    built.set_triangle(fore, corners, normals).unwrap();
+    let filled = painted(&built.frame(&camera).prepare(size).on(&built).unwrap());
+    assert_eq!(constant, filled);
+    let mut moving = reflet::MovingScene::<Sail>::new();
+    moving.set_triangle(Sail::FORE, FACE, None).unwrap();
+    let moved = painted(&moving.frame(&camera).prepare(size).on(&moving).unwrap());
+    assert_ne!(constant, moved);
+    moving
+        .set_triangle(Sail::FORE, corners, Some(normals))
+        .unwrap();
+    let back = painted(&moving.frame(&camera).prepare(size).on(&moving).unwrap());
+    assert_eq!(constant, back);
+}
