@@ -116,6 +116,7 @@ const SURE_COSINE: i32 = 1 << 14;
 
 impl Shown<'_> {
     /// Returns how many pixels show how the highlight of a light changes. `rays` are those of the light.
+    #[inline(never)]
     pub(super) fn highlight_samples<K: Shading>(&self, rays: &Rays) -> Samples {
         if self.is_surely_smooth::<K>(rays) {
             return Samples::Three;

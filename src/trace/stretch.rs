@@ -226,6 +226,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
 
     /// Tests whether no other shape comes to the front in a stretch. Notes in `proved` where one that may begins or
     /// ends.
+    #[inline(never)]
     fn keeps(
         &mut self,
         (window, _): Between<'_>,

@@ -82,7 +82,7 @@ pub const MAX_MATERIALS: usize = 256;
 /// Capacity of a scene that is read from a scene file: the `MAX_` limit of each kind of part.
 ///
 /// ```
-/// use reflet::host::file::{FileRoom, FileRuntimeScene, FileScene, MAX_CYLINDERS, MAX_DISCS, MAX_LIGHTS};
+/// use reflet::host::file::{FileRuntimeScene, FileScene, MAX_CYLINDERS, MAX_DISCS, MAX_LIGHTS};
 /// use reflet::host::file::{MAX_MATERIALS, MAX_PLANES, MAX_SPHERES, MAX_SUNS, MAX_TRIANGLES};
 /// use reflet::host::reference::Scene;
 ///
@@ -97,9 +97,7 @@ pub const MAX_MATERIALS: usize = 256;
 ///         && scene.materials.len() <= MAX_MATERIALS
 /// }
 /// assert!(fits(&Scene::default()));
-///
-/// let empty: FileRuntimeScene = reflet::RuntimeScene::<FileRoom>::new();
-/// let built: FileScene = empty.build()?;
+/// let built: FileScene = FileRuntimeScene::new().build()?;
 /// assert!(built.needs().is_nothing());
 /// # Ok::<(), reflet::Error>(())
 /// ```

@@ -140,7 +140,7 @@ fn part(bytes: &mut Unstructured, kind: &str, names: &[&str]) -> Result<Value> {
             let [x, y, z] = center;
             let corners = [center, [x + radius, y, z], [x, y + 1.0, z + height]];
             match bytes.arbitrary()? {
-                true => json!({ "corners": corners, "normals": [way; 3], "material": name }),
+                true => json!({ "corners": corners, "normals": [way, way, way], "material": name }),
                 false => json!({ "corners": corners, "material": name }),
             }
         }
