@@ -95,6 +95,13 @@ impl Owned {
             start.elapsed().as_secs_f64()
         );
         let picture = run.pictures.first().context("one was waited for")?;
+        if picture.bus.sending > 0 {
+            println!(
+                "{:.1} % of the SPI's {} cycles hidden",
+                100.0 * picture.bus.hidden(),
+                picture.bus.sending
+            );
+        }
         screenshot::save(&as_seen(picture), file)
     }
 

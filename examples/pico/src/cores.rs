@@ -11,7 +11,8 @@ use rp2040_hal::multicore::{Multicore, Stack};
 use rp2040_hal::pac::{PPB, PSM};
 use rp2040_hal::sio::SioFifo;
 
-use crate::view::{BLACK_ROW, Row, Rows, View};
+use crate::screen::Line;
+use crate::view::{Rows, View};
 
 /// Stack of the second core: 4096 words. A row of the castle takes 9 KiB at most.
 static STACK: Stack<4096> = Stack::new();
@@ -40,7 +41,7 @@ impl Cores {
     }
 
     /// Traces rows `y` and `y + 1` of a view. `rows` is the view's prepared picture on this core.
-    pub fn trace(&mut self, view: &View, rows: &dyn Rows, y: u32, [even, odd]: &mut [Row; 2]) {
+    pub fn trace(&mut self, view: &View, rows: &dyn Rows, y: u32, [even, odd]: &mut [Line; 2]) {
         match &mut self.second {
             Some(second) => {
                 second.ask(*view, y + 1);
@@ -58,14 +59,14 @@ impl Cores {
 /// The second core, which traces one row at a time.
 struct Second {
     questions: Producer<'static, (View, u32)>,
-    answers: Consumer<'static, Row>,
+    answers: Consumer<'static, Line>,
 }
 
 impl Second {
     fn start(psm: &mut PSM, ppb: &mut PPB, fifo: &mut SioFifo) -> Option<Self> {
         // A queue holds one item less than its capacity.
         let questions = singleton!(: Queue<(View, u32), 2> = Queue::new())?;
-        let answers = singleton!(: Queue<Row, 2> = Queue::new())?;
+        let answers = singleton!(: Queue<Line, 2> = Queue::new())?;
         let (questions, asked) = questions.split();
         let (answered, answers) = answers.split();
         let mut cores = Multicore::new(psm, ppb, fifo);
@@ -85,7 +86,7 @@ impl Second {
         );
     }
 
-    fn answer(&mut self) -> Row {
+    fn answer(&mut self) -> Line {
         loop {
             if let Some(row) = self.answers.dequeue() {
                 return row;
@@ -95,7 +96,7 @@ impl Second {
 }
 
 /// Runs on the second core, for ever: prepares each view once and traces its rows.
-fn answer_all(mut asked: Consumer<'static, (View, u32)>, mut answered: Producer<'static, Row>) {
+fn answer_all(mut asked: Consumer<'static, (View, u32)>, mut answered: Producer<'static, Line>) {
     let mut question = next(&mut asked);
     loop {
         let (view, _) = question;
@@ -108,12 +109,12 @@ fn answer_about(
     rows: &dyn Rows,
     (view, mut y): (View, u32),
     asked: &mut Consumer<'static, (View, u32)>,
-    answered: &mut Producer<'static, Row>,
+    answered: &mut Producer<'static, Line>,
 ) -> (View, u32) {
-    let mut row = BLACK_ROW;
+    let mut line = Line::BLACK;
     loop {
-        rows.row(y, &mut row);
-        assert!(answered.enqueue(row).is_ok(), "every row is fetched");
+        rows.row(y, &mut line);
+        assert!(answered.enqueue(line).is_ok(), "every row is fetched");
         let question = next(asked);
         if question.0 != view {
             return question;

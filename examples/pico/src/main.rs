@@ -7,26 +7,24 @@
 mod board;
 mod cores;
 mod keys;
+mod screen;
 mod view;
 
 use core::panic::PanicInfo;
 
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Point, Size};
-use embedded_graphics::pixelcolor::Rgb565;
-use embedded_graphics::primitives::Rectangle;
 use rtt_target::{rprintln, rtt_init_print};
 
 use crate::board::Board;
 use crate::cores::Cores;
 use crate::keys::{Keys, Request};
-use crate::view::{BLACK_ROW, Rows, SIDE, View};
+use crate::screen::{Line, SIDE, Screen};
+use crate::view::{Rows, View};
 
 #[rp2040_hal::entry]
 fn main() -> ! {
     rtt_init_print!();
     let Board {
-        mut display,
+        mut screen,
         keys,
         second_core,
         timer,
@@ -36,9 +34,7 @@ fn main() -> ! {
     let mut view = View::FIRST;
     loop {
         let start = timer.get_counter();
-        let pressed = view
-            .with_rows(|rows| draw(&view, rows, &mut display, &mut keys, &mut cores))
-            .expect("the display takes every row");
+        let pressed = view.with_rows(|rows| draw(&view, rows, &mut screen, &mut keys, &mut cores));
         if pressed.is_none() {
             let time = timer.get_counter() - start;
             rprintln!("{}: {} ms", view.name(), time.to_millis());
@@ -49,23 +45,25 @@ fn main() -> ! {
 }
 
 /// Draws a view, two rows at a time. Stops and returns the request if a key is pressed.
-fn draw<D: DrawTarget<Color = Rgb565>>(
+fn draw(
     view: &View,
     rows: &dyn Rows,
-    display: &mut D,
+    screen: &mut Screen,
     keys: &mut Keys,
     cores: &mut Cores,
-) -> Result<Option<Request>, D::Error> {
-    let mut pair = [BLACK_ROW; 2];
+) -> Option<Request> {
+    let mut pair = [Line::BLACK; 2];
     for y in (0..SIDE).step_by(2) {
         cores.trace(view, rows, y, &mut pair);
-        let area = Rectangle::new(Point::new(0, y as i32), Size::new(SIDE, 2));
-        display.fill_contiguous(&area, pair.iter().flatten().copied())?;
-        if let Some(request) = keys.pressed() {
-            return Ok(Some(request));
+        screen.show(y, 1, &pair[0]);
+        screen.show(y + 1, 1, &pair[1]);
+        let pressed = keys.pressed();
+        if pressed.is_some() {
+            return pressed;
         }
     }
-    Ok(None)
+    screen.finish();
+    None
 }
 
 /// Prints the panic's message to a connected debugger, and stops.

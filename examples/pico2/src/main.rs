@@ -7,14 +7,15 @@
 mod board;
 mod cores;
 mod scene;
+mod screen;
 
 use core::panic::PanicInfo;
 
-use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use embedded_hal::{delay::DelayNs, digital::InputPin};
 use rtt_target::{rprintln, rtt_init_print};
 
-use crate::cores::{SIDE, prepare, trace};
+use crate::cores::{prepare, trace};
+use crate::screen::{Line, SIDE};
 // For a scene of yours, change this line: `scene.rs` says how.
 use crate::scene::{CAMERA, Castle as Shown};
 
@@ -28,20 +29,18 @@ fn main() -> ! {
     rtt_init_print!();
     let mut board = board::switch_on();
     let mut camera = CAMERA;
-    let mut even = [Rgb565::BLACK; SIDE as usize];
+    let mut line = Line::BLACK;
     loop {
         let start = board.timer.get_counter();
         let frame = prepare(&camera);
         for y in (0..SIDE).step_by(2) {
-            trace(&frame, y, &mut even);
+            trace(&frame, y, &mut line);
+            board.screen.show(y, 1, &line);
             while !board.odd_rows.ready() {}
-            let odd = board.odd_rows.dequeue().into_iter().flatten();
-            let area = Rectangle::new(Point::new(0, y as i32), Size::new(SIDE, 2));
-            let drawn = board
-                .display
-                .fill_contiguous(&area, even.into_iter().chain(odd));
-            drawn.expect("the display takes every row");
+            let odd = board.odd_rows.dequeue().unwrap_or(Line::BLACK);
+            board.screen.show(y + 1, 1, &odd);
         }
+        board.screen.finish();
         let time = board.timer.get_counter() - start;
         rprintln!("picture: {} ms", time.to_millis());
         while board.key.is_high() == Ok(true) {}
