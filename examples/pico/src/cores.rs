@@ -3,6 +3,8 @@
 //!
 //! If no second core answers, as in most emulators, the first traces all rows.
 
+use core::ops::Range;
+
 use cortex_m::singleton;
 use heapless::spsc::{Consumer, Producer, Queue};
 use rp2040_hal::Timer;
@@ -11,7 +13,7 @@ use rp2040_hal::multicore::{Multicore, Stack};
 use rp2040_hal::pac::{PPB, PSM};
 use rp2040_hal::sio::SioFifo;
 
-use crate::screen::Line;
+use crate::screen::{Line, Screen};
 use crate::view::{Rows, View};
 
 /// Stack of the second core: 4096 words. A row of the castle takes 9 KiB at most.
@@ -40,19 +42,35 @@ impl Cores {
         1 + usize::from(self.second.is_some())
     }
 
-    /// Traces rows `y` and `y + 1` of a view. `rows` is the view's prepared picture on this core.
-    pub fn trace(&mut self, view: &View, rows: &dyn Rows, y: u32, [even, odd]: &mut [Line; 2]) {
-        match &mut self.second {
-            Some(second) => {
-                second.ask(*view, y + 1);
-                rows.row(y, even);
-                *odd = second.answer();
+    /// Draws a view, whose prepared picture on this core is `rows`, with both cores by turns. The first
+    /// row of each area covers it. Ends as soon as `stop` returns something, and returns that.
+    pub fn draw<T>(
+        &mut self,
+        (view, rows): (&View, &dyn Rows),
+        mut areas: impl Iterator<Item = Range<u32>>,
+        screen: &mut Screen,
+        mut stop: impl FnMut() -> Option<T>,
+    ) -> Option<T> {
+        let mut line = Line::BLACK;
+        let mut stopped = None;
+        while let (None, Some(area)) = (&stopped, areas.next()) {
+            let other = areas.next();
+            if let (Some(second), Some(other)) = (&mut self.second, &other) {
+                second.ask(*view, other.start);
             }
-            None => {
-                rows.row(y, even);
-                rows.row(y + 1, odd);
+            rows.row(area.start, &mut line);
+            screen.show(area, &line);
+            if let Some(other) = other {
+                match &mut self.second {
+                    Some(second) => line = second.answer(),
+                    None => rows.row(other.start, &mut line),
+                }
+                screen.show(other, &line);
             }
+            stopped = stop();
         }
+        screen.send();
+        stopped
     }
 }
 

@@ -12,13 +12,14 @@ mod view;
 
 use core::panic::PanicInfo;
 
+use reflet::display::coarse_first;
 use rtt_target::{rprintln, rtt_init_print};
 
 use crate::board::Board;
 use crate::cores::Cores;
-use crate::keys::{Keys, Request};
-use crate::screen::{Line, SIDE, Screen};
-use crate::view::{Rows, View};
+use crate::keys::Keys;
+use crate::screen::SIDE;
+use crate::view::View;
 
 #[rp2040_hal::entry]
 fn main() -> ! {
@@ -34,7 +35,9 @@ fn main() -> ! {
     let mut view = View::FIRST;
     loop {
         let start = timer.get_counter();
-        let pressed = view.with_rows(|rows| draw(&view, rows, &mut screen, &mut keys, &mut cores));
+        let areas = coarse_first(SIDE);
+        let pressed =
+            view.with_rows(|rows| cores.draw((&view, rows), areas, &mut screen, || keys.pressed()));
         if pressed.is_none() {
             let time = timer.get_counter() - start;
             rprintln!("{}: {} ms", view.name(), time.to_millis());
@@ -42,28 +45,6 @@ fn main() -> ! {
         let request = pressed.unwrap_or_else(|| keys.wait());
         view = view.after(request);
     }
-}
-
-/// Draws a view, two rows at a time. Stops and returns the request if a key is pressed.
-fn draw(
-    view: &View,
-    rows: &dyn Rows,
-    screen: &mut Screen,
-    keys: &mut Keys,
-    cores: &mut Cores,
-) -> Option<Request> {
-    let mut pair = [Line::BLACK; 2];
-    for y in (0..SIDE).step_by(2) {
-        cores.trace(view, rows, y, &mut pair);
-        screen.show(y, 1, &pair[0]);
-        screen.show(y + 1, 1, &pair[1]);
-        let pressed = keys.pressed();
-        if pressed.is_some() {
-            return pressed;
-        }
-    }
-    screen.finish();
-    None
 }
 
 /// Prints the panic's message to a connected debugger, and stops.

@@ -1,6 +1,6 @@
 //! The view: a scene and a camera. Knows no board.
 
-use embedded_graphics::{prelude::*, primitives::Rectangle};
+use embedded_graphics::geometry::Size;
 use reflet::Camera;
 use reflet::scenes::{BuiltIn, Castle, NAMES, Visitor, visit};
 
@@ -62,8 +62,9 @@ pub trait Rows {
 
 impl<S: BuiltIn> Rows for reflet::Rows<'_, S> {
     fn row(&self, y: u32, line: &mut Line) {
-        let row = Rectangle::new(Point::new(0, y as i32), Size::new(SIDE, 1));
-        let Ok(_) = self.draw_area(row, -row.top_left, line);
+        line.fill(1, |colors| {
+            self.row(y, 0, colors);
+        });
     }
 }
 

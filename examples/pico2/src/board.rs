@@ -3,19 +3,18 @@
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use embedded_hal::{digital::OutputPin, spi::MODE_0};
 use embedded_hal_bus::spi::ExclusiveDevice;
-use heapless::spsc::Consumer;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use mipidsi::{Builder, interface::SpiInterface, models::ST7789};
 use rp235x_hal::clocks::{Clock, init_clocks_and_plls};
 use rp235x_hal::dma::DMAExt;
 use rp235x_hal::fugit::RateExtU32;
 use rp235x_hal::gpio::{FunctionSioInput, FunctionSpi, Pin, Pins, PullUp, bank0::Gpio20};
-use rp235x_hal::pac::Peripherals;
+use rp235x_hal::pac::{PPB, PSM, Peripherals};
+use rp235x_hal::sio::SioFifo;
 use rp235x_hal::timer::CopyableTimer0;
 use rp235x_hal::{Sio, Spi, Timer, Watchdog};
 
-use crate::cores;
-use crate::screen::{Line, SIDE, Screen};
+use crate::screen::{SIDE, Screen};
 
 /// Frequency of the board's crystal, in Hz.
 const CRYSTAL: u32 = 12_000_000;
@@ -26,8 +25,8 @@ pub struct Board {
     pub screen: Screen,
     /// The key that orbits the camera. It connects its pin to ground.
     pub key: Pin<Gpio20, FunctionSioInput, PullUp>,
-    /// Odd rows of view after view, from the second core.
-    pub odd_rows: Consumer<'static, Line>,
+    /// Switch of the second core, its interrupts, and the FIFO to it.
+    pub second_core: (PSM, PPB, SioFifo),
     pub timer: Timer<CopyableTimer0>,
 }
 
@@ -49,7 +48,7 @@ pub fn switch_on() -> Board {
     )
     .expect("the crystal oscillates");
     let mut timer = Timer::new_timer0(chip.TIMER0, &mut chip.RESETS, &clocks);
-    let mut sio = Sio::new(chip.SIO);
+    let sio = Sio::new(chip.SIO);
     let banks = (chip.IO_BANK0, chip.PADS_BANK0, sio.gpio_bank0);
     let pins = Pins::new(banks.0, banks.1, banks.2, &mut chip.RESETS);
     let data = pins.gpio11.into_function::<FunctionSpi>();
@@ -81,8 +80,7 @@ pub fn switch_on() -> Board {
     Board {
         screen: screen.expect("the board is switched on once"),
         key: pins.gpio20.into_pull_up_input(),
-        odd_rows: cores::start(&mut chip.PSM, &mut chip.PPB, &mut sio.fifo)
-            .expect("the second core answers"),
+        second_core: (chip.PSM, chip.PPB, sio.fifo),
         timer,
     }
 }

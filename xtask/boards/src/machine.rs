@@ -159,15 +159,17 @@ impl<C: Core> Machine<C> {
     /// Runs until one more picture is captured.
     fn draw(&mut self, script: &Script, limit: u64) -> Result<(), Fault> {
         let captured = self.pictures.len();
+        let is_last = captured + 1 == script.pictures.len();
+        let pause = script.pauses[usize::from(is_last)];
         let mut turns = 0_u64;
         while self.pictures.len() == captured {
             self.turn(script.rows)?;
             turns += 1;
-            if script.pause == 0 {
+            if pause == 0 && self.presses.are_finished() {
                 self.pictures.extend(self.complete.take());
             }
             if turns.is_multiple_of(LOOK) {
-                self.look(script.pause);
+                self.look(pause);
                 if self.runners[0].time > limit {
                     return Err(fault!("the limit of the run is reached"));
                 }

@@ -11,12 +11,12 @@ pub struct Script {
     pub(crate) cores: usize,
     pub(crate) rows: usize,
     pub(crate) seconds: u64,
-    /// Microseconds without a new row after which a picture is captured.
-    pub(crate) pause: u64,
+    /// Microseconds without a new row after which a picture is captured, and after which the last is.
+    pub(crate) pauses: [u64; 2],
 }
 
 /// The firmware may draw a picture in two passes, and report it.
-const PAUSE: u64 = 30_000;
+const PAUSE: u64 = 100_000;
 
 impl Default for Script {
     /// No picture yet, all cores, 60 seconds at most.
@@ -26,7 +26,7 @@ impl Default for Script {
             cores: 2,
             rows: SIDE,
             seconds: 60,
-            pause: PAUSE,
+            pauses: [PAUSE; 2],
         }
     }
 }
@@ -46,17 +46,18 @@ impl Script {
 
     /// Captures each picture as soon as this many of its rows are drawn, counted from the top.
     pub fn rows(self, rows: usize) -> Self {
-        let pause = 0;
+        let pauses = [0; 2];
         Self {
             rows,
-            pause,
+            pauses,
             ..self
         }
     }
 
-    /// Captures each picture with its last row: pictures follow one another without a pause.
-    pub fn without_pause(self) -> Self {
-        Self { pause: 0, ..self }
+    /// Captures each picture but the last with its last row: frames follow one another without a pause.
+    pub fn frames(self) -> Self {
+        let pauses = [0, PAUSE];
+        Self { pauses, ..self }
     }
 
     /// Sets the limit of the run in seconds of the board. A firmware that reaches it has failed.

@@ -4,6 +4,7 @@ mod line;
 
 use core::cell::{Ref, RefCell};
 use core::convert::Infallible;
+use core::ops::Range;
 
 use cortex_m::singleton;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -16,7 +17,7 @@ use rp2040_hal::pac::SPI1;
 use rp2040_hal::spi::{Enabled, Spi};
 
 pub use line::{Line, SIDE};
-use line::{ROW, put};
+use line::{ROW, Wire};
 
 /// Most rows that are sent at once. Two areas of 4 rows fit: those that both cores trace first.
 const ROWS: usize = 8;
@@ -25,8 +26,8 @@ const ROWS: usize = 8;
 type Block = RefCell<[u8; ROWS * ROW]>;
 
 /// The SPI behind the pins of data and clock.
-type Bus = Spi<Enabled, SPI1, (Wire<Gpio11>, Wire<Gpio10>), 8>;
-type Wire<P> = Pin<P, FunctionSpi, PullDown>;
+type Bus = Spi<Enabled, SPI1, (Serial<Gpio11>, Serial<Gpio10>), 8>;
+type Serial<P> = Pin<P, FunctionSpi, PullDown>;
 type Output<P> = Pin<P, FunctionSioOutput, PullDown>;
 
 /// The DMA and the SPI, at rest or at work.
@@ -65,19 +66,12 @@ impl Screen {
         })
     }
 
-    /// Shows a line `height` times, from row `y` on.
-    pub fn show(&mut self, y: u32, height: u32, line: &Line) {
-        for y in y..y + height {
+    /// Shows a line in each of these rows.
+    pub fn show(&mut self, rows: Range<u32>, line: &Line) {
+        for y in rows {
             let at = Point::new(0, y as i32);
             self.add(at, SIDE, |bytes| bytes.copy_from_slice(&line.bytes));
         }
-    }
-
-    /// Waits until all rows are on the panel.
-    pub fn finish(&mut self) {
-        self.send();
-        let idle = self.wait();
-        self.state = idle.map(|(dma, spi)| State::Idle(dma, spi));
     }
 
     /// Adds a row to the block, and sends the block if it is full. A block that the row does not
@@ -98,7 +92,7 @@ impl Screen {
     }
 
     /// Starts to send the block, after the one before is sent.
-    fn send(&mut self) {
+    pub fn send(&mut self) {
         let Rectangle { top_left, size } = self.filled;
         let Some(last) = self.filled.bottom_right() else {
             return;
@@ -115,7 +109,7 @@ impl Screen {
         let block = Ref::map(self.blocks[0].borrow(), |block| &block[..bytes]);
         self.state = Some(State::Sending(Config::new(dma, block, spi).start()));
         self.blocks.swap(0, 1);
-        self.filled = Rectangle::new(last, Size::zero());
+        self.filled = Rectangle::zero();
     }
 
     /// Waits until the DMA and the SPI rest, and takes them.
@@ -160,7 +154,7 @@ impl DrawTarget for Screen {
     {
         let panel = self.bounding_box();
         for Pixel(at, color) in pixels.into_iter().filter(|it| panel.contains(it.0)) {
-            self.add(at, 1, |bytes| put(bytes, [color]));
+            self.add(at, 1, |bytes| bytes.copy_from_slice(&Wire::from(color).0));
             self.send();
         }
         Ok(())
@@ -177,7 +171,11 @@ impl DrawTarget for Screen {
         }
         for y in area.rows() {
             let at = Point::new(area.top_left.x, y);
-            self.add(at, area.size.width, |bytes| put(bytes, &mut colors));
+            self.add(at, area.size.width, |bytes| {
+                for (bytes, color) in bytes.chunks_exact_mut(2).zip(&mut colors) {
+                    bytes.copy_from_slice(&Wire::from(color).0);
+                }
+            });
         }
         self.send();
         Ok(())

@@ -1,8 +1,8 @@
 //! One row of the panel, in its byte order: what a core traces and the DMA sends.
 
-use core::convert::Infallible;
-
-use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use embedded_graphics::pixelcolor::raw::RawU16;
+use embedded_graphics::pixelcolor::{PixelColor, Rgb565, Rgb888};
+use embedded_graphics::prelude::IntoStorage;
 
 /// Width and height of the panel in pixels.
 pub const SIDE: u32 = 240;
@@ -10,7 +10,27 @@ pub const SIDE: u32 = 240;
 /// Bytes of a row.
 pub const ROW: usize = 2 * SIDE as usize;
 
-/// One row of pixels. As a target it has one row, too.
+/// A colour in the panel's byte order.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Wire(pub [u8; 2]);
+
+impl PixelColor for Wire {
+    type Raw = RawU16;
+}
+
+impl From<Rgb565> for Wire {
+    fn from(color: Rgb565) -> Self {
+        Self(color.into_storage().to_be_bytes())
+    }
+}
+
+impl From<Rgb888> for Wire {
+    fn from(color: Rgb888) -> Self {
+        Rgb565::from(color).into()
+    }
+}
+
+/// One row of the panel.
 #[derive(Clone, Copy)]
 pub struct Line {
     pub bytes: [u8; ROW],
@@ -18,43 +38,22 @@ pub struct Line {
 
 impl Line {
     pub const BLACK: Self = Self { bytes: [0; ROW] };
-}
 
-impl OriginDimensions for Line {
-    fn size(&self) -> Size {
-        Size::new(SIDE, 1)
-    }
-}
-
-impl DrawTarget for Line {
-    type Color = Rgb565;
-    type Error = Infallible;
-
-    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Infallible>
-    where
-        I: IntoIterator<Item = Pixel<Rgb565>>,
-    {
-        for Pixel(at, color) in pixels {
-            if let Some(bytes) = self.bytes.get_mut(2 * at.x as usize..) {
-                put(bytes, [color]);
-            }
+    /// Calls `trace` for the colours of a row, of which each covers `scale` columns: 1 or 2.
+    pub fn fill(&mut self, scale: u32, trace: impl FnOnce(&mut [Wire])) {
+        let mut colors = [Wire([0; 2]); SIDE as usize];
+        let colors = &mut colors[..(SIDE / scale) as usize];
+        trace(colors);
+        match scale {
+            1 => self.spread::<1>(colors),
+            _ => self.spread::<2>(colors),
         }
-        Ok(())
     }
 
-    fn fill_contiguous<I>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible>
-    where
-        I: IntoIterator<Item = Rgb565>,
-    {
-        let bytes = self.bytes.get_mut(2 * area.top_left.x as usize..);
-        put(bytes.unwrap_or_default(), colors);
-        Ok(())
-    }
-}
-
-/// Writes colours in the panel's byte order.
-pub fn put(bytes: &mut [u8], colors: impl IntoIterator<Item = Rgb565>) {
-    for (bytes, color) in bytes.chunks_exact_mut(2).zip(colors) {
-        bytes.copy_from_slice(&color.into_storage().to_be_bytes());
+    fn spread<const SCALE: usize>(&mut self, colors: &[Wire]) {
+        let columns = self.bytes.chunks_exact_mut(2 * SCALE);
+        for (bytes, Wire(color)) in columns.zip(colors) {
+            bytes.copy_from_slice([*color; SCALE].as_flattened());
+        }
     }
 }
