@@ -65,7 +65,7 @@ pub static BLACK_PILL: Owned = Owned {
     title: "Black Pill (STM32F411)",
     core: "m4f",
     cores: 1,
-    sending: 57.0,
+    sending: 124.0,
     has_dma: false,
     target: "thumbv7em-none-eabihf",
     board: Board::BLACK_PILL,
