@@ -170,10 +170,10 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 17_588;
+    const MOST_CODE: usize = 17_637;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 39_720;
+    const MOST_OUTSIDE: usize = 41_346;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;
