@@ -78,12 +78,12 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
         let frame = self.prepare(area.size);
         let rows = frame.unchanged(self.scene());
         let Size { width, height } = rows.size();
-        let columns = row.len().min(width as usize);
-        let (row, _) = row.split_at_mut(columns);
+        let columns = u32::try_from(row.len()).unwrap_or(width).min(width);
+        let (row, _) = row.split_at_mut(columns as usize);
         for covered in coarse_first(height) {
             report = report.merge(rows.row(covered.start, 0, row));
             let at = area.top_left + Point::new(0, signed(covered.start));
-            let size = Size::new(columns as u32, covered.end - covered.start);
+            let size = Size::new(columns, covered.end - covered.start);
             let pixels = repeat_n(&*row, covered.len()).flatten().copied();
             target.fill_contiguous(&Rectangle::new(at, size), pixels)?;
         }
