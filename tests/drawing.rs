@@ -1,6 +1,8 @@
 //! Tests how a picture is drawn on a display: every pixel once, inside, in order; whole, in part and
 //! in pieces; and no row after the display has failed.
 
+use std::collections::BTreeMap;
+
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::Dimensions;
@@ -435,4 +437,47 @@ fn row_beyond_the_picture_stays_as_it_is() {
     assert_eq!(row, [MARK; 40]);
     assert!(on(&picture).row(19, 30, &mut row).rays >= 3);
     assert_eq!(row[3..], [MARK; 37]);
+}
+
+/// Returns a display after a frame that was coarse at first, and the report.
+fn coarse_first(height: u32, fails_at: usize) -> (Recorder<Rgb888>, Result<Report, CableLost>) {
+    let mut display = Recorder::new(Point::new(-3, 5), Size::new(40, height));
+    display.fails_at = fails_at;
+    let mut row = [Rgb888::BLACK; 40];
+    let drawn = Mirror1::frame(&Mirror1::CAMERA).draw_coarse_first(&mut row, &mut display);
+    (display, drawn)
+}
+
+#[test]
+fn picture_that_is_coarse_at_first_traces_each_row_once_and_ends_as_the_plain_one() {
+    for height in [1, 6, 32, 35] {
+        let mut plain = Recorder::new(Point::new(-3, 5), Size::new(40, height));
+        let report = Mirror1::frame(&Mirror1::CAMERA).draw(&mut plain);
+        let (coarse, drawn) = coarse_first(height, usize::MAX);
+        assert_eq!(drawn, report);
+        assert_eq!(coarse.calls.len(), height as usize);
+        let last = |it: &Recorder<Rgb888>| {
+            let sorted = it
+                .pixels()
+                .into_iter()
+                .map(|(at, color)| ((at.y, at.x), color));
+            sorted.collect::<BTreeMap<_, _>>()
+        };
+        assert_eq!(last(&coarse), last(&plain));
+        let quarter = &coarse.calls[..height.div_ceil(4) as usize];
+        let rows = quarter
+            .iter()
+            .map(|(area, _)| area.size.height)
+            .sum::<u32>();
+        assert_eq!(rows, height, "the first pass covers the display");
+    }
+}
+
+#[test]
+fn picture_that_is_coarse_at_first_ends_with_the_error_of_the_display() {
+    for fails_at in [0, 7, 8, 31] {
+        let (display, drawn) = coarse_first(32, fails_at);
+        assert_eq!(drawn, Err(CableLost(fails_at)));
+        assert_eq!(display.calls.len(), fails_at);
+    }
 }

@@ -1,12 +1,15 @@
-//! Draws on displays: dithering, larger pixels, and the functions that draw frames and rows.
+//! Draws on displays: dithering, larger pixels, the coarse pass of a still picture, and the functions that
+//! draw frames and rows.
 //!
 //! Floor 8, the only one that names embedded-graphics. It knows no ray.
 
 mod bound;
 pub(crate) mod budget;
+mod coarse;
 mod dither;
 mod enlarged;
 
+pub use coarse::coarse_first;
 pub use dither::{Ditherable, Dithered, Threshold, dither};
 pub use enlarged::Enlarged;
 

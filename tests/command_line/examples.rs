@@ -109,6 +109,7 @@ fn every_example_scene_is_drawn() {
         assert!(image.pixels().any(|pixel| pixel != first), "{file:?}");
     }
     let expected = [
+        "bounce",
         "checkers",
         "chrome3",
         "harbour",

@@ -120,7 +120,9 @@ pub fn build_with_scene(name: &str, source: &str, scene: &str) -> Result<PathBuf
         let old = format!("name = \"{name}\"");
         let new = format!("name = \"{program}\"");
         change("Cargo.lock", &old, &new)?;
-        change("Cargo.toml", &old, &new)
+        change("Cargo.toml", &old, &new)?;
+        let run = |program: &str| format!("default-run = \"{program}\"");
+        change("Cargo.toml", &run(name), &run(&program))
     })
 }
 

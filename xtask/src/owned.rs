@@ -26,8 +26,10 @@ pub struct Owned {
     /// Cores that trace rows by turns.
     pub cores: u8,
     /// Milliseconds in which the board sends a frame: the emulated board takes them for the scene `empty`, of
-    /// which hardly anything is traced. The driver waits for each byte, so the bus alone would take less.
+    /// which hardly anything is traced.
     pub sending: f64,
+    /// Whether a DMA sends rows while the next ones are traced.
+    pub has_dma: bool,
     pub target: &'static str,
     pub board: Board,
     /// Whether a key shows the next built-in scene. Otherwise the example only draws the first one.
@@ -39,7 +41,8 @@ pub static PICO: Owned = Owned {
     title: "Raspberry Pi Pico",
     core: "m0",
     cores: 2,
-    sending: 77.0,
+    sending: 52.0,
+    has_dma: true,
     target: "thumbv6m-none-eabi",
     board: Board::PICO,
     shows_all_scenes: true,
@@ -50,7 +53,8 @@ pub static PICO_2: Owned = Owned {
     title: "Raspberry Pi Pico 2",
     core: "m33",
     cores: 2,
-    sending: 53.0,
+    sending: 43.0,
+    has_dma: true,
     target: "thumbv8m.main-none-eabihf",
     board: Board::PICO_2,
     shows_all_scenes: false,
@@ -61,7 +65,8 @@ pub static BLACK_PILL: Owned = Owned {
     title: "Black Pill (STM32F411)",
     core: "m4f",
     cores: 1,
-    sending: 57.0,
+    sending: 124.0,
+    has_dma: false,
     target: "thumbv7em-none-eabihf",
     board: Board::BLACK_PILL,
     shows_all_scenes: false,
@@ -95,6 +100,13 @@ impl Owned {
             start.elapsed().as_secs_f64()
         );
         let picture = run.pictures.first().context("one was waited for")?;
+        if picture.bus.sending > 0 {
+            println!(
+                "{:.1} % of the SPI's {} cycles hidden",
+                100.0 * picture.bus.hidden(),
+                picture.bus.sending
+            );
+        }
         screenshot::save(&as_seen(picture), file)
     }
 

@@ -43,6 +43,15 @@ fn scene_that_moves_on_a_small_core_takes_at_most_115_percent_of_the_constant_sc
 }
 
 #[test]
+#[ignore = "long: another core"]
+fn library_and_scene_of_the_boards_demo_take_at_most_56_kb_of_flash_on_a_small_core() {
+    let file = xtask::root().join("examples/scenes/bounce.json");
+    let figures = measured(&format!("--size 16x16 --core m0 {}", file.display()));
+    let flash = figures["flash"].as_u64().unwrap();
+    assert!(flash <= 56 << 10, "{flash}");
+}
+
+#[test]
 fn without_a_sphere_a_cylinder_moves() {
     let done = xtask("measure --moving columns --size 16x16");
     assert_eq!((done.code, done.err.as_str()), (0, ""));

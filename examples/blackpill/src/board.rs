@@ -79,10 +79,15 @@ pub struct Key {
 }
 
 impl Key {
+    /// Tests whether the key is pressed.
+    pub fn is_pressed(&self) -> bool {
+        self.pin.is_low()
+    }
+
     /// Waits until the key is pressed and released.
     pub fn wait(&mut self) {
-        while self.pin.is_high() {}
-        while self.pin.is_low() {
+        while !self.is_pressed() {}
+        while self.is_pressed() {
             // Contacts bounce for some milliseconds.
             self.delay.delay_ms(10_u32);
         }

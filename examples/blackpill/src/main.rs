@@ -9,6 +9,7 @@ mod scene;
 
 use core::panic::PanicInfo;
 
+use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use rtt_target::{rprintln, rtt_init_print};
 use stm32f4xx_hal::pac::DWT;
 
@@ -24,10 +25,11 @@ fn main() -> ! {
         mut key,
     } = board::switch_on();
     let mut camera = CAMERA;
+    let mut row = [Rgb565::BLACK; 240];
     loop {
         let start = DWT::cycle_count();
         Shown::frame(&camera)
-            .draw(&mut display)
+            .draw_coarse_first(&mut row, &mut display)
             .expect("the display takes every row");
         let cycles = DWT::cycle_count().wrapping_sub(start);
         rprintln!("picture: {} ms", cycles / (CORE_MHZ * 1000));

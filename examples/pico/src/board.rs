@@ -2,7 +2,6 @@
 
 use core::fmt::Debug;
 
-use cortex_m::singleton;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use embedded_hal::digital::OutputPin;
@@ -13,11 +12,14 @@ use mipidsi::interface::SpiInterface;
 use mipidsi::models::ST7789;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
 use rp2040_hal::clocks::{Clock, init_clocks_and_plls};
+use rp2040_hal::dma::DMAExt;
 use rp2040_hal::fugit::RateExtU32;
 use rp2040_hal::gpio::{DynPinId, FunctionSioInput, FunctionSpi, Pin, Pins, PullUp};
 use rp2040_hal::pac::{PPB, PSM, Peripherals};
 use rp2040_hal::sio::SioFifo;
 use rp2040_hal::{Sio, Spi, Timer, Watchdog};
+
+use crate::screen::Screen;
 
 /// Second stage of the boot loader. It makes the flash readable as memory.
 #[used]
@@ -31,9 +33,9 @@ const CRYSTAL: u32 = 12_000_000;
 pub type KeyPin = Pin<DynPinId, FunctionSioInput, PullUp>;
 
 /// The parts of the board that the program uses, switched on.
-pub struct Board<D> {
+pub struct Board {
     /// The panel: black, with its backlight on.
-    pub display: D,
+    pub screen: Screen,
     /// Keys up, down, left, right and select.
     pub keys: [KeyPin; 5],
     /// Switch of the second core, its interrupts, and the FIFO to it.
@@ -46,7 +48,7 @@ pub struct Board<D> {
 /// # Panics
 /// Panics if a clock does not start, if the panel does not accept commands, or if it is called
 /// again.
-pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
+pub fn switch_on() -> Board {
     let mut chip = Peripherals::take().expect("the board is switched on once");
     let clocks = init_clocks_and_plls(
         CRYSTAL,
@@ -77,38 +79,40 @@ pub fn switch_on() -> Board<impl DrawTarget<Color = Rgb565, Error: Debug>> {
 
     let data = pins.gpio11.into_function::<FunctionSpi>();
     let clock = pins.gpio10.into_function::<FunctionSpi>();
-    let bus = Spi::<_, _, _, 8>::new(chip.SPI1, (data, clock)).init(
+    let mut bus = Spi::<_, _, _, 8>::new(chip.SPI1, (data, clock)).init(
         &mut chip.RESETS,
         clocks.peripheral_clock.freq(),
         31_250_000.Hz(),
         MODE_0,
     );
-    let chip_select = pins.gpio9.into_push_pull_output();
-    let data_command = pins.gpio8.into_push_pull_output();
+    let mut chip_select = pins.gpio9.into_push_pull_output();
+    let mut data_command = pins.gpio8.into_push_pull_output();
     let reset = pins.gpio12.into_push_pull_output();
-    let display = panel(bus, chip_select, data_command, reset, timer);
+    set_up(&mut bus, &mut chip_select, &mut data_command, reset, timer);
     let mut backlight = pins.gpio13.into_push_pull_output();
     backlight.set_high().expect("a pin can be set");
 
+    let dma = chip.DMA.split(&mut chip.RESETS).ch0;
+    let screen = Screen::new((dma, bus), (chip_select, data_command));
     Board {
-        display,
+        screen: screen.expect("the board is switched on once"),
         keys,
         second_core: (chip.PSM, chip.PPB, sio.fifo),
         timer,
     }
 }
 
-/// Returns the panel behind these pins, filled with black.
-fn panel(
+/// Sets up the panel behind these pins, and fills it with black.
+fn set_up(
     bus: impl SpiBus<Error: Debug>,
     chip_select: impl OutputPin<Error: Debug>,
     data_command: impl OutputPin<Error: Debug>,
     reset: impl OutputPin<Error: Debug>,
     mut timer: Timer,
-) -> impl DrawTarget<Color = Rgb565, Error: Debug> {
+) {
     let device = ExclusiveDevice::new_no_delay(bus, chip_select).expect("a pin can be set");
-    let buffer = singleton!(: [u8; 512] = [0; 512]).expect("the board is switched on once");
-    let mut display = Builder::new(ST7789, SpiInterface::new(device, data_command, buffer))
+    let mut buffer = [0; 512];
+    let mut display = Builder::new(ST7789, SpiInterface::new(device, data_command, &mut buffer))
         .reset_pin(reset)
         .display_size(240, 240)
         .invert_colors(ColorInversion::Inverted)
@@ -118,5 +122,4 @@ fn panel(
     display
         .clear(Rgb565::BLACK)
         .expect("the panel takes pixels");
-    display
 }

@@ -3,6 +3,8 @@
 //!
 //! If no second core answers, as in most emulators, the first traces all rows.
 
+use core::ops::Range;
+
 use cortex_m::singleton;
 use heapless::spsc::{Consumer, Producer, Queue};
 use rp2040_hal::Timer;
@@ -11,7 +13,8 @@ use rp2040_hal::multicore::{Multicore, Stack};
 use rp2040_hal::pac::{PPB, PSM};
 use rp2040_hal::sio::SioFifo;
 
-use crate::view::{BLACK_ROW, Row, Rows, View};
+use crate::screen::{Line, Screen};
+use crate::view::{Rows, View};
 
 /// Stack of the second core: 4096 words. A row of the castle takes 9 KiB at most.
 static STACK: Stack<4096> = Stack::new();
@@ -39,33 +42,49 @@ impl Cores {
         1 + usize::from(self.second.is_some())
     }
 
-    /// Traces rows `y` and `y + 1` of a view. `rows` is the view's prepared picture on this core.
-    pub fn trace(&mut self, view: &View, rows: &dyn Rows, y: u32, [even, odd]: &mut [Row; 2]) {
-        match &mut self.second {
-            Some(second) => {
-                second.ask(*view, y + 1);
-                rows.row(y, even);
-                *odd = second.answer();
+    /// Draws a view, whose prepared picture on this core is `rows`, with both cores by turns. The first
+    /// row of each area covers it. Ends as soon as `stop` returns something, and returns that.
+    pub fn draw<T>(
+        &mut self,
+        (view, rows): (&View, &dyn Rows),
+        mut areas: impl Iterator<Item = Range<u32>>,
+        screen: &mut Screen,
+        mut stop: impl FnMut() -> Option<T>,
+    ) -> Option<T> {
+        let mut line = Line::BLACK;
+        let mut stopped = None;
+        while let (None, Some(area)) = (&stopped, areas.next()) {
+            let other = areas.next();
+            if let (Some(second), Some(other)) = (&mut self.second, &other) {
+                second.ask(*view, other.start);
             }
-            None => {
-                rows.row(y, even);
-                rows.row(y + 1, odd);
+            rows.row(area.start, &mut line);
+            screen.show(area, &line);
+            if let Some(other) = other {
+                match &mut self.second {
+                    Some(second) => line = second.answer(),
+                    None => rows.row(other.start, &mut line),
+                }
+                screen.show(other, &line);
             }
+            stopped = stop();
         }
+        screen.send();
+        stopped
     }
 }
 
 /// The second core, which traces one row at a time.
 struct Second {
     questions: Producer<'static, (View, u32)>,
-    answers: Consumer<'static, Row>,
+    answers: Consumer<'static, Line>,
 }
 
 impl Second {
     fn start(psm: &mut PSM, ppb: &mut PPB, fifo: &mut SioFifo) -> Option<Self> {
         // A queue holds one item less than its capacity.
         let questions = singleton!(: Queue<(View, u32), 2> = Queue::new())?;
-        let answers = singleton!(: Queue<Row, 2> = Queue::new())?;
+        let answers = singleton!(: Queue<Line, 2> = Queue::new())?;
         let (questions, asked) = questions.split();
         let (answered, answers) = answers.split();
         let mut cores = Multicore::new(psm, ppb, fifo);
@@ -85,7 +104,7 @@ impl Second {
         );
     }
 
-    fn answer(&mut self) -> Row {
+    fn answer(&mut self) -> Line {
         loop {
             if let Some(row) = self.answers.dequeue() {
                 return row;
@@ -95,7 +114,7 @@ impl Second {
 }
 
 /// Runs on the second core, for ever: prepares each view once and traces its rows.
-fn answer_all(mut asked: Consumer<'static, (View, u32)>, mut answered: Producer<'static, Row>) {
+fn answer_all(mut asked: Consumer<'static, (View, u32)>, mut answered: Producer<'static, Line>) {
     let mut question = next(&mut asked);
     loop {
         let (view, _) = question;
@@ -108,12 +127,12 @@ fn answer_about(
     rows: &dyn Rows,
     (view, mut y): (View, u32),
     asked: &mut Consumer<'static, (View, u32)>,
-    answered: &mut Producer<'static, Row>,
+    answered: &mut Producer<'static, Line>,
 ) -> (View, u32) {
-    let mut row = BLACK_ROW;
+    let mut line = Line::BLACK;
     loop {
-        rows.row(y, &mut row);
-        assert!(answered.enqueue(row).is_ok(), "every row is fetched");
+        rows.row(y, &mut line);
+        assert!(answered.enqueue(line).is_ok(), "every row is fetched");
         let question = next(asked);
         if question.0 != view {
             return question;

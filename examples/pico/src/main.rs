@@ -7,26 +7,25 @@
 mod board;
 mod cores;
 mod keys;
+mod screen;
 mod view;
 
 use core::panic::PanicInfo;
 
-use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Point, Size};
-use embedded_graphics::pixelcolor::Rgb565;
-use embedded_graphics::primitives::Rectangle;
+use reflet::display::coarse_first;
 use rtt_target::{rprintln, rtt_init_print};
 
 use crate::board::Board;
 use crate::cores::Cores;
-use crate::keys::{Keys, Request};
-use crate::view::{BLACK_ROW, Rows, SIDE, View};
+use crate::keys::Keys;
+use crate::screen::SIDE;
+use crate::view::View;
 
 #[rp2040_hal::entry]
 fn main() -> ! {
     rtt_init_print!();
     let Board {
-        mut display,
+        mut screen,
         keys,
         second_core,
         timer,
@@ -36,9 +35,9 @@ fn main() -> ! {
     let mut view = View::FIRST;
     loop {
         let start = timer.get_counter();
-        let pressed = view
-            .with_rows(|rows| draw(&view, rows, &mut display, &mut keys, &mut cores))
-            .expect("the display takes every row");
+        let areas = coarse_first(SIDE);
+        let pressed =
+            view.with_rows(|rows| cores.draw((&view, rows), areas, &mut screen, || keys.pressed()));
         if pressed.is_none() {
             let time = timer.get_counter() - start;
             rprintln!("{}: {} ms", view.name(), time.to_millis());
@@ -46,26 +45,6 @@ fn main() -> ! {
         let request = pressed.unwrap_or_else(|| keys.wait());
         view = view.after(request);
     }
-}
-
-/// Draws a view, two rows at a time. Stops and returns the request if a key is pressed.
-fn draw<D: DrawTarget<Color = Rgb565>>(
-    view: &View,
-    rows: &dyn Rows,
-    display: &mut D,
-    keys: &mut Keys,
-    cores: &mut Cores,
-) -> Result<Option<Request>, D::Error> {
-    let mut pair = [BLACK_ROW; 2];
-    for y in (0..SIDE).step_by(2) {
-        cores.trace(view, rows, y, &mut pair);
-        let area = Rectangle::new(Point::new(0, y as i32), Size::new(SIDE, 2));
-        display.fill_contiguous(&area, pair.iter().flatten().copied())?;
-        if let Some(request) = keys.pressed() {
-            return Ok(Some(request));
-        }
-    }
-    Ok(None)
 }
 
 /// Prints the panic's message to a connected debugger, and stops.

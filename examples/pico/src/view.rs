@@ -1,20 +1,11 @@
 //! The view: a scene and a camera. Knows no board.
 
 use embedded_graphics::geometry::Size;
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
 use reflet::Camera;
 use reflet::scenes::{BuiltIn, Castle, NAMES, Visitor, visit};
 
 use crate::keys::Request;
-
-/// Width and height of the picture in pixels.
-pub const SIDE: u32 = 240;
-
-/// The pixels of one row.
-pub type Row = [Rgb565; SIDE as usize];
-
-/// A row of black pixels, the initial value of row buffers.
-pub const BLACK_ROW: Row = [Rgb565::BLACK; SIDE as usize];
+use crate::screen::{Line, SIDE};
 
 /// One of the built-in scenes, and the camera through which it is drawn.
 #[derive(Clone, Copy, PartialEq)]
@@ -66,12 +57,14 @@ impl View {
 /// Rows of a prepared picture, whatever its scene.
 pub trait Rows {
     /// Traces row `y`.
-    fn row(&self, y: u32, row: &mut Row);
+    fn row(&self, y: u32, line: &mut Line);
 }
 
 impl<S: BuiltIn> Rows for reflet::Rows<'_, S> {
-    fn row(&self, y: u32, row: &mut Row) {
-        self.row(y, 0, row);
+    fn row(&self, y: u32, line: &mut Line) {
+        line.fill(1, |colors| {
+            self.row(y, 0, colors);
+        });
     }
 }
 

@@ -1,56 +1,90 @@
-//! The views of the scene, and the second core, which traces their odd rows.
+//! Shares the rows of a picture between both cores, by turns.
+
+use core::ops::Range;
 
 use cortex_m::singleton;
-use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use heapless::spsc::{Consumer, Producer, Queue};
-use reflet::{Camera, PreparedFrame};
 use rp235x_hal::multicore::{Multicore, Stack};
 use rp235x_hal::pac::{PPB, PSM};
 use rp235x_hal::sio::SioFifo;
 
-use crate::{CAMERA, Shown};
-
-/// Width and height of the picture in pixels.
-pub const SIDE: u32 = 240;
-
-/// The pixels of one row.
-pub type Row = [Rgb565; SIDE as usize];
+use crate::screen::{Line, Screen};
+use crate::view::{Rows, View};
 
 /// Stack of the second core: 8192 words. A row of the castle takes 9 KiB at most.
 static STACK: Stack<8192> = Stack::new();
 
-/// Prepares a view.
-pub fn prepare(camera: &Camera) -> PreparedFrame<Shown> {
-    Shown::frame(camera).prepare(Size::new(SIDE, SIDE))
+/// A view, and the row of it that the second core has to trace.
+type Question = (View, u32);
+
+/// Both cores.
+pub struct Cores {
+    questions: Producer<'static, Question>,
+    answers: Consumer<'static, Line>,
 }
 
-/// Traces row `y` of a view.
-pub fn trace(frame: &PreparedFrame<Shown>, y: u32, row: &mut Row) {
-    let rows = frame.on(&Shown);
-    rows.expect("a constant scene never changes").row(y, 0, row);
-}
+impl Cores {
+    /// Starts the second core. Returns `None` if it does not answer or if it is called again.
+    pub fn new((mut psm, mut ppb, mut fifo): (PSM, PPB, SioFifo)) -> Option<Self> {
+        // A queue holds one item less than its capacity.
+        let (questions, asked) = singleton!(: Queue<Question, 2> = Queue::new())?.split();
+        let (answered, answers) = singleton!(: Queue<Line, 2> = Queue::new())?.split();
+        let mut cores = Multicore::new(&mut psm, &mut ppb, &mut fifo);
+        let work = move || answer_all(asked, answered);
+        cores.cores().get_mut(1)?.spawn(STACK.take()?, work).ok()?;
+        Some(Self { questions, answers })
+    }
 
-/// Starts the second core, and returns the odd rows of view after view. Returns `None` if it is
-/// called again or if the core does not answer.
-pub fn start(psm: &mut PSM, ppb: &mut PPB, fifo: &mut SioFifo) -> Option<Consumer<'static, Row>> {
-    // A queue holds one item less than its capacity.
-    let (mut traced, rows) = singleton!(: Queue<Row, 2> = Queue::new())?.split();
-    let mut cores = Multicore::new(psm, ppb, fifo);
-    let work = move || trace_odd_rows(&mut traced);
-    cores.cores().get_mut(1)?.spawn(STACK.take()?, work).ok()?;
-    Some(rows)
-}
-
-/// Runs on the second core, for ever, with the cameras of the first. Waits for each row to be fetched.
-fn trace_odd_rows(traced: &mut Producer<Row>) {
-    let mut row = [Rgb565::BLACK; SIDE as usize];
-    let mut camera = CAMERA;
-    loop {
-        let frame = prepare(&camera);
-        for y in (1..SIDE).step_by(2) {
-            trace(&frame, y, &mut row);
-            while traced.enqueue(row).is_err() {}
+    /// Draws a view, whose prepared picture on this core is `rows`. The first row of each area covers it.
+    /// Ends as soon as `stop` returns `true`.
+    pub fn draw(
+        &mut self,
+        (view, rows): (&View, &dyn Rows),
+        mut areas: impl Iterator<Item = Range<u32>>,
+        screen: &mut Screen,
+        mut stop: impl FnMut() -> bool,
+    ) {
+        let mut line = Line::BLACK;
+        while let (Some(area), Some(other)) = (areas.next(), areas.next()) {
+            let is_asked = self.questions.enqueue((*view, other.start)).is_ok();
+            assert!(is_asked, "every row is awaited");
+            rows.row(area.start, &mut line);
+            screen.show(area, &line);
+            while !self.answers.ready() {}
+            screen.show(other, &self.answers.dequeue().unwrap_or(Line::BLACK));
+            if stop() {
+                break;
+            }
         }
-        camera = camera.orbited(10, 0).unwrap_or(camera);
+        screen.send();
+    }
+}
+
+/// Runs on the second core, for ever: prepares each view once and traces its rows.
+fn answer_all(mut asked: Consumer<'static, Question>, mut answered: Producer<'static, Line>) {
+    let mut line = Line::BLACK;
+    let mut question = next(&mut asked);
+    loop {
+        let (view, mut y) = question;
+        question = view.with_rows(|rows| {
+            loop {
+                rows.row(y, &mut line);
+                assert!(answered.enqueue(line).is_ok(), "every row is fetched");
+                let question = next(&mut asked);
+                if question.0 != view {
+                    return question;
+                }
+                y = question.1;
+            }
+        });
+    }
+}
+
+/// Waits for the next question.
+fn next(asked: &mut Consumer<'static, Question>) -> Question {
+    loop {
+        if let Some(question) = asked.dequeue() {
+            return question;
+        }
     }
 }

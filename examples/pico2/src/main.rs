@@ -7,14 +7,18 @@
 mod board;
 mod cores;
 mod scene;
+mod screen;
+mod view;
 
 use core::panic::PanicInfo;
 
-use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use embedded_hal::{delay::DelayNs, digital::InputPin};
+use reflet::display::coarse_first;
 use rtt_target::{rprintln, rtt_init_print};
 
-use crate::cores::{SIDE, prepare, trace};
+use crate::cores::Cores;
+use crate::screen::SIDE;
+use crate::view::View;
 // For a scene of yours, change this line: `scene.rs` says how.
 use crate::scene::{CAMERA, Castle as Shown};
 
@@ -27,21 +31,14 @@ static IMAGE_DEF: rp235x_hal::block::ImageDef = rp235x_hal::block::ImageDef::sec
 fn main() -> ! {
     rtt_init_print!();
     let mut board = board::switch_on();
-    let mut camera = CAMERA;
-    let mut even = [Rgb565::BLACK; SIDE as usize];
+    let mut cores = Cores::new(board.second_core).expect("the second core answers");
+    let mut view = View { camera: CAMERA };
     loop {
         let start = board.timer.get_counter();
-        let frame = prepare(&camera);
-        for y in (0..SIDE).step_by(2) {
-            trace(&frame, y, &mut even);
-            while !board.odd_rows.ready() {}
-            let odd = board.odd_rows.dequeue().into_iter().flatten();
-            let area = Rectangle::new(Point::new(0, y as i32), Size::new(SIDE, 2));
-            let drawn = board
-                .display
-                .fill_contiguous(&area, even.into_iter().chain(odd));
-            drawn.expect("the display takes every row");
-        }
+        view.with_rows(|rows| {
+            let areas = coarse_first(SIDE);
+            cores.draw((&view, rows), areas, &mut board.screen, || false);
+        });
         let time = board.timer.get_counter() - start;
         rprintln!("picture: {} ms", time.to_millis());
         while board.key.is_high() == Ok(true) {}
@@ -50,7 +47,7 @@ fn main() -> ! {
             board.timer.delay_ms(10);
         }
         // A camera cannot look along its `up`: then it keeps its place.
-        camera = camera.orbited(10, 0).unwrap_or(camera);
+        view.camera = view.camera.orbited(10, 0).unwrap_or(view.camera);
     }
 }
 

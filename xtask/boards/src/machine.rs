@@ -5,6 +5,7 @@ use std::sync::Arc;
 use rp2350_emu::threaded::CoreAtomics;
 
 use crate::board::{Board, ChipKind};
+use crate::chip::rp::bus_time::BusTime;
 use crate::core::Core;
 use crate::elf::Firmware;
 use crate::fault::{Failure, Fault, fault};
@@ -19,9 +20,6 @@ const TURN: u64 = 64;
 
 /// Turns after which keys and prints are looked at.
 const LOOK: u64 = 64;
-
-/// Time in microseconds from the end of a picture to its capture: the firmware may report it.
-const REPORT: u64 = 2_000;
 
 /// Offset of the vector table in the flash: on an RP2040 the second stage of the boot loader is
 /// before it.
@@ -44,6 +42,8 @@ pub struct Machine<C> {
     rtt: Rtt,
     /// Number of rows of the picture that are drawn while the panel is lit, from the top.
     rows: usize,
+    /// Time of the bus when the first row of the picture was finished.
+    bus: BusTime,
     /// A picture that is complete and not yet captured.
     complete: Option<Picture>,
     pictures: Vec<Picture>,
@@ -81,6 +81,7 @@ impl<C: Core> Machine<C> {
             presses: Presses::default(),
             rtt: Rtt::new(firmware.rtt),
             rows: 0,
+            bus: BusTime::default(),
             complete: None,
             pictures: vec![],
         };
@@ -128,7 +129,7 @@ impl<C: Core> Machine<C> {
                 let pin = pin.ok_or_else(|| Failure::Program(format!("no key {key:?}")))?;
                 self.presses.add(pin);
             }
-            let drawn = self.draw(script.rows, limit);
+            let drawn = self.draw(script, limit);
             drawn.map_err(|fault| self.failure(fault))?;
         }
         let panel = &self.system.wires.panel;
@@ -156,14 +157,19 @@ impl<C: Core> Machine<C> {
     }
 
     /// Runs until one more picture is captured.
-    fn draw(&mut self, rows: usize, limit: u64) -> Result<(), Fault> {
+    fn draw(&mut self, script: &Script, limit: u64) -> Result<(), Fault> {
         let captured = self.pictures.len();
+        let is_last = captured + 1 == script.pictures.len();
+        let pause = script.pauses[usize::from(is_last)];
         let mut turns = 0_u64;
         while self.pictures.len() == captured {
-            self.turn(rows)?;
+            self.turn(script.rows)?;
             turns += 1;
+            if pause == 0 && self.presses.are_finished() {
+                self.pictures.extend(self.complete.take());
+            }
             if turns.is_multiple_of(LOOK) {
-                self.look();
+                self.look(pause);
                 if self.runners[0].time > limit {
                     return Err(fault!("the limit of the run is reached"));
                 }
@@ -174,14 +180,14 @@ impl<C: Core> Machine<C> {
     }
 
     /// Presses keys, reads prints, and captures a complete picture.
-    fn look(&mut self) {
+    fn look(&mut self, pause: u64) {
         let time = self.runners[0].time / self.system.microsecond;
         if self.presses.advance(&mut *self.system.chip, time) {
             self.rows = 0;
             self.complete = None;
         }
         self.rtt.poll(&mut self.system.memory);
-        let is_due = |it: &Picture| it.cycles / self.system.microsecond + REPORT <= time;
+        let is_due = |it: &Picture| it.cycles / self.system.microsecond + pause <= time;
         if self.presses.are_finished() && self.complete.as_ref().is_some_and(is_due) {
             self.pictures.extend(self.complete.take());
         }
@@ -249,14 +255,18 @@ impl<C: Core> Machine<C> {
         let Some(y) = self.system.wires.panel.take_finished_row() else {
             return;
         };
-        let follows = y == 0 || y == self.rows;
         let is_lit = self.system.wires.is_lit();
-        self.rows = if is_lit && follows { y + 1 } else { self.rows };
-        if self.rows == rows {
+        let bus = self.system.chip.bus_time();
+        if is_lit && y == 0 {
+            (self.rows, self.bus) = (0, bus);
+        }
+        self.rows += usize::from(is_lit && y == self.rows);
+        if self.rows >= rows {
             self.complete = Some(Picture {
                 pixels: self.system.wires.panel.picture().to_vec(),
                 cycles: self.runners[self.system.core].time,
                 instructions: self.instructions(),
+                bus: bus.since(self.bus),
             });
         }
     }

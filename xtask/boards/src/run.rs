@@ -1,5 +1,6 @@
 //! What a run is asked for, and what it gives.
 
+use crate::chip::rp::bus_time::BusTime;
 use crate::keys::Key;
 use crate::panel::SIDE;
 
@@ -10,7 +11,12 @@ pub struct Script {
     pub(crate) cores: usize,
     pub(crate) rows: usize,
     pub(crate) seconds: u64,
+    /// Microseconds without a new row after which a picture is captured, and after which the last is.
+    pub(crate) pauses: [u64; 2],
 }
+
+/// The firmware may draw a picture in two passes, and report it.
+const PAUSE: u64 = 100_000;
 
 impl Default for Script {
     /// No picture yet, all cores, 60 seconds at most.
@@ -20,6 +26,7 @@ impl Default for Script {
             cores: 2,
             rows: SIDE,
             seconds: 60,
+            pauses: [PAUSE; 2],
         }
     }
 }
@@ -39,7 +46,18 @@ impl Script {
 
     /// Captures each picture as soon as this many of its rows are drawn, counted from the top.
     pub fn rows(self, rows: usize) -> Self {
-        Self { rows, ..self }
+        let pauses = [0; 2];
+        Self {
+            rows,
+            pauses,
+            ..self
+        }
+    }
+
+    /// Captures each picture but the last with its last row: frames follow one another without a pause.
+    pub fn frames(self) -> Self {
+        let pauses = [0, PAUSE];
+        Self { pauses, ..self }
     }
 
     /// Sets the limit of the run in seconds of the board. A firmware that reaches it has failed.
@@ -57,6 +75,8 @@ pub struct Picture {
     pub cycles: u64,
     /// Instructions of all cores from the reset to the last pixel.
     pub instructions: u64,
+    /// Time of the bus since the first row of the picture was finished.
+    pub bus: BusTime,
 }
 
 /// The settings of the panel at the end.

@@ -19,6 +19,11 @@ impl Serial {
         self.sent += 1;
     }
 
+    /// Cycle at which the last byte is sent.
+    pub fn end(&self) -> u64 {
+        self.end
+    }
+
     /// Number of bytes that are not sent, the one in the shift register included.
     pub fn waiting(&self, now: u64) -> u64 {
         match self.cycles {

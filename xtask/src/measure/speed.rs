@@ -54,6 +54,8 @@ pub struct Speed {
     pub tracing: f64,
     /// All pixels on their way to the display.
     pub sending: f64,
+    /// Whether a DMA sends rows while the next ones are traced.
+    pub has_dma: bool,
 }
 
 impl Board {
@@ -108,6 +110,7 @@ impl Board {
         Ok(Speed {
             tracing: cycles / (1e6 * self.megahertz()),
             sending: self.sending(task.settings.size.pixels()),
+            has_dma: self.board.is_some_and(|board| board.has_dma),
         })
     }
 
@@ -162,7 +165,10 @@ impl Board {
 impl Speed {
     /// Returns the seconds of a whole frame.
     pub fn frame(self) -> f64 {
-        self.tracing + self.sending
+        match self.has_dma {
+            true => self.tracing.max(self.sending),
+            false => self.tracing + self.sending,
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Tests the boards that people own: copies of the examples' folders, built as a person builds them, and
 //! run from the reset on emulated boards.
 
+mod bounce;
 mod castle;
 #[path = "../common/mod.rs"]
 mod common;

@@ -1,5 +1,6 @@
 //! The peripherals that RP2040 and RP2350 have in common. Their tables tell the addresses.
 
+pub mod bus_time;
 mod dma;
 mod edges;
 mod fifo;
@@ -11,10 +12,12 @@ use crate::fault::{Fault, fault, require};
 use crate::memory::Memory;
 use crate::registers::{Place, Registers};
 use crate::wires::{Pin, Pins, Role, Sent};
+use bus_time::BusTime;
+pub use dma::Control;
 use dma::Dma;
 use edges::Edges;
 use fifo::Fifos;
-pub use layout::{Kind, Layout, block, pll, reset, spi};
+pub use layout::{Kind, Layout, block, dma, pll, reset, spi};
 use spi::Spi;
 
 /// First address of the SIO.
@@ -35,6 +38,7 @@ pub struct Rp {
     registers: Registers<Kind>,
     spi: [Spi; 2],
     dma: Dma,
+    bus: BusTime,
     fifos: Fifos,
     spinlocks: u32,
     inputs: u32,
@@ -48,7 +52,8 @@ impl Rp {
             layout,
             registers: Registers::new(layout.blocks),
             spi: layout.spi.map(Spi::new),
-            dma: Dma::default(),
+            dma: Dma::new(&layout.dma),
+            bus: BusTime::default(),
             fifos: Fifos::new(cores),
             spinlocks: 0,
             inputs: !0,
@@ -114,6 +119,21 @@ impl Rp {
         self.inputs & !enabled | out & enabled
     }
 
+    /// Notes that a core looks at a register, if it is one of the SPI or the DMA.
+    fn look(&mut self, kind: Kind, now: u64) {
+        if matches!(kind, Kind::Spi(_) | Kind::Dma) {
+            let end = self.spi.iter().map(Spi::end).max();
+            self.bus.look(now, end.unwrap_or(0));
+        }
+    }
+
+    /// Describes a byte that an SPI sends, and counts its time.
+    fn sent(&mut self, unit: usize, byte: u8) -> Sent {
+        let clock = self.spi[unit].clock(&self.registers, self.layout.clock);
+        self.bus.sending += 8 * self.layout.clock / clock;
+        Sent { byte, unit, clock }
+    }
+
     fn switch(&mut self, address: u32, old: u32, new: u32) -> Effect {
         let bit = self.layout.second_core;
         if address != self.layout.power || (old ^ new) & bit == 0 {
@@ -146,6 +166,7 @@ impl Chip for Rp {
         let Place { kind, offset } = self.registers.find(address)?;
         let raw = self.registers.get(address);
         let now = access.now;
+        self.look(kind, now);
         let value = match (kind, offset) {
             (Kind::Resets, 8) => !self.registers.get(address - 8) & self.layout.resets,
             (Kind::Clocks, _) if self.layout.selected.contains(&offset) => {
@@ -164,7 +185,7 @@ impl Chip for Rp {
                 self.edges.read(offset, register).unwrap_or(raw)
             }
             (Kind::Spi(unit), _) => self.spi[unit].read(&self.registers, offset, now),
-            (Kind::Dma, _) => self.dma.read(offset, raw),
+            (Kind::Dma, _) => self.dma.read(offset),
             (Kind::Sio, _) => self.sio(offset, access.core)?,
             _ => raw,
         };
@@ -179,6 +200,7 @@ impl Chip for Rp {
             "{} bytes of a register are written",
             access.size
         );
+        self.look(kind, access.now);
         if kind == Kind::Sio {
             return self.write_sio(offset, value, access.core);
         }
@@ -197,13 +219,8 @@ impl Chip for Rp {
                     clocked,
                     "the SPI sends, and the clock of peripherals is not enabled"
                 );
-                let byte = self.spi[unit].send(&self.registers, new, access.now);
-                let clock = self.spi[unit].clock(&self.registers, self.layout.clock);
-                Ok(Effect::Sent(Sent {
-                    byte: byte?,
-                    unit,
-                    clock,
-                }))
+                let byte = self.spi[unit].send(&self.registers, new, access.now)?;
+                Ok(Effect::Sent(self.sent(unit, byte)))
             }
             Kind::Dma => self.dma.write(offset, new).map(|()| Effect::None),
             _ => Ok(Effect::None),
@@ -231,8 +248,11 @@ impl Chip for Rp {
         }
         let byte = self.dma.next(memory)?;
         let byte = self.spi[unit].send_by_dma(&self.registers, byte, now)?;
-        let clock = self.spi[unit].clock(&self.registers, self.layout.clock);
-        Ok(Some(Sent { byte, unit, clock }))
+        Ok(Some(self.sent(unit, byte)))
+    }
+
+    fn bus_time(&self) -> BusTime {
+        self.bus
     }
 }
 

@@ -1,6 +1,6 @@
 //! The registers of an RP2040 that a firmware may use.
 
-use super::rp::{Kind, Layout, block, pll, reset, spi};
+use super::rp::{Control, Kind, Layout, block, dma, pll, reset, spi};
 use crate::registers::{Block, Gate, register, registers};
 
 const RESETS: u32 = 0x4000_c000;
@@ -59,6 +59,7 @@ const BLOCKS: &[Block<Kind>] = &[
     },
     spi("SPI0", 0, SPI, gate(16)),
     spi("SPI1", 1, SPI, gate(17)),
+    dma(gate(2)),
     Block {
         registers: &[
             registers(0, 3),
@@ -84,5 +85,11 @@ pub const RP2040: Layout = Layout {
     selected: [0x38, 0x44],
     peripheral_clock: CLOCKS + 0x48,
     tick: (WATCHDOG + 0x2c, 1 << 9),
+    dma: Control {
+        ways: 0x3fc,
+        request: 15,
+        busy: 1 << 24,
+        requests: [16, 18],
+    },
     clock: 125_000_000,
 };

@@ -1,6 +1,6 @@
 //! The registers of an RP2350 that a firmware may use.
 
-use super::rp::{Kind, Layout, block, pll, reset, spi};
+use super::rp::{Control, Kind, Layout, block, dma, pll, reset, spi};
 use crate::registers::{Block, Gate, register, registers};
 
 const RESETS: u32 = 0x4002_0000;
@@ -63,11 +63,7 @@ const BLOCKS: &[Block<Kind>] = &[
     },
     spi("SPI0", 0, SPI, gate(18)),
     spi("SPI1", 1, SPI, gate(19)),
-    Block {
-        gate: gate(2),
-        registers: &[registers(0, 4)],
-        ..block("DMA", Kind::Dma, 0x5000_0000)
-    },
+    dma(gate(2)),
     Block {
         registers: &[
             registers(0, 3),
@@ -98,5 +94,11 @@ pub const RP2350: Layout = Layout {
     selected: [0x38, 0x44],
     peripheral_clock: CLOCKS + 0x48,
     tick: (TICKS + 0x18, 1),
+    dma: Control {
+        ways: 0xffc,
+        request: 17,
+        busy: 1 << 26,
+        requests: [24, 26],
+    },
     clock: 150_000_000,
 };

@@ -7,15 +7,17 @@
 #[path = "../../board.rs"]
 mod board;
 mod scene;
+#[allow(dead_code, reason = "the picture draws itself")]
+#[path = "../../screen/mod.rs"]
+mod screen;
 
 // For a scene of yours, write `scene.rs` by `cargo xtask scene FILE.json`, and change this line.
 use crate::scene::{CAMERA, Harbour as Shown};
 
 #[rp2040_hal::entry]
 fn main() -> ! {
-    let mut display = board::switch_on().display;
-    let drawn = Shown::frame(&CAMERA).draw(&mut display);
-    drawn.expect("the display takes every row");
+    let mut screen = board::switch_on().screen;
+    let Ok(_) = Shown::frame(&CAMERA).draw(&mut screen);
     loop {
         core::hint::spin_loop();
     }

@@ -1,60 +1,77 @@
-//! Channel 0 of the RP2350's DMA, which sends bytes from memory to an SPI.
+//! Channel 0 of the DMA of RP2040 and RP2350, which sends bytes from memory to an SPI.
 
 use crate::fault::{Fault, fault, require};
 use crate::memory::Memory;
 
-const READ: u32 = 0x0;
-const WRITE: u32 = 0x4;
-const COUNT: u32 = 0x8;
-const CONTROL: u32 = 0xc;
+/// Indices of the channel's values.
+const READ: usize = 0;
+const WRITE: usize = 1;
+const COUNT: usize = 2;
+const CONTROL: usize = 3;
 
-/// Bits of the control register: enabled, step of the source, busy; and the requesting peripheral.
+/// The value behind each of the channel's 16 registers, 4 registers a line. A write to the last register
+/// of a line starts the channel.
+const REGISTERS: [usize; 16] = [
+    READ, WRITE, COUNT, CONTROL, //
+    CONTROL, READ, WRITE, COUNT, //
+    CONTROL, COUNT, READ, WRITE, //
+    CONTROL, WRITE, COUNT, READ,
+];
+
+/// Bits of the control register: enabled, step of the source.
 const ENABLED: u32 = 1;
 const STEPS: u32 = 1 << 4;
-const BUSY: u32 = 1 << 26;
-
-/// Requests of the SPI units: SPI0 TX and SPI1 TX.
-const REQUESTS: [u32; 2] = [24, 26];
 
 /// Offset of the data register of an SPI.
 const DATA: u32 = 0x8;
 
+/// Where the control register of a chip has its bits.
+pub struct Control {
+    /// Size of a transfer, steps of source and target, and the ring.
+    pub ways: u32,
+    /// Lowest bit of the requesting peripheral.
+    pub request: u32,
+    pub busy: u32,
+    /// Requests of the SPI units: SPI0 TX and SPI1 TX.
+    pub requests: [u32; 2],
+}
+
 /// The channel.
-#[derive(Default)]
 pub struct Dma {
-    source: u32,
-    target: u32,
-    /// Bytes that remain, and those that a start loads.
+    layout: &'static Control,
+    values: [u32; 4],
+    /// Bytes that remain.
     left: u32,
-    count: u32,
-    control: u32,
 }
 
 impl Dma {
-    /// Reads a register.
-    pub fn read(&self, offset: u32, raw: u32) -> u32 {
-        match offset {
-            READ => self.source,
-            COUNT => self.left,
-            CONTROL if self.left > 0 => raw | BUSY,
-            _ => raw,
+    /// Creates a channel that does not work.
+    pub fn new(layout: &'static Control) -> Self {
+        Self {
+            layout,
+            values: [0; 4],
+            left: 0,
         }
     }
 
-    /// Writes a register. The control register starts the channel.
+    /// Reads a register.
+    pub fn read(&self, offset: u32) -> u32 {
+        match REGISTERS[offset as usize / 4] {
+            COUNT => self.left,
+            CONTROL if self.left > 0 => self.values[CONTROL] | self.layout.busy,
+            value => self.values[value],
+        }
+    }
+
+    /// Writes a register.
     pub fn write(&mut self, offset: u32, value: u32) -> Result<(), Fault> {
         require!(self.left == 0, "the DMA is changed while it works");
-        match offset {
-            READ => self.source = value,
-            WRITE => self.target = value,
-            COUNT => self.count = value,
-            CONTROL => {
-                self.control = value;
-                self.left = if value & ENABLED != 0 { self.count } else { 0 };
-                let is_plain = value & 0x0c == 0 && value & STEPS != 0;
-                require!(is_plain, "the DMA does not send bytes one after another");
-            }
-            _ => return Err(fault!("the DMA's register {offset:#x} is not modelled")),
+        self.values[REGISTERS[offset as usize / 4]] = value;
+        let control = self.values[CONTROL];
+        if offset % 16 == 12 && control & ENABLED != 0 {
+            let is_plain = control & self.layout.ways == STEPS;
+            require!(is_plain, "the DMA does not send bytes one after another");
+            self.left = self.values[COUNT];
         }
         Ok(())
     }
@@ -64,18 +81,21 @@ impl Dma {
         if self.left == 0 {
             return Ok(None);
         }
-        let unit = spi.iter().position(|base| base + DATA == self.target);
-        let unit = unit.ok_or_else(|| fault!("the DMA sends to {:#010x}", self.target))?;
-        let request = self.control >> 17 & 0x3f;
-        require!(request == REQUESTS[unit], "request {request} paces the DMA");
+        let target = self.values[WRITE];
+        let unit = spi.iter().position(|base| base + DATA == target);
+        let unit = unit.ok_or_else(|| fault!("the DMA sends to {target:#010x}"))?;
+        let request = self.values[CONTROL] >> self.layout.request & 0x3f;
+        let is_right = request == self.layout.requests[unit];
+        require!(is_right, "request {request} paces the DMA");
         Ok(Some(unit))
     }
 
     /// Returns the next byte.
     pub fn next(&mut self, memory: &Memory) -> Result<u8, Fault> {
-        let byte = memory.read(self.source, 1);
-        let byte = byte.ok_or_else(|| fault!("the DMA reads {:#010x}", self.source))?;
-        self.source += 1;
+        let source = &mut self.values[READ];
+        let byte = memory.read(*source, 1);
+        let byte = byte.ok_or_else(|| fault!("the DMA reads {source:#010x}"))?;
+        *source += 1;
         self.left -= 1;
         Ok(byte as u8)
     }

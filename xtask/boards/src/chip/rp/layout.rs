@@ -1,6 +1,7 @@
 //! What differs between RP2040 and RP2350: the table of registers, and where some are. The blocks of
 //! registers that both have are here.
 
+use super::dma::Control;
 use crate::registers::{Block, Gate, register, registers};
 
 /// Kinds of peripherals. `Plain` ones keep what is written.
@@ -55,6 +56,15 @@ pub const fn spi(
     }
 }
 
+/// Returns the DMA with its first channel.
+pub const fn dma(gate: Option<Gate>) -> Block<Kind> {
+    Block {
+        gate,
+        registers: const { &[registers(0, 16)] },
+        ..block("DMA", Kind::Dma, 0x5000_0000)
+    }
+}
+
 /// Returns a phase-locked loop.
 pub const fn pll(name: &'static str, base: u32, gate: Option<Gate>) -> Block<Kind> {
     Block {
@@ -85,6 +95,7 @@ pub struct Layout {
     pub peripheral_clock: u32,
     /// Register and bit that let the timer count.
     pub tick: (u32, u32),
+    pub dma: Control,
     /// Frequency of the cores in Hz.
     pub clock: u64,
 }

@@ -85,6 +85,11 @@ impl Spi {
         self.serial.waiting(now) <= BUFFER
     }
 
+    /// Cycle at which all bytes are sent.
+    pub fn end(&self) -> u64 {
+        self.serial.end()
+    }
+
     /// Whether a byte is on its way.
     pub fn is_sending(&self, now: u64) -> bool {
         self.serial.waiting(now) > 0

@@ -1,0 +1,88 @@
+//! The demo: each frame that a board shows is the desk's, while something moves and at rest.
+
+use std::fs;
+
+use boards::{SIDE, Script};
+use embedded_graphics::geometry::{Point, Size};
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::primitives::Rectangle;
+use embedded_graphics_simulator::SimulatorDisplay;
+use reflet::display::Enlarged;
+use xtask::{copies, root};
+
+use super::castle::{assert_are_shown, pixels};
+use super::{BLACK_PILL, Copied, PICO, PICO_2};
+use motion::Motion;
+
+#[allow(dead_code, reason = "no key is pressed")]
+#[path = "../../../examples/pico/src/bin/bounce/motion.rs"]
+mod motion;
+
+/// Returns the picture on the desk.
+fn simulated(motion: Motion, reflections: u8, scale: u32) -> Vec<u16> {
+    let size = Size::new_equal(SIDE as u32);
+    let mut display = SimulatorDisplay::<Rgb565>::new(size);
+    let whole = Rectangle::new(Point::zero(), size);
+    let mut enlarged = Enlarged::new(&mut display, scale);
+    let drawn = motion.with_rows(reflections, scale, |rows| {
+        rows.draw_area(whole, Point::zero(), &mut enlarged)
+    });
+    drawn.unwrap();
+    pixels(&display)
+}
+
+/// Tests the frames of a board after its reset, of which each takes so many milliseconds of the motion
+/// and is drawn with so many reflections. Returns frames a second.
+fn test(copied: &Copied, milliseconds: i32, reflections: u8) -> f64 {
+    let firmware = copies::program(copied.owned.name, "bounce").unwrap();
+    let mut motion = Motion::START;
+    let mut script = Script::default().frames();
+    let mut expected = vec![];
+    while !motion.rests() {
+        expected.push(simulated(motion, reflections, 2));
+        script = script.picture(&[]);
+        motion.advance(milliseconds);
+    }
+    expected.push(simulated(motion, 4, 1));
+    let run = copied.board().run(&firmware, &script.picture(&[])).unwrap();
+    assert_are_shown(copied, &run, &expected);
+    let frames = expected.len() - 2;
+    let cycles = run.pictures[frames].cycles - run.pictures[0].cycles;
+    (copied.board().clock() * frames as u64) as f64 / cycles as f64
+}
+
+#[test]
+fn pico_shows_ten_whole_frames_a_second_while_a_ball_bounces() {
+    let frames = test(&PICO, 80, 1);
+    assert!(frames >= 10.0, "{frames}");
+}
+
+#[test]
+fn pico_2_shows_thirty_whole_frames_a_second_while_a_ball_bounces() {
+    let frames = test(&PICO_2, 33, 2);
+    assert!(frames >= 30.0, "{frames}");
+}
+
+#[test]
+#[ignore = "builds one more firmware of the Black Pill"]
+fn black_pill_shows_whole_frames_while_a_ball_bounces() {
+    let frames = test(&BLACK_PILL, 170, 2);
+    assert!(frames >= 5.5, "{frames}");
+}
+
+/// Returns a file of an example.
+fn text(file: &str) -> String {
+    fs::read_to_string(root().join("examples").join(file)).unwrap()
+}
+
+#[test]
+fn boards_share_what_moves_and_both_picos_the_panel() {
+    let motion = text("pico/src/bin/bounce/motion.rs");
+    for other in ["pico2", "blackpill"] {
+        assert_eq!(motion, text(&format!("{other}/src/bin/bounce/motion.rs")));
+    }
+    for file in ["bin/bounce/view.rs", "screen/line.rs", "screen/mod.rs"] {
+        let [one, other] = ["pico", "pico2"].map(|board| text(&format!("{board}/src/{file}")));
+        assert_eq!(one.replace("rp2040_hal", "rp235x_hal"), other);
+    }
+}
