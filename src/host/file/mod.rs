@@ -73,8 +73,8 @@ pub const MAX_TRIANGLES: usize = 128;
 /// Largest number of lights in a scene that is read from a scene file: 16.
 pub const MAX_LIGHTS: usize = 16;
 
-/// Largest number of suns in a scene that is read from a scene file: 4.
-pub const MAX_SUNS: usize = 4;
+/// Largest number of suns in a scene that is read from a scene file: 2.
+pub const MAX_SUNS: usize = 2;
 
 /// Largest number of materials in a scene that is read from a scene file: 256.
 pub const MAX_MATERIALS: usize = 256;

@@ -30,7 +30,8 @@ impl Needs {
     /// use reflet::ErrorKind;
     /// use reflet::needs::{Mirrors, Needs};
     ///
-    /// const ROUND: Needs = Needs::ALL.without_planes().without_cylinders().without_discs();
+    /// const CURVED: Needs = Needs::ALL.without_planes().without_discs().without_triangles();
+    /// const ROUND: Needs = CURVED.without_cylinders();
     /// assert!(ROUND.spheres && ROUND.within(&Needs::ALL).is_ok());
     /// assert!(ROUND.without_spheres().without_sky().is_nothing());
     ///

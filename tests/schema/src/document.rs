@@ -5,7 +5,7 @@ use reflet::host::file as limits;
 use serde_json::{Map, Value, json};
 
 /// The lists of a scene file, and the largest number of parts in each.
-pub const LISTS: [(&str, usize); 7] = [
+pub const LISTS: [(&str, usize); 8] = [
     ("spheres", limits::MAX_SPHERES),
     ("planes", limits::MAX_PLANES),
     ("cylinders", limits::MAX_CYLINDERS),
@@ -137,8 +137,8 @@ fn part(bytes: &mut Unstructured, kind: &str, names: &[&str]) -> Result<Value> {
         "discs" => json!({ "center": center, "normal": way, "radius": radius, "material": name }),
         "suns" => json!({ "direction": way, "color": color(bytes)?, "disc": radius }),
         "triangles" => {
-            let [x, y, z] = center;
-            let corners = [center, [x + radius, y, z], [x, y + 1.0, z + height]];
+            let [x, y, z] = center.map(f64::from);
+            let corners = [[x, y, z], [x + radius, y, z], [x, y + 1.0, z + height]];
             match bytes.arbitrary()? {
                 true => json!({ "corners": corners, "normals": [way, way, way], "material": name }),
                 false => json!({ "corners": corners, "material": name }),

@@ -40,8 +40,16 @@ pub fn text(name: &str, materials: &[String], scene: &Scene, camera: &Camera) ->
         "materials",
         named.map(|(name, it)| material(name, it)),
     ));
-    entries.extend(list("lights", scene.lights.iter().map(light)));
-    for kind in ["spheres", "planes", "cylinders", "discs"] {
+    let lights = |is_sun: bool| {
+        let these = scene
+            .lights
+            .iter()
+            .filter(move |it| it.sun.is_some() == is_sun);
+        these.map(light)
+    };
+    entries.extend(list("lights", lights(false)));
+    entries.extend(list("suns", lights(true)));
+    for kind in ["spheres", "planes", "cylinders", "discs", "triangles"] {
         let shapes = scene.shapes().filter(|it| it.list == kind);
         entries.extend(list(
             kind,
@@ -104,14 +112,19 @@ fn checker(checker: &Checker) -> String {
 }
 
 fn light(light: &Light) -> String {
-    let [position, color] = [light.position, light.color].map(vector);
-    format!(r#"{{ "position": {position}, "color": {color} }}"#)
+    let [place, color] = [light.position, light.color].map(vector);
+    match light.sun {
+        None => format!(r#"{{ "position": {place}, "color": {color} }}"#),
+        Some(0.0) => format!(r#"{{ "direction": {place}, "color": {color} }}"#),
+        Some(disc) => format!(r#"{{ "direction": {place}, "color": {color}, "disc": {disc} }}"#),
+    }
 }
 
 fn shape(shape: &Shape<'_>, material: &str) -> String {
     let keys: &[&str] = match shape.kind {
         "cylinder" => &["center", "axis", "radius", "height"],
         "sphere" => &["center", "radius"],
+        "triangle" => &["corners", "normals"],
         _ => &["center", "normal", "radius"],
     };
     // As source of Rust, `1.0` stands for 1.
@@ -121,7 +134,15 @@ fn shape(shape: &Shape<'_>, material: &str) -> String {
         .iter()
         .map(|field| short(format!("{field:?},")));
     let fields = fields.map(|it| it.trim_end_matches(',').to_owned());
-    let mut pairs: Vec<_> = keys.iter().copied().zip(fields).collect();
+    let pairs = keys.iter().copied().zip(fields);
+    // The normals of a triangle are an `Option`.
+    let given = pairs.filter(|(_, it)| it != "None");
+    let plain = |it: String| {
+        it.trim_start_matches("Some(")
+            .trim_end_matches(')')
+            .to_owned()
+    };
+    let mut pairs: Vec<_> = given.map(|(key, it)| (key, plain(it))).collect();
     pairs.push(("material", quoted(material)));
     object(&pairs)
 }
@@ -163,6 +184,10 @@ mod tests {
   "lights": [
     { "position": [3, -4, 6], "color": [1, 0.5, 0.25] }
   ],
+  "suns": [
+    { "direction": [1, 0, 2], "color": [1, 1, 0.5], "disc": 0.5 },
+    { "direction": [0, -1, 1], "color": [0.25, 0, 0] }
+  ],
   "spheres": [
     { "center": [10, 0, 1.05], "radius": 1, "material": "old clay" }
   ],
@@ -174,6 +199,10 @@ mod tests {
   ],
   "discs": [
     { "center": [2, 0, 3], "normal": [0, 0, 4], "radius": 0.75, "material": "old clay" }
+  ],
+  "triangles": [
+    { "corners": [[0, 0, 0], [1, 0, 0], [0, 0, 1.5]], "material": "old clay" },
+    { "corners": [[0, 1, 0], [1, 1, 0], [0, 1, 1]], "normals": [[0, -1, 0], [0.5, -1, 0], [0, -1, 0.5]], "material": "old clay" }
   ],
   "sky": { "up": [0, 0, 5], "below": [0.125, 0.25, 0.375], "horizon": [0.5, 1, 2], "above": [0.0625, 0, 1] },
   "epsilon": 0.0078125

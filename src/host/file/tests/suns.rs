@@ -46,8 +46,8 @@ fn mistakes_in_suns_name_the_sun_and_the_fix() {
             &*std::format!("suns[0]: {fix}"),
         ),
         (
-            json!([good, good, good, good, good]),
-            "suns[4]: a file holds 4 suns at most",
+            json!([good, good, good]),
+            "suns[2]: a file holds 2 suns at most",
         ),
     ] {
         let file = SceneFile::parse(&with(&suns), None).unwrap();
