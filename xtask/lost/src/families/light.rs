@@ -56,11 +56,12 @@ pub fn fences(draft: &mut Draft) {
         let slope = draft.random.log_between(0.04, 0.5);
         let position = (angle + UP * slope) * draft.random.log_between(4.0, 60.0);
         let color = [draft.random.between(0.5, 1.0); 3];
-        let position = position.0;
+        // A far one is a sun.
+        let sun = (position.length() > 20.0).then_some(0.0);
         draft.scene.lights.push(Light {
-            position,
+            position: position.0,
             color,
-            sun: None,
+            sun,
         });
     }
     let target = draft.random.point().across(UP);
