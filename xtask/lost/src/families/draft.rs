@@ -2,7 +2,7 @@
 //! which parts a scene has.
 
 use reflet::host::reference::{
-    Camera, Cylinder, Disc, Light, Material, Plane, Scene, Sphere, Vector,
+    Camera, Cylinder, Disc, Light, Material, Plane, Scene, Sphere, Triangle, Vector,
 };
 
 use super::random::Random;
@@ -124,6 +124,20 @@ impl Draft {
             center: center.0,
             normal: normal.0,
             radius,
+            material,
+        });
+    }
+
+    /// Adds a triangle.
+    pub fn triangle(
+        &mut self,
+        corners: [Vector; 3],
+        normals: Option<[Vector; 3]>,
+        material: usize,
+    ) {
+        self.scene.triangles.push(Triangle {
+            corners: corners.map(|it| it.0),
+            normals: normals.map(|it| it.map(|it| it.0)),
             material,
         });
     }

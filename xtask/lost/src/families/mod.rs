@@ -1,6 +1,7 @@
 //! Random scenes that are hard to interpolate, in families. The same seed makes the same scenes.
 
 mod draft;
+mod facets;
 mod flat;
 mod light;
 mod random;
@@ -33,6 +34,8 @@ pub enum Family {
     Glossy,
     /// Rows of thin posts on a floor, under low lights.
     Fences,
+    /// Meshes and needles of triangles, flat and smooth.
+    Facets,
 }
 
 impl Family {
@@ -55,6 +58,7 @@ impl Family {
             Self::Far => flat::far(&mut draft),
             Self::Glossy => light::glossy(&mut draft),
             Self::Fences => light::fences(&mut draft),
+            Self::Facets => facets::facets(&mut draft),
         }
         let name = format!("{}-{seed}-{number}", self.name());
         let name = match draft.reflections {
