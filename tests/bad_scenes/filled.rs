@@ -34,6 +34,7 @@ fn message(kind: ErrorKind) -> &'static str {
         ErrorKind::Checker => {
             "checker sizes must be 0 or 2^-27 to 2^16 of the scene's extent, and not all 0"
         }
+        ErrorKind::Sun => "direction must not be zero, and disc must be within 0 to 90 degrees",
         ErrorKind::Sky => "up must not be zero",
         ErrorKind::Ambient => "ambient must be within 0 to 16",
         ErrorKind::Diffuse => "diffuse must be within 0 to 16",
@@ -118,6 +119,10 @@ const CORNERS: [Triple; 3] = [ORIGIN, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 fn light(position: Triple, color: Triple) -> Addition {
     Box::new(move |scene, _| scene.add_light(position, color).map(|_| ()))
+}
+
+fn sun(direction: Triple, degrees: f64) -> Addition {
+    Box::new(move |scene, _| scene.add_sun(direction, [1.0; 3], degrees).map(|_| ()))
 }
 
 fn material(color: Triple) -> Addition {
@@ -531,4 +536,15 @@ fn errors_are_errors_as_the_language_knows_them() {
     );
     assert_eq!(Number::new(NAN), Number::OUT_OF_RANGE);
     assert!(!Position::new([0.0, INFINITE, 0.0]).is_in_range());
+}
+
+#[test]
+fn suns_have_a_direction_and_a_disc_of_at_most_ninety_degrees() {
+    for (direction, degrees) in [(ORIGIN, 0.0), (UP, -0.1), (UP, 90.1), (UP, f64::INFINITY)] {
+        assert_refused(("sun", Some(1), ErrorKind::Sun), sun(direction, degrees));
+    }
+    let far = [0.0, f64::NAN, 1.0];
+    assert_refused(("sun", Some(1), ErrorKind::Coordinate), sun(far, 1.0));
+    assert_accepted(sun([1e-9, 0.0, 0.0], 0.0));
+    assert_accepted(sun(UP, 90.0));
 }

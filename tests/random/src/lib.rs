@@ -195,8 +195,19 @@ fn add_all(
         return Ok(epsilon);
     }
     let mut color = || Ok([number::brightness(bytes)?, number::brightness(bytes)?, 1.0]);
-    let colors = [color()?, color()?, color()?];
-    Ok(scene.set_sky(numbers.way(bytes)?, colors))
+    let (colors, sun) = ([color()?, color()?, color()?], color()?);
+    if let Err(error) = scene.set_sky(numbers.way(bytes)?, colors) {
+        return Ok(Err(error));
+    }
+    // Under a sky there may be a sun with a disc. If there are lights enough, it is refused.
+    match bytes.ratio(1, 2)? {
+        true => {
+            let degrees = 90.0 * number::share(bytes)?;
+            let _ = scene.add_sun(numbers.way(bytes)?, sun, degrees);
+            Ok(Ok(()))
+        }
+        false => Ok(Ok(())),
+    }
 }
 
 fn material(bytes: &mut Unstructured, unit: f64, mirrors: &mut bool) -> Result<Option<Material>> {
