@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 51132 | 1414 | 13692 | 281 |
-//! | Cargo's default release | 65764 | 1494 | 17396 | 316 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 47004 | 2120 | 14380 | 341 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 43868 | 3177 | 14272 | 511 |
-//! | Cargo's default dev (debug) | 490412 | 36088 | 449536 | 7380 |
+//! | lto = true, codegen-units = 1 | 51532 | 1418 | 13800 | 277 |
+//! | Cargo's default release | 64208 | 1514 | 17408 | 316 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 47868 | 2397 | 14588 | 342 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 44628 | 3525 | 14452 | 517 |
+//! | Cargo's default dev (debug) | 578168 | 38733 | 537432 | 7910 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
