@@ -1,7 +1,7 @@
 //! The line in which the plane of a row cuts another plane, and the columns in which the row shows its points.
 
 use super::row_plane::{Border, RowPlane, SLACK, Seen};
-use crate::number::{Unit, narrowed, over, scaled_by_unit, wide};
+use crate::number::{Unit, narrowed, over, scaled_by_unit, unsigned_wide, wide};
 use crate::vector::{Direction, Vector};
 
 /// Line in the plane of a row.
@@ -87,6 +87,35 @@ impl RowPlane {
             (Seen::Behind, Seen::Behind) => Border::NOWHERE,
             (Seen::At([a, b]), Seen::At([c, d])) => Border::of(Seen::At([a.min(c), b.max(d)])),
             _ => Border::ANYWHERE,
+        }
+    }
+}
+
+impl Line {
+    /// Returns where the line cuts a flat shape: at one place, known to lie between two. `way` leads from the line's
+    /// start to the shape's centre. The shape is given by its normal and the radius of a ball around it.
+    pub(crate) fn cut_flat(
+        &self,
+        way: Vector,
+        (normal, radius): (Direction, i32),
+    ) -> Cut<[[i32; 2]; 2]> {
+        let (climb, height) = (self.along.dot(normal), way.dot(normal));
+        let off = self.off + SLACK;
+        match (over(height - off, climb), over(height + off, climb)) {
+            (Some(one), Some(other)) => {
+                let places = [one.min(other) - 2, one.max(other) + 2];
+                let at = self
+                    .along
+                    .scaled((places[0] >> 1) + (places[1] >> 1))
+                    .minus(way);
+                let reach = radius + (places[1] >> 1) - (places[0] >> 1) + 2 * off;
+                match reach < 0 || at.square() <= unsigned_wide(wide(reach, reach)) {
+                    true => Cut::Some([places; 2]),
+                    false => Cut::None,
+                }
+            }
+            _ if height.abs() > scaled_by_unit(radius, climb).abs() + 2 * off => Cut::None,
+            _ => Cut::Unknown,
         }
     }
 }

@@ -9,14 +9,14 @@ use crate::scene::query::{nearest_hit, occluded};
 use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Room, RuntimeScene, Surface};
 
-type Built = Scene<Room<3, 1, 2, 1, 1, 2>>;
+type Built = Scene<Room<3, 1, 2, 1, 1, 2, 2>>;
 
 /// Distance of a light that is a sun.
 const SUN: f64 = 1e6;
 
 /// Returns a scene of shapes over a floor, some of which cut it, and a light at a distance.
 fn scene(sweep: &mut Sweep, far: f64) -> Built {
-    let mut scene = RuntimeScene::<Room<3, 1, 2, 1, 1, 2>>::new();
+    let mut scene = RuntimeScene::<Room<3, 1, 2, 1, 1, 2, 2>>::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
     let mut place = |height: f64| {
         let [x, y, z] = sweep.place();
@@ -37,6 +37,8 @@ fn scene(sweep: &mut Sweep, far: f64) -> Built {
             .unwrap();
         let ((center, radius), (normal, _)) = (place(height), place(1.0));
         scene.add_disc(center, normal, radius, white).unwrap();
+        let corners = [0.8, 0.2, 0.5].map(|height| place(height).0);
+        scene.add_triangle(corners, None, white).unwrap();
     }
     scene.add_plane([0, 0, 0], [0, 0, 1], white).unwrap();
     let (towards, size) = place(0.6);
