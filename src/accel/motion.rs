@@ -74,12 +74,12 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3319 | 367538 | 107.9 % |
-/// | m0 | mirror1 | 2806 | 57232 | 106.9 % |
-/// | m0 | primitives | 2691 | 22054 | 109.9 % |
-/// | m3 | castle | 2013 | 88140 | 109.3 % |
-/// | m3 | mirror1 | 1615 | 14002 | 110.3 % |
-/// | m3 | primitives | 1533 | 5818 | 112.8 % |
+/// | m0 | castle | 3314 | 367540 | 108.3 % |
+/// | m0 | mirror1 | 2804 | 57231 | 106.9 % |
+/// | m0 | primitives | 2691 | 22097 | 109.9 % |
+/// | m3 | castle | 2011 | 88140 | 109.7 % |
+/// | m3 | mirror1 | 1615 | 14002 | 110.5 % |
+/// | m3 | primitives | 1533 | 5816 | 112.9 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
