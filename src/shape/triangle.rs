@@ -74,7 +74,7 @@ impl Face {
     /// Returns the smallest altitude of the triangle, in steps, rounded down. `longest` is its longest side.
     const fn altitude(&self, longest: u32) -> u64 {
         let area = (unsigned(self.area) as u64) << self.shift;
-        (area / longest as u64) >> (self.lifts[0] + self.lifts[1])
+        (area / (longest | 1) as u64) >> (self.lifts[0] + self.lifts[1])
     }
 }
 

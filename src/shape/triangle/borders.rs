@@ -34,7 +34,7 @@ fn cut(row: &RowPlane, [from, to]: [(Vector, i32); 2]) -> Option<[i32; 2]> {
     let [x, y, z] = [x, y, z].map(|it| scaled_by_unit(it, share));
     let [ahead, aside] = row.flat(from.0.plus(Vector::new(x, y, z))).map(i64::from);
     let length = i64::from(square_root(way.square()));
-    let off = i64::from(OFF) * (length / i64::from(part + rest) + 2) + 8;
+    let off = i64::from(OFF) * (length / i64::from((part + rest) | 1) + 2) + 8;
     match row.seen(ahead, aside, off) {
         Seen::At(ends) => Some(ends),
         Seen::Left => Some([-64; 2]),

@@ -183,7 +183,7 @@ const fn extent_of(positions: [Position; 3]) -> Extent {
         unsigned(square_root(first.minus(second).square())) as u64,
     );
     let (crossed, up) = Vector::leading(first.cross_wide(second), 30);
-    let altitude = ((unsigned(square_root(crossed.square())) as u64) << up) / longest;
+    let altitude = ((unsigned(square_root(crossed.square())) as u64) << up) / (longest | 1);
     if altitude << THINNEST < longest {
         return NO_EXTENT;
     }

@@ -60,7 +60,7 @@ impl Smooth {
 /// normal, over a, in units of 2²⁸.
 const fn gradient(face: &Face, side: Vector, is_to_the_right: bool) -> Vector {
     let Vector { x, y, z } = face.normal.crossed_with(side);
-    let inverse = signed_wide((1 << 58) / unsigned(face.area) as u64);
+    let inverse = signed_wide((1 << 58) / (unsigned(face.area) | 1) as u64);
     let inverse = narrowed(if is_to_the_right { -inverse } else { inverse });
     Vector::new(
         narrowed(wide(x, inverse) >> 30),

@@ -110,7 +110,7 @@ fn plain_color(scene: &model::Scene, surface: &Surface) -> Vector {
     let material = surface.material;
     let mut light = Vector::grey(material.ambient);
     for lamp in scene.lights {
-        let to_lamp = (lamp.position - surface.outside).unit();
+        let (to_lamp, _) = lamp.seen_from(surface.outside);
         // For a light exactly at this point the maximum is 0, not NaN.
         let facing = surface.normal.dot(to_lamp).max(0.0);
         light += lamp.color * (material.diffuse * facing);

@@ -160,7 +160,7 @@ fn fill() -> Option<(Scene<Four>, Camera)> {
     let light = black_box(scene.add_light(point(), [number(); 3]));
     let _ = black_box(scene.add_sun(point(), [number(); 3], number()));
     let _ = black_box(scene.set_background([number(); 3]));
-    let checkered = Material::new([0.5; 3]).with_checker([number(); 3], [number(); 3]);
+    let checkered = CHALK.with_checker([number(); 3], [number(); 3]);
     let _ = black_box(checkered.map(|it| scene.add_material(it)));
     let _ = black_box(scene.set_sky([number(); 3], [[number(); 3]; 3]));
     let _ = black_box(scene.set_epsilon(read));
@@ -183,7 +183,7 @@ scene! {
         sphere BALL([1.0, 1.0, 1.0], 1.0, CHALK);
         cylinder BARREL([2.0, 2.0, 2.0], [0.0, 0.0, 1.0], 1.0, 1.0, CHALK);
         disc LID([3.0, 3.0, 3.0], [0.0, 0.0, 1.0], 1.0, CHALK);
-        triangle SAIL([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        triangle SAIL([[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]],
             Some([[0.0, 0.0, 1.0], [0.5, 0.0, 1.0], [0.0, 0.5, 1.0]]), CHALK);
         light([3.0, -4.0, 9.0], [1.0, 1.0, 1.0]);
     }

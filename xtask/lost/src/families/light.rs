@@ -64,6 +64,8 @@ pub fn fences(draft: &mut Draft) {
             sun,
         });
     }
+    // As in a scene file.
+    draft.scene.lights.sort_by_key(|it| it.sun.is_some());
     let target = draft.random.point().across(UP);
     let offset = draft.random.across(UP) + UP * draft.random.between(0.1, 1.2);
     let distance = draft.random.between(2.5, 6.0);
