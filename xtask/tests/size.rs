@@ -257,7 +257,7 @@ fn command_prints_lines_of_json_with_these_keys() {
         let keys = line.as_object().unwrap().keys().map(String::as_str);
         let expected = "target scene quality reflections code constants flash ram stack left_out";
         assert_eq!(keys.collect::<BTreeSet<_>>(), expected.split(' ').collect());
-        assert_eq!(line["left_out"].as_array().unwrap().len(), 17);
+        assert_eq!(line["left_out"].as_array().unwrap().len(), 18);
         let [code, constants, flash] =
             ["code", "constants", "flash"].map(|key| line[key].as_u64().unwrap());
         assert_eq!(code + constants, flash);
