@@ -173,7 +173,7 @@ mod tests {
     const MOST_CODE: usize = 18_982;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 40_894;
+    const MOST_OUTSIDE: usize = 40897;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;

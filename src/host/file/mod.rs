@@ -114,8 +114,7 @@ pub type FileRoom = Room<
 /// A run-time scene with the capacity [`FileRoom`], to be filled from a scene file.
 pub type FileRuntimeScene = RuntimeScene<FileRoom>;
 
-/// A prepared scene with the capacity [`FileRoom`], built from a scene file and ready to draw. A thread that builds one
-/// needs more stack than the 2 MiB that Rust gives it by default.
+/// A prepared scene of a file. A thread that builds one needs more stack than the 2 MiB that Rust gives it by default.
 pub type FileScene = crate::Scene<FileRoom>;
 
 /// Builds a scene of the core, with the capacity [`FileRoom`], from a scene and a camera of the

@@ -295,6 +295,7 @@ fn what_a_bound_leaves_out_is_missed_by_no_scene_within_it() {
             is_held::<9>(&scene),
             is_held::<10>(&scene),
             is_held::<11>(&scene),
+            is_held::<12>(&scene),
         ];
         for (count, held) in counts.iter().zip(held) {
             count.set(count.get() + u32::from(held));
