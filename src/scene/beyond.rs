@@ -24,9 +24,8 @@ impl Parts<'_> {
     pub(crate) fn beyond(&self, direction: Direction, has_sky: bool) -> Beyond {
         let discs = if has_sky { self.lights } else { &[] };
         for (index, light) in discs.iter().enumerate() {
-            if let Some((center, cosine)) = light.disc()
-                && direction.dot(center) >= cosine
-            {
+            let holds = |&(center, cosine): &(Direction, Unit)| direction.dot(center) >= cosine;
+            if light.disc().filter(holds).is_some() {
                 return Beyond::of_disc(index, light.color.in_levels());
             }
         }
