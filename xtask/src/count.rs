@@ -170,10 +170,10 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 18_982;
+    const MOST_CODE: usize = 18_981;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 40897;
+    const MOST_OUTSIDE: usize = 40_898;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;
