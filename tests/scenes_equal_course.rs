@@ -29,8 +29,8 @@ fn every_built_in_scene_has_the_figures_of_its_source() {
     }
 }
 
-/// Returns a line for each number of the whole scene and for each of its parts. Shapes have their
-/// material written out, because two scenes may list the same materials in another order.
+/// Returns a scene as lines: one with the numbers of the whole scene, and one for each of its parts. A shape's line
+/// has its material, because two scenes may list the same materials in another order.
 fn parts(scene: &Scene) -> Vec<String> {
     let whole = format!("{:?} {:?} {}", scene.background, scene.sky, scene.epsilon);
     let shapes = scene.shapes().map(|it| {

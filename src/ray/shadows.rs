@@ -1,8 +1,8 @@
 //! The shadows of a light on a line of a row's plane: the columns at which one begins or ends.
 
-use super::ScaledPoint;
 use super::line::{Cut, Line};
 use super::row_plane::{Border, RowPlane, SLACK};
+use super::{REACH, ScaledPoint};
 use crate::number::{
     Quotient, Unit, divide, narrowed, narrowed_unsigned, over, scaled_by_unit, signed, signed_wide,
     to_u16, unsigned,
@@ -82,7 +82,7 @@ impl Lamp {
 
     /// Returns a length at right angles to parallel rays, as it falls on the line, clamped.
     pub(crate) fn cast(&self, length: i32) -> i32 {
-        over(length, Unit::from_bits(self.height)).unwrap_or(FURTHEST * length.signum())
+        over(length, Unit::from_bits(self.height)).unwrap_or(REACH.to_bits() * length.signum())
     }
 
     /// Returns where the parallel ray through a point meets the line: two places. The point lies between two places
@@ -101,12 +101,10 @@ impl Lamp {
     }
 }
 
-/// Largest place on a line, in steps.
-const FURTHEST: i32 = 1 << 30;
-
-/// Returns a place on a line, limited to [`FURTHEST`].
+/// Returns a place on a line, limited to [`REACH`].
 pub(crate) fn within_reach(place: i64) -> i32 {
-    narrowed(place.max((-FURTHEST).into()).min(FURTHEST.into()))
+    let most = i64::from(REACH.to_bits());
+    narrowed(place.max(-most).min(most))
 }
 
 /// The borders of a row that lie after a column, in no order.

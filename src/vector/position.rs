@@ -112,7 +112,7 @@ impl Position {
     }
 }
 
-/// Returns the right shift that leaves 29 bits of a magnitude above 0.
+/// Returns by how many bits a number above 0 is shifted right so that 29 bits of it are left.
 pub(crate) const fn leading_shift(magnitude: u128) -> i32 {
     128 - signed(magnitude.leading_zeros()) - 29
 }

@@ -41,7 +41,7 @@ pub fn held(paths: &Paths, ending: &Ending, found: &Picture, all: usize) -> Held
             (f64::from(found[axis]) - exact).abs()
         });
         let apart = apart.fold(0.0, f64::max);
-        // Only one of the two is rounded to 8 bits.
+        // The picture is rounded to whole levels, by at most half a level. The truth is not.
         let most = 255.0 * bound.share() + 0.5;
         held.pixels += 1;
         let is_further = apart > most;

@@ -264,7 +264,7 @@ macro_rules! refused {
             let room = FileRoom::COUNTS;
             let most = match error.kind() {
                 $(ErrorKind::$too_many => room.$list,)*
-                // What did not fit is as many parts as fit.
+                // Counted from 0, the first part that does not fit has as its number how many do.
                 ErrorKind::TooManyLights => index,
                 ErrorKind::TooManyMaterials => room.materials,
                 fault => return format!("{list}[{index}]: {fault}"),

@@ -27,8 +27,8 @@
 //! `name`, `background`, `epsilon` and every list are optional. A list that is left out is empty;
 //! `background` and `epsilon` have the values above by default. Of a material, `name` and `color` are
 //! enough: the rest has the defaults of [`Material::new`](crate::Material::new). An unknown key is an
-//! error. A triangle may have `normals` at its corners. `docs/scene.schema.json` in the repository is a JSON Schema of this format. A scene may name it
-//! by a key `$schema`, which is ignored here, so that editors complete and check the file.
+//! error. A triangle may have `normals`. `docs/scene.schema.json` in the repository is a JSON Schema of this format. A
+//! scene may name it by a key `$schema`, which is ignored here, so that editors complete and check the file.
 
 // What reads a file is `#[inline]`: a program then compiles it as it compiles itself, small or fast.
 

@@ -140,7 +140,7 @@ fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
     assert_eq!(excess, Some("mirrored"));
 }
 
-/// Returns what a scene has beyond a bare floor.
+/// Returns the first need that a scene has and a bare floor has not, `None` if there is none.
 fn excess(scene: &impl Drawable) -> Option<&'static str> {
     let error = Limited::<_, Bare>::new(scene).err()?;
     assert_eq!((error.kind(), error.index()), (ErrorKind::Limit, None));
