@@ -254,6 +254,8 @@ pub struct PreparedMaterial {
     pub(crate) shininess: Exponent,
     /// Share of reflection α, 0 to 1.
     pub(crate) mirror: Unit,
+    /// Whether the material shows a colour of its own: it is not black, and mirrors less than all.
+    pub(crate) has_own: bool,
 }
 
 impl PreparedMaterial {
@@ -268,13 +270,23 @@ impl PreparedMaterial {
 
     /// Converts a described material to fixed point: coefficients to 2⁻²⁶, α to 2⁻³⁰.
     pub(crate) const fn new(material: &Material) -> Self {
+        let color = Color::from_numbers(material.color).in_levels();
+        let [ambient, diffuse, specular] = [
+            brightness(material.ambient),
+            brightness(material.diffuse),
+            brightness(material.specular),
+        ];
+        let is_dark = (ambient.to_bits() | diffuse.to_bits() | specular.to_bits()) == 0;
+        let is_black = color.largest().to_bits() == 0 && material.checker.is_none();
+        let mirror = Unit::from_bits(material.mirror.quantised(30));
         Self {
-            color: Color::from_numbers(material.color).in_levels(),
-            ambient: brightness(material.ambient),
-            diffuse: brightness(material.diffuse),
-            specular: brightness(material.specular),
+            color,
+            ambient,
+            diffuse,
+            specular,
             shininess: Exponent::new(material.shininess),
-            mirror: Unit::from_bits(material.mirror.quantised(30)),
+            mirror,
+            has_own: !is_dark && !is_black && mirror.to_bits() < Unit::ONE.to_bits(),
         }
     }
 }

@@ -21,8 +21,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         steps: usize,
         samples: &mut Samples,
     ) -> Result<(), usize> {
-        // A perfect mirror has no colour of its own.
-        if K::REFLECTS && shown.material.mirror == Unit::ONE {
+        if K::REFLECTS && !shown.material.has_own {
             return Ok(());
         }
         let lights = self.world.tables().light_occluders;

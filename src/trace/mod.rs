@@ -206,9 +206,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 stops.add(Some(&surface), surface.view);
             }
             let reflected = Self::reflected(world, &surface, throughput);
-            // A view of normals does not reflect: it shows the surface's own colour even of a mirror.
-            let has_own = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
-            if has_own && reflected < throughput {
+            if Self::has_own(world, &surface) {
                 let lit = self.shade(&surface);
                 traced.signature.note(lit.lights);
                 traced.sum.add(throughput - reflected, lit.color);
@@ -238,6 +236,13 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let parts = self.world.parts();
         let is_plane = parts.plane_index(surface.shape).is_some();
         is_plane && (count as usize) < STOPS
+    }
+
+    /// Tests whether a surface shows a colour of its own.
+    #[inline(always)]
+    fn has_own(world: &W, surface: &Surface<'_>) -> bool {
+        // A view of normals does not reflect: it shows the surface's own colour even of a mirror.
+        !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All && surface.material(world).has_own
     }
 
     /// Returns the throughput of a path after a surface: `throughput` times the share that the surface

@@ -9,7 +9,6 @@ use crate::accel::{Window, World};
 use crate::color::{Color, Sum};
 use crate::number::Unit;
 use crate::ray::{ScaledPoint, ScaledRay};
-use crate::scene::Mirrors;
 use crate::scene::access::ShapeId;
 use crate::shade::highlight::sealed::Shading;
 use crate::vector::Direction;
@@ -66,8 +65,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             };
             let reflected = Self::reflected(world, &surface, throughput);
             let (mut color, mut lights) = (Color::BLACK, 0);
-            let has_own = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
-            if has_own && reflected < throughput {
+            if Self::has_own(world, &surface) {
                 let lit = self.shade(&surface);
                 (color, lights) = (lit.color, lit.lights);
                 sum.add(throughput - reflected, color);
