@@ -16,7 +16,7 @@
 
 mod build;
 
-pub(super) use build::{fill, is_useful};
+pub(super) use build::{fill, has_mesh, is_useful};
 
 use super::{CullingQuality, World};
 use crate::number::{Length, high, to_u32};

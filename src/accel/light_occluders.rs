@@ -200,8 +200,10 @@ pub(crate) fn occluded<W: World, Q: CullingQuality, const PRECISE: bool>(
         end: surface.place.point,
     };
     // In a larger scene a table cannot tell a shape from those that follow it in the list. Up to about two
-    // shapes a bit, the table still takes less time.
-    if hierarchy::is_used::<W, Q>(world) && world.parts().bounded() > 2 * SETS {
+    // shapes a bit, the table still takes less time, but not among the triangles of a mesh.
+    let parts = world.parts();
+    let is_large = parts.bounded() > 2 * SETS || W::NEEDS.triangles && hierarchy::has_mesh(&parts);
+    if hierarchy::is_used::<W, Q>(world) && is_large {
         return is_occluded_in_crowd::<W, PRECISE>(world, surface, light, &ray);
     }
     let set = light_set::<W, Q>(world, index, direction);

@@ -55,7 +55,7 @@ impl<'a> Hierarchy<'a> {
     }
 }
 
-/// Tests whether so many rays leave mirrors that a constant scene gains by a hierarchy: at least two planes
+/// Tests whether a constant scene gains by a hierarchy: so many rays leave mirrors, or it has a mesh. At least two planes
 /// mirror, or at least an eighth of the shapes, each counted as the square of its ball's radius.
 pub(in crate::accel) const fn is_useful(parts: &Parts<'_>) -> bool {
     let (mut planes, mut index) = (0, 0);
@@ -71,7 +71,13 @@ pub(in crate::accel) const fn is_useful(parts: &Parts<'_>) -> bool {
         mirroring += square * mirrors(parts, material) as u64;
         shape += 1;
     }
-    planes > 1 || 8 * mirroring >= all
+    planes > 1 || 8 * mirroring >= all || has_mesh(parts)
+}
+
+/// Tests whether a scene has a mesh: more than 16 triangles. The test of a triangle takes longer than that of a ball around
+/// several, and a light's table names many that lie close together.
+pub(in crate::accel) const fn has_mesh(parts: &Parts<'_>) -> bool {
+    parts.triangles.len() > 16
 }
 
 /// Tests whether a material of a scene mirrors.
