@@ -46,6 +46,12 @@ pub struct Arguments {
     #[arg(long, conflicts_with_all = ["all", "core", "scene", "chosen", "size"])]
     #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json", "is_whole"])]
     pub(super) profiles: bool,
+
+    /// Measure the scenes after published ray tracers again, and write docs/measured/yardstick.jsonl and
+    /// the table in docs/yardstick.md
+    #[arg(long, conflicts_with_all = ["all", "core", "scene", "chosen", "size", "clock", "moving", "frames"])]
+    #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json", "is_whole", "profiles"])]
+    pub(super) yardstick: bool,
 }
 
 /// One measurement, as the command line says it.

@@ -4,7 +4,8 @@
 //! keeps what was built; [`outcome`](mod@outcome) runs it, with each row's count from `clock_log`;
 //! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
 //! [`profiles`] measures the same code in several build profiles, [`pictures`] only draws, [`speed`] estimates
-//! frames a second, and [`frames`] keeps those of boards that people own.
+//! frames a second, [`frames`] keeps those of boards that people own, and [`yardstick`] the
+//! figures of scenes after ray tracers that others published.
 
 pub mod arguments;
 pub mod build_profile;
@@ -26,6 +27,7 @@ pub mod record;
 pub mod scene;
 pub mod speed;
 pub mod task;
+pub mod yardstick;
 
 use anyhow::Result;
 use command_line::json_line;
@@ -46,6 +48,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     if arguments.profiles {
         return profiles::renew();
+    }
+    if arguments.yardstick {
+        return yardstick::renew();
     }
     if arguments.all {
         return record::renew(arguments.choice.core);

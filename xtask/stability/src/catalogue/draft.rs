@@ -63,6 +63,12 @@ impl Draft {
         self.part("lights", json!({"position": position, "color": color}))
     }
 
+    /// Adds a white sun, with a disc of this angle in degrees.
+    pub fn sun(self, direction: [f64; 3], disc: f64) -> Self {
+        let sun = json!({"direction": direction, "color": [1, 1, 1], "disc": disc});
+        self.part("suns", sun)
+    }
+
     /// Adds a sphere.
     pub fn sphere(self, center: [f64; 3], radius: f64, material: &str) -> Self {
         let sphere = json!({"center": center, "radius": radius, "material": material});

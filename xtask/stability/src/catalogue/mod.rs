@@ -11,6 +11,7 @@ mod scale;
 pub mod scene;
 mod shading;
 mod stiff;
+mod suns;
 mod tangency;
 
 use self::draft::Draft;
@@ -156,6 +157,7 @@ pub fn chapters() -> Vec<Chapter> {
         ("Scale", scale::cases()),
         ("Tangency and grazing", tangency::cases()),
         ("Shading", shading::cases()),
+        ("Suns", suns::cases()),
         ("Range", range::cases()),
         ("Displays", displays::cases()),
     ]
