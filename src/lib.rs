@@ -292,5 +292,5 @@ pub mod __private {
     pub use core::{concat, stringify};
 
     /// Largest room of a constant scene. [`scene!`](crate::scene) counts the parts of a scene in it.
-    pub type LargestRoom = Room<512, 32, 128, 16, 256, 128, 128>;
+    pub type LargestRoom = Room<512, 32, 128, 16, 256, 128, 256>;
 }

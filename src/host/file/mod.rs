@@ -67,8 +67,8 @@ pub const MAX_CYLINDERS: usize = 128;
 /// Largest number of discs in a scene that is read from a scene file: 128.
 pub const MAX_DISCS: usize = 128;
 
-/// Largest number of triangles in a scene that is read from a scene file: 128.
-pub const MAX_TRIANGLES: usize = 128;
+/// Largest number of triangles in a scene that is read from a scene file: 256.
+pub const MAX_TRIANGLES: usize = 256;
 
 /// Largest number of lights in a scene that is read from a scene file: 16.
 pub const MAX_LIGHTS: usize = 16;
