@@ -1,6 +1,7 @@
 //! Tests suns in pictures: compared with double precision, moved, seen in mirrors, and as the limit of a far lamp.
 
-use embedded_graphics::prelude::Size;
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::{RgbColor, Size};
 use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, render};
@@ -141,4 +142,30 @@ fn disc_is_seen_in_the_sky_and_in_mirrors() {
     assert!((250..350).contains(&ahead), "{ahead}");
     assert!((5..100).contains(&behind), "{behind}");
     assert_eq!(below, 0);
+}
+
+/// A matt ball that fills the picture has few edges: most of its pixels lie between traced ones. A post beside it throws its
+/// shadow on a part of it.
+#[test]
+fn matt_ball_under_a_sun_is_interpolated() {
+    let mut scene = Scenery::new();
+    let clay = scene.add_material(Material::new([0.9, 0.3, 0.2])).unwrap();
+    scene.add_sphere([0.0; 3], 2.0, clay).unwrap();
+    scene
+        .add_cylinder([1.2, -2.6, 0.4], UP, 0.1, 1.0, clay)
+        .unwrap();
+    scene.add_sun(NOON, [1.0; 3], 0.0).unwrap();
+    let scene = scene.build().unwrap();
+    let camera = Camera::new([0.0, -4.0, 0.0], [0.0; 3], UP, 40).unwrap();
+    let frame = scene.frame(&camera).quality::<Fast>().prepare(SIZE);
+    let rows = frame.on(&scene).unwrap();
+    let mut pixels = [Rgb888::BLACK; SIZE.width as usize];
+    let rays: u64 = (0..SIZE.height)
+        .map(|y| rows.row(y, 0, &mut pixels).rays)
+        .sum();
+    let share = rays as f64 / f64::from(SIZE.width * SIZE.height);
+    assert!(share < 0.7, "{share} of the pixels are traced");
+    let exact = scene.frame(&camera).quality::<Exact>().prepare(SIZE);
+    let difference = compare(&painted(&rows), &painted(&exact.on(&scene).unwrap())).unwrap();
+    assert!(difference.within1 >= 0.999, "{difference:?}");
 }

@@ -5,14 +5,15 @@
 
 use super::light_occluders::LightOccluders;
 use super::light_table::rays_set;
+use super::stretch::is_apart;
 use super::{CullingQuality, World};
 use crate::number::Length;
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::scene::shape_set::ShapeSet;
-use crate::shape::bordered::{Bordered, Fan, Rays};
+use crate::shape::bordered::{Ball, Bordered, Fan, Rays, SLACK};
 use crate::shape::bounded::{Bounded, LightRay, Own};
-use crate::vector::Point;
+use crate::vector::{Direction, Point};
 
 /// The points of a surface that a stretch shows.
 pub(crate) struct LitStretch {
@@ -118,6 +119,46 @@ impl Found<'_> {
     }
 }
 
+/// The rays from the points of a stretch to a sun, projected along them: a straight line.
+struct Sunlight {
+    sun: Direction,
+    ends: [Point; 2],
+    /// The points' projections.
+    line: [Point; 2],
+    /// Upper bound of the distance of a projection from the straight line, in steps.
+    aside: i32,
+}
+
+impl Sunlight {
+    /// Tests whether a ball surely lies behind all points, or beside all rays.
+    fn misses(&self, (center, radius): Ball) -> bool {
+        let reach = radius + self.aside;
+        self.ends
+            .iter()
+            .all(|end| end.to(center).dot(self.sun) < -reach)
+            || is_apart(self.line, projected(center, self.sun), reach)
+    }
+}
+
+/// Returns a point's projection along a direction onto a plane through the middle of the scene.
+fn projected(point: Point, direction: Direction) -> Point {
+    let way = point.to_vector();
+    Point::at(way.without(direction, way.dot(direction)))
+}
+
+/// Tests whether a sun that no plane hides surely shines on all points of a near stretch. The stretch faces it.
+#[inline(never)]
+pub(crate) fn sun_lights_all<W: World>(world: &W, stretch: &LitStretch, sun: Direction) -> bool {
+    let ends = stretch.ends.map(|end| end.point);
+    let light = Sunlight {
+        sun,
+        ends,
+        line: ends.map(|end| projected(end, sun)),
+        aside: stretch.bulge + stretch.slack + SLACK,
+    };
+    none_hides(world, stretch, &light)
+}
+
 macro_rules! any_hides {
     (
         $header:tt
@@ -147,6 +188,27 @@ macro_rules! any_hides {
             )*
             let _ = first;
             !stretch.is_hollow
+        }
+
+        /// Tests whether no shape lies between a stretch and a sun. A convex surface hides no part of itself that faces
+        /// the sun.
+        #[inline(always)]
+        fn none_hides<W: World>(world: &W, stretch: &LitStretch, light: &Sunlight) -> bool {
+            let parts = world.parts();
+            let first = 0;
+            $(
+                let is_free = !W::NEEDS.$list
+                    || parts.$list.iter().enumerate().all(|(index, shape)| {
+                        let is_own = stretch.shape == ShapeId::at(first + index);
+                        is_own && !stretch.is_hollow || light.misses(shape.bounding_ball())
+                    });
+                if !is_free {
+                    return false;
+                }
+                let first = first + parts.$list.len();
+            )*
+            let _ = first;
+            true
         }
 
         /// Tests whether a shape of `set` surely hides all points of a stretch from a light.

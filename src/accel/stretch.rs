@@ -41,13 +41,17 @@ pub(crate) struct Chord {
 impl Chord {
     /// Tests whether a ball surely holds no point of the chord.
     pub(crate) fn misses(&self, (center, radius): Ball) -> bool {
-        let [first, last] = self.ends;
-        let (direction, length) = first.to(last).normalised();
-        let way = first.to(center);
-        let along = way.dot(direction).max(0).min(length.to_bits());
-        let reach = u64::from((radius + self.bulge).unsigned_abs());
-        way.without(direction, along).square() > reach * reach
+        is_apart(self.ends, center, radius + self.bulge)
     }
+}
+
+/// Tests whether a point lies further than `reach` from the straight line between two others.
+pub(super) fn is_apart([first, last]: [Point; 2], point: Point, reach: i32) -> bool {
+    let (direction, length) = first.to(last).normalised();
+    let way = first.to(point);
+    let along = way.dot(direction).max(0).min(length.to_bits());
+    let reach = u64::from(reach.unsigned_abs());
+    way.without(direction, along).square() > reach * reach
 }
 
 /// What bounds a shape: the set of points that a shape of its kind cannot leave.

@@ -142,7 +142,7 @@ struct Base {
 }
 
 /// What a distance is enlarged by, in steps, because products are rounded.
-pub(super) const SLACK: i32 = 64;
+pub(crate) const SLACK: i32 = 64;
 
 /// A capsule without its round ends: half of its axis along a direction, and its radius.
 pub(super) struct Rod {

@@ -84,7 +84,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     }
 
     /// Tests whether no plane hides a light from a surface of the frame: it stands on the camera's side of each.
-    fn is_open(&self, light: ScaledPoint) -> bool {
+    pub(super) fn is_open(&self, light: ScaledPoint) -> bool {
         let parts = self.world.parts();
         parts.planes.iter().all(|plane| {
             let side = plane.side(light, parts.epsilon);

@@ -5,7 +5,7 @@ use super::shown::Shown;
 use super::stretch::{LARGEST_TURN, sure};
 use super::{PathQuality, Tracer};
 use crate::accel::light_occluders::LightOccluders;
-use crate::accel::{World, lights_all};
+use crate::accel::{World, lights_all, sun_lights_all};
 use crate::number::{Brightness, Unit};
 use crate::ray::ScaledPoint;
 use crate::shade::Samples;
@@ -79,12 +79,15 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         rays: &Rays,
     ) -> Option<bool> {
         let world = self.world;
-        // Shadows of far lights on planes are known by now.
-        let is_known = W::NEEDS.far_lights
-            && !light.light().place.is_near()
-            && world.parts().is_plane(shown.lit.shape);
-        if !(K::SHADOWS && W::NEEDS.shadows) || is_known {
+        if !(K::SHADOWS && W::NEEDS.shadows) {
             return Some(true);
+        }
+        let lamp = light.light();
+        if W::NEEDS.far_lights && !lamp.place.is_near() {
+            // Shadows of far lights on planes are known by now.
+            let is_known = world.parts().is_plane(shown.lit.shape);
+            let shines = |sun| sun_lights_all(world, &shown.lit, sun) && self.is_open(lamp.place);
+            return (is_known || lamp.sun().is_some_and(shines)).then_some(true);
         }
         match self.visibility.is_clear(index) {
             true => lights_all::<W, Q>(world, (light, index), &shown.lit, rays),
