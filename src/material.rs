@@ -254,7 +254,7 @@ pub struct PreparedMaterial {
     pub(crate) shininess: Exponent,
     /// Share of reflection α, 0 to 1.
     pub(crate) mirror: Unit,
-    /// Whether the material shows a colour of its own: it is not black, and mirrors less than all.
+    /// Whether the material has a colour of its own: it is not black.
     pub(crate) has_own: bool,
 }
 
@@ -278,15 +278,14 @@ impl PreparedMaterial {
         ];
         let is_dark = (ambient.to_bits() | diffuse.to_bits() | specular.to_bits()) == 0;
         let is_black = color.largest().to_bits() == 0 && material.checker.is_none();
-        let mirror = Unit::from_bits(material.mirror.quantised(30));
         Self {
             color,
             ambient,
             diffuse,
             specular,
             shininess: Exponent::new(material.shininess),
-            mirror,
-            has_own: !is_dark && !is_black && mirror.to_bits() < Unit::ONE.to_bits(),
+            mirror: Unit::from_bits(material.mirror.quantised(30)),
+            has_own: !is_dark && !is_black,
         }
     }
 }

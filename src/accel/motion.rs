@@ -188,6 +188,7 @@ macro_rules! motion {
 
         impl<T: Apart> SceneAccess for MovingScene<T> {
             const NEEDS: Needs = <T as Apart>::NEEDS;
+            const HAS_BLANK: bool = T::PARTS.has_blank();
 
             #[inline(always)]
             fn parts(&self) -> Parts<'_> {

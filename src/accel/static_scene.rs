@@ -166,6 +166,7 @@ impl<T> Copy for Static<T> {}
 
 impl<T: Apart> SceneAccess for Static<T> {
     const NEEDS: Needs = <T as Apart>::NEEDS;
+    const HAS_BLANK: bool = T::PARTS.has_blank();
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {

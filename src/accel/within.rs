@@ -92,6 +92,7 @@ impl<W: Copy, B> Copy for Within<W, B> {}
 
 impl<W: SceneAccess, B: NeedsLimit> SceneAccess for Within<W, B> {
     const NEEDS: Needs = W::NEEDS.both(&B::NEEDS);
+    const HAS_BLANK: bool = W::HAS_BLANK;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {

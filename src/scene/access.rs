@@ -174,6 +174,18 @@ impl<'a> Parts<'a> {
         }
     }
 
+    /// Tests whether a material has no colour of its own.
+    pub(crate) const fn has_blank(&self) -> bool {
+        let mut index = 0;
+        while index < self.materials.len() {
+            if !self.materials[index].has_own {
+                return true;
+            }
+            index += 1;
+        }
+        false
+    }
+
     /// Returns the smallest throughput with which a path can still change a channel by `change`, 0 to 1.
     pub(crate) const fn smallest_weight(&self, change: Unit) -> Unit {
         unit_product(change, self.dimness)
@@ -191,12 +203,16 @@ pub trait SceneAccess {
     /// Features of the library that the scene can need. The code for others is not linked.
     const NEEDS: Needs;
 
+    /// Whether a material may have no colour of its own.
+    const HAS_BLANK: bool = true;
+
     /// Returns the parts of the scene.
     fn parts(&self) -> Parts<'_>;
 }
 
 impl<W: SceneAccess> SceneAccess for &W {
     const NEEDS: Needs = W::NEEDS;
+    const HAS_BLANK: bool = W::HAS_BLANK;
 
     #[inline(always)]
     fn parts(&self) -> Parts<'_> {

@@ -21,7 +21,8 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         steps: usize,
         samples: &mut Samples,
     ) -> Result<(), usize> {
-        if K::REFLECTS && !shown.material.has_own {
+        let material = shown.material;
+        if K::REFLECTS && (material.mirror == Unit::ONE || !material.has_own) {
             return Ok(());
         }
         let lights = self.world.tables().light_occluders;

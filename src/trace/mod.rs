@@ -34,6 +34,7 @@ use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::shadows::RowShadows;
 use crate::accel::{CullingQuality, Window, World};
 use crate::color::Sum;
+use crate::material::PreparedMaterial;
 use crate::number::{Unit, share};
 use crate::ray::{PathSignature, ScaledRay};
 use crate::scene::shape_set::ShapeSet;
@@ -205,8 +206,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             if is_seen(throughput) {
                 stops.add(Some(&surface), surface.view);
             }
-            let reflected = Self::reflected(world, &surface, throughput);
-            if Self::has_own(world, &surface) {
+            let material = surface.material(world);
+            let reflected = Self::reflected(material, throughput);
+            if Self::has_own(material, [throughput, reflected]) {
                 let lit = self.shade(&surface);
                 traced.signature.note(lit.lights);
                 traced.sum.add(throughput - reflected, lit.color);
@@ -238,19 +240,21 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         is_plane && (count as usize) < STOPS
     }
 
-    /// Tests whether a surface shows a colour of its own.
+    /// Tests whether a surface of this material shows a colour of its own, if a path has this throughput before and after
+    /// it.
     #[inline(always)]
-    fn has_own(world: &W, surface: &Surface<'_>) -> bool {
+    fn has_own(material: &PreparedMaterial, [before, after]: [Unit; 2]) -> bool {
         // A view of normals does not reflect: it shows the surface's own colour even of a mirror.
-        !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All && surface.material(world).has_own
+        let has_own = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
+        has_own && after < before && (!K::REFLECTS || !W::HAS_BLANK || material.has_own)
     }
 
     /// Returns the throughput of a path after a surface: `throughput` times the share that the surface
     /// mirrors.
     #[inline(always)]
-    fn reflected(world: &W, surface: &Surface<'_>, throughput: Unit) -> Unit {
+    fn reflected(material: &PreparedMaterial, throughput: Unit) -> Unit {
         match K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
-            true => share(throughput, surface.material(world).mirror),
+            true => share(throughput, material.mirror),
             false => Unit::ZERO,
         }
     }
