@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 51532 | 1418 | 13800 | 277 |
-//! | Cargo's default release | 64208 | 1514 | 17408 | 316 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 47868 | 2397 | 14588 | 342 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 44628 | 3525 | 14452 | 517 |
-//! | Cargo's default dev (debug) | 578168 | 38733 | 537432 | 7910 |
+//! | lto = true, codegen-units = 1 | 51632 | 1418 | 13804 | 277 |
+//! | Cargo's default release | 64396 | 1514 | 17560 | 316 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 47912 | 2394 | 14592 | 342 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 44700 | 3528 | 14452 | 517 |
+//! | Cargo's default dev (debug) | 589160 | 39265 | 547964 | 8141 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.

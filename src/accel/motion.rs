@@ -74,12 +74,12 @@ use crate::vector::Position;
 ///
 /// | core | scene | move | preparation | flash |
 /// |---|---|--:|--:|--:|
-/// | m0 | castle | 3314 | 367540 | 108.3 % |
-/// | m0 | mirror1 | 2804 | 57231 | 106.9 % |
-/// | m0 | primitives | 2691 | 22097 | 109.9 % |
-/// | m3 | castle | 2011 | 88140 | 109.7 % |
-/// | m3 | mirror1 | 1615 | 14002 | 110.5 % |
-/// | m3 | primitives | 1533 | 5816 | 112.9 % |
+/// | m0 | castle | 3315 | 367530 | 108.3 % |
+/// | m0 | mirror1 | 2798 | 57235 | 106.8 % |
+/// | m0 | primitives | 2683 | 22097 | 109.9 % |
+/// | m3 | castle | 2010 | 88140 | 109.5 % |
+/// | m3 | mirror1 | 1615 | 14002 | 110.2 % |
+/// | m3 | primitives | 1533 | 5818 | 112.7 % |
 pub struct MovingScene<T: StaticScene>(Scene<T::Room>);
 
 impl<T: StaticScene> Clone for MovingScene<T> {
