@@ -254,8 +254,6 @@ pub struct PreparedMaterial {
     pub(crate) shininess: Exponent,
     /// Share of reflection α, 0 to 1.
     pub(crate) mirror: Unit,
-    /// Whether the material has a colour of its own: it is not black.
-    pub(crate) has_own: bool,
 }
 
 impl PreparedMaterial {
@@ -268,16 +266,24 @@ impl PreparedMaterial {
         self.mirror.to_bits() > 0
     }
 
-    /// Converts a described material to fixed point: coefficients to 2⁻²⁶, α to 2⁻³⁰.
+    /// Tests whether the material has a colour of its own: it is not black.
+    #[inline(always)]
+    pub(crate) const fn has_own(&self) -> bool {
+        self.ambient.to_bits() | self.diffuse.to_bits() | self.specular.to_bits() != 0
+    }
+
+    /// Converts a described material to fixed point: coefficients to 2⁻²⁶, α to 2⁻³⁰. Those of a black one are 0.
     pub(crate) const fn new(material: &Material) -> Self {
         let color = Color::from_numbers(material.color).in_levels();
-        let [ambient, diffuse, specular] = [
-            brightness(material.ambient),
-            brightness(material.diffuse),
-            brightness(material.specular),
-        ];
-        let is_dark = (ambient.to_bits() | diffuse.to_bits() | specular.to_bits()) == 0;
         let is_black = color.largest().to_bits() == 0 && material.checker.is_none();
+        let [ambient, diffuse, specular] = match is_black {
+            true => [Brightness::ZERO; 3],
+            false => [
+                brightness(material.ambient),
+                brightness(material.diffuse),
+                brightness(material.specular),
+            ],
+        };
         Self {
             color,
             ambient,
@@ -285,7 +291,6 @@ impl PreparedMaterial {
             specular,
             shininess: Exponent::new(material.shininess),
             mirror: Unit::from_bits(material.mirror.quantised(30)),
-            has_own: !is_dark && !is_black,
         }
     }
 }

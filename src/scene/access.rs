@@ -178,7 +178,7 @@ impl<'a> Parts<'a> {
     pub(crate) const fn has_blank(&self) -> bool {
         let mut index = 0;
         while index < self.materials.len() {
-            if !self.materials[index].has_own {
+            if !self.materials[index].has_own() {
                 return true;
             }
             index += 1;

@@ -22,7 +22,8 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         samples: &mut Samples,
     ) -> Result<(), usize> {
         let material = shown.material;
-        if K::REFLECTS && (material.mirror == Unit::ONE || !material.has_own) {
+        let is_blank = W::HAS_BLANK && !material.has_own();
+        if K::REFLECTS && (material.mirror == Unit::ONE || is_blank) {
             return Ok(());
         }
         let lights = self.world.tables().light_occluders;

@@ -34,7 +34,6 @@ use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::shadows::RowShadows;
 use crate::accel::{CullingQuality, Window, World};
 use crate::color::Sum;
-use crate::material::PreparedMaterial;
 use crate::number::{Unit, share};
 use crate::ray::{PathSignature, ScaledRay};
 use crate::scene::shape_set::ShapeSet;
@@ -206,9 +205,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             if is_seen(throughput) {
                 stops.add(Some(&surface), surface.view);
             }
-            let material = surface.material(world);
-            let reflected = Self::reflected(material, throughput);
-            if Self::has_own(material, [throughput, reflected]) {
+            let reflected = Self::reflected(world, &surface, throughput);
+            if reflected < throughput && Self::has_own(world, &surface) {
                 let lit = self.shade(&surface);
                 traced.signature.note(lit.lights);
                 traced.sum.add(throughput - reflected, lit.color);
@@ -240,21 +238,21 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         is_plane && (count as usize) < STOPS
     }
 
-    /// Tests whether a surface of this material shows a colour of its own, if a path has this throughput before and after
-    /// it.
+    /// Tests whether a surface may show a colour of its own.
     #[inline(always)]
-    fn has_own(material: &PreparedMaterial, [before, after]: [Unit; 2]) -> bool {
+    fn has_own(world: &W, surface: &Surface<'_>) -> bool {
         // A view of normals does not reflect: it shows the surface's own colour even of a mirror.
-        let has_own = !K::REFLECTS || W::NEEDS.mirrors != Mirrors::All;
-        has_own && after < before && (!K::REFLECTS || !W::HAS_BLANK || material.has_own)
+        !K::REFLECTS
+            || W::NEEDS.mirrors != Mirrors::All
+                && (!W::HAS_BLANK || surface.material(world).has_own())
     }
 
     /// Returns the throughput of a path after a surface: `throughput` times the share that the surface
     /// mirrors.
     #[inline(always)]
-    fn reflected(material: &PreparedMaterial, throughput: Unit) -> Unit {
+    fn reflected(world: &W, surface: &Surface<'_>, throughput: Unit) -> Unit {
         match K::REFLECTS && W::NEEDS.mirrors != Mirrors::None {
-            true => share(throughput, material.mirror),
+            true => share(throughput, surface.material(world).mirror),
             false => Unit::ZERO,
         }
     }

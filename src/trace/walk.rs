@@ -63,10 +63,9 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             let Some(surface) = self.surface(pixel, &ray, &bounce) else {
                 break End::Missed;
             };
-            let material = surface.material(world);
-            let reflected = Self::reflected(material, throughput);
+            let reflected = Self::reflected(world, &surface, throughput);
             let (mut color, mut lights) = (Color::BLACK, 0);
-            if Self::has_own(material, [throughput, reflected]) {
+            if reflected < throughput && Self::has_own(world, &surface) {
                 let lit = self.shade(&surface);
                 (color, lights) = (lit.color, lit.lights);
                 sum.add(throughput - reflected, color);
@@ -76,7 +75,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
                 is_inside: surface.is_inside,
                 from: ray.from(),
                 to: surface.place,
-                mirror: material.mirror,
+                mirror: surface.material(world).mirror,
                 throughput: [throughput, reflected],
                 color,
                 lights,
