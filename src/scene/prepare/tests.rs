@@ -323,8 +323,10 @@ fn material_may_shine_up_to_thirty() {
     assert_eq!(with(2.0, 1.0, 14.0, 0.0, &[1.0]), Ok(()));
     assert_eq!(with(2.1, 1.0, 14.0, 0.0, &[1.0]), too_bright);
     // The sum before the multiplication by the colour is limited, too, even if the colour is dark.
-    assert_eq!(with(0.0, 1.0, 2.0, 0.0, &[16.0]), too_bright);
-    assert_eq!(with(0.0, 1.0, 15.0, 16.0, &[0.1]), too_bright);
+    assert_eq!(with(0.01, 1.0, 2.0, 0.0, &[16.0]), too_bright);
+    assert_eq!(with(0.01, 1.0, 15.0, 16.0, &[0.1]), too_bright);
+    // What is black shines nowhere.
+    assert_eq!(with(0.0, 1.0, 15.0, 16.0, &[0.1]), Ok(()));
     assert_eq!(with(16.0, 1.8, 16.0, 16.0, &[]), too_bright);
 }
 
