@@ -266,7 +266,7 @@ impl PreparedMaterial {
         self.mirror.to_bits() > 0
     }
 
-    /// Tests whether the material has a colour of its own: it is not black.
+    /// Tests whether a surface of the material can send light of its own, besides what it mirrors. A black one cannot.
     #[inline(always)]
     pub(crate) const fn has_own(&self) -> bool {
         self.ambient.to_bits() | self.diffuse.to_bits() | self.specular.to_bits() != 0

@@ -146,7 +146,8 @@ fn projected(point: Point, direction: Direction) -> Point {
     Point::at(way.without(direction, way.dot(direction)))
 }
 
-/// Tests whether a sun that no plane hides surely shines on all points of a near stretch. The stretch faces it.
+/// Tests whether a sun that no plane hides surely shines on all points of a near stretch. The stretch faces it. A convex
+/// surface hides no part of itself that faces the sun.
 #[inline(never)]
 pub(crate) fn sun_lights_all<W: World>(world: &W, stretch: &LitStretch, sun: Direction) -> bool {
     let ends = stretch.ends.map(|end| end.point);
@@ -156,7 +157,14 @@ pub(crate) fn sun_lights_all<W: World>(world: &W, stretch: &LitStretch, sun: Dir
         line: ends.map(|end| projected(end, sun)),
         aside: stretch.bulge + stretch.slack + SLACK,
     };
-    none_hides(world, stretch, &light)
+    let parts = world.parts();
+    (0..parts.bounded()).all(|number| {
+        let is_own = stretch.shape == ShapeId::at(number) && !stretch.is_hollow;
+        is_own
+            || parts
+                .ball(number)
+                .is_none_or(|(ball, _)| light.misses(ball))
+    })
 }
 
 macro_rules! any_hides {
@@ -188,27 +196,6 @@ macro_rules! any_hides {
             )*
             let _ = first;
             !stretch.is_hollow
-        }
-
-        /// Tests whether no shape lies between a stretch and a sun. A convex surface hides no part of itself that faces
-        /// the sun.
-        #[inline(always)]
-        fn none_hides<W: World>(world: &W, stretch: &LitStretch, light: &Sunlight) -> bool {
-            let parts = world.parts();
-            let first = 0;
-            $(
-                let is_free = !W::NEEDS.$list
-                    || parts.$list.iter().enumerate().all(|(index, shape)| {
-                        let is_own = stretch.shape == ShapeId::at(first + index);
-                        is_own && !stretch.is_hollow || light.misses(shape.bounding_ball())
-                    });
-                if !is_free {
-                    return false;
-                }
-                let first = first + parts.$list.len();
-            )*
-            let _ = first;
-            true
         }
 
         /// Tests whether a shape of `set` surely hides all points of a stretch from a light.

@@ -45,7 +45,7 @@ impl Chord {
     }
 }
 
-/// Tests whether a point lies further than `reach` from the straight line between two others.
+/// Tests whether a point lies further than `reach` steps from the segment between two others.
 pub(super) fn is_apart([first, last]: [Point; 2], point: Point, reach: i32) -> bool {
     let (direction, length) = first.to(last).normalised();
     let way = first.to(point);

@@ -95,8 +95,8 @@ fn scene(count: usize, mirrors: Mirrors, order: Order) -> String {
     scene_of("spheres", &spheres)
 }
 
-/// Returns the text of the scene file with a net of `columns` by `rows` cells of two triangles each. It bulges
-/// towards the camera, except at its border.
+/// Returns the text of a scene file: a net of `columns` by `rows` cells, each of two triangles, over the floor. The net
+/// bulges towards the camera, except at its border.
 fn net([columns, rows]: [u32; 2]) -> String {
     let at = |column: u32, row: u32| {
         let [x, z] = [(column, columns), (row, rows)].map(|(at, of)| f64::from(at) / f64::from(of));
@@ -112,7 +112,7 @@ fn net([columns, rows]: [u32; 2]) -> String {
     scene_of("triangles", &triangles.collect::<Vec<_>>())
 }
 
-/// Returns the text of the scene file with these shapes over the floor.
+/// Returns the text of a scene file: these shapes over the floor.
 fn scene_of(list: &str, shapes: &[Value]) -> String {
     let materials = MATERIALS.map(|(name, color, specular, mirror)| {
         json!({

@@ -90,7 +90,7 @@ fn table(rows: &[Figures]) -> String {
     markdown(2, &head, &[&lines[..], &[mean]].concat())
 }
 
-/// Returns the mean instructions and cycles a pixel on a core, over the scenes whose names begin like this.
+/// Returns the mean instructions and cycles a pixel on a core, over the scenes whose names begin with `scenes`.
 fn mean(rows: &[Figures], core: &str, scenes: &str) -> [f64; 2] {
     let meant = || {
         rows.iter()

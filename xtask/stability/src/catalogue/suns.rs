@@ -30,8 +30,9 @@ fn seen_at(right: f64, up: f64, disc: f64) -> Draft {
     Setting::HERE.furnish(draft).sun(direction, disc)
 }
 
-/// Checks that a lamp ten times as far away is never less like a sun, and one 10^9 away is the same: to the bit in `Exact`,
-/// within one level in `Fast`, which interpolates a sun on round surfaces and traces all that a far lamp may reach.
+/// Checks that pictures lit by a lamp come nearer to that of a sun as the lamp moves away, and that a lamp 10^9 away
+/// gives the same one: to the bit in `Exact`, within one level in `Fast`. `Fast` interpolates a sun on round surfaces and
+/// traces all that a far lamp may reach.
 fn limit_of_lamps() -> Result<String, String> {
     let drawn = |draft: Draft| {
         let scene = Scene::read(&draft.text())?;
