@@ -23,7 +23,7 @@ use crate::accel::drawable::Drawable;
 use crate::color::Sum;
 use crate::number::unsigned;
 use crate::render::Quality;
-use crate::render::{FrameBuilder, PreparedFrame, Report, Rows};
+use crate::render::{FrameBuilder, PreparedFrame, Report, Rows, SmoothColors};
 use crate::shade::Shading;
 
 impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
@@ -117,10 +117,17 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
         for y in area.rows() {
             let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
             let start = [unsigned(left), unsigned(y)];
-            let (drawn, part) = self.in_row(generator, start, |colors| {
-                let pixels = (0..width).map(|_| shown(colors.next_color()));
-                target.fill_contiguous(&row, pixels)
-            });
+            let (drawn, part) = match Q::ROWS {
+                1 => self.in_row(generator, start, |colors| {
+                    let pixels = (0..width).map(|_| shown(colors.next_color()));
+                    target.fill_contiguous(&row, pixels)
+                }),
+                _ => {
+                    let mut colors = SmoothColors::new(self, generator, start);
+                    let pixels = (0..width).map(|_| shown(colors.next_color()));
+                    (target.fill_contiguous(&row, pixels), colors.report)
+                }
+            };
             drawn?;
             report = report.merge(part);
         }

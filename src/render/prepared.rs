@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Colors, Report};
+use super::{Colors, Report, SmoothColors};
 use crate::accel::CullingQuality;
 use crate::accel::drawable::Drawable;
 use crate::accel::light_visibility::LightVisibility;
@@ -14,11 +14,12 @@ use crate::camera::{Camera, RayGenerator, RowDirections};
 use crate::color::Sum;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
-use crate::ray::ScaledPoint;
+use crate::ray::{RowPlane, ScaledPoint};
 use crate::render::{Fast, Quality};
 use crate::scene::access::SceneAccess;
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
+use crate::vector::Point;
 
 /// A frame prepared for one size of picture: rays, screen bounds and visible lights, without the scene.
 ///
@@ -235,6 +236,13 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         pixels: &mut [C],
         shown: impl Fn(Sum) -> C,
     ) -> Report {
+        if Q::ROWS > 1 {
+            let mut colors = SmoothColors::new(self, generator, start);
+            for pixel in pixels {
+                *pixel = shown(colors.next_color());
+            }
+            return colors.report;
+        }
         let (_, report) = self.in_row(generator, start, |colors| colors.fill(pixels, shown));
         report
     }
@@ -254,6 +262,11 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         let mut colors = Colors::new(&mut tracer, directions, x, self.frame.width);
         let drawn = draw(&mut colors);
         (drawn, Report::of(&tracer))
+    }
+
+    /// Returns where the camera's rays start.
+    pub(super) fn eye(&self) -> Point {
+        self.frame.lights.from.point
     }
 
     /// Returns the generator of the camera rays, unless all pixels have one colour ([`Rows::only_sum`]).
@@ -277,8 +290,20 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         y: u32,
         shadows: &'s mut RowShadows,
     ) -> Tracer<'s, S::World<'a>, K, Q> {
+        let from = self.frame.lights.from.point;
+        self.tracer_of((generator.row_plane(y, from), directions), y, shadows)
+    }
+
+    /// Returns the tracer for rays that lie in a plane, through points of row `y`.
+    #[inline(always)]
+    pub(super) fn tracer_of<'s>(
+        &'s self,
+        (plane, directions): (RowPlane, &RowDirections),
+        y: u32,
+        shadows: &'s mut RowShadows,
+    ) -> Tracer<'s, S::World<'a>, K, Q> {
         let (bounds, from) = (self.frame.bounds.as_ref(), self.frame.lights.from);
-        let from = (from, generator.row_plane(y, from.point));
+        let from = (from, plane);
         let culling = match Tracer::<S::World<'a>, K, Q>::IS_PLAIN {
             true => ScreenCulling::new::<false>(bounds, from, y, true),
             false => ScreenCulling::new::<true>(bounds, from, y, !Q::CULLING.screen_bounds),

@@ -1,15 +1,16 @@
 //! Floor 7: hands out the colours of a row, one by one or into a slice. It does not know how they are
 //! found.
 
-use super::{Colors, SHORT};
+use super::{Colors, Marks, SHORT, UNREAD};
 use crate::accel::World;
 use crate::color::Sum;
 use crate::number::to_u32;
+use crate::ray::PathSignature;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::Tracer;
 
-impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
+impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Returns the colour of the next column, which must lie in the picture.
     #[inline(always)]
     pub(crate) fn next_color(&mut self) -> Sum {
@@ -30,7 +31,19 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         if !Tracer::<W, K, Q>::IS_PLAIN && column > self.window.last {
             self.window = self.tracer.advance(column, column + SHORT);
         }
-        self.traced(column, 0).sum
+        let traced = self.traced(column, 0);
+        self.marks.fill(Self::place(column), 1, traced.signature);
+        traced.sum
+    }
+
+    /// Returns what the path through the pixel of a column meets. The column comes after the last one that was handed
+    /// out.
+    pub(crate) fn path_after(&mut self, column: u32) -> PathSignature {
+        if self.end.0 == column {
+            return self.end.1.traced.signature;
+        }
+        self.window = self.tracer.advance(column, column + SHORT);
+        self.traced(column, UNREAD).signature
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
