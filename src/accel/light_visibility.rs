@@ -17,10 +17,13 @@ pub(crate) struct LightVisibility {
     pub(crate) from: ScaledPoint,
     /// One bit for each light that a plane hides from all surfaces.
     hidden: u32,
-    /// One bit for each light for which each ray must be tested. The light is far, stands inside of a
-    /// sphere or too far from a small sphere, or the light or the camera is within epsilon of a plane.
-    /// If the camera is inside of a sphere, or there are more than 32 lights, every bit is set.
-    unclear: u32,
+    /// One bit for each light that a plane may hide from some surfaces: the light or the camera is within
+    /// epsilon of a plane. If there are more than 32 lights, every bit is set.
+    partly: u32,
+    /// One bit for each light whose tables do not tell what bounded shapes hide. The light is far, stands
+    /// inside of a sphere or too far from a small sphere. If the camera is inside of a sphere, every bit is
+    /// set.
+    untold: u32,
 }
 
 impl LightVisibility {
@@ -29,7 +32,8 @@ impl LightVisibility {
         Self {
             from,
             hidden: 0,
-            unclear: u32::MAX,
+            partly: u32::MAX,
+            untold: u32::MAX,
         }
     }
 
@@ -39,21 +43,22 @@ impl LightVisibility {
         let mut view = Self {
             from,
             hidden: 0,
-            unclear: 0,
+            partly: 0,
+            untold: 0,
         };
         // Rays that start inside of a sphere stay there.
         if from.is_near() && parts.hold(from.point) {
-            view.unclear = u32::MAX;
+            view.untold = u32::MAX;
         }
         let lights = world.tables().light_occluders;
         if lights.len() > u32::BITS as usize {
-            view.unclear = u32::MAX;
-            return view;
+            return Self::unclear(from);
         }
         for (index, light) in lights.iter().map(LightOccluders::light).enumerate() {
             if !light.is_plain {
-                view.unclear |= 1 << index;
+                view.untold |= 1 << index;
             }
+            let is_near = light.place.is_near();
             for plane in parts.planes {
                 let (viewer, light) = (
                     plane.side(from, parts.epsilon),
@@ -61,8 +66,10 @@ impl LightVisibility {
                 );
                 match (viewer, light) {
                     // A ray that ends in a plane does not cross it.
-                    (_, Side::In) => {}
-                    (Side::In | Side::Close, _) | (_, Side::Close) => view.unclear |= 1 << index,
+                    (_, Side::In) if is_near => {}
+                    (Side::In | Side::Close, _) | (_, Side::In | Side::Close) => {
+                        view.partly |= 1 << index;
+                    }
                     _ if viewer == light => {}
                     _ => view.hidden |= 1 << index,
                 }
@@ -76,7 +83,13 @@ impl LightVisibility {
     #[inline(always)]
     pub(crate) fn is_clear(&self, light: usize) -> bool {
         // With more than 32 lights every bit is set.
-        (self.hidden | self.unclear) & bit_modulo_32(light) == 0
+        (self.hidden | self.partly | self.untold) & bit_modulo_32(light) == 0
+    }
+
+    /// Tests whether no plane hides a light from any surface. `light` is the light's index.
+    #[inline(always)]
+    pub(crate) fn is_open(&self, light: usize) -> bool {
+        (self.hidden | self.partly) & bit_modulo_32(light) == 0
     }
 
     /// Tests whether a plane hides a light from all surfaces. `light` is the light's index.
