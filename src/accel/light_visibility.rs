@@ -20,10 +20,10 @@ pub(crate) struct LightVisibility {
     /// One bit for each light that a plane may hide from some surfaces: the light or the camera is within
     /// epsilon of a plane. If there are more than 32 lights, every bit is set.
     partly: u32,
-    /// One bit for each light whose tables do not tell what bounded shapes hide. The light is far, stands
-    /// inside of a sphere or too far from a small sphere. If the camera is inside of a sphere, every bit is
-    /// set.
-    untold: u32,
+    /// The bits of `partly`, and those of the lights whose tables do not tell what bounded shapes hide. Such a
+    /// light is far, stands inside of a sphere or too far from a small sphere. If the camera is inside of a
+    /// sphere, every bit is set.
+    unclear: u32,
 }
 
 impl LightVisibility {
@@ -33,7 +33,7 @@ impl LightVisibility {
             from,
             hidden: 0,
             partly: u32::MAX,
-            untold: u32::MAX,
+            unclear: u32::MAX,
         }
     }
 
@@ -44,11 +44,11 @@ impl LightVisibility {
             from,
             hidden: 0,
             partly: 0,
-            untold: 0,
+            unclear: 0,
         };
         // Rays that start inside of a sphere stay there.
         if from.is_near() && parts.hold(from.point) {
-            view.untold = u32::MAX;
+            view.unclear = u32::MAX;
         }
         let lights = world.tables().light_occluders;
         if lights.len() > u32::BITS as usize {
@@ -56,7 +56,7 @@ impl LightVisibility {
         }
         for (index, light) in lights.iter().map(LightOccluders::light).enumerate() {
             if !light.is_plain {
-                view.untold |= 1 << index;
+                view.unclear |= 1 << index;
             }
             let is_near = light.place.is_near();
             for plane in parts.planes {
@@ -75,6 +75,7 @@ impl LightVisibility {
                 }
             }
         }
+        view.unclear |= view.partly;
         view
     }
 
@@ -83,7 +84,7 @@ impl LightVisibility {
     #[inline(always)]
     pub(crate) fn is_clear(&self, light: usize) -> bool {
         // With more than 32 lights every bit is set.
-        (self.hidden | self.partly | self.untold) & bit_modulo_32(light) == 0
+        (self.hidden | self.unclear) & bit_modulo_32(light) == 0
     }
 
     /// Tests whether no plane hides a light from any surface. `light` is the light's index.

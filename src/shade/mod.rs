@@ -208,7 +208,11 @@ fn far_strength<W: SceneAccess, V: Visibility, H: Highlight>(
     let light = V::light(light);
     let direction = match light.sun() {
         Some(direction) => direction,
-        None => surface.place.to(light.place).0.direction_and_length().0,
+        None => {
+            let ScaledPoint { point, scale } = light.place;
+            let way = surface.place.point.coarser(scale.min(31)).to(point);
+            way.direction_and_length().0
+        }
     };
     if surface.normal.dot(direction) <= Unit::ZERO {
         return Brightness::ZERO;
