@@ -17,13 +17,13 @@ pub(crate) struct LightVisibility {
     pub(crate) from: ScaledPoint,
     /// One bit for each light that a plane hides from all surfaces.
     hidden: u32,
-    /// One bit for each light that a plane may hide from some surfaces: the light or the camera is within
-    /// epsilon of a plane. If there are more than 32 lights, every bit is set.
-    partly: u32,
     /// The bits of `partly`, and those of the lights whose tables do not tell what bounded shapes hide. Such a
     /// light is far, stands inside of a sphere or too far from a small sphere. If the camera is inside of a
     /// sphere, every bit is set.
     unclear: u32,
+    /// One bit for each light that a plane may hide from some surfaces: the light or the camera is within
+    /// epsilon of a plane. If there are more than 32 lights, every bit is set.
+    partly: u32,
 }
 
 impl LightVisibility {
