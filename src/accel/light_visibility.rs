@@ -15,15 +15,13 @@ use crate::shape::plane::Side;
 pub(crate) struct LightVisibility {
     /// Position of the camera.
     pub(crate) from: ScaledPoint,
-    /// One bit for each light that a plane hides from all surfaces.
+    /// One bit for each light that a plane hides from all surfaces. Set with the bit in `unclear`, no plane hides
+    /// the light, but its tables do not tell what bounded shapes hide. Such a light is far, stands inside of a
+    /// sphere or too far from a small sphere, or the camera is inside of a sphere.
     hidden: u32,
-    /// The bits of `partly`, and those of the lights whose tables do not tell what bounded shapes hide. Such a
-    /// light is far, stands inside of a sphere or too far from a small sphere. If the camera is inside of a
-    /// sphere, every bit is set.
+    /// One bit for each light for which each ray must be tested. Alone, a plane may hide the light from some
+    /// surfaces: the light or the camera is within epsilon of a plane, or there are more than 32 lights.
     unclear: u32,
-    /// One bit for each light that a plane may hide from some surfaces: the light or the camera is within
-    /// epsilon of a plane. If there are more than 32 lights, every bit is set.
-    partly: u32,
 }
 
 impl LightVisibility {
@@ -32,7 +30,6 @@ impl LightVisibility {
         Self {
             from,
             hidden: 0,
-            partly: u32::MAX,
             unclear: u32::MAX,
         }
     }
@@ -40,15 +37,10 @@ impl LightVisibility {
     /// Computes which lights the planes hide from all surfaces that a camera at `from` can show.
     pub(crate) fn new<W: World>(world: &W, from: ScaledPoint) -> Self {
         let parts = world.parts();
-        let mut view = Self {
-            from,
-            hidden: 0,
-            partly: 0,
-            unclear: 0,
-        };
+        let (mut hidden, mut partly, mut untold) = (0, 0, 0);
         // Rays that start inside of a sphere stay there.
         if from.is_near() && parts.hold(from.point) {
-            view.unclear = u32::MAX;
+            untold = u32::MAX;
         }
         let lights = world.tables().light_occluders;
         if lights.len() > u32::BITS as usize {
@@ -56,7 +48,7 @@ impl LightVisibility {
         }
         for (index, light) in lights.iter().map(LightOccluders::light).enumerate() {
             if !light.is_plain {
-                view.unclear |= 1 << index;
+                untold |= 1 << index;
             }
             let is_near = light.place.is_near();
             for plane in parts.planes {
@@ -68,15 +60,19 @@ impl LightVisibility {
                     // A ray that ends in a plane does not cross it.
                     (_, Side::In) if is_near => {}
                     (Side::In | Side::Close, _) | (_, Side::In | Side::Close) => {
-                        view.partly |= 1 << index;
+                        partly |= 1 << index;
                     }
                     _ if viewer == light => {}
-                    _ => view.hidden |= 1 << index,
+                    _ => hidden |= 1 << index,
                 }
             }
         }
-        view.unclear |= view.partly;
-        view
+        let untold = untold & !hidden & !partly;
+        Self {
+            from,
+            hidden: hidden | untold,
+            unclear: partly & !hidden | untold,
+        }
     }
 
     /// Tests whether no plane hides a light, and the light's own tables tell what bounded shapes hide.
@@ -90,12 +86,12 @@ impl LightVisibility {
     /// Tests whether no plane hides a light from any surface. `light` is the light's index.
     #[inline(always)]
     pub(crate) fn is_open(&self, light: usize) -> bool {
-        (self.hidden | self.partly) & bit_modulo_32(light) == 0
+        (self.hidden ^ self.unclear) & bit_modulo_32(light) == 0
     }
 
     /// Tests whether a plane hides a light from all surfaces. `light` is the light's index.
     #[inline(always)]
     pub(crate) fn is_hidden(&self, light: usize) -> bool {
-        self.hidden & bit_modulo_32(light) != 0
+        self.hidden & !self.unclear & bit_modulo_32(light) != 0
     }
 }
