@@ -4,7 +4,7 @@
 mod mean;
 mod parabola;
 
-pub use mean::Mean;
+pub use mean::Samples;
 pub use parabola::{LONGEST, Parabola};
 
 use crate::number::{

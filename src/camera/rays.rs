@@ -70,11 +70,13 @@ impl RayGenerator {
     }
 
     /// Prepares the directions through points at a distance below the centres of row `y`, in sixteenths of a pixel.
+    #[inline(never)]
     pub(crate) fn row_below(&self, y: u32, down: i32) -> RowDirections {
         self.directions(self.middle_below(y, down))
     }
 
     /// Returns the plane of the rays through points below the centres of row `y`, as [`RayGenerator::row_below`] does.
+    #[inline(never)]
     pub(crate) fn row_plane_below(&self, (y, down): (u32, i32), origin: Point) -> RowPlane {
         self.plane(self.middle_below(y, down), origin)
     }

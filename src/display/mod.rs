@@ -23,7 +23,7 @@ use crate::accel::drawable::Drawable;
 use crate::color::Sum;
 use crate::number::unsigned;
 use crate::render::Quality;
-use crate::render::{FrameBuilder, PreparedFrame, Report, Rows, SmoothColors};
+use crate::render::{FrameBuilder, PreparedFrame, Report, Rows};
 use crate::shade::Shading;
 
 impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
@@ -122,11 +122,10 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
                     let pixels = (0..width).map(|_| shown(colors.next_color()));
                     target.fill_contiguous(&row, pixels)
                 }),
-                _ => {
-                    let mut colors = SmoothColors::new(self, generator, start);
+                _ => self.in_smooth_row(generator, start, |colors| {
                     let pixels = (0..width).map(|_| shown(colors.next_color()));
-                    (target.fill_contiguous(&row, pixels), colors.report)
-                }
+                    target.fill_contiguous(&row, pixels)
+                }),
             };
             drawn?;
             report = report.merge(part);

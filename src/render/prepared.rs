@@ -14,12 +14,11 @@ use crate::camera::{Camera, RayGenerator, RowDirections};
 use crate::color::Sum;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
-use crate::ray::{RowPlane, ScaledPoint};
+use crate::ray::ScaledPoint;
 use crate::render::{Fast, Quality};
 use crate::scene::access::SceneAccess;
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
-use crate::vector::Point;
 
 /// A frame prepared for one size of picture: rays, screen bounds and visible lights, without the scene.
 ///
@@ -236,14 +235,12 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         pixels: &mut [C],
         shown: impl Fn(Sum) -> C,
     ) -> Report {
-        if Q::ROWS > 1 {
-            let mut colors = SmoothColors::new(self, generator, start);
-            for pixel in pixels {
-                *pixel = shown(colors.next_color());
-            }
-            return colors.report;
-        }
-        let (_, report) = self.in_row(generator, start, |colors| colors.fill(pixels, shown));
+        let (_, report) = match Q::ROWS {
+            1 => self.in_row(generator, start, |colors| colors.fill(pixels, shown)),
+            _ => self.in_smooth_row(generator, start, |colors| {
+                (pixels.iter_mut()).for_each(|pixel| *pixel = shown(colors.next_color()));
+            }),
+        };
         report
     }
 
@@ -264,9 +261,22 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         (drawn, Report::of(&tracer))
     }
 
-    /// Returns where the camera's rays start.
-    pub(super) fn eye(&self) -> Point {
-        self.frame.lights.from.point
+    /// Does what [`Rows::in_row`] does for a row with smooth edges.
+    #[inline(always)]
+    pub(crate) fn in_smooth_row<T>(
+        &self,
+        generator: &RayGenerator,
+        [x, y]: [u32; 2],
+        draw: impl FnOnce(&mut SmoothColors<'_, '_, S::World<'a>, K, Q>) -> T,
+    ) -> (T, Report) {
+        let directions = generator.row(y);
+        let mut shadows = RowShadows::NONE;
+        let mut tracer = self.tracer((generator, &directions), y, &mut shadows);
+        let width = self.frame.width;
+        let row = Colors::new(&mut tracer, directions, 0, width);
+        let mut colors = SmoothColors::new(row, generator, ([x, y], width));
+        let drawn = draw(&mut colors);
+        (drawn, Report::of(&tracer))
     }
 
     /// Returns the generator of the camera rays, unless all pixels have one colour ([`Rows::only_sum`]).
@@ -290,20 +300,8 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         y: u32,
         shadows: &'s mut RowShadows,
     ) -> Tracer<'s, S::World<'a>, K, Q> {
-        let from = self.frame.lights.from.point;
-        self.tracer_of((generator.row_plane(y, from), directions), y, shadows)
-    }
-
-    /// Returns the tracer for rays that lie in a plane, through points of row `y`.
-    #[inline(always)]
-    pub(super) fn tracer_of<'s>(
-        &'s self,
-        (plane, directions): (RowPlane, &RowDirections),
-        y: u32,
-        shadows: &'s mut RowShadows,
-    ) -> Tracer<'s, S::World<'a>, K, Q> {
         let (bounds, from) = (self.frame.bounds.as_ref(), self.frame.lights.from);
-        let from = (from, plane);
+        let from = (from, generator.row_plane(y, from.point));
         let culling = match Tracer::<S::World<'a>, K, Q>::IS_PLAIN {
             true => ScreenCulling::new::<false>(bounds, from, y, true),
             false => ScreenCulling::new::<true>(bounds, from, y, !Q::CULLING.screen_bounds),

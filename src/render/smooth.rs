@@ -8,17 +8,14 @@
 //! Pixels are computed by chunks of columns at fixed places, so a part of a row has the colours that it has in the whole
 //! row.
 
+use super::Quality;
 use super::interpolate::{Colors, Marked};
-use super::{Quality, Report, Rows};
-use crate::accel::drawable::Drawable;
-use crate::accel::shadows::RowShadows;
-use crate::accel::{LONGEST_BLOCK, Window};
+use crate::accel::{LONGEST_BLOCK, World};
 use crate::camera::RayGenerator;
-use crate::color::{Mean, Sum};
+use crate::color::{Samples, Sum};
 use crate::number::to_u32;
 use crate::ray::PathSignature;
-use crate::shade::Shading;
-use crate::trace::Stops;
+use crate::shade::highlight::sealed::Shading;
 
 /// Number of columns of a chunk. An edge is a bit of a word.
 const CHUNK: u32 = LONGEST_BLOCK;
@@ -48,58 +45,51 @@ const FOUR: Places = Places {
         [-6, 3],
         [5, 5],
         [-3, 6],
-        [-1, -7],
-        [5, -7],
-        [-4, -4],
-        [1, -3],
-        [-7, -5],
-        [7, 5],
-        [-1, 3],
-        [4, 4],
-        [-5, 7],
-        [1, 7],
     ],
 };
 
 /// The colours of a row of pixels with smooth edges, computed from one column on to the right.
-pub(crate) struct SmoothColors<'r, 'a, S: Drawable, Q, K> {
-    rows: &'r Rows<'a, S, Q, K>,
-    generator: &'r RayGenerator,
+pub(crate) struct SmoothColors<'s, 'a, W: World, K, Q> {
+    /// The colours of one of the rows.
+    row: Colors<'s, 'a, W, K, Q, Marked>,
+    generator: &'s RayGenerator,
     y: u32,
+    width: u32,
     /// Column of the next colour.
     column: u32,
     /// Column from which on colours are not known yet.
     until: u32,
-    /// Colours of the chunk that `column` lies in.
-    colors: [Sum; CHUNK as usize],
+    /// Samples of the chunk that `column` lies in, then its colours.
+    samples: [Samples; CHUNK as usize],
+    /// A bit for each pixel of the chunk that has further samples.
+    edges: u32,
     /// Whether an edge lies between the chunk and the next one.
     has_edge: bool,
-    /// The report on all chunks so far.
-    pub(crate) report: Report,
 }
 
-impl<'r, 'a, S: Drawable, Q: Quality, K: Shading> SmoothColors<'r, 'a, S, Q, K> {
+impl<'s, 'a, W: World, K: Shading, Q: Quality> SmoothColors<'s, 'a, W, K, Q> {
     const PLACES: Places = match Q::ROWS {
         4 => FOUR,
         _ => TWO,
     };
 
-    /// Starts at a pixel of the picture.
-    pub(crate) fn new(
-        rows: &'r Rows<'a, S, Q, K>,
-        generator: &'r RayGenerator,
-        [x, y]: [u32; 2],
+    /// Starts at a pixel of a picture of `width` columns. `row` is that of the pixel.
+    pub(super) fn new(
+        row: Colors<'s, 'a, W, K, Q, Marked>,
+        generator: &'s RayGenerator,
+        ([x, y], width): ([u32; 2], u32),
     ) -> Self {
         let first = x & !(CHUNK - 1);
         let mut colors = Self {
-            rows,
+            row,
             generator,
             y,
+            width,
             column: x,
             until: first,
-            colors: [Sum::ZERO; CHUNK as usize],
+            samples: [Samples::NONE; CHUNK as usize],
+            edges: 0,
             has_edge: false,
-            report: Report::NONE,
         };
         if first > 0 {
             // Whether an edge lies between the two chunks is known from the one before.
@@ -112,84 +102,63 @@ impl<'r, 'a, S: Drawable, Q: Quality, K: Shading> SmoothColors<'r, 'a, S, Q, K> 
     }
 
     /// Returns the colour of the next column, which must lie in the picture.
+    #[inline(always)]
     pub(crate) fn next_color(&mut self) -> Sum {
         let column = self.column;
         self.column = column + 1;
         if column >= self.until {
             self.follow(column);
         }
-        self.colors[(column % CHUNK) as usize]
+        let place = column % CHUNK;
+        let count = match self.edges >> place & 1 {
+            0 => Self::PLACES.rows.len(),
+            _ => Self::PLACES.rows.len() + Self::PLACES.more.len(),
+        };
+        self.samples[place as usize].mean(to_u32(count))
     }
 
-    /// Computes the colours of the chunk that begins at column `first`.
+    /// Takes the samples of the chunk that begins at column `first`.
     #[inline(never)]
     fn follow(&mut self, first: u32) {
-        let [width, _] = self.rows.sides();
-        let count = CHUNK.min(width - first) as usize;
-        let mut means = [Mean::NONE; CHUNK as usize];
-        let mut edges = u32::from(self.has_edge);
+        let count = CHUNK.min(self.width - first);
+        self.samples = [Samples::NONE; CHUNK as usize];
+        self.edges = u32::from(self.has_edge);
         self.has_edge = false;
+        self.until = first + CHUNK;
         let mut above = None;
         for &down in Self::PLACES.rows {
-            let (paths, after) = self.row(first, down, means.get_mut(..count).unwrap_or_default());
-            edges |= changes(&paths, above.as_ref());
-            let last = paths.get(count - 1);
+            let directions = self.generator.row_below(self.y, down);
+            let plane = |from| self.generator.row_plane_below((self.y, down), from);
+            self.row.turn(plane, directions, first);
+            self.row.add_to(self.samples.get_mut(..count as usize).unwrap_or_default());
+            let after = first + count;
+            let after = (after < self.width).then(|| self.row.path_after(after));
+            let paths = self.row.marks.0;
+            self.edges |= changes(&paths, above.as_ref()) & u32::MAX >> (CHUNK - count);
+            let last = paths.last().filter(|_| count == CHUNK);
             if after.zip(last).is_some_and(|(after, last)| !after.is_like(*last)) {
-                edges |= 1 << (count - 1);
+                self.edges |= 1 << (CHUNK - 1);
                 self.has_edge = true;
             }
             above = Some(paths);
         }
-        for (index, mean) in means.iter_mut().take(count).enumerate() {
-            if edges >> index & 1 == 1 {
-                self.refine(first + to_u32(index), mean);
-            }
+        if self.edges != 0 {
+            self.refine(first);
         }
-        self.colors = means.map(Mean::sum);
-        self.until = first + CHUNK;
     }
 
-    /// Adds a sample to each pixel of a chunk: those of a row below the centres. Returns what their paths met, and what the
-    /// path of the pixel after them met.
+    /// Takes the further samples of the pixels at edges.
     #[inline(never)]
-    fn row(
-        &mut self,
-        first: u32,
-        down: i32,
-        means: &mut [Mean],
-    ) -> (Paths, Option<PathSignature>) {
-        let [width, _] = self.rows.sides();
-        let directions = self.generator.row_below(self.y, down);
-        let plane = self.generator.row_plane_below((self.y, down), self.rows.eye());
-        let mut shadows = RowShadows::NONE;
-        let mut tracer = self.rows.tracer_of((plane, &directions), self.y, &mut shadows);
-        let mut colors = Colors::<_, _, _, Marked>::new(&mut tracer, directions, first, width);
-        let mut paths = [PathSignature::new(); CHUNK as usize];
-        for (index, mean) in means.iter_mut().enumerate() {
-            mean.add(colors.next_color());
-            paths[index % CHUNK as usize] = colors.marks.0[index % CHUNK as usize];
-        }
-        let after = first + to_u32(means.len());
-        let last = paths.get(means.len().saturating_sub(1)).copied();
-        paths.iter_mut().skip(means.len()).zip(last.into_iter().cycle()).for_each(|(path, last)| *path = last);
-        let after = (after < width).then(|| colors.path_after(after));
-        self.report = self.report.merge(Report::of(&tracer));
-        (paths, after)
-    }
-
-    /// Adds the further samples of a pixel at an edge.
-    #[inline(never)]
-    fn refine(&mut self, column: u32, mean: &mut Mean) {
+    fn refine(&mut self, first: u32) {
         for &[right, down] in Self::PLACES.more {
             let directions = self.generator.row_below(self.y, down);
-            let plane = self.generator.row_plane_below((self.y, down), self.rows.eye());
-            let mut shadows = RowShadows::NONE;
-            let mut tracer = self.rows.tracer_of((plane, &directions), self.y, &mut shadows);
-            let direction = directions.beside(column, right);
-            let mut stops = Stops::NONE;
-            let traced = tracer.trace(None::<(&Window, u32)>, direction, (&mut stops, false));
-            mean.add(traced.sum);
-            self.report = self.report.merge(Report::of(&tracer));
+            let mut edges = self.edges;
+            while edges != 0 {
+                let place = edges.trailing_zeros();
+                edges &= edges - 1;
+                let sample = self.row.sample(directions.beside(first + place, right));
+                self.samples[(place % CHUNK) as usize].add(sample);
+            }
         }
     }
 }

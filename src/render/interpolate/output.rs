@@ -3,12 +3,14 @@
 
 use super::{Colors, Marks, SHORT, UNREAD};
 use crate::accel::World;
-use crate::color::Sum;
+use crate::camera::RowDirections;
+use crate::color::{Samples, Sum};
 use crate::number::to_u32;
-use crate::ray::PathSignature;
+use crate::ray::{PathSignature, RowPlane};
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::Tracer;
+use crate::vector::{Direction, Point};
 
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Returns the colour of the next column, which must lie in the picture.
@@ -36,6 +38,32 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         traced.sum
     }
 
+    /// Turns to a row in another plane through points of the same pixels, and goes back to column `first`, the first of a
+    /// chunk. `plane` returns the plane for rays that start at a point.
+    pub(crate) fn turn(
+        &mut self,
+        plane: impl Fn(Point) -> RowPlane,
+        directions: RowDirections,
+        first: u32,
+    ) {
+        self.tracer.turn(plane, &directions);
+        self.directions = directions;
+        self.window = self.tracer.advance(first, first + self.block.max(SHORT));
+        (self.column, self.until, self.end.0, self.clear_until) = (first, first, u32::MAX, 0);
+    }
+
+    /// Adds the next colours to the samples of their pixels, which are those of a chunk.
+    pub(crate) fn add_to(&mut self, samples: &mut [Samples]) {
+        for sample in samples {
+            sample.add(self.next_color());
+        }
+    }
+
+    /// Returns the colour of a path that goes through no pixel's centre.
+    pub(crate) fn sample(&mut self, direction: Direction) -> Sum {
+        self.along(direction, None, UNREAD).sum
+    }
+
     /// Returns what the path through the pixel of a column meets. The column comes after the last one that was handed
     /// out.
     pub(crate) fn path_after(&mut self, column: u32) -> PathSignature {
@@ -43,7 +71,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             return self.end.1.traced.signature;
         }
         self.window = self.tracer.advance(column, column + SHORT);
-        self.traced(column, UNREAD).signature
+        self.trace(column, UNREAD).traced.signature
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the

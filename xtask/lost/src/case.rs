@@ -174,6 +174,7 @@ fn unshadowed(source: &Source, quality: Fixed, (size, reflections): (Size, u8)) 
         Fixed::Fast => source.painted::<Fast, Unshadowed>(size, reflections),
         Fixed::Small => source.painted::<Small, Unshadowed>(size, reflections),
         Fixed::Exact => source.painted::<Exact, Unshadowed>(size, reflections),
+        Fixed::Smooth2 | Fixed::Smooth4 => unreachable!("not judged"),
     };
     picture.pixels
 }
