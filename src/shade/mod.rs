@@ -175,7 +175,8 @@ fn near_strength<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: boo
     {
         return Brightness::ZERO;
     }
-    sent_on::<W, H>(world, surface, back, cosine)
+    let sent = sent_on::<W, H>(world, surface, back, cosine);
+    weakened::<W>(V::light(light), sent, (distance, 0))
 }
 
 /// Returns how much of a light a surface sends to the viewer, wherever both are. Rarely called, so it
@@ -203,12 +204,26 @@ fn strength<W: SceneAccess, V: Visibility, H: Highlight>(
         return Brightness::ZERO;
     }
     let ray = ScaledRay::new(surface.place, direction);
-    let light = (place, distance, scale);
-    if W::NEEDS.shadows && H::SHADOWS && visibility.is_occluded(surface, &ray, index, light) {
+    let way = (place, distance, scale);
+    if W::NEEDS.shadows && H::SHADOWS && visibility.is_occluded(surface, &ray, index, way) {
         return Brightness::ZERO;
     }
     let cosine = surface.normal.short_dot(direction).max(Unit::ZERO);
-    sent_on::<W, H>(world, surface, direction.reversed(), cosine)
+    let sent = sent_on::<W, H>(world, surface, direction.reversed(), cosine);
+    weakened::<W>(V::light(light), sent, (distance, scale))
+}
+
+/// Returns what is left of `sent` if a light that is so far away falls off. The distance is in steps of 2^`scale`.
+#[inline(always)]
+fn weakened<W: SceneAccess>(
+    light: &PreparedLight,
+    sent: Brightness,
+    (distance, scale): (Length, u32),
+) -> Brightness {
+    match W::NEEDS.ranges {
+        true => light.weakened(sent, distance, scale),
+        false => sent,
+    }
 }
 
 /// Returns diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ for light that arrives above the surface along a
