@@ -46,7 +46,7 @@ fn room_of(seed: u64, power: i32) -> (Scenery, Camera) {
     let chalk = scene.add_material(Material::new([0.8, 0.8, 0.7])).unwrap();
     let pond = scene.add_material(pond).unwrap();
     scene
-        .add_plane([0.0; 3], UP, if seed % 3 == 0 { pond } else { chalk })
+        .add_plane([0.0; 3], UP, [pond, chalk, chalk][seed as usize % 3])
         .unwrap();
     scene
         .add_plane([0.0, 4.0, 0.0], [0.1, -1.0, 0.1], chalk)
@@ -170,17 +170,8 @@ fn light_far_outside_of_the_scene_falls_off() {
     scene
         .add_light_with_range([3e6, -2e6, 5e6], [4.0; 3], 5e6)
         .unwrap();
-    scene
-        .add_sphere(
-            [0.0, 0.0, 0.5],
-            0.5,
-            scene
-                .description()
-                .spheres
-                .first()
-                .map_or_else(|| scene.description().planes[0].material, |it| it.material),
-        )
-        .unwrap();
+    let chalk = scene.description().planes[0].material;
+    scene.add_sphere([0.0, 0.0, 0.5], 0.5, chalk).unwrap();
     let truth = truth(&scene.description(), &above());
     let scene = scene.build().unwrap();
     for picture in [
