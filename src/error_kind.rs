@@ -14,8 +14,7 @@ const BRIGHTNESS: &str = "color * (ambient + the sum over lights of (diffuse + s
 const CORNERS: &str = "corners must not lie on one line: make the smallest altitude at least 2^-20 of the longest side";
 const CHECKER: &str =
     "checker sizes must be 0 or 2^-27 to 2^16 of the scene's extent, and not all 0";
-const RANGE: &str = "range must be greater than 0 and at most 2^30 scene units: leave it out for a sun or a light that does \
-    not fall off";
+const RANGE: &str = "range must be greater than 0 and at most 2^30 scene units: a light without one does not fall off";
 const NO_LIGHT: &str = "nothing lights the scene: add a light, or give a material some ambient";
 const NOTHING_MOVES: &str =
     "only bounded shapes of a constant scene can have a name and move: use a RuntimeScene";

@@ -15,11 +15,12 @@ use crate::shape::plane::Side;
 pub(crate) struct LightVisibility {
     /// Position of the camera.
     pub(crate) from: ScaledPoint,
-    /// One bit for each light that a plane hides from all surfaces.
+    /// One bit for each light that a plane hides from all surfaces. Set with the bit in `unclear`, no plane hides
+    /// the light, but its tables do not tell what bounded shapes hide. Such a light is far, stands inside of a
+    /// sphere or too far from a small sphere, or the camera is inside of a sphere.
     hidden: u32,
-    /// One bit for each light for which each ray must be tested. The light is far, stands inside of a
-    /// sphere or too far from a small sphere, or the light or the camera is within epsilon of a plane.
-    /// If the camera is inside of a sphere, or there are more than 32 lights, every bit is set.
+    /// One bit for each light for which each ray must be tested. Alone, a plane may hide the light from some
+    /// surfaces: the light or the camera is within epsilon of a plane, or there are more than 32 lights.
     unclear: u32,
 }
 
@@ -36,24 +37,20 @@ impl LightVisibility {
     /// Computes which lights the planes hide from all surfaces that a camera at `from` can show.
     pub(crate) fn new<W: World>(world: &W, from: ScaledPoint) -> Self {
         let parts = world.parts();
-        let mut view = Self {
-            from,
-            hidden: 0,
-            unclear: 0,
-        };
+        let (mut hidden, mut partly, mut untold) = (0, 0, 0);
         // Rays that start inside of a sphere stay there.
         if from.is_near() && parts.hold(from.point) {
-            view.unclear = u32::MAX;
+            untold = u32::MAX;
         }
         let lights = world.tables().light_occluders;
         if lights.len() > u32::BITS as usize {
-            view.unclear = u32::MAX;
-            return view;
+            return Self::unclear(from);
         }
         for (index, light) in lights.iter().map(LightOccluders::light).enumerate() {
             if !light.is_plain {
-                view.unclear |= 1 << index;
+                untold |= 1 << index;
             }
+            let is_near = light.place.is_near();
             for plane in parts.planes {
                 let (viewer, light) = (
                     plane.side(from, parts.epsilon),
@@ -61,14 +58,21 @@ impl LightVisibility {
                 );
                 match (viewer, light) {
                     // A ray that ends in a plane does not cross it.
-                    (_, Side::In) => {}
-                    (Side::In | Side::Close, _) | (_, Side::Close) => view.unclear |= 1 << index,
+                    (_, Side::In) if is_near => {}
+                    (Side::In | Side::Close, _) | (_, Side::In | Side::Close) => {
+                        partly |= 1 << index;
+                    }
                     _ if viewer == light => {}
-                    _ => view.hidden |= 1 << index,
+                    _ => hidden |= 1 << index,
                 }
             }
         }
-        view
+        let untold = untold & !hidden & !partly;
+        Self {
+            from,
+            hidden: hidden | untold,
+            unclear: partly & !hidden | untold,
+        }
     }
 
     /// Tests whether no plane hides a light, and the light's own tables tell what bounded shapes hide.
@@ -79,9 +83,15 @@ impl LightVisibility {
         (self.hidden | self.unclear) & bit_modulo_32(light) == 0
     }
 
+    /// Tests whether no plane hides a light from any surface. `light` is the light's index.
+    #[inline(always)]
+    pub(crate) fn is_open(&self, light: usize) -> bool {
+        (self.hidden ^ self.unclear) & bit_modulo_32(light) == 0
+    }
+
     /// Tests whether a plane hides a light from all surfaces. `light` is the light's index.
     #[inline(always)]
     pub(crate) fn is_hidden(&self, light: usize) -> bool {
-        self.hidden & bit_modulo_32(light) != 0
+        self.hidden & !self.unclear & bit_modulo_32(light) != 0
     }
 }

@@ -89,8 +89,7 @@ impl<R: Capacity> RuntimeScene<R> {
         self.lit(Light::lamp(position.into(), color.map(Into::into)))
     }
 
-    /// Adds a point light that falls off and returns its handle: at the distance d its strength is 1 / (1 + (d / range)²).
-    /// `range` is in scene units, above 0, at most 2³⁰.
+    /// Adds a point light that falls off and returns its handle; see [`Light::range`].
     ///
     /// # Errors
     /// The mistake in the light, or [`ErrorKind::TooManyLights`]. After an error the scene is unchanged.

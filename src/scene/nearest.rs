@@ -136,6 +136,25 @@ macro_rules! questions {
             let _ = (kind, first);
             false
         }
+
+        /// Tests whether a ray hits any bounded shape. Skips the shape `skip`, which the ray leaves from
+        /// outside.
+        #[inline(always)]
+        pub(crate) fn any_ahead<W: SceneAccess>(world: &W, ray: &Ray, skip: ShapeId) -> bool {
+            let parts = world.parts();
+            let first = 0;
+            $(
+                let is_ahead = parts.$list.iter().enumerate().any(|(index, shape)| {
+                    ShapeId::at(first + index) != skip && shape.is_ahead(ray)
+                });
+                if is_ahead {
+                    return true;
+                }
+                let first = first + parts.$list.len();
+            )*
+            let _ = first;
+            false
+        }
     };
 }
 kinds!(questions);

@@ -14,6 +14,7 @@ use crate::ray::{REACH, ScaledPoint, ScaledRay};
 use crate::render::Fast;
 use crate::scene::Room;
 use crate::scene::access::{SceneAccess, ShapeId};
+use crate::scene::nearest::any_ahead;
 use crate::scene::query::{nearest_hit, occluded};
 use crate::scene::shape_set::ShapeSet;
 use crate::scene::{RuntimeScene, Surface};
@@ -426,6 +427,50 @@ fn clear_lights_are_hidden_by_what_blocks_the_way_to_them() {
         clear > 10_000 && hidden > 10_000 && close < 10,
         "{counts:?}"
     );
+}
+
+/// Counts the near surfaces at random hits whose way to a far light is open, and those where it is blocked.
+/// Asserts that the search ahead of a ray agrees with the plain shadow ray.
+fn ahead<W: World>(world: &W, random: &mut Sweep, sun: Position) -> [u32; 2] {
+    let (parts, mut counts) = (world.parts(), [0; 2]);
+    let place = parts.grid.place(sun);
+    let from = parts
+        .grid
+        .place(Position::new(random.place().map(|x| 2.5 * x)));
+    for _ in 0..2000 {
+        let towards = parts.grid.place(Position::new(random.place()));
+        let (direction, _) = from.to(towards).0.direction_and_length();
+        let ray = ScaledRay::new(from, direction);
+        let Some((at, shape)) = first(world, &ray, ShapeId::NONE) else {
+            continue;
+        };
+        let surface = Surface::new(world, at, shape, direction).unwrap();
+        let (way, scale) = surface.place.to(place);
+        let (direction, distance) = way.direction_and_length();
+        let (ray, skip) = (
+            ScaledRay::new(surface.place, direction),
+            surface.skip(world),
+        );
+        let light = (place, distance, scale);
+        let is_hidden = occluded(world, ShapeSet::ALL, &ray, skip, light);
+        assert_eq!(any_ahead(world, &ray.ray, skip), is_hidden, "{surface:?}");
+        counts[usize::from(is_hidden)] += 1;
+    }
+    counts
+}
+
+#[test]
+fn far_lights_are_hidden_by_what_lies_ahead() {
+    let mut random = Sweep::new(0x1f83_d9ab_fb41_bd6c);
+    let mut counts = [0; 2];
+    for round in 0..90 {
+        let (scene, _) = described::<5, 12>(&mut random, (5, 12));
+        let far = [100.0, 1e4, 1e9][round % 3];
+        let sun = Position::new(random.place().map(|x| far * x));
+        let own = ahead(&scene.build().unwrap().tabled(), &mut random, sun);
+        counts = [0, 1].map(|it| counts[it] + own[it]);
+    }
+    assert!(counts.iter().all(|&it| it > 500), "{counts:?}");
 }
 
 mod planes;

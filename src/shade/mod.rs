@@ -54,6 +54,13 @@ pub trait Visibility {
         ray: (Direction, Length),
     ) -> bool;
 
+    /// Tests whether no plane hides a far light from any surface of the frame. `index` is the light's index.
+    fn is_open(&self, index: usize) -> bool;
+
+    /// Tests whether a bounded shape lies ahead of a ray that leaves a near surface: whether it hides an
+    /// open far light in this direction.
+    fn is_occluded_ahead(&self, surface: &Surface<'_>, direction: Direction) -> bool;
+
     /// Tests whether any shape lies between a surface and a light. `index` is the light's index.
     ///
     /// `ray` leads from the surface to the light. `light` is the light's position, its distance in
@@ -143,6 +150,8 @@ impl<const PRECISE: bool> Received<PRECISE> {
             near_strength::<W, V, H, PRECISE>(world, surface, visibility, (light, index))
         } else if H::SHADOWS && visibility.is_hidden(index) {
             return;
+        } else if is_far_and_open::<W, V>(visibility, (light, index)) && surface.place.is_near() {
+            far_strength::<W, V, H>(world, surface, visibility, light)
         } else {
             strength::<W, V, H>(world, surface, visibility, (light, index))
         };
@@ -177,6 +186,44 @@ fn near_strength<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: boo
     }
     let sent = sent_on::<W, H>(world, surface, back, cosine);
     weakened::<W>(V::light(light), sent, (distance, 0))
+}
+
+/// Tests whether a light is far and no plane hides it from any surface.
+#[inline(always)]
+fn is_far_and_open<W: SceneAccess, V: Visibility>(
+    visibility: &V,
+    (light, index): (&V::Light, usize),
+) -> bool {
+    W::NEEDS.far_lights && visibility.is_open(index) && !V::light(light).place.is_near()
+}
+
+/// Returns how much of an open far light a near surface sends to the viewer. Returns 0 if the light is
+/// behind the surface or occluded. All bounded shapes that a ray meets lie before the light.
+#[inline(never)]
+fn far_strength<W: SceneAccess, V: Visibility, H: Highlight>(
+    world: &W,
+    surface: &Surface<'_>,
+    visibility: &V,
+    light: &V::Light,
+) -> Brightness {
+    let light = V::light(light);
+    let ScaledPoint { point, scale } = light.place;
+    let (direction, distance) = match light.sun() {
+        Some(direction) => (direction, REACH),
+        None => {
+            let way = surface.place.point.coarser(scale.min(31)).to(point);
+            way.direction_and_length()
+        }
+    };
+    if surface.normal.dot(direction) <= Unit::ZERO {
+        return Brightness::ZERO;
+    }
+    if W::NEEDS.shadows && H::SHADOWS && visibility.is_occluded_ahead(surface, direction) {
+        return Brightness::ZERO;
+    }
+    let cosine = surface.normal.short_dot(direction).max(Unit::ZERO);
+    let sent = sent_on::<W, H>(world, surface, direction.reversed(), cosine);
+    weakened::<W>(light, sent, (distance, scale))
 }
 
 /// Returns how much of a light a surface sends to the viewer, wherever both are. Rarely called, so it

@@ -5,7 +5,7 @@ use core::fmt::Debug;
 
 use super::MaterialId;
 use crate::number::Length;
-use crate::ray::Ray;
+use crate::ray::{REACH, Ray};
 use crate::vector::{Direction, Point, Vector};
 
 /// Bounded shape as the kernels read it: hit, occlusion, normal and material.
@@ -63,6 +63,12 @@ pub trait Bounded: Copy + Debug + 'static {
 
     /// Tests whether the ray hits the shape at a distance above 0 and below `reach`.
     fn blocks(&self, ray: &Ray, reach: Length) -> bool;
+
+    /// Tests whether the ray hits the shape at any distance above 0.
+    #[inline(always)]
+    fn is_ahead(&self, ray: &Ray) -> bool {
+        self.blocks(ray, REACH)
+    }
 
     /// Tests whether the shape hides the end of `ray` from the light for which `from` was prepared.
     /// `own` says whether the end lies on the surface of this shape.

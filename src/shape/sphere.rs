@@ -17,7 +17,7 @@ use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::number::{Length, Number, signed_wide, square_root, to_u8, unsigned_wide, wide};
-use crate::ray::Ray;
+use crate::ray::{REACH, Ray};
 use crate::vector::{Direction, Point, Position, Vector};
 
 /// Sphere as the user describes it.
@@ -251,6 +251,12 @@ impl Bounded for PreparedSphere {
 
     fn blocks(&self, ray: &Ray, reach: Length) -> bool {
         self.is_on(ray, reach)
+    }
+
+    #[inline(always)]
+    fn is_ahead(&self, ray: &Ray) -> bool {
+        let way = ray.origin.to(self.center);
+        !way.passes_by(way.dot(ray.direction), self.radius) && self.blocks(ray, REACH)
     }
 
     #[inline(always)]

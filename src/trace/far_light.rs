@@ -7,7 +7,7 @@ use crate::accel::shadows::{self, Cast, Pencil};
 use crate::ray::ScaledPoint;
 use crate::scene::access::ShapeId;
 use crate::shade::highlight::sealed::Shading;
-use crate::shape::plane::{PreparedPlane, Side};
+use crate::shape::plane::PreparedPlane;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Tests whether no shadow of a far light begins or ends between two columns, if they show a plane. `stops`
@@ -49,7 +49,7 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         lights.enumerate().all(|(index, light)| {
             let is_near_or_hidden = light.is_near() || self.visibility.is_hidden(index);
             is_near_or_hidden
-                || self.is_open(light) && {
+                || self.visibility.is_open(index) && {
                     let shadow = (&pencil, plane, light);
                     self.shines_until((mirrors, shown.shape, index), shadow, first) >= last
                 }
@@ -81,15 +81,5 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
             Some(until) => until,
             None => shadows::until(self.world, pencil, plane, light, column),
         }
-    }
-
-    /// Tests whether no plane hides a light from a surface of the frame: it stands on the camera's side of each.
-    pub(super) fn is_open(&self, light: ScaledPoint) -> bool {
-        let parts = self.world.parts();
-        parts.planes.iter().all(|plane| {
-            let side = plane.side(light, parts.epsilon);
-            let is_apart = matches!(side, Side::Above | Side::Below);
-            is_apart && side == plane.side(self.visibility.from, parts.epsilon)
-        })
     }
 }

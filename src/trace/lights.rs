@@ -88,7 +88,8 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         if W::NEEDS.far_lights && !lamp.place.is_near() {
             // Shadows of far lights on planes are known by now.
             let is_known = world.parts().is_plane(shown.lit.shape);
-            let shines = |sun| self.is_open(lamp.place) && sun_lights_all(world, &shown.lit, sun);
+            let is_open = self.visibility.is_open(index);
+            let shines = |sun| is_open && sun_lights_all(world, &shown.lit, sun);
             return (is_known || lamp.sun().is_some_and(shines)).then_some(true);
         }
         match self.visibility.is_clear(index) {

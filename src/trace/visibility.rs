@@ -9,8 +9,9 @@ use crate::accel::light_visibility::LightVisibility;
 use crate::accel::{CullingQuality, World};
 use crate::light::PreparedLight;
 use crate::number::Length;
-use crate::ray::{ScaledPoint, ScaledRay};
+use crate::ray::{REACH, Ray, ScaledPoint, ScaledRay};
 use crate::scene::Surface;
+use crate::scene::nearest::any_ahead;
 use crate::scene::query::{occluded, occluded_by};
 use crate::scene::shape_set::ShapeSet;
 use crate::shade::Visibility;
@@ -74,6 +75,16 @@ impl<W: World, Q: CullingQuality> Visibility for Plain<'_, W, Q> {
         _: (&PreparedLight, usize),
         _: (Direction, Length),
     ) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn is_open(&self, _: usize) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn is_occluded_ahead(&self, _: &Surface<'_>, _: Direction) -> bool {
         false
     }
 
@@ -147,6 +158,24 @@ impl<W: World, Q: CullingQuality> Visibility for Culled<'_, W, Q> {
         ray: (Direction, Length),
     ) -> bool {
         light_occluders::occluded::<W, Q, PRECISE>(self.world, surface, light, ray)
+    }
+
+    #[inline(always)]
+    fn is_open(&self, index: usize) -> bool {
+        self.visibility.is_open(index)
+    }
+
+    #[inline(always)]
+    fn is_occluded_ahead(&self, surface: &Surface<'_>, direction: Direction) -> bool {
+        let (world, skip) = (self.world, surface.skip(self.world));
+        let ray = Ray {
+            origin: surface.place.point,
+            direction,
+        };
+        match hierarchy::is_used::<W, Q>(world) {
+            true => hierarchy::is_blocked(world, &ray, skip, REACH),
+            false => any_ahead(world, &ray, skip),
+        }
     }
 
     #[inline(always)]

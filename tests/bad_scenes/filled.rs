@@ -63,8 +63,8 @@ fn message(kind: ErrorKind) -> &'static str {
              and without color, must stay below 30: dim the material or the lights"
         }
         ErrorKind::Range => {
-            "range must be greater than 0 and at most 2^30 scene units: leave it out for a sun or a \
-             light that does not fall off"
+            "range must be greater than 0 and at most 2^30 scene units: a light without one does \
+             not fall off"
         }
         ErrorKind::View => "target must differ from the position",
         ErrorKind::Up => "up must not be zero or parallel to the view direction",
