@@ -14,6 +14,7 @@ const BRIGHTNESS: &str = "color * (ambient + the sum over lights of (diffuse + s
 const CORNERS: &str = "corners must not lie on one line: make the smallest altitude at least 2^-20 of the longest side";
 const CHECKER: &str =
     "checker sizes must be 0 or 2^-27 to 2^16 of the scene's extent, and not all 0";
+const RANGE: &str = "range must be greater than 0 and at most 2^30 scene units: a light without one does not fall off";
 const NO_LIGHT: &str = "nothing lights the scene: add a light, or give a material some ambient";
 const NOTHING_MOVES: &str =
     "only bounded shapes of a constant scene can have a name and move: use a RuntimeScene";
@@ -111,6 +112,8 @@ macro_rules! faults {
             Sky,
             /// A sun whose direction has length zero, or whose disc is not within 0 to 90 degrees.
             Sun,
+            /// A range of a light that is not above 0, or above 2³⁰, or a sun's.
+            Range,
             /// An epsilon that is zero, negative, or not smaller than the scene's extent.
             Epsilon,
             /// A material that may send out more than 30 times white under the lights of its scene.
@@ -177,6 +180,7 @@ macro_rules! faults {
                     Self::Background => "background components must be within 0 to 16",
                     Self::Sky => "up must not be zero",
                     Self::Sun => "direction must not be zero, and disc must be within 0 to 90 degrees",
+                    Self::Range => RANGE,
                     Self::Epsilon => "epsilon must be greater than 0 and smaller than the scene",
                     Self::Brightness => BRIGHTNESS,
                     $(

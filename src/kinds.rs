@@ -133,6 +133,9 @@ macro_rules! __line {
     (described light) => {
         $crate::description::Light
     };
+    (described light_with_range) => {
+        $crate::description::Light
+    };
     (described sun) => {
         $crate::description::Light
     };

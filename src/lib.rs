@@ -82,7 +82,7 @@
 //!
 //! # What is not supported
 //!
-//! Refraction, textures, soft shadows, anti-aliasing, triangles, light that falls off with distance.
+//! Refraction, textures, soft shadows, anti-aliasing.
 //!
 //! # Where things are
 //!

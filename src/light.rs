@@ -4,12 +4,16 @@ use crate::color::Color;
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
 use crate::material::is_color;
-use crate::number::{Number, Unit, sine_and_cosine_of};
+use crate::number::{
+    Brightness, Length, Number, Unit, leading_zeros, lit, narrowed, narrowed_unsigned,
+    narrowed_unsigned_128, ratio, signed, sine_and_cosine_of, to_u8, unsigned, unsigned_128,
+    wide_positive,
+};
 use crate::ray::ScaledPoint;
 use crate::vector::{Direction, Position, Vector};
 
-/// Light as the user describes it: a lamp or a sun. A lamp is a point. It shines equally in all directions and does
-/// not fall off with distance. A sun shines everywhere from the same direction, and everything on its way blocks it.
+/// Light as the user describes it: a lamp or a sun. A lamp is a point. It shines equally in all directions. It does
+/// not fall off with distance unless it has a range. A sun shines everywhere from the same direction, and everything on its way blocks it.
 ///
 /// ```
 /// use reflet::description::Light;
@@ -31,6 +35,9 @@ pub struct Light {
     pub color: [Number; 3],
     /// `None` for a lamp. Of a sun, the angle of its disc in the sky, in degrees: 0 to 90. 0 shows none.
     pub sun: Option<Number>,
+    /// Range r of a lamp that falls off: at the distance d its strength is 1 / (1 + (d / r)²), so it is a half at r. In
+    /// scene units, above 0, at most 2³⁰. `None` for a lamp that does not fall off, and for a sun.
+    pub range: Option<Number>,
 }
 
 impl Light {
@@ -39,6 +46,7 @@ impl Light {
         position: Position::ORIGIN,
         color: [Number::ZERO; 3],
         sun: None,
+        range: None,
     };
 
     /// Describes a lamp.
@@ -47,6 +55,15 @@ impl Light {
             position,
             color,
             sun: None,
+            range: None,
+        }
+    }
+
+    /// Describes a lamp that falls off.
+    pub(crate) const fn ranged(position: Position, color: [Number; 3], range: Number) -> Self {
+        Self {
+            range: Some(range),
+            ..Self::lamp(position, color)
         }
     }
 
@@ -56,6 +73,7 @@ impl Light {
             position: direction,
             color,
             sun: Some(disc),
+            range: None,
         }
     }
 
@@ -74,9 +92,12 @@ impl Light {
         } else if !is_color(self.color) {
             Some(ErrorKind::Color)
         } else {
-            match self.sun {
-                Some(disc) if self.position.magnitude() == 0 || !disc.is_within(0, 90) => {
+            match (self.sun, self.range) {
+                (Some(disc), _) if self.position.magnitude() == 0 || !disc.is_within(0, 90) => {
                     Some(ErrorKind::Sun)
+                }
+                (_, Some(range)) if range.to_bits() <= 0 || !range.is_within(0, 1 << 30) => {
+                    Some(ErrorKind::Range)
                 }
                 _ => None,
             }
@@ -93,8 +114,42 @@ pub struct PreparedLight {
     /// Whether shadows can be tested with the values that are prepared for each pair of light and shape.
     /// The light must be near and outside of all spheres.
     pub(crate) is_plain: bool,
-    /// `None` for a lamp. Of a sun, the cosine of half the angle of its disc; above 1 if no disc is seen.
-    sun: Option<Unit>,
+    kind: Kind,
+}
+
+/// The kinds of lights, with what a kernel needs to know of each. It takes eight bytes.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    /// A lamp that does not fall off.
+    Lamp,
+    /// A lamp with a range of `mantissa` · 2^(97 - `drop`) steps of the grid. The mantissa is 2³⁰ to 2³¹ - 1.
+    Ranged { drop: u8, mantissa: i32 },
+    /// The cosine of half the angle of a sun's disc; above 1 if no disc is seen.
+    Sun(Unit),
+}
+
+impl Kind {
+    const fn new(light: &Light, grid: &Grid) -> Self {
+        match (light.sun, light.range) {
+            (None, None) => Self::Lamp,
+            (None, Some(range)) => Self::ranged(range, grid),
+            (Some(disc), _) if disc.to_bits() == 0 => Self::Sun(NO_DISC),
+            (Some(disc), _) => {
+                Self::Sun(sine_and_cosine_of(Number::from_bits(disc.to_bits() / 2)).1)
+            }
+        }
+    }
+
+    /// Converts a range above 0 to the grid. Its leading 31 bits are kept.
+    const fn ranged(range: Number, grid: &Grid) -> Self {
+        let bits = unsigned_128(range.to_bits());
+        let zeros = bits.leading_zeros();
+        let leading = narrowed_unsigned_128((bits << zeros) >> 97);
+        Self::Ranged {
+            drop: to_u8(zeros + grid.drop()),
+            mantissa: signed(narrowed_unsigned(leading)),
+        }
+    }
 }
 
 /// More than any cosine.
@@ -106,7 +161,7 @@ impl PreparedLight {
         place: ScaledPoint::ORIGIN,
         color: Color::BLACK,
         is_plain: false,
-        sun: None,
+        kind: Kind::Lamp,
     };
 
     /// Converts a described light to the scene's grid. `is_plain` stays `false`, because it depends on
@@ -114,11 +169,7 @@ impl PreparedLight {
     pub(crate) const fn new(light: &Light, grid: &Grid) -> Self {
         let new = Self {
             color: Color::from_numbers(light.color),
-            sun: match light.sun {
-                None => None,
-                Some(disc) if disc.to_bits() == 0 => Some(NO_DISC),
-                Some(disc) => Some(sine_and_cosine_of(Number::from_bits(disc.to_bits() / 2)).1),
-            },
+            kind: Kind::new(light, grid),
             ..Self::NONE
         };
         new.moved(light.position, grid)
@@ -127,8 +178,8 @@ impl PreparedLight {
     /// Returns the light at another position, or the sun in another direction.
     pub(crate) const fn moved(self, position: Position, grid: &Grid) -> Self {
         Self {
-            place: match (self.sun, position.direction()) {
-                (Some(_), Some(direction)) => ScaledPoint::beyond(direction),
+            place: match (self.kind, position.direction()) {
+                (Kind::Sun(_), Some(direction)) => ScaledPoint::beyond(direction),
                 _ => grid.place(position),
             },
             ..self
@@ -139,19 +190,74 @@ impl PreparedLight {
     #[inline(always)]
     pub(crate) const fn sun(&self) -> Option<Direction> {
         let Vector { x, y, z } = self.place.point.to_vector();
-        match self.sun {
-            Some(_) => Some(Direction::from_raw(Vector::new(x << 2, y << 2, z << 2))),
-            None => None,
+        match self.kind {
+            Kind::Sun(_) => Some(Direction::from_raw(Vector::new(x << 2, y << 2, z << 2))),
+            Kind::Lamp | Kind::Ranged { .. } => None,
         }
     }
 
     /// Returns the direction towards a sun whose disc is seen, and the cosine of half of its angle.
     pub(crate) const fn disc(&self) -> Option<(Direction, Unit)> {
-        match (self.sun(), self.sun) {
-            (Some(direction), Some(cosine)) if cosine.to_bits() < NO_DISC.to_bits() => {
+        match (self.sun(), self.kind) {
+            (Some(direction), Kind::Sun(cosine)) if cosine.to_bits() < NO_DISC.to_bits() => {
                 Some((direction, cosine))
             }
             _ => None,
         }
     }
+
+    /// Tests whether the light falls off with distance.
+    pub(crate) const fn is_ranged(&self) -> bool {
+        matches!(self.kind, Kind::Ranged { .. })
+    }
+
+    /// Returns what is left of `strength` at a distance from the light, in steps of 2^`scale`. It is rounded down to
+    /// 2⁻²⁴, after an error below 2⁻²⁴ of `strength`.
+    #[inline(always)]
+    pub(crate) const fn weakened(
+        &self,
+        strength: Brightness,
+        distance: Length,
+        scale: u32,
+    ) -> Brightness {
+        match self.kind {
+            Kind::Ranged { drop, mantissa } => lit(
+                falloff((mantissa, 97 - drop as i32), distance, scale),
+                strength,
+            ),
+            Kind::Lamp | Kind::Sun(_) => strength,
+        }
+    }
 }
+
+/// Returns 1 / (1 + (d / r)²) = r² / (r² + d²) in Q2.30, from 0 to 1. r is `mantissa` · 2^`exponent` steps, d is
+/// `distance` in steps of 2^`scale`, above 0.
+///
+/// The error is below 2⁻²⁴: both squares are brought to the same scale and cut to the leading 27 bits of their sum,
+/// which takes up to 2⁻²⁶. The quotient is known to 2⁻²⁶, and d to 2⁻²⁷ of itself. If d is a few steps, its own
+/// rounding by a step adds up to 0.65 / r, in steps.
+#[inline(never)]
+const fn falloff((range, exponent): (i32, i32), distance: Length, scale: u32) -> Unit {
+    let distance = unsigned(distance.to_bits());
+    // The distance gets 31 bits, like the range.
+    let up = leading_zeros(distance) - 1;
+    let distance = signed(distance << up);
+    let gap = exponent + signed(up) - signed(scale);
+    let (range, distance) = match gap > 0 {
+        true => (range, distance >> shift(gap)),
+        false => (range >> shift(-gap), distance),
+    };
+    let square = wide_positive(range, range);
+    let sum = square + wide_positive(distance, distance);
+    // One more, so that the sum is larger even where it is as good as r².
+    let [square, sum] = [square >> 33, (sum >> 33) + 1];
+    Unit::from_bits(ratio(unsigned(narrowed(square)), unsigned(narrowed(sum))))
+}
+
+/// Limits a right shift of an `i32` to 31, which leaves only the sign.
+const fn shift(places: i32) -> i32 {
+    if places > 31 { 31 } else { places }
+}
+
+#[cfg(test)]
+mod tests;

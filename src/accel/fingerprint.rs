@@ -90,6 +90,9 @@ impl Fingerprint {
             if let Some(disc) = light.sun {
                 hash = hash.number(disc).index(1);
             }
+            if let Some(range) = light.range {
+                hash = hash.number(range).index(2);
+            }
             index += 1;
         }
         hash

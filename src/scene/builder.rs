@@ -9,7 +9,6 @@ use crate::background::Background;
 use crate::camera::Camera;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
-use crate::light::Light;
 use crate::material::Material;
 use crate::number::{Number, numbers};
 use crate::shape::plane::Plane;
@@ -59,9 +58,9 @@ const MOST_MOVING: usize = 16;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct SceneBuilder<R: Capacity> {
-    described: Described<R>,
+    pub(super) described: Described<R>,
     /// Kind and index of the shape that was added last, or `None` after a plane or a light.
-    last: Option<(&'static str, usize)>,
+    pub(super) last: Option<(&'static str, usize)>,
     moving: [Option<(&'static str, usize)>; MOST_MOVING],
     /// Where the builder was created. For [`scene!`](crate::scene) this is the macro.
     start: &'static Location<'static>,
@@ -71,7 +70,12 @@ impl<R: Capacity> SceneBuilder<R> {
     /// Panics if `fault` is `Some`. The text has the line of the call, unless the call comes from a macro:
     /// its place is then that of the macro, where the builder was created, too.
     #[track_caller]
-    const fn refuse(&self, part: &'static str, index: Option<usize>, fault: Option<ErrorKind>) {
+    pub(super) const fn refuse(
+        &self,
+        part: &'static str,
+        index: Option<usize>,
+        fault: Option<ErrorKind>,
+    ) {
         let Some(kind) = fault else { return };
         let (call, start) = (Location::caller(), self.start);
         let is_known = call.line() != start.line() || call.column() != start.column();
@@ -236,37 +240,6 @@ macro_rules! builder {
                 };
                 self.refuse("plane", Some(index), plane.fault());
                 self.described.planes.push(plane);
-                self.last = None;
-                self
-            }
-
-            /// Adds a point light. Each component of its colour is 0 to 16.
-            #[track_caller]
-            pub const fn light(self, position: [f64; 3], color: [f64; 3]) -> Self {
-                self.lit(Light::lamp(Position::new(position), numbers(color)))
-            }
-
-            /// Adds a sun: a light that shines from one direction everywhere. `direction` points towards it and may
-            /// have any length but 0. Each component of its colour is 0 to 16. No disc of it is seen.
-            #[track_caller]
-            pub const fn sun(self, direction: [f64; 3], color: [f64; 3]) -> Self {
-                self.sun_with_disc(direction, color, 0.0)
-            }
-
-            /// Adds a sun whose disc is seen where a ray hits nothing, also in mirrors. `degrees` is the angle that
-            /// the disc covers, 0 to 90; our own sun covers half a degree.
-            #[track_caller]
-            pub const fn sun_with_disc(self, direction: [f64; 3], color: [f64; 3], degrees: f64) -> Self {
-                let (direction, disc) = (Position::new(direction), Number::new(degrees));
-                self.lit(Light::sun(direction, numbers(color), disc))
-            }
-
-            #[track_caller]
-            const fn lit(mut self, light: Light) -> Self {
-                let index = self.described.lights.len;
-                self.described.lights.refuse_more(light.kind(), ErrorKind::TooManyLights);
-                self.refuse(light.kind(), Some(index), light.fault());
-                self.described.lights.push(light);
                 self.last = None;
                 self
             }

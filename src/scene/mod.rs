@@ -15,6 +15,7 @@ pub(crate) mod far;
 mod fixture;
 pub(crate) mod handle;
 mod layout;
+mod lights;
 mod list;
 mod macros;
 mod motion;

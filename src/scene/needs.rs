@@ -54,6 +54,8 @@ macro_rules! needs {
             pub lights: bool,
             /// Whether a light is far away in comparison with the scene, or may be.
             pub far_lights: bool,
+            /// Whether a light falls off with distance, or may.
+            pub ranges: bool,
             /// Whether a shape may cast a shadow, on another shape or on itself.
             pub shadows: bool,
             /// Whether a light may cause a highlight on a surface.
@@ -86,6 +88,7 @@ macro_rules! needs {
                 planes: true,
                 lights: true,
                 far_lights: true,
+                ranges: true,
                 shadows: true,
                 highlights: true,
                 shininess: Shininess::Real,
@@ -112,12 +115,13 @@ macro_rules! needs {
 
             /// Returns name and level of each need that a limit may lower, the kinds of bounded shapes
             /// first.
-            const fn levels(&self) -> [(&'static str, u8); KINDS + 13] {
+            const fn levels(&self) -> [(&'static str, u8); KINDS + 14] {
                 [
                     $((stringify!($list), self.$list as u8),)*
                     ("planes", self.planes as u8),
                     ("lights", self.lights as u8),
                     ("far_lights", self.far_lights as u8),
+                    ("ranges", self.ranges as u8),
                     ("shadows", self.shadows as u8),
                     ("highlights", self.highlights as u8),
                     ("shininess", self.shininess as u8),
@@ -185,6 +189,7 @@ impl Needs {
             planes: planes > 0,
             lights: is_lit,
             far_lights: is_lit,
+            ranges: is_lit,
             // No ray crosses a plane, so a single plane hides no light from a visible surface that faces
             // it.
             shadows: is_lit && (bounded > 0 || planes > 1),
@@ -223,6 +228,7 @@ impl Needs {
         };
         Self {
             far_lights: self.lights && finish.is_far,
+            ranges: self.lights && finish.has_ranges,
             highlights: !matches!(shininess, Shininess::None),
             shininess,
             mirrors,
@@ -256,6 +262,7 @@ impl Needs {
             planes: self.planes && other.planes,
             lights: self.lights && other.lights,
             far_lights: self.far_lights && other.far_lights,
+            ranges: self.ranges && other.ranges,
             shadows: self.shadows && other.shadows,
             highlights: self.highlights && other.highlights,
             shininess: match (self.shininess as u8) < other.shininess as u8 {

@@ -7,7 +7,6 @@ use crate::background::Background;
 use crate::camera::Camera;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
-use crate::light::Light;
 use crate::material::Material;
 use crate::number::Number;
 use crate::shape::plane::Plane;
@@ -55,7 +54,7 @@ use crate::vector::Position;
 /// # Ok::<(), reflet::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct RuntimeScene<R: Capacity>(Described<R>);
+pub struct RuntimeScene<R: Capacity>(pub(super) Described<R>);
 
 impl<R: Capacity> RuntimeScene<R> {
     /// Adds a material and returns the identifier that shapes of this scene use for it.
@@ -89,54 +88,6 @@ impl<R: Capacity> RuntimeScene<R> {
         let planes = &mut self.0.planes;
         planes.add(plane, fault, "plane", ErrorKind::TooManyPlanes)?;
         Ok(())
-    }
-
-    /// Adds a point light and returns its handle. Each component of the colour is 0 to 16.
-    ///
-    /// # Errors
-    /// The mistake in the light, or [`ErrorKind::TooManyLights`]. After an error the scene is unchanged.
-    pub fn add_light(
-        &mut self,
-        position: impl Into<Position>,
-        color: [impl Into<Number>; 3],
-    ) -> Result<Handle<Light>, Error> {
-        self.lit(Light::lamp(position.into(), color.map(Into::into)))
-    }
-
-    /// Adds a sun and returns its handle: a light that shines from one direction everywhere. `direction` points
-    /// towards it and may have any length but 0. Each component of the colour is 0 to 16. `degrees` is the angle that
-    /// its disc covers where a ray hits nothing, 0 to 90; with 0 no disc is seen.
-    ///
-    /// ```
-    /// use reflet::{RuntimeScene, room};
-    ///
-    /// let mut scene = RuntimeScene::<room!(lights: 1)>::new();
-    /// let sun = scene.add_sun([3, -4, 6], [1.0, 0.9, 0.8], 0.5)?;
-    /// let [described] = scene.description().lights else { unreachable!() };
-    /// assert_eq!(described.sun.map(|disc| disc.to_f64()), Some(0.5));
-    /// let mut scene = scene.build()?;
-    /// scene.set_light(sun, [3, -4, 5])?; // it goes down
-    /// # Ok::<(), reflet::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// The mistake in the sun, or [`ErrorKind::TooManyLights`]. After an error the scene is unchanged.
-    pub fn add_sun(
-        &mut self,
-        direction: impl Into<Position>,
-        color: [impl Into<Number>; 3],
-        degrees: impl Into<Number>,
-    ) -> Result<Handle<Light>, Error> {
-        let color = color.map(Into::into);
-        self.lit(Light::sun(direction.into(), color, degrees.into()))
-    }
-
-    fn lit(&mut self, light: Light) -> Result<Handle<Light>, Error> {
-        let (kind, fault) = (light.kind(), light.fault());
-        let lights = &mut self.0.lights;
-        lights
-            .add(light, fault, kind, ErrorKind::TooManyLights)
-            .map(Handle::new)
     }
 
     /// Sets the colour of rays that hit nothing; each component is 0 to 16. Defaults to black.

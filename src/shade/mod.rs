@@ -184,7 +184,8 @@ fn near_strength<W: SceneAccess, V: Visibility, H: Highlight, const PRECISE: boo
     {
         return Brightness::ZERO;
     }
-    sent_on::<W, H>(world, surface, back, cosine)
+    let sent = sent_on::<W, H>(world, surface, back, cosine);
+    weakened::<W>(V::light(light), sent, (distance, 0))
 }
 
 /// Tests whether a light is far and no plane hides it from any surface.
@@ -206,12 +207,12 @@ fn far_strength<W: SceneAccess, V: Visibility, H: Highlight>(
     light: &V::Light,
 ) -> Brightness {
     let light = V::light(light);
-    let direction = match light.sun() {
-        Some(direction) => direction,
+    let ScaledPoint { point, scale } = light.place;
+    let (direction, distance) = match light.sun() {
+        Some(direction) => (direction, REACH),
         None => {
-            let ScaledPoint { point, scale } = light.place;
             let way = surface.place.point.coarser(scale.min(31)).to(point);
-            way.direction_and_length().0
+            way.direction_and_length()
         }
     };
     if surface.normal.dot(direction) <= Unit::ZERO {
@@ -221,7 +222,8 @@ fn far_strength<W: SceneAccess, V: Visibility, H: Highlight>(
         return Brightness::ZERO;
     }
     let cosine = surface.normal.short_dot(direction).max(Unit::ZERO);
-    sent_on::<W, H>(world, surface, direction.reversed(), cosine)
+    let sent = sent_on::<W, H>(world, surface, direction.reversed(), cosine);
+    weakened::<W>(light, sent, (distance, scale))
 }
 
 /// Returns how much of a light a surface sends to the viewer, wherever both are. Rarely called, so it
@@ -249,12 +251,26 @@ fn strength<W: SceneAccess, V: Visibility, H: Highlight>(
         return Brightness::ZERO;
     }
     let ray = ScaledRay::new(surface.place, direction);
-    let light = (place, distance, scale);
-    if W::NEEDS.shadows && H::SHADOWS && visibility.is_occluded(surface, &ray, index, light) {
+    let way = (place, distance, scale);
+    if W::NEEDS.shadows && H::SHADOWS && visibility.is_occluded(surface, &ray, index, way) {
         return Brightness::ZERO;
     }
     let cosine = surface.normal.short_dot(direction).max(Unit::ZERO);
-    sent_on::<W, H>(world, surface, direction.reversed(), cosine)
+    let sent = sent_on::<W, H>(world, surface, direction.reversed(), cosine);
+    weakened::<W>(V::light(light), sent, (distance, scale))
+}
+
+/// Returns what is left of `sent` if a light that is so far away falls off. The distance is in steps of 2^`scale`.
+#[inline(always)]
+fn weakened<W: SceneAccess>(
+    light: &PreparedLight,
+    sent: Brightness,
+    (distance, scale): (Length, u32),
+) -> Brightness {
+    match W::NEEDS.ranges {
+        true => light.weakened(sent, distance, scale),
+        false => sent,
+    }
 }
 
 /// Returns diffuse n·l + specular sˢʰⁱⁿⁱⁿᵉˢˢ for light that arrives above the surface along a

@@ -34,6 +34,8 @@ plane([0.0, 0.0, -1.1e9], UP, WHITE); => plane 0: Coordinate
 light([0.0, f64::NEG_INFINITY, 0.0], [1.0; 3]); => light 0: Coordinate
 light([0.0; 3], [1.0, 1.0, 16.1]); => light 0: Color
 light([0.0; 3], [-0.1, 1.0, 1.0]); => light 0: Color
+light_with_range([0.0; 3], [1.0; 3], 0.0); => light 0: Range
+light_with_range([0.0; 3], [1.0; 3], f64::INFINITY); => light 0: Range
 sun([0.0; 3], [1.0; 3]); => sun 0: Sun
 sun_with_disc(UP, [1.0; 3], 91.0); => sun 0: Sun
 sphere([0.0; 3], 1.0, WHITE); sphere([0.0; 3], -1.0, WHITE); => sphere 1: Radius
@@ -180,7 +182,7 @@ fn kind(name: &str) -> ErrorKind {
     }
     by_name! {
         Ambient Axis Background BelowEpsilon Brightness Checker Color Coordinate Corners Diffuse Epsilon Extent
-        FieldOfView Height Mirror Motion NoLight Normal NothingMoves Radius Shininess Sky Specular Sun Tiny
+        FieldOfView Height Mirror Motion NoLight Normal NothingMoves Radius Range Shininess Sky Specular Sun Tiny
         TooManyCylinders TooManyDiscs TooManyLights TooManyMaterials TooManyPlanes TooManySpheres
         UnusedRoom Up View
     }
@@ -267,6 +269,7 @@ fn fitting(parts: &str) -> String {
     let kinds = ["sphere", "plane", "cylinder", "disc", "triangle", "light"];
     // A sun takes the room of a light.
     let parts = parts
+        .replace("light_with_range(", "light(")
         .replace("sun_with_disc(", "light(")
         .replace("sun(", "light(");
     let counted = kinds.map(|kind| {

@@ -62,6 +62,10 @@ fn message(kind: ErrorKind) -> &'static str {
             "color * (ambient + the sum over lights of (diffuse + specular) * light color), with \
              and without color, must stay below 30: dim the material or the lights"
         }
+        ErrorKind::Range => {
+            "range must be greater than 0 and at most 2^30 scene units: a light without one does \
+             not fall off"
+        }
         ErrorKind::View => "target must differ from the position",
         ErrorKind::Up => "up must not be zero or parallel to the view direction",
         ErrorKind::FieldOfView => "fov must be between 0.001 and 179.999 degrees",
@@ -119,6 +123,13 @@ const CORNERS: [Triple; 3] = [ORIGIN, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 fn light(position: Triple, color: Triple) -> Addition {
     Box::new(move |scene, _| scene.add_light(position, color).map(|_| ()))
+}
+
+fn light_with_range(range: f64) -> Addition {
+    Box::new(move |scene, _| {
+        let added = scene.add_light_with_range(ORIGIN, [1.0; 3], range);
+        added.map(|_| ())
+    })
 }
 
 fn sun(direction: Triple, degrees: f64) -> Addition {
@@ -547,4 +558,18 @@ fn suns_have_a_direction_and_a_disc_of_at_most_ninety_degrees() {
     assert_refused(("sun", Some(1), ErrorKind::Coordinate), sun(far, 1.0));
     assert_accepted(sun([1e-9, 0.0, 0.0], 0.0));
     assert_accepted(sun(UP, 90.0));
+}
+
+#[test]
+fn range_of_a_light_must_be_above_zero() {
+    for range in UNHEARD_OF
+        .into_iter()
+        .chain([0.0, -0.0, -1.0, 1e-30, 1_073_741_824.5])
+    {
+        let expected = ("light", Some(1), ErrorKind::Range);
+        assert_refused(expected, light_with_range(range));
+    }
+    for range in [1e-19, 0.5, 1_073_741_824.0] {
+        assert_accepted(light_with_range(range));
+    }
 }

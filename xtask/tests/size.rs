@@ -93,6 +93,12 @@ mirror 0.4 spheres cylinders => occluded";
         assert!(flash < all.1, "{parts}: {flash} bytes, not below {}", all.1);
     }
 
+    // No light of the scene falls off.
+    let mut fading = scene();
+    fading["lights"][0]["range"] = 2.5.into();
+    let (fading, _) = linked(&fading, fast, phong);
+    assert!(has(&fading, "light::falloff") && !has(&all.0, "light::falloff"));
+
     // Shadings and qualities that the scene does not use.
     assert!(!has(&all.0, "color::halved") && has(&all.0, "Colors<W,K,Q>::follow"));
     let (normals, flash) = linked(&scene(), fast, Shading::Normals);
@@ -257,7 +263,7 @@ fn command_prints_lines_of_json_with_these_keys() {
         let keys = line.as_object().unwrap().keys().map(String::as_str);
         let expected = "target scene quality reflections code constants flash ram stack left_out";
         assert_eq!(keys.collect::<BTreeSet<_>>(), expected.split(' ').collect());
-        assert_eq!(line["left_out"].as_array().unwrap().len(), 18);
+        assert_eq!(line["left_out"].as_array().unwrap().len(), 19);
         let [code, constants, flash] =
             ["code", "constants", "flash"].map(|key| line[key].as_u64().unwrap());
         assert_eq!(code + constants, flash);

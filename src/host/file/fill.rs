@@ -51,9 +51,12 @@ fn lights(target: &mut FileRuntimeScene, lights: &[reference::Light]) -> Result<
         if *count == most {
             return Err(at(ErrorKind::TooManyLights));
         }
-        let added = match light.sun {
-            None => target.add_light(light.position, light.color),
-            Some(disc) => target.add_sun(light.position, light.color, disc),
+        let (position, color) = (light.position, light.color);
+        let added = match (light.sun, light.range) {
+            (None, None) => target.add_light(position, color),
+            (None, Some(range)) => target.add_light_with_range(position, color, range),
+            (Some(disc), None) => target.add_sun(position, color, disc),
+            (Some(_), Some(_)) => return Err(at(ErrorKind::Range)),
         };
         added.map_err(|error| at(error.kind()))?;
         *count += 1;

@@ -106,6 +106,7 @@ fn sun(sun: &document::Sun) -> Light {
         position: sun.direction,
         color: sun.color,
         sun: Some(sun.disc.unwrap_or(0.0)),
+        range: None,
     }
 }
 

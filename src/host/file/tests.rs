@@ -132,6 +132,7 @@ fn every_number_arrives_in_the_reference() {
             position: [3.0, -4.0, 6.0],
             color: [1.0, 0.5, 0.25],
             sun: None,
+            range: None,
         }],
         materials: vec![clay, gold],
         background: [0.125, 0.25, 0.375],

@@ -98,6 +98,7 @@ fn light(light: &light::Light) -> Light {
         position: triple(light.position.0),
         color: triple(light.color),
         sun: light.sun.map(Number::to_f64),
+        range: light.range.map(Number::to_f64),
     }
 }
 

@@ -34,7 +34,7 @@
 //! };
 //! let scene = Scene {
 //!     spheres: vec![Sphere { center: [0.0; 3], radius: 1.0, material: 0 }],
-//!     lights: vec![Light { position: [0.0, -9.0, 0.0], color: [1.0; 3], sun: None }],
+//!     lights: vec![Light { position: [0.0, -9.0, 0.0], color: [1.0; 3], sun: None, range: None }],
 //!     materials: vec![chalk],
 //!     ..Scene::default()
 //! };

@@ -126,6 +126,7 @@ fn light(light: &Light) -> model::Light {
             true => (degrees.to_radians() / 2.0).cos() as Real,
             false => 2.0,
         }),
+        range: light.range.map(|range| range as Real),
     }
 }
 

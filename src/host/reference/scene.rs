@@ -154,7 +154,7 @@ pub struct Sky {
     pub above: [f64; 3],
 }
 
-/// A light that does not fall off with distance: a lamp, which is a point, or a sun, which is a direction.
+/// A light: a lamp, which is a point, or a sun, which is a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Light {
@@ -165,6 +165,10 @@ pub struct Light {
     /// `None` for a lamp. Of a sun, the angle of its disc in the sky, in degrees; 0 shows none.
     #[serde(skip)]
     pub sun: Option<f64>,
+    /// Range r of a lamp whose strength at the distance d is 1 / (1 + (d / r)²), in scene units; `None` if it does not
+    /// fall off.
+    #[serde(default)]
+    pub range: Option<f64>,
 }
 
 /// The material of a surface: its colour, and how it reflects light.

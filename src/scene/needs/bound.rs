@@ -77,9 +77,19 @@ impl Needs {
         Self {
             lights: false,
             far_lights: false,
+            ranges: false,
             shadows: false,
             sets: false,
             ..self.without_highlights()
+        }
+    }
+
+    /// Returns these needs for scenes whose lights do not fall off with distance.
+    #[must_use]
+    pub const fn without_ranges(self) -> Self {
+        Self {
+            ranges: false,
+            ..self
         }
     }
 

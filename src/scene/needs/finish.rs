@@ -47,6 +47,8 @@ pub(super) struct Finish {
     pub(super) is_lit_grey: bool,
     /// Whether a light is far away.
     pub(super) is_far: bool,
+    /// Whether a light falls off with distance.
+    pub(super) has_ranges: bool,
     pub(super) has_sky: bool,
     pub(super) has_checkers: bool,
 }
@@ -60,6 +62,7 @@ impl Finish {
             is_grey: below.is_grey() && horizon.is_grey() && above.is_grey(),
             is_lit_grey: true,
             is_far: false,
+            has_ranges: false,
             has_sky: background.is_sky(),
             has_checkers: false,
         };
@@ -67,6 +70,7 @@ impl Finish {
         while index < lights.len() {
             finish.is_lit_grey &= lights[index].color.is_grey();
             finish.is_far |= !lights[index].place.is_near();
+            finish.has_ranges |= lights[index].is_ranged();
             if lights[index].disc().is_some() {
                 finish.has_sky = true;
                 finish.is_grey &= lights[index].color.is_grey();

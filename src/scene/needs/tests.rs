@@ -38,7 +38,8 @@ fn full_scene_needs_everything() {
         scene.add_plane([0, 0, -2], [0, 0, 1], tiles)?;
         scene.set_sky([0, 0, 1], [[0.5; 3], [1.0; 3], [0.25; 3]])?;
         // A sun.
-        scene.add_light([9000, 9000, 9000], [1, 1, 1])
+        scene.add_light([9000, 9000, 9000], [1, 1, 1])?;
+        scene.add_light_with_range([9, 9, 9], [1, 1, 1], 4)
     });
     assert_eq!(needs, Needs::ALL);
     assert!(needs.list().iter().all(|need| need.is_needed));
@@ -120,6 +121,7 @@ fn bound_names_the_first_need_beyond_it() {
         (all.without_discs(), "discs"),
         (all.without_triangles(), "triangles"),
         (all.without_lights(), "lights"),
+        (all.without_ranges(), "ranges"),
         (all.without_highlights(), "highlights"),
         (all.with_shininess(Shininess::Whole), "shininess"),
         (all.without_mirrors(), "mirrors"),

@@ -37,6 +37,10 @@ const FAR_LIGHTS: Reasons = [
     "a light may be far away in comparison with the scene",
     "every light is near",
 ];
+const RANGES: Reasons = [
+    "a light falls off with distance, or may",
+    "no light falls off with distance",
+];
 const SHADOWS: Reasons = [
     "a shape may hide a light",
     "no light is hidden from what can be seen lit",
@@ -68,7 +72,7 @@ const COLORS: Reasons = [
 ];
 
 /// Number of needs in the list that are not kinds of bounded shapes.
-const OTHERS: usize = 14;
+const OTHERS: usize = 15;
 
 impl Needs {
     /// Returns every need in words, the kinds of bounded shapes first.
@@ -102,6 +106,7 @@ impl Needs {
             Need::either("planes", self.planes, SHAPES),
             Need::either("lights", self.lights, LIGHTS),
             Need::either("far_lights", self.far_lights, FAR_LIGHTS),
+            Need::either("ranges", self.ranges, RANGES),
             Need::either("shadows", self.shadows, SHADOWS),
             Need::either("highlights", self.highlights, HIGHLIGHTS),
             Need::new("shininess", has_shininess, self.shininess.words()),

@@ -44,17 +44,23 @@ impl Wild {
     /// few bytes.
     pub fn read(bytes: &[u8]) -> Option<Self> {
         let mut bytes = Unstructured::new(bytes);
-        Self::described(&mut bytes).ok().flatten()
+        Self::described(&mut bytes, false).ok().flatten()
     }
 
-    fn described(bytes: &mut Unstructured) -> Result<Option<Self>> {
+    /// Makes a scene from bytes whose lights fall off. It is another one than [`Wild::read`] makes of them.
+    pub fn read_with_ranges(bytes: &[u8]) -> Option<Self> {
+        let mut bytes = Unstructured::new(bytes);
+        Self::described(&mut bytes, true).ok().flatten()
+    }
+
+    fn described(bytes: &mut Unstructured, has_ranges: bool) -> Result<Option<Self>> {
         let kind = bytes.arbitrary()?;
         let reflections = match bytes.int_in_range(0..=3)? {
             0 => bytes.arbitrary()?,
             _ => bytes.int_in_range(0..=8)?,
         };
         let size = Size::new(bytes.int_in_range(1..=12)?, bytes.int_in_range(1..=6)?);
-        let mut numbers = Numbers::read(bytes)?;
+        let mut numbers = Numbers::read(bytes, has_ranges)?;
         let camera = Camera::new(
             numbers.place(bytes)?,
             numbers.place(bytes)?,
@@ -179,7 +185,12 @@ fn add_all(
     }
     for _ in 0..count(bytes, 4)? {
         let color = number::brightness(bytes)? * 2.0;
-        if let Err(error) = scene.add_light(numbers.place(bytes)?, [color; 3]) {
+        let place = numbers.place(bytes)?;
+        let added = match numbers.has_ranges {
+            true => scene.add_light_with_range(place, [color; 3], numbers.size(bytes)?),
+            false => scene.add_light(place, [color; 3]),
+        };
+        if let Err(error) = added {
             return Ok(Err(error));
         }
     }

@@ -6,17 +6,23 @@ use arbitrary::{Result, Unstructured};
 pub struct Numbers {
     /// Typical size of the scene's lengths.
     pub unit: f64,
+    /// Whether lights get a range.
+    pub has_ranges: bool,
     before: f64,
 }
 
 impl Numbers {
     /// Chooses the unit: a power of two from 2^-30 to 2^28, most often 1.
-    pub fn read(bytes: &mut Unstructured) -> Result<Self> {
+    pub fn read(bytes: &mut Unstructured, has_ranges: bool) -> Result<Self> {
         let unit = match bytes.int_in_range(0..=3)? {
             0 => 2f64.powi(bytes.int_in_range(-30..=28)?),
             _ => 1.0,
         };
-        Ok(Self { unit, before: unit })
+        Ok(Self {
+            unit,
+            has_ranges,
+            before: unit,
+        })
     }
 
     fn coordinate(&mut self, bytes: &mut Unstructured) -> Result<f64> {

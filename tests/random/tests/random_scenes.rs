@@ -41,6 +41,8 @@ struct Recipe {
     cylinders: Vec<(Triple, Triple, (f64, f64), usize)>,
     discs: Vec<(Triple, Triple, f64, usize)>,
     lights: Vec<(Triple, f64, Triple)>,
+    /// Whether lights fall off, with ranges that depend on their red.
+    fades: bool,
     background: Triple,
     /// Direction straight up, and the colours below and above: the background is that at the horizon.
     sky: Option<(Triple, Triple, Triple)>,
@@ -150,6 +152,7 @@ fn recipe() -> impl Strategy<Value = Recipe> {
                 cylinders,
                 discs,
                 lights,
+                fades: false,
                 eye,
                 target,
                 up,
@@ -201,7 +204,13 @@ impl Recipe {
         }
         for &(towards, away, color) in &self.lights {
             let position = self.placed(towards.map(|it| it * away));
-            scene.add_light(position, color)?;
+            match self.fades {
+                true => {
+                    let range = away * self.scale * (0.02 + 3.0 * color[0] * color[0]);
+                    scene.add_light_with_range(position, color, range)?
+                }
+                false => scene.add_light(position, color)?,
+            };
         }
         match self.sky {
             Some((up, below, above)) => scene.set_sky(up, [below, self.background, above])?,
@@ -248,8 +257,18 @@ fn runner(cases: u32) -> TestRunner {
 
 #[test]
 fn any_valid_scene_is_painted_as_double_precision_paints_it() {
+    are_painted_as_double_precision_paints_them(2000, false);
+}
+
+#[test]
+fn lights_that_fall_off_are_painted_as_double_precision_paints_them() {
+    are_painted_as_double_precision_paints_them(600, true);
+}
+
+fn are_painted_as_double_precision_paints_them(cases: u32, fades: bool) {
     let results = RefCell::new(Vec::new());
-    let outcome = runner(2000).run(&recipe(), |recipe| {
+    let outcome = runner(cases).run(&recipe(), |recipe| {
+        let recipe = Recipe { fades, ..recipe };
         let (scene, camera) = recipe.seen()?;
         let built = scene.build();
         let built = built.map_err(|error| TestCaseError::reject(error.to_string()))?;
@@ -294,6 +313,15 @@ fn any_valid_scene_is_painted_as_double_precision_paints_it() {
 
 #[test]
 fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
+    no_pixel_is_further_off_than_its_bound(400, false);
+}
+
+#[test]
+fn no_pixel_under_lights_that_fall_off_is_further_off_than_its_bound() {
+    no_pixel_is_further_off_than_its_bound(200, true);
+}
+
+fn no_pixel_is_further_off_than_its_bound(cases: u32, fades: bool) {
     /// Width and height of a picture in pixels.
     const SIDE: u32 = 32;
     /// Number of reflections after which nothing is left of a path, unless its mirrors reflect all
@@ -301,7 +329,8 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
     const ALL: usize = 200;
     // For each quality: the number of pixels, of sure pixels, and of pixels that exceed their bound.
     let counts = Cell::new([[0_usize; 3]; 2]);
-    let outcome = runner(400).run(&recipe(), |recipe| {
+    let outcome = runner(cases).run(&recipe(), |recipe| {
+        let recipe = Recipe { fades, ..recipe };
         let (scene, camera) = recipe.seen()?;
         let built = scene.build();
         let built = built.map_err(|error| TestCaseError::reject(error.to_string()))?;

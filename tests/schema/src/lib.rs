@@ -98,7 +98,7 @@ fn still_life() -> Value {
         "materials": [ { "name": "clay", "color": [0.5, 0.25, 0.125], "ambient": 0.1,
                          "diffuse": 0.75, "specular": 0.5, "shininess": 1, "mirror": 0,
                          "checker": { "color": [0.5, 0.75, 1], "size": [1, 0, 2] } } ],
-        "lights": [ { "position": [3, -4, 6], "color": [1, 0.5, 0.25] } ],
+        "lights": [ { "position": [3, -4, 6], "color": [1, 0.5, 0.25], "range": 2.5 } ],
         "suns": [ { "direction": [3, -4, 5], "color": [0.25, 1, 0.5], "disc": 0.5 } ],
         "spheres": [ { "center": [0, 0, 1.5], "radius": 1.25, "material": "clay" } ],
         "planes": [ { "center": [0, 0, -1], "normal": [0, 0, 2], "material": "clay" } ],
@@ -144,7 +144,7 @@ fn defaults_of_a_material_are_those_of_the_library() {
 #[test]
 fn every_number_is_judged_alike_at_its_edges() {
     let validator = validator();
-    for (whole, expected) in [(still_life(), 93), (plain_life(), 82)] {
+    for (whole, expected) in [(still_life(), 94), (plain_life(), 83)] {
         assert_eq!(verdict(&whole), Verdict::Accepted);
         let places = document::places(&whole);
         let numbers = places

@@ -113,8 +113,12 @@ fn checker(checker: &Checker) -> String {
 
 fn light(light: &Light) -> String {
     let [place, color] = [light.position, light.color].map(vector);
+    let range = light.range.map(|range| format!(r#", "range": {range}"#));
     match light.sun {
-        None => format!(r#"{{ "position": {place}, "color": {color} }}"#),
+        None => format!(
+            r#"{{ "position": {place}, "color": {color}{} }}"#,
+            range.unwrap_or_default()
+        ),
         Some(0.0) => format!(r#"{{ "direction": {place}, "color": {color} }}"#),
         Some(disc) => format!(r#"{{ "direction": {place}, "color": {color}, "disc": {disc} }}"#),
     }

@@ -158,6 +158,7 @@ fn fill() -> Option<(Scene<Four>, Camera)> {
     let corners = || [point(), point(), point()];
     let triangle = black_box(scene.add_triangle(corners(), black_box(Some(corners())), material));
     let light = black_box(scene.add_light(point(), [number(); 3]));
+    let _ = black_box(scene.add_light_with_range(point(), [number(); 3], number()));
     let _ = black_box(scene.add_sun(point(), [number(); 3], number()));
     let _ = black_box(scene.set_background([number(); 3]));
     let checkered = CHALK.with_checker([number(); 3], [number(); 3]);

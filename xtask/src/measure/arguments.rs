@@ -52,6 +52,12 @@ pub struct Arguments {
     #[arg(long, conflicts_with_all = ["all", "core", "scene", "chosen", "size", "clock", "moving", "frames"])]
     #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json", "is_whole", "profiles"])]
     pub(super) yardstick: bool,
+
+    /// Measure what a ray, a bounce, a light or an interpolated pixel takes, on --core or on all, and write
+    /// docs/measured/units.jsonl and docs/internals/units.md if m3 is measured
+    #[arg(long, conflicts_with_all = ["all", "scene", "chosen", "size", "clock", "moving", "frames", "yardstick"])]
+    #[arg(conflicts_with_all = ["reflections", "shading", "quality", "json", "is_whole", "profiles"])]
+    pub(super) units: bool,
 }
 
 /// One measurement, as the command line says it.

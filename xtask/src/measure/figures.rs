@@ -100,7 +100,7 @@ pub fn table(rows: &[Figures]) -> String {
 }
 
 /// Columns as wide as their widest cell; numbers to the right.
-fn aligned(rows: &[Vec<String>]) -> String {
+pub(super) fn aligned(rows: &[Vec<String>]) -> String {
     let width = |column: usize| {
         let cells = rows.iter().map(|row| row[column].chars().count());
         cells.max().unwrap_or(0)

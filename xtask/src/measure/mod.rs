@@ -4,8 +4,8 @@
 //! keeps what was built; [`outcome`](mod@outcome) runs it, with each row's count from `clock_log`;
 //! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
 //! [`profiles`] measures the same code in several build profiles, [`pictures`] only draws, [`speed`] estimates
-//! frames a second, [`frames`] keeps those of boards that people own, and [`yardstick`] the
-//! figures of scenes after ray tracers that others published.
+//! frames a second, [`frames`] keeps those of boards that people own, [`yardstick`] the
+//! figures of scenes after ray tracers that others published, and [`units`] the cost of a ray, a bounce or a pixel.
 
 pub mod arguments;
 pub mod build_profile;
@@ -27,6 +27,7 @@ pub mod record;
 pub mod scene;
 pub mod speed;
 pub mod task;
+pub mod units;
 pub mod yardstick;
 
 use anyhow::Result;
@@ -51,6 +52,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     }
     if arguments.yardstick {
         return yardstick::renew();
+    }
+    if arguments.units {
+        return units::run(arguments.choice.core);
     }
     if arguments.all {
         return record::renew(arguments.choice.core);

@@ -5,7 +5,7 @@ use std::{collections::BTreeSet, fs, path::Path, process::Command};
 use serde_json::Value;
 use xtask::measure::{
     CORES, Core, Figures, Quality, Scene, Size, Task, build_profile::BuildProfile, count, outcome,
-    profiles, record, yardstick,
+    profiles, record, units, yardstick,
 };
 
 #[path = "../common/mod.rs"]
@@ -202,6 +202,7 @@ measure broken.json => broken.json: line 2, column 0: the file ends too early
 measure scenes.json => scenes.json: choose one of the scenes ball, nothing (--scene NAME)
 measure --all castle => cannot be used with
 measure --profiles --core m3 => cannot be used with
+measure --units --quality exact => cannot be used with
 measure --everything => unexpected argument '--everything' found
 scene => the following required arguments were not provided
 scene missing.json => missing.json: No such file or directory
@@ -246,6 +247,19 @@ fn all_kept_figures_beside_published_ones_are_within_2_percent() {
 
 fn assert_yardsticks_are_kept(is_meant: impl Fn(&Task) -> bool) {
     assert_are_kept(yardstick::read(), &yardstick::tasks().unwrap(), is_meant);
+}
+
+#[test]
+fn kept_costs_of_units_are_within_2_percent() {
+    let (kept, found) = (units::read().unwrap(), units::measured(Core::M3).unwrap());
+    assert_eq!(kept.len(), found.len());
+    for (kept, found) in kept.iter().zip(&found) {
+        let is_close = (found.instructions - kept.instructions).abs() <= 0.02 * kept.instructions;
+        assert!(
+            found.unit == kept.unit && is_close,
+            "`cargo xtask measure --units --core m3` has to be run again: {found:?}, kept {kept:?}"
+        );
+    }
 }
 
 #[test]

@@ -81,10 +81,11 @@ fn parts(scene: &Scene, materials: &[String], motion: Option<&Motion>) -> String
     };
     let light = |it: &Light| {
         let [position, color] = [it.position, it.color].map(vector);
-        match it.sun {
-            None => format!("light({position}, {color})"),
-            Some(0.0) => format!("sun({position}, {color})"),
-            Some(disc) => format!("sun_with_disc({position}, {color}, {})", number(disc)),
+        match (it.sun, it.range.map(number)) {
+            (None, None) => format!("light({position}, {color})"),
+            (None, Some(range)) => format!("light_with_range({position}, {color}, {range})"),
+            (Some(0.0), _) => format!("sun({position}, {color})"),
+            (Some(disc), _) => format!("sun_with_disc({position}, {color}, {})", number(disc)),
         }
     };
     let corners = |motion: &Motion| {

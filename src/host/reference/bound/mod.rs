@@ -24,6 +24,7 @@
 //! | a light at distance r | L = (H + ε M + 5 g) / r + 2⁻²⁶ | a root of 27 bits |
 //! | diffuse light | M + L + 2⁻²⁸, times the coefficient | |
 //! | a highlight | the largest change of its power while its cosine changes by its error | the power itself is exact to (shininess + 4) 2⁻²⁸ |
+//! | the share s of a light that falls off | 2 s (1 - s) L + 2⁻²⁴ | Q2.30, from the squares of distance and range |
 //! | a colour | 2⁻²² for the strength of each light, 2⁻²⁰ for each product, 2⁻²⁵ of the light that is multiplied | each light and the ambient share have 20 fraction bits, 26 in `Exact` |
 //! | the colour's share of the sum | 2⁻²⁴, and 2⁻³⁰ for each weight before it | Q8.24, weights Q2.30 rounded down |
 //! | the mirrored ray | P = H + ε M + 2 g, D = D + 2 M + 2⁻²⁶ | a mirror that turns by an angle turns the ray by twice that angle |

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::edges::{cell, disc, mixed};
 use super::largest;
 use crate::host::reference::Shading;
-use crate::host::reference::model::{Ray, Scene, Surface, Vector};
+use crate::host::reference::model::{Light, Ray, Scene, Surface, Vector};
 
 /// The grid and the dimness of a prepared scene, which the rounding analysis needs. It comes from
 /// [`crate::host::precision`].
@@ -216,8 +216,8 @@ impl Hit {
             };
             // Even if nothing is sent on: a highlight fades out smoothly.
             lights |= 1_u64.wrapping_shl(index as u32);
-            let lit = Scene::sent_on(surface, arrival, shading);
-            if lit <= 0.0 {
+            let sent = Scene::sent_on(surface, arrival, shading);
+            if sent <= 0.0 {
                 continue;
             }
             let (towards, distance) = lamp.seen_from(surface.outside);
@@ -225,6 +225,19 @@ impl Hit {
             let diffuse = self.normal + light + to_the_minus(28);
             let gleam = self.gleam(surface, towards, light, shading);
             let strength_error = material.diffuse * diffuse + material.specular * gleam;
+            // A change of the distance by a part of it changes the share by up to 2 (1 - share) of that part.
+            let (share, share_error) = match lamp.range {
+                Some(range) => {
+                    let share = Light::share_at(range, distance);
+                    (
+                        share,
+                        2.0 * share * (1.0 - share) * light + to_the_minus(24),
+                    )
+                }
+                None => (1.0, 0.0),
+            };
+            let strength_error = strength_error * share + sent * share_error;
+            let lit = sent * share;
             received += lamp.color * lit;
             let rounded = strength_error + to_the_minus(22) + lit * to_the_minus(25);
             error += lamp.color * rounded + Vector::grey(to_the_minus(20));

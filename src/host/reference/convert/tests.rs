@@ -62,6 +62,7 @@ fn every_number_of_a_description_arrives_in_its_place() {
         position: [4.1, 4.2, 4.3],
         color: [0.4, 0.5, 0.6],
         sun: None,
+        range: None,
     };
     let gold = Material {
         color: [0.1, 0.2, 0.3],

@@ -144,7 +144,7 @@ impl Sky {
     }
 }
 
-/// A light that does not fall off with distance: a lamp, which is a point, or a sun, which is a direction.
+/// A light: a lamp, which is a point, or a sun, which is a direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Light {
     /// Position of a lamp, in scene units. Of a sun, the unit direction towards it.
@@ -153,6 +153,8 @@ pub struct Light {
     pub color: Vector,
     /// `None` for a lamp. Of a sun, the cosine of half the angle of its disc; above 1 if none is seen.
     pub sun: Option<Real>,
+    /// Distance at which a lamp has half its strength, in scene units; `None` if it does not fall off.
+    pub range: Option<Real>,
 }
 
 impl Light {
@@ -167,6 +169,13 @@ impl Light {
                 (way * (1.0 / distance), distance)
             }
         }
+    }
+
+    /// Returns the share of the light that arrives at a distance: 1 / (1 + (d / r)²) for a range r.
+    #[inline]
+    pub fn share_at(range: Real, distance: Real) -> Real {
+        let ratio = distance / range;
+        1.0 / (1.0 + ratio * ratio)
     }
 
     /// Tests whether a ray in a unit direction that hits nothing shows the light's disc.

@@ -31,7 +31,13 @@ impl Scene<'_> {
     #[inline]
     pub fn strength(&self, surface: &Surface, lamp: &Light, shading: Shading) -> Real {
         match self.arrival(surface, lamp) {
-            Some(arrival) => Self::sent_on(surface, arrival, shading),
+            Some(arrival) => {
+                let sent = Self::sent_on(surface, arrival, shading);
+                match lamp.range {
+                    Some(range) => sent * Light::share_at(range, lamp.seen_from(surface.outside).1),
+                    None => sent,
+                }
+            }
             None => 0.0,
         }
     }

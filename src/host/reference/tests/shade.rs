@@ -36,6 +36,7 @@ fn lit_on(
         position,
         color: [1.0, 0.0, 0.5],
         sun: None,
+        range: None,
     };
     let plane = |height| Plane {
         point: [0.0, 0.0, height],

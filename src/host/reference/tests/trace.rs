@@ -222,6 +222,7 @@ fn mirrors_show_shaded_surfaces_lit_from_their_own_side() {
             position: [0.0, 0.0, 4.0],
             color: [1.0, 0.5, 0.25],
             sun: None,
+            range: None,
         }],
         materials: vec![glowing([0.0; 3], 0.5), ceiling],
         ..Scene::default()

@@ -191,6 +191,7 @@ impl Draft {
             position,
             color,
             sun: None,
+            range: None,
         });
     }
 

@@ -62,6 +62,7 @@ pub fn fences(draft: &mut Draft) {
             position: position.0,
             color,
             sun,
+            range: None,
         });
     }
     // As in a scene file.

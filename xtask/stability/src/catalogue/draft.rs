@@ -63,6 +63,12 @@ impl Draft {
         self.part("lights", json!({"position": position, "color": color}))
     }
 
+    /// Adds a white light that falls off with this range.
+    pub fn fading(self, position: [f64; 3], range: f64) -> Self {
+        let light = json!({"position": position, "color": [1, 1, 1], "range": range});
+        self.part("lights", light)
+    }
+
     /// Adds a white sun, with a disc of this angle in degrees.
     pub fn sun(self, direction: [f64; 3], disc: f64) -> Self {
         let sun = json!({"direction": direction, "color": [1, 1, 1], "disc": disc});

@@ -70,6 +70,15 @@ pub fn cases() -> Vec<Case> {
         picture("shadow terminator", dark, lonely([10.0, 0.0, 0.0])),
         picture("shadow terminator, light behind", dark, behind),
     ]);
+    for range in [1e-19, 0.01, 0.5, 8.0, f64::from(1 << 30)] {
+        let draft = Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+            .shining([-2.0, -6.0, 1.5], [0.3, 0.3, 0.4]);
+        cases.push(picture(
+            format!("light with a range of {range}"),
+            "the squares of range and distance are up to 2^128 apart",
+            Setting::HERE.furnish(draft).fading([1.2, -1.5, 0.9], range),
+        ));
+    }
     for epsilon in [1e-9, 1e-6, 1e-2, 0.1] {
         let case = picture(
             format!("epsilon {epsilon}"),

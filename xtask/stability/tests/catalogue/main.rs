@@ -91,16 +91,25 @@ fn found(fixed: f64, single: f64) -> Measured {
 /// Runs with every overflow checked, like all tests. `stability --rays` follows more rays.
 #[test]
 fn random_scenes_overflow_nowhere() {
+    overflow_nowhere(Wild::read, 1_000_000);
+}
+
+#[test]
+fn random_scenes_with_ranges_overflow_nowhere() {
+    overflow_nowhere(Wild::read_with_ranges, 500_000);
+}
+
+fn overflow_nowhere(read: fn(&[u8]) -> Option<Wild>, most: u64) {
     let mut random = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);
     let mut bytes = [0; 600];
     let (mut rays, mut scenes) = (0, 0);
-    while rays < 1_000_000 {
+    while rays < most {
         random.fill_bytes(&mut bytes);
-        if let Some(drawn) = Wild::read(&bytes).and_then(|wild| wild.draw()) {
+        if let Some(drawn) = read(&bytes).and_then(|wild| wild.draw()) {
             rays += drawn.rays;
             scenes += 1;
         }
     }
     println!("{rays} rays in {scenes} scenes");
-    assert!(scenes > 1000, "{scenes} scenes are too few");
+    assert!(scenes > most / 1000, "{scenes} scenes are too few");
 }

@@ -1,0 +1,244 @@
+//! Tests lights that fall off with distance in pictures: compared with double precision, with every pixel traced, and
+//! with lights that do not.
+
+use embedded_graphics::prelude::Size;
+use reflet::description::Description;
+use reflet::host::compare::compare;
+use reflet::host::file::SceneFile;
+use reflet::host::painted;
+use reflet::host::reference::{self, Picture, render};
+use reflet::quality::{Exact, Fast, Quality, Small};
+use reflet::shading::BlinnPhong;
+use reflet::{Camera, Material, RuntimeScene, Scene, room, scene};
+
+const SIZE: Size = Size::new(160, 120);
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+type Room = room!(spheres: 4, planes: 2, cylinders: 1, discs: 1, lights: 3, materials: 4);
+type Scenery = RuntimeScene<Room>;
+
+/// Random numbers: SplitMix64.
+struct Random(u64);
+
+impl Random {
+    /// Returns a random number between two.
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        let share = ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 53) as f64;
+        low + (high - low) * share
+    }
+
+    fn place(&mut self, low: [f64; 3], high: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|axis| self.between(low[axis], high[axis]))
+    }
+}
+
+/// Returns a room of two planes with balls, a cylinder and a disc, all matt or with a wide highlight, and its camera. Its
+/// lights have ranges of 2^`power` to twice that, and are so bright that they are seen.
+fn room_of(seed: u64, power: i32) -> (Scenery, Camera) {
+    let mut random = Random(seed << 8);
+    let mut scene = Scenery::new();
+    let clay = Material::new([0.9, 0.4, 0.3]).specular(0.3, 8.0);
+    let pond = Material::new([0.3, 0.4, 0.5]).mirror(0.4);
+    let clay = scene.add_material(clay).unwrap();
+    let chalk = scene.add_material(Material::new([0.8, 0.8, 0.7])).unwrap();
+    let pond = scene.add_material(pond).unwrap();
+    scene
+        .add_plane([0.0; 3], UP, [pond, chalk, chalk][seed as usize % 3])
+        .unwrap();
+    scene
+        .add_plane([0.0, 4.0, 0.0], [0.1, -1.0, 0.1], chalk)
+        .unwrap();
+    for _ in 0..4 {
+        let center = random.place([-2.5, -1.5, 0.2], [2.5, 3.0, 2.5]);
+        let radius = random.between(0.2, 1.0);
+        scene.add_sphere(center, radius, clay).unwrap();
+    }
+    let post = random.place([-2.0, -1.0, 0.5], [2.0, 3.0, 1.5]);
+    scene
+        .add_cylinder(post, [0.2, 0.1, 1.0], 0.3, 2.0, chalk)
+        .unwrap();
+    let lid = random.place([-2.0, -2.0, 0.05], [2.0, 1.0, 0.5]);
+    scene.add_disc(lid, [0.1, -0.2, 1.0], 0.9, clay).unwrap();
+    for _ in 0..3 {
+        let place = random.place([-4.0, -4.0, 0.1], [4.0, 2.0, 4.0]);
+        let range = 2f64.powi(power) * random.between(1.0, 2.0);
+        let color = (1.0 / range).clamp(0.8, 8.0) * random.between(0.7, 1.0);
+        scene
+            .add_light_with_range(place, [color; 3], range)
+            .unwrap();
+    }
+    let eye = random.place([-2.0, -7.0, 0.5], [2.0, -4.0, 4.0]);
+    (scene, Camera::new(eye, [0.0, 0.0, 0.8], UP, 50).unwrap())
+}
+
+fn drawn<Q: Quality>(scene: &Scene<Room>, camera: &Camera) -> Picture {
+    let frame = scene.frame(camera).quality::<Q>().shading::<BlinnPhong>();
+    painted(&frame.prepare(SIZE).on(scene).unwrap())
+}
+
+fn truth(scene: &Description<'_>, camera: &Camera) -> Picture {
+    let scene = reference::Scene::from(scene);
+    let shading = reference::Shading::BlinnPhong;
+    render(&scene, &camera.into(), SIZE.width, SIZE.height, 4, shading)
+}
+
+/// Returns the number of pixels whose channels differ by more than one level.
+fn apart(one: &Picture, other: &Picture) -> usize {
+    let pairs = one.pixels.iter().zip(&other.pixels);
+    let differ = |(one, other): &(&[u8; 3], &[u8; 3])| {
+        one.iter().zip(*other).any(|(a, b)| a.abs_diff(*b) > 1)
+    };
+    pairs.filter(differ).count()
+}
+
+#[test]
+fn fast_interpolates_what_falls_off() {
+    let mut lost = Vec::new();
+    let (mut all, mut pixels) = (0, 0);
+    for power in [-6, -4, -3, -2, -1, 0, 1, 3, 6] {
+        for seed in 0..4 {
+            let (scene, camera) = room_of(seed, power);
+            let scene = scene.build().unwrap();
+            let exact = drawn::<Exact>(&scene, &camera);
+            let own = apart(&drawn::<Fast>(&scene, &camera), &exact);
+            lost.push((power, seed, own));
+            all += own;
+            pixels += exact.pixels.len();
+        }
+    }
+    println!("{lost:?}");
+    assert!(all * 10_000 <= pixels, "{all} of {pixels}: {lost:?}");
+}
+
+#[test]
+fn light_that_falls_off_is_as_double_precision_says() {
+    for (seed, power) in [(1, -5), (2, -1), (3, 0), (4, 2), (5, 20)] {
+        let (scene, camera) = room_of(seed, power);
+        let truth = truth(&scene.description(), &camera);
+        let scene = scene.build().unwrap();
+        for (name, picture) in [
+            ("exact", drawn::<Exact>(&scene, &camera)),
+            ("fast", drawn::<Fast>(&scene, &camera)),
+            ("small", drawn::<Small>(&scene, &camera)),
+        ] {
+            let within_one = compare(&picture, &truth).unwrap().within1;
+            assert!(within_one >= 0.999, "{seed} {power} {name}: {within_one}");
+        }
+    }
+}
+
+/// A lantern over a floor.
+const LANTERN: [f64; 3] = [0.5, 1.0, 1.0];
+
+fn floor(range: f64) -> Scenery {
+    let mut scene = Scenery::new();
+    let chalk = scene.add_material(Material::new([0.9; 3])).unwrap();
+    scene.add_plane([0.0; 3], UP, chalk).unwrap();
+    scene
+        .add_light_with_range(LANTERN, [2.0; 3], range)
+        .unwrap();
+    scene
+}
+
+fn above() -> Camera {
+    Camera::new([0.0, -4.0, 3.0], [0.0, 0.0, 0.0], UP, 60).unwrap()
+}
+
+#[test]
+fn lamp_with_a_huge_range_is_one_without() {
+    let mut without = floor(1e9);
+    let ranged = drawn::<Exact>(&without.build().unwrap(), &above());
+    without = Scenery::new();
+    let chalk = without.add_material(Material::new([0.9; 3])).unwrap();
+    without.add_plane([0.0; 3], UP, chalk).unwrap();
+    without.add_light(LANTERN, [2.0; 3]).unwrap();
+    assert_eq!(
+        apart(
+            &ranged,
+            &drawn::<Exact>(&without.build().unwrap(), &above())
+        ),
+        0
+    );
+}
+
+#[test]
+fn light_far_outside_of_the_scene_falls_off() {
+    let mut scene = floor(1.0);
+    scene
+        .add_light_with_range([3e6, -2e6, 5e6], [4.0; 3], 5e6)
+        .unwrap();
+    let chalk = scene.description().planes[0].material;
+    scene.add_sphere([0.0, 0.0, 0.5], 0.5, chalk).unwrap();
+    let truth = truth(&scene.description(), &above());
+    let scene = scene.build().unwrap();
+    for picture in [
+        drawn::<Exact>(&scene, &above()),
+        drawn::<Fast>(&scene, &above()),
+    ] {
+        let within_one = compare(&picture, &truth).unwrap().within1;
+        assert!(within_one >= 0.998, "{within_one}");
+    }
+}
+
+scene! {
+    /// The lantern as a constant scene.
+    struct Lantern {
+        plane([0.0; 3], UP, Material::new([0.9; 3]));
+        light_with_range(LANTERN, [2.0; 3], 0.75);
+    }
+}
+
+/// The same lantern is drawn from a constant scene, a scene filled at run time, and a file; and the file's Rust source
+/// names the range.
+#[test]
+fn range_is_the_same_wherever_a_scene_is_written() {
+    let camera = above();
+    let frame = Lantern::frame(&camera).prepare(SIZE);
+    let constant = painted(&frame.on(&Lantern).unwrap());
+    let filled = drawn::<Fast>(&floor(0.75).build().unwrap(), &camera);
+    assert!(constant.pixels == filled.pixels);
+    let text = r#"{
+        "camera": {"position": [0, -4, 3], "target": [0, 0, 0], "up": [0, 0, 1], "fov": 60},
+        "materials": [{"name": "chalk", "color": [0.9, 0.9, 0.9]}],
+        "lights": [{"position": [0.5, 1, 1], "color": [2, 2, 2], "range": 0.75}],
+        "planes": [{"center": [0, 0, 0], "normal": [0, 0, 1], "material": "chalk"}]
+    }"#;
+    let file = SceneFile::parse(text, None).unwrap();
+    let built = file.build().unwrap();
+    let read = built.frame(&camera).quality::<Fast>().prepare(SIZE);
+    // Its camera is part of the scene, so its grid is another one.
+    assert_eq!(apart(&painted(&read.on(&built).unwrap()), &filled), 0);
+    let source = file.rust_source().text();
+    let line = "light_with_range([0.5, 1.0, 1.0], [2.0, 2.0, 2.0], 0.75);";
+    assert!(source.contains(line), "{source}");
+    let sun = text
+        .replace("lights", "suns")
+        .replace("position\": [0.5", "direction\": [0.5");
+    let error = SceneFile::parse(&sun, None).unwrap_err().to_string();
+    let words = "suns[0] cannot have the key range, only direction, color, disc";
+    assert!(error.contains(words), "{error}");
+}
+
+#[test]
+fn moved_lamp_is_one_made_there_and_another_range_another_scene() {
+    let mut scene = floor(0.75);
+    let lamp = scene.add_light_with_range([9.0; 3], [1.0; 3], 0.5).unwrap();
+    let mut moved = scene.build().unwrap();
+    moved.set_light(lamp, [-1.0, 0.0, 1.0]).unwrap();
+    let made = |range: f64| {
+        let mut scene = floor(0.75);
+        scene
+            .add_light_with_range([-1.0, 0.0, 1.0], [1.0; 3], range)
+            .unwrap();
+        scene.build().unwrap()
+    };
+    let picture = drawn::<Fast>(&moved, &above());
+    assert_eq!(apart(&picture, &drawn::<Fast>(&made(0.5), &above())), 0);
+    // A frame of one is refused by the other.
+    let (here, there) = (made(0.5), made(0.25));
+    let frame = here.frame(&above()).prepare(SIZE);
+    assert!(frame.on(&here).is_ok() && frame.on(&there).is_err());
+}
