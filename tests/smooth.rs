@@ -89,11 +89,22 @@ fn two_rows_are_as_good_as_four_samples_and_four_rows_are_better() {
         let four = judge.decibels(&judge.four);
         let [fast, two, more] =
             [Quality::Fast, Quality::Smooth2, Quality::Smooth4].map(|it| judge.drawn(it));
-        println!("{name}: jagged {fast:.1}, four samples {four:.1}, two rows {two:.1}, four rows {more:.1} dB");
+        println!(
+            "{name}: jagged {fast:.1}, four samples {four:.1}, two rows {two:.1}, four rows {more:.1} dB"
+        );
         // In a small picture more edges lie between the rows.
-        assert!(two >= four - 2.0, "{name}: {two} with two rows, {four} with four samples");
-        assert!(more >= four + 2.0, "{name}: {more} with four rows, {four} with four samples");
-        assert!(two >= fast + 4.0, "{name}: {two} with two rows, {fast} jagged");
+        assert!(
+            two >= four - 2.0,
+            "{name}: {two} with two rows, {four} with four samples"
+        );
+        assert!(
+            more >= four + 2.0,
+            "{name}: {more} with four rows, {four} with four samples"
+        );
+        assert!(
+            two >= fast + 4.0,
+            "{name}: {two} with two rows, {fast} jagged"
+        );
     }
 }
 
@@ -109,7 +120,11 @@ fn part_of_a_row_has_the_colours_of_the_whole_row() {
             let mut part = [Rgb888::BLACK; 100];
             rows.row(y, x, &mut part);
             let count = 100 - x as usize;
-            assert_eq!(part[..count], whole[x as usize..], "row {y} from column {x} on");
+            assert_eq!(
+                part[..count],
+                whole[x as usize..],
+                "row {y} from column {x} on"
+            );
         }
     }
 }
@@ -135,20 +150,34 @@ type Rod = RuntimeScene<room!(cylinders: 1, lights: 1, materials: 1)>;
 #[test]
 fn thin_rod_that_turns_covers_the_same_area() {
     let camera = Camera::new([0, -10, 0], [0, 0, 0], [0, 0, 1], 30).unwrap();
-    let areas: Vec<f64> = (0..12).map(|step| {
-        let angle = f64::from(step) * 7.0_f64.to_radians();
-        let mut scene = Rod::new();
-        let white = Material::new([1.0; 3]).ambient(1.0).diffuse(0.0).specular(0.0, 1.0);
-        let white = scene.add_material(white).unwrap();
-        let axis = [angle.cos(), 0.0, angle.sin()];
-        scene.add_cylinder([0, 0, 0], axis, 0.06, 4.0, white).unwrap();
-        let scene: Scene<_> = scene.build().unwrap();
-        let frame = scene.frame(&camera).quality::<Smooth<4>>().prepare(Size::new(120, 120));
-        let picture = painted(&frame.on(&scene).unwrap());
-        let bytes = picture.pixels.iter().map(|[red, ..]| f64::from(*red));
-        bytes.sum::<f64>() / 255.0
-    }).collect();
-    let (least, most) = areas.iter().fold((f64::MAX, 0.0_f64), |(least, most), area| (least.min(*area), most.max(*area)));
+    let areas: Vec<f64> = (0..12)
+        .map(|step| {
+            let angle = f64::from(step) * 7.0_f64.to_radians();
+            let mut scene = Rod::new();
+            let white = Material::new([1.0; 3])
+                .ambient(1.0)
+                .diffuse(0.0)
+                .specular(0.0, 1.0);
+            let white = scene.add_material(white).unwrap();
+            let axis = [angle.cos(), 0.0, angle.sin()];
+            scene
+                .add_cylinder([0, 0, 0], axis, 0.06, 4.0, white)
+                .unwrap();
+            let scene: Scene<_> = scene.build().unwrap();
+            let frame = scene
+                .frame(&camera)
+                .quality::<Smooth<4>>()
+                .prepare(Size::new(120, 120));
+            let picture = painted(&frame.on(&scene).unwrap());
+            let bytes = picture.pixels.iter().map(|[red, ..]| f64::from(*red));
+            bytes.sum::<f64>() / 255.0
+        })
+        .collect();
+    let (least, most) = areas
+        .iter()
+        .fold((f64::MAX, 0.0_f64), |(least, most), area| {
+            (least.min(*area), most.max(*area))
+        });
     println!("{least:.1} to {most:.1} pixels");
     // A quarter of a pixel for each of the 89 columns that the rod crosses, at most.
     assert!(most - least <= 0.25 * 89.0, "{areas:?}");

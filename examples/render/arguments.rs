@@ -55,7 +55,12 @@ pub struct Arguments {
     smooth: Option<Quality>,
 
     /// Compare with N x N samples of the reference for each pixel, from 1 to 32
-    #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        allow_negative_numbers = true
+    )]
     #[arg(value_parser = value_parser!(u32).range(1..=32))]
     pub samples: u32,
 
@@ -179,7 +184,7 @@ A frame of a film is shown for 600/N hundredths of a second, but for 2 at least 
 of a GIF share 256 colours.
 
 In the window the arrow keys move the camera around its target, + and - change the number of
-reflections, Tab shows the next scene and Escape leaves.
+reflections, S changes between jagged and smooth edges, Tab shows the next scene and Escape leaves.
 
 The exit code is 0, or 2 after an error, which is one line.",
         scenes::NAMES.join(", ")

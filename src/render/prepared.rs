@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Colors, Report, SmoothColors};
+use super::{Colors, Report};
 use crate::accel::CullingQuality;
 use crate::accel::drawable::Drawable;
 use crate::accel::light_visibility::LightVisibility;
@@ -126,8 +126,7 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
         }
     }
 
-    /// Joins the frame with its scene without a check. The scene must be the one the frame was prepared
-    /// for.
+    /// Joins the frame with its scene without a check. The scene must be the one the frame was prepared for.
     #[inline(always)]
     pub(crate) fn unchanged<'a>(&'a self, scene: &'a S) -> Rows<'a, S, Q, K> {
         Rows {
@@ -197,8 +196,7 @@ impl<'a, S: Drawable, Q, K> Rows<'a, S, Q, K> {
 }
 
 impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
-    /// Fills `pixels` with the colours of row `y` from column `x` on. `shown` converts the sum of a path
-    /// into a colour. Pixels beyond the picture's edges stay unchanged.
+    /// Fills `pixels` with the colours of row `y` from column `x` on, each converted by `shown`. Pixels beyond the picture stay.
     #[inline(always)]
     pub(crate) fn fill_row<C: Copy>(
         &self,
@@ -235,17 +233,14 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         pixels: &mut [C],
         shown: impl Fn(Sum) -> C,
     ) -> Report {
-        let (_, report) = match Q::ROWS {
+        let filled = match Q::ROWS {
             1 => self.in_row(generator, start, |colors| colors.fill(pixels, shown)),
-            _ => self.in_smooth_row(generator, start, |colors| {
-                (pixels.iter_mut()).for_each(|pixel| *pixel = shown(colors.next_color()));
-            }),
+            _ => self.in_smooth_row(generator, start, |colors| colors.fill(pixels, shown)),
         };
-        report
+        filled.1
     }
 
-    /// Calls `draw` with the colours of row `y` from column `x` on, and returns its result with a
-    /// report. The pixel (`x`, `y`) must lie inside of the picture.
+    /// Calls `draw` with the colours of row `y` from column `x` on, inside of the picture. Returns its result with a report.
     #[inline(always)]
     pub(crate) fn in_row<T>(
         &self,
@@ -257,24 +252,6 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         let mut shadows = RowShadows::NONE;
         let mut tracer = self.tracer((generator, &directions), y, &mut shadows);
         let mut colors = Colors::new(&mut tracer, directions, x, self.frame.width);
-        let drawn = draw(&mut colors);
-        (drawn, Report::of(&tracer))
-    }
-
-    /// Does what [`Rows::in_row`] does for a row with smooth edges.
-    #[inline(always)]
-    pub(crate) fn in_smooth_row<T>(
-        &self,
-        generator: &RayGenerator,
-        [x, y]: [u32; 2],
-        draw: impl FnOnce(&mut SmoothColors<'_, '_, S::World<'a>, K, Q>) -> T,
-    ) -> (T, Report) {
-        let directions = generator.row(y);
-        let mut shadows = RowShadows::NONE;
-        let mut tracer = self.tracer((generator, &directions), y, &mut shadows);
-        let width = self.frame.width;
-        let row = Colors::new(&mut tracer, directions, 0, width);
-        let mut colors = SmoothColors::new(row, generator, ([x, y], width));
         let drawn = draw(&mut colors);
         (drawn, Report::of(&tracer))
     }

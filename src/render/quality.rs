@@ -101,7 +101,10 @@ impl<const K: u32, Q: Quality> Quality for Smooth<K, Q> {
     const IS_SMALL: bool = Q::IS_SMALL;
     const IS_PRECISE: bool = Q::IS_PRECISE;
     const ROWS: u32 = {
-        assert!(K == 2 || K == 4, "a smooth picture takes 2 or 4 rows for each row of pixels");
+        assert!(
+            K == 2 || K == 4,
+            "a smooth picture takes 2 or 4 rows for each row of pixels"
+        );
         K
     };
 }

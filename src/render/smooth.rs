@@ -8,14 +8,17 @@
 //! Pixels are computed by chunks of columns at fixed places, so a part of a row has the colours that it has in the whole
 //! row.
 
-use super::Quality;
 use super::interpolate::{Colors, Marked};
+use super::{Quality, Report, Rows};
+use crate::accel::drawable::Drawable;
+use crate::accel::shadows::RowShadows;
 use crate::accel::{LONGEST_BLOCK, World};
 use crate::camera::RayGenerator;
 use crate::color::{Samples, Sum};
 use crate::number::to_u32;
 use crate::ray::PathSignature;
-use crate::shade::highlight::sealed::Shading;
+use crate::shade::Shading;
+use crate::shade::highlight::sealed;
 
 /// Number of columns of a chunk. An edge is a bit of a word.
 const CHUNK: u32 = LONGEST_BLOCK;
@@ -67,7 +70,7 @@ pub(crate) struct SmoothColors<'s, 'a, W: World, K, Q> {
     has_edge: bool,
 }
 
-impl<'s, 'a, W: World, K: Shading, Q: Quality> SmoothColors<'s, 'a, W, K, Q> {
+impl<'s, 'a, W: World, K: sealed::Shading, Q: Quality> SmoothColors<'s, 'a, W, K, Q> {
     const PLACES: Places = match Q::ROWS {
         4 => FOUR,
         _ => TWO,
@@ -117,6 +120,13 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> SmoothColors<'s, 'a, W, K, Q> {
         self.samples[place as usize].mean(to_u32(count))
     }
 
+    /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the picture.
+    pub(super) fn fill<C>(&mut self, pixels: &mut [C], shown: impl Fn(Sum) -> C) {
+        for pixel in pixels {
+            *pixel = shown(self.next_color());
+        }
+    }
+
     /// Takes the samples of the chunk that begins at column `first`.
     #[inline(never)]
     fn follow(&mut self, first: u32) {
@@ -130,13 +140,17 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> SmoothColors<'s, 'a, W, K, Q> {
             let directions = self.generator.row_below(self.y, down);
             let plane = |from| self.generator.row_plane_below((self.y, down), from);
             self.row.turn(plane, directions, first);
-            self.row.add_to(self.samples.get_mut(..count as usize).unwrap_or_default());
+            self.row
+                .add_to(self.samples.get_mut(..count as usize).unwrap_or_default());
             let after = first + count;
             let after = (after < self.width).then(|| self.row.path_after(after));
             let paths = self.row.marks.0;
             self.edges |= changes(&paths, above.as_ref()) & u32::MAX >> (CHUNK - count);
             let last = paths.last().filter(|_| count == CHUNK);
-            if after.zip(last).is_some_and(|(after, last)| !after.is_like(*last)) {
+            if after
+                .zip(last)
+                .is_some_and(|(after, last)| !after.is_like(*last))
+            {
                 self.edges |= 1 << (CHUNK - 1);
                 self.has_edge = true;
             }
@@ -163,15 +177,44 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> SmoothColors<'s, 'a, W, K, Q> {
     }
 }
 
+impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
+    /// Does what [`Rows::in_row`] does for a row with smooth edges.
+    #[inline(always)]
+    pub(crate) fn in_smooth_row<T>(
+        &self,
+        generator: &RayGenerator,
+        [x, y]: [u32; 2],
+        draw: impl FnOnce(&mut SmoothColors<'_, '_, S::World<'a>, K, Q>) -> T,
+    ) -> (T, Report) {
+        let directions = generator.row(y);
+        let mut shadows = RowShadows::NONE;
+        let mut tracer = self.tracer((generator, &directions), y, &mut shadows);
+        let width = self.sides()[0];
+        let row = Colors::new(&mut tracer, directions, 0, width);
+        let mut colors = SmoothColors::new(row, generator, ([x, y], width));
+        let drawn = draw(&mut colors);
+        (drawn, Report::of(&tracer))
+    }
+}
+
 /// What the paths of the pixels of a chunk met.
 type Paths = [PathSignature; CHUNK as usize];
 
 /// Returns a bit for each pixel whose path met something else than that of a neighbour in the row, or than that of the
 /// same pixel in the row above.
 fn changes(paths: &Paths, above: Option<&Paths>) -> u32 {
-    let beside = paths.windows(2).enumerate().filter(|(_, pair)| !pair[0].is_like(pair[1]));
+    let beside = paths
+        .windows(2)
+        .enumerate()
+        .filter(|(_, pair)| !pair[0].is_like(pair[1]));
     let edges = beside.fold(0, |edges, (index, _)| edges | 3 << index);
-    let below = above.into_iter().flat_map(|above| paths.iter().zip(above)).enumerate();
+    let below = above
+        .into_iter()
+        .flat_map(|above| paths.iter().zip(above))
+        .enumerate();
     let below = below.filter(|(_, (path, above))| !path.is_like(**above));
     below.fold(edges, |edges, (index, _)| edges | 1 << index)
 }
+
+#[cfg(test)]
+mod tests;

@@ -74,12 +74,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Returns the first hit of a ray in the near region. Returns [`Hit::BEYOND`] for a ray that starts
     /// far away.
     #[inline(always)]
-    fn near_hit(
-        &mut self,
-        pixel: Option<(&Window, u32)>,
-        ray: &ScaledRay,
-        bounce: &Bounce,
-    ) -> Hit {
+    fn near_hit(&mut self, pixel: Option<(&Window, u32)>, ray: &ScaledRay, bounce: &Bounce) -> Hit {
         if !ray.from().is_near() {
             return Hit::BEYOND;
         }

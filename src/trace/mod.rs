@@ -178,8 +178,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Follows one path from the camera in `direction`, and returns its colour and signature. Stores its
     /// hits in `stops` if pixels are interpolated and `is_read`. The signature has no meaning otherwise.
     ///
-    /// The path goes through the centre of the pixel of a column that lies in the window, or through no centre. Then every
-    /// shape is tested.
+    /// The path goes through the centre of the pixel of a column that lies in the window, or through none.
     #[inline(always)]
     pub(crate) fn trace(
         &mut self,

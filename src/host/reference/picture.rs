@@ -106,14 +106,17 @@ pub fn sampled(
 ) -> Picture {
     let prepared = Prepared::new(scene);
     let scene = prepared.scene();
-    let view = View::new(&prepared::camera(camera), (width * samples, height * samples));
+    let view = View::new(
+        &prepared::camera(camera),
+        (width * samples, height * samples),
+    );
     let mean = |scene: &_, view: &View, x: u32, y: u32| {
         let mut sum = Vector([0.0; 3]);
         for place in 0..samples * samples {
             let (right, down) = (place % samples, place / samples);
             let ray = view.ray(x * samples + right, y * samples + down);
             let Vector(color) = trace::color(scene, ray, reflections, shading);
-            sum = sum + Vector(color.map(|it| it.clamp(0.0, 1.0)));
+            sum += Vector(color.map(|it| it.clamp(0.0, 1.0)));
         }
         quantised(sum * (1.0 / f64::from(samples * samples)))
     };

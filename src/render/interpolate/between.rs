@@ -120,7 +120,8 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         let bend = curve.bend(half);
         if is_smooth && bend.less(expected).is_within(4 * Self::TOLERANCE) {
             let place = Self::place(first);
-            self.marks.fill(place, length as usize, start.traced.signature);
+            self.marks
+                .fill(place, length as usize, start.traced.signature);
             let colors = self.colors.get_mut(place..);
             let colors = colors.unwrap_or_default().iter_mut();
             return curve.fill(colors.take(length as usize));

@@ -156,7 +156,11 @@ impl Case {
         truth(&self.scene, &self.camera, size.into(), reflections)
     }
 
-    fn source(&self) -> Result<Source, FileError> {
+    /// Returns the scene as a source of pictures.
+    ///
+    /// # Errors
+    /// The scene is refused.
+    pub fn source(&self) -> Result<Source, FileError> {
         Source::described(self.name.clone(), self.scene.clone(), self.camera.clone())
     }
 }
