@@ -17,8 +17,6 @@ pub use quality::{Draft, Exact, Fast, Quality, Small, Smooth};
 pub use report::Report;
 pub(crate) use report::light_cut_off;
 
-pub(crate) use smooth::SmoothColors;
-
 use interpolate::Colors;
 #[cfg(feature = "host")]
 pub(crate) use interpolate::block_of;
