@@ -215,9 +215,6 @@ pub(crate) const fn spread(number: u32) -> u32 {
 pub(crate) struct PathSignature(u32);
 
 impl PathSignature {
-    /// Signature of each path of which a part has no known bounds.
-    const UNBOUNDED: Self = Self(0);
-
     /// Creates the signature of a path that has hit nothing yet. It is not 0, because notes of 0 would
     /// leave 0 unchanged.
     pub(crate) const fn new() -> Self {
@@ -233,19 +230,22 @@ impl PathSignature {
         self.0 = sum_modulo_2_32(sum_modulo_2_32(self.0, self.0 << 10), met);
     }
 
-    /// Returns the final signature of a path. `is_bounded` says whether the whole path has known bounds.
+    /// Returns the final signature of a path. `is_bounded` says whether the whole path has known bounds; the lowest bit
+    /// keeps that.
     #[inline(always)]
     pub(crate) fn ended(self, is_bounded: bool) -> Self {
-        match is_bounded {
-            true => self,
-            false => Self::UNBOUNDED,
-        }
+        Self(self.0 << 1 | u32::from(is_bounded))
+    }
+
+    /// Tests whether two paths hit the same, as far as their hashes tell.
+    pub(crate) fn is_like(self, other: Self) -> bool {
+        (self.0 ^ other.0) >> 1 == 0
     }
 
     /// Tests whether two paths hit the same and have known bounds.
     #[inline(always)]
     pub(crate) fn is_same_as(self, other: Self) -> bool {
-        self == other && self != Self::UNBOUNDED
+        self == other && self.0 & 1 == 1
     }
 }
 

@@ -47,7 +47,22 @@ pub struct Arguments {
         hide_possible_values = true,
         value_name = "draft|fast|small|exact"
     )]
-    pub quality: Quality,
+    quality: Quality,
+
+    /// Draw smooth edges in the quality fast: K rows for each row of pixels, 2 or 4
+    #[arg(long, value_name = "K", num_args = 0..=1, default_missing_value = "4")]
+    #[arg(value_parser = smooth, conflicts_with_all = ["quality", "reference"])]
+    smooth: Option<Quality>,
+
+    /// Compare with N x N samples of the reference for each pixel, from 1 to 32
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        allow_negative_numbers = true
+    )]
+    #[arg(value_parser = value_parser!(u32).range(1..=32))]
+    pub samples: u32,
 
     /// Dither the picture for a display with such colours, after any comparison
     #[arg(long, hide_possible_values = true)]
@@ -129,13 +144,23 @@ impl Arguments {
             reflections,
             shading,
             quality,
+            smooth,
             ..
         } = *self;
         Settings {
             reflections,
             shading,
-            quality,
+            quality: smooth.unwrap_or(quality),
         }
+    }
+}
+
+/// Parses the number of rows of a smooth picture.
+fn smooth(rows: &str) -> Result<Quality, &'static str> {
+    match rows {
+        "2" => Ok(Quality::Smooth2),
+        "4" => Ok(Quality::Smooth4),
+        _ => Err("not 2 or 4"),
     }
 }
 
@@ -159,7 +184,7 @@ A frame of a film is shown for 600/N hundredths of a second, but for 2 at least 
 of a GIF share 256 colours.
 
 In the window the arrow keys move the camera around its target, + and - change the number of
-reflections, Tab shows the next scene and Escape leaves.
+reflections, S changes between jagged and smooth edges, Tab shows the next scene and Escape leaves.
 
 The exit code is 0, or 2 after an error, which is one line.",
         scenes::NAMES.join(", ")

@@ -39,7 +39,8 @@ impl Drawing {
             let Size { width, height } = arguments.size;
             let (reflections, shading) = (arguments.reflections.into(), arguments.shading);
             let shading = shading.into();
-            let render = || reference::render(&scene, &camera, width, height, reflections, shading);
+            let size = [width, height, arguments.samples];
+            let render = || reference::sampled(&scene, &camera, size, reflections, shading);
             progress::watch(None, |_| timed(render))
         };
         if arguments.reference && !arguments.check {

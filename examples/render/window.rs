@@ -18,7 +18,7 @@ use crate::picture::Drawing;
 use crate::title::title;
 use crate::watch::{Watch, draw_error};
 use crate::{output, report};
-use command_line::{Failure, Named, Settings, Source, exact};
+use command_line::{Failure, Named, Quality, Settings, Source, exact};
 
 /// Degrees by which one press of an arrow key turns the camera.
 const STEP: i32 = 5;
@@ -208,6 +208,7 @@ impl<'a> View<'a> {
             Keycode::Down => self.orbit(0, -STEP),
             Keycode::Plus | Keycode::KpPlus | Keycode::Equals => self.reflect(1),
             Keycode::Minus | Keycode::KpMinus => self.reflect(-1),
+            Keycode::S => self.smooth(),
             Keycode::Tab => self.next_scene(),
             _ => News::Nothing,
         }
@@ -226,6 +227,17 @@ impl<'a> View<'a> {
 
     fn reflect(&mut self, more: i8) -> News {
         self.settings.reflections = self.settings.reflections.saturating_add_signed(more);
+        News::Setting
+    }
+
+    /// Changes between jagged edges and smooth ones of two and of four rows. A quality without smooth edges stays.
+    fn smooth(&mut self) -> News {
+        self.settings.quality = match self.settings.quality {
+            Quality::Fast => Quality::Smooth2,
+            Quality::Smooth2 => Quality::Smooth4,
+            Quality::Smooth4 => Quality::Fast,
+            other => other,
+        };
         News::Setting
     }
 

@@ -59,6 +59,14 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         }
     }
 
+    /// Goes back to the first column, for rays of the camera that lie in another plane and go through the same row.
+    pub(crate) fn turn(&mut self, row: RowPlane) {
+        if let Some(camera) = self.camera {
+            self.direct.restart((camera, row), self.is_full);
+        }
+        self.plane = ShapeId::NONE;
+    }
+
     /// Advances to the columns from `first` to `last`; `first` never decreases.
     #[inline(always)]
     pub(crate) fn advance(&mut self, world: &'a W, first: u32, last: u32) -> Window {

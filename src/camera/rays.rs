@@ -66,9 +66,25 @@ impl RayGenerator {
     /// picture.
     pub(crate) fn row(&self, y: u32) -> RowDirections {
         debug_assert!(y < self.height && self.height < 1 << 16);
-        let vertical = self.vertical(y);
+        self.directions(self.middle(self.vertical(y)))
+    }
+
+    /// Prepares the directions through points at a distance below the centres of row `y`, in sixteenths of a pixel.
+    #[inline(never)]
+    pub(crate) fn row_below(&self, y: u32, down: i32) -> RowDirections {
+        self.directions(self.middle_below(y, down))
+    }
+
+    /// Returns the plane of the rays through points below the centres of row `y`, as [`RayGenerator::row_below`] does.
+    #[inline(never)]
+    pub(crate) fn row_plane_below(&self, (y, down): (u32, i32), origin: Point) -> RowPlane {
+        self.plane(self.middle_below(y, down), origin)
+    }
+
+    /// Prepares the directions of a row from the vector to its middle.
+    #[inline(always)]
+    fn directions(&self, middle: [i64; 3]) -> RowDirections {
         let horizontal = 1 - i64::from(self.width);
-        let middle = self.middle(vertical);
         let [x, y, z] = middle.map(|coordinate| (coordinate >> 32) as i32);
         let side = shifted(1 << 32, self.scale);
         RowDirections {
@@ -82,7 +98,12 @@ impl RayGenerator {
 
     /// Returns the plane of row `y`, for rays from `origin`.
     pub(crate) fn row_plane(&self, y: u32, origin: Point) -> RowPlane {
-        let middle = self.middle(self.vertical(y));
+        self.plane(self.middle(self.vertical(y)), origin)
+    }
+
+    /// Returns the plane of a row from the vector to its middle.
+    #[inline(always)]
+    fn plane(&self, middle: [i64; 3], origin: Point) -> RowPlane {
         // In a wide view the middle of a row is near. Its largest coordinate is scaled to 2⁶⁰.
         let bits = middle.map(|it| it.unsigned_abs().leading_zeros());
         let up = signed(bits[0].min(bits[1]).min(bits[2]).saturating_sub(4));
@@ -104,6 +125,13 @@ impl RayGenerator {
     /// Returns the distance of a row from the middle of the picture, in half pixels, upwards.
     fn vertical(&self, y: u32) -> i64 {
         i64::from(self.height) - 1 - 2 * i64::from(y)
+    }
+
+    /// Returns the vector to the middle of a line below the centres of row `y`, in sixteenths of a pixel.
+    fn middle_below(&self, y: u32, down: i32) -> [i64; 3] {
+        let middle = self.middle(self.vertical(y));
+        // A sixteenth of a pixel is an eighth of half a pixel.
+        [0, 1, 2].map(|axis| middle[axis] - (self.up[axis] >> 3) * i64::from(down))
     }
 
     /// Returns the vector to the middle of a row, scaled as [`RowDirections`] says.
@@ -145,7 +173,18 @@ impl RowDirections {
     pub(crate) fn of(&self, column: u32) -> Direction {
         // The vector to a pixel is below 2⁶¹ (`Camera::generator`). The vector to a column beyond the
         // picture, by at most half the picture's width, is below 2⁶². So the sum does not wrap.
-        let aside = self.aside(column);
+        self.towards(self.aside(column))
+    }
+
+    /// Returns the direction of the ray through a point beside the centre of a pixel, in sixteenths of a pixel.
+    pub(crate) fn beside(&self, column: u32, right: i32) -> Direction {
+        let more = (self.step_aside >> 4) * i64::from(right);
+        self.towards(at(self.aside + more, self.step_aside, column))
+    }
+
+    /// Returns the direction of a ray. `aside` is four times the signed distance of its point from the middle of the row.
+    #[inline(always)]
+    fn towards(&self, aside: i32) -> Direction {
         let square = self.square + unsigned_wide(wide(aside >> 2, aside >> 2));
         self.way(aside).direction_of_square(square)
     }

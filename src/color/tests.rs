@@ -121,3 +121,16 @@ fn half_way_is_exact_with_the_bend_of_the_three() {
 fn what_is_brighter_than_white_is_white() {
     assert_eq!(quantised(16.0), 255);
 }
+
+#[test]
+fn mean_of_samples_is_that_of_the_clamped_ones() {
+    let sample = |level: i32| Sum([(level << 16) + HALF; 3]);
+    for count in [1, 2, 4, 12, 64] {
+        let mut samples = Samples::NONE;
+        (0..count).for_each(|index| samples.add(sample(if index == 0 { -90 } else { 300 })));
+        let level = 255.0 * f64::from(count - 1) / f64::from(count);
+        let Sum([mean, ..]) = samples.mean(count as u32);
+        let off = f64::from(mean - HALF) - level * 65_536.0;
+        assert!((-1.0..=0.0).contains(&off), "{count}: {off}");
+    }
+}

@@ -12,15 +12,20 @@
 //! colours that it has in the whole row.
 
 mod between;
+mod marks;
 mod output;
+
+pub(crate) use marks::{Marked, Marks, Unmarked};
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
 use crate::color::Sum;
 use crate::number::Unit;
+use crate::ray::PathSignature;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Stops, Traced, Tracer};
+use crate::vector::Direction;
 use between::{DIVISIONS, Known};
 
 /// Returns the number of columns of a block in a picture of `width` columns. The wider the picture, the less
@@ -51,7 +56,7 @@ struct End {
 }
 
 /// The colours of a row of pixels, computed from one column on to the right.
-pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
+pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     tracer: &'s mut Tracer<'a, W, K, Q>,
     directions: RowDirections,
     /// The columns that the tracer has advanced to. Rays are traced through these only.
@@ -74,9 +79,11 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q> {
     /// Column before which no path hits anything, if it is to the right of `column`. The colours in
     /// `colors` then are those of such paths.
     clear_until: u32,
+    /// What the paths of the block's pixels met.
+    pub(super) marks: M,
 }
 
-impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
+impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q, M> {
     /// Tolerance of interpolated colours, in steps of a [`Sum`].
     const TOLERANCE: i32 = Q::TOLERANCE.to_bits() >> 6;
 
@@ -140,6 +147,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             ),
             stops: [Stops::NONE; SLOTS],
             clear_until: 0,
+            marks: M::NONE,
         };
         if first < column {
             colors.follow(first);
@@ -187,15 +195,17 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
             return false;
         };
         self.clear_until = (until & !(self.block - 1)).max(first + self.block);
-        self.colors = [self.tracer.missed().sum; LONGEST_BLOCK as usize];
+        let missed = self.tracer.missed();
+        self.colors = [missed.sum; LONGEST_BLOCK as usize];
+        self.marks.fill(0, LONGEST_BLOCK as usize, missed.signature);
         true
     }
 
     /// Traces each pixel from column `first` to the one before `end`. Nothing is interpolated.
     fn trace_each(&mut self, first: u32, end: u32) {
         for column in first..end {
-            let color = self.trace(column, UNREAD).traced.sum;
-            self.set(column, color);
+            let traced = self.trace(column, UNREAD).traced;
+            self.set(column, traced.sum, traced.signature);
         }
     }
 
@@ -205,10 +215,12 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
         (column % LONGEST_BLOCK) as usize
     }
 
-    /// Sets the colour of a column.
+    /// Sets the colour of a column, and what its path met.
     #[inline(always)]
-    fn set(&mut self, column: u32, color: Sum) {
-        self.colors[Self::place(column)] = color;
+    fn set(&mut self, column: u32, color: Sum, path: PathSignature) {
+        let place = Self::place(column);
+        self.colors[place] = color;
+        self.marks.fill(place, 1, path);
     }
 
     /// Traces the pixel of a column, out of line.
@@ -222,7 +234,24 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Colors<'s, 'a, W, K, Q> {
     #[inline(always)]
     fn traced(&mut self, column: u32, slot: usize) -> Traced {
         let direction = self.directions.of(column);
+        match Q::ROWS {
+            1 => self.traced_along(direction, Some(column), slot),
+            // The further samples of a smooth picture share the code.
+            _ => self.along(direction, Some(column), slot),
+        }
+    }
+
+    /// Traces a path, out of line. `column` is that of the pixel through whose centre it goes, if it does.
+    #[inline(never)]
+    fn along(&mut self, direction: Direction, column: Option<u32>, slot: usize) -> Traced {
+        self.traced_along(direction, column, slot)
+    }
+
+    /// Traces a path as [`Colors::along`] does, inlined into the caller.
+    #[inline(always)]
+    fn traced_along(&mut self, direction: Direction, column: Option<u32>, slot: usize) -> Traced {
+        let pixel = column.map(|column| (&self.window, column));
         let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
-        self.tracer.trace((&self.window, column), direction, stops)
+        self.tracer.trace(pixel, direction, stops)
     }
 }

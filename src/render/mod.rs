@@ -7,12 +7,13 @@ mod interpolate;
 mod prepared;
 mod quality;
 mod report;
+mod smooth;
 #[cfg(feature = "files")]
 mod walk;
 
 pub use builder::FrameBuilder;
 pub use prepared::{PreparedFrame, Rows};
-pub use quality::{Draft, Exact, Fast, Quality, Small};
+pub use quality::{Draft, Exact, Fast, Quality, Small, Smooth};
 pub use report::Report;
 pub(crate) use report::light_cut_off;
 

@@ -126,8 +126,7 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
         }
     }
 
-    /// Joins the frame with its scene without a check. The scene must be the one the frame was prepared
-    /// for.
+    /// Joins the frame with its scene without a check. The scene must be the one the frame was prepared for.
     #[inline(always)]
     pub(crate) fn unchanged<'a>(&'a self, scene: &'a S) -> Rows<'a, S, Q, K> {
         Rows {
@@ -197,8 +196,7 @@ impl<'a, S: Drawable, Q, K> Rows<'a, S, Q, K> {
 }
 
 impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
-    /// Fills `pixels` with the colours of row `y` from column `x` on. `shown` converts the sum of a path
-    /// into a colour. Pixels beyond the picture's edges stay unchanged.
+    /// Fills `pixels` with the colours of row `y` from column `x` on, each converted by `shown`. Pixels beyond the picture stay.
     #[inline(always)]
     pub(crate) fn fill_row<C: Copy>(
         &self,
@@ -235,12 +233,14 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         pixels: &mut [C],
         shown: impl Fn(Sum) -> C,
     ) -> Report {
-        let (_, report) = self.in_row(generator, start, |colors| colors.fill(pixels, shown));
-        report
+        let filled = match Q::ROWS {
+            1 => self.in_row(generator, start, |colors| colors.fill(pixels, shown)),
+            _ => self.in_smooth_row(generator, start, |colors| colors.fill(pixels, shown)),
+        };
+        filled.1
     }
 
-    /// Calls `draw` with the colours of row `y` from column `x` on, and returns its result with a
-    /// report. The pixel (`x`, `y`) must lie inside of the picture.
+    /// Calls `draw` with the colours of row `y` from column `x` on, inside of the picture. Returns its result with a report.
     #[inline(always)]
     pub(crate) fn in_row<T>(
         &self,

@@ -3,6 +3,8 @@
 //!
 //! Each floor declares its own part of a quality. [`Quality`] joins them for users.
 
+use core::marker::PhantomData;
+
 use crate::accel::{Culling, CullingQuality};
 use crate::number::Unit;
 use crate::shade::LightQuality;
@@ -63,6 +65,48 @@ pub trait Quality {
     /// light to the nearest 2⁻²⁰ of white. The constant has no effect if [`Quality::IS_SMALL`] is
     /// `true`.
     const IS_PRECISE: bool = false;
+
+    /// Number of rows in which each row of pixels is sampled: 1, 2 or 4. Defaults to 1: edges are jagged. [`Smooth`] sets
+    /// it.
+    const ROWS: u32 = 1;
+}
+
+/// A quality with smooth edges: each row of pixels is the mean of `K` rows, 2 or 4. Where what is seen changes from one
+/// pixel to the next, or from one of the rows to the next, three times as many samples are taken.
+///
+/// Each sample is clamped to 0 to 1, then the mean is taken, then it is rounded. `Q` says how exact a sample is. It needs
+/// no frame buffer: each row is drawn by itself.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+/// use reflet::quality::{Fast, Smooth};
+/// use reflet::scenes::{BuiltIn, Mirror1};
+///
+/// let size = Size::new(64, 64);
+/// let jagged = Mirror1::frame(&Mirror1::CAMERA).prepare(size);
+/// let smooth = Mirror1::frame(&Mirror1::CAMERA).quality::<Smooth<2, Fast>>().prepare(size);
+/// let mut rows = [[Rgb888::BLACK; 64]; 2];
+/// let one = jagged.on(&Mirror1)?.row(32, 0, &mut rows[0]);
+/// let other = smooth.on(&Mirror1)?.row(32, 0, &mut rows[1]);
+/// assert!(rows[0] != rows[1] && other.rays > one.rays);
+/// # Ok::<(), reflet::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Smooth<const K: u32, Q = Fast>(PhantomData<Q>);
+
+impl<const K: u32, Q: Quality> Quality for Smooth<K, Q> {
+    const SMALLEST_WEIGHT: Unit = Q::SMALLEST_WEIGHT;
+    const TOLERANCE: Unit = Q::TOLERANCE;
+    const IS_SURE: bool = Q::IS_SURE;
+    const IS_SMALL: bool = Q::IS_SMALL;
+    const IS_PRECISE: bool = Q::IS_PRECISE;
+    const ROWS: u32 = {
+        assert!(
+            K == 2 || K == 4,
+            "a smooth picture takes 2 or 4 rows for each row of pixels"
+        );
+        K
+    };
 }
 
 /// The default quality: the approximations are expected to change an 8-bit channel by at most one level.

@@ -52,7 +52,7 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
             let [some, all] = [&mut some, &mut all].map(|it| {
                 let window = it.advance(x / 4 * 4, x / 4 * 4 + 4);
                 let mut stops = Stops::NONE;
-                it.trace((&window, x), directions.of(x), (&mut stops, true))
+                it.trace(Some((&window, x)), directions.of(x), (&mut stops, true))
                     .sum
             });
             assert_eq!(some, all, "{name}: pixel {x}, {y} of {camera:?}");

@@ -31,11 +31,12 @@ impl Bounce {
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Returns the surface that a ray hits first, `None` if it hits nothing.
+    /// Returns the surface that a ray hits first, `None` if it hits nothing. `pixel` is that of the path, if the path goes
+    /// through the centre of one.
     #[inline(always)]
     pub(super) fn surface(
         &mut self,
-        pixel: (&Window, u32),
+        pixel: Option<(&Window, u32)>,
         ray: &ScaledRay,
         bounce: &Bounce,
     ) -> Option<Surface<'a>> {
@@ -73,12 +74,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Returns the first hit of a ray in the near region. Returns [`Hit::BEYOND`] for a ray that starts
     /// far away.
     #[inline(always)]
-    fn near_hit(
-        &mut self,
-        (window, column): (&Window, u32),
-        ray: &ScaledRay,
-        bounce: &Bounce,
-    ) -> Hit {
+    fn near_hit(&mut self, pixel: Option<(&Window, u32)>, ray: &ScaledRay, bounce: &Bounce) -> Hit {
         if !ray.from().is_near() {
             return Hit::BEYOND;
         }
@@ -86,12 +82,10 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let parts = world.parts();
         let bounded = if !parts.has_bounded() {
             Hit::NONE
-        } else if bounce.count == 0 {
-            self.culling.direct(world, column, ray)
         } else {
-            match parts.plane(skip) {
-                Some(plane) if bounce.count == 1 => {
-                    let pixel = (window, column);
+            match (pixel, bounce.count, parts.plane(skip)) {
+                (Some((_, column)), 0, _) => self.culling.direct(world, column, ray),
+                (Some(pixel), 1, Some(plane)) => {
                     self.culling.mirrored(world, (skip, plane), pixel, ray)
                 }
                 _ => nearest_ahead::<W, Q>(world, ray, (bounce.mirror, skip)),

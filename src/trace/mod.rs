@@ -30,17 +30,19 @@ pub use walk::End;
 pub(crate) use walk::{Met, Walked};
 
 use crate::accel::light_visibility::LightVisibility;
+use crate::accel::row_list::row_list;
 use crate::accel::screen_culling::ScreenCulling;
 use crate::accel::shadows::RowShadows;
 use crate::accel::{CullingQuality, Window, World};
+use crate::camera::RowDirections;
 use crate::color::Sum;
 use crate::number::{Unit, share};
-use crate::ray::{PathSignature, ScaledRay};
+use crate::ray::{PathSignature, RowPlane, ScaledRay};
 use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Mirrors, Surface};
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{LightQuality, Lit};
-use crate::vector::{Direction, Vector};
+use crate::vector::{Direction, Point, Vector};
 
 /// The part of a quality that says how exactly paths are followed.
 pub trait PathQuality: CullingQuality + LightQuality {
@@ -176,11 +178,11 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Follows one path from the camera in `direction`, and returns its colour and signature. Stores its
     /// hits in `stops` if pixels are interpolated and `is_read`. The signature has no meaning otherwise.
     ///
-    /// The path goes through the pixel of a column that lies in the window.
+    /// The path goes through the centre of the pixel of a column that lies in the window, or through none.
     #[inline(always)]
     pub(crate) fn trace(
         &mut self,
-        pixel: (&Window, u32),
+        pixel: Option<(&Window, u32)>,
         direction: Direction,
         (stops, is_read): (&mut Stops, bool),
     ) -> Traced {
@@ -227,6 +229,16 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         self.rays += bounce.count + 1;
         traced.signature = traced.signature.ended(is_bounded);
         traced
+    }
+
+    /// Turns to rays through the same row of pixels that lie in another plane.
+    pub(crate) fn turn(&mut self, plane: impl Fn(Point) -> RowPlane, directions: &RowDirections) {
+        let from = self.visibility.from;
+        self.culling.turn(plane(from.point));
+        self.list = row_list::<_, Q>(self.world, from, directions);
+        if let Some(shadows) = self.shadows.as_deref_mut() {
+            *shadows = RowShadows::NONE;
+        }
     }
 
     /// Tests whether the rays after a reflection have known bounds: only planes mirrored them, and not too

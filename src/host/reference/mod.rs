@@ -66,7 +66,7 @@ pub use self::camera::Camera;
 #[cfg(feature = "host")]
 pub use self::model::Vector;
 #[cfg(feature = "host")]
-pub use self::picture::{Picture, pixel, render};
+pub use self::picture::{Picture, pixel, render, sampled};
 pub use self::scene::*;
 #[cfg(feature = "host")]
 pub use self::shading::Shading;

@@ -78,13 +78,51 @@ pub fn render(
     reflections: u32,
     shading: Shading,
 ) -> Picture {
+    sampled(scene, camera, [width, height, 1], reflections, shading)
+}
+
+/// Renders a picture as [`render`] does, with n × n samples for each pixel: each is clamped to 0 to 1, then the mean is
+/// taken, then it is rounded. `size` is width, height and n, which is at least 1.
+///
+/// # Panics
+///
+/// A shape names a material that the scene does not have.
+///
+/// ```
+/// use reflet::host::reference::{Camera, Scene, Shading, sampled};
+///
+/// let scene = Scene { background: [0.25, 1.5, 0.0], ..Scene::default() };
+/// let camera =
+///     Camera { position: [0.0; 3], target: [0.0, 1.0, 0.0], up: [0.0, 0.0, 1.0], fov: 50.0 };
+/// let picture = sampled(&scene, &camera, [4, 3, 2], 0, Shading::BlinnPhong);
+/// assert_eq!(picture.pixels, [[64, 255, 0]; 12]);
+/// ```
+pub fn sampled(
+    scene: &Scene,
+    camera: &Camera,
+    [width, height, samples]: [u32; 3],
+    reflections: u32,
+    shading: Shading,
+) -> Picture {
     let prepared = Prepared::new(scene);
     let scene = prepared.scene();
-    let view = View::new(&prepared::camera(camera), (width, height));
+    let view = View::new(
+        &prepared::camera(camera),
+        (width * samples, height * samples),
+    );
+    let mean = |scene: &_, view: &View, x: u32, y: u32| {
+        let mut sum = Vector([0.0; 3]);
+        for place in 0..samples * samples {
+            let (right, down) = (place % samples, place / samples);
+            let ray = view.ray(x * samples + right, y * samples + down);
+            let Vector(color) = trace::color(scene, ray, reflections, shading);
+            sum += Vector(color.map(|it| it.clamp(0.0, 1.0)));
+        }
+        quantised(sum * (1.0 / f64::from(samples * samples)))
+    };
     let row = |y| {
         let (scene, view) = (&scene, &view);
-        (0..width)
-            .map(move |x| quantised(trace::color(scene, view.ray(x, y), reflections, shading)))
+        (0..width).map(move |x| mean(scene, view, x, y))
     };
     let pixels = (0..height).into_par_iter().flat_map_iter(row).collect();
     Picture {

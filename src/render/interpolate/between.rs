@@ -1,6 +1,6 @@
 //! Floor 7: the colours between two traced pixels of a block: interpolated, or divided further.
 
-use super::{Colors, End, UNREAD};
+use super::{Colors, End, Marks, UNREAD};
 use crate::accel::World;
 use crate::color::{Bend, Parabola};
 use crate::render::Quality;
@@ -11,7 +11,7 @@ use crate::trace::Progress;
 /// Number of times that a block is divided at most before what is left of it is traced.
 pub(super) const DIVISIONS: usize = 2;
 
-impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
+impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Computes the colours of `length` pixels from the traced pixel at column `first` up to the traced pixel after
     /// the last. `ends` are these two.
     pub(super) fn between(
@@ -21,7 +21,7 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         mut known: Known,
     ) {
         let [start, end] = ends;
-        self.set(first, start.traced.sum);
+        self.set(first, start.traced.sum, start.traced.signature);
         if length == 1 {
             return;
         }
@@ -75,7 +75,7 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         if first < before {
             let middle = self.trace(before, slot);
             self.between((first, before - first), [start, &middle], known);
-            self.set(before, middle.traced.sum);
+            self.set(before, middle.traced.sum, middle.traced.signature);
         }
         if before + 1 < last {
             let middle = self.trace(before + 1, slot);
@@ -101,11 +101,17 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
             let change = || end.traced.sum.less(start.traced.sum);
             let is_flat =
                 expected.is_within(4 * Self::TOLERANCE) || change().is_within(3 * Self::TOLERANCE);
-            let between = match is_smooth && is_flat {
-                true => start.traced.sum.half_way(end.traced.sum, expected),
-                false => self.trace(first + 1, UNREAD).traced.sum,
+            let (sum, path) = match is_smooth && is_flat {
+                true => (
+                    start.traced.sum.half_way(end.traced.sum, expected),
+                    start.traced.signature,
+                ),
+                false => {
+                    let traced = self.trace(first + 1, UNREAD).traced;
+                    (traced.sum, traced.signature)
+                }
             };
-            return self.set(first + 1, between);
+            return self.set(first + 1, sum, path);
         }
         let half = length / 2;
         let middle = self.trace(first + half, UNREAD);
@@ -113,7 +119,10 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         let curve = Parabola::through(sums, half, length);
         let bend = curve.bend(half);
         if is_smooth && bend.less(expected).is_within(4 * Self::TOLERANCE) {
-            let colors = self.colors.get_mut(Self::place(first)..);
+            let place = Self::place(first);
+            self.marks
+                .fill(place, length as usize, start.traced.signature);
+            let colors = self.colors.get_mut(place..);
             let colors = colors.unwrap_or_default().iter_mut();
             return curve.fill(colors.take(length as usize));
         }

@@ -1,15 +1,18 @@
 //! Floor 7: hands out the colours of a row, one by one or into a slice. It does not know how they are
 //! found.
 
-use super::{Colors, SHORT};
+use super::{Colors, Marks, SHORT, UNREAD};
 use crate::accel::World;
-use crate::color::Sum;
+use crate::camera::RowDirections;
+use crate::color::{Samples, Sum};
 use crate::number::to_u32;
+use crate::ray::{PathSignature, RowPlane};
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::Tracer;
+use crate::vector::{Direction, Point};
 
-impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
+impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Returns the colour of the next column, which must lie in the picture.
     #[inline(always)]
     pub(crate) fn next_color(&mut self) -> Sum {
@@ -30,7 +33,45 @@ impl<W: World, K: Shading, Q: Quality> Colors<'_, '_, W, K, Q> {
         if !Tracer::<W, K, Q>::IS_PLAIN && column > self.window.last {
             self.window = self.tracer.advance(column, column + SHORT);
         }
-        self.traced(column, 0).sum
+        let traced = self.traced(column, 0);
+        self.marks.fill(Self::place(column), 1, traced.signature);
+        traced.sum
+    }
+
+    /// Turns to a row in another plane through points of the same pixels, and goes back to column `first`, the first of a
+    /// chunk. `plane` returns the plane for rays that start at a point.
+    pub(crate) fn turn(
+        &mut self,
+        plane: impl Fn(Point) -> RowPlane,
+        directions: RowDirections,
+        first: u32,
+    ) {
+        self.tracer.turn(plane, &directions);
+        self.directions = directions;
+        self.window = self.tracer.advance(first, first + self.block.max(SHORT));
+        (self.column, self.until, self.end.0, self.clear_until) = (first, first, u32::MAX, 0);
+    }
+
+    /// Adds the next colours to the samples of their pixels, which are those of a chunk.
+    pub(crate) fn add_to(&mut self, samples: &mut [Samples]) {
+        for sample in samples {
+            sample.add(self.next_color());
+        }
+    }
+
+    /// Returns the colour of a path that goes through no pixel's centre.
+    pub(crate) fn sample(&mut self, direction: Direction) -> Sum {
+        self.along(direction, None, UNREAD).sum
+    }
+
+    /// Returns what the path through the pixel of a column meets. The column comes after the last one that was handed
+    /// out.
+    pub(crate) fn path_after(&mut self, column: u32) -> PathSignature {
+        if self.end.0 == column {
+            return self.end.1.traced.signature;
+        }
+        self.window = self.tracer.advance(column, column + SHORT);
+        self.trace(column, UNREAD).traced.signature
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the

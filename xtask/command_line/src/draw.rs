@@ -5,7 +5,7 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use reflet::host::file::FileScene;
 use reflet::host::reference::Picture;
-use reflet::quality::{self, Draft, Exact, Fast, Small};
+use reflet::quality::{self, Draft, Exact, Fast, Small, Smooth};
 use reflet::shading::{self, BlinnPhong, Normals, Phong};
 use reflet::{Camera, Report};
 
@@ -79,6 +79,8 @@ impl Draw<'_> {
             Quality::Fast => self.with_shading::<Fast>(row),
             Quality::Small => self.with_shading::<Small>(row),
             Quality::Exact => self.with_shading::<Exact>(row),
+            Quality::Smooth2 => self.with_shading::<Smooth<2>>(row),
+            Quality::Smooth4 => self.with_shading::<Smooth<4>>(row),
         }
     }
 

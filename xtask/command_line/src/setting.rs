@@ -64,6 +64,10 @@ pub enum Quality {
     Fast,
     Small,
     Exact,
+    /// As `Fast`, with smooth edges of two rows a pixel.
+    Smooth2,
+    /// As `Fast`, with smooth edges of four rows a pixel.
+    Smooth4,
 }
 
 impl Quality {
@@ -74,11 +78,17 @@ impl Quality {
             Self::Fast => "fast",
             Self::Small => "small",
             Self::Exact => "exact",
+            Self::Smooth2 => "smooth2",
+            Self::Smooth4 => "smooth4",
         }
     }
 
-    /// Returns the name of the library's type.
+    /// Returns the library's type.
     pub fn type_name(self) -> String {
-        format!("{self:?}")
+        match self {
+            Self::Smooth2 => "Smooth<2>".to_owned(),
+            Self::Smooth4 => "Smooth<4>".to_owned(),
+            _ => format!("{self:?}"),
+        }
     }
 }

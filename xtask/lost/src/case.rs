@@ -156,7 +156,11 @@ impl Case {
         truth(&self.scene, &self.camera, size.into(), reflections)
     }
 
-    fn source(&self) -> Result<Source, FileError> {
+    /// Returns the scene as a source of pictures.
+    ///
+    /// # Errors
+    /// The scene is refused.
+    pub fn source(&self) -> Result<Source, FileError> {
         Source::described(self.name.clone(), self.scene.clone(), self.camera.clone())
     }
 }
@@ -174,6 +178,7 @@ fn unshadowed(source: &Source, quality: Fixed, (size, reflections): (Size, u8)) 
         Fixed::Fast => source.painted::<Fast, Unshadowed>(size, reflections),
         Fixed::Small => source.painted::<Small, Unshadowed>(size, reflections),
         Fixed::Exact => source.painted::<Exact, Unshadowed>(size, reflections),
+        Fixed::Smooth2 | Fixed::Smooth4 => unreachable!("not judged"),
     };
     picture.pixels
 }

@@ -74,6 +74,8 @@ impl ValueEnum for Quality {
             Self::FAST,
             Self::SMALL,
             Self::EXACT,
+            Self::Fixed(Fixed::Smooth2),
+            Self::Fixed(Fixed::Smooth4),
             Self::Float,
         ]
     }

@@ -1,0 +1,185 @@
+//! Tests smooth edges: against many samples a pixel, in parts of rows, in other qualities, and where a thin rod turns.
+
+use command_line::{Quality, Settings, Shading, Source};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::{RgbColor, Size};
+use reflet::host::compare::{Difference, compare};
+use reflet::host::painted;
+use reflet::host::reference::{self, Picture, render, sampled};
+use reflet::quality::{Exact, Fast, Small, Smooth};
+use reflet::scenes::{BuiltIn, Castle, Mirror1};
+use reflet::{Camera, Material, RuntimeScene, Scene, room};
+
+const SIDE: u32 = 96;
+const REFLECTIONS: u32 = 4;
+
+/// The scenes that have an edge.
+const NAMES: [&str; 9] = [
+    "castle",
+    "shading_lights",
+    "shading_speculars",
+    "columns",
+    "mirror1",
+    "mirror2",
+    "primitives",
+    "corner1",
+    "cylinders",
+];
+
+/// The truth about a scene, and what four samples at every pixel show of it.
+struct Judge {
+    source: Source,
+    truth: Picture,
+    four: Picture,
+}
+
+impl Judge {
+    fn new(name: &str) -> Self {
+        let source = Source::built_in(name).unwrap();
+        let (scene, camera) = source.reference();
+        let shading = reference::Shading::BlinnPhong;
+        let truth = sampled(&scene, &camera, [SIDE, SIDE, 9], REFLECTIONS, shading);
+        let fine = render(&scene, &camera, 8 * SIDE, 8 * SIDE, REFLECTIONS, shading);
+        Self {
+            four: four_of(&fine),
+            truth,
+            source,
+        }
+    }
+
+    fn decibels(&self, picture: &Picture) -> f64 {
+        let Difference { psnr, .. } = compare(picture, &self.truth).unwrap();
+        psnr
+    }
+
+    fn drawn(&self, quality: Quality) -> f64 {
+        let settings = Settings {
+            reflections: REFLECTIONS as u8,
+            shading: Shading::BlinnPhong,
+            quality,
+        };
+        self.decibels(&self.source.drawn(Size::new(SIDE, SIDE), settings))
+    }
+}
+
+/// Returns the picture of four samples a pixel, on a rotated grid, from one with 8 x 8 pixels for each.
+fn four_of(fine: &Picture) -> Picture {
+    const PLACES: [[u32; 2]; 4] = [[1, 5], [3, 1], [5, 7], [7, 3]];
+    let pixel = |index: u32| {
+        let (x, y) = (8 * (index % SIDE), 8 * (index / SIDE));
+        let samples = PLACES.map(|[right, down]| {
+            fine.pixels[((y + down) * fine.width + x + right) as usize].map(u32::from)
+        });
+        [0, 1, 2].map(|part| {
+            let sum: u32 = samples.iter().map(|sample| sample[part]).sum();
+            ((sum + 2) / 4) as u8
+        })
+    };
+    Picture {
+        width: SIDE,
+        height: SIDE,
+        pixels: (0..SIDE * SIDE).map(pixel).collect(),
+    }
+}
+
+#[test]
+fn two_rows_are_as_good_as_four_samples_and_four_rows_are_better() {
+    for name in NAMES {
+        let judge = Judge::new(name);
+        let four = judge.decibels(&judge.four);
+        let [fast, two, more] =
+            [Quality::Fast, Quality::Smooth2, Quality::Smooth4].map(|it| judge.drawn(it));
+        println!(
+            "{name}: jagged {fast:.1}, four samples {four:.1}, two rows {two:.1}, four rows {more:.1} dB"
+        );
+        // In a small picture more edges lie between the rows.
+        assert!(
+            two >= four - 2.0,
+            "{name}: {two} with two rows, {four} with four samples"
+        );
+        assert!(
+            more >= four + 2.0,
+            "{name}: {more} with four rows, {four} with four samples"
+        );
+        assert!(
+            two >= fast + 4.0,
+            "{name}: {two} with two rows, {fast} jagged"
+        );
+    }
+}
+
+#[test]
+fn part_of_a_row_has_the_colours_of_the_whole_row() {
+    let frame = Castle::frame(&Castle::CAMERA).quality::<Smooth<2>>();
+    let frame = frame.prepare(Size::new(100, 60));
+    let rows = frame.on(&Castle).unwrap();
+    for y in [0, 17, 31, 59] {
+        let mut whole = [Rgb888::BLACK; 100];
+        rows.row(y, 0, &mut whole);
+        for x in [1, 31, 32, 33, 64, 96, 99] {
+            let mut part = [Rgb888::BLACK; 100];
+            rows.row(y, x, &mut part);
+            let count = 100 - x as usize;
+            assert_eq!(
+                part[..count],
+                whole[x as usize..],
+                "row {y} from column {x} on"
+            );
+        }
+    }
+}
+
+#[test]
+fn each_quality_has_smooth_edges() {
+    fn drawn<Q: reflet::quality::Quality>() -> Picture {
+        let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Q>();
+        painted(&frame.prepare(Size::new(80, 60)).on(&Mirror1).unwrap())
+    }
+    let exact = drawn::<Smooth<2, Exact>>();
+    for other in [drawn::<Smooth<2>>(), drawn::<Smooth<2, Small>>()] {
+        let found = compare(&other, &exact).unwrap();
+        assert!(found.within1 >= 0.998, "{found:?}");
+    }
+    let jagged = compare(&drawn::<Fast>(), &exact).unwrap();
+    assert!(jagged.within1 < 0.9, "{jagged:?}");
+}
+
+/// A rod that is thinner than a pixel, on a black ground. It shines by itself.
+type Rod = RuntimeScene<room!(cylinders: 1, lights: 1, materials: 1)>;
+
+#[test]
+fn thin_rod_that_turns_covers_the_same_area() {
+    let camera = Camera::new([0, -10, 0], [0, 0, 0], [0, 0, 1], 30).unwrap();
+    let areas: Vec<f64> = (0..12)
+        .map(|step| {
+            let angle = f64::from(step) * 7.0_f64.to_radians();
+            let mut scene = Rod::new();
+            let white = Material::new([1.0; 3])
+                .ambient(1.0)
+                .diffuse(0.0)
+                .specular(0.0, 1.0);
+            let white = scene.add_material(white).unwrap();
+            let axis = [angle.cos(), 0.0, angle.sin()];
+            scene
+                .add_cylinder([0, 0, 0], axis, 0.06, 4.0, white)
+                .unwrap();
+            let scene: Scene<_> = scene.build().unwrap();
+            let frame = scene
+                .frame(&camera)
+                .quality::<Smooth<4>>()
+                .prepare(Size::new(120, 120));
+            let picture = painted(&frame.on(&scene).unwrap());
+            let bytes = picture.pixels.iter().map(|[red, ..]| f64::from(*red));
+            bytes.sum::<f64>() / 255.0
+        })
+        .collect();
+    let (least, most) = areas
+        .iter()
+        .fold((f64::MAX, 0.0_f64), |(least, most), area| {
+            (least.min(*area), most.max(*area))
+        });
+    println!("{least:.1} to {most:.1} pixels");
+    // A quarter of a pixel for each of the 89 columns that the rod crosses, at most.
+    assert!(most - least <= 0.25 * 89.0, "{areas:?}");
+    assert!(most / least < 1.1, "{areas:?}");
+}
