@@ -62,7 +62,7 @@ pub(crate) struct SmoothColors<'s, 'a, W: World, K, Q> {
     column: u32,
     /// Column from which on colours are not known yet.
     until: u32,
-    /// Samples of the chunk that `column` lies in, then its colours.
+    /// Samples of the chunk that `column` lies in.
     samples: [Samples; CHUNK as usize],
     /// A bit for each pixel of the chunk that has further samples.
     edges: u32,

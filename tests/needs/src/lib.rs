@@ -239,7 +239,7 @@ fn within_a_step(a: &[[u8; 3]], b: &[[u8; 3]]) -> usize {
 /// Bounds that each leave out one thing: number `I` of [`OFF`].
 struct Off<const I: usize>;
 
-const OFF: [Needs; 13] = [
+const OFF: [Needs; 14] = [
     Needs::ALL.without_spheres(),
     Needs::ALL.without_planes(),
     Needs::ALL.without_cylinders(),
@@ -253,6 +253,7 @@ const OFF: [Needs; 13] = [
     Needs::ALL.without_triangles(),
     Needs::ALL.without_sky(),
     Needs::ALL.without_checkers(),
+    Needs::ALL.without_ranges(),
 ];
 
 impl<const I: usize> NeedsLimit for Off<I> {
@@ -296,6 +297,7 @@ fn what_a_bound_leaves_out_is_missed_by_no_scene_within_it() {
             is_held::<10>(&scene),
             is_held::<11>(&scene),
             is_held::<12>(&scene),
+            is_held::<13>(&scene),
         ];
         for (count, held) in counts.iter().zip(held) {
             count.set(count.get() + u32::from(held));
