@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 51632 | 1418 | 13804 | 277 |
-//! | Cargo's default release | 64396 | 1514 | 17560 | 316 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 47912 | 2394 | 14592 | 342 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 44700 | 3528 | 14452 | 517 |
-//! | Cargo's default dev (debug) | 589160 | 39265 | 547964 | 8141 |
+//! | lto = true, codegen-units = 1 | 51576 | 1419 | 13804 | 278 |
+//! | Cargo's default release | 64396 | 1511 | 17648 | 318 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 47904 | 2399 | 14584 | 343 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 44684 | 3532 | 14484 | 518 |
+//! | Cargo's default dev (debug) | 606352 | 39835 | 565620 | 8135 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
