@@ -234,22 +234,18 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     #[inline(always)]
     fn traced(&mut self, column: u32, slot: usize) -> Traced {
         let direction = self.directions.of(column);
-        match Q::ROWS {
-            1 => self.traced_along(direction, Some(column), slot),
+        if Q::ROWS > 1 {
             // The further samples of a smooth picture share the code.
-            _ => self.along(direction, Some(column), slot),
+            return self.along(direction, Some(column), slot);
         }
+        let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
+        self.tracer
+            .trace(Some((&self.window, column)), direction, stops)
     }
 
     /// Traces a path, out of line. `column` is that of the pixel through whose centre it goes, if it does.
     #[inline(never)]
     fn along(&mut self, direction: Direction, column: Option<u32>, slot: usize) -> Traced {
-        self.traced_along(direction, column, slot)
-    }
-
-    /// Traces a path as [`Colors::along`] does, inlined into the caller.
-    #[inline(always)]
-    fn traced_along(&mut self, direction: Direction, column: Option<u32>, slot: usize) -> Traced {
         let pixel = column.map(|column| (&self.window, column));
         let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
         self.tracer.trace(pixel, direction, stops)

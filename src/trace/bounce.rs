@@ -82,10 +82,11 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let parts = world.parts();
         let bounded = if !parts.has_bounded() {
             Hit::NONE
+        } else if let (Some((_, column)), 0) = (pixel, bounce.count) {
+            self.culling.direct(world, column, ray)
         } else {
-            match (pixel, bounce.count, parts.plane(skip)) {
-                (Some((_, column)), 0, _) => self.culling.direct(world, column, ray),
-                (Some(pixel), 1, Some(plane)) => {
+            match (pixel, parts.plane(skip)) {
+                (Some(pixel), Some(plane)) if bounce.count == 1 => {
                     self.culling.mirrored(world, (skip, plane), pixel, ray)
                 }
                 _ => nearest_ahead::<W, Q>(world, ray, (bounce.mirror, skip)),
