@@ -61,7 +61,7 @@ fn stages_and_tables_add_up_to_the_total() {
     let sum: u64 = linked.iter().map(|(.., row)| row.own).sum();
     assert_eq!(sum, sums.total());
     // Each row of eight columns is one block.
-    let follow = "reflet::render::interpolate::Colors<W,K,Q>::follow";
+    let follow = "reflet::render::interpolate::Colors<W,K,Q,M>::follow";
     let follow = linked
         .iter()
         .filter(|(_, name, _)| name.starts_with(follow));
