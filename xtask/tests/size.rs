@@ -100,13 +100,13 @@ mirror 0.4 spheres cylinders => occluded";
     assert!(has(&fading, "light::falloff") && !has(&all.0, "light::falloff"));
 
     // Shadings and qualities that the scene does not use.
-    assert!(!has(&all.0, "color::halved") && has(&all.0, "Colors<W,K,Q>::follow"));
+    assert!(!has(&all.0, "color::halved") && has(&all.0, "Colors<W,K,Q,M>::follow"));
     let (normals, flash) = linked(&scene(), fast, Shading::Normals);
     assert!(has(&normals, "color::halved") && !has(&normals, "lit_color"));
     assert!(flash < all.1);
     let (small, flash) = linked(&scene(), Quality::SMALL, phong);
     for part in [
-        "Colors<W,K,Q>::follow",
+        "Colors<W,K,Q,M>::follow",
         "accel::active_list",
         "accel::screen_",
         "SphereFromPoint",
