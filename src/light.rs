@@ -9,11 +9,12 @@ use crate::number::{
     narrowed_unsigned_128, ratio, signed, sine_and_cosine_of, to_u8, unsigned, unsigned_128,
     wide_positive,
 };
-use crate::ray::ScaledPoint;
+use crate::ray::{ScaledPoint, shift_of};
 use crate::vector::{Direction, Position, Vector};
 
-/// Light as the user describes it: a lamp or a sun. A lamp is a point. It shines equally in all directions. It does
-/// not fall off with distance unless it has a range. A sun shines everywhere from the same direction, and everything on its way blocks it.
+/// Light as the user describes it: a lamp or a sun. A lamp is a point. It shines equally in all directions, and falls
+/// off with distance if it has a range. A sun shines everywhere from the same direction, and everything on its way
+/// blocks it.
 ///
 /// ```
 /// use reflet::description::Light;
@@ -211,8 +212,9 @@ impl PreparedLight {
         matches!(self.kind, Kind::Ranged { .. })
     }
 
-    /// Returns what is left of `strength` at a distance from the light, in steps of 2^`scale`. It is rounded down to
-    /// 2⁻²⁴, after an error below 2⁻²⁴ of `strength`.
+    /// Returns the strength with which the light arrives at a distance, in steps of 2^`scale`: `strength` times 1 /
+    /// (1 + (d / r)²), or `strength` if the light does not fall off. The factor is known to 2⁻²⁴, and the product is
+    /// rounded down to 2⁻²⁴.
     #[inline(always)]
     pub(crate) const fn weakened(
         &self,
@@ -244,19 +246,14 @@ const fn falloff((range, exponent): (i32, i32), distance: Length, scale: u32) ->
     let distance = signed(distance << up);
     let gap = exponent + signed(up) - signed(scale);
     let (range, distance) = match gap > 0 {
-        true => (range, distance >> shift(gap)),
-        false => (range >> shift(-gap), distance),
+        true => (range, distance >> shift_of(unsigned(gap))),
+        false => (range >> shift_of(unsigned(-gap)), distance),
     };
     let square = wide_positive(range, range);
     let sum = square + wide_positive(distance, distance);
     // One more, so that the sum is larger even where it is as good as r².
     let [square, sum] = [square >> 33, (sum >> 33) + 1];
     Unit::from_bits(ratio(unsigned(narrowed(square)), unsigned(narrowed(sum))))
-}
-
-/// Limits a right shift of an `i32` to 31, which leaves only the sign.
-const fn shift(places: i32) -> i32 {
-    if places > 31 { 31 } else { places }
 }
 
 #[cfg(test)]

@@ -146,7 +146,7 @@ const fn coarser(length: Length, scale: u32) -> i32 {
 
 /// Limits a right shift of an `i32` to 31, the largest allowed. It leaves only the sign, as larger
 /// shifts would.
-const fn shift_of(difference: u32) -> u32 {
+pub(crate) const fn shift_of(difference: u32) -> u32 {
     if difference > 31 { 31 } else { difference }
 }
 

@@ -1,6 +1,6 @@
 //! Tests smooth edges: against many samples a pixel, in parts of rows, in other qualities, and where a thin rod turns.
 
-use command_line::{Quality, Settings, Shading, Source};
+use command_line::{Quality, Settings, Source, four_samples};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::{RgbColor, Size};
 use reflet::host::compare::{Difference, compare};
@@ -41,7 +41,7 @@ impl Judge {
         let truth = sampled(&scene, &camera, [SIDE, SIDE, 9], REFLECTIONS, shading);
         let fine = render(&scene, &camera, 8 * SIDE, 8 * SIDE, REFLECTIONS, shading);
         Self {
-            four: four_of(&fine),
+            four: four_samples(&fine),
             truth,
             source,
         }
@@ -53,32 +53,8 @@ impl Judge {
     }
 
     fn drawn(&self, quality: Quality) -> f64 {
-        let settings = Settings {
-            reflections: REFLECTIONS as u8,
-            shading: Shading::BlinnPhong,
-            quality,
-        };
+        let settings = Settings::blinn_phong(quality, REFLECTIONS as u8);
         self.decibels(&self.source.drawn(Size::new(SIDE, SIDE), settings))
-    }
-}
-
-/// Returns the picture of four samples a pixel, on a rotated grid, from one with 8 x 8 pixels for each.
-fn four_of(fine: &Picture) -> Picture {
-    const PLACES: [[u32; 2]; 4] = [[1, 5], [3, 1], [5, 7], [7, 3]];
-    let pixel = |index: u32| {
-        let (x, y) = (8 * (index % SIDE), 8 * (index / SIDE));
-        let samples = PLACES.map(|[right, down]| {
-            fine.pixels[((y + down) * fine.width + x + right) as usize].map(u32::from)
-        });
-        [0, 1, 2].map(|part| {
-            let sum: u32 = samples.iter().map(|sample| sample[part]).sum();
-            ((sum + 2) / 4) as u8
-        })
-    };
-    Picture {
-        width: SIDE,
-        height: SIDE,
-        pixels: (0..SIDE * SIDE).map(pixel).collect(),
     }
 }
 

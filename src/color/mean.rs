@@ -19,7 +19,8 @@ impl Samples {
         }
     }
 
-    /// Returns the mean of `count` samples, 1 to 64, rounded down to 2⁻²⁴.
+    /// Returns the mean of `count` samples, 1 to 64, rounded down to 2⁻²⁴. It may be one step less if `count` is no power
+    /// of two.
     #[inline(always)]
     pub fn mean(self, count: u32) -> Sum {
         let shift = count.trailing_zeros();

@@ -91,11 +91,15 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     /// take longer than to trace what is left.
     const SHORTEST: u32 = if Q::IS_SURE { 8 } else { 4 };
 
-    /// Compile-time check of a quality: its tolerance is 0 to 1.
+    /// Compile-time check of a quality: its tolerance and its number of rows.
     const IS_SOUND: () = {
         assert!(
             Q::TOLERANCE.to_bits() >= 0 && Q::TOLERANCE.to_bits() <= Unit::ONE.to_bits(),
             "a quality has a tolerance of 0 to 1"
+        );
+        assert!(
+            matches!(Q::ROWS, 1 | 2 | 4),
+            "a quality samples 1, 2 or 4 rows in each row of pixels"
         );
     };
 

@@ -23,10 +23,11 @@ use crate::shade::highlight::sealed;
 /// Number of columns of a chunk. An edge is a bit of a word.
 const CHUNK: u32 = LONGEST_BLOCK;
 
-/// Where the rows lie in a row of pixels, in sixteenths of a pixel below its centre, and where a pixel at an edge takes its
-/// further samples: to the right of the centre, and below it.
+/// Where a row of pixels is sampled. All distances are in sixteenths of a pixel.
 struct Places {
+    /// The rows: how far each lies below the centres of the pixels.
     rows: &'static [i32],
+    /// The further samples of a pixel at an edge: how far each lies to the right of the centre, and below it.
     more: &'static [[i32; 2]],
 }
 
@@ -72,8 +73,8 @@ pub(crate) struct SmoothColors<'s, 'a, W: World, K, Q> {
 
 impl<'s, 'a, W: World, K: sealed::Shading, Q: Quality> SmoothColors<'s, 'a, W, K, Q> {
     const PLACES: Places = match Q::ROWS {
-        4 => FOUR,
-        _ => TWO,
+        2 => TWO,
+        _ => FOUR,
     };
 
     /// Starts at a pixel of a picture of `width` columns. `row` is that of the pixel.

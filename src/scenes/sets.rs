@@ -341,6 +341,18 @@ fn first<W: World>(world: &W, ray: &ScaledRay, skip: ShapeId) -> Option<(ScaledP
     nearest_hit(world, ray, skip)
 }
 
+/// Returns the surface that a ray hits in a random direction, `None` if it hits nothing.
+fn hit_at_random<'a, W: World>(
+    world: &'a W,
+    random: &mut Sweep,
+    from: ScaledPoint,
+) -> Option<Surface<'a>> {
+    let towards = world.parts().grid.place(Position::new(random.place()));
+    let (direction, _) = from.to(towards).0.direction_and_length();
+    let (at, shape) = first(world, &ScaledRay::new(from, direction), ShapeId::NONE)?;
+    Some(Surface::new(world, at, shape, direction).unwrap())
+}
+
 /// Asserts that the shadow test from a clear light's side agrees with the plain shadow ray to the light,
 /// at random hits of camera rays in a scene without planes.
 ///
@@ -355,13 +367,9 @@ fn told<W: World>(world: &W, random: &mut Sweep) -> [u32; 3] {
         .place(Position::new(random.place().map(|x| 2.5 * x)));
     let view = LightVisibility::new(world, from);
     for _ in 0..10_000 {
-        let towards = parts.grid.place(Position::new(random.place()));
-        let (direction, _) = from.to(towards).0.direction_and_length();
-        let ray = ScaledRay::new(from, direction);
-        let Some((at, shape)) = first(world, &ray, ShapeId::NONE) else {
+        let Some(surface) = hit_at_random(world, random, from) else {
             continue;
         };
-        let surface = Surface::new(world, at, shape, direction).unwrap();
         for (index, occluders) in world.tables().light_occluders.iter().enumerate() {
             if !view.is_clear(index) {
                 continue;
@@ -429,8 +437,8 @@ fn clear_lights_are_hidden_by_what_blocks_the_way_to_them() {
     );
 }
 
-/// Counts the near surfaces at random hits whose way to a far light is open, and those where it is blocked.
-/// Asserts that the search ahead of a ray agrees with the plain shadow ray.
+/// Asserts that [`any_ahead`] agrees with the plain shadow ray to a far light, at random hits of camera rays. Returns how
+/// many of them see the light, and how many do not.
 fn ahead<W: World>(world: &W, random: &mut Sweep, sun: Position) -> [u32; 2] {
     let (parts, mut counts) = (world.parts(), [0; 2]);
     let place = parts.grid.place(sun);
@@ -438,13 +446,9 @@ fn ahead<W: World>(world: &W, random: &mut Sweep, sun: Position) -> [u32; 2] {
         .grid
         .place(Position::new(random.place().map(|x| 2.5 * x)));
     for _ in 0..2000 {
-        let towards = parts.grid.place(Position::new(random.place()));
-        let (direction, _) = from.to(towards).0.direction_and_length();
-        let ray = ScaledRay::new(from, direction);
-        let Some((at, shape)) = first(world, &ray, ShapeId::NONE) else {
+        let Some(surface) = hit_at_random(world, random, from) else {
             continue;
         };
-        let surface = Surface::new(world, at, shape, direction).unwrap();
         let (way, scale) = surface.place.to(place);
         let (direction, distance) = way.direction_and_length();
         let (ray, skip) = (

@@ -260,7 +260,8 @@ fn strength<W: SceneAccess, V: Visibility, H: Highlight>(
     weakened::<W>(V::light(light), sent, (distance, scale))
 }
 
-/// Returns what is left of `sent` if a light that is so far away falls off. The distance is in steps of 2^`scale`.
+/// Returns `sent` as [`PreparedLight::weakened`] does, for a light at a distance in steps of 2^`scale`. A scene without
+/// lights that fall off links no code for it.
 #[inline(always)]
 fn weakened<W: SceneAccess>(
     light: &PreparedLight,

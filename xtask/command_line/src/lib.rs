@@ -5,6 +5,7 @@
 mod draw;
 mod file;
 mod mistake;
+mod samples;
 pub mod scene_file;
 mod setting;
 mod source;
@@ -13,6 +14,7 @@ pub use draw::Settings;
 pub use file::{OutputFile, are_same_file, is_standard_output, print, shown};
 pub use mistake::{in_one_line, json_line, parse};
 pub use reflet::host::line::one_line;
+pub use samples::four_samples;
 pub use setting::{Quality, Shading, size};
 pub use source::{Chosen, Named, Source, exact, with_advice};
 

@@ -5,7 +5,7 @@ use command_line::{Quality as Fixed, Settings, Source};
 use embedded_graphics::geometry::Size;
 use reflet::host::file::FileError;
 use reflet::host::reference::{Camera, Scene};
-use reflet::quality::{Draft, Exact, Fast, Small};
+use reflet::quality::{Draft, Exact, Fast, Small, Smooth};
 use reflet::shading::Unshadowed;
 
 use crate::count::{Cause, Counts, Pixel, RIGHT, causes, difference, lost};
@@ -178,7 +178,8 @@ fn unshadowed(source: &Source, quality: Fixed, (size, reflections): (Size, u8)) 
         Fixed::Fast => source.painted::<Fast, Unshadowed>(size, reflections),
         Fixed::Small => source.painted::<Small, Unshadowed>(size, reflections),
         Fixed::Exact => source.painted::<Exact, Unshadowed>(size, reflections),
-        Fixed::Smooth2 | Fixed::Smooth4 => unreachable!("not judged"),
+        Fixed::Smooth2 => source.painted::<Smooth<2>, Unshadowed>(size, reflections),
+        Fixed::Smooth4 => source.painted::<Smooth<4>, Unshadowed>(size, reflections),
     };
     picture.pixels
 }

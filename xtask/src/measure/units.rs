@@ -26,7 +26,7 @@ struct Unit {
     count: u32,
     /// Number of rays that `more` follows beyond `less`.
     rays: u64,
-    /// Other units that come with each of these units: how many, and their name. They are subtracted.
+    /// The units that each of these contains: how many, and which. Their costs are subtracted.
     without: Vec<(u32, String)>,
 }
 
