@@ -8,7 +8,7 @@ use crate::shade::highlight::sealed::Shading;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Returns the last column before a shape ends or begins between two traced pixels: one that kept `proved` from
-    /// going on, or one that one of the pixels shows and the other does not, directly or in one flat mirror. `None` if
+    /// going on, one that one of the pixels shows and the other does not, directly or in one flat mirror. `None` if
     /// no such column is known.
     #[inline(never)]
     pub(crate) fn border(
@@ -17,8 +17,8 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         ends: [&Stops; 2],
         proved: &Progress,
     ) -> Option<u32> {
-        let [start, last] = between.1;
-        if let Some(border) = proved.border.filter(|it| (start..last).contains(it)) {
+        let [first, last] = between.1;
+        if let Some(border) = proved.border.filter(|it| (first..last).contains(it)) {
             return Some(border);
         }
         let parts = self.world.parts();
@@ -27,12 +27,16 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
         }
         let [start, end] = ends.map(Stops::all);
         let mut mirror = None;
-        for (first, last) in start.iter().zip(end).take(2) {
-            if first.shape != last.shape {
-                let shapes = [first.shape, last.shape];
+        for (level, (one, other)) in start.iter().zip(end).take(2).enumerate() {
+            if one.shape != other.shape {
+                let shapes = [one.shape, other.shape];
                 return self.culling.border(self.world, mirror, between, shapes);
             }
-            mirror = Some((first.shape, parts.plane(first.shape)?));
+            let until = self.far_lights_until(between.1, start, level);
+            if until < last {
+                return Some(until);
+            }
+            mirror = Some((one.shape, parts.plane(one.shape)?));
         }
         None
     }

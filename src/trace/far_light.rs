@@ -1,4 +1,4 @@
-//! Whether a far light shines alike on a stretch of a plane.
+//! Up to which column the far lights surely shine alike on a plane.
 
 use super::stops::Stop;
 use super::{PathQuality, Tracer};
@@ -10,50 +10,56 @@ use crate::shade::highlight::sealed::Shading;
 use crate::shape::plane::PreparedPlane;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
-    /// Tests whether no shadow of a far light begins or ends between two columns, if they show a plane. `stops`
-    /// are the hits of a path; `level` is the one that is shown.
+    /// Returns the last column from the first of two up to the last to which no shadow of a far light begins or ends, if
+    /// they show a plane; else the last. `stops` are the hits of the first column's path; `level` is the one that is
+    /// shown.
     #[inline(always)]
-    pub(super) fn keeps_far_lights(
+    pub(super) fn far_lights_until(
         &mut self,
         columns: [u32; 2],
         stops: &[Stop],
         level: usize,
-    ) -> bool {
+    ) -> u32 {
         // A scene without far lights links no code for them.
-        let has_some = W::NEEDS.far_lights && W::NEEDS.shadows && K::SHADOWS;
-        !has_some || self.keeps_each_far_light(columns, stops, level)
+        match W::NEEDS.far_lights && W::NEEDS.shadows && K::SHADOWS {
+            true => self.each_far_light_until(columns, stops, level),
+            false => columns[1],
+        }
     }
 
     #[inline(never)]
-    fn keeps_each_far_light(
+    fn each_far_light_until(
         &mut self,
         [first, last]: [u32; 2],
         stops: &[Stop],
         level: usize,
-    ) -> bool {
+    ) -> u32 {
         let parts = self.world.parts();
         let Some((shown, mirrors)) = stops.get(..=level).and_then(|stops| stops.split_last())
         else {
-            return false;
+            return first;
         };
         let Some(plane) = parts.plane(shown.shape) else {
-            return true;
+            return last;
         };
         let pencil = mirrors.iter().fold(self.culling.pencil(), |pencil, stop| {
             pencil?.mirrored(parts.plane(stop.shape)?, parts.epsilon)
         });
         let Some(pencil) = pencil else {
-            return false;
+            return first;
         };
-        let lights = parts.lights.iter().map(|light| light.place);
-        lights.enumerate().all(|(index, light)| {
-            let is_near_or_hidden = light.is_near() || self.visibility.is_hidden(index);
-            is_near_or_hidden
-                || self.visibility.is_open(index) && {
-                    let shadow = (&pencil, plane, light);
-                    self.shines_until((mirrors, shown.shape, index), shadow, first) >= last
-                }
-        })
+        let mut until = last;
+        for (index, light) in parts.lights.iter().enumerate() {
+            if light.place.is_near() || self.visibility.is_hidden(index) {
+                continue;
+            }
+            if !self.visibility.is_open(index) {
+                return first;
+            }
+            let shadow = (&pencil, plane, light.place);
+            until = until.min(self.shines_until((mirrors, shown.shape, index), shadow, first));
+        }
+        until
     }
 
     /// Returns the last column to which a light surely shines on a plane as in `column`. `mirrors` are the hits before

@@ -34,7 +34,8 @@ pub(crate) struct Progress {
     steps: usize,
     /// Number of pixels that show how the colours of the proved hits change.
     pub(crate) samples: Samples,
-    /// The last proof failed because a shape may come to the front: the last column before it begins or ends.
+    /// The last proof failed because a shape may come to the front, or because a shadow begins or ends: the last column
+    /// before.
     pub(super) border: Option<u32>,
 }
 
@@ -72,7 +73,12 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let [start, end] = ends.map(Stops::all);
         for (first, last) in start.iter().zip(end) {
             let is_one = first.shape == last.shape && first.is_inside == last.is_inside;
-            if !is_one || !self.keeps_far_lights(between.1, start, origin.level) {
+            if !is_one {
+                return false;
+            }
+            let until = self.far_lights_until(between.1, start, origin.level);
+            if until < between.1[1] {
+                proved.border = Some(until);
                 return false;
             }
             if origin.level == proved.hits {
