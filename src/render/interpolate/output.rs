@@ -1,12 +1,10 @@
 //! Floor 7: hands out the colours of a row, one by one or into a slice. It does not know how they are
 //! found.
 
-use core::hint::black_box;
-
 use super::{Colors, Marks, SHORT, UNREAD};
 use crate::accel::World;
 use crate::camera::RowDirections;
-use crate::color::{Parabola, Samples, Sum};
+use crate::color::{Samples, Sum};
 use crate::number::to_u32;
 use crate::ray::{PathSignature, RowPlane};
 use crate::render::Quality;
@@ -92,45 +90,22 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             if self.column >= self.until {
                 self.follow(self.column);
             }
-            let place = Self::place(self.column);
-            let clear = self.clear_until.saturating_sub(self.column) as usize;
-            let piece = match clear {
-                0 => self.colors.curve(place),
-                // All pixels of a clear part have one colour.
-                _ => Some((Parabola::constant(self.colors.first(0)), clear)),
+            let clear = self.clear_until.saturating_sub(self.column);
+            let known = match clear {
+                0 => self.until - self.column,
+                _ => clear,
             };
-            let count = match piece {
-                Some((curve, length)) => fill_first(pixels, length, curve, &shown),
-                None => {
-                    let most = (self.until - self.column) as usize;
-                    let colors = self.colors.singles(place, most);
-                    for (pixel, color) in pixels.iter_mut().zip(colors) {
-                        *pixel = shown(*color);
-                        // Keeps the compiler from unrolling the loop: most pixels are in parabolas.
-                        black_box(());
-                    }
-                    colors.len().min(pixels.len())
+            let (now, _) = pixels.split_at_mut(pixels.len().min(known as usize));
+            let count = match clear {
+                0 => self.colors.fill(Self::place(self.column), now, &shown),
+                // All pixels of a clear part have one colour.
+                _ => {
+                    fill(now, shown(self.colors.first(0)));
+                    now.len()
                 }
             };
             self.column += to_u32(count);
-            pixels = pixels.split_at_mut(count).1;
+            pixels = pixels.get_mut(count..).unwrap_or_default();
         }
     }
-}
-
-/// Fills the first `most` pixels with the colours of a parabola. Returns how many there are.
-#[inline(always)]
-fn fill_first<C: Copy>(
-    pixels: &mut [C],
-    most: usize,
-    curve: Parabola,
-    shown: impl Fn(Sum) -> C,
-) -> usize {
-    let count = most.min(pixels.len());
-    let (pixels, _) = pixels.split_at_mut(count);
-    match curve.as_constant() {
-        Some(sum) => fill(pixels, shown(sum)),
-        None => curve.fill(pixels.iter_mut(), shown),
-    }
-    count
 }

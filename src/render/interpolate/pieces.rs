@@ -1,8 +1,11 @@
 //! Floor 7: the colours of a block's pixels: single ones, and parabolas that stand for several. It does not
 //! know how they are found.
 
+use core::hint::black_box;
+
 use crate::accel::LONGEST_BLOCK;
 use crate::color::{Parabola, Sum};
+use crate::render::prepared::fill;
 
 /// Colours of the pixels of a block. A place is the column within [`LONGEST_BLOCK`] columns.
 ///
@@ -35,32 +38,53 @@ impl Pieces {
     /// Sets the colours of `count` places from `place` on, 3 to [`LONGEST_BLOCK`], to those of a parabola.
     #[inline(always)]
     pub(super) fn set_curve(&mut self, place: usize, count: u32, curve: Parabola) {
-        if let Some(sums) = self.stored(place) {
+        if let Some(sums) = self
+            .sums
+            .get_mut(place..)
+            .and_then(|sums| sums.first_chunk_mut())
+        {
             *sums = curve.to_sums();
             self.inner |= (u32::MAX >> (LONGEST_BLOCK + 1 - count)) << place << 1;
         }
     }
 
-    /// Returns the three sums from `place` on.
+    /// Returns the sums of the parabola that begins at a place, and its number of places; `None` if there is none.
     #[inline(always)]
-    fn stored(&mut self, place: usize) -> Option<&mut [Sum; 3]> {
-        self.sums.get_mut(place..)?.first_chunk_mut()
-    }
-
-    /// Returns the parabola that begins at a place, and its number of places; `None` if there is none.
-    #[inline(always)]
-    pub(super) fn curve(&mut self, place: usize) -> Option<(Parabola, usize)> {
+    fn curve(&self, place: usize) -> Option<(&[Sum; 3], usize)> {
         let more = (self.inner >> place >> 1).trailing_ones();
-        let sums = self.stored(place).filter(|_| more > 0)?;
-        Some((Parabola::from_sums(*sums), more as usize + 1))
+        let sums = self.sums.get(place..)?.first_chunk()?;
+        (more > 0).then_some((sums, more as usize + 1))
     }
 
-    /// Returns the colours from `place` up to the next parabola, at most `most`.
+    /// Returns the colours from `place` up to the next parabola.
     #[inline(always)]
-    pub(super) fn singles(&self, place: usize, most: usize) -> &[Sum] {
+    fn singles(&self, place: usize) -> &[Sum] {
         let count = (self.inner >> place >> 1).trailing_zeros() as usize;
         let sums = self.sums.get(place..).unwrap_or(&[]);
-        sums.get(..count.min(most)).unwrap_or(sums)
+        sums.get(..count).unwrap_or(sums)
+    }
+
+    /// Fills the first of `pixels` with the colours from `place` on, each converted by `shown`: up to the end of a
+    /// parabola, or to the begin of the next one. Returns how many are filled. The place is not within a parabola.
+    #[inline(always)]
+    pub(super) fn fill<C: Copy>(
+        &self,
+        place: usize,
+        pixels: &mut [C],
+        shown: impl Fn(Sum) -> C,
+    ) -> usize {
+        if let Some((sums, count)) = self.curve(place) {
+            let count = count.min(pixels.len());
+            fill_curve(sums, pixels.split_at_mut(count).0, shown);
+            return count;
+        }
+        let singles = self.singles(place);
+        for (pixel, sum) in pixels.iter_mut().zip(singles) {
+            *pixel = shown(*sum);
+            // Keeps the compiler from unrolling the loop: most pixels are in parabolas.
+            black_box(());
+        }
+        singles.len().min(pixels.len())
     }
 
     /// Returns the colour of a place. It is in no parabola, or the first of one.
@@ -75,13 +99,23 @@ impl Pieces {
         while self.inner != 0 {
             let after = self.inner.trailing_zeros();
             let place = (after as usize).saturating_sub(1);
-            let Some((curve, count)) = self.curve(place) else {
+            let Some((&sums, count)) = self.curve(place) else {
                 return;
             };
-            let sums = self.sums.get_mut(place..).unwrap_or_default();
-            curve.fill(sums.iter_mut().take(count), |sum| sum);
+            let places = self.sums.get_mut(place..).unwrap_or_default();
+            Parabola::from_sums(sums).fill(places.iter_mut().take(count), |sum| sum);
             // Adding the lowest bit carries through the lowest bits that are set in a row.
             self.inner &= self.inner.wrapping_add(1 << after);
         }
+    }
+}
+
+/// Fills pixels with the colours of a parabola. Not inlined, so that the loop has all registers.
+#[inline(never)]
+fn fill_curve<C: Copy>(sums: &[Sum; 3], pixels: &mut [C], shown: impl Fn(Sum) -> C) {
+    let curve = Parabola::from_sums(*sums);
+    match curve.as_constant() {
+        Some(sum) => fill(pixels, shown(sum)),
+        None => curve.fill(pixels.iter_mut(), shown),
     }
 }
