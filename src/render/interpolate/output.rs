@@ -77,7 +77,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
-    /// picture.
+    /// picture. They may end within a parabola, so no further colour of the row may be asked for.
     #[inline(always)]
     pub(crate) fn fill<C: Copy>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
         if !Tracer::<W, K, Q>::IS_INTERPOLATED {

@@ -5,6 +5,7 @@ use core::hint::black_box;
 
 use crate::accel::LONGEST_BLOCK;
 use crate::color::{Parabola, Sum};
+use crate::number::to_u32;
 use crate::render::prepared::fill;
 
 /// Colours of the pixels of a block. A place is the column within [`LONGEST_BLOCK`] columns.
@@ -44,7 +45,7 @@ impl Pieces {
             .and_then(|sums| sums.first_chunk_mut())
         {
             *sums = curve.to_sums();
-            self.inner |= (u32::MAX >> (LONGEST_BLOCK + 1 - count)) << place << 1;
+            self.inner |= after_first(place, count);
         }
     }
 
@@ -104,10 +105,15 @@ impl Pieces {
             };
             let places = self.sums.get_mut(place..).unwrap_or_default();
             Parabola::from_sums(sums).fill(places.iter_mut().take(count), |sum| sum);
-            // Adding the lowest bit carries through the lowest bits that are set in a row.
-            self.inner &= self.inner.wrapping_add(1 << after);
+            self.inner &= !after_first(place, to_u32(count));
         }
     }
+}
+
+/// Returns a bit for each of `count` places after the first, `place`. There are 2 to [`LONGEST_BLOCK`].
+#[inline(always)]
+fn after_first(place: usize, count: u32) -> u32 {
+    u32::MAX >> (LONGEST_BLOCK + 1 - count) << place << 1
 }
 
 /// Fills pixels with the colours of a parabola. Not inlined, so that the loop has all registers.
@@ -117,5 +123,48 @@ fn fill_curve<C: Copy>(sums: &[Sum; 3], pixels: &mut [C], shown: impl Fn(Sum) ->
     match curve.as_constant() {
         Some(sum) => fill(pixels, shown(sum)),
         None => curve.fill(pixels.iter_mut(), shown),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::color::Color;
+    use crate::number::{Brightness, Unit};
+
+    /// Returns the sum of a path that shows a grey.
+    fn grey(bits: i32) -> Sum {
+        let mut sum = Sum::DARK;
+        sum.add(Unit::ONE, Color::grey(Brightness::from_bits(bits)));
+        sum
+    }
+
+    #[test]
+    fn pixels_are_filled_with_the_colours_that_expanding_gives() {
+        let curve = Parabola::through([grey(1 << 20), grey(1 << 23), grey(1 << 24)], 4, 9);
+        let flat = Parabola::constant(grey(1 << 22));
+        let mut pieces = Pieces::NONE;
+        pieces.set(0, grey(1 << 21));
+        pieces.set_curve(1, 9, curve);
+        pieces.set_curve(10, 3, flat);
+        pieces.set(13, grey(1 << 19));
+        pieces.set_curve(14, 18, curve);
+        let mut filled = [Sum::ZERO; LONGEST_BLOCK as usize];
+        let mut place = 0;
+        while place < filled.len() {
+            place += pieces.fill(place, &mut filled[place..], |sum| sum);
+        }
+        pieces.expand();
+        assert_eq!((filled, pieces.inner), (pieces.sums, 0));
+        assert_eq!((filled[1], filled[14]), (grey(1 << 20), grey(1 << 20)));
+        assert_eq!([filled[10], filled[11], filled[12]], [grey(1 << 22); 3]);
+    }
+
+    #[test]
+    fn parabola_of_a_whole_block_is_expanded() {
+        let mut pieces = Pieces::NONE;
+        pieces.set_curve(0, LONGEST_BLOCK, Parabola::constant(grey(1 << 22)));
+        pieces.expand();
+        assert_eq!(pieces.sums, [grey(1 << 22); LONGEST_BLOCK as usize]);
     }
 }
