@@ -1,5 +1,7 @@
 //! The parabola through three sums, in steps of one column.
 
+use core::hint::black_box;
+
 use super::{Bend, Sum};
 use crate::number::{Unit, scaled_by_unit, signed, to_u32};
 
@@ -57,13 +59,52 @@ impl Parabola {
         self.second.each(self.second, |second, _| second * square)
     }
 
-    /// Fills places with the sums of columns 0, 1, 2, ....
-    pub fn fill<'a>(self, places: impl Iterator<Item = &'a mut Sum>) {
-        let (mut sum, mut first) = (self.start, self.first);
+    /// Returns the sum of column 0, and the first and the second difference there.
+    #[inline(always)]
+    pub fn to_sums(self) -> [Sum; 3] {
+        [self.start, self.first, self.second]
+    }
+
+    /// Returns the parabola that [`Parabola::to_sums`] was called for.
+    #[inline(always)]
+    pub fn from_sums([start, first, second]: [Sum; 3]) -> Self {
+        Self {
+            start,
+            first,
+            second,
+        }
+    }
+
+    /// Returns the parabola with the same sum in each column.
+    #[inline(always)]
+    pub fn constant(sum: Sum) -> Self {
+        Self::from_sums([sum, Sum::ZERO, Sum::ZERO])
+    }
+
+    /// Returns the sum of all columns if it is the same.
+    #[inline(always)]
+    pub fn as_constant(&self) -> Option<Sum> {
+        let differences = self.first.each(self.second, |first, second| first | second);
+        let [red, green, blue] = differences.0;
+        (red | green | blue == 0).then_some(self.start)
+    }
+
+    /// Fills places with the sums of columns 0, 1, 2, ..., each converted by `shown`.
+    #[inline(always)]
+    pub fn fill<'a, C: 'a>(
+        self,
+        places: impl Iterator<Item = &'a mut C>,
+        shown: impl Fn(Sum) -> C,
+    ) {
+        // The step comes before the conversion, because both then fit into the registers of a Cortex-M.
+        let mut first = self.first.less(self.second);
+        let mut sum = self.start.less(first);
         for place in places {
-            *place = sum;
             sum = sum.each(first, |sum, first| sum + first);
+            // Keeps the compiler from unrolling the loop: there are no registers for that.
+            black_box(());
             first = first.each(self.second, |first, second| first + second);
+            *place = shown(sum);
         }
     }
 }

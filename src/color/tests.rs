@@ -44,7 +44,7 @@ fn parabola_goes_through_all_sums_of_a_parabola() {
             let mut filled = [Sum::ZERO; 17];
             let three = [sums[0], sums[half], sums[2 * half]];
             let curve = Parabola::through(three, half as u32, 2 * half as u32);
-            curve.fill(filled.iter_mut().take(2 * half));
+            curve.fill(filled.iter_mut().take(2 * half), |sum| sum);
             for (place, (found, truth)) in filled.iter().zip(&sums).enumerate() {
                 match place < 2 * half {
                     true => assert!(found.less(*truth).is_within(16), "{place} of {half}"),
@@ -64,7 +64,7 @@ fn rounding_of_a_parabola_stays_below_a_hundredth_of_a_level() {
         let three = [0; 3].map(|_| sweep.triple(1 << 25));
         let mut filled = [Sum::ZERO; LONGEST];
         let curve = Parabola::through(three.map(Sum), half as u32, length as u32);
-        curve.fill(filled.iter_mut().take(length));
+        curve.fill(filled.iter_mut().take(length), |sum| sum);
         for (place, found) in filled.iter().take(length).enumerate() {
             for axis in 0..3 {
                 let [start, middle, end] = three.map(|it| f64::from(it[axis]));

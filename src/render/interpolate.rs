@@ -14,12 +14,13 @@
 mod between;
 mod marks;
 mod output;
+mod pieces;
 
 pub(crate) use marks::{Marked, Marks, Unmarked};
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
-use crate::color::Sum;
+use crate::color::{Parabola, Sum};
 use crate::number::Unit;
 use crate::ray::PathSignature;
 use crate::render::Quality;
@@ -27,6 +28,7 @@ use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Stops, Traced, Tracer};
 use crate::vector::Direction;
 use between::{DIVISIONS, Known};
+use pieces::Pieces;
 
 /// Returns the number of columns of a block in a picture of `width` columns. The wider the picture, the less
 /// changes from one pixel to the next.
@@ -71,7 +73,7 @@ pub(crate) struct Colors<'s, 'a, W: World, K, Q, M = Unmarked> {
     /// Number of columns of a block.
     block: u32,
     /// Colours of the block that `column` lies in.
-    colors: [Sum; LONGEST_BLOCK as usize],
+    colors: Pieces,
     /// The traced pixel after the block, and its column.
     end: (u32, End),
     /// What the paths of the traced pixels hit.
@@ -141,7 +143,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
                 false => width - 1,
             },
             block,
-            colors: [Sum::ZERO; LONGEST_BLOCK as usize],
+            colors: Pieces::NONE,
             end: (
                 u32::MAX,
                 End {
@@ -155,6 +157,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         };
         if first < column {
             colors.follow(first);
+            // The column may lie within a parabola.
+            colors.colors.expand();
         }
         colors
     }
@@ -173,6 +177,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             return self.trace_each(first, first + 1);
         }
         let block = self.block;
+        self.colors.clear();
         self.window = self.tracer.advance(first, first + block);
         if self.clear(first) {
             return;
@@ -200,7 +205,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         };
         self.clear_until = (until & !(self.block - 1)).max(first + self.block);
         let missed = self.tracer.missed();
-        self.colors = [missed.sum; LONGEST_BLOCK as usize];
+        let curve = Parabola::constant(missed.sum);
+        self.colors.set_curve(0, LONGEST_BLOCK, curve);
         self.marks.fill(0, LONGEST_BLOCK as usize, missed.signature);
         true
     }
@@ -223,7 +229,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     #[inline(always)]
     fn set(&mut self, column: u32, color: Sum, path: PathSignature) {
         let place = Self::place(column);
-        self.colors[place] = color;
+        self.colors.set(place, color);
         self.marks.fill(place, 1, path);
     }
 

@@ -295,6 +295,6 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
 
 /// Fills pixels with one colour. Inlined, it would make the compiler unroll its caller's loops.
 #[inline(never)]
-fn fill<C: Copy>(pixels: &mut [C], color: C) {
+pub(super) fn fill<C: Copy>(pixels: &mut [C], color: C) {
     pixels.fill(color);
 }

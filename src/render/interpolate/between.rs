@@ -122,9 +122,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             let place = Self::place(first);
             self.marks
                 .fill(place, length as usize, start.traced.signature);
-            let colors = self.colors.get_mut(place..);
-            let colors = colors.unwrap_or_default().iter_mut();
-            return curve.fill(colors.take(length as usize));
+            return self.colors.set_curve(place, length, curve);
         }
         let known = Known::Steady(bend.quarter(), Samples::Three);
         self.between((first, half), [start, &middle], known);

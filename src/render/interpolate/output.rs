@@ -8,6 +8,7 @@ use crate::color::{Samples, Sum};
 use crate::number::to_u32;
 use crate::ray::{PathSignature, RowPlane};
 use crate::render::Quality;
+use crate::render::prepared::fill;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::Tracer;
 use crate::vector::{Direction, Point};
@@ -23,8 +24,9 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         }
         if column >= self.until {
             self.follow(column);
+            self.colors.expand();
         }
-        self.colors[Self::place(column)]
+        self.colors.first(Self::place(column))
     }
 
     /// Traces the pixel of the next column, in a quality that interpolates none.
@@ -75,7 +77,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
-    /// picture.
+    /// picture. They may end within a parabola, so no further colour of the row may be asked for.
     #[inline(always)]
     pub(crate) fn fill<C: Copy>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
         if !Tracer::<W, K, Q>::IS_INTERPOLATED {
@@ -88,26 +90,22 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             if self.column >= self.until {
                 self.follow(self.column);
             }
-            let clear = self.clear_until.saturating_sub(self.column) as usize;
-            let place = Self::place(self.column);
-            let after = place + (self.until - self.column) as usize;
-            let colors = self.colors.get(place..after).unwrap_or(&[]);
-            let count = pixels.len().min(match clear {
-                0 => colors.len(),
+            let clear = self.clear_until.saturating_sub(self.column);
+            let known = match clear {
+                0 => self.until - self.column,
                 _ => clear,
-            });
-            let (now, later) = pixels.split_at_mut(count);
-            match clear {
-                0 => {
-                    for (pixel, color) in now.iter_mut().zip(colors) {
-                        *pixel = shown(*color);
-                    }
-                }
+            };
+            let (now, _) = pixels.split_at_mut(pixels.len().min(known as usize));
+            let count = match clear {
+                0 => self.colors.fill(Self::place(self.column), now, &shown),
                 // All pixels of a clear part have one colour.
-                _ => now.fill(shown(self.colors[0])),
-            }
+                _ => {
+                    fill(now, shown(self.colors.first(0)));
+                    now.len()
+                }
+            };
             self.column += to_u32(count);
-            pixels = later;
+            pixels = pixels.get_mut(count..).unwrap_or_default();
         }
     }
 }
