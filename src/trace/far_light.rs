@@ -1,7 +1,7 @@
 //! Up to which column the far lights surely shine alike on a plane.
 
 use super::stops::Stop;
-use super::{PathQuality, Tracer};
+use super::{PathQuality, Progress, Tracer};
 use crate::accel::World;
 use crate::accel::shadows::{self, Cast, Pencil};
 use crate::ray::ScaledPoint;
@@ -10,6 +10,22 @@ use crate::shade::highlight::sealed::Shading;
 use crate::shape::plane::PreparedPlane;
 
 impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
+    /// Tests whether no shadow of a far light begins or ends between two columns, if they show a plane at this level of a
+    /// path. Notes in `proved` where one does.
+    #[inline(always)]
+    pub(super) fn keeps_far_lights(
+        &mut self,
+        columns: [u32; 2],
+        (stops, level): (&[Stop], usize),
+        proved: &mut Progress,
+    ) -> bool {
+        let until = self.far_lights_until(columns, stops, level);
+        if until < columns[1] {
+            proved.border = Some(until);
+        }
+        until >= columns[1]
+    }
+
     /// Returns the last column from the first of two up to the last to which no shadow of a far light begins or ends, if
     /// they show a plane; else the last. `stops` are the hits of the first column's path; `level` is the one that is
     /// shown.

@@ -73,12 +73,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let [start, end] = ends.map(Stops::all);
         for (first, last) in start.iter().zip(end) {
             let is_one = first.shape == last.shape && first.is_inside == last.is_inside;
-            if !is_one {
-                return false;
-            }
-            let until = self.far_lights_until(between.1, start, origin.level);
-            if until < between.1[1] {
-                proved.border = Some(until);
+            if !is_one || !self.keeps_far_lights(between.1, (start, origin.level), proved) {
                 return false;
             }
             if origin.level == proved.hits {
