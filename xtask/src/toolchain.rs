@@ -143,7 +143,7 @@ impl BareMetal {
 /// Builds one program of a package outside of the workspace, in release mode. `package` is its folder.
 pub fn build_alone(target: &str, package: &Path, more: &[&str]) -> Result<PathBuf> {
     let cargo = cargo_build("release", target)?.args(more);
-    built(alone(cargo, package))
+    built(outside(cargo, package, &directory_for(target)))
 }
 
 /// Builds a package outside of the workspace for WebAssembly, in release mode. Installs the target first
@@ -166,18 +166,17 @@ pub fn build_wasm(package: &Path) -> Result<PathBuf> {
 
 /// Builds one program of a package that needs the crate of a chip, in release mode.
 pub fn build_for_chip(target: &str, package: &Path, program: &str) -> Result<PathBuf> {
-    let cargo = cargo_build("release", target)?.args(["--bin", program]);
-    built(outside(cargo, package, &chips_directory()))
+    build_alone(target, package, &["--bin", program])
 }
 
-/// Adds the arguments for a package outside of the workspace to a command of cargo. All of them share
-/// one target folder and one set of flags, so what several need is compiled once for each target.
+/// Adds the arguments for a package outside of the workspace that is checked, or built for browsers, to a command of
+/// cargo. All of them share one target folder and one set of flags, so what several need is checked once for each target.
 pub fn alone(cargo: Program, package: &Path) -> Program {
     outside(cargo, package, &alone_directory())
 }
 
 /// Adds the arguments for a package outside of the workspace, with this target folder.
-fn outside(cargo: Program, package: &Path, place: &Path) -> Program {
+pub fn outside(cargo: Program, package: &Path, place: &Path) -> Program {
     let manifest = root().join(package).join("Cargo.toml");
     cargo
         .args(["--manifest-path".as_ref(), manifest.as_os_str()])
@@ -191,10 +190,16 @@ pub fn alone_directory() -> PathBuf {
     target_directory().join("alone")
 }
 
-/// Returns cargo's target folder for packages that need the crate of a chip. They share little with others,
-/// and cargo builds in two folders at the same time.
-fn chips_directory() -> PathBuf {
-    target_directory().join("chips")
+/// Returns cargo's target folder for firmware of a target. All firmware of one target shares a folder, so that what
+/// several need is compiled once. The cores of the boards that people own have another folder than the rest, because
+/// cargo builds in two folders at the same time.
+pub fn directory_for(target: &str) -> PathBuf {
+    match target {
+        "thumbv6m-none-eabi" | "thumbv7em-none-eabihf" | "thumbv8m.main-none-eabihf" => {
+            target_directory().join("chips")
+        }
+        _ => alone_directory(),
+    }
 }
 
 /// Builds one program of the workspace in a profile and returns its path. `arguments` are the
@@ -206,7 +211,7 @@ pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathB
 /// Builds the package in a folder outside of the repository, with that folder's own configuration. Returns
 /// the program of this name.
 pub fn build_there(target: &str, folder: &Path, name: &str) -> Result<PathBuf> {
-    let place = chips_directory();
+    let place = directory_for(target);
     let cargo = cargo_build("release", target)?.args(["--target-dir".as_ref(), place.as_os_str()]);
     Ok(built(cargo.in_folder(folder))?.with_file_name(name))
 }

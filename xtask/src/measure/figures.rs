@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use command_line::one_line;
 use serde::{Deserialize, Serialize};
 
-use super::{outcome::Outcome, task::Task};
+use super::{Weight, outcome::Outcome, task::Task};
 
 /// One row. In JSON the keys are the names of the fields.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -36,10 +36,9 @@ pub struct Figures {
 }
 
 impl Figures {
-    pub(super) fn new(task: &Task, outcome: &Outcome) -> Self {
+    pub(super) fn new(task: &Task, outcome: &Outcome, weight: Weight) -> Self {
         let settings = task.settings;
         let (worst_row, worst_row_instructions) = outcome.worst_row();
-        let per_pixel = outcome.instructions as f64 / settings.size.pixels() as f64;
         Self {
             core: task.core.name.to_owned(),
             scene: task.scene.name().to_owned(),
@@ -47,12 +46,12 @@ impl Figures {
             reflections: settings.reflections,
             shading: settings.shading.name().to_owned(),
             quality: settings.quality.name().to_owned(),
-            instructions_per_pixel: tenths(per_pixel),
+            instructions_per_pixel: per_pixel(task, outcome),
             prepare_instructions: outcome.prepare,
             worst_row_instructions,
             worst_row,
-            flash: outcome.weight.flash,
-            ram: outcome.weight.ram,
+            flash: weight.flash,
+            ram: weight.ram,
             stack: outcome.stack,
             hash: format!("{:016x}", outcome.hash),
             cycles_per_pixel: None,
@@ -66,6 +65,11 @@ impl Figures {
     pub fn json(&self) -> Result<String> {
         serde_json::to_string(self).context("figures are plain")
     }
+}
+
+/// Returns the instructions of a frame over its pixels.
+pub(super) fn per_pixel(task: &Task, outcome: &Outcome) -> f64 {
+    tenths(outcome.instructions as f64 / task.settings.size.pixels() as f64)
 }
 
 fn tenths(number: f64) -> f64 {

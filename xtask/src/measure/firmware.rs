@@ -44,9 +44,9 @@ impl Weight {
     }
 }
 
-/// Builds the firmware for a task and weighs it.
+/// Builds the firmware for a task, and returns the bytes that it has beyond one that draws nothing.
 pub fn weight(task: &Task) -> Result<Weight> {
-    build(task)?.weight()
+    Ok(weigh(&build(task)?.scene)?.beyond(weigh(&empty(task)?)?))
 }
 
 /// Builds the firmware for a task and does something with the program that draws the scene.
@@ -59,24 +59,18 @@ pub fn is_counted(symbol: &str) -> bool {
     symbol.contains("Contestant") && (symbol.contains("7prepare") || symbol.contains("3row"))
 }
 
-/// The linked program of a task, and what it takes to weigh it.
-pub(super) struct Programs<'a> {
+/// The linked program of a task, and the number that comes back with its report.
+pub(super) struct Program {
     pub(super) scene: PathBuf,
     pub(super) ticket: u64,
-    task: &'a Task,
-}
-
-impl Programs<'_> {
-    /// Returns the bytes that the program of the scene has beyond one that draws nothing.
-    pub(super) fn weight(&self) -> Result<Weight> {
-        Ok(weigh(&self.scene)?.beyond(weigh(&empty(self.task)?)?))
-    }
 }
 
 /// Where the firmware for a core is built.
 struct Place {
     /// The job, and the source of a scene from a file.
     jobs: PathBuf,
+    /// Cargo's target folder.
+    target: PathBuf,
 }
 
 impl Place {
@@ -84,6 +78,7 @@ impl Place {
         let place = toolchain::target_directory().join("firmware");
         Self {
             jobs: place.join(core.name),
+            target: toolchain::directory_for(core.target),
         }
     }
 
@@ -95,8 +90,8 @@ impl Place {
     /// Waits until nobody else builds there, in this process or another. The lock is held until the
     /// file is dropped.
     fn lock(&self) -> Result<File> {
-        let target = toolchain::alone_directory();
-        let lock = [&self.jobs, &target]
+        let target = &self.target;
+        let lock = [&self.jobs, target]
             .into_iter()
             .try_for_each(fs::create_dir_all)
             .and_then(|()| File::create(target.join("lock")))
@@ -108,13 +103,12 @@ impl Place {
 }
 
 /// Returns the program that measures a task, and builds it if it is not there.
-pub(super) fn build(task: &Task) -> Result<Programs<'_>> {
+pub(super) fn build(task: &Task) -> Result<Program> {
     let job = task.job(&Place::of(task.core).scene());
     let text = task.scene.source();
-    Ok(Programs {
+    Ok(Program {
         scene: program("scene", task.core, text, &job.source, task.profile)?,
         ticket: job.ticket,
-        task,
     })
 }
 
@@ -175,7 +169,7 @@ fn program(
     };
     let chosen = [profile.arguments, &["--bin", name], features].concat();
     ledger::timed("build", &title, || compile(core, &source, &chosen))?;
-    let built = toolchain::alone_directory().join(core.target);
+    let built = place.target.join(core.target);
     images::keep(&built.join(profile.folder).join(name), &program)?;
     Ok(program)
 }
@@ -189,7 +183,8 @@ fn summary(job: &str) -> String {
 
 fn compile(core: &Core, job: &Path, chosen: &[&str]) -> Result<()> {
     let cargo = toolchain::BareMetal::get()?.cargo("build", &[core.target]);
-    toolchain::alone(cargo, Path::new("xtask/firmware"))
+    let place = toolchain::directory_for(core.target);
+    toolchain::outside(cargo, Path::new("xtask/firmware"), &place)
         .args(["--quiet", "--locked"])
         .args(chosen)
         .env("MEASURE_JOB", job)

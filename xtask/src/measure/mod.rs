@@ -78,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 
 pub fn measure(task: &Task) -> Result<Figures> {
     let mut figures = count(task)?;
-    if let Some(estimate) = estimate(&small(task, &figures))? {
+    if let Some(estimate) = estimate(&small(task, figures.instructions_per_pixel))? {
         figures.set_cycles(estimate.per_instruction());
     }
     Ok(figures)
@@ -86,7 +86,7 @@ pub fn measure(task: &Task) -> Result<Figures> {
 
 /// Measures one scene on one core, without the estimate of cycles.
 pub fn count(task: &Task) -> Result<Figures> {
-    Ok(Figures::new(task, &outcome(task)?))
+    Ok(Figures::new(task, &outcome(task)?, weight(task)?))
 }
 
 /// Estimates the cycles of a frame on a core whose timings are known. Every instruction is looked
@@ -103,10 +103,10 @@ pub fn estimate(task: &Task) -> Result<Option<Estimate>> {
 
 /// The same task with so few pixels that every instruction can be looked at: what one takes on
 /// average is much the same.
-fn small(task: &Task, figures: &Figures) -> Task {
+fn small(task: &Task, instructions_per_pixel: f64) -> Task {
     /// Instructions after which an emulated run takes a second or two.
     const INSTRUCTIONS: f64 = 1e6;
-    let side = (INSTRUCTIONS / figures.instructions_per_pixel).sqrt();
+    let side = (INSTRUCTIONS / instructions_per_pixel).sqrt();
     let side = side.clamp(4.0, 16.0) as u32;
     let mut task = task.clone();
     let size = &mut task.settings.size;

@@ -5,11 +5,11 @@ use std::cmp::Reverse;
 use anyhow::{Context, Result, ensure};
 
 use super::clock_log::ClockLog;
-use super::firmware::{self, RUN_LIMIT, Weight};
+use super::firmware::{self, RUN_LIMIT};
 use super::ledger;
 use super::task::Task;
 
-/// Counts of one measured task: instructions, stack, hash and bytes.
+/// Counts of one measured task: instructions, stack and hash. [`weight`](super::weight) has its bytes.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// Instructions of the whole frame.
@@ -22,14 +22,11 @@ pub struct Outcome {
     pub stack: u64,
     /// Hash of the pixels of the frame.
     pub hash: u64,
-    /// What is in flash and static RAM beyond the same firmware with an empty frame.
-    pub weight: Weight,
 }
 
 /// Builds and runs the firmware for a task.
 pub fn run(task: &Task) -> Result<Outcome> {
     let programs = firmware::build(task)?;
-    let weight = programs.weight()?;
     let clock = ClockLog::of(task.core, &programs.scene)?;
     let emulator = task.core.counting_emulator().args(clock.options());
     let title = format!("{} on {}", task.scene.name(), task.core.name);
@@ -61,7 +58,6 @@ pub fn run(task: &Task) -> Result<Outcome> {
         rows: counts[1..].to_vec(),
         stack: report.number("stack")?,
         hash: report.number("hash")?,
-        weight,
     })
 }
 
@@ -116,11 +112,6 @@ mod tests {
             rows: vec![2, 5, 5, 2],
             stack: 0,
             hash: 0,
-            weight: Weight {
-                code: 0,
-                flash: 0,
-                ram: 0,
-            },
         };
         assert_eq!(outcome.worst_row(), (1, 5));
     }

@@ -8,9 +8,10 @@ use clap::Args;
 use command_line::{json_line, one_line};
 use serde_json::json;
 
+use super::figures::per_pixel;
 use super::outcome::Outcome;
 use super::task::Task;
-use super::{Figures, Size, estimate, outcome, small};
+use super::{Size, estimate, outcome, small};
 use crate::{cycles::Timing, misuse::Misuse, owned::Owned};
 
 /// Bits of a pixel on the bus: RGB565.
@@ -99,7 +100,7 @@ impl Board {
     /// [`Misuse`] if no timings are published for the core.
     pub fn speed(&self, task: &Task) -> Result<Speed> {
         let outcome = outcome(task)?;
-        let estimate = estimate(&small(task, &Figures::new(task, &outcome)))?;
+        let estimate = estimate(&small(task, per_pixel(task, &outcome)))?;
         let estimate = estimate.ok_or_else(|| {
             let title = task.core.title;
             Misuse::new(format!(

@@ -139,7 +139,7 @@ fn weighed(tasks: &[Task]) -> Result<Vec<Figures>> {
 
 impl Figures {
     pub fn of(task: &Task) -> Result<Self> {
-        let outcome = outcome(task)?;
+        let (outcome, weight) = (outcome(task)?, weight(task)?);
         let (reflections, quality) = (task.settings.reflections, task.settings.quality);
         let left_out = needs(task.scene.name(), reflections).list();
         let left_out = left_out.iter().filter(|it| !it.is_needed);
@@ -148,10 +148,10 @@ impl Figures {
             scene: task.scene.name().to_owned(),
             quality: quality.name().to_owned(),
             reflections,
-            code: outcome.weight.code,
-            constants: outcome.weight.flash - outcome.weight.code,
-            flash: outcome.weight.flash,
-            ram: outcome.weight.ram,
+            code: weight.code,
+            constants: weight.flash - weight.code,
+            flash: weight.flash,
+            ram: weight.ram,
             stack: outcome.stack,
             left_out: left_out.map(|need| need.name.to_owned()).collect(),
         })
