@@ -74,8 +74,6 @@ pub struct Run {
     pub reflections: u8,
     /// Side of a drawn pixel, in pixels of the picture.
     pub scale: u32,
-    /// Whether the figures of this setting are known, so that the program skips it.
-    pub skip: bool,
     /// Function that draws a frame with this setting: [`swept`] of a renderer.
     pub draw: fn(&Clock, (u32, u32), &Run, &mut [Rgb888]) -> Drawn,
 }
@@ -91,9 +89,6 @@ pub struct Drawn {
 pub fn sweep(order: &Order, runs: &[Run], row: &mut [Rgb888]) -> ! {
     let clock = Clock::start();
     for (index, run) in (0..).zip(black_box(runs)) {
-        if run.skip {
-            continue;
-        }
         let drawn = (run.draw)(&clock, black_box(order.size), run, row);
         report::text("measured");
         report::number(" ticket=", order.ticket);

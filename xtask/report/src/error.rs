@@ -77,21 +77,6 @@ pub struct Parts {
     pub simplified: f64,
 }
 
-impl Parts {
-    pub fn largest(&self) -> &'static str {
-        let parts = [
-            (self.truncation, "reflections left out"),
-            (self.cut_off, "the weight cut-off"),
-            (self.between, "pixels between traced ones"),
-            (self.rounding, "rounding"),
-            (self.decided, "edges that rounding decides otherwise"),
-            (self.simplified, "larger pixels or shadows left out"),
-        ];
-        let largest = parts.iter().max_by(|a, b| a.0.total_cmp(&b.0));
-        largest.map_or("nothing", |part| part.1)
-    }
-}
-
 impl Truth {
     pub fn new(painter: &Painter) -> Self {
         let Size { width, height } = painter.size;

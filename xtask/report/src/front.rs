@@ -36,7 +36,7 @@ fn points(points: &[Point]) -> Vec<&Point> {
     };
     let mut known: Vec<&Point> = points.iter().filter(is_known).collect();
     known.sort_by(|a, b| {
-        let by_cost = a.cost.middle.total_cmp(&b.cost.middle);
+        let by_cost = a.cost.instructions.total_cmp(&b.cost.instructions);
         by_cost.then(b.psnr().total_cmp(&a.psnr()))
     });
     let mut front: Vec<&Point> = Vec::new();
@@ -56,13 +56,13 @@ fn points(points: &[Point]) -> Vec<&Point> {
 /// Returns the instructions a pixel without those of the preparation, rounded up.
 fn rounded(point: &Point) -> u32 {
     let pixels = point.pixels as f64;
-    let whole = (point.cost.middle * pixels).round() as u64;
+    let whole = (point.cost.instructions * pixels).round() as u64;
     let drawing = whole.saturating_sub(prepare(point).into());
     drawing.div_ceil(point.pixels) as u32
 }
 
 fn prepare(point: &Point) -> u32 {
-    point.cost.prepare.unwrap_or_default() as u32
+    point.cost.prepare as u32
 }
 
 fn hundredths(point: &Point) -> u16 {

@@ -6,7 +6,6 @@ mod arguments;
 mod contest;
 mod error;
 mod front;
-mod host;
 mod meter;
 mod page;
 mod paint;

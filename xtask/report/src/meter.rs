@@ -14,88 +14,53 @@ use xtask::sweep::{Count, Sweep};
 
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 struct Kept {
-    /// Hash of the settings.
-    settings: u64,
-    sources: u64,
-    /// Fingerprint of the program that counted all settings.
-    program: Option<u64>,
-    /// Counts of the first settings of the sweep.
+    /// Hash of the settings, and of the sources of the firmware.
+    key: u64,
     counts: Vec<Count>,
 }
 
-/// Counts all settings of a sweep whose counts are not in the file yet. Calls `done` after each
-/// setting. `scene` is the scene's name on the command line.
-pub fn count(mut sweep: Sweep, scene: &Path, file: &Path, done: &dyn Fn()) -> Result<Vec<Count>> {
-    let (mut kept, old) = Kept::read(file, hash(sweep.settings), sources(scene)?);
-    sweep.known = kept.counts.len();
-    (0..sweep.known).for_each(|_| done());
-    if sweep.known == sweep.settings.len() {
-        return Ok(kept.counts);
+/// Counts all settings of a sweep, unless the file has their counts. Calls `done` for each setting.
+/// `scene` is the scene's name on the command line.
+pub fn count(sweep: Sweep, scene: &Path, file: &Path, done: &dyn Fn()) -> Result<Vec<Count>> {
+    let key = key(&sweep, scene)?;
+    if let Some(counts) = read(file, key) {
+        counts.iter().for_each(|_| done());
+        return Ok(counts);
     }
-    let program = sweep.build()?;
-    let fingerprint = Some(program.fingerprint()?);
-    if let Some(old) = old.filter(|it| it.program == fingerprint) {
-        kept.counts = old.counts;
-        kept.counts.iter().for_each(|_| done());
-    } else {
-        program.run(|count| {
-            kept.counts.push(count);
-            done();
-            kept.write(file)
-        })?;
-    }
-    // A program that skips known settings has another fingerprint.
-    kept.program = fingerprint.filter(|_| sweep.known == 0);
-    kept.write(file)?;
+    let mut counts = Vec::new();
+    sweep.run(|count| {
+        counts.push(count);
+        done();
+    })?;
+    let kept = Kept { key, counts };
+    write(&kept, file)?;
     Ok(kept.counts)
 }
 
-impl Kept {
-    /// Returns the counts in the file if its settings and sources are these. If only the sources
-    /// differ, returns no counts, and those of the file as the second value.
-    fn read(file: &Path, settings: u64, sources: u64) -> (Self, Option<Self>) {
-        let text = fs::read_to_string(file).unwrap_or_default();
-        let found = serde_json::from_str(&text).ok();
-        match found.filter(|it: &Self| it.settings == settings) {
-            Some(kept) if kept.sources == sources => (kept, None),
-            old => {
-                let (program, counts) = (None, Vec::new());
-                let kept = Self {
-                    settings,
-                    sources,
-                    program,
-                    counts,
-                };
-                (kept, old)
-            }
-        }
-    }
-
-    /// Replaces the file in one step, so that it is complete even if the program is interrupted.
-    fn write(&self, file: &Path) -> Result<()> {
-        let folder = file.parent().unwrap_or(Path::new("."));
-        let written = || -> Result<()> {
-            fs::create_dir_all(folder)?;
-            let mut new = NamedTempFile::new_in(folder)?;
-            new.write_all(&serde_json::to_vec(self)?)?;
-            new.persist(file)?;
-            Ok(())
-        };
-        written().with_context(|| format!("--counts: {} cannot be written", file.display()))
-    }
+/// Returns the counts in a file, if they are of this key.
+fn read(file: &Path, key: u64) -> Option<Vec<Count>> {
+    let kept: Kept = serde_json::from_slice(&fs::read(file).ok()?).ok()?;
+    (kept.key == key).then_some(kept.counts)
 }
 
-fn hash(value: impl Hash) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    value.hash(&mut hasher);
-    hasher.finish()
+/// Replaces the file in one step, so that it is complete even if the program is interrupted.
+fn write(kept: &Kept, file: &Path) -> Result<()> {
+    let folder = file.parent().unwrap_or(Path::new("."));
+    let written = || -> Result<()> {
+        fs::create_dir_all(folder)?;
+        let mut new = NamedTempFile::new_in(folder)?;
+        new.write_all(&serde_json::to_vec(kept)?)?;
+        new.persist(file)?;
+        Ok(())
+    };
+    written().with_context(|| format!("--counts: {} cannot be written", file.display()))
 }
 
-/// Returns a hash of the sources that a firmware is made from, including the scene file if there is
-/// one.
-fn sources(scene: &Path) -> Result<u64> {
+/// Returns a hash of the settings and of the sources that a firmware is made from, including the scene
+/// file if there is one.
+fn key(sweep: &Sweep, scene: &Path) -> Result<u64> {
     let mut hasher = DefaultHasher::new();
-    measure::sources()?.hash(&mut hasher);
+    (sweep.settings, measure::sources()?).hash(&mut hasher);
     if scene.is_file() {
         let text = fs::read(scene);
         let text = text.with_context(|| format!("{} cannot be read", scene.display()));
@@ -112,20 +77,18 @@ mod tests {
     fn counts_are_known_of_the_same_settings_and_sources_alone() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("made").join("counts.json");
-        let count = Count {
+        let counts = vec![Count {
             instructions: 20,
             prepare: 3,
             hash: u64::MAX,
+        }];
+        assert_eq!(read(&file, 1), None);
+        let kept = Kept {
+            key: 1,
+            counts: counts.clone(),
         };
-        let (mut kept, old) = Kept::read(&file, 1, 2);
-        assert_eq!((kept.counts.len(), old), (0, None));
-        kept.counts.push(count);
-        kept.write(&file).unwrap();
-        let (kept, old) = Kept::read(&file, 1, 2);
-        assert_eq!((kept.counts.as_slice(), old), ([count].as_slice(), None));
-        let (other, old) = Kept::read(&file, 1, 3);
-        assert_eq!((other.counts.len(), old), (0, Some(kept)));
-        let (other, old) = Kept::read(&file, 9, 2);
-        assert_eq!((other.counts.len(), old), (0, None));
+        write(&kept, &file).unwrap();
+        assert_eq!(read(&file, 1), Some(counts));
+        assert_eq!(read(&file, 2), None);
     }
 }

@@ -3,10 +3,11 @@
 
 use xtask::table::filled;
 
-use crate::arguments::{Arguments, Core};
+use crate::arguments::Arguments;
 use crate::contest::{self, Contest};
 use crate::point::Point;
 use crate::scene::Measured;
+use xtask::measure::Core;
 
 pub struct Page<'a> {
     pub arguments: &'a Arguments,
@@ -23,7 +24,7 @@ pub struct Section<'a> {
 impl Page<'_> {
     pub fn markdown(&self) -> String {
         let core = self.arguments.core;
-        let contests = self.sections.iter().map(|it| Contest::new(it.scene, core));
+        let contests = self.sections.iter().map(|it| Contest::new(it.scene));
         let contests: Vec<Contest> = contests.collect();
         let links = self.sections.iter().map(|it| &it.scene.painter.name);
         let links: Vec<_> = links.map(|name| format!("[{name}](#{name})")).collect();
@@ -35,11 +36,11 @@ impl Page<'_> {
             ("verdict", contest::verdict(&contests, core)),
             ("file", self.sections[0].file.clone()),
             ("scenes", links.join(", ")),
-            ("cost", self.cost()),
+            ("core", core.title.to_owned()),
+            ("size", self.arguments.size_words()),
             ("contests", list(contests.iter().map(Contest::words))),
             ("promises", promises.len().to_string()),
             ("broken", broken.to_string()),
-            ("unit", core.unit().to_owned()),
             (
                 "sections",
                 self.sections.iter().map(|it| it.markdown(core)).collect(),
@@ -47,27 +48,10 @@ impl Page<'_> {
         ];
         filled(include_str!("page.md"), &values)
     }
-
-    fn cost(&self) -> String {
-        let size = self.arguments.size_words();
-        match self.arguments.core {
-            Core::Host => "The cost is the time on one thread of this machine, in percent of the time of \
-                           the double-precision reference with as many reflections. It is the median of \
-                           nine rounds, in which all settings take turns. points.csv has the quartiles."
-                .to_owned(),
-            Core::Emulated(core) => format!(
-                "The cost is the number of instructions that a {} executes for a picture of {size}, \
-                 divided by its pixels. It includes the preparation of the frame. An emulator counts \
-                 them. The float port is counted on a Cortex-M4F, which has an FPU. An instruction is not \
-                 a cycle.",
-                core.title
-            ),
-        }
-    }
 }
 
 impl Section<'_> {
-    fn markdown(&self, core: Core) -> String {
+    fn markdown(&self, core: &Core) -> String {
         let (name, file) = (&self.scene.painter.name, &self.file);
         let last = self.scene.last;
         format!(
@@ -78,9 +62,8 @@ impl Section<'_> {
     }
 
     /// Returns the best setting for each cost budget, if it differs from that of the budget before.
-    fn recommendations(&self, core: Core) -> Vec<String> {
-        let budgets: &[f64] = match core.name() {
-            "host" => &[1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0],
+    fn recommendations(&self, core: &Core) -> Vec<String> {
+        let budgets: &[f64] = match core.name {
             "m0" => &[300.0, 1000.0, 2000.0, 3000.0, 5000.0, 10_000.0, 20_000.0],
             _ => &[
                 100.0, 200.0, 300.0, 500.0, 700.0, 1000.0, 1500.0, 2000.0, 3000.0, 5000.0,
@@ -89,18 +72,17 @@ impl Section<'_> {
         let mut lines = Vec::new();
         let mut last = None;
         for budget in budgets {
-            let fits = |it: &(usize, &&Point)| it.1.cost.middle <= *budget;
+            let fits = |it: &(usize, &&Point)| it.1.cost.instructions <= *budget;
             let best = self.front.iter().enumerate().rfind(fits);
             let Some((index, point)) = best.filter(|it| last != Some(it.0)) else {
                 continue;
             };
             last = Some(index);
             lines.push(format!(
-                "For {budget} {} use {} ({}: {}, {} dB, largest {}).",
-                core.unit(),
+                "For {budget} instructions a pixel use {} ({}: {:.0}, {} dB, largest {}).",
                 point.setting.words(),
                 index + 1,
-                cost(point),
+                point.cost.instructions,
                 decibels(point.psnr()),
                 point.errors.largest
             ));
@@ -109,15 +91,7 @@ impl Section<'_> {
     }
 }
 
-/// Returns the cost of a point as text, with its quartiles if it was timed.
-pub fn cost(point: &Point) -> String {
-    match point.cost.quartiles {
-        Some((lower, upper)) => format!("{:.2} ({lower:.2} to {upper:.2})", point.cost.middle),
-        None => format!("{:.0}", point.cost.middle),
-    }
-}
-
-pub fn decibels(psnr: f64) -> String {
+fn decibels(psnr: f64) -> String {
     match psnr.is_finite() {
         true => format!("{psnr:.1}"),
         false => "∞".to_owned(),

@@ -4,7 +4,6 @@
 
 use std::ops::Range;
 
-use crate::arguments::Core;
 use crate::point::{GAIN, Point, front};
 use crate::scene::Measured;
 
@@ -38,7 +37,7 @@ impl Axis {
     /// Returns a logarithmic axis over all costs, with grid lines at 1, 2 and 5 of each decade.
     fn of_costs(scene: &Measured) -> Self {
         let costs = scene.points.iter().chain(&scene.float);
-        let costs = costs.map(|it| it.cost.middle);
+        let costs = costs.map(|it| it.cost.instructions);
         let least = costs.clone().fold(f64::INFINITY, f64::min);
         let range = least.max(1e-6) / 1.3..costs.fold(0.0, f64::max) * 1.3;
         let decades = range.start.log10().floor() as i32..=range.end.log10().ceil() as i32;
@@ -94,12 +93,12 @@ impl Axis {
 }
 
 /// Returns the plot of a scene.
-pub fn scene(scene: &Measured, core: Core) -> String {
+pub fn scene(scene: &Measured) -> String {
     let (x, y) = (Axis::of_costs(scene), Axis::of_psnr(scene));
-    let at = |point: &Point| (x.place(point.cost.middle), y.place(point.psnr()));
+    let at = |point: &Point| (x.place(point.cost.instructions), y.place(point.psnr()));
     let mut svg = Svg::new();
     let title = format!("{}: PSNR, higher is better", scene.painter.name);
-    svg.axes(&title, (&x, &y), core);
+    svg.axes(&title, (&x, &y));
 
     let (shown, float) = (front(&scene.points, GAIN), front(&scene.float, 0.0));
     let others = scene.points.iter().filter(|it| !it.is_on_front);
@@ -158,7 +157,7 @@ impl Svg {
         }
     }
 
-    fn axes(&mut self, title: &str, (x, y): (&Axis, &Axis), core: Core) {
+    fn axes(&mut self, title: &str, (x, y): (&Axis, &Axis)) {
         let ([left, right], [bottom, top]) = (ACROSS, UPRIGHT);
         let mut grid = String::new();
         grid.extend(
@@ -181,8 +180,8 @@ impl Svg {
         }
         let (middle, height) = ((left + right) / 2, (top + bottom) / 2);
         self.write((middle, 20), "middle\" font-size=\"17", title);
-        let unit = format!("{} (logarithmic)", core.unit());
-        self.write((middle, HEIGHT - 12), "middle", &unit);
+        let unit = "instructions a pixel (logarithmic)";
+        self.write((middle, HEIGHT - 12), "middle", unit);
         let turned = format!("middle\" transform=\"rotate(-90 14 {height})");
         self.write((14, height), &turned, "PSNR in dB");
     }

@@ -16,14 +16,12 @@ pub struct Point {
     pub is_on_front: bool,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Cost {
-    /// Instructions a pixel, or percent of the reference's time: the median.
-    pub middle: f64,
-    /// Lower and upper quartile of the time; `None` if instructions were counted.
-    pub quartiles: Option<(f64, f64)>,
-    /// Instructions of the preparation, if instructions were counted.
-    pub prepare: Option<u64>,
+    /// Instructions a pixel.
+    pub instructions: f64,
+    /// Instructions of the preparation.
+    pub prepare: u64,
     /// Hash of the picture that the core drew.
     pub hash: u64,
 }
@@ -39,9 +37,9 @@ impl Point {
 /// in one of them.
 pub fn mark_front(points: &mut [Point]) {
     for index in 0..points.len() {
-        let (cost, psnr) = (points[index].cost.middle, points[index].psnr());
+        let (cost, psnr) = (points[index].cost.instructions, points[index].psnr());
         let is_beaten = points.iter().any(|other| {
-            let (other_cost, other_psnr) = (other.cost.middle, other.psnr());
+            let (other_cost, other_psnr) = (other.cost.instructions, other.psnr());
             other_cost < cost && other_psnr >= psnr || other_psnr > psnr && other_cost <= cost
         });
         points[index].is_on_front = !is_beaten;
@@ -55,7 +53,7 @@ pub const GAIN: f64 = 0.25;
 /// the one before. The best point is always included.
 pub fn front(points: &[Point], gain: f64) -> Vec<&Point> {
     let mut front: Vec<&Point> = points.iter().filter(|it| it.is_on_front).collect();
-    front.sort_by(|a, b| a.cost.middle.total_cmp(&b.cost.middle));
+    front.sort_by(|a, b| a.cost.instructions.total_cmp(&b.cost.instructions));
     let best = front.last().map_or(0.0, |it| it.psnr());
     let mut kept: Vec<&Point> = Vec::new();
     for point in front {

@@ -8,15 +8,15 @@ use command_line::{Source, one_line};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
-use xtask::measure::Scene;
+use xtask::measure::{Core, Scene};
 use xtask::sweep::{Level, Setting, Sweep};
 use xtask::toolchain;
 
-use crate::arguments::{Arguments, Core};
+use crate::arguments::Arguments;
 use crate::error::Truth;
 use crate::paint::{Painter, hash};
 use crate::point::{Cost, Point, mark_front};
-use crate::{host, meter, settings, write};
+use crate::{meter, settings, write};
 
 /// A scene and everything that was measured of it.
 pub struct Measured {
@@ -27,8 +27,6 @@ pub struct Measured {
     pub points: Vec<Point>,
     /// Points of the float port, on a core with a floating-point unit.
     pub float: Vec<Point>,
-    /// Point of the float port in software floating point on the report's core, if it was counted.
-    pub soft: Option<Point>,
 }
 
 /// A scene and the settings to measure with it.
@@ -36,17 +34,17 @@ struct Plan<'a> {
     path: &'a Path,
     painter: Painter,
     last: u8,
-    jobs: [Job; 3],
+    jobs: [Job; 2],
 }
 
 /// Settings of one contestant, fixed point or float, on one core.
 struct Job {
     settings: Vec<Setting>,
-    core: Core,
+    core: &'static Core,
 }
 
-/// Costs of the three jobs of a scene: fixed point, float, and float in software.
-type Costs = [Vec<Cost>; 3];
+/// Costs of the two jobs of a scene: fixed point and float.
+type Costs = [Vec<Cost>; 2];
 
 /// Measures all scenes of the command line and writes the report.
 pub fn report(arguments: &Arguments) -> Result<()> {
@@ -58,15 +56,10 @@ pub fn report(arguments: &Arguments) -> Result<()> {
         .collect();
     let settings = plans.iter().flat_map(|plan| &plan.jobs);
     let settings: usize = settings.map(|job| job.settings.len()).sum();
-    let costs = if arguments.core == Core::Host {
-        let bar = bar(host::ROUNDS * settings);
-        plans.iter().map(|plan| plan.time(&bar)).collect()
-    } else {
-        count(&plans, arguments, &bar(settings))
-    };
+    let costs = count(&plans, arguments, &bar(settings))?;
     let measured: Result<Vec<Measured>> = plans
         .into_par_iter()
-        .zip(costs?)
+        .zip(costs)
         .map(|(plan, costs)| plan.measured(costs))
         .collect();
     write::all(arguments, &measured?)
@@ -99,13 +92,9 @@ fn painters(arguments: &Arguments) -> Result<Vec<Painter>> {
 impl<'a> Plan<'a> {
     fn new(path: &'a Path, painter: Painter, arguments: &Arguments) -> Self {
         let core = arguments.core;
+        let float = Core::find("m4f").expect("there is a Cortex-M4F");
         let last = last_that_matters(&painter, arguments.reflections);
         let numbers = settings::numbers(last);
-        // A frame in software floating point takes minutes, so one setting is enough.
-        let soft = match core.name() {
-            "m3" | "rv32" => vec![Setting::float(last.min(4), 1)],
-            _ => Vec::new(),
-        };
         let job = |settings, core| Job { settings, core };
         Self {
             path,
@@ -113,20 +102,9 @@ impl<'a> Plan<'a> {
             last,
             jobs: [
                 job(settings::fixed(&numbers), core),
-                job(settings::float(&numbers), core.of_float()),
-                job(soft, core),
+                job(settings::float(&numbers), float),
             ],
         }
-    }
-
-    /// Measures the times of the settings on this machine.
-    fn time(&self, bar: &ProgressBar) -> Result<Costs> {
-        bar.set_message(one_line(&self.painter.name));
-        let [fixed, float, _] = self.jobs.each_ref().map(|job| job.settings.as_slice());
-        let all = [fixed, float].concat();
-        let mut costs = host::time(&self.painter, &all, &|| bar.inc(1))?;
-        let float = costs.split_off(fixed.len());
-        Ok([costs, float, Vec::new()])
     }
 
     fn measured(self, costs: Costs) -> Result<Measured> {
@@ -136,32 +114,36 @@ impl<'a> Plan<'a> {
             let points = both.map(|(setting, cost)| self.point(&truth, *setting, cost, job.core));
             points.collect()
         };
-        let [fixed, float, soft] = &self.jobs;
-        let [of_fixed, of_float, of_soft] = costs;
+        let [fixed, float] = &self.jobs;
+        let [of_fixed, of_float] = costs;
         let mut fixed = points(fixed, of_fixed)?;
         let mut float = points(float, of_float)?;
-        let soft = points(soft, of_soft)?.pop();
         mark_front(&mut fixed);
         mark_front(&mut float);
         Ok(Measured {
             last: self.last,
             points: fixed,
             float,
-            soft,
             painter: self.painter,
         })
     }
 
-    fn point(&self, truth: &Truth, setting: Setting, cost: Cost, core: Core) -> Result<Point> {
+    fn point(
+        &self,
+        truth: &Truth,
+        setting: Setting,
+        cost: Cost,
+        core: &'static Core,
+    ) -> Result<Point> {
         let picture = self.painter.paint(&setting);
         if hash(&picture) != cost.hash {
-            let (name, core, words) = (&self.painter.name, core.title(), setting.words());
+            let (name, core, words) = (&self.painter.name, core.title, setting.words());
             bail!("{name}, {words}: {core} draws another picture than this machine");
         }
         Ok(Point {
             errors: truth.errors(&self.painter, &setting, &picture)?,
             setting,
-            core: core.name(),
+            core: core.name,
             cost,
             pixels: truth.picture.pixels.len() as u64,
             is_on_front: false,
@@ -188,34 +170,30 @@ fn count(plans: &[Plan], arguments: &Arguments, bar: &ProgressBar) -> Result<Vec
     let costs: Vec<Vec<Cost>> = pool.install(|| jobs.collect::<Result<_>>())?;
     let mut costs = costs.into_iter();
     let mut next = || costs.next().unwrap_or_default();
-    Ok(plans.iter().map(|_| [next(), next(), next()]).collect())
+    Ok(plans.iter().map(|_| [next(), next()]).collect())
 }
 
 impl Job {
     fn count(&self, plan: &Plan, arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Cost>> {
-        let (Core::Emulated(core), Some(first)) = (self.core, self.settings.first()) else {
-            return Ok(Vec::new());
-        };
-        let (name, core_name) = (&plan.painter.name, core.name);
+        let (name, core_name) = (&plan.painter.name, self.core.name);
         bar.set_message(one_line(&format!("{name} on {core_name}")));
-        let contestant = if first.is_float() { "float" } else { "fixed" };
+        let is_float = self.settings.iter().all(Setting::is_float);
+        let contestant = if is_float { "float" } else { "fixed" };
         let (safe, size) = (write::file_name(name), arguments.size_words());
         let file = format!("{safe}-{contestant}-{core_name}-{size}.json");
         let folder = arguments.counts.clone();
         let folder = folder.unwrap_or_else(|| toolchain::target_directory().join("report"));
         let sweep = Sweep {
-            core,
+            core: self.core,
             scene: &Scene::open(plan.path, &arguments.chosen)?,
             size: arguments.size.into(),
             settings: &self.settings,
-            known: 0,
         };
         let counts = meter::count(sweep, plan.path, &folder.join(file), &|| bar.inc(1))?;
         let pixels = f64::from(arguments.size.width * arguments.size.height);
         let costs = counts.into_iter().map(|count| Cost {
-            middle: count.instructions as f64 / pixels,
-            quartiles: None,
-            prepare: Some(count.prepare),
+            instructions: count.instructions as f64 / pixels,
+            prepare: count.prepare,
             hash: count.hash,
         });
         Ok(costs.collect())

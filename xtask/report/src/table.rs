@@ -14,7 +14,7 @@ pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<String> {
     let size = arguments.size_words();
     let mut rows = Vec::new();
     for scene in scenes {
-        let points = scene.points.iter().chain(&scene.float).chain(&scene.soft);
+        let points = scene.points.iter().chain(&scene.float);
         rows.extend(points.map(|point| row(&scene.painter.name, &size, point)));
     }
     writer.write_record(rows.iter().take(1).flatten().map(|cell| cell.0))?;
@@ -35,12 +35,6 @@ fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {
     let of_level = |show: fn(Numbers) -> String| optional(level.map(|it| show(it.numbers())));
     let (errors, cost) = (&point.errors, &point.cost);
     let of_promise = |show: fn(&Promised) -> String| optional(errors.promised.as_ref().map(show));
-    let counted = cost.quartiles.is_none().then(|| digits(cost.middle, 1));
-    let prepare = cost.prepare.map(|it| it.to_string());
-    let timed = |show: fn((f64, f64, f64)) -> f64| {
-        let times = |(lower, upper)| show((lower, cost.middle, upper));
-        optional(cost.quartiles.map(|it| digits(times(it), 3)))
-    };
     let parts = &errors.parts;
     vec![
         ("scene", scene.to_owned()),
@@ -53,11 +47,8 @@ fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {
         ("shadows", shadows.to_string()),
         ("scale", setting.scale.to_string()),
         ("reflections", setting.reflections.to_string()),
-        ("instructions_per_pixel", optional(counted)),
-        ("prepare_instructions", optional(prepare)),
-        ("time_percent", timed(|it| it.1)),
-        ("time_lower_quartile", timed(|it| it.0)),
-        ("time_upper_quartile", timed(|it| it.2)),
+        ("instructions_per_pixel", digits(cost.instructions, 1)),
+        ("prepare_instructions", cost.prepare.to_string()),
         ("hash", format!("{:016x}", cost.hash)),
         ("psnr", digits(errors.psnr, 3)),
         ("largest", errors.largest.to_string()),

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use command_line::shown;
 
-use crate::arguments::{Arguments, Core};
+use crate::arguments::Arguments;
 use crate::page::{Page, Section};
 use crate::point::{GAIN, front};
 use crate::scene::Measured;
@@ -22,13 +22,11 @@ pub fn all(arguments: &Arguments, scenes: &[Measured]) -> Result<()> {
         fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))
     };
     write("points.csv", &table::csv(arguments, scenes)?)?;
-    if arguments.core != Core::Host {
-        write("front.rs", &source::source(&arguments.command(), scenes))?;
-    }
+    write("front.rs", &source::source(&arguments.command(), scenes))?;
     let mut sections = Vec::new();
     for scene in scenes {
         let file = format!("{}-psnr.svg", file_name(&scene.painter.name));
-        write(&file, &plot::scene(scene, arguments.core))?;
+        write(&file, &plot::scene(scene))?;
         let front = front(&scene.points, GAIN);
         sections.push(Section { scene, file, front });
     }

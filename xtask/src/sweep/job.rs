@@ -25,10 +25,10 @@ pub fn source(sweep: &Sweep, file: &Path, ticket: u64) -> String {
     let qualities: BTreeMap<String, String> = levels.map(quality).collect();
     source.extend(qualities.into_values());
     source += "pub const RUNS: &[firmware::Run] = &[\n";
-    for (index, setting) in sweep.settings.iter().enumerate() {
-        let (contestant, is_known) = (type_name(setting), index < sweep.known);
+    for setting in sweep.settings {
+        let contestant = type_name(setting);
         source += &format!(
-            "    firmware::Run {{ reflections: {}, scale: {}, skip: {is_known}, \
+            "    firmware::Run {{ reflections: {}, scale: {}, \
              draw: firmware::swept::<{contestant}> }},\n",
             setting.reflections, setting.scale
         );

@@ -8,7 +8,7 @@ mod job;
 mod setting;
 
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::path::PathBuf;
+use std::path::Path;
 use std::time::Duration;
 
 use anyhow::{Result, ensure};
@@ -26,9 +26,6 @@ pub struct Sweep<'a> {
     pub scene: &'a Scene,
     pub size: (u32, u32),
     pub settings: &'a [Setting],
-    /// Number of settings at the start of the list whose counts are known: the program contains
-    /// them, but does not draw them.
-    pub known: usize,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -41,24 +38,30 @@ pub struct Count {
     pub hash: u64,
 }
 
-pub struct Program<'a> {
-    sweep: &'a Sweep<'a>,
-    ticket: u64,
-    file: PathBuf,
-}
-
 impl Sweep<'_> {
-    /// Builds the firmware. Builds for the same target run one after another.
-    pub fn build(&self) -> Result<Program<'_>> {
+    /// Builds the firmware and runs it. Calls `counted` for each setting, in the order of the settings.
+    /// Builds for the same target run one after another.
+    pub fn run(&self, mut counted: impl FnMut(Count)) -> Result<()> {
         let ticket = self.ticket();
-        let file = firmware::build_sweep(self.core, self.scene, |file| {
-            job::source(self, file, ticket)
-        })?;
-        Ok(Program {
-            sweep: self,
-            ticket,
-            file,
-        })
+        let job = |file: &Path| job::source(self, file, ticket);
+        let program = firmware::build_sweep(self.core, self.scene, job)?;
+        let emulator = self.core.counting_emulator().limit(LIMIT);
+        let mut running = emulator.boot(&program)?;
+        for index in 0..self.settings.len() {
+            let line = running.line(|line| line.starts_with("measured "))?;
+            let report = Report::find(&line)?;
+            ensure!(
+                report.number("ticket")? == ticket && report.number("run")? == index as u64,
+                "the firmware reports another task"
+            );
+            counted(Count {
+                instructions: report.number("instructions")?,
+                prepare: report.number("prepare")?,
+                hash: report.number("hash")?,
+            });
+        }
+        running.end()?;
+        Ok(())
     }
 
     /// Returns a number that identifies the task. The firmware sends it with every report.
@@ -66,33 +69,5 @@ impl Sweep<'_> {
         let mut hasher = DefaultHasher::new();
         (self.core.name, self.size, self.settings).hash(&mut hasher);
         hasher.finish()
-    }
-}
-
-impl Program<'_> {
-    pub fn fingerprint(&self) -> Result<u64> {
-        firmware::fingerprint(&self.file)
-    }
-
-    /// Runs the firmware. Calls `counted` for each setting that is not known, in the order of the
-    /// settings.
-    pub fn run(&self, mut counted: impl FnMut(Count) -> Result<()>) -> Result<()> {
-        let emulator = self.sweep.core.counting_emulator().limit(LIMIT);
-        let mut running = emulator.boot(&self.file)?;
-        for index in self.sweep.known..self.sweep.settings.len() {
-            let line = running.line(|line| line.starts_with("measured "))?;
-            let report = Report::find(&line)?;
-            ensure!(
-                report.number("ticket")? == self.ticket && report.number("run")? == index as u64,
-                "the firmware reports another task"
-            );
-            counted(Count {
-                instructions: report.number("instructions")?,
-                prepare: report.number("prepare")?,
-                hash: report.number("hash")?,
-            })?;
-        }
-        running.end()?;
-        Ok(())
     }
 }
