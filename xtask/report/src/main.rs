@@ -3,16 +3,12 @@
 //! `cargo run --release --package report -- --help`
 
 mod arguments;
-mod contest;
-mod error;
 mod front;
 mod meter;
 mod page;
-mod paint;
 mod plot;
 mod point;
 mod scene;
-mod settings;
 mod table;
 mod write;
 

@@ -21,8 +21,8 @@ struct Kept {
 
 /// Counts all settings of a sweep, unless the file has their counts. Calls `done` for each setting.
 /// `scene` is the scene's name on the command line.
-pub fn count(sweep: Sweep, scene: &Path, file: &Path, done: &dyn Fn()) -> Result<Vec<Count>> {
-    let key = key(&sweep, scene)?;
+pub fn count(sweep: &Sweep, scene: &Path, file: &Path, done: &dyn Fn()) -> Result<Vec<Count>> {
+    let key = key(sweep, scene)?;
     if let Some(counts) = read(file, key) {
         counts.iter().for_each(|_| done());
         return Ok(counts);

@@ -4,7 +4,6 @@
 use xtask::table::filled;
 
 use crate::arguments::Arguments;
-use crate::contest::{self, Contest};
 use crate::point::Point;
 use crate::scene::Measured;
 use xtask::measure::Core;
@@ -24,23 +23,15 @@ pub struct Section<'a> {
 impl Page<'_> {
     pub fn markdown(&self) -> String {
         let core = self.arguments.core;
-        let contests = self.sections.iter().map(|it| Contest::new(it.scene));
-        let contests: Vec<Contest> = contests.collect();
-        let links = self.sections.iter().map(|it| &it.scene.painter.name);
+        let links = self.sections.iter().map(|it| &it.scene.name);
         let links: Vec<_> = links.map(|name| format!("[{name}](#{name})")).collect();
-        let points = self.sections.iter().flat_map(|it| &it.scene.points);
-        let promises: Vec<_> = points.filter_map(|it| it.errors.promised).collect();
-        let broken: usize = promises.iter().map(|it| it.broken).sum();
         let values = [
             ("command", self.arguments.command()),
-            ("verdict", contest::verdict(&contests, core)),
+            ("verdict", self.verdict()),
             ("file", self.sections[0].file.clone()),
             ("scenes", links.join(", ")),
             ("core", core.title.to_owned()),
             ("size", self.arguments.size_words()),
-            ("contests", list(contests.iter().map(Contest::words))),
-            ("promises", promises.len().to_string()),
-            ("broken", broken.to_string()),
             (
                 "sections",
                 self.sections.iter().map(|it| it.markdown(core)).collect(),
@@ -48,11 +39,26 @@ impl Page<'_> {
         ];
         filled(include_str!("page.md"), &values)
     }
+
+    /// Says in how many scenes a good picture is cheap.
+    fn verdict(&self) -> String {
+        /// Instructions a pixel, and decibels.
+        const CHEAP: f64 = 1000.0;
+        const GOOD: f64 = 40.0;
+        let is_both = |it: &&Point| it.cost() <= CHEAP && it.psnr >= GOOD;
+        let good = |it: &&Section| it.front.iter().any(is_both);
+        let count = self.sections.iter().filter(good).count();
+        format!(
+            "With at most {CHEAP} instructions a pixel of a {}, {count} of {} scenes have a PSNR of {GOOD} dB or more.",
+            self.arguments.core.title,
+            self.sections.len()
+        )
+    }
 }
 
 impl Section<'_> {
     fn markdown(&self, core: &Core) -> String {
-        let (name, file) = (&self.scene.painter.name, &self.file);
+        let (name, file) = (&self.scene.name, &self.file);
         let last = self.scene.last;
         format!(
             "## {name}\n\n{}\n\n![PSNR against cost]({file})\n\n\
@@ -72,7 +78,7 @@ impl Section<'_> {
         let mut lines = Vec::new();
         let mut last = None;
         for budget in budgets {
-            let fits = |it: &(usize, &&Point)| it.1.cost.instructions <= *budget;
+            let fits = |it: &(usize, &&Point)| it.1.cost() <= *budget;
             let best = self.front.iter().enumerate().rfind(fits);
             let Some((index, point)) = best.filter(|it| last != Some(it.0)) else {
                 continue;
@@ -82,9 +88,9 @@ impl Section<'_> {
                 "For {budget} instructions a pixel use {} ({}: {:.0}, {} dB, largest {}).",
                 point.setting.words(),
                 index + 1,
-                point.cost.instructions,
-                decibels(point.psnr()),
-                point.errors.largest
+                point.cost(),
+                decibels(point.psnr),
+                point.largest
             ));
         }
         lines

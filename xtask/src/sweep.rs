@@ -1,31 +1,35 @@
 //! Counts the instructions of many settings of one scene on a core: one firmware draws them one
-//! after another.
-//!
-//! [`setting`] says what can be varied, [`job`] writes the firmware's source. This module does not
-//! store the counts; the report does.
-
-mod job;
-mod setting;
+//! after another. This module does not store the counts; the report does.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
 use std::time::Duration;
 
 use anyhow::{Result, ensure};
+use command_line::Quality;
 use serde::{Deserialize, Serialize};
 
-pub use self::setting::{Contestant, Level, Numbers, Setting, Visitor};
 use crate::measure::outcome::Report;
-use crate::measure::{Core, Scene, firmware};
+use crate::measure::{Core, Scene, Size, firmware, task};
 
-/// Time limit of a run. With soft floating point a frame takes minutes.
+/// Time limit of a run.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
 pub struct Sweep<'a> {
     pub core: &'static Core,
     pub scene: &'a Scene,
-    pub size: (u32, u32),
+    pub size: Size,
     pub settings: &'a [Setting],
+}
+
+/// A setting of a frame, which is lit in Blinn-Phong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Setting {
+    pub quality: Quality,
+    /// Largest number of reflections.
+    pub reflections: u8,
+    /// Width and height of a drawn pixel, in pixels of the picture; at least 1.
+    pub scale: u8,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -38,12 +42,22 @@ pub struct Count {
     pub hash: u64,
 }
 
+impl Setting {
+    pub fn words(&self) -> String {
+        let mut words = format!("N = {}, {}", self.reflections, self.quality.name());
+        if self.scale > 1 {
+            words += &format!(", {0} x {0} pixels", self.scale);
+        }
+        words
+    }
+}
+
 impl Sweep<'_> {
     /// Builds the firmware and runs it. Calls `counted` for each setting, in the order of the settings.
     /// Builds for the same target run one after another.
     pub fn run(&self, mut counted: impl FnMut(Count)) -> Result<()> {
         let ticket = self.ticket();
-        let job = |file: &Path| job::source(self, file, ticket);
+        let job = |file: &Path| self.job(file, ticket);
         let program = firmware::build_sweep(self.core, self.scene, job)?;
         let emulator = self.core.counting_emulator().limit(LIMIT);
         let mut running = emulator.boot(&program)?;
@@ -67,7 +81,25 @@ impl Sweep<'_> {
     /// Returns a number that identifies the task. The firmware sends it with every report.
     fn ticket(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
-        (self.core.name, self.size, self.settings).hash(&mut hasher);
+        (self.core.name, self.size.to_string(), self.settings).hash(&mut hasher);
         hasher.finish()
+    }
+
+    /// Returns the source that the firmware includes. `file` is the path of the source of a scene file's
+    /// scene.
+    fn job(&self, file: &Path, ticket: u64) -> String {
+        let (module, scene, view) = self.scene.names(file);
+        let order = task::order(self.size, ticket);
+        let mut source = format!("{order}{module}pub struct Seen;\n\n{view}");
+        source += "pub const RUNS: &[firmware::Run] = &[\n";
+        for setting in self.settings {
+            let quality = setting.quality.type_name();
+            source += &format!(
+                "    firmware::Run {{ reflections: {}, scale: {}, \
+                 draw: firmware::swept::<{scene}, Seen, reflet::quality::{quality}> }},\n",
+                setting.reflections, setting.scale
+            );
+        }
+        source + "];\n"
     }
 }
