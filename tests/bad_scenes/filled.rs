@@ -19,60 +19,6 @@ const UNHEARD_OF: [f64; 4] = [NAN, INFINITE, -INFINITE, 1e300];
 const ORIGIN: Triple = [0.0; 3];
 const UP: Triple = [0.0, 0.0, 1.0];
 
-/// The message of every error that is met below.
-fn message(kind: ErrorKind) -> &'static str {
-    match kind {
-        ErrorKind::Coordinate => {
-            "coordinates and sizes must be finite and within -2^30 to 2^30 scene units"
-        }
-        ErrorKind::Radius => "radius must be greater than 0",
-        ErrorKind::Height => "height must be greater than 0",
-        ErrorKind::Normal => "normal must not be zero",
-        ErrorKind::Axis => "axis must not be zero",
-        ErrorKind::Color => "color components must be within 0 to 16",
-        ErrorKind::Background => "background components must be within 0 to 16",
-        ErrorKind::Checker => {
-            "checker sizes must be 0 or 2^-27 to 2^16 of the scene's extent, and not all 0"
-        }
-        ErrorKind::Sun => "direction must not be zero, and disc must be within 0 to 90 degrees",
-        ErrorKind::Sky => "up must not be zero",
-        ErrorKind::Ambient => "ambient must be within 0 to 16",
-        ErrorKind::Diffuse => "diffuse must be within 0 to 16",
-        ErrorKind::Specular => "specular must be within 0 to 16",
-        ErrorKind::Shininess => "shininess must be within 0 to 2^20",
-        ErrorKind::Mirror => "mirror must be within 0 to 1",
-        ErrorKind::Epsilon => "epsilon must be greater than 0 and smaller than the scene",
-        ErrorKind::TooManySpheres => "too many spheres: raise `spheres` in room!(..)",
-        ErrorKind::TooManyPlanes => "too many planes: raise `planes` in room!(..)",
-        ErrorKind::TooManyCylinders => "too many cylinders: raise `cylinders` in room!(..)",
-        ErrorKind::Corners => {
-            "corners must not lie on one line: make the smallest altitude at least 2^-20 of the longest side"
-        }
-        ErrorKind::TooManyTriangles => "too many triangles: raise `triangles` in room!(..)",
-        ErrorKind::TooManyDiscs => "too many discs: raise `discs` in room!(..)",
-        ErrorKind::TooManyLights => "too many lights: raise `lights` in room!(..)",
-        ErrorKind::TooManyMaterials => "too many materials: raise `materials` in room!(..)",
-        ErrorKind::UnknownMaterial => "material does not exist in this scene: add it first",
-        ErrorKind::Extent => "extent must be larger than 2^-30 scene units: scale the scene up",
-        ErrorKind::Tiny => {
-            "radius, half the height and a triangle's altitudes must be at least 2^-22 of the scene's extent: enlarge it \
-             or shrink the scene"
-        }
-        ErrorKind::Brightness => {
-            "color * (ambient + the sum over lights of (diffuse + specular) * light color), with \
-             and without color, must stay below 30: dim the material or the lights"
-        }
-        ErrorKind::Range => {
-            "range must be greater than 0 and at most 2^30 scene units: a light without one does \
-             not fall off"
-        }
-        ErrorKind::View => "target must differ from the position",
-        ErrorKind::Up => "up must not be zero or parallel to the view direction",
-        ErrorKind::FieldOfView => "fov must be between 0.001 and 179.999 degrees",
-        _ => panic!("{kind:?} is not met here"),
-    }
-}
-
 /// Part, index and kind of an error.
 type Expected = (&'static str, Option<usize>, ErrorKind);
 
@@ -85,10 +31,8 @@ fn assert_error(found: Option<Error>, expected: Expected) {
         (part, Some(index), _) => format!("{part} {index}"),
         (part, None, _) => part.to_owned(),
     };
-    assert_eq!(
-        found.to_string(),
-        format!("{part}: {}", message(expected.2))
-    );
+    let message = expected.2.message();
+    assert_eq!(found.to_string(), format!("{part}: {message}"));
 }
 
 /// Something to be added to a scene, of this material.
@@ -465,7 +409,7 @@ fn fields_of_a_material_are_named() {
             assert_eq!((error.part(), error.index()), ("material", None));
             assert_eq!(error.kind(), kind, "{value}");
         }
-        assert_eq!(kind.to_string(), message(kind));
+        assert_eq!(kind.to_string(), kind.message());
         for value in [0.0, -0.0, most] {
             assert!(made(field, value).is_ok(), "{kind:?} {value}");
         }
