@@ -313,6 +313,65 @@ fn epsilon_must_be_greater_than_zero_and_smaller_than_the_scene() {
     assert_error(scene.build().err(), error);
 }
 
+/// Fails unless a scene of one sphere, and of what else is added, is built with the first number and
+/// refused with the second.
+#[track_caller]
+fn assert_limit(
+    [taken, refused]: [f64; 2],
+    error: Expected,
+    add: impl Fn(&mut Scenery, MaterialId, f64) -> Result<(), Error>,
+) {
+    let built = |number| {
+        let mut scene = Scenery::new();
+        let made = Material::from_numbers([1.0; 3], 16.0, 0.5, (0.0, 1.0), 0.0)?;
+        let id = scene.add_material(made)?;
+        add(&mut scene, id, number)?;
+        scene.build().map(|_| ())
+    };
+    assert_eq!(built(taken).err(), None, "{taken}");
+    assert_error(built(refused).err(), error);
+}
+
+#[test]
+fn limits_of_a_whole_scene_are_sharp() {
+    // The planet of radius 2^20 fills the ball of 2^28 steps, so the smallest radius, 64 steps, is a
+    // quarter.
+    let (planet, beside) = (f64::from(1 << 20), [1.0, 2.0, 3.0]);
+    let tiny = |part, index| (part, Some(index), ErrorKind::Tiny);
+    assert_limit([0.25, 0.248], tiny("sphere", 1), |scene, id, radius| {
+        scene.add_sphere(ORIGIN, planet, id)?;
+        scene.add_sphere(beside, radius, id).map(drop)
+    });
+    assert_limit([0.5, 0.496], tiny("cylinder", 0), |scene, id, height| {
+        scene.add_sphere(ORIGIN, planet, id)?;
+        scene.add_cylinder(beside, UP, 1.0, height, id).map(drop)
+    });
+    let least = 2f64.powi(-30);
+    let of_scene = |kind| ("scene", None, kind);
+    let lonely = |scene: &mut Scenery, id, radius| {
+        scene.add_sphere(ORIGIN, radius, id)?;
+        scene.set_epsilon(radius * 1e-3)
+    };
+    for taken in [least, LIMIT] {
+        assert_limit([taken, 0.99 * least], of_scene(ErrorKind::Extent), lonely);
+    }
+    for limits in [[0.999, 1.0], [1e-19, 1e12]] {
+        let error = of_scene(ErrorKind::Epsilon);
+        assert_limit(limits, error, |scene, id, epsilon| {
+            scene.add_sphere(ORIGIN, 1.0, id)?;
+            scene.set_epsilon(epsilon)
+        });
+    }
+    // Ambient 16, and 28 times half of it by the light.
+    let bright = ("material", Some(0), ErrorKind::Brightness);
+    let share = |light: f64| [light / 2.0; 3];
+    assert_limit([13.9 * 2.0, 14.1 * 2.0], bright, |scene, id, light| {
+        scene.add_sphere(ORIGIN, 1.0, id)?;
+        scene.add_light([3.0; 3], share(light))?;
+        scene.add_light([-3.0; 3], share(light)).map(drop)
+    });
+}
+
 #[test]
 fn more_than_the_room_is_refused() {
     let (mut scene, id) = furnished();
@@ -458,7 +517,7 @@ fn camera_up_must_not_be_zero_or_parallel_to_the_view() {
     ] {
         assert_no_camera(Camera::new(ORIGIN, target, up, 50), ErrorKind::Up);
     }
-    for up in [[0.0, 0.0, 1e-9], [1e-3, -5.0, 2.0]] {
+    for up in [[0.0, 0.0, 1e-9], [1e-3, -5.0, 2.0], [1e-5, -5.0, 2.0]] {
         assert!(Camera::new(ORIGIN, target, up, 50).is_ok(), "{up:?}");
     }
 }

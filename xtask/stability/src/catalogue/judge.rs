@@ -118,7 +118,7 @@ fn judge_measured(it: Measured) -> Verdict {
         unit: it.unit,
         errors: Some([it.fixed, it.single]),
         is_met: it.fixed <= it.bar,
-        no_worse: Some([it.fixed <= it.single.max(it.uncertain); 2]),
+        no_worse: Some([it.fixed <= it.single; 2]),
         words: format!("at most {:.2e}. {}", it.bar, it.note),
         ..Verdict::NONE
     }

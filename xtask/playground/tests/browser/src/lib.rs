@@ -1,5 +1,5 @@
-//! Tests the playground in headless Chromium, as people use it: from its file, from a server, on a desk
-//! and on a telephone.
+//! Tests the playground in headless Chromium, as people use it: from its file, on a desk and on a
+//! telephone.
 
 #![cfg(test)]
 
@@ -7,9 +7,9 @@ mod copied;
 mod driver;
 mod site;
 
-use driver::{Tab, started};
+use driver::Tab;
 use serde_json::{Value, json};
-use site::{address, built, kept_hashes, playground};
+use site::{address, built, kept_hashes};
 
 #[test]
 fn page_opens_from_its_file_without_a_word_in_the_log() {
@@ -31,16 +31,6 @@ fn page_is_no_larger_than_it_may_be() {
         panic!("{size}");
     };
     assert!(page <= 350_000.0 && wasm <= 200_000.0, "{size}");
-}
-
-#[test]
-fn page_opens_from_a_server() {
-    let (_server, rest) = started(playground().args(["--serve", "0"]), "http://");
-    let (address, _) = rest.split_once(' ').unwrap();
-    let tab = Tab::open();
-    tab.visit(&format!("http://{address}"));
-    assert_eq!(tab.hash(), kept_hashes()["castle"]);
-    assert_eq!(tab.log(), Vec::<Value>::new());
 }
 
 #[test]
