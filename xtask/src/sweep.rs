@@ -1,5 +1,5 @@
 //! Counts the instructions of many settings of one scene on a core: one firmware draws them one
-//! after another. This module does not store the counts; the report does.
+//! after another.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
@@ -7,7 +7,6 @@ use std::time::Duration;
 
 use anyhow::{Result, ensure};
 use command_line::Quality;
-use serde::{Deserialize, Serialize};
 
 use crate::measure::outcome::Report;
 use crate::measure::{Core, Scene, Size, firmware, task};
@@ -32,7 +31,7 @@ pub struct Setting {
     pub scale: u8,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
     /// Instructions of the whole frame.
     pub instructions: u64,

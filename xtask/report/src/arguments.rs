@@ -29,10 +29,6 @@ pub struct Arguments {
     #[arg(short, long, value_name = "DIR", default_value = "error-time")]
     pub out: PathBuf,
 
-    /// The folder of what was counted before [default: report in cargo's target folder]
-    #[arg(long, value_name = "DIR")]
-    pub counts: Option<PathBuf>,
-
     /// Width and height in pixels, each from 1 to 1024
     #[arg(long, value_name = "WxH", default_value = "128x128", value_parser = small_size)]
     pub size: Size,

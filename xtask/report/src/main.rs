@@ -4,7 +4,6 @@
 
 mod arguments;
 mod front;
-mod meter;
 mod page;
 mod plot;
 mod point;

@@ -12,11 +12,10 @@ use reflet::host::compare::compare;
 use reflet::host::reference::{Picture, Shading, render};
 use xtask::measure::{Scene, Size};
 use xtask::sweep::{Count, Setting, Sweep};
-use xtask::toolchain;
 
 use crate::arguments::Arguments;
 use crate::point::{Point, hash, mark_front, paint};
-use crate::{meter, write};
+use crate::write;
 
 /// Number of reflections that stands for all of them. The rest of a path is then darker than a
 /// display can show, unless its mirrors reflect nearly all light.
@@ -108,17 +107,18 @@ impl<'a> Plan<'a> {
     fn count(&self, arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Count>> {
         let (name, core) = (self.source.name(), arguments.core);
         bar.set_message(one_line(&format!("{name} on {}", core.name)));
-        let (safe, size) = (write::file_name(name), arguments.size_words());
-        let file = format!("{safe}-{}-{size}.json", core.name);
-        let folder = arguments.counts.clone();
-        let folder = folder.unwrap_or_else(|| toolchain::target_directory().join("report"));
         let sweep = Sweep {
             core,
             scene: &Scene::open(self.path, &arguments.chosen)?,
             size: Size::new(arguments.size.width, arguments.size.height),
             settings: &self.settings,
         };
-        meter::count(&sweep, self.path, &folder.join(file), &|| bar.inc(1))
+        let mut counts = Vec::new();
+        sweep.run(|count| {
+            counts.push(count);
+            bar.inc(1);
+        })?;
+        Ok(counts)
     }
 
     fn measured(self, counts: Vec<Count>, arguments: &Arguments) -> Result<Measured> {
