@@ -5,6 +5,7 @@ use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::process;
 
 use crate::{Failure, one_line};
 
@@ -21,37 +22,40 @@ pub struct OutputFile {
 #[derive(Debug)]
 enum Kind {
     StandardOutput,
-    /// A file, a device or a pipe that the user named. If a file exists, it is written over.
-    Named {
-        is_new: bool,
-    },
+    /// A device or a pipe. Writing to it replaces nothing.
+    Stream,
+    /// A file with a name that the user chose. If it exists, it is replaced.
+    File,
     /// A new file. Its name gets a number if another file has the name by then.
     Numbered,
 }
 
 impl OutputFile {
     /// Tests that a file can be written at `path`, or standard output if `path` is `-`. If there is a
-    /// file already, `write` writes over it.
+    /// file already, `write` replaces it.
     ///
     /// # Errors
     ///
     /// Fails if nothing can be written there.
     pub fn at(path: &Path) -> Result<Self, Failure> {
         let shown = shown(path);
+        let failed = |error| not_written(path, &error);
         let kind = if is_standard_output(path) {
             Kind::StandardOutput
+        } else if is_stream(path) {
+            // Opening a pipe waits for its reader, which may not be ready yet.
+            if !is_pipe(path) {
+                open_stream(path).map_err(failed)?;
+            }
+            Kind::Stream
         } else if path.is_dir() {
             return Err(format!("{shown} cannot be written: it is a folder").into());
         } else if !folder_of(path).is_dir() {
             let missing = self::shown(folder_of(path));
             return Err(format!("{shown} cannot be written: there is no folder {missing}").into());
         } else {
-            let is_new = !path.exists();
-            // Opening a pipe waits for its reader, which may not be ready yet.
-            if !is_pipe(path) {
-                try_out(path, is_new).map_err(|error| not_written(path, &error))?;
-            }
-            Kind::Named { is_new }
+            try_out(path).map_err(failed)?;
+            Kind::File
         };
         let path = path.to_owned();
         Ok(Self { path, kind })
@@ -95,36 +99,39 @@ impl OutputFile {
     /// Fails if no file can be created there.
     pub fn free_png(path: &Path) -> Result<Self, Failure> {
         let failed = |error| not_written(path, &error);
-        let tried = create_numbered(path).map_err(failed)?;
+        let (_, tried) = create_numbered(path).map_err(failed)?;
         fs::remove_file(tried).map_err(failed)?;
         let (path, kind) = (path.to_owned(), Kind::Numbered);
         Ok(Self { path, kind })
     }
 
-    /// Writes all bytes and returns the path. If that fails, no new file is left. If standard output has
-    /// no reader any more, this is no error.
+    /// Writes all bytes and returns the path. If that fails, no new file is left, and an old file keeps
+    /// its bytes. If standard output has no reader any more, this is no error.
     pub fn write(self, bytes: &[u8]) -> Result<PathBuf, Failure> {
         let Self { path, kind } = self;
-        let (path, is_new) = match kind {
+        let failed = |error| not_written(&path, &error);
+        let (mut file, path) = match kind {
             Kind::StandardOutput => {
                 print(bytes)?;
                 return Ok(path);
             }
-            Kind::Named { is_new } => (path, is_new),
-            Kind::Numbered => {
-                let created = create_numbered(&path);
-                (created.map_err(|error| not_written(&path, &error))?, true)
+            Kind::Stream => {
+                let sent = open_stream(&path).and_then(|mut stream| stream.write_all(bytes));
+                sent.map_err(failed)?;
+                return Ok(path);
             }
+            Kind::File => {
+                replace(&path, bytes).map_err(failed)?;
+                return Ok(path);
+            }
+            Kind::Numbered => create_numbered(&path).map_err(failed)?,
         };
-        let written = fs::write(&path, bytes);
-        if written.is_err() && is_new {
+        if let Err(error) = file.write_all(bytes) {
             // Only the first error is reported.
             let _ = fs::remove_file(&path);
+            return Err(not_written(&path, &error));
         }
-        match written {
-            Ok(()) => Ok(path),
-            Err(error) => Err(not_written(&path, &error)),
-        }
+        Ok(path)
     }
 }
 
@@ -165,6 +172,11 @@ fn not_written(path: &Path, error: &io::Error) -> Failure {
     format!("{} cannot be written: {error}", shown(path)).into()
 }
 
+fn is_stream(path: &Path) -> bool {
+    path.metadata()
+        .is_ok_and(|found| !found.is_file() && !found.is_dir())
+}
+
 #[cfg(unix)]
 fn is_pipe(path: &Path) -> bool {
     use std::os::unix::fs::FileTypeExt;
@@ -175,6 +187,10 @@ fn is_pipe(path: &Path) -> bool {
 #[cfg(not(unix))]
 fn is_pipe(_: &Path) -> bool {
     false
+}
+
+fn open_stream(path: &Path) -> io::Result<File> {
+    File::options().write(true).open(path)
 }
 
 fn folder_of(path: &Path) -> &Path {
@@ -197,30 +213,63 @@ fn location(path: &Path) -> Option<PathBuf> {
     })
 }
 
-/// Tests whether a file can be written: opens it, and removes it if it is new.
-fn try_out(path: &Path, is_new: bool) -> io::Result<()> {
-    let mut options = File::options();
-    options
-        .write(true)
-        .create(true)
-        .truncate(false)
-        .open(path)?;
-    match is_new {
-        // What a link leads to is removed, not the link.
-        true => fs::remove_file(path.canonicalize()?),
-        false => Ok(()),
+/// Tests whether [`replace`] can write a file: creates what it would create, and removes it.
+fn try_out(path: &Path) -> io::Result<()> {
+    let tried = match path.canonicalize() {
+        // The owner may have made the file read-only.
+        Ok(existing) => {
+            open_stream(&existing)
+                .and_then(|_| create_beside(&existing))?
+                .1
+        }
+        Err(_) if path.is_symlink() => create_beside(path)?.1,
+        Err(_) => File::create_new(path).map(|_| path.to_owned())?,
+    };
+    fs::remove_file(tried)
+}
+
+/// Writes all bytes to a file, which may exist. They go to a temporary file first, which is then
+/// renamed. So the file never holds only a part of them.
+fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    // The file that a link leads to is replaced, not the link.
+    let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    let (mut file, temporary) = create_beside(&target)?;
+    let written = file.write_all(bytes).and_then(|()| {
+        if let Ok(old) = target.metadata() {
+            file.set_permissions(old.permissions())?;
+        }
+        // Some systems do not rename an open file.
+        drop(file);
+        fs::rename(&temporary, &target)
+    });
+    if written.is_err() {
+        // Only the first error is reported.
+        let _ = fs::remove_file(&temporary);
+    }
+    written
+}
+
+/// Creates a temporary file in the folder of `path`.
+fn create_beside(path: &Path) -> io::Result<(File, PathBuf)> {
+    let mut number = 1;
+    loop {
+        let temporary = path.with_file_name(format!(".reflet-{}-{number}", process::id()));
+        match File::create_new(&temporary) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => number += 1,
+            made => return made.map(|file| (file, temporary)),
+        }
     }
 }
 
 /// Creates the file with the first free name of `NAME.png`, `NAME-2.png`, `NAME-3.png` and so on.
-fn create_numbered(path: &Path) -> io::Result<PathBuf> {
+fn create_numbered(path: &Path) -> io::Result<(File, PathBuf)> {
     let stem = path.file_stem().unwrap_or(path.as_os_str());
     let mut next = path.to_owned();
     let mut number = 1;
     loop {
         match File::create_new(&next) {
             Err(error) if error.kind() == ErrorKind::AlreadyExists => number += 1,
-            made => return made.map(|_| next),
+            made => return made.map(|file| (file, next)),
         }
         let mut name = OsString::from(stem);
         name.push(format!("-{number}.png"));
