@@ -22,28 +22,22 @@ struct Bar {
     psnr: f64,
 }
 
-const FAST: Bar = Bar {
-    name: "fast",
-    same: 0.0,
-    within1: 0.999,
-    psnr: 46.0,
-};
+const fn bar(name: &'static str, same: f64, within1: f64, psnr: f64) -> Bar {
+    Bar {
+        name,
+        same,
+        within1,
+        psnr,
+    }
+}
+
+const FAST: Bar = bar("fast", 0.0, 0.999, 46.0);
 
 /// Bar of the quality `Exact`: as good as single precision, or better.
-const EXACT: Bar = Bar {
-    name: "exact",
-    same: 0.998,
-    within1: 0.999,
-    psnr: 55.0,
-};
+const EXACT: Bar = bar("exact", 0.998, 0.999, 55.0);
 
 /// Bar of the quality `Draft`, which guesses.
-const DRAFT: Bar = Bar {
-    name: "draft",
-    same: 0.0,
-    within1: 0.998,
-    psnr: 40.0,
-};
+const DRAFT: Bar = bar("draft", 0.0, 0.998, 40.0);
 
 /// Bar of the quality `Small`: that of `Fast`.
 const SMALL: Bar = Bar {
@@ -51,12 +45,7 @@ const SMALL: Bar = Bar {
     ..FAST
 };
 
-const NORMALS: Bar = Bar {
-    name: "normals",
-    same: 0.0,
-    within1: 0.999,
-    psnr: 46.0,
-};
+const NORMALS: Bar = bar("normals", 0.0, 0.999, 46.0);
 
 impl Bar {
     /// Prints a line of the table, and returns this line if the bar is missed.

@@ -30,6 +30,14 @@ impl Quality for Short {
     const TOLERANCE: Unit = Fast::TOLERANCE;
 }
 
+/// A quality that interpolates where the error may be 16 times as large.
+struct Rough;
+
+impl Quality for Rough {
+    const SMALLEST_WEIGHT: Unit = Fast::SMALLEST_WEIGHT;
+    const TOLERANCE: Unit = Unit::from_bits(16 * Fast::TOLERANCE.to_bits());
+}
+
 /// Returns a line for each picture of a scene that is further off than its bound.
 fn complaints(name: &str) -> Vec<String> {
     let source = Source::built_in(name).unwrap();
@@ -64,7 +72,7 @@ fn pictures<K: Shading>(
     source: &Source,
     shading: Tested,
     reflections: u8,
-) -> [(&'static str, Ending, Picture); 3] {
+) -> [(&'static str, Ending, Picture); 4] {
     let size = Size::new(SIDE, SIDE);
     let drawn = |quality| {
         let settings = Settings {
@@ -89,6 +97,11 @@ fn pictures<K: Shading>(
             "short",
             ending::<Short>(reflections, SIDE),
             source.painted::<Short, K>(size, reflections),
+        ),
+        (
+            "rough",
+            ending::<Rough>(reflections, SIDE),
+            source.painted::<Rough, K>(size, reflections),
         ),
     ]
 }

@@ -19,60 +19,6 @@ const UNHEARD_OF: [f64; 4] = [NAN, INFINITE, -INFINITE, 1e300];
 const ORIGIN: Triple = [0.0; 3];
 const UP: Triple = [0.0, 0.0, 1.0];
 
-/// The message of every error that is met below.
-fn message(kind: ErrorKind) -> &'static str {
-    match kind {
-        ErrorKind::Coordinate => {
-            "coordinates and sizes must be finite and within -2^30 to 2^30 scene units"
-        }
-        ErrorKind::Radius => "radius must be greater than 0",
-        ErrorKind::Height => "height must be greater than 0",
-        ErrorKind::Normal => "normal must not be zero",
-        ErrorKind::Axis => "axis must not be zero",
-        ErrorKind::Color => "color components must be within 0 to 16",
-        ErrorKind::Background => "background components must be within 0 to 16",
-        ErrorKind::Checker => {
-            "checker sizes must be 0 or 2^-27 to 2^16 of the scene's extent, and not all 0"
-        }
-        ErrorKind::Sun => "direction must not be zero, and disc must be within 0 to 90 degrees",
-        ErrorKind::Sky => "up must not be zero",
-        ErrorKind::Ambient => "ambient must be within 0 to 16",
-        ErrorKind::Diffuse => "diffuse must be within 0 to 16",
-        ErrorKind::Specular => "specular must be within 0 to 16",
-        ErrorKind::Shininess => "shininess must be within 0 to 2^20",
-        ErrorKind::Mirror => "mirror must be within 0 to 1",
-        ErrorKind::Epsilon => "epsilon must be greater than 0 and smaller than the scene",
-        ErrorKind::TooManySpheres => "too many spheres: raise `spheres` in room!(..)",
-        ErrorKind::TooManyPlanes => "too many planes: raise `planes` in room!(..)",
-        ErrorKind::TooManyCylinders => "too many cylinders: raise `cylinders` in room!(..)",
-        ErrorKind::Corners => {
-            "corners must not lie on one line: make the smallest altitude at least 2^-20 of the longest side"
-        }
-        ErrorKind::TooManyTriangles => "too many triangles: raise `triangles` in room!(..)",
-        ErrorKind::TooManyDiscs => "too many discs: raise `discs` in room!(..)",
-        ErrorKind::TooManyLights => "too many lights: raise `lights` in room!(..)",
-        ErrorKind::TooManyMaterials => "too many materials: raise `materials` in room!(..)",
-        ErrorKind::UnknownMaterial => "material does not exist in this scene: add it first",
-        ErrorKind::Extent => "extent must be larger than 2^-30 scene units: scale the scene up",
-        ErrorKind::Tiny => {
-            "radius, half the height and a triangle's altitudes must be at least 2^-22 of the scene's extent: enlarge it \
-             or shrink the scene"
-        }
-        ErrorKind::Brightness => {
-            "color * (ambient + the sum over lights of (diffuse + specular) * light color), with \
-             and without color, must stay below 30: dim the material or the lights"
-        }
-        ErrorKind::Range => {
-            "range must be greater than 0 and at most 2^30 scene units: a light without one does \
-             not fall off"
-        }
-        ErrorKind::View => "target must differ from the position",
-        ErrorKind::Up => "up must not be zero or parallel to the view direction",
-        ErrorKind::FieldOfView => "fov must be between 0.001 and 179.999 degrees",
-        _ => panic!("{kind:?} is not met here"),
-    }
-}
-
 /// Part, index and kind of an error.
 type Expected = (&'static str, Option<usize>, ErrorKind);
 
@@ -85,10 +31,8 @@ fn assert_error(found: Option<Error>, expected: Expected) {
         (part, Some(index), _) => format!("{part} {index}"),
         (part, None, _) => part.to_owned(),
     };
-    assert_eq!(
-        found.to_string(),
-        format!("{part}: {}", message(expected.2))
-    );
+    let message = expected.2.message();
+    assert_eq!(found.to_string(), format!("{part}: {message}"));
 }
 
 /// Something to be added to a scene, of this material.
@@ -369,6 +313,65 @@ fn epsilon_must_be_greater_than_zero_and_smaller_than_the_scene() {
     assert_error(scene.build().err(), error);
 }
 
+/// Fails unless a scene of one sphere, and of what else is added, is built with the first number and
+/// refused with the second.
+#[track_caller]
+fn assert_limit(
+    [taken, refused]: [f64; 2],
+    error: Expected,
+    add: impl Fn(&mut Scenery, MaterialId, f64) -> Result<(), Error>,
+) {
+    let built = |number| {
+        let mut scene = Scenery::new();
+        let made = Material::from_numbers([1.0; 3], 16.0, 0.5, (0.0, 1.0), 0.0)?;
+        let id = scene.add_material(made)?;
+        add(&mut scene, id, number)?;
+        scene.build().map(|_| ())
+    };
+    assert_eq!(built(taken).err(), None, "{taken}");
+    assert_error(built(refused).err(), error);
+}
+
+#[test]
+fn limits_of_a_whole_scene_are_sharp() {
+    // The planet of radius 2^20 fills the ball of 2^28 steps, so the smallest radius, 64 steps, is a
+    // quarter.
+    let (planet, beside) = (f64::from(1 << 20), [1.0, 2.0, 3.0]);
+    let tiny = |part, index| (part, Some(index), ErrorKind::Tiny);
+    assert_limit([0.25, 0.248], tiny("sphere", 1), |scene, id, radius| {
+        scene.add_sphere(ORIGIN, planet, id)?;
+        scene.add_sphere(beside, radius, id).map(drop)
+    });
+    assert_limit([0.5, 0.496], tiny("cylinder", 0), |scene, id, height| {
+        scene.add_sphere(ORIGIN, planet, id)?;
+        scene.add_cylinder(beside, UP, 1.0, height, id).map(drop)
+    });
+    let least = 2f64.powi(-30);
+    let of_scene = |kind| ("scene", None, kind);
+    let lonely = |scene: &mut Scenery, id, radius| {
+        scene.add_sphere(ORIGIN, radius, id)?;
+        scene.set_epsilon(radius * 1e-3)
+    };
+    for taken in [least, LIMIT] {
+        assert_limit([taken, 0.99 * least], of_scene(ErrorKind::Extent), lonely);
+    }
+    for limits in [[0.999, 1.0], [1e-19, 1e12]] {
+        let error = of_scene(ErrorKind::Epsilon);
+        assert_limit(limits, error, |scene, id, epsilon| {
+            scene.add_sphere(ORIGIN, 1.0, id)?;
+            scene.set_epsilon(epsilon)
+        });
+    }
+    // Ambient 16, and 28 times half of it by the light.
+    let bright = ("material", Some(0), ErrorKind::Brightness);
+    let share = |light: f64| [light / 2.0; 3];
+    assert_limit([13.9 * 2.0, 14.1 * 2.0], bright, |scene, id, light| {
+        scene.add_sphere(ORIGIN, 1.0, id)?;
+        scene.add_light([3.0; 3], share(light))?;
+        scene.add_light([-3.0; 3], share(light)).map(drop)
+    });
+}
+
 #[test]
 fn more_than_the_room_is_refused() {
     let (mut scene, id) = furnished();
@@ -465,7 +468,7 @@ fn fields_of_a_material_are_named() {
             assert_eq!((error.part(), error.index()), ("material", None));
             assert_eq!(error.kind(), kind, "{value}");
         }
-        assert_eq!(kind.to_string(), message(kind));
+        assert_eq!(kind.to_string(), kind.message());
         for value in [0.0, -0.0, most] {
             assert!(made(field, value).is_ok(), "{kind:?} {value}");
         }
@@ -514,7 +517,7 @@ fn camera_up_must_not_be_zero_or_parallel_to_the_view() {
     ] {
         assert_no_camera(Camera::new(ORIGIN, target, up, 50), ErrorKind::Up);
     }
-    for up in [[0.0, 0.0, 1e-9], [1e-3, -5.0, 2.0]] {
+    for up in [[0.0, 0.0, 1e-9], [1e-3, -5.0, 2.0], [1e-5, -5.0, 2.0]] {
         assert!(Camera::new(ORIGIN, target, up, 50).is_ok(), "{up:?}");
     }
 }

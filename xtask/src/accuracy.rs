@@ -144,52 +144,36 @@ fn page(pictures: &[Picture]) -> Result<String> {
     Ok(page)
 }
 
+/// A figure of a picture: a number that is larger for a worse picture, and its text.
+type Figure = (fn(&Difference) -> f64, fn(&Difference) -> String);
+
+const FIGURES: [Figure; 4] = [
+    (|it| -it.same, |it| format!("{:.3} %", 100.0 * it.same)),
+    (
+        |it| -it.within1,
+        |it| format!("{:.3} %", 100.0 * it.within1),
+    ),
+    (
+        |it| -it.psnr,
+        |it| match it.psnr.is_infinite() {
+            true => "∞".to_owned(),
+            false => format!("{:.1}", it.psnr),
+        },
+    ),
+    (|it| it.max.into(), |it| it.max.to_string()),
+];
+
 /// Returns the worst value of each figure for one quality, and the picture in which it occurs.
 fn worst(pictures: &[Picture], index: usize) -> String {
-    let worst = FIGURES.map(|figure| {
-        let badness = |it: &&Picture| figure.badness(&it.differences[index]);
-        let worst = pictures
-            .iter()
-            .max_by(|one, other| badness(one).total_cmp(&badness(other)));
+    let worst = FIGURES.map(|(badness, text)| {
+        let of = |it: &&Picture| badness(&it.differences[index]);
+        let worst = pictures.iter().max_by(|a, b| of(a).total_cmp(&of(b)));
         worst.map_or_else(String::new, |it| {
-            let text = figure.text(&it.differences[index]);
+            let text = text(&it.differences[index]);
             format!("{text} ({}, {})", it.scene, it.shading)
         })
     });
     worst.join(" | ")
-}
-
-#[derive(Clone, Copy)]
-enum Figure {
-    Same,
-    Within1,
-    Psnr,
-    Largest,
-}
-
-const FIGURES: [Figure; 4] = [Figure::Same, Figure::Within1, Figure::Psnr, Figure::Largest];
-
-impl Figure {
-    /// Returns the figure as a number that is larger for a worse picture, for finding the worst
-    /// case.
-    fn badness(self, of: &Difference) -> f64 {
-        match self {
-            Self::Same => -of.same,
-            Self::Within1 => -of.within1,
-            Self::Psnr => -of.psnr,
-            Self::Largest => of.max.into(),
-        }
-    }
-
-    fn text(self, of: &Difference) -> String {
-        match self {
-            Self::Same => format!("{:.3} %", 100.0 * of.same),
-            Self::Within1 => format!("{:.3} %", 100.0 * of.within1),
-            Self::Psnr if of.psnr.is_infinite() => "∞".to_owned(),
-            Self::Psnr => format!("{:.1}", of.psnr),
-            Self::Largest => of.max.to_string(),
-        }
-    }
 }
 
 #[cfg(test)]

@@ -173,7 +173,7 @@ mod tests {
     const MOST_CODE: usize = 19_720;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 42_200;
+    const MOST_OUTSIDE: usize = 39_537;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;

@@ -2,7 +2,8 @@
 //! in use.
 //!
 //! It needs neither cargo-fuzz nor a nightly compiler: the compiler passes that report coverage to
-//! the fuzzer are in every release. `cargo fuzz run scene` works, too.
+//! the fuzzer are in every release. `cargo fuzz run scene` works, too, and `cargo fuzz cmin scene` keeps few
+//! inputs of those that it found.
 
 use std::fs;
 use std::path::Path;
@@ -36,10 +37,6 @@ pub struct Arguments {
     /// For how long, in seconds
     #[arg(long, value_name = "N", default_value_t = 600)]
     seconds: u32,
-
-    /// Adds what reaches new code to fuzz/corpus, as little of it as can be
-    #[arg(long)]
-    keep: bool,
 }
 
 /// Builds the fuzz target and runs it. The current folder must be the repository's.
@@ -50,18 +47,15 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let target = build()?;
     let seconds = arguments.seconds;
     let limit = Duration::from_secs(u64::from(seconds) + 300);
-    fuzzer(&target)
+    Program::new(Path::new(&target))
+        .args([&format!("-artifact_prefix={WORK}/")])
         .args([&format!("-max_total_time={seconds}"), "-max_len=1024"])
         // Drawing a scene of at most 1024 bytes takes less than a second, whatever its settings.
         .args(["-timeout=20", "-len_control=0", "-print_final_stats=1"])
         .args([&found, KEPT])
         .limit(limit)
         .stream()
-        .with_context(|| format!("the fuzzer has found something: see {WORK}"))?;
-    if arguments.keep {
-        merge(&target, &found)?;
-    }
-    Ok(())
+        .with_context(|| format!("the fuzzer has found something: see {WORK}"))
 }
 
 pub fn compiles_cpp() -> bool {
@@ -83,29 +77,4 @@ fn build() -> Result<String> {
         .limit(Duration::from_secs(600))
         .stream()?;
     Ok(format!("{WORK}/{host}/release/scene"))
-}
-
-fn fuzzer(target: &str) -> Program {
-    Program::new(Path::new(target)).args([&format!("-artifact_prefix={WORK}/")])
-}
-
-/// Merges the found inputs into the kept ones: one input for each piece of code that is reached.
-fn merge(target: &str, found: &str) -> Result<()> {
-    let kept = Path::new(WORK).join("kept");
-    if kept.exists() {
-        fs::remove_dir_all(&kept)?;
-    }
-    fs::create_dir_all(&kept)?;
-    fuzzer(target)
-        .args(["-use_counters=0", "-set_cover_merge=1"])
-        .args([&kept, Path::new(KEPT), Path::new(found)])
-        .limit(Duration::from_secs(600))
-        .stream()?;
-    fs::remove_dir_all(KEPT)?;
-    fs::create_dir_all(KEPT)?;
-    for entry in fs::read_dir(&kept)? {
-        let entry = entry?;
-        fs::copy(entry.path(), Path::new(KEPT).join(entry.file_name()))?;
-    }
-    Ok(())
 }

@@ -10,7 +10,7 @@
 mod draw;
 mod number;
 
-use arbitrary::{Result, Unstructured};
+use arbitrary::Unstructured;
 use embedded_graphics::geometry::Size;
 use number::Numbers;
 use reflet::{Camera, Error, Material, MaterialId, RuntimeScene, room};
@@ -39,21 +39,36 @@ pub struct Wild {
     pub mirrors: bool,
 }
 
+/// Why no scene is made: there are too few bytes, or the library refuses a part.
+struct Refused;
+
+impl From<arbitrary::Error> for Refused {
+    fn from(_: arbitrary::Error) -> Self {
+        Self
+    }
+}
+
+impl From<Error> for Refused {
+    fn from(_: Error) -> Self {
+        Self
+    }
+}
+
+type Result<T> = core::result::Result<T, Refused>;
+
 impl Wild {
     /// Makes a scene from bytes. `None` if the library refuses one of its parts, or if there are too
     /// few bytes.
     pub fn read(bytes: &[u8]) -> Option<Self> {
-        let mut bytes = Unstructured::new(bytes);
-        Self::described(&mut bytes, false).ok().flatten()
+        Self::described(&mut Unstructured::new(bytes), false).ok()
     }
 
     /// Makes a scene from bytes whose lights fall off. It is another one than [`Wild::read`] makes of them.
     pub fn read_with_ranges(bytes: &[u8]) -> Option<Self> {
-        let mut bytes = Unstructured::new(bytes);
-        Self::described(&mut bytes, true).ok().flatten()
+        Self::described(&mut Unstructured::new(bytes), true).ok()
     }
 
-    fn described(bytes: &mut Unstructured, has_ranges: bool) -> Result<Option<Self>> {
+    fn described(bytes: &mut Unstructured, has_ranges: bool) -> Result<Self> {
         let kind = bytes.arbitrary()?;
         let reflections = match bytes.int_in_range(0..=3)? {
             0 => bytes.arbitrary()?,
@@ -66,52 +81,38 @@ impl Wild {
             numbers.place(bytes)?,
             numbers.way(bytes)?,
             number::field_of_view(bytes)?,
-        );
+        )?;
         let is_the_scenes_own = bytes.arbitrary()?;
-        let mut mirrors = false;
-        let filled = fill(bytes, &mut numbers, &mut mirrors)?;
-        let (Ok(camera), Ok(mut scene)) = (camera, filled) else {
-            return Ok(None);
-        };
+        let (mut scene, mirrors) = filled(bytes, &mut numbers)?;
         if is_the_scenes_own {
             scene.set_camera(camera);
         }
-        Ok(Some(Self {
+        Ok(Self {
             scene,
             camera,
             reflections,
             size,
             kind,
             mirrors,
-        }))
+        })
     }
 }
 
-/// Fills a scene from bytes. The outer error is about the bytes, the inner one about the scene.
-fn fill(
-    bytes: &mut Unstructured,
-    numbers: &mut Numbers,
-    mirrors: &mut bool,
-) -> Result<std::result::Result<Scenery, Error>> {
-    let mut scene = Scenery::new();
+/// Fills a scene from bytes, and tells whether a material mirrors.
+fn filled(bytes: &mut Unstructured, numbers: &mut Numbers) -> Result<(Scenery, bool)> {
+    let (mut scene, mut mirrors) = (Scenery::new(), false);
     let mut ids = Vec::new();
     for _ in 0..bytes.int_in_range(1..=3)? {
-        match material(bytes, numbers.unit, mirrors)?.map(|it| scene.add_material(it)) {
-            Some(Ok(id)) => ids.push(id),
-            Some(Err(error)) => return Ok(Err(error)),
-            None => {}
+        if let Some(material) = material(bytes, numbers.unit, &mut mirrors)? {
+            ids.push(scene.add_material(material)?);
         }
     }
-    if ids.is_empty() {
-        return Ok(Ok(scene));
+    if !ids.is_empty() {
+        add_all(bytes, numbers, &mut scene, &ids)?;
+        add_discs(bytes, numbers, &mut scene, &ids)?;
+        add_triangles(bytes, numbers, &mut scene, &ids)?;
     }
-    if let Err(error) = add_all(bytes, numbers, &mut scene, &ids)? {
-        return Ok(Err(error));
-    }
-    if let Err(error) = add_discs(bytes, numbers, &mut scene, &ids)? {
-        return Ok(Err(error));
-    }
-    Ok(add_triangles(bytes, numbers, &mut scene, &ids)?.map(|()| scene))
+    Ok((scene, mirrors))
 }
 
 /// Adds triangles, after the discs.
@@ -120,22 +121,19 @@ fn add_triangles(
     numbers: &mut Numbers,
     scene: &mut Scenery,
     ids: &[MaterialId],
-) -> Result<std::result::Result<(), Error>> {
+) -> Result<()> {
     for _ in 0..bytes.int_in_range(0..=4)? {
         let mut corner = || numbers.place(bytes);
         let corners = [corner()?, corner()?, corner()?];
         let mut way = || numbers.way(bytes);
         let normals = [way()?, way()?, way()?];
         let id = *bytes.choose(ids)?;
-        let added = match bytes.arbitrary()? {
-            true => scene.add_triangle(corners, normals, id),
-            false => scene.add_triangle(corners, None, id),
+        match bytes.arbitrary()? {
+            true => scene.add_triangle(corners, normals, id)?,
+            false => scene.add_triangle(corners, None, id)?,
         };
-        if let Err(error) = added {
-            return Ok(Err(error));
-        }
     }
-    Ok(Ok(()))
+    Ok(())
 }
 
 /// Adds discs. They are read after all other parts, so that the bytes of older inputs still make the
@@ -145,15 +143,13 @@ fn add_discs(
     numbers: &mut Numbers,
     scene: &mut Scenery,
     ids: &[MaterialId],
-) -> Result<std::result::Result<(), Error>> {
+) -> Result<()> {
     for _ in 0..bytes.int_in_range(0..=4)? {
         let (center, normal) = (numbers.place(bytes)?, numbers.way(bytes)?);
         let (radius, id) = (numbers.size(bytes)?, *bytes.choose(ids)?);
-        if let Err(error) = scene.add_disc(center, normal, radius, id) {
-            return Ok(Err(error));
-        }
+        scene.add_disc(center, normal, radius, id)?;
     }
-    Ok(Ok(()))
+    Ok(())
 }
 
 fn add_all(
@@ -161,64 +157,49 @@ fn add_all(
     numbers: &mut Numbers,
     scene: &mut Scenery,
     ids: &[MaterialId],
-) -> Result<std::result::Result<(), Error>> {
+) -> Result<()> {
     let count = |bytes: &mut Unstructured, most: usize| bytes.int_in_range(0..=most);
     for _ in 0..count(bytes, 6)? {
         let (center, radius) = (numbers.place(bytes)?, numbers.size(bytes)?);
-        if let Err(error) = scene.add_sphere(center, radius, *bytes.choose(ids)?) {
-            return Ok(Err(error));
-        }
+        scene.add_sphere(center, radius, *bytes.choose(ids)?)?;
     }
     for _ in 0..count(bytes, 4)? {
         let (point, normal) = (numbers.place(bytes)?, numbers.way(bytes)?);
-        if let Err(error) = scene.add_plane(point, normal, *bytes.choose(ids)?) {
-            return Ok(Err(error));
-        }
+        scene.add_plane(point, normal, *bytes.choose(ids)?)?;
     }
     for _ in 0..count(bytes, 4)? {
         let (center, axis) = (numbers.place(bytes)?, numbers.way(bytes)?);
         let (radius, height) = (numbers.size(bytes)?, numbers.size(bytes)?);
-        let id = *bytes.choose(ids)?;
-        if let Err(error) = scene.add_cylinder(center, axis, radius, height, id) {
-            return Ok(Err(error));
-        }
+        scene.add_cylinder(center, axis, radius, height, *bytes.choose(ids)?)?;
     }
     for _ in 0..count(bytes, 4)? {
         let color = number::brightness(bytes)? * 2.0;
         let place = numbers.place(bytes)?;
-        let added = match numbers.has_ranges {
-            true => scene.add_light_with_range(place, [color; 3], numbers.size(bytes)?),
-            false => scene.add_light(place, [color; 3]),
+        match numbers.has_ranges {
+            true => scene.add_light_with_range(place, [color; 3], numbers.size(bytes)?)?,
+            false => scene.add_light(place, [color; 3])?,
         };
-        if let Err(error) = added {
-            return Ok(Err(error));
-        }
     }
-    if let Err(error) = scene.set_background([number::brightness(bytes)?; 3]) {
-        return Ok(Err(error));
+    scene.set_background([number::brightness(bytes)?; 3])?;
+    match bytes.arbitrary()? {
+        true => scene.set_epsilon(numbers.size(bytes)?)?,
+        false => scene.set_epsilon(1e-4 * numbers.unit)?,
     }
-    let epsilon = match bytes.arbitrary()? {
-        true => scene.set_epsilon(numbers.size(bytes)?),
-        false => scene.set_epsilon(1e-4 * numbers.unit),
-    };
     // Last, so that a stored input stays the same scene: where the bytes have ended, there is no sky.
-    if epsilon.is_err() || bytes.ratio(3, 4)? {
-        return Ok(epsilon);
+    if bytes.ratio(3, 4)? {
+        return Ok(());
     }
-    let mut color = || Ok([number::brightness(bytes)?, number::brightness(bytes)?, 1.0]);
+    let mut color = || -> Result<[f64; 3]> {
+        Ok([number::brightness(bytes)?, number::brightness(bytes)?, 1.0])
+    };
     let (colors, sun) = ([color()?, color()?, color()?], color()?);
-    if let Err(error) = scene.set_sky(numbers.way(bytes)?, colors) {
-        return Ok(Err(error));
-    }
+    scene.set_sky(numbers.way(bytes)?, colors)?;
     // Under a sky there may be a sun with a disc. If there are lights enough, it is refused.
-    match bytes.ratio(1, 2)? {
-        true => {
-            let degrees = 90.0 * number::share(bytes)?;
-            let _ = scene.add_sun(numbers.way(bytes)?, sun, degrees);
-            Ok(Ok(()))
-        }
-        false => Ok(Ok(())),
+    if bytes.ratio(1, 2)? {
+        let degrees = 90.0 * number::share(bytes)?;
+        let _ = scene.add_sun(numbers.way(bytes)?, sun, degrees);
     }
+    Ok(())
 }
 
 fn material(bytes: &mut Unstructured, unit: f64, mirrors: &mut bool) -> Result<Option<Material>> {

@@ -1,8 +1,8 @@
-//! Makes random scene files: well-formed ones, and ones with mistakes. Never reads a file.
+//! Makes random scene files of well-formed scenes, many with mistakes. Never reads a file.
 
 use arbitrary::{Result, Unstructured};
 use reflet::host::file as limits;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 /// The lists of a scene file, and the largest number of parts in each.
 pub const LISTS: [(&str, usize); 8] = [
@@ -47,129 +47,30 @@ pub const EDGES: [f64; 26] = [
     1e300,
 ];
 
-/// Makes a file: a scene or an array of scenes, with some mistakes.
-pub fn file(bytes: &mut Unstructured) -> Result<Value> {
+/// Makes a file: some of these scenes in an array or one alone, with some mistakes.
+pub fn file(bytes: &mut Unstructured, scenes: &[Value]) -> Result<Value> {
     let is_array = bytes.ratio(1, 4)?;
     let count = if is_array {
         bytes.int_in_range(0..=3)?
     } else {
         1
     };
-    let mut scenes = Vec::new();
-    for _ in 0..count {
-        let mut scene = scene(bytes)?;
+    let mut made = Vec::new();
+    for number in 0..count {
+        let mut scene = bytes.choose(scenes)?.clone();
+        scene["name"] = json!(number.to_string());
+        if bytes.ratio(1, 16)? {
+            scene["spheres"][0]["material"] = json!("brass");
+        }
         for _ in 0..bytes.int_in_range(0..=3)? {
             spoil(bytes, &mut scene)?;
         }
-        scenes.push(scene);
+        made.push(scene);
     }
-    match scenes.pop() {
+    match made.pop() {
         Some(scene) if !is_array => Ok(scene),
-        last => Ok(scenes.into_iter().chain(last).collect()),
+        last => Ok(made.into_iter().chain(last).collect()),
     }
-}
-
-/// Makes a well-formed scene; most are accepted. Each optional key is often left out.
-pub fn scene(bytes: &mut Unstructured) -> Result<Value> {
-    let names = ["clay", "gold", "sea", "gold\n\u{1f600}"];
-    let names = &names[..bytes.int_in_range(1..=names.len())?];
-    let mut scene = Map::new();
-    let camera = json!({
-        "position": [0, -8, vector(bytes)?[2]],
-        "target": [0.5, 9, 1],
-        "up": [0, 0, 1],
-        "fov": bytes.choose(&[0.001, 40.0, 90.5, 179.999])?,
-    });
-    scene.insert("camera".to_owned(), camera);
-    let materials = names.iter().map(|name| material(bytes, name));
-    scene.insert("materials".to_owned(), materials.collect::<Result<_>>()?);
-    for kind in [
-        "spheres",
-        "planes",
-        "cylinders",
-        "discs",
-        "triangles",
-        "lights",
-        "suns",
-    ] {
-        if bytes.arbitrary()? {
-            let count = bytes.int_in_range(0..=3)?;
-            let parts = (0..count).map(|_| part(bytes, kind, names));
-            scene.insert(kind.to_owned(), parts.collect::<Result<_>>()?);
-        }
-    }
-    for (key, value) in [
-        ("name", json!(*bytes.choose(&["a", "", "b\n"])?)),
-        ("background", json!(color(bytes)?)),
-        ("sky", sky(bytes)?),
-        ("sky", Value::Null),
-        ("epsilon", json!(0.002)),
-        ("name", Value::Null),
-        ("epsilon", Value::Null),
-    ] {
-        if bytes.ratio(1, 4)? {
-            scene.insert(key.to_owned(), value);
-        }
-    }
-    Ok(scene.into())
-}
-
-fn sky(bytes: &mut Unstructured) -> Result<Value> {
-    Ok(
-        json!({ "up": [0, 0.5, 1], "below": color(bytes)?, "horizon": color(bytes)?, "above": color(bytes)? }),
-    )
-}
-
-fn part(bytes: &mut Unstructured, kind: &str, names: &[&str]) -> Result<Value> {
-    let (center, name) = (vector(bytes)?, *bytes.choose(names)?);
-    let way = *bytes.choose(&[[0.0, 0.0, 1.0], [1.0, -2.0, 0.5], [0.0, 1e-9, 0.0]])?;
-    let mut size = || {
-        bytes
-            .int_in_range(1..=40)
-            .map(|tenths| f64::from(tenths) / 10.0)
-    };
-    let (radius, height) = (size()?, size()?);
-    Ok(match kind {
-        "spheres" => json!({ "center": center, "radius": radius, "material": name }),
-        "planes" => json!({ "center": center, "normal": way, "material": name }),
-        "cylinders" => json!({ "center": center, "axis": way, "radius": radius,
-                               "height": height, "material": name }),
-        "discs" => json!({ "center": center, "normal": way, "radius": radius, "material": name }),
-        "suns" => json!({ "direction": way, "color": color(bytes)?, "disc": radius }),
-        "triangles" => {
-            let [x, y, z] = center.map(f64::from);
-            let corners = [[x, y, z], [x + radius, y, z], [x, y + 1.0, z + height]];
-            match bytes.arbitrary()? {
-                true => json!({ "corners": corners, "normals": [way, way, way], "material": name }),
-                false => json!({ "corners": corners, "material": name }),
-            }
-        }
-        _ => json!({ "position": center, "color": color(bytes)? }),
-    })
-}
-
-fn material(bytes: &mut Unstructured, name: &str) -> Result<Value> {
-    let mut share = || {
-        bytes
-            .int_in_range(0..=4)
-            .map(|quarters| f64::from(quarters) / 4.0)
-    };
-    let [ambient, diffuse, specular, mirror] = [share()?, share()?, share()?, share()?];
-    Ok(
-        json!({ "name": name, "color": color(bytes)?, "ambient": ambient, "diffuse": diffuse,
-               "specular": specular, "mirror": mirror,
-               "shininess": *bytes.choose(&[0.0, 2.5, 1_048_576.0])? }),
-    )
-}
-
-fn vector(bytes: &mut Unstructured) -> Result<[i32; 3]> {
-    let mut coordinate = || bytes.int_in_range(-8..=8);
-    Ok([coordinate()?, coordinate()?, coordinate()?])
-}
-
-fn color(bytes: &mut Unstructured) -> Result<[f64; 3]> {
-    let mut level = || bytes.choose(&[0.0, 0.25, 1.0, 3.0]).copied();
-    Ok([level()?, level()?, level()?])
 }
 
 /// Changes a scene at a random place. Most changes are mistakes.

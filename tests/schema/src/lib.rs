@@ -246,11 +246,11 @@ fn zero_directions_are_refused_by_both() {
 #[test]
 fn random_files_are_judged_alike() {
     const CASES: u64 = 4000;
-    let validator = validator();
+    let (validator, scenes) = (validator(), [still_life(), plain_life()]);
     let mut counts = [0; 3];
     for seed in 0..CASES {
         let bytes = random_bytes(seed);
-        let file = document::file(&mut Unstructured::new(&bytes)).unwrap();
+        let file = document::file(&mut Unstructured::new(&bytes), &scenes).unwrap();
         assert_eq!(disagreement(&validator, &file), None, "seed {seed}");
         counts[verdict(&file) as usize] += 1;
     }

@@ -30,7 +30,7 @@ use frame_hash::FrameHash;
 pub use clock::Clock;
 pub use contestant::{Contestant, Everything, Fixed, Float, FloatView, Nothing, View};
 pub use moving::{Moves, Moving};
-pub use sweep::{Run, Swept, Varied, sweep, swept};
+pub use sweep::{Run, sweep, swept};
 
 /// Task of a measuring program.
 pub struct Order {

@@ -1,49 +1,19 @@
-//! One scene to be drawn by the reference and by each quality. Never reads a file.
+//! One scene, drawn by the reference and by qualities, and the pixels that a quality loses. Never reads a
+//! file.
 
-use clap::ValueEnum;
-use command_line::{Quality as Fixed, Settings, Source};
+use command_line::{Quality, Settings, Source};
 use embedded_graphics::geometry::Size;
 use reflet::host::file::FileError;
-use reflet::host::reference::{Camera, Scene};
-use reflet::quality::{Draft, Exact, Fast, Small, Smooth};
-use reflet::shading::Unshadowed;
+use reflet::host::reference::{Camera, Scene, Shading, render};
 
-use crate::count::{Cause, Counts, Pixel, RIGHT, causes, difference, lost};
-use crate::truth::{Truth, truth};
+/// A pixel's levels of red, green and blue.
+pub type Pixel = [u8; 3];
 
-/// A quality that may lose pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Quality {
-    /// [`Fast`].
-    Fast,
-    /// [`Draft`], which guesses.
-    Draft,
-    /// [`Exact`], which decides by bounds what rays can hit. It is tested against [`Small`].
-    Exact,
-}
+/// Most that a right pixel differs from the reference, in 255ths of the largest channel.
+pub const RIGHT: u8 = 1;
 
-impl Quality {
-    /// Returns the quality's name in tables and on the command line.
-    pub fn name(self) -> &'static str {
-        self.fixed().name()
-    }
-
-    fn fixed(self) -> Fixed {
-        match self {
-            Self::Fast => Fixed::Fast,
-            Self::Draft => Fixed::Draft,
-            Self::Exact => Fixed::Exact,
-        }
-    }
-
-    /// Returns the quality that must have a pixel right, if this one is to have lost it.
-    fn right(self) -> Fixed {
-        match self {
-            Self::Exact => Fixed::Small,
-            Self::Fast | Self::Draft => Fixed::Exact,
-        }
-    }
-}
+/// Most that a pixel differs from the reference if nobody sees it, in 255ths of the largest channel.
+pub const VISIBLE: u8 = 8;
 
 /// A scene with its camera and its number of reflections.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +35,7 @@ pub struct Judged {
     pub name: String,
     /// Width and height of the pictures.
     pub size: Size,
-    /// Percentage of the pixels that `Exact` has within 1.
+    /// Percentage of the pixels that `Exact` has within [`RIGHT`].
     pub exact: f64,
     /// What each tested quality loses.
     pub lost: Vec<Lost>,
@@ -76,84 +46,68 @@ pub struct Judged {
 pub struct Lost {
     /// The tested quality.
     pub quality: Quality,
-    /// Numbers of lost pixels.
-    pub counts: Counts,
     /// The picture of this quality.
     pub pixels: Vec<Pixel>,
-    /// Why each pixel is lost, or `None`.
-    pub causes: Vec<Option<Cause>>,
+    /// Whether each pixel is lost.
+    pub is_lost: Vec<bool>,
 }
 
 impl Lost {
-    /// Tests whether any pixel is lost, apart or not.
-    pub fn is_any(&self) -> bool {
-        self.causes.iter().any(Option::is_some)
+    /// Returns the number of lost pixels.
+    pub fn count(&self) -> usize {
+        self.is_lost.iter().filter(|it| **it).count()
+    }
+
+    /// Returns the percentage of lost pixels.
+    pub fn percent(&self) -> f64 {
+        100.0 * self.count() as f64 / self.is_lost.len().max(1) as f64
     }
 }
 
 impl Case {
-    /// Draws the scene and counts what the qualities lose. The reference is drawn once.
+    /// Draws the scene and finds what the qualities lose. The reference is drawn once.
     ///
     /// # Errors
     ///
     /// The library refuses the scene or the camera.
     pub fn judge(&self, size: Size, qualities: &[Quality]) -> Result<Judged, FileError> {
-        let (lit, plain) = (self.source()?, self.plain().source()?);
-        let (truth, how) = (self.truth(size), (size, self.reflections));
-        let lit = |quality| {
+        let source = self.source()?;
+        let (n, shading) = (self.reflections.into(), Shading::BlinnPhong);
+        let truth = render(
+            &self.scene,
+            &self.camera,
+            size.width,
+            size.height,
+            n,
+            shading,
+        )
+        .pixels;
+        let drawn = |quality| {
             let settings = Settings::blinn_phong(quality, self.reflections);
-            lit.drawn(size, settings).pixels
+            source.drawn(size, settings).pixels
         };
-        let exact = lit(Fixed::Exact);
+        let exact = drawn(Quality::Exact);
         let judge = |&quality: &Quality| {
-            let pixels = lit(quality.fixed());
-            let right = match quality.right() {
-                Fixed::Exact => &exact,
-                other => &lit(other),
+            let pixels = drawn(quality);
+            // `Exact` decides by bounds what rays can hit. It is tested against `Small`, which tests all.
+            let is_lost = match quality {
+                Quality::Exact => lost(&truth, &drawn(Quality::Small), &pixels),
+                _ => lost(&truth, &exact, &pixels),
             };
-            let is_lost = lost(&truth.lit, right, &pixels);
-            let causes = causes(&is_lost, &truth.is_apart, || {
-                let right = unshadowed(&plain, quality.right(), how);
-                let drawn = unshadowed(&plain, quality.fixed(), how);
-                lost(&truth.plain, &right, &drawn)
-            });
             Lost {
                 quality,
-                counts: Counts::of(&causes),
-                causes,
                 pixels,
+                is_lost,
             }
         };
+        let right = exact.iter().zip(&truth);
+        let right = right.filter(|(a, b)| difference(**a, **b) <= RIGHT).count();
         Ok(Judged {
             name: self.name.clone(),
             size,
+            exact: 100.0 * right as f64 / truth.len().max(1) as f64,
             lost: qualities.iter().map(judge).collect(),
-            exact: share_right(&exact, &truth.lit),
         })
-    }
-
-    /// Returns the percentage of pixels that `Exact` has within 1 without shadows and highlights.
-    ///
-    /// # Errors
-    ///
-    /// The library refuses the scene or the camera.
-    pub fn plain_exact(&self, size: Size) -> Result<f64, FileError> {
-        let how = (size, self.reflections);
-        let exact = unshadowed(&self.plain().source()?, Fixed::Exact, how);
-        Ok(share_right(&exact, &self.truth(size).plain))
-    }
-
-    /// Returns the case without highlights.
-    fn plain(&self) -> Self {
-        let mut plain = self.clone();
-        let materials = &mut plain.scene.materials;
-        materials.iter_mut().for_each(|it| it.specular = 0.0);
-        plain
-    }
-
-    fn truth(&self, size: Size) -> Truth {
-        let reflections = self.reflections.into();
-        truth(&self.scene, &self.camera, size.into(), reflections)
     }
 
     /// Returns the scene as a source of pictures.
@@ -165,21 +119,38 @@ impl Case {
     }
 }
 
-fn share_right(exact: &[Pixel], truth: &[Pixel]) -> f64 {
-    let pairs = exact.iter().zip(truth);
-    let right = pairs.filter(|(a, b)| difference(**a, **b) <= RIGHT).count();
-    100.0 * right as f64 / truth.len().max(1) as f64
+/// Returns the largest difference of a channel.
+pub fn difference(one: Pixel, other: Pixel) -> u8 {
+    let channels = one.iter().zip(other).map(|(a, b)| a.abs_diff(b));
+    channels.max().unwrap_or(0)
 }
 
-/// Draws a scene without shadows.
-fn unshadowed(source: &Source, quality: Fixed, (size, reflections): (Size, u8)) -> Vec<Pixel> {
-    let picture = match quality {
-        Fixed::Draft => source.painted::<Draft, Unshadowed>(size, reflections),
-        Fixed::Fast => source.painted::<Fast, Unshadowed>(size, reflections),
-        Fixed::Small => source.painted::<Small, Unshadowed>(size, reflections),
-        Fixed::Exact => source.painted::<Exact, Unshadowed>(size, reflections),
-        Fixed::Smooth2 => source.painted::<Smooth<2>, Unshadowed>(size, reflections),
-        Fixed::Smooth4 => source.painted::<Smooth<4>, Unshadowed>(size, reflections),
-    };
-    picture.pixels
+/// Tests for each pixel whether one quality has it right and the tested one visibly wrong.
+fn lost(truth: &[Pixel], right: &[Pixel], tested: &[Pixel]) -> Vec<bool> {
+    let pixels = truth.iter().zip(right).zip(tested);
+    let is_lost = pixels.map(|((truth, right), tested)| {
+        difference(*right, *truth) <= RIGHT && difference(*tested, *truth) > VISIBLE
+    });
+    is_lost.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pixel_is_lost_only_if_one_is_within_1_and_the_other_off_by_more_than_8() {
+        let grey = [100; 3];
+        for (right, tested, expected) in [
+            ([100, 101, 99], [100, 100, 108], false),
+            ([101, 99, 100], [109, 100, 100], true),
+            ([100, 100, 102], [0; 3], false),
+            (grey, [91, 100, 100], true),
+            (grey, [92, 108, 100], false),
+            (grey, grey, false),
+        ] {
+            let found = lost(&[grey], &[right], &[tested]);
+            assert_eq!(found, [expected], "{right:?} {tested:?}");
+        }
+    }
 }

@@ -23,9 +23,9 @@ pub fn json(case: &Case) -> String {
 /// The picture cannot be encoded.
 pub fn png(judged: &Judged, lost: &Lost) -> image::ImageResult<Vec<u8>> {
     let mut picture = RgbImage::new(judged.size.width, judged.size.height);
-    let pixels = lost.pixels.iter().zip(&lost.causes);
-    for (target, (pixel, cause)) in picture.pixels_mut().zip(pixels) {
-        target.0 = cause.map_or(*pixel, |_| MAGENTA);
+    let pixels = lost.pixels.iter().zip(&lost.is_lost);
+    for (target, (pixel, is_lost)) in picture.pixels_mut().zip(pixels) {
+        target.0 = if *is_lost { MAGENTA } else { *pixel };
     }
     let mut bytes = Vec::new();
     picture.write_to(&mut std::io::Cursor::new(&mut bytes), ImageFormat::Png)?;

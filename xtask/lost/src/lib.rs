@@ -2,19 +2,10 @@
 //! scenes of any origin, and makes random scenes that lose many. This library prints nothing.
 #![deny(missing_docs)]
 
-#[macro_use]
-#[path = "../../../src/kinds.rs"]
-mod kinds;
-#[macro_use]
-#[path = "../../../src/host/shapes.rs"]
-mod shapes;
-
 pub mod case;
-pub mod count;
 pub mod families;
 pub mod file;
 pub mod table;
-pub mod truth;
 
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;

@@ -8,18 +8,15 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::{Parser, ValueEnum};
-use command_line::{Chosen, Failure, Source, parse, print, shown, size};
+use command_line::{Chosen, Failure, Quality, Source, parse, print, shown, size};
 use embedded_graphics::geometry::Size;
-use lost::case::{Case, Judged, Quality};
+use lost::case::{Case, Judged};
 use lost::families::{Family, scene_of_run};
 use lost::table::{HEAD, LINES_HEAD, lines, row};
 use lost::{file, on_all_cores};
 
 /// Counts the pixels that interpolation loses: `Exact` is within 1 of the double-precision
 /// reference, and the quality is off by more than 8. `Exact` itself is tested against `Small`.
-///
-/// A lost pixel is `apart` if its path is reflected off a curved shape or off several flat ones. Of
-/// the others, `seen` are also lost without shadows and highlights, and `light` are not.
 ///
 /// The exit code is 0, or 2 after an error, which is one line.
 #[derive(Parser)]
@@ -149,7 +146,7 @@ fn write(folder: &Path, judged: &Judged, case: &Case) -> Result<(), Failure> {
         fs::write(&path, bytes)
             .map_err(|error| format!("{} cannot be written: {error}", shown(&path)).into())
     };
-    for lost in judged.lost.iter().filter(|it| it.is_any()) {
+    for lost in judged.lost.iter().filter(|it| it.count() > 0) {
         write(".json", file::json(case).as_bytes())?;
         let ending = format!("-{}.png", lost.quality.name());
         write(&ending, &file::png(judged, lost)?)?;

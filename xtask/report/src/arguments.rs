@@ -7,7 +7,7 @@ use clap::{Parser, value_parser};
 use command_line::{Chosen, parse, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
-use xtask::measure::cores;
+use xtask::measure::Core;
 use xtask::table::filled;
 
 /// Measures what scenes cost and lose under many settings, and writes a report of it.
@@ -21,17 +21,13 @@ pub struct Arguments {
     #[command(flatten)]
     pub chosen: Chosen,
 
-    /// Where it runs: m0, m3, m4f, m33, m7, rv32 or host
-    #[arg(long, default_value = "m3", value_parser = Core::parse)]
-    pub core: Core,
+    /// The core on which it runs
+    #[arg(long, default_value = "m3", value_parser = Core::parser())]
+    pub core: &'static Core,
 
     /// The folder of the report; made if there is none, files of an earlier report are replaced
     #[arg(short, long, value_name = "DIR", default_value = "error-time")]
     pub out: PathBuf,
-
-    /// The folder of what was counted before [default: report in cargo's target folder]
-    #[arg(long, value_name = "DIR")]
-    pub counts: Option<PathBuf>,
 
     /// Width and height in pixels, each from 1 to 1024
     #[arg(long, value_name = "WxH", default_value = "128x128", value_parser = small_size)]
@@ -41,56 +37,6 @@ pub struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 255, value_parser = value_parser!(u8))]
     #[arg(allow_negative_numbers = true)]
     pub reflections: u8,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Core {
-    Host,
-    Emulated(&'static cores::Core),
-}
-
-impl Core {
-    pub fn parse(word: &str) -> Result<Self, String> {
-        let names = || cores::CORES.map(|core| core.name).join(", ");
-        match (word, cores::Core::find(word)) {
-            ("host", _) => Ok(Self::Host),
-            (_, Some(core)) => Ok(Self::Emulated(core)),
-            _ => Err(format!("the cores are {}, and host", names())),
-        }
-    }
-
-    /// Returns the core on which the float port runs: one with a floating-point unit, or this
-    /// machine.
-    pub fn of_float(self) -> Self {
-        match self {
-            Self::Host => Self::Host,
-            Self::Emulated(_) => Self::parse("m4f").expect("there is a Cortex-M4F"),
-        }
-    }
-
-    /// Returns the name of the core on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Host => "host",
-            Self::Emulated(core) => core.name,
-        }
-    }
-
-    /// Returns the name of the core in prose.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Host => "this machine",
-            Self::Emulated(core) => core.title,
-        }
-    }
-
-    /// Returns the unit of the costs on this core.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Host => "% of the reference's time",
-            Self::Emulated(_) => "instructions a pixel",
-        }
-    }
 }
 
 impl Arguments {
@@ -115,7 +61,7 @@ impl Arguments {
         if let Some(name) = &self.chosen.name {
             command += &format!(" --scene {name}");
         }
-        command += &format!(" --core {} --size {}", self.core.name(), self.size_words());
+        command += &format!(" --core {} --size {}", self.core.name, self.size_words());
         if self.reflections < u8::MAX {
             command += &format!(" --reflections {}", self.reflections);
         }

@@ -3,17 +3,11 @@
 //! `cargo run --release --package report -- --help`
 
 mod arguments;
-mod contest;
-mod error;
 mod front;
-mod host;
-mod meter;
 mod page;
-mod paint;
 mod plot;
 mod point;
 mod scene;
-mod settings;
 mod table;
 mod write;
 

@@ -3,10 +3,10 @@
 
 use xtask::table::filled;
 
-use crate::arguments::{Arguments, Core};
-use crate::contest::{self, Contest};
+use crate::arguments::Arguments;
 use crate::point::Point;
 use crate::scene::Measured;
+use xtask::measure::Core;
 
 pub struct Page<'a> {
     pub arguments: &'a Arguments,
@@ -23,23 +23,15 @@ pub struct Section<'a> {
 impl Page<'_> {
     pub fn markdown(&self) -> String {
         let core = self.arguments.core;
-        let contests = self.sections.iter().map(|it| Contest::new(it.scene, core));
-        let contests: Vec<Contest> = contests.collect();
-        let links = self.sections.iter().map(|it| &it.scene.painter.name);
+        let links = self.sections.iter().map(|it| &it.scene.name);
         let links: Vec<_> = links.map(|name| format!("[{name}](#{name})")).collect();
-        let points = self.sections.iter().flat_map(|it| &it.scene.points);
-        let promises: Vec<_> = points.filter_map(|it| it.errors.promised).collect();
-        let broken: usize = promises.iter().map(|it| it.broken).sum();
         let values = [
             ("command", self.arguments.command()),
-            ("verdict", contest::verdict(&contests, core)),
+            ("verdict", self.verdict()),
             ("file", self.sections[0].file.clone()),
             ("scenes", links.join(", ")),
-            ("cost", self.cost()),
-            ("contests", list(contests.iter().map(Contest::words))),
-            ("promises", promises.len().to_string()),
-            ("broken", broken.to_string()),
-            ("unit", core.unit().to_owned()),
+            ("core", core.title.to_owned()),
+            ("size", self.arguments.size_words()),
             (
                 "sections",
                 self.sections.iter().map(|it| it.markdown(core)).collect(),
@@ -48,27 +40,25 @@ impl Page<'_> {
         filled(include_str!("page.md"), &values)
     }
 
-    fn cost(&self) -> String {
-        let size = self.arguments.size_words();
-        match self.arguments.core {
-            Core::Host => "The cost is the time on one thread of this machine, in percent of the time of \
-                           the double-precision reference with as many reflections. It is the median of \
-                           nine rounds, in which all settings take turns. points.csv has the quartiles."
-                .to_owned(),
-            Core::Emulated(core) => format!(
-                "The cost is the number of instructions that a {} executes for a picture of {size}, \
-                 divided by its pixels. It includes the preparation of the frame. An emulator counts \
-                 them. The float port is counted on a Cortex-M4F, which has an FPU. An instruction is not \
-                 a cycle.",
-                core.title
-            ),
-        }
+    /// Says in how many scenes a good picture is cheap.
+    fn verdict(&self) -> String {
+        /// Instructions a pixel, and decibels.
+        const CHEAP: f64 = 1000.0;
+        const GOOD: f64 = 40.0;
+        let is_both = |it: &&Point| it.cost() <= CHEAP && it.psnr >= GOOD;
+        let good = |it: &&Section| it.front.iter().any(is_both);
+        let count = self.sections.iter().filter(good).count();
+        format!(
+            "With at most {CHEAP} instructions a pixel of a {}, {count} of {} scenes have a PSNR of {GOOD} dB or more.",
+            self.arguments.core.title,
+            self.sections.len()
+        )
     }
 }
 
 impl Section<'_> {
-    fn markdown(&self, core: Core) -> String {
-        let (name, file) = (&self.scene.painter.name, &self.file);
+    fn markdown(&self, core: &Core) -> String {
+        let (name, file) = (&self.scene.name, &self.file);
         let last = self.scene.last;
         format!(
             "## {name}\n\n{}\n\n![PSNR against cost]({file})\n\n\
@@ -78,9 +68,8 @@ impl Section<'_> {
     }
 
     /// Returns the best setting for each cost budget, if it differs from that of the budget before.
-    fn recommendations(&self, core: Core) -> Vec<String> {
-        let budgets: &[f64] = match core.name() {
-            "host" => &[1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0],
+    fn recommendations(&self, core: &Core) -> Vec<String> {
+        let budgets: &[f64] = match core.name {
             "m0" => &[300.0, 1000.0, 2000.0, 3000.0, 5000.0, 10_000.0, 20_000.0],
             _ => &[
                 100.0, 200.0, 300.0, 500.0, 700.0, 1000.0, 1500.0, 2000.0, 3000.0, 5000.0,
@@ -89,35 +78,26 @@ impl Section<'_> {
         let mut lines = Vec::new();
         let mut last = None;
         for budget in budgets {
-            let fits = |it: &(usize, &&Point)| it.1.cost.middle <= *budget;
+            let fits = |it: &(usize, &&Point)| it.1.cost() <= *budget;
             let best = self.front.iter().enumerate().rfind(fits);
             let Some((index, point)) = best.filter(|it| last != Some(it.0)) else {
                 continue;
             };
             last = Some(index);
             lines.push(format!(
-                "For {budget} {} use {} ({}: {}, {} dB, largest {}).",
-                core.unit(),
+                "For {budget} instructions a pixel use {} ({}: {:.0}, {} dB, largest {}).",
                 point.setting.words(),
                 index + 1,
-                cost(point),
-                decibels(point.psnr()),
-                point.errors.largest
+                point.cost(),
+                decibels(point.psnr),
+                point.largest
             ));
         }
         lines
     }
 }
 
-/// Returns the cost of a point as text, with its quartiles if it was timed.
-pub fn cost(point: &Point) -> String {
-    match point.cost.quartiles {
-        Some((lower, upper)) => format!("{:.2} ({lower:.2} to {upper:.2})", point.cost.middle),
-        None => format!("{:.0}", point.cost.middle),
-    }
-}
-
-pub fn decibels(psnr: f64) -> String {
+fn decibels(psnr: f64) -> String {
     match psnr.is_finite() {
         true => format!("{psnr:.1}"),
         false => "∞".to_owned(),

@@ -1,16 +1,12 @@
 //! Plots PSNR against cost as a small SVG file: each series is one path, whatever its number of
-//! points. Every series has a colour that colour-blind people can tell apart (Okabe and Ito), and its
-//! own shape. Measures nothing.
+//! points. Measures nothing.
 
 use std::ops::Range;
 
-use crate::arguments::Core;
-use crate::point::{GAIN, Point, front};
+use crate::point::{Point, front};
 use crate::scene::Measured;
 
 const BLUE: &str = "#0072b2";
-const VERMILLION: &str = "#d55e00";
-const PURPLE: &str = "#cc79a7";
 const GREY: &str = "#999";
 
 /// Width and height of the chart with its axes, and width of the list beside it, in pixels.
@@ -37,8 +33,7 @@ struct Axis {
 impl Axis {
     /// Returns a logarithmic axis over all costs, with grid lines at 1, 2 and 5 of each decade.
     fn of_costs(scene: &Measured) -> Self {
-        let costs = scene.points.iter().chain(&scene.float);
-        let costs = costs.map(|it| it.cost.middle);
+        let costs = scene.points.iter().map(Point::cost);
         let least = costs.clone().fold(f64::INFINITY, f64::min);
         let range = least.max(1e-6) / 1.3..costs.fold(0.0, f64::max) * 1.3;
         let decades = range.start.log10().floor() as i32..=range.end.log10().ceil() as i32;
@@ -62,8 +57,8 @@ impl Axis {
     /// Returns a linear axis with a grid line every 10 dB. Pictures without any difference are at its
     /// last line.
     fn of_psnr(scene: &Measured) -> Self {
-        let all = scene.points.iter().chain(&scene.float);
-        let psnr = all.map(Point::psnr).filter(|it| it.is_finite());
+        let psnr = scene.points.iter().map(|it| it.psnr);
+        let psnr = psnr.filter(|it| it.is_finite());
         let most = psnr.clone().fold(30.0, f64::max);
         let least = (psnr.fold(most, f64::min) / 5.0).floor() * 5.0;
         let top = (most / 10.0).ceil() * 10.0 + 10.0;
@@ -94,35 +89,19 @@ impl Axis {
 }
 
 /// Returns the plot of a scene.
-pub fn scene(scene: &Measured, core: Core) -> String {
+pub fn scene(scene: &Measured) -> String {
     let (x, y) = (Axis::of_costs(scene), Axis::of_psnr(scene));
-    let at = |point: &Point| (x.place(point.cost.middle), y.place(point.psnr()));
+    let at = |point: &Point| (x.place(point.cost()), y.place(point.psnr));
     let mut svg = Svg::new();
-    let title = format!("{}: PSNR, higher is better", scene.painter.name);
-    svg.axes(&title, (&x, &y), core);
+    let title = format!("{}: PSNR, higher is better", scene.name);
+    svg.axes(&title, (&x, &y));
 
-    let (shown, float) = (front(&scene.points, GAIN), front(&scene.float, 0.0));
+    let shown = front(&scene.points);
     let others = scene.points.iter().filter(|it| !it.is_on_front);
-    let words = "fixed point, other settings";
-    svg.marks("h0", 4, GREY, others.map(at), words);
-    let dashes = " stroke-dasharray=\"6 5\"";
-    svg.line(VERMILLION, dashes, stairs(float.iter().map(|it| at(it))));
-    let float = scene.float.iter().map(at);
-    svg.marks("m0-2l2 4h-4z", 5, VERMILLION, float, "float port");
-    let bounds = shown.iter().filter_map(|it| {
-        let (across, measured) = at(it);
-        let bound = y.place(it.errors.promised?.bound_psnr);
-        Some([(across, measured), (across, bound)])
-    });
-    let bounds: Vec<_> = bounds.collect();
-    for bound in &bounds {
-        svg.line(PURPLE, "", bound.to_vec());
-    }
-    let (bounds, words) = (bounds.iter().map(|it| it[1]), "theory, for sure pixels");
-    svg.marks("m-4-4l8 8m0-8l-8 8", 2, PURPLE, bounds, words);
+    svg.marks("h0", 4, GREY, others.map(at), "other settings");
     let points = shown.iter().map(|it| at(it));
-    svg.line(BLUE, "", stairs(points.clone()));
-    svg.marks("h0", 10, BLUE, points, "fixed point, front");
+    svg.line(BLUE, stairs(points.clone()));
+    svg.marks("h0", 10, BLUE, points, "the front");
     svg.numbers(&shown, at);
     svg.text.push_str("</svg>\n");
     svg.text
@@ -158,7 +137,7 @@ impl Svg {
         }
     }
 
-    fn axes(&mut self, title: &str, (x, y): (&Axis, &Axis), core: Core) {
+    fn axes(&mut self, title: &str, (x, y): (&Axis, &Axis)) {
         let ([left, right], [bottom, top]) = (ACROSS, UPRIGHT);
         let mut grid = String::new();
         grid.extend(
@@ -171,8 +150,8 @@ impl Svg {
                 .iter()
                 .map(|it| format!("M{left} {}H{right}", y.place(it.0))),
         );
-        self.path(&grid, "#ddd", 1, "");
-        self.path(&format!("M{left} {top}V{bottom}H{right}"), "#000", 1, "");
+        self.path(&grid, "#ddd", 1);
+        self.path(&format!("M{left} {top}V{bottom}H{right}"), "#000", 1);
         for (value, label) in &x.ticks {
             self.write((x.place(*value), bottom + 18), "middle", label);
         }
@@ -181,8 +160,8 @@ impl Svg {
         }
         let (middle, height) = ((left + right) / 2, (top + bottom) / 2);
         self.write((middle, 20), "middle\" font-size=\"17", title);
-        let unit = format!("{} (logarithmic)", core.unit());
-        self.write((middle, HEIGHT - 12), "middle", &unit);
+        let unit = "instructions a pixel (logarithmic)";
+        self.write((middle, HEIGHT - 12), "middle", unit);
         let turned = format!("middle\" transform=\"rotate(-90 14 {height})");
         self.write((14, height), &turned, "PSNR in dB");
     }
@@ -204,15 +183,15 @@ impl Svg {
         self.write((WIDTH + 28, y + 4), "start", legend);
         places.push((WIDTH + 12, y));
         let paths = places.iter().map(|(x, y)| format!("M{x} {y}{mark}"));
-        self.path(&paths.collect::<String>(), color, width, "");
+        self.path(&paths.collect::<String>(), color, width);
     }
 
-    fn line(&mut self, color: &str, more: &str, mut places: Vec<(i32, i32)>) {
+    fn line(&mut self, color: &str, mut places: Vec<(i32, i32)>) {
         places.dedup();
         let places = places.iter().map(|(x, y)| format!("{x} {y}"));
         let path = format!("M{}", places.collect::<Vec<_>>().join("L"));
         if path.len() > 1 {
-            self.path(&path, color, 2, more);
+            self.path(&path, color, 2);
         }
     }
 
@@ -235,9 +214,8 @@ impl Svg {
         }
     }
 
-    fn path(&mut self, path: &str, color: &str, width: u8, more: &str) {
-        self.text +=
-            &format!("<path stroke=\"{color}\" stroke-width=\"{width}\"{more} d=\"{path}\"/>\n");
+    fn path(&mut self, path: &str, color: &str, width: u8) {
+        self.text += &format!("<path stroke=\"{color}\" stroke-width=\"{width}\" d=\"{path}\"/>\n");
     }
 
     fn write(&mut self, (x, y): (i32, i32), anchor: &str, words: &str) {

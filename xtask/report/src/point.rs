@@ -1,70 +1,102 @@
-//! What is known of one setting: its cost, its error, and the sources of the error.
+//! What is known of one setting: its cost and its error; and which settings are worth their cost.
 
-use xtask::sweep::Setting;
-
-use crate::error::Errors;
+use command_line::{Settings, Source};
+use embedded_graphics::geometry::Size;
+use frame_hash::FrameHash;
+use reflet::host::reference::Picture;
+use xtask::sweep::{Count, Setting};
 
 #[derive(Clone, Debug)]
 pub struct Point {
     pub setting: Setting,
-    pub core: &'static str,
-    pub cost: Cost,
+    pub count: Count,
     /// Number of pixels of the picture.
     pub pixels: u64,
-    pub errors: Errors,
-    /// Whether no other setting of the same contestant is cheaper and has less error.
+    /// PSNR of all pixels in decibels; infinite if no pixel differs.
+    pub psnr: f64,
+    /// Largest difference of a channel, in levels of 255.
+    pub largest: u8,
+    /// Share of the pixels that are the same as the reference's, and within 1 of it.
+    pub same: f64,
+    pub within1: f64,
+    /// Whether the point is one of [`front`].
     pub is_on_front: bool,
 }
 
-#[derive(Clone, Debug, PartialEq)]
-pub struct Cost {
-    /// Instructions a pixel, or percent of the reference's time: the median.
-    pub middle: f64,
-    /// Lower and upper quartile of the time; `None` if instructions were counted.
-    pub quartiles: Option<(f64, f64)>,
-    /// Instructions of the preparation, if instructions were counted.
-    pub prepare: Option<u64>,
-    /// Hash of the picture that the core drew.
-    pub hash: u64,
-}
-
 impl Point {
-    /// Returns the peak signal-to-noise ratio in decibels. The front compares points by it.
-    pub fn psnr(&self) -> f64 {
-        self.errors.psnr
+    /// Returns the instructions a pixel.
+    pub fn cost(&self) -> f64 {
+        self.count.instructions as f64 / self.pixels as f64
     }
-}
 
-/// Sets `is_on_front` of every point: no other point is at least as good in cost and PSNR and better
-/// in one of them.
-pub fn mark_front(points: &mut [Point]) {
-    for index in 0..points.len() {
-        let (cost, psnr) = (points[index].cost.middle, points[index].psnr());
-        let is_beaten = points.iter().any(|other| {
-            let (other_cost, other_psnr) = (other.cost.middle, other.psnr());
-            other_cost < cost && other_psnr >= psnr || other_psnr > psnr && other_cost <= cost
-        });
-        points[index].is_on_front = !is_beaten;
+    /// Returns the instructions a pixel without those of the preparation, rounded up.
+    pub fn drawing(&self) -> u32 {
+        let drawing = self.count.instructions.saturating_sub(self.count.prepare);
+        drawing.div_ceil(self.pixels) as u32
     }
-}
 
-/// Smallest gain in decibels from one shown point of a front to the next.
-pub const GAIN: f64 = 0.25;
-
-/// Returns the points of a front, the cheapest first. Each is at least `gain` decibels better than
-/// the one before. The best point is always included.
-pub fn front(points: &[Point], gain: f64) -> Vec<&Point> {
-    let mut front: Vec<&Point> = points.iter().filter(|it| it.is_on_front).collect();
-    front.sort_by(|a, b| a.cost.middle.total_cmp(&b.cost.middle));
-    let best = front.last().map_or(0.0, |it| it.psnr());
-    let mut kept: Vec<&Point> = Vec::new();
-    for point in front {
-        let psnr = point.psnr();
-        let is_new =
-            |last: &&Point| psnr > last.psnr() && (psnr >= last.psnr() + gain || psnr == best);
-        if kept.last().is_none_or(is_new) {
-            kept.push(point);
+    /// Returns the PSNR in hundredths of a decibel, rounded down; `u16::MAX` if no pixel differs.
+    pub fn hundredths(&self) -> u16 {
+        match self.psnr.is_finite() {
+            true => (100.0 * self.psnr).floor().clamp(0.0, 65_534.0) as u16,
+            false => u16::MAX,
         }
     }
-    kept
+}
+
+/// Smallest gain in decibels from one point of a front to the next.
+const GAIN: f64 = 0.25;
+
+/// Finds the front and sets `is_on_front`: in the order of the cost, each point that is better than all
+/// before by the gain.
+pub fn mark_front(points: &mut [Point]) {
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|&a, &b| {
+        let (a, b) = (&points[a], &points[b]);
+        let by_cost = a.count.instructions.cmp(&b.count.instructions);
+        by_cost.then(b.psnr.total_cmp(&a.psnr))
+    });
+    let mut last: Option<usize> = None;
+    for index in order {
+        let point = &points[index];
+        let is_more = last.map(|last| &points[last]).is_none_or(|last| {
+            point.hundredths() > last.hundredths()
+                && point.drawing() > last.drawing()
+                && point.psnr >= last.psnr + GAIN
+        });
+        points[index].is_on_front = is_more;
+        if is_more {
+            last = Some(index);
+        }
+    }
+}
+
+/// Returns the points of the front, the cheapest first.
+pub fn front(points: &[Point]) -> Vec<&Point> {
+    let mut front: Vec<&Point> = points.iter().filter(|it| it.is_on_front).collect();
+    front.sort_by_key(|it| it.count.instructions);
+    front
+}
+
+/// Draws a scene with a setting on this machine. Pictures are the same to the bit on every core.
+pub fn paint(source: &Source, size: Size, setting: &Setting) -> Picture {
+    let Size { width, height } = size;
+    let scale = u32::from(setting.scale);
+    let small = Size::new(width.div_ceil(scale), height.div_ceil(scale));
+    let settings = Settings::blinn_phong(setting.quality, setting.reflections);
+    let small = source.drawn(small, settings);
+    let at = |x: u32, y: u32| small.pixels[(y / scale * small.width + x / scale) as usize];
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    Picture {
+        width,
+        height,
+        pixels: places.map(|(x, y)| at(x, y)).collect(),
+    }
+}
+
+/// Returns the hash that a firmware reports for the same picture.
+pub fn hash(picture: &Picture) -> u64 {
+    let mut hash = FrameHash::NONE;
+    picture.pixels.iter().for_each(|pixel| hash.add(*pixel));
+    hash.value()
 }

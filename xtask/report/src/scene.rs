@@ -4,72 +4,59 @@ use std::path::Path;
 use std::time::Duration;
 
 use anyhow::{Error, Result, bail};
-use command_line::{Source, one_line};
+use command_line::{Quality, Source, one_line};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
-use xtask::measure::Scene;
-use xtask::sweep::{Level, Setting, Sweep};
-use xtask::toolchain;
+use reflet::host::compare::compare;
+use reflet::host::reference::{Picture, Shading, render};
+use xtask::measure::{Scene, Size};
+use xtask::sweep::{Count, Setting, Sweep};
 
-use crate::arguments::{Arguments, Core};
-use crate::error::Truth;
-use crate::paint::{Painter, hash};
-use crate::point::{Cost, Point, mark_front};
-use crate::{host, meter, settings, write};
+use crate::arguments::Arguments;
+use crate::point::{Point, hash, mark_front, paint};
+use crate::write;
+
+/// Number of reflections that stands for all of them. The rest of a path is then darker than a
+/// display can show, unless its mirrors reflect nearly all light.
+const ALL: u32 = 2000;
+
+/// Widths of a drawn pixel, in pixels of the picture.
+const SCALES: [u8; 3] = [1, 2, 4];
 
 /// A scene and everything that was measured of it.
 pub struct Measured {
-    pub painter: Painter,
+    pub name: String,
     /// Largest number of reflections that changes the picture.
     pub last: u8,
-    /// Points of fixed point on the report's core.
     pub points: Vec<Point>,
-    /// Points of the float port, on a core with a floating-point unit.
-    pub float: Vec<Point>,
-    /// Point of the float port in software floating point on the report's core, if it was counted.
-    pub soft: Option<Point>,
 }
 
 /// A scene and the settings to measure with it.
 struct Plan<'a> {
     path: &'a Path,
-    painter: Painter,
+    source: Source,
     last: u8,
-    jobs: [Job; 3],
-}
-
-/// Settings of one contestant, fixed point or float, on one core.
-struct Job {
     settings: Vec<Setting>,
-    core: Core,
 }
-
-/// Costs of the three jobs of a scene: fixed point, float, and float in software.
-type Costs = [Vec<Cost>; 3];
 
 /// Measures all scenes of the command line and writes the report.
 pub fn report(arguments: &Arguments) -> Result<()> {
-    let painters = painters(arguments)?;
+    let sources = sources(arguments)?;
     write::make(&arguments.out)?;
-    let plans = arguments.scenes.par_iter().zip(painters);
+    let plans = arguments.scenes.par_iter().zip(sources);
     let plans: Vec<Plan> = plans
-        .map(|(path, painter)| Plan::new(path, painter, arguments))
+        .map(|(path, source)| Plan::new(path, source, arguments))
         .collect();
-    let settings = plans.iter().flat_map(|plan| &plan.jobs);
-    let settings: usize = settings.map(|job| job.settings.len()).sum();
-    let costs = if arguments.core == Core::Host {
-        let bar = bar(host::ROUNDS * settings);
-        plans.iter().map(|plan| plan.time(&bar)).collect()
-    } else {
-        count(&plans, arguments, &bar(settings))
-    };
-    let measured: Result<Vec<Measured>> = plans
-        .into_par_iter()
-        .zip(costs?)
-        .map(|(plan, costs)| plan.measured(costs))
-        .collect();
-    write::all(arguments, &measured?)
+    let settings: usize = plans.iter().map(|plan| plan.settings.len()).sum();
+    let bar = bar(settings);
+    // Two at a time. Builds for the same core run one after another.
+    let pool = ThreadPoolBuilder::new().num_threads(2).build()?;
+    let count = |plan: &Plan| plan.count(arguments, &bar);
+    let counts: Result<Vec<_>> = pool.install(|| plans.par_iter().map(count).collect());
+    let plans = plans.into_par_iter().zip(counts?);
+    let measured = plans.map(|(plan, counts)| plan.measured(counts, arguments));
+    write::all(arguments, &measured.collect::<Result<Vec<_>>>()?)
 }
 
 fn bar(total: usize) -> ProgressBar {
@@ -79,145 +66,120 @@ fn bar(total: usize) -> ProgressBar {
     bar
 }
 
-fn painters(arguments: &Arguments) -> Result<Vec<Painter>> {
+fn sources(arguments: &Arguments) -> Result<Vec<Source>> {
     let chosen = &arguments.chosen;
     if chosen.name.is_some() && arguments.scenes.len() != 1 {
         bail!("--scene chooses from one file");
     }
-    let mut painters: Vec<Painter> = Vec::new();
+    let mut sources: Vec<Source> = Vec::new();
     for path in &arguments.scenes {
         let source = Source::open(path, chosen).map_err(Error::from_boxed)?;
-        let name = source.name();
-        if painters.iter().any(|other| other.name == name) {
-            bail!("two scenes are called {name}");
+        if sources.iter().any(|other| other.name() == source.name()) {
+            bail!("two scenes are called {}", source.name());
         }
-        painters.push(Painter::new(source, arguments.size)?);
+        sources.push(source);
     }
-    Ok(painters)
+    Ok(sources)
 }
 
 impl<'a> Plan<'a> {
-    fn new(path: &'a Path, painter: Painter, arguments: &Arguments) -> Self {
-        let core = arguments.core;
-        let last = last_that_matters(&painter, arguments.reflections);
-        let numbers = settings::numbers(last);
-        // A frame in software floating point takes minutes, so one setting is enough.
-        let soft = match core.name() {
-            "m3" | "rv32" => vec![Setting::float(last.min(4), 1)],
-            _ => Vec::new(),
+    fn new(path: &'a Path, source: Source, arguments: &Arguments) -> Self {
+        let painted = |reflections| {
+            let setting = Setting {
+                quality: Quality::Exact,
+                reflections,
+                scale: 1,
+            };
+            paint(&source, arguments.size, &setting)
         };
-        let job = |settings, core| Job { settings, core };
+        let most = arguments.reflections;
+        let whole = painted(most);
+        let last = (0..most).find(|number| painted(*number) == whole);
+        let last = last.unwrap_or(most);
         Self {
             path,
-            painter,
+            source,
             last,
-            jobs: [
-                job(settings::fixed(&numbers), core),
-                job(settings::float(&numbers), core.of_float()),
-                job(soft, core),
-            ],
+            settings: settings(last),
         }
     }
 
-    /// Measures the times of the settings on this machine.
-    fn time(&self, bar: &ProgressBar) -> Result<Costs> {
-        bar.set_message(one_line(&self.painter.name));
-        let [fixed, float, _] = self.jobs.each_ref().map(|job| job.settings.as_slice());
-        let all = [fixed, float].concat();
-        let mut costs = host::time(&self.painter, &all, &|| bar.inc(1))?;
-        let float = costs.split_off(fixed.len());
-        Ok([costs, float, Vec::new()])
+    fn count(&self, arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Count>> {
+        let (name, core) = (self.source.name(), arguments.core);
+        bar.set_message(one_line(&format!("{name} on {}", core.name)));
+        let sweep = Sweep {
+            core,
+            scene: &Scene::open(self.path, &arguments.chosen)?,
+            size: Size::new(arguments.size.width, arguments.size.height),
+            settings: &self.settings,
+        };
+        let mut counts = Vec::new();
+        sweep.run(|count| {
+            counts.push(count);
+            bar.inc(1);
+        })?;
+        Ok(counts)
     }
 
-    fn measured(self, costs: Costs) -> Result<Measured> {
-        let truth = Truth::new(&self.painter);
-        let points = |job: &Job, costs: Vec<Cost>| -> Result<Vec<Point>> {
-            let both = job.settings.par_iter().zip(costs);
-            let points = both.map(|(setting, cost)| self.point(&truth, *setting, cost, job.core));
-            points.collect()
-        };
-        let [fixed, float, soft] = &self.jobs;
-        let [of_fixed, of_float, of_soft] = costs;
-        let mut fixed = points(fixed, of_fixed)?;
-        let mut float = points(float, of_float)?;
-        let soft = points(soft, of_soft)?.pop();
-        mark_front(&mut fixed);
-        mark_front(&mut float);
+    fn measured(self, counts: Vec<Count>, arguments: &Arguments) -> Result<Measured> {
+        let ((scene, camera), size) = (self.source.reference(), arguments.size);
+        let shading = Shading::BlinnPhong;
+        let truth = render(&scene, &camera, size.width, size.height, ALL, shading);
+        let both = self.settings.par_iter().zip(counts);
+        let points = both.map(|(setting, count)| self.point(&truth, *setting, count, arguments));
+        let mut points = points.collect::<Result<Vec<_>>>()?;
+        mark_front(&mut points);
         Ok(Measured {
+            name: self.source.name().to_owned(),
             last: self.last,
-            points: fixed,
-            float,
-            soft,
-            painter: self.painter,
+            points,
         })
     }
 
-    fn point(&self, truth: &Truth, setting: Setting, cost: Cost, core: Core) -> Result<Point> {
-        let picture = self.painter.paint(&setting);
-        if hash(&picture) != cost.hash {
-            let (name, core, words) = (&self.painter.name, core.title(), setting.words());
+    fn point(
+        &self,
+        truth: &Picture,
+        setting: Setting,
+        count: Count,
+        arguments: &Arguments,
+    ) -> Result<Point> {
+        let picture = paint(&self.source, arguments.size, &setting);
+        if hash(&picture) != count.hash {
+            let (name, core, words) = (self.source.name(), arguments.core.title, setting.words());
             bail!("{name}, {words}: {core} draws another picture than this machine");
         }
+        let found = compare(&picture, truth)?;
         Ok(Point {
-            errors: truth.errors(&self.painter, &setting, &picture)?,
             setting,
-            core: core.name(),
-            cost,
-            pixels: truth.picture.pixels.len() as u64,
+            count,
+            pixels: truth.pixels.len() as u64,
+            psnr: found.psnr,
+            largest: found.max,
+            same: found.same,
+            within1: found.within1,
             is_on_front: false,
         })
     }
 }
 
-/// Returns the largest number of reflections, up to `most`, that changes the picture.
-fn last_that_matters(painter: &Painter, most: u8) -> u8 {
-    let painted = |number| painter.paint(&Setting::fixed(Level::Exact, number));
-    let whole = painted(most);
-    let same = (0..most).find(|number| painted(*number) == whole);
-    same.unwrap_or(most)
-}
-
-/// Counts the instructions of all scenes, two jobs at a time. Builds for the same core run one after
-/// another.
-fn count(plans: &[Plan], arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Costs>> {
-    let jobs = plans.par_iter().flat_map(|plan| {
-        let jobs = plan.jobs.par_iter();
-        jobs.map(move |job| job.count(plan, arguments, bar))
+/// Lists the settings that are measured: qualities, sizes of a pixel, and numbers of reflections up to the
+/// last one that changes the picture.
+fn settings(last: u8) -> Vec<Setting> {
+    /// Up to this number every number is measured; beyond it, only some.
+    const DENSE: u8 = 8;
+    let steps = [10, 12, 16, 24, 32, 48, 64, 96, 128, 192];
+    let some = (0..=DENSE).chain(steps).filter(|number| *number < last);
+    let numbers: Vec<u8> = some.chain([last]).collect();
+    let kinds = SCALES
+        .into_iter()
+        .flat_map(|scale| [(Quality::Fast, scale), (Quality::Exact, scale)]);
+    let settings = kinds.flat_map(|(quality, scale)| {
+        let setting = move |&reflections| Setting {
+            quality,
+            reflections,
+            scale,
+        };
+        numbers.iter().map(setting)
     });
-    let pool = ThreadPoolBuilder::new().num_threads(2).build()?;
-    let costs: Vec<Vec<Cost>> = pool.install(|| jobs.collect::<Result<_>>())?;
-    let mut costs = costs.into_iter();
-    let mut next = || costs.next().unwrap_or_default();
-    Ok(plans.iter().map(|_| [next(), next(), next()]).collect())
-}
-
-impl Job {
-    fn count(&self, plan: &Plan, arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Cost>> {
-        let (Core::Emulated(core), Some(first)) = (self.core, self.settings.first()) else {
-            return Ok(Vec::new());
-        };
-        let (name, core_name) = (&plan.painter.name, core.name);
-        bar.set_message(one_line(&format!("{name} on {core_name}")));
-        let contestant = if first.is_float() { "float" } else { "fixed" };
-        let (safe, size) = (write::file_name(name), arguments.size_words());
-        let file = format!("{safe}-{contestant}-{core_name}-{size}.json");
-        let folder = arguments.counts.clone();
-        let folder = folder.unwrap_or_else(|| toolchain::target_directory().join("report"));
-        let sweep = Sweep {
-            core,
-            scene: &Scene::open(plan.path, &arguments.chosen)?,
-            size: arguments.size.into(),
-            settings: &self.settings,
-            known: 0,
-        };
-        let counts = meter::count(sweep, plan.path, &folder.join(file), &|| bar.inc(1))?;
-        let pixels = f64::from(arguments.size.width * arguments.size.height);
-        let costs = counts.into_iter().map(|count| Cost {
-            middle: count.instructions as f64 / pixels,
-            quartiles: None,
-            prepare: Some(count.prepare),
-            hash: count.hash,
-        });
-        Ok(costs.collect())
-    }
+    settings.collect()
 }

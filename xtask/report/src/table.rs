@@ -1,92 +1,52 @@
 //! Writes points.csv: one row for each setting.
 
 use anyhow::Result;
-use reflet::Unit;
-use xtask::sweep::{Contestant, Level, Numbers};
+use serde::Serialize;
 
-use crate::arguments::Arguments;
-use crate::error::Promised;
-use crate::point::Point;
 use crate::scene::Measured;
 
-pub fn csv(arguments: &Arguments, scenes: &[Measured]) -> Result<String> {
+/// A row. The columns have the names of the fields.
+#[derive(Serialize)]
+struct Row<'a> {
+    scene: &'a str,
+    core: &'a str,
+    size: &'a str,
+    quality: &'a str,
+    scale: u8,
+    reflections: u8,
+    instructions_per_pixel: String,
+    prepare_instructions: u64,
+    hash: String,
+    psnr: String,
+    largest: u8,
+    same: String,
+    within1: String,
+    on_front: bool,
+}
+
+pub fn csv(core: &str, size: &str, scenes: &[Measured]) -> Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    let size = arguments.size_words();
-    let mut rows = Vec::new();
     for scene in scenes {
-        let points = scene.points.iter().chain(&scene.float).chain(&scene.soft);
-        rows.extend(points.map(|point| row(&scene.painter.name, &size, point)));
-    }
-    writer.write_record(rows.iter().take(1).flatten().map(|cell| cell.0))?;
-    for row in &rows {
-        writer.write_record(row.iter().map(|cell| &cell.1))?;
+        for point in &scene.points {
+            writer.serialize(Row {
+                scene: &scene.name,
+                core,
+                size,
+                quality: point.setting.quality.name(),
+                scale: point.setting.scale,
+                reflections: point.setting.reflections,
+                instructions_per_pixel: digits(point.cost(), 1),
+                prepare_instructions: point.count.prepare,
+                hash: format!("{:016x}", point.count.hash),
+                psnr: digits(point.psnr, 3),
+                largest: point.largest,
+                same: digits(point.same, 5),
+                within1: digits(point.within1, 5),
+                on_front: point.is_on_front,
+            })?;
+        }
     }
     Ok(String::from_utf8(writer.into_inner()?)?)
-}
-
-fn row(scene: &str, size: &str, point: &Point) -> Vec<(&'static str, String)> {
-    let setting = &point.setting;
-    let (contestant, level, shadows) = match setting.contestant {
-        Contestant::Float => ("float", None, true),
-        Contestant::Fixed(level) => ("fixed", Some(level), true),
-        Contestant::Unshadowed => ("fixed", Some(Level::Fast), false),
-    };
-    let optional = |value: Option<String>| value.unwrap_or_default();
-    let of_level = |show: fn(Numbers) -> String| optional(level.map(|it| show(it.numbers())));
-    let (errors, cost) = (&point.errors, &point.cost);
-    let of_promise = |show: fn(&Promised) -> String| optional(errors.promised.as_ref().map(show));
-    let counted = cost.quartiles.is_none().then(|| digits(cost.middle, 1));
-    let prepare = cost.prepare.map(|it| it.to_string());
-    let timed = |show: fn((f64, f64, f64)) -> f64| {
-        let times = |(lower, upper)| show((lower, cost.middle, upper));
-        optional(cost.quartiles.map(|it| digits(times(it), 3)))
-    };
-    let parts = &errors.parts;
-    vec![
-        ("scene", scene.to_owned()),
-        ("core", point.core.to_owned()),
-        ("size", size.to_owned()),
-        ("contestant", contestant.to_owned()),
-        ("quality", level.map_or("", Level::name).to_owned()),
-        ("tolerance", of_level(|it| text(it.tolerance))),
-        ("smallest_weight", of_level(|it| text(it.smallest_weight))),
-        ("shadows", shadows.to_string()),
-        ("scale", setting.scale.to_string()),
-        ("reflections", setting.reflections.to_string()),
-        ("instructions_per_pixel", optional(counted)),
-        ("prepare_instructions", optional(prepare)),
-        ("time_percent", timed(|it| it.1)),
-        ("time_lower_quartile", timed(|it| it.0)),
-        ("time_upper_quartile", timed(|it| it.2)),
-        ("hash", format!("{:016x}", cost.hash)),
-        ("psnr", digits(errors.psnr, 3)),
-        ("largest", errors.largest.to_string()),
-        ("same", digits(errors.same, 5)),
-        ("within1", digits(errors.within1, 5)),
-        ("on_front", point.is_on_front.to_string()),
-        ("sure_share", of_promise(|it| digits(it.sure, 5))),
-        ("sure_psnr", of_promise(|it| digits(it.psnr, 3))),
-        ("sure_largest", of_promise(|it| it.largest.to_string())),
-        ("bound_psnr", of_promise(|it| digits(it.bound_psnr, 3))),
-        ("bound_largest", of_promise(|it| digits(it.bound, 3))),
-        (
-            "bound_truncation",
-            of_promise(|it| digits(it.truncation, 3)),
-        ),
-        ("bound_rounding", of_promise(|it| digits(it.rounding, 3))),
-        ("decided_otherwise", of_promise(|it| it.decided.to_string())),
-        ("beyond_bound", of_promise(|it| it.broken.to_string())),
-        ("rms_truncation", digits(parts.truncation, 4)),
-        ("rms_cut_off", digits(parts.cut_off, 4)),
-        ("rms_between", digits(parts.between, 4)),
-        ("rms_rounding", digits(parts.rounding, 4)),
-        ("rms_decided", digits(parts.decided, 4)),
-        ("rms_simplified", digits(parts.simplified, 4)),
-    ]
-}
-
-fn text(number: Unit) -> String {
-    number.to_num::<f64>().to_string()
 }
 
 /// Formats a number with at most this many digits after the point, without zeros at the end.

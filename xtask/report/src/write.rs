@@ -6,9 +6,9 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use command_line::shown;
 
-use crate::arguments::{Arguments, Core};
+use crate::arguments::Arguments;
 use crate::page::{Page, Section};
-use crate::point::{GAIN, front};
+use crate::point::front;
 use crate::scene::Measured;
 use crate::{front as source, plot, table};
 
@@ -21,15 +21,16 @@ pub fn all(arguments: &Arguments, scenes: &[Measured]) -> Result<()> {
         let path = arguments.out.join(name);
         fs::write(&path, text).with_context(|| format!("{} cannot be written", path.display()))
     };
-    write("points.csv", &table::csv(arguments, scenes)?)?;
-    if arguments.core != Core::Host {
-        write("front.rs", &source::source(&arguments.command(), scenes))?;
-    }
+    write(
+        "points.csv",
+        &table::csv(arguments.core.name, &arguments.size_words(), scenes)?,
+    )?;
+    write("front.rs", &source::source(&arguments.command(), scenes))?;
     let mut sections = Vec::new();
     for scene in scenes {
-        let file = format!("{}-psnr.svg", file_name(&scene.painter.name));
-        write(&file, &plot::scene(scene, arguments.core))?;
-        let front = front(&scene.points, GAIN);
+        let file = format!("{}-psnr.svg", file_name(&scene.name));
+        write(&file, &plot::scene(scene))?;
+        let front = front(&scene.points);
         sections.push(Section { scene, file, front });
     }
     let page = Page {

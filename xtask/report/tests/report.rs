@@ -2,11 +2,9 @@
 //! the repository.
 
 use std::collections::BTreeMap;
-use std::ffi::OsString;
-use std::fs::{self, DirEntry};
+use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
-use std::time::SystemTime;
 
 use reflet::scenes::NAMES;
 use tempfile::TempDir;
@@ -46,55 +44,26 @@ fn number(row: &Row, column: &str) -> f64 {
         .unwrap_or_else(|_| panic!("{column} of {row:?} is a number"))
 }
 
-/// Returns the files of a folder, and when each was written.
-fn written(folder: &Path) -> BTreeMap<OsString, SystemTime> {
-    let entries = fs::read_dir(folder).expect("the folder can be read");
-    let entries = entries.map(|entry| entry.expect("an entry"));
-    let time = |entry: &DirEntry| entry.metadata().and_then(|it| it.modified()).unwrap();
-    entries.map(|it| (it.file_name(), time(&it))).collect()
-}
-
 /// Checks what must hold in every table, scene by scene.
-fn assert_is_sound(rows: &[Row], scenes: &[&str], cost: &str) {
+fn assert_is_sound(rows: &[Row], scenes: &[&str]) {
     for scene in scenes {
-        let of = |contestant: &str| -> Vec<&Row> {
-            let own = rows.iter().filter(|row| row["scene"] == *scene);
-            own.filter(|row| row["contestant"] == contestant).collect()
-        };
-        let (fixed, float) = (of("fixed"), of("float"));
-        assert!(fixed.len() >= 14 && float.len() >= 3, "{scene}");
-        assert_front_is_monotone(&fixed, cost);
-        let plain = fixed
-            .iter()
-            .filter(|row| row["shadows"] == "true" && row["scale"] == "1");
-        let mut promised = 0;
-        for row in plain {
-            assert_eq!(row["beyond_bound"], "0", "{row:?}");
-            assert!(
-                number(row, "sure_largest") <= number(row, "bound_largest"),
-                "{row:?}"
-            );
-            assert!(
-                number(row, "sure_psnr") >= number(row, "bound_psnr"),
-                "{row:?}"
-            );
-            promised += 1;
-        }
-        assert!(promised >= 5, "{scene}");
+        let fixed: Vec<&Row> = rows.iter().filter(|row| row["scene"] == *scene).collect();
+        assert!(fixed.len() >= 6, "{scene}");
+        assert_front_is_monotone(&fixed);
         // In the finest quality with all reflections, only rounding errors are left.
         let finest = fixed
             .iter()
             .filter(|row| row["quality"] == "exact" && row["scale"] == "1");
         let finest = finest.max_by_key(|row| row["reflections"].parse::<u8>().unwrap());
         let finest = finest.expect("exact is tried, too");
-        assert!(number(finest, "sure_largest") <= 1.0, "{finest:?}");
-        assert_eq!(number(finest, "rms_between"), 0.0, "{finest:?}");
+        assert!(number(finest, "within1") >= 0.98, "{finest:?}");
     }
 }
 
 /// Checks that on the front a higher cost never has a lower PSNR, and that no other point beats one
 /// of the front.
-fn assert_front_is_monotone(fixed: &[&Row], cost: &str) {
+fn assert_front_is_monotone(fixed: &[&Row]) {
+    let cost = "instructions_per_pixel";
     let mut front: Vec<_> = fixed
         .iter()
         .filter(|row| row["on_front"] == "true")
@@ -125,7 +94,7 @@ fn assert_front_is_monotone(fixed: &[&Row], cost: &str) {
 fn kept_report_is_sound() {
     let rows = rows(Path::new(REPORT));
     assert!(rows.iter().all(|row| row["size"] == "128x128"));
-    assert_is_sound(&rows, &NAMES, "instructions_per_pixel");
+    assert_is_sound(&rows, &NAMES);
     let size: u64 = fs::read_dir(REPORT)
         .expect("the folder can be read")
         .map(|entry| entry.unwrap().metadata().unwrap().len())
@@ -154,66 +123,21 @@ fn assert_page_is_whole(folder: &Path, scenes: &[&str]) {
 }
 
 #[test]
-#[ignore = "long: builds the firmware of both sides"]
-fn scene_is_counted_once_and_its_table_has_the_columns_of_the_kept_one() {
+#[ignore = "long: builds one more firmware"]
+fn table_of_a_scene_has_the_columns_of_the_kept_one() {
     let folder = tempfile::tempdir().unwrap();
-    let arguments = "corner1 --core m3 --size 16x16 --reflections 1 --counts kept --out made";
+    let arguments = "corner1 --core m3 --size 16x16 --reflections 1 --out made";
     reported(&folder, arguments);
     let made = folder.path().join("made");
     let rows = rows(&made);
-    assert_is_sound(&rows, &["corner1"], "instructions_per_pixel");
+    assert_is_sound(&rows, &["corner1"]);
     let kept = self::rows(Path::new(REPORT));
     assert!(rows[0].keys().eq(kept[0].keys()));
-    let cores: Vec<_> = rows.iter().map(|row| row["core"].as_str()).collect();
-    assert!(cores.contains(&"m3") && cores.contains(&"m4f"));
-    // The second run changes nothing: counts would be written again if they were counted again, and
-    // the table is the same.
-    let table = fs::read(made.join("points.csv")).unwrap();
-    let kept = written(&folder.path().join("kept"));
-    assert!(kept.len() >= 2, "{kept:?}");
-    reported(&folder, arguments);
-    assert_eq!(written(&folder.path().join("kept")), kept);
-    assert_eq!(fs::read(made.join("points.csv")).unwrap(), table);
-    // An interrupted run continues: counts in the file are not counted again.
-    let file = folder.path().join("kept/corner1-float-m4f-16x16.json");
-    let whole = fs::read_to_string(&file).unwrap();
-    let mut counts: serde_json::Value = serde_json::from_str(&whole).unwrap();
-    counts["counts"].as_array_mut().unwrap().truncate(2);
-    counts["counts"][0]["instructions"] = 256_000.into();
-    fs::write(&file, counts.to_string()).unwrap();
-    reported(&folder, arguments);
-    let again = self::rows(&made);
-    let changed = rows.iter().zip(&again).filter(|(old, new)| old != new);
-    let costs = changed.map(|(_, new)| new["instructions_per_pixel"].as_str());
-    assert_eq!(costs.collect::<Vec<_>>(), ["1000"]);
     let front = fs::read_to_string(made.join("front.rs")).unwrap();
     assert!(
         front.contains("pub const CORNER1: ParetoFront = ParetoFront::new(&["),
         "{front}"
     );
-}
-
-#[test]
-fn scene_file_is_timed_on_this_machine_with_quartiles() {
-    let folder = tempfile::tempdir().unwrap();
-    let camera = r#"{"position": [0, -5, 2], "target": [0, 0, 1], "up": [0, 0, 1], "fov": 50}"#;
-    let glass = r#"{"name": "glass", "color": [1, 1, 1], "ambient": 0.5, "diffuse": 0.5,
-        "specular": 0, "shininess": 1, "mirror": 0.5}"#;
-    let scene = format!(
-        r#"{{"name": "ball", "camera": {camera}, "materials": [{glass}],
-            "lights": [{{"position": [3, -4, 6], "color": [1, 1, 1]}}],
-            "spheres": [{{"center": [0, 0, 1], "radius": 1, "material": "glass"}}],
-            "planes": [{{"center": [0, 0, 0], "normal": [0, 0, 1], "material": "glass"}}]}}"#
-    );
-    fs::write(folder.path().join("ball.json"), scene).unwrap();
-    reported(&folder, "./ball.json --core host --size 12x12 --out made");
-    let rows = rows(&folder.path().join("made"));
-    assert_is_sound(&rows, &["ball"], "time_percent");
-    for row in &rows {
-        let [lower, middle, upper] = ["time_lower_quartile", "time_percent", "time_upper_quartile"]
-            .map(|column| number(row, column));
-        assert!(0.0 < lower && lower <= middle && middle <= upper, "{row:?}");
-    }
 }
 
 #[test]

@@ -195,7 +195,7 @@ impl Task {
 
 /// Returns the source of the firmware's order: the size of the picture, and a number that comes back
 /// with the report.
-pub(super) fn order(size: Size, ticket: u64) -> String {
+pub(crate) fn order(size: Size, ticket: u64) -> String {
     let Size { width, height } = size;
     format!(
         "pub const ORDER: firmware::Order =\n    \

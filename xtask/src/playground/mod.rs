@@ -1,12 +1,11 @@
 //! `cargo xtask playground`: builds the page in which people try reflet in a browser.
 //!
 //! The page is one file that needs no network: [`page`] fills it with its scripts, its data and the
-//! library, compiled to WebAssembly. `command_line` writes the built-in scenes as scene files, [`data`]
-//! gathers what the page shows, and [`serve`] shows the page on this machine.
+//! library, compiled to WebAssembly. `command_line` writes the built-in scenes as scene files, and [`data`]
+//! gathers what the page shows.
 
 mod data;
 mod page;
-mod serve;
 
 use std::fs;
 use std::io::Write;
@@ -24,10 +23,6 @@ pub struct Arguments {
     /// Folder for the files [default: playground in cargo's target folder]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-
-    /// Serves the page on this machine until Ctrl+C [default port: 8000]
-    #[arg(long, value_name = "PORT", num_args = 0..=1, default_missing_value = "8000")]
-    serve: Option<u16>,
 }
 
 /// The package that is compiled to WebAssembly.
@@ -37,8 +32,6 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     let default = || toolchain::target_directory().join("playground");
     let folder = arguments.out.clone().unwrap_or_else(default);
     make(&folder)?;
-    // Before the build, because the port may be taken.
-    let server = arguments.serve.map(serve::open).transpose()?;
     let wasm = fs::read(toolchain::build_wasm(Path::new(PACKAGE))?)?;
     let page = page::fill(&root().join(PACKAGE).join("page"), &wasm, &data::json()?)?;
     let file = folder.join("index.html");
@@ -50,8 +43,7 @@ pub fn run(arguments: &Arguments) -> Result<()> {
         file.display(),
         page.len(),
         wasm.len(),
-    ))?;
-    server.map_or(Ok(()), |server| server.run(&page))
+    ))
 }
 
 /// Makes the folder, unless it is there.
@@ -72,19 +64,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn file_as_folder_and_a_port_in_use_are_mistakes() {
+    fn file_as_folder_is_a_mistake() {
         let file = tempfile::NamedTempFile::new().unwrap();
-        let taken = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
-        let port = taken.local_addr().unwrap().port();
-        let folder = tempfile::tempdir().unwrap();
-        for (out, serve, words) in [
-            (file.path(), None, "--out "),
-            (folder.path(), Some(port), "--serve "),
-        ] {
-            let out = Some(out.to_owned());
-            let error = run(&Arguments { out, serve }).unwrap_err();
-            assert!(error.is::<Misuse>(), "{error:#}");
-            assert!(error.to_string().starts_with(words), "{error:#}");
-        }
+        let out = Some(file.path().to_owned());
+        let error = run(&Arguments { out }).unwrap_err();
+        assert!(error.is::<Misuse>(), "{error:#}");
+        assert!(error.to_string().starts_with("--out "), "{error:#}");
     }
 }

@@ -43,18 +43,6 @@ impl Tried {
         }
     }
 
-    /// Returns why single precision may be better, and how many pixels of the picture are off.
-    pub fn reason(&self) -> Option<String> {
-        let why = self.exception?;
-        Some(match &self.verdict.off {
-            Some(off) if off.pixels > 0 => format!(
-                "Pixels off by more than 8: {}, {} of them at an edge. {why}",
-                off.pixels, off.at_edges
-            ),
-            _ => why.to_owned(),
-        })
-    }
-
     fn figures(&self) -> String {
         let Verdict {
             errors,
@@ -106,10 +94,6 @@ pub struct Compared {
     /// equal errors.
     pub smaller: usize,
     pub same: usize,
-    /// Pixels that are off by more than 8 in `Fast` but not in `Exact`. `lost_at_edges`: those at an
-    /// edge.
-    pub lost: usize,
-    pub lost_at_edges: usize,
 }
 
 impl Compared {
@@ -118,14 +102,11 @@ impl Compared {
         let verdicts = || tried.iter().map(|it| &it.verdict);
         let compared = || verdicts().filter_map(|it| it.no_worse);
         let errors = || verdicts().filter_map(|it| it.errors);
-        let off = || verdicts().filter_map(|it| it.off);
         Self {
             all: compared().count(),
             no_worse: [0, 1].map(|quality| compared().filter(|it| it[quality]).count()),
             smaller: errors().filter(|[fixed, single]| fixed < single).count(),
             same: errors().filter(|[fixed, single]| fixed == single).count(),
-            lost: off().map(|it| it.lost).sum(),
-            lost_at_edges: off().map(|it| it.lost_at_edges).sum(),
         }
     }
 
@@ -159,7 +140,7 @@ pub fn failures(tried: &[Tried]) -> Vec<String> {
             )
         })
         .collect();
-    let worse = worse(tried).filter(|it| it.reason().is_none());
+    let worse = worse(tried).filter(|it| it.exception.is_none());
     lines.extend(worse.map(|it| format!("{}: worse than f32: {}", it.name, it.figures())));
     lines
 }

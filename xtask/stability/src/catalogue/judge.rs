@@ -18,9 +18,6 @@ pub const MANY: u8 = 20;
 /// pixels are within 8.
 pub const UNSEEN: f64 = 0.05;
 
-/// Largest difference of a channel, in 255ths, at which a pixel still counts as right.
-const VISIBLE: u8 = 8;
-
 /// Largest error of a picture of one colour, in 255ths, without the rounding of the display level.
 const ONE_LEVEL: f64 = 1.0;
 
@@ -45,8 +42,6 @@ pub struct Verdict {
     /// Shares of the pixels within 8 of 255 in `Exact`, `Fast` and single precision; `None`
     /// if the case is no picture.
     pub within8: Option<[f64; 3]>,
-    /// The pixels of `Exact` that are not within 8 of 255; `None` if the case is no picture.
-    pub off: Option<Off>,
     /// Whether the case meets its bar.
     pub is_met: bool,
     /// Whether `Exact` and `Fast` are no worse than single precision. For a case that is no picture
@@ -63,24 +58,10 @@ impl Verdict {
         unit: "",
         errors: None,
         within8: None,
-        off: None,
         is_met: false,
         no_worse: None,
         words: String::new(),
     };
-}
-
-/// Numbers of pixels that are not within 8 of 255, by where they are.
-#[derive(Clone, Copy, Debug)]
-pub struct Off {
-    /// All pixels of `Exact` that are off.
-    pub pixels: usize,
-    /// Those at an edge: in the reference, one of the eight pixels around differs by more than 8.
-    pub at_edges: usize,
-    /// Pixels that are off in `Fast` and right in `Exact`.
-    pub lost: usize,
-    /// Pixels at an edge that are off in `Fast` and right in `Exact`.
-    pub lost_at_edges: usize,
 }
 
 /// Tries a case and returns its verdict.
@@ -118,7 +99,7 @@ fn judge_measured(it: Measured) -> Verdict {
         unit: it.unit,
         errors: Some([it.fixed, it.single]),
         is_met: it.fixed <= it.bar,
-        no_worse: Some([it.fixed <= it.single.max(it.uncertain); 2]),
+        no_worse: Some([it.fixed <= it.single; 2]),
         words: format!("at most {:.2e}. {}", it.bar, it.note),
         ..Verdict::NONE
     }
@@ -168,7 +149,6 @@ impl Pictures {
         Verdict {
             errors: Some([exact, single]),
             within8: Some(self.errors(within8_of)),
-            off: Some(self.off()),
             no_worse: Some([exact, fast].map(|error| error <= single)),
             ..Verdict::NONE
         }
@@ -184,25 +164,6 @@ impl Pictures {
             pixels.filter(|(a, b)| differ(a, b, most)).count()
         });
         counts.sum()
-    }
-
-    fn off(&self) -> Off {
-        let is_off = |picture: &Picture, index: usize| {
-            differ(&picture.pixels[index], &self.truth.pixels[index], VISIBLE)
-        };
-        let [exact, fast, ..] = &self.drawn;
-        let all = 0..self.truth.pixels.len();
-        let is_lost = |it: &usize| is_off(fast, *it) && !is_off(exact, *it);
-        let lost: Vec<_> = all.clone().filter(is_lost).collect();
-        let off: Vec<_> = all.filter(|it| is_off(exact, *it)).collect();
-        let is_at_edge = |it: &&usize| is_edge(&self.truth, **it, VISIBLE);
-        let at_edges = |pixels: &[usize]| pixels.iter().filter(is_at_edge).count();
-        Off {
-            pixels: off.len(),
-            at_edges: at_edges(&off),
-            lost: lost.len(),
-            lost_at_edges: at_edges(&lost),
-        }
     }
 
     fn judge(&self, bar: f64) -> Verdict {
@@ -259,8 +220,6 @@ impl Pictures {
         Verdict {
             reference: "double, statistics",
             unit: "mean colour, 255ths",
-            // In a chaotic picture no single pixel is expected to be right.
-            off: None,
             is_met: are_close && is_chaotic,
             no_worse: Some([0, 1].map(|it| errors[it] <= errors[2].max(noise))),
             words: format!(

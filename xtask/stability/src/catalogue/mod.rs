@@ -4,9 +4,7 @@
 mod chaos;
 mod displays;
 pub mod draft;
-mod exact;
 pub mod judge;
-mod range;
 mod scale;
 pub mod scene;
 mod shading;
@@ -96,9 +94,6 @@ pub struct Measured {
     pub single: f64,
     /// Largest error of fixed point that meets the bar.
     pub bar: f64,
-    /// Uncertainty of the errors. If that of fixed point is not larger than this, it counts as no
-    /// worse.
-    pub uncertain: f64,
     /// Further observations about a case, as text for the page.
     pub note: String,
 }
@@ -158,7 +153,6 @@ pub fn chapters() -> Vec<Chapter> {
         ("Tangency and grazing", tangency::cases()),
         ("Shading", shading::cases()),
         ("Suns", suns::cases()),
-        ("Range", range::cases()),
         ("Displays", displays::cases()),
     ]
 }

@@ -83,7 +83,6 @@ fn found(fixed: f64, single: f64) -> Measured {
         fixed,
         single,
         bar: 1.0,
-        uncertain: 0.0,
         note: String::new(),
     }
 }

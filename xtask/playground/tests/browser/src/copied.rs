@@ -5,8 +5,7 @@ use std::process::Command;
 
 use crate::site::{repository, target};
 
-/// What the program does with each scene, and how it takes the time of the castle's frames: single ones,
-/// in one thread, while the camera orbits.
+/// What the program does with each scene.
 const MAIN: &str = r#"
 use embedded_graphics::{geometry::Size, pixelcolor::{Rgb888, RgbColor}};
 use frame_hash::FrameHash;
@@ -23,26 +22,12 @@ macro_rules! draw {
         hash.value()
     }};
 }
-
-macro_rules! time {
-    ($scene:path, $camera:expr) => {{
-        let mut times: Vec<f64> = (0..31).map(|turn| {
-            let camera = $camera.orbited(5 * turn, 0).unwrap();
-            let start = std::time::Instant::now();
-            std::hint::black_box(draw!($scene, camera, 320));
-            1e3 * start.elapsed().as_secs_f64()
-        }).collect();
-        times.sort_by(f64::total_cmp);
-        times[15]
-    }};
-}
 "#;
 
 const MANIFEST: &str = "[package]\nname = \"copied\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
      embedded-graphics = { version = \"0.8\", default-features = false }\n";
 
-/// Returns the lines that the program prints: the hash of each source at 64x64, then the median of the
-/// milliseconds of the first one's frames at 320x320.
+/// Returns the lines that the program prints: the hash of each source at 64x64.
 pub fn run(sources: &[String]) -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
@@ -60,8 +45,6 @@ pub fn run(sources: &[String]) -> Vec<String> {
         let scene = format!("s{at}::{}, s{at}::CAMERA", type_name(source));
         calls += &format!("println!(\"{{:016x}}\", draw!({scene}, 64));\n");
     }
-    let castle = type_name(&sources[0]);
-    calls += &format!("println!(\"{{}}\", time!(s0::{castle}, s0::CAMERA));\n");
     write(
         "src/main.rs",
         &format!("{modules}{MAIN}fn main() {{\n{calls}}}\n"),
