@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 51576 | 1419 | 13804 | 278 |
-//! | Cargo's default release | 64396 | 1511 | 17648 | 318 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 47904 | 2399 | 14584 | 343 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 44684 | 3532 | 14484 | 518 |
-//! | Cargo's default dev (debug) | 606352 | 39835 | 565620 | 8135 |
+//! | lto = true, codegen-units = 1 | 52632 | 1420 | 14804 | 247 |
+//! | Cargo's default release | 65948 | 1518 | 19164 | 293 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 48968 | 2390 | 15936 | 314 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 45712 | 3525 | 15912 | 482 |
+//! | Cargo's default dev (debug) | 617436 | 39762 | 576696 | 7319 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
