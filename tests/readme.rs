@@ -240,7 +240,7 @@ fn package_with_its_film_is_small() {
     let bytes = |path: &Path| fs::metadata(path).unwrap().len();
     let package = bytes(&folder.join(name));
     assert!(package <= 450_000, "the package has {package} bytes");
-    let film = bytes(&root.join("docs/chrome3.gif"));
+    let film = bytes(&root.join("docs/bounce.gif"));
     assert!(film <= 150_000, "the film has {film} bytes");
 }
 

@@ -8,6 +8,7 @@ pub mod copies;
 pub mod count;
 pub mod cycles;
 pub mod emulator;
+mod film;
 pub mod fuzz;
 pub mod gate;
 pub mod kept;

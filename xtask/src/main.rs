@@ -21,12 +21,12 @@ enum Chore {
     Accuracy,
     /// Boots the default board unseen and saves what its display shows.
     Board(screenshot::Arguments),
-    /// Emulates a Raspberry Pi Pico and saves what its display shows.
-    Pico(screenshot::Arguments),
-    /// Emulates a Raspberry Pi Pico 2 and saves what its display shows.
-    Pico2(screenshot::Arguments),
-    /// Emulates a Black Pill and saves what its display shows.
-    Blackpill(screenshot::Arguments),
+    /// Emulates a Raspberry Pi Pico and saves or films what its display shows.
+    Pico(owned::Asked),
+    /// Emulates a Raspberry Pi Pico 2 and saves or films what its display shows.
+    Pico2(owned::Asked),
+    /// Emulates a Black Pill and saves or films what its display shows.
+    Blackpill(owned::Asked),
     Copies(copies::Arguments),
     /// Boots a firmware on the default board, in a window if there is a screen: `cargo run` does.
     Show {

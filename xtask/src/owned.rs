@@ -6,13 +6,25 @@ use std::time::Instant;
 
 use anyhow::{Context, Result};
 use boards::{Board, Key, Picture, SIDE, Script};
+use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use image::{Rgb, RgbImage};
 use reflet::scenes::NAMES;
 
 use crate::misuse::Misuse;
 use crate::screenshot::Arguments;
-use crate::{screenshot, toolchain};
+use crate::{film, screenshot, toolchain};
+
+/// Command-line arguments of the chores that emulate a board.
+#[derive(Args, Debug)]
+pub struct Asked {
+    #[command(flatten)]
+    picture: Arguments,
+
+    /// Film the demo `bounce` instead, while its ball bounces, over an older file
+    #[arg(long, value_name = "F.gif", conflicts_with_all = ["scene", "screenshot"])]
+    film: Option<PathBuf>,
+}
 
 /// A board with a display of 240 by 240 pixels, and the example for it.
 #[derive(Debug)]
@@ -28,6 +40,10 @@ pub struct Owned {
     /// Milliseconds in which the board sends a frame: the emulated board takes them for the scene `empty`, of
     /// which hardly anything is traced.
     pub sending: f64,
+    /// Milliseconds of a frame of the demo while something moves, as its program says.
+    pub frame: u32,
+    /// The key that throws the demo's ball.
+    pub throws: Key,
     /// Whether a DMA sends rows while the next ones are traced.
     pub has_dma: bool,
     pub target: &'static str,
@@ -42,6 +58,8 @@ pub static PICO: Owned = Owned {
     core: "m0",
     cores: 2,
     sending: 52.0,
+    frame: 80,
+    throws: Key::Right,
     has_dma: true,
     target: "thumbv6m-none-eabi",
     board: Board::PICO,
@@ -54,6 +72,8 @@ pub static PICO_2: Owned = Owned {
     core: "m33",
     cores: 2,
     sending: 43.0,
+    frame: 33,
+    throws: Key::Right,
     has_dma: true,
     target: "thumbv8m.main-none-eabihf",
     board: Board::PICO_2,
@@ -66,6 +86,8 @@ pub static BLACK_PILL: Owned = Owned {
     core: "m4f",
     cores: 1,
     sending: 124.0,
+    frame: 170,
+    throws: Key::Select,
     has_dma: false,
     target: "thumbv7em-none-eabihf",
     board: Board::BLACK_PILL,
@@ -82,8 +104,12 @@ impl Owned {
             .map(move |name| find(name).expect("it is one of the possible values"))
     }
 
-    /// Emulates the board until it shows a scene, prints what it took, and saves the picture.
-    pub fn run(&self, arguments: &Arguments) -> Result<()> {
+    /// Emulates the board until it shows a scene, prints what it took, and saves the picture; or films its demo.
+    pub fn run(&self, asked: &Asked) -> Result<()> {
+        if let Some(path) = &asked.film {
+            return film::run(self, path);
+        }
+        let arguments = &asked.picture;
         let file = arguments.file(self.name)?;
         let presses = self.presses(&arguments.scene)?;
         println!("{}: building", self.name);
@@ -123,19 +149,28 @@ impl Owned {
 
     /// Builds the example in its place.
     pub fn build(&self) -> Result<PathBuf> {
+        self.build_program(self.name)
+    }
+
+    /// Builds a program of the example in its place.
+    pub fn build_program(&self, program: &str) -> Result<PathBuf> {
         let folder = Path::new("examples").join(self.name);
-        toolchain::build_for_chip(self.target, &folder, self.name)
+        toolchain::build_for_chip(self.target, &folder, program)
     }
 }
 
 fn as_seen(picture: &Picture) -> RgbImage {
-    let scaled = |value: u16, most: u16| ((value * 255 + most / 2) / most) as u8;
     RgbImage::from_fn(SIDE as u32, SIDE as u32, |x, y| {
-        let pixel = picture.pixels[y as usize * SIDE + x as usize];
-        Rgb([
-            scaled(pixel >> 11, 31),
-            scaled(pixel >> 5 & 63, 63),
-            scaled(pixel & 31, 31),
-        ])
+        Rgb(rgb(picture.pixels[y as usize * SIDE + x as usize]))
     })
+}
+
+/// Returns a colour of the panel in RGB8.
+pub fn rgb(pixel: u16) -> [u8; 3] {
+    let scaled = |value: u16, most: u16| ((value * 255 + most / 2) / most) as u8;
+    [
+        scaled(pixel >> 11, 31),
+        scaled(pixel >> 5 & 63, 63),
+        scaled(pixel & 31, 31),
+    ]
 }

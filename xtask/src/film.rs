@@ -1,0 +1,116 @@
+//! Films what the display of a board shows while the demo of its example moves.
+
+use std::path::Path;
+
+use anyhow::{Context, Error, Result};
+use boards::{Picture, SIDE, Script};
+use command_line::{OutputFile, shown};
+use gif::{Encoder, Frame, Repeat};
+
+use crate::misuse::Misuse;
+use crate::owned::{Owned, rgb};
+use palette::Palette;
+
+#[path = "../../examples/render/palette.rs"]
+mod palette;
+
+/// Milliseconds that are filmed. The ball bounces for 4000 after it is thrown, and the key is held for some of them.
+const FILMED: u32 = 3600;
+
+/// Milliseconds for which a frame of the film is shown, at least.
+const SHOWN: u32 = 130;
+
+/// Width and height in pixels of the panel that one pixel of the film shows: what moves is drawn in pixels of that
+/// size.
+const SCALE: usize = 2;
+
+/// Emulates the demo of a board, whose key throws the ball, almost until the ball rests. Writes a film to a
+/// file.
+pub fn run(board: &Owned, path: &Path) -> Result<()> {
+    let file = OutputFile::gif_at(path).map_err(Misuse::new)?;
+    println!("{}: building", board.name);
+    let firmware = board.build_program("bounce")?;
+    println!("{}: emulating", board.name);
+    // The key is pressed when the board has started, and held during some frames.
+    let started = Script::default().frames().picture(&[]);
+    let mut script = started.picture(&[board.throws]);
+    for _ in 0..FILMED / board.frame {
+        script = script.picture(&[]);
+    }
+    let run = board.board.run(&firmware, &script)?;
+    let step = SHOWN.div_ceil(board.frame);
+    let frames: Vec<_> = run
+        .pictures
+        .iter()
+        .step_by(step as usize)
+        .map(small)
+        .collect();
+    let delay = u16::try_from(step * board.frame / 10)?;
+    let bytes = encoded(&frames, delay)?;
+    let path = file.write(&bytes).map_err(Error::from_boxed)?;
+    println!("{} frames written to {}", frames.len(), shown(&path));
+    Ok(())
+}
+
+/// Returns every other pixel of every other row of a picture, in RGB8.
+fn small(picture: &Picture) -> Vec<u8> {
+    let rows = picture.pixels.chunks_exact(SIDE).step_by(SCALE);
+    rows.flat_map(|row| row.iter().step_by(SCALE))
+        .flat_map(|pixel| rgb(*pixel))
+        .collect()
+}
+
+/// Returns frames in RGB8 as a GIF with one palette, which repeats without end. Each is shown for `delay` hundredths of a
+/// second.
+fn encoded(frames: &[Vec<u8>], delay: u16) -> Result<Vec<u8>> {
+    let side = u16::try_from(SIDE / SCALE).context("a panel is small")?;
+    let palette = Palette::of(frames);
+    let mut encoder = Encoder::new(Vec::new(), side, side, palette.colors())?;
+    encoder.set_repeat(Repeat::Infinite)?;
+    for frame in frames {
+        encoder.write_frame(&Frame {
+            width: side,
+            height: side,
+            delay,
+            buffer: palette.indices(frame).into(),
+            ..Frame::default()
+        })?;
+    }
+    Ok(encoder.into_inner()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use gif::DecodeOptions;
+
+    use super::*;
+
+    #[test]
+    fn film_has_all_frames_and_repeats() {
+        let side = SIDE / SCALE;
+        let frames = [[200, 10, 0], [0, 10, 200]].map(|color| color.repeat(side * side));
+        let bytes = encoded(&frames, 13).unwrap();
+        let mut film = DecodeOptions::new().read_info(&bytes[..]).unwrap();
+        let mut delays = vec![];
+        while let Some(frame) = film.read_next_frame().unwrap() {
+            delays.push(frame.delay);
+        }
+        assert_eq!((film.repeat(), delays), (Repeat::Infinite, vec![13, 13]));
+    }
+
+    #[test]
+    fn picture_of_a_film_has_every_other_pixel() {
+        let mut pixels = vec![0; SIDE * SIDE];
+        pixels[2 * SIDE + 4] = 31;
+        let picture = Picture {
+            pixels,
+            cycles: 0,
+            instructions: 0,
+            bus: Default::default(),
+        };
+        let small = small(&picture);
+        let place = 3 * (SIDE / SCALE + 2);
+        assert_eq!(small.len(), 3 * (SIDE / SCALE) * (SIDE / SCALE));
+        assert_eq!(small[place..place + 3], [0, 0, 255]);
+    }
+}
