@@ -16,6 +16,7 @@ pub enum Key {
     Left,
     Right,
     Select,
+    A,
 }
 
 /// The presses that are to come.
