@@ -87,31 +87,6 @@ fn film_with_few_colours_keeps_them() {
 }
 
 #[test]
-fn film_of_the_readme_is_what_its_command_draws() {
-    let root = env!("CARGO_MANIFEST_DIR");
-    let readme = fs::read_to_string(format!("{root}/README.md")).unwrap();
-    let (_, call) = readme
-        .split_once("--features film -- \\\n")
-        .expect("the command");
-    let (call, path) = call
-        .lines()
-        .next()
-        .and_then(|line| line.split_once(" --gif "))
-        .unwrap();
-    let call = call.replace("examples/scenes", &format!("{root}/examples/scenes"));
-    let folder = Folder::new("film_of_the_readme");
-    printed(&folder, &format!("{call} --gif a.gif"));
-    let (drawn, kept) = (
-        fs::read(folder.path("a.gif")),
-        fs::read(format!("{root}/{path}")),
-    );
-    assert!(
-        drawn.unwrap() == kept.unwrap(),
-        "{path} is another film: run the command"
-    );
-}
-
-#[test]
 fn film_that_cannot_be_drawn_is_refused_in_one_line() {
     let folder = Folder::new("no_film");
     fs::write(folder.path("file"), "").unwrap();

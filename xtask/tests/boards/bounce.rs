@@ -11,7 +11,7 @@ use reflet::display::Enlarged;
 use xtask::{copies, root};
 
 use super::castle::{assert_are_shown, pixels};
-use super::{BLACK_PILL, Copied, PICO, PICO_2};
+use super::{BLACK_PILL, Copied, PICO, PICO_2, common};
 use motion::Motion;
 
 #[allow(dead_code, reason = "no key is pressed")]
@@ -69,6 +69,20 @@ fn pico_2_shows_thirty_whole_frames_a_second_while_a_ball_bounces() {
 fn black_pill_shows_whole_frames_while_a_ball_bounces() {
     let frames = test(&BLACK_PILL, 170, 2);
     assert!(frames >= 5.5, "{frames}");
+}
+
+#[test]
+#[ignore = "builds and emulates a Pico 2 once more"]
+fn film_of_the_readme_is_what_its_command_writes() {
+    let folder = tempfile::tempdir().unwrap();
+    let done = common::xtask(folder.path(), "pico2 --film bounce.gif");
+    assert_eq!(done.code, 0, "{}", done.err);
+    let written = fs::read(folder.path().join("bounce.gif")).unwrap();
+    let is_kept = written == fs::read(root().join("docs/bounce.gif")).unwrap();
+    assert!(
+        is_kept,
+        "docs/bounce.gif is another film: run `cargo xtask pico2 --film docs/bounce.gif`"
+    );
 }
 
 /// Returns a file of an example.
