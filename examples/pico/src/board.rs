@@ -36,8 +36,8 @@ pub type KeyPin = Pin<DynPinId, FunctionSioInput, PullUp>;
 pub struct Board {
     /// The panel: black, with its backlight on.
     pub screen: Screen,
-    /// Keys up, down, left, right, select and A.
-    pub keys: [KeyPin; 6],
+    /// Keys up, down, left, right and select.
+    pub keys: [KeyPin; 5],
     /// Switch of the second core, its interrupts, and the FIFO to it.
     pub second_core: (PSM, PPB, SioFifo),
     pub timer: Timer,
@@ -75,7 +75,6 @@ pub fn switch_on() -> Board {
         pins.gpio16.into_pull_up_input().into_dyn_pin(),
         pins.gpio20.into_pull_up_input().into_dyn_pin(),
         pins.gpio3.into_pull_up_input().into_dyn_pin(),
-        pins.gpio15.into_pull_up_input().into_dyn_pin(),
     ];
 
     let data = pins.gpio11.into_function::<FunctionSpi>();

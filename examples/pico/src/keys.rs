@@ -1,4 +1,4 @@
-//! The keys, each with its request. Presses are not lost while rows are traced, because the
+//! The five keys, each with its request. Presses are not lost while rows are traced, because the
 //! pins remember them.
 
 use core::convert::Infallible;
@@ -18,8 +18,6 @@ pub enum Request {
     Orbit(i32, i32),
     /// Show the next scene.
     NextScene,
-    /// Draw smooth edges, or no longer.
-    Smooth,
 }
 
 /// Degrees by which one press turns the camera.
@@ -28,23 +26,21 @@ const STEP: i32 = 10;
 /// Longest time in milliseconds for which a contact bounces.
 const BOUNCE: u32 = 10;
 
-/// The keys, each with its request.
+/// The five keys, each with its request.
 pub struct Keys {
-    keys: [(Contact, Request); 6],
+    keys: [(Contact, Request); 5],
     timer: Timer,
 }
 
 impl Keys {
-    /// Creates the keys: the arrow keys orbit the camera, the select key asks for the next scene, and A
-    /// for smooth edges.
-    pub fn new([up, down, left, right, select, a]: [KeyPin; 6], timer: Timer) -> Self {
+    /// Creates the keys: the arrow keys orbit the camera, the select key asks for the next scene.
+    pub fn new([up, down, left, right, select]: [KeyPin; 5], timer: Timer) -> Self {
         let keys = [
             (Contact::new(up), Request::Orbit(0, STEP)),
             (Contact::new(down), Request::Orbit(0, -STEP)),
             (Contact::new(left), Request::Orbit(-STEP, 0)),
             (Contact::new(right), Request::Orbit(STEP, 0)),
             (Contact::new(select), Request::NextScene),
-            (Contact::new(a), Request::Smooth),
         ];
         Self { keys, timer }
     }

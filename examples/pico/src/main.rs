@@ -1,4 +1,4 @@
-//! Shows the scenes of reflet on a Raspberry Pi Pico with an ST7789 of 240 by 240 pixels, six keys,
+//! Shows the scenes of reflet on a Raspberry Pi Pico with an ST7789 of 240 by 240 pixels, five keys,
 //! and both cores. The README has the wiring.
 
 #![no_std]

@@ -45,13 +45,12 @@ const PICO_WIRING: Wiring = Wiring {
 };
 
 /// Keys of the Pico-LCD-1.3.
-const PICO_KEYS: [(Key, Pin); 6] = [
+const PICO_KEYS: [(Key, Pin); 5] = [
     (Key::Up, 2),
     (Key::Down, 18),
     (Key::Left, 16),
     (Key::Right, 20),
     (Key::Select, 3),
-    (Key::A, 15),
 ];
 
 /// Number of the first pin of port B.

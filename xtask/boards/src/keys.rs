@@ -16,7 +16,6 @@ pub enum Key {
     Left,
     Right,
     Select,
-    A,
 }
 
 /// The presses that are to come.

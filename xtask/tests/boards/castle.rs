@@ -2,13 +2,12 @@
 
 use std::fs;
 
-use boards::{Display, Key, Picture, Run, SIDE, Script};
+use boards::{Display, Picture, Run, SIDE, Script};
 use command_line::{Chosen, Source};
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::Camera;
-use reflet::quality::Smooth;
 use reflet::scenes::{BuiltIn, Castle, ShadingLights};
 use xtask::measure::ledger;
 use xtask::{copies, root};
@@ -140,32 +139,6 @@ fn both_cores_of_a_pico_draw_the_castle_and_follow_the_keys() {
         simulated::<ShadingLights>(&turned.orbited(0, 10).unwrap()),
     ];
     test(&PICO, &expected);
-}
-
-/// Returns the picture with smooth edges on the desk.
-fn simulated_smooth<S: BuiltIn>() -> Vec<u16> {
-    let size = Size::new(SIDE as u32, SIDE as u32);
-    let mut display = SimulatorDisplay::<Rgb565>::new(size);
-    let frame = S::frame(&S::CAMERA).quality::<Smooth<2>>();
-    frame.draw(&mut display).unwrap();
-    pixels(&display)
-}
-
-#[test]
-#[ignore = "emulates a Pico for long"]
-fn pico_draws_smooth_edges_while_a_key_wants_them() {
-    let keys = [Key::Select, Key::A];
-    let script = Script::default()
-        .picture(&[])
-        .picture(&keys)
-        .picture(&[Key::A]);
-    let run = PICO.board().run(PICO.firmware(), &script).unwrap();
-    let expected = [
-        simulated::<Castle>(&Castle::CAMERA),
-        simulated_smooth::<ShadingLights>(),
-        simulated::<ShadingLights>(&ShadingLights::CAMERA),
-    ];
-    assert_are_shown(&PICO, &run, &expected);
 }
 
 #[test]
