@@ -10,9 +10,9 @@ use serde_json::Value;
 
 use super::program::Folder;
 
-/// Runs an example and returns the only picture that it writes, and what it prints.
-fn picture(name: &'static str) -> (RgbImage, String) {
-    let folder = Folder::new(name);
+/// Runs an example for a test and returns the only picture that it writes, and what it prints.
+fn picture(test: &str, name: &'static str) -> (RgbImage, String) {
+    let folder = Folder::new(test);
     let outcome = folder.example(name);
     assert_eq!((outcome.code, &*outcome.stderr), (0, ""));
     let file = format!("{name}.png");
@@ -23,7 +23,7 @@ fn picture(name: &'static str) -> (RgbImage, String) {
 
 #[test]
 fn harbour_shows_a_golden_ball_and_its_mirror_image() {
-    let (image, printed) = picture("harbour");
+    let (image, printed) = picture("harbour", "harbour");
     assert_eq!(image.dimensions(), (240, 240));
     // Four reflections between ball and water leave some light to follow.
     let (start, end) = (
@@ -53,7 +53,7 @@ fn rows(image: &RgbImage, frame: u32, is_it: impl Fn([u8; 3]) -> bool) -> Option
 
 #[test]
 fn bounce_moves_the_ball_its_shadow_and_its_mirror_image() {
-    let (image, _) = picture("bounce");
+    let (image, _) = picture("bounce", "bounce");
     assert_eq!(image.dimensions(), (960, 120));
     // Only the lit ball is that yellow.
     let is_ball = |[red, green, blue]: [u8; 3]| {
@@ -125,7 +125,7 @@ fn every_example_scene_is_drawn() {
 
 #[test]
 fn harbour_of_the_file_is_the_harbour_of_the_example() {
-    let (example, _) = picture("harbour");
+    let (example, _) = picture("harbour_example", "harbour");
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes/harbour.json");
     let mut image = drawn(&Folder::new("harbour_file"), &file, "240x240");
     // The example draws on a display of 16 bits a pixel.
