@@ -8,15 +8,13 @@ use command_line::{Failure, OutputFile, Source, exact, is_standard_output, shown
 use embedded_graphics::geometry::{OriginDimensions, Size};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics_simulator::SimulatorDisplay;
-use gif::{Encoder, Frame, Repeat};
 use reflet::{Camera, Error, Report};
 
 use crate::arguments::Arguments;
 use crate::draw::draw;
 use crate::output::{keep_the_scene_file, png, print};
-use crate::palette::Palette;
 use crate::picture::{Drawing, afford};
-use crate::{progress, report};
+use crate::{palette, progress, report};
 
 /// Hundredths of a second that an orbit takes, if each frame is shown for [`SHORTEST`] to [`LONGEST`].
 const ORBIT: u16 = 600;
@@ -134,18 +132,6 @@ fn encoded(frames: &[SimulatorDisplay<Rgb888>]) -> Result<Vec<u8>, Failure> {
     let Size { width, height } = frames[0].size();
     let (width, height) = (u16::try_from(width)?, u16::try_from(height)?);
     let frames: Vec<_> = frames.iter().map(SimulatorDisplay::to_be_bytes).collect();
-    let palette = Palette::of(&frames);
-    let mut encoder = Encoder::new(Vec::new(), width, height, palette.colors())?;
-    encoder.set_repeat(Repeat::Infinite)?;
     let delay = (ORBIT / u16::try_from(frames.len())?).clamp(SHORTEST, LONGEST);
-    for frame in &frames {
-        encoder.write_frame(&Frame {
-            width,
-            height,
-            delay,
-            buffer: palette.indices(frame).into(),
-            ..Frame::default()
-        })?;
-    }
-    Ok(encoder.into_inner()?)
+    Ok(palette::encoded(&frames, [width, height], delay)?)
 }

@@ -1,8 +1,9 @@
-//! Chooses at most 256 colours for a film. One palette for all frames: a colour does not flicker.
+//! Writes a film with at most 256 colours. One palette for all frames: a colour does not flicker.
 
 use std::collections::HashMap;
 
 use color_quant::NeuQuant;
+use gif::{Encoder, EncodingError, Frame, Repeat};
 
 /// Most colours of a palette.
 const MOST: usize = 256;
@@ -10,8 +11,29 @@ const MOST: usize = 256;
 /// Pixels from which the colours are learnt, if the frames have that many. Fewer leave visible errors.
 const SAMPLE: usize = 200_000;
 
+/// Returns frames in RGB8 as a GIF that repeats without end. Each is shown for `delay` hundredths of a second.
+pub fn encoded(
+    frames: &[Vec<u8>],
+    [width, height]: [u16; 2],
+    delay: u16,
+) -> Result<Vec<u8>, EncodingError> {
+    let palette = Palette::of(frames);
+    let mut encoder = Encoder::new(Vec::new(), width, height, &palette.colors)?;
+    encoder.set_repeat(Repeat::Infinite)?;
+    for frame in frames {
+        encoder.write_frame(&Frame {
+            width,
+            height,
+            delay,
+            buffer: palette.indices(frame).into(),
+            ..Frame::default()
+        })?;
+    }
+    encoder.into_inner()
+}
+
 /// A palette, and the index of each colour of the frames.
-pub struct Palette {
+struct Palette {
     /// Three bytes a colour.
     colors: Vec<u8>,
     indices: HashMap<[u8; 3], u8>,
@@ -20,7 +42,7 @@ pub struct Palette {
 impl Palette {
     /// Returns the palette of frames in RGB8. If they have more than 256 colours, the nearest of 256
     /// colours stands for each.
-    pub fn of(frames: &[Vec<u8>]) -> Self {
+    fn of(frames: &[Vec<u8>]) -> Self {
         let pixels = || frames.iter().flat_map(|frame| pixels(frame));
         let mut indices: HashMap<_, _> = pixels().map(|pixel| (pixel, 0)).collect();
         if indices.len() <= MOST {
@@ -43,12 +65,8 @@ impl Palette {
         Self { colors, indices }
     }
 
-    pub fn colors(&self) -> &[u8] {
-        &self.colors
-    }
-
     /// Returns the index of each pixel of one of the frames.
-    pub fn indices(&self, frame: &[u8]) -> Vec<u8> {
+    fn indices(&self, frame: &[u8]) -> Vec<u8> {
         pixels(frame).map(|pixel| self.indices[&pixel]).collect()
     }
 }

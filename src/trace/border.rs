@@ -53,9 +53,10 @@ impl<W: World, K: Shading, Q: PathQuality> Tracer<'_, W, K, Q> {
     /// Returns the last column before two planes meet: the first of two paths shows one of them at this level, the last
     /// shows the other. Before, both have met the same flat mirrors. `None` if a place is far.
     ///
-    /// A ray that starts a above a plane and ends on it after the length l falls by a / l on each step. On the line where
-    /// both planes meet, the first ray's end has come down to the other plane, and the last ray's start lies on the first
-    /// one. Along the row, both differences are linear, if the rays between have one length.
+    /// A ray's slope is the height of its start above the plane that it ends on, over its length. Slope times height of
+    /// the end above the other plane is 0 where both planes meet. Along the row this product is linear, apart from the
+    /// cosine of the angle to the row's middle, which hardly changes in a block. So the border divides the columns as the
+    /// products at both ends divide their sum.
     #[inline(never)]
     fn planes_meet(
         &self,

@@ -5,11 +5,9 @@ use std::path::Path;
 use anyhow::{Context, Error, Result};
 use boards::{Picture, SIDE, Script};
 use command_line::{OutputFile, shown};
-use gif::{Encoder, Frame, Repeat};
 
 use crate::misuse::Misuse;
 use crate::owned::{Owned, rgb};
-use palette::Palette;
 
 #[path = "../../examples/render/palette.rs"]
 mod palette;
@@ -46,7 +44,8 @@ pub fn run(board: &Owned, path: &Path) -> Result<()> {
         .map(small)
         .collect();
     let delay = u16::try_from(step * board.frame / 10)?;
-    let bytes = encoded(&frames, delay)?;
+    let side = u16::try_from(SIDE / SCALE).context("a panel is small")?;
+    let bytes = palette::encoded(&frames, [side; 2], delay)?;
     let path = file.write(&bytes).map_err(Error::from_boxed)?;
     println!("{} frames written to {}", frames.len(), shown(&path));
     Ok(())
@@ -60,28 +59,9 @@ fn small(picture: &Picture) -> Vec<u8> {
         .collect()
 }
 
-/// Returns frames in RGB8 as a GIF with one palette, which repeats without end. Each is shown for `delay` hundredths of a
-/// second.
-fn encoded(frames: &[Vec<u8>], delay: u16) -> Result<Vec<u8>> {
-    let side = u16::try_from(SIDE / SCALE).context("a panel is small")?;
-    let palette = Palette::of(frames);
-    let mut encoder = Encoder::new(Vec::new(), side, side, palette.colors())?;
-    encoder.set_repeat(Repeat::Infinite)?;
-    for frame in frames {
-        encoder.write_frame(&Frame {
-            width: side,
-            height: side,
-            delay,
-            buffer: palette.indices(frame).into(),
-            ..Frame::default()
-        })?;
-    }
-    Ok(encoder.into_inner()?)
-}
-
 #[cfg(test)]
 mod tests {
-    use gif::DecodeOptions;
+    use gif::{DecodeOptions, Repeat};
 
     use super::*;
 
@@ -89,7 +69,7 @@ mod tests {
     fn film_has_all_frames_and_repeats() {
         let side = SIDE / SCALE;
         let frames = [[200, 10, 0], [0, 10, 200]].map(|color| color.repeat(side * side));
-        let bytes = encoded(&frames, 13).unwrap();
+        let bytes = palette::encoded(&frames, [side as u16; 2], 13).unwrap();
         let mut film = DecodeOptions::new().read_info(&bytes[..]).unwrap();
         let mut delays = vec![];
         while let Some(frame) = film.read_next_frame().unwrap() {

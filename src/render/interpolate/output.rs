@@ -26,7 +26,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             self.follow(column);
             self.colors.expand();
         }
-        self.colors.first(Self::place(column))
+        self.colors.color_of(Self::place(column))
     }
 
     /// Traces the pixel of the next column, in a quality that interpolates none.
@@ -100,7 +100,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 0 => self.colors.fill(Self::place(self.column), now, &shown),
                 // All pixels of a clear part have one colour.
                 _ => {
-                    fill(now, shown(self.colors.first(0)));
+                    fill(now, shown(self.colors.color_of(0)));
                     now.len()
                 }
             };

@@ -66,7 +66,7 @@ impl Pieces {
     }
 
     /// Fills the first of `pixels` with the colours from `place` on, each converted by `shown`: up to the end of a
-    /// parabola, or to the begin of the next one. Returns how many are filled. The place is not within a parabola.
+    /// parabola, or to the beginning of the next one. Returns how many are filled. The place is not within a parabola.
     #[inline(always)]
     pub(super) fn fill<C: Copy>(
         &self,
@@ -90,7 +90,7 @@ impl Pieces {
 
     /// Returns the colour of a place. It is in no parabola, or the first of one.
     #[inline(always)]
-    pub(super) fn first(&self, place: usize) -> Sum {
+    pub(super) fn color_of(&self, place: usize) -> Sum {
         self.sums[place]
     }
 

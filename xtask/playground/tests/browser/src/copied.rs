@@ -5,7 +5,7 @@ use std::process::Command;
 
 use crate::site::{repository, target};
 
-/// What the program does with each scene.
+/// Source of a program that draws each scene and prints the hash of its picture.
 const MAIN: &str = r#"
 use embedded_graphics::{geometry::Size, pixelcolor::{Rgb888, RgbColor}};
 use frame_hash::FrameHash;
