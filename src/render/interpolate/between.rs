@@ -124,9 +124,13 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 .fill(place, length as usize, start.traced.signature);
             return self.colors.set_curve(place, length, curve);
         }
-        let known = Known::Steady(bend.quarter(), Samples::Three);
-        self.between((first, half), [start, &middle], known);
-        self.between((first + half, length - half), [&middle, end], known);
+        for (first, length, ends) in [
+            (first, half, [start, &middle]),
+            (first + half, length - half, [&middle, end]),
+        ] {
+            let expected = curve.bend((length / 2).max(1));
+            self.between((first, length), ends, Known::Steady(expected, Samples::Three));
+        }
     }
 }
 
