@@ -184,12 +184,6 @@ impl Sum {
         self.0 = [red, green, blue];
     }
 
-    /// Returns a quarter of a second difference: that for half the distance.
-    #[inline(always)]
-    pub fn quarter(self) -> Self {
-        self.each(self, |bend, _| bend >> 2)
-    }
-
     /// Interpolates the sum half way between this sum and `end`. `bend` is the second difference of the
     /// three.
     #[inline(always)]

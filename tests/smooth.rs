@@ -4,6 +4,7 @@ use command_line::{Quality, Settings, Source, four_samples};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::{RgbColor, Size};
 use reflet::host::compare::{Difference, compare};
+use reflet::host::file::SceneFile;
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, render, sampled};
 use reflet::quality::{Exact, Fast, Small, Smooth};
@@ -35,7 +36,10 @@ struct Judge {
 
 impl Judge {
     fn new(name: &str) -> Self {
-        let source = Source::built_in(name).unwrap();
+        Self::of(Source::built_in(name).unwrap())
+    }
+
+    fn of(source: Source) -> Self {
         let (scene, camera) = source.reference();
         let shading = reference::Shading::BlinnPhong;
         let truth = sampled(&scene, &camera, [SIDE, SIDE, 9], REFLECTIONS, shading);
@@ -158,4 +162,75 @@ fn thin_rod_that_turns_covers_the_same_area() {
     // A quarter of a pixel for each of the 89 columns that the rod crosses, at most.
     assert!(most - least <= 0.25 * 89.0, "{areas:?}");
     assert!(most / least < 1.1, "{areas:?}");
+}
+
+/// A disc that shines by itself, on a black ground, and a rod before it that does not shine.
+type Sign = RuntimeScene<room!(cylinders: 1, discs: 1, materials: 2)>;
+
+/// A camera that moves by a sixteenth of a pixel moves an edge by as much. Samples stand for the area of a pixel, and an
+/// upright edge crosses those of its rows at once: two of four with two rows, four of twelve with four.
+#[test]
+fn camera_that_moves_slowly_changes_no_pixel_by_more_than_the_area_that_moved() {
+    let mut scene = Sign::new();
+    let plain = |ambient: f64| {
+        Material::new([1.0; 3])
+            .ambient(ambient)
+            .diffuse(0.0)
+            .specular(0.0, 1.0)
+    };
+    let white = scene.add_material(plain(1.0)).unwrap();
+    let black = scene.add_material(plain(0.0)).unwrap();
+    scene.add_disc([0, 0, 0], [0, 1, 0], 2, white).unwrap();
+    scene
+        .add_cylinder([0.0, -0.1, 0.0], [0.3, 0.0, 1.0], 0.03, 5.0, black)
+        .unwrap();
+    let scene: Scene<_> = scene.build().unwrap();
+    // At this distance a pixel of 96 is a sixteenth wide.
+    let fov = 2.0 * (3.0_f64 / 10.0).atan().to_degrees();
+    let moved = |step: u32| {
+        let x = f64::from(step) / 256.0;
+        let eye = [x, -10.0, 0.0];
+        Camera::look_at(eye, [x, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(fov)
+    };
+    fn largest_change<Q: reflet::quality::Quality>(
+        scene: &Scene<room!(cylinders: 1, discs: 1, materials: 2)>,
+        moved: impl Fn(u32) -> Camera,
+    ) -> u8 {
+        let drawn = |step| {
+            let camera = moved(step);
+            let frame = scene.frame(&camera).quality::<Q>();
+            let frame = frame.prepare(Size::new(SIDE, SIDE));
+            painted(&frame.on(scene).unwrap())
+        };
+        let pictures: Vec<Picture> = (0..24).map(drawn).collect();
+        let pairs = pictures.windows(2).flat_map(|pair| {
+            let pixels = pair[0].pixels.iter().zip(&pair[1].pixels);
+            pixels.map(|(one, other)| one[0].abs_diff(other[0]))
+        });
+        pairs.max().unwrap()
+    }
+    let jagged = largest_change::<Fast>(&scene, moved);
+    let [two, four] = [
+        largest_change::<Smooth<2>>(&scene, moved),
+        largest_change::<Smooth<4>>(&scene, moved),
+    ];
+    println!("of 255: {jagged} jagged, {two} with two rows, {four} with four");
+    assert_eq!(jagged, 255);
+    let most = |samples: f64| 255.0 * (1.0 / 16.0 + samples);
+    assert!(f64::from(two) <= most(2.0 / 4.0), "{two}");
+    assert!(f64::from(four) <= most(4.0 / 12.0), "{four}");
+}
+
+/// A wire and a fence are what jagged edges tear.
+#[test]
+fn wire_and_fence_are_whole() {
+    for name in ["wire", "fence"] {
+        let path = format!("{}/examples/scenes/{name}.json", env!("CARGO_MANIFEST_DIR"));
+        let (scene, camera) = SceneFile::read(&path, None).unwrap().reference();
+        let judge = Judge::of(Source::described(name.to_owned(), scene, camera).unwrap());
+        let drawn = [Quality::Fast, Quality::Smooth2, Quality::Smooth4].map(|it| judge.drawn(it));
+        println!("{name}: {drawn:.1?} dB");
+        assert!(drawn[1] >= drawn[0] + 7.0, "{name}: {drawn:?}");
+        assert!(drawn[2] >= drawn[1] + 4.0, "{name}: {drawn:?}");
+    }
 }

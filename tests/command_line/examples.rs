@@ -112,6 +112,7 @@ fn every_example_scene_is_drawn() {
         "bounce",
         "checkers",
         "chrome3",
+        "fence",
         "harbour",
         "harbour_sun",
         "icosahedron",
@@ -119,6 +120,7 @@ fn every_example_scene_is_drawn() {
         "pybadge",
         "tetrahedron",
         "tree",
+        "wire",
     ];
     assert_eq!(names, expected);
 }

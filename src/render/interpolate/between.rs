@@ -129,7 +129,11 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             (first + half, length - half, [&middle, end]),
         ] {
             let expected = curve.bend((length / 2).max(1));
-            self.between((first, length), ends, Known::Steady(expected, Samples::Three));
+            self.between(
+                (first, length),
+                ends,
+                Known::Steady(expected, Samples::Three),
+            );
         }
     }
 }
