@@ -39,12 +39,11 @@ const LIMIT: Duration = Duration::from_secs(60 * 60);
 const LANES: usize = 4;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
-const ALONE: [&str; 16] = [
+const ALONE: [&str; 15] = [
     "examples/blackpill",
     "examples/esp32c3",
     "examples/microbit",
     "examples/pico",
-    "examples/pico2",
     "examples/riscv",
     "fuzz",
     "tests/schema",
@@ -348,7 +347,7 @@ fn boards() -> Vec<Step> {
         alone("examples/blackpill", "--bins", m4),
         alone("examples/esp32c3", "--bins", rv32_without_atomics),
         alone("examples/pico", "--bins", m0),
-        alone("examples/pico2", "--bins", m33),
+        alone("examples/pico", "--bins", m33),
     ]
 }
 

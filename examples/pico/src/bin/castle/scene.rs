@@ -1,4 +1,4 @@
-//! The scene that the board draws. `cargo xtask scene FILE.json > src/scene.rs` in the repository
+//! The scene that the board draws. `cargo xtask scene FILE.json > scene.rs` in the repository
 //! writes one of yours over this file; then put its name into the line with `Shown` in `main.rs`.
 
 use reflet::Camera;
