@@ -7,14 +7,12 @@ mod light;
 mod random;
 mod shapes;
 
-use clap::ValueEnum;
-
 use self::draft::Draft;
 use self::random::Random;
 use crate::case::Case;
 
 /// A family of random scenes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// Thin rods and tiny spheres in all directions, also along the view.
     Thin,
@@ -39,8 +37,21 @@ pub enum Family {
 }
 
 impl Family {
-    /// Returns the family's name in tables and on the command line.
-    pub fn name(self) -> String {
+    /// All of them.
+    pub const ALL: [Self; 10] = [
+        Self::Thin,
+        Self::Sunk,
+        Self::Touching,
+        Self::Crowds,
+        Self::Wide,
+        Self::Mirrors,
+        Self::Far,
+        Self::Glossy,
+        Self::Fences,
+        Self::Facets,
+    ];
+
+    fn name(self) -> String {
         format!("{self:?}").to_lowercase()
     }
 
@@ -69,8 +80,9 @@ impl Family {
     }
 }
 
-/// Returns scene `index` of a run over several families, which take turns.
-pub fn scene_of_run(families: &[Family], seed: u64, index: usize) -> (Family, Case) {
-    let family = families[index % families.len()];
-    (family, family.case(seed, (index / families.len()) as u64))
+/// Returns scene `index` of a run over all families, which take turns.
+pub fn scene_of_run(seed: u64, index: usize) -> (Family, Case) {
+    let count = Family::ALL.len();
+    let family = Family::ALL[index % count];
+    (family, family.case(seed, (index / count) as u64))
 }
