@@ -63,13 +63,8 @@ const EXAMPLES: [Example; 6] = [
         "riscv32imc-unknown-none-elf",
         "esp32c3",
     ),
-    example("microbit", "microbit", "thumbv6m-none-eabi", "microbit"),
-    example(
-        "riscv",
-        "riscv",
-        "riscv32imac-unknown-none-elf",
-        "riscv-virt",
-    ),
+    example("microbit", "small", "thumbv6m-none-eabi", "small"),
+    example("riscv", "small", "riscv32imac-unknown-none-elf", "small"),
 ];
 
 impl Example {

@@ -39,12 +39,11 @@ const LIMIT: Duration = Duration::from_secs(60 * 60);
 const LANES: usize = 4;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
-const ALONE: [&str; 15] = [
+const ALONE: [&str; 14] = [
     "examples/blackpill",
     "examples/esp32c3",
-    "examples/microbit",
     "examples/pico",
-    "examples/riscv",
+    "examples/small",
     "fuzz",
     "tests/schema",
     "xtask/boards/refill",
@@ -340,9 +339,9 @@ fn boards() -> Vec<Step> {
             board.args(warnings),
         ),
         alone("xtask/firmware", "--lib", m3),
-        alone("examples/microbit", "--bins", m0),
+        alone("examples/small", "--bins", m0),
         alone("xtask/firmware", "--lib", m0),
-        alone("examples/riscv", "--bins", rv32),
+        alone("examples/small", "--bins", rv32),
         alone("xtask/firmware", "--lib", rv32),
         alone("examples/blackpill", "--bins", m4),
         alone("examples/esp32c3", "--bins", rv32_without_atomics),
