@@ -1,9 +1,9 @@
 //! One scene, drawn by the reference and by a quality, and the pixels that the quality loses. Never opens a file.
 
-use command_line::{Quality, Settings, Source, scene_file};
+use command_line::{Quality, Settings, Shading, Source, scene_file};
 use embedded_graphics::geometry::Size;
 use reflet::host::file::FileError;
-use reflet::host::reference::{Camera, Scene, Shading, render};
+use reflet::host::reference::{Camera, Scene, render};
 
 /// A pixel's levels of red, green and blue.
 pub type Pixel = [u8; 3];
@@ -25,6 +25,8 @@ pub struct Case {
     pub camera: Camera,
     /// Number of reflections that paths follow.
     pub reflections: u8,
+    /// How light shines on surfaces.
+    pub shading: Shading,
 }
 
 /// What a quality loses of a scene.
@@ -52,7 +54,7 @@ impl Case {
     /// The library refuses the scene or the camera.
     pub fn judge(&self, size: Size, quality: Quality) -> Result<Judged, FileError> {
         let source = self.source()?;
-        let (n, shading) = (self.reflections.into(), Shading::BlinnPhong);
+        let (n, shading) = (self.reflections.into(), self.shading.into());
         let truth = render(
             &self.scene,
             &self.camera,
@@ -63,7 +65,11 @@ impl Case {
         )
         .pixels;
         let drawn = |quality| {
-            let settings = Settings::blinn_phong(quality, self.reflections);
+            let settings = Settings {
+                reflections: self.reflections,
+                shading: self.shading,
+                quality,
+            };
             source.drawn(size, settings).pixels
         };
         let exact = drawn(Quality::Exact);

@@ -1,5 +1,6 @@
-//! Random scenes that are hard to interpolate, in families. The same seed makes the same scenes.
+//! Random scenes in families, most of which are hard to interpolate. The same seed makes the same scenes.
 
+mod any;
 mod draft;
 mod facets;
 mod flat;
@@ -34,10 +35,14 @@ pub enum Family {
     Fences,
     /// Meshes and needles of triangles, flat and smooth.
     Facets,
+    /// Anything at any scale, in any shading.
+    Any,
+    /// The same under lights that fall off.
+    Fading,
 }
 
 impl Family {
-    /// All of them.
+    /// Those that lose pixels.
     pub const ALL: [Self; 10] = [
         Self::Thin,
         Self::Sunk,
@@ -70,6 +75,8 @@ impl Family {
             Self::Glossy => light::glossy(&mut draft),
             Self::Fences => light::fences(&mut draft),
             Self::Facets => facets::facets(&mut draft),
+            Self::Any => any::any(&mut draft, false),
+            Self::Fading => any::any(&mut draft, true),
         }
         let name = format!("{}-{seed}-{number}", self.name());
         let name = match draft.reflections {
