@@ -4,11 +4,16 @@ use command_line::{Quality, Settings, Source, four_samples};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::{RgbColor, Size};
 use reflet::host::compare::{Difference, compare};
-use reflet::host::painted;
 use reflet::host::reference::{self, Picture, render, sampled};
 use reflet::quality::{Exact, Fast, Small, Smooth};
 use reflet::scenes::{BuiltIn, Castle, Mirror1};
-use reflet::{Camera, Material, RuntimeScene, Scene, room};
+use reflet::shading::BlinnPhong;
+use reflet::{Camera, Material};
+
+#[path = "common/near.rs"]
+mod near;
+
+use near::Scenery;
 
 const SIDE: u32 = 96;
 const REFLECTIONS: u32 = 4;
@@ -108,8 +113,7 @@ fn part_of_a_row_has_the_colours_of_the_whole_row() {
 #[test]
 fn each_quality_has_smooth_edges() {
     fn drawn<Q: reflet::quality::Quality>() -> Picture {
-        let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Q>();
-        painted(&frame.prepare(Size::new(80, 60)).on(&Mirror1).unwrap())
+        near::drawn::<Q, BlinnPhong>(&Mirror1, &Mirror1::CAMERA, Size::new(80, 60))
     }
     let exact = drawn::<Smooth<2, Exact>>();
     for other in [drawn::<Smooth<2>>(), drawn::<Smooth<2, Small>>()] {
@@ -120,16 +124,14 @@ fn each_quality_has_smooth_edges() {
     assert!(jagged.within1 < 0.9, "{jagged:?}");
 }
 
-/// A rod that is thinner than a pixel, on a black ground. It shines by itself.
-type Rod = RuntimeScene<room!(cylinders: 1, lights: 1, materials: 1)>;
-
+/// The rod is thinner than a pixel, on a black ground, and shines by itself.
 #[test]
 fn thin_rod_that_turns_covers_the_same_area() {
     let camera = Camera::new([0, -10, 0], [0, 0, 0], [0, 0, 1], 30).unwrap();
     let areas: Vec<f64> = (0..12)
         .map(|step| {
             let angle = f64::from(step) * 7.0_f64.to_radians();
-            let mut scene = Rod::new();
+            let mut scene = Scenery::new();
             let white = Material::new([1.0; 3])
                 .ambient(1.0)
                 .diffuse(0.0)
@@ -139,12 +141,9 @@ fn thin_rod_that_turns_covers_the_same_area() {
             scene
                 .add_cylinder([0, 0, 0], axis, 0.06, 4.0, white)
                 .unwrap();
-            let scene: Scene<_> = scene.build().unwrap();
-            let frame = scene
-                .frame(&camera)
-                .quality::<Smooth<4>>()
-                .prepare(Size::new(120, 120));
-            let picture = painted(&frame.on(&scene).unwrap());
+            let scene = scene.build().unwrap();
+            let size = Size::new(120, 120);
+            let picture = near::drawn::<Smooth<4>, BlinnPhong>(&scene, &camera, size);
             let bytes = picture.pixels.iter().map(|[red, ..]| f64::from(*red));
             bytes.sum::<f64>() / 255.0
         })
