@@ -39,7 +39,7 @@ const LIMIT: Duration = Duration::from_secs(60 * 60);
 const LANES: usize = 4;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
-const ALONE: [&str; 14] = [
+const ALONE: [&str; 13] = [
     "examples/blackpill",
     "examples/esp32c3",
     "examples/pico",
@@ -53,7 +53,6 @@ const ALONE: [&str; 14] = [
     "xtask/playground",
     "xtask/playground/drawing",
     "xtask/playground/tests/browser",
-    "xtask/stack_peak",
 ];
 
 /// The test programs that run the firmware of the examples.

@@ -7,7 +7,7 @@ use command_line::{Settings, Source};
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
 use reflet::scenes;
-use xtask::measure::{CORES, Core, Quality, Size as Pixels, pictures, record};
+use xtask::measure::{CORES, Core, Quality, Size as Pixels, pictures};
 
 const SIDE: u32 = 64;
 
@@ -53,23 +53,6 @@ fn every_core_draws_the_same_pictures() {
             scope.spawn(|| are_the_same_pictures_as_here(core, &pictures));
         }
     });
-}
-
-/// xtask/tests/measure.rs holds the constant scenes to the kept hashes.
-#[test]
-fn scenes_filled_here_are_the_pictures_whose_hashes_are_kept() {
-    let kept = record::read(Core::M3).unwrap();
-    let kept = kept
-        .into_iter()
-        .filter(|it| it.quality == Quality::FAST.name());
-    let mut compared = 0;
-    for figures in kept {
-        assert_eq!(figures.size, "64x64");
-        let here = hash(&figures.scene, Quality::FAST);
-        assert_eq!(figures.hash, here, "{}", figures.scene);
-        compared += 1;
-    }
-    assert_eq!(compared, scenes::NAMES.len());
 }
 
 #[test]

@@ -1,5 +1,8 @@
 //! Measures how deep the stack has been. It paints the free part of the stack; words that are still
-//! painted later were not used.
+//! painted later were not used. The firmware that measures has this file, too.
+//!
+//! Relies on the linker scripts of `cortex-m-rt` and `riscv-rt`, where the stack grows from the end
+//! of RAM down to the static variables.
 
 use core::ptr;
 
@@ -7,6 +10,9 @@ const PAINT: u32 = 0x5afe_57ac;
 
 /// Bytes below the stack frame of [`paint`] that it leaves unpainted.
 const MARGIN: usize = 64;
+
+/// Largest depth that is painted, in bytes, so that painting is quick on a board with much RAM.
+const DEPTH: usize = 64 * 1024;
 
 unsafe extern "C" {
     // From the linker script: the end of the static variables, and the start of the stack.
@@ -19,7 +25,7 @@ unsafe extern "C" {
 pub fn paint() {
     let here = 0_u32;
     let end = (ptr::from_ref(&here) as usize - MARGIN) as *mut u32;
-    let mut word = &raw mut __sheap;
+    let mut word = floor();
     while word < end {
         // Sound: no variable lives between the static variables and this frame.
         unsafe {
@@ -30,12 +36,19 @@ pub fn paint() {
 }
 
 /// Returns the most bytes of stack that were in use since [`paint`], counted from the stack's start.
+/// 64 KiB means that or more.
 pub fn peak() -> u32 {
     let start = &raw mut _stack_start;
-    let mut word = &raw mut __sheap;
+    let mut word = floor();
     // Sound: all of this memory belongs to the stack.
     while word < start && unsafe { word.read_volatile() } == PAINT {
         word = unsafe { word.add(1) };
     }
     (start as usize - word as usize) as u32
+}
+
+/// Returns the lowest word that is painted.
+fn floor() -> *mut u32 {
+    let (end, start) = (&raw mut __sheap as usize, &raw mut _stack_start as usize);
+    end.max(start.saturating_sub(DEPTH)) as *mut u32
 }

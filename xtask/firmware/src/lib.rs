@@ -19,6 +19,8 @@ mod contestant;
 mod fault;
 mod moving;
 pub mod report;
+#[path = "../../../examples/small/src/stack.rs"]
+mod stack;
 mod sweep;
 
 use core::hint::black_box;
@@ -65,7 +67,7 @@ macro_rules! program {
 /// Draws a frame of contestant `C` row by row into `row`, reports and ends the emulation.
 pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
     let clock = Clock::start();
-    stack_peak::paint();
+    stack::paint();
     let mut hash = FrameHash::NONE;
     let mut scene = C::scene();
     let moved = C::moved(&clock, &mut scene);
@@ -83,7 +85,7 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
             hash.add([pixel.r(), pixel.g(), pixel.b()]);
         }
     }
-    let stack = stack_peak::peak();
+    let stack = stack::peak();
 
     if let Some(instructions) = moved {
         report::text("moved");

@@ -21,7 +21,7 @@ const SOURCES: [&str; 6] = [
     "xtask/firmware",
     "xtask/float_port",
     "xtask/frame_hash",
-    "xtask/stack_peak",
+    "examples/small/src/stack.rs",
 ];
 
 /// The image that is made of `key`, whether it is there or not. Images of older sources are removed.
