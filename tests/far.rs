@@ -1,29 +1,26 @@
 //! Tests lights and cameras that are far from the shapes, beyond the near region.
 
 use embedded_graphics::prelude::Size;
-use reflet::host::compare::compare;
-use reflet::host::painted;
-use reflet::host::reference::{Picture, Shading, render};
-use reflet::quality::Exact;
-use reflet::{Camera, Material, RuntimeScene, room};
+use reflet::host::reference::{Picture, Shading};
+use reflet::shading::BlinnPhong;
+use reflet::{Camera, Material};
 
-type Room = RuntimeScene<room!(spheres: 1, planes: 2, lights: 1, materials: 1)>;
+#[path = "common/near.rs"]
+mod near;
 
-/// Returns the picture in fixed point. Checks that it is within 1 of the reference in every pixel.
-fn exact(scene: &Room, camera: &Camera) -> Picture {
-    let built = scene.build().unwrap();
-    let frame = built.frame(camera).quality::<Exact>();
-    let picture = painted(&frame.prepare(Size::new(33, 33)).on(&built).unwrap());
-    let (scene, camera) = ((&scene.description()).into(), camera.into());
-    let truth = render(&scene, &camera, 33, 33, 4, Shading::BlinnPhong);
-    let difference = compare(&picture, &truth).unwrap();
-    assert_eq!(difference.within1, 1.0, "{difference:?}");
-    picture
+use near::{Scenery, assert_near};
+
+/// Returns the picture in `Exact`. Checks that it is within 1 of the reference in every pixel.
+fn exact(scene: &Scenery, camera: &Camera) -> Picture {
+    let bars = [[0.0; 3], [0.0; 3], [0.0, 1.0, 0.0]];
+    let (seen, size) = ((scene, camera), Size::new(33, 33));
+    let [.., exact] = assert_near::<BlinnPhong>(seen, size, Shading::BlinnPhong, bars);
+    exact
 }
 
 #[test]
 fn shape_behind_a_light_casts_no_shadow() {
-    let mut scene = Room::new();
+    let mut scene = Scenery::new();
     let chalk = Material::new([0.4; 3]).ambient(0.0).diffuse(1.0);
     let chalk = scene.add_material(chalk).unwrap();
     scene.add_sphere([0, 0, 0], 1, chalk).unwrap();
@@ -37,7 +34,7 @@ fn shape_behind_a_light_casts_no_shadow() {
 #[test]
 fn sun_costs_planes_no_bits() {
     let [near, mid, far] = [1e3, 1e6, 1e9].map(|height| {
-        let mut scene = Room::new();
+        let mut scene = Scenery::new();
         let chalk = Material::new([0.9, 0.5, 0.3])
             .ambient(0.3)
             .diffuse(0.0)

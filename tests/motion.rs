@@ -4,9 +4,8 @@
 use embedded_graphics::prelude::Size;
 use reflet::__private::Drawable;
 use reflet::description::{self, Description};
-use reflet::host::painted;
 use reflet::host::reference::Picture;
-use reflet::quality::{Exact, Fast, Quality};
+use reflet::quality::{Exact, Fast};
 use reflet::scenes::{Castle, Mirror1};
 use reflet::shading::{BlinnPhong, Phong};
 use reflet::{
@@ -14,7 +13,11 @@ use reflet::{
     RuntimeScene, Scene, SceneBuilder, room, scene,
 };
 
+#[path = "common/near.rs"]
+mod near;
+
 use Move::{Cylinder, Disc, Light, Sphere};
+use near::{apart, drawn};
 
 /// Room for the parts of both scenes.
 type Parts = room!(spheres: 18, planes: 1, cylinders: 3, discs: 3, lights: 2, materials: 4);
@@ -235,16 +238,12 @@ impl Moving for MovingScene<Tower> {
     }
 }
 
-fn picture_in<S: Drawable, Q: Quality>(scene: &S, camera: &Camera) -> Picture {
-    let frame = FrameBuilder::new(scene, camera).quality::<Q>();
-    painted(&frame.prepare(Size::new(48, 40)).on(scene).unwrap())
-}
-
 /// Draws a scene in the qualities `Fast` and `Exact`.
 fn pictures<S: Drawable>(scene: &S, camera: &Camera) -> [Picture; 2] {
+    let size = Size::new(48, 40);
     [
-        picture_in::<S, Fast>(scene, camera),
-        picture_in::<S, Exact>(scene, camera),
+        drawn::<Fast, BlinnPhong>(scene, camera, size),
+        drawn::<Exact, BlinnPhong>(scene, camera, size),
     ]
 }
 
@@ -324,10 +323,7 @@ fn assert_drawn_as_built<S: Drawable>(scene: &S, places: &Places, camera: &Camer
     // Tables of lights choose which pixels `Fast` interpolates, but all are exact to its tolerance.
     let names = [("fast", 1), ("exact", 0)];
     for ((name, most), (found, expected)) in names.into_iter().zip(found.iter().zip(&expected)) {
-        let pixels = found.pixels.iter().zip(&expected.pixels);
-        let is_off = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|it| a[it].abs_diff(b[it]) > most);
-        let different = pixels.filter(|(a, b)| is_off(a, b)).count();
-        assert_eq!(different, 0, "{name}, step {step}");
+        assert_eq!(apart(found, expected, most), 0, "{name}, step {step}");
     }
 }
 

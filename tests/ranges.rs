@@ -2,20 +2,19 @@
 //! with lights that do not.
 
 use embedded_graphics::prelude::Size;
-use reflet::description::Description;
-use reflet::host::compare::compare;
 use reflet::host::file::SceneFile;
-use reflet::host::painted;
-use reflet::host::reference::{self, Picture, render};
-use reflet::quality::{Exact, Fast, Quality, Small};
+use reflet::host::reference::{self, Picture};
+use reflet::quality::{Exact, Fast, Quality};
 use reflet::shading::BlinnPhong;
-use reflet::{Camera, Material, RuntimeScene, Scene, room, scene};
+use reflet::{Camera, Material, scene};
+
+#[path = "common/near.rs"]
+mod near;
+
+use near::{Scenery, apart, assert_near, drawn};
 
 const SIZE: Size = Size::new(160, 120);
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
-
-type Room = room!(spheres: 4, planes: 2, cylinders: 1, discs: 1, lights: 3, materials: 4);
-type Scenery = RuntimeScene<Room>;
 
 /// Random numbers: SplitMix64.
 struct Random(u64);
@@ -74,24 +73,14 @@ fn room_of(seed: u64, power: i32) -> (Scenery, Camera) {
     (scene, Camera::new(eye, [0.0, 0.0, 0.8], UP, 50).unwrap())
 }
 
-fn drawn<Q: Quality>(scene: &Scene<Room>, camera: &Camera) -> Picture {
-    let frame = scene.frame(camera).quality::<Q>().shading::<BlinnPhong>();
-    painted(&frame.prepare(SIZE).on(scene).unwrap())
+fn picture<Q: Quality>(scene: &Scenery, camera: &Camera) -> Picture {
+    drawn::<Q, BlinnPhong>(&scene.build().unwrap(), camera, SIZE)
 }
 
-fn truth(scene: &Description<'_>, camera: &Camera) -> Picture {
-    let scene = reference::Scene::from(scene);
-    let shading = reference::Shading::BlinnPhong;
-    render(&scene, &camera.into(), SIZE.width, SIZE.height, 4, shading)
-}
-
-/// Returns the number of pixels whose channels differ by more than one level.
-fn apart(one: &Picture, other: &Picture) -> usize {
-    let pairs = one.pixels.iter().zip(&other.pixels);
-    let differ = |(one, other): &(&[u8; 3], &[u8; 3])| {
-        one.iter().zip(*other).any(|(a, b)| a.abs_diff(*b) > 1)
-    };
-    pairs.filter(differ).count()
+/// Checks the share of pixels within 1 of the reference, in every quality.
+fn assert_all_near(scene: &Scenery, camera: &Camera, within1: f64) {
+    let (shading, bars) = (reference::Shading::BlinnPhong, [[0.0, within1, 0.0]; 3]);
+    assert_near::<BlinnPhong>((scene, camera), SIZE, shading, bars);
 }
 
 #[test]
@@ -101,9 +90,8 @@ fn fast_interpolates_what_falls_off() {
     for power in [-6, -4, -3, -2, -1, 0, 1, 3, 6] {
         for seed in 0..4 {
             let (scene, camera) = room_of(seed, power);
-            let scene = scene.build().unwrap();
-            let exact = drawn::<Exact>(&scene, &camera);
-            let own = apart(&drawn::<Fast>(&scene, &camera), &exact);
+            let exact = picture::<Exact>(&scene, &camera);
+            let own = apart(&picture::<Fast>(&scene, &camera), &exact, 1);
             lost.push((power, seed, own));
             all += own;
             pixels += exact.pixels.len();
@@ -117,16 +105,7 @@ fn fast_interpolates_what_falls_off() {
 fn light_that_falls_off_is_as_double_precision_says() {
     for (seed, power) in [(1, -5), (2, -1), (3, 0), (4, 2), (5, 20)] {
         let (scene, camera) = room_of(seed, power);
-        let truth = truth(&scene.description(), &camera);
-        let scene = scene.build().unwrap();
-        for (name, picture) in [
-            ("exact", drawn::<Exact>(&scene, &camera)),
-            ("fast", drawn::<Fast>(&scene, &camera)),
-            ("small", drawn::<Small>(&scene, &camera)),
-        ] {
-            let within_one = compare(&picture, &truth).unwrap().within1;
-            assert!(within_one >= 0.999, "{seed} {power} {name}: {within_one}");
-        }
+        assert_all_near(&scene, &camera, 0.999);
     }
 }
 
@@ -149,19 +128,13 @@ fn above() -> Camera {
 
 #[test]
 fn lamp_with_a_huge_range_is_one_without() {
-    let mut without = floor(1e9);
-    let ranged = drawn::<Exact>(&without.build().unwrap(), &above());
-    without = Scenery::new();
+    let ranged = picture::<Exact>(&floor(1e9), &above());
+    let mut without = Scenery::new();
     let chalk = without.add_material(Material::new([0.9; 3])).unwrap();
     without.add_plane([0.0; 3], UP, chalk).unwrap();
     without.add_light(LANTERN, [2.0; 3]).unwrap();
-    assert_eq!(
-        apart(
-            &ranged,
-            &drawn::<Exact>(&without.build().unwrap(), &above())
-        ),
-        0
-    );
+    let plain = picture::<Exact>(&without, &above());
+    assert_eq!(apart(&ranged, &plain, 1), 0);
 }
 
 #[test]
@@ -172,15 +145,7 @@ fn light_far_outside_of_the_scene_falls_off() {
         .unwrap();
     let chalk = scene.description().planes[0].material;
     scene.add_sphere([0.0, 0.0, 0.5], 0.5, chalk).unwrap();
-    let truth = truth(&scene.description(), &above());
-    let scene = scene.build().unwrap();
-    for picture in [
-        drawn::<Exact>(&scene, &above()),
-        drawn::<Fast>(&scene, &above()),
-    ] {
-        let within_one = compare(&picture, &truth).unwrap().within1;
-        assert!(within_one >= 0.998, "{within_one}");
-    }
+    assert_all_near(&scene, &above(), 0.998);
 }
 
 scene! {
@@ -196,9 +161,8 @@ scene! {
 #[test]
 fn range_is_the_same_wherever_a_scene_is_written() {
     let camera = above();
-    let frame = Lantern::frame(&camera).prepare(SIZE);
-    let constant = painted(&frame.on(&Lantern).unwrap());
-    let filled = drawn::<Fast>(&floor(0.75).build().unwrap(), &camera);
+    let constant = drawn::<Fast, BlinnPhong>(&Lantern, &camera, SIZE);
+    let filled = picture::<Fast>(&floor(0.75), &camera);
     assert!(constant.pixels == filled.pixels);
     let text = r#"{
         "camera": {"position": [0, -4, 3], "target": [0, 0, 0], "up": [0, 0, 1], "fov": 60},
@@ -207,10 +171,9 @@ fn range_is_the_same_wherever_a_scene_is_written() {
         "planes": [{"center": [0, 0, 0], "normal": [0, 0, 1], "material": "chalk"}]
     }"#;
     let file = SceneFile::parse(text, None).unwrap();
-    let built = file.build().unwrap();
-    let read = built.frame(&camera).quality::<Fast>().prepare(SIZE);
+    let read = drawn::<Fast, BlinnPhong>(&*file.build().unwrap(), &camera, SIZE);
     // Its camera is part of the scene, so its grid is another one.
-    assert_eq!(apart(&painted(&read.on(&built).unwrap()), &filled), 0);
+    assert_eq!(apart(&read, &filled, 1), 0);
     let source = file.rust_source().text();
     let line = "light_with_range([0.5, 1.0, 1.0], [2.0, 2.0, 2.0], 0.75);";
     assert!(source.contains(line), "{source}");
@@ -233,12 +196,13 @@ fn moved_lamp_is_one_made_there_and_another_range_another_scene() {
         scene
             .add_light_with_range([-1.0, 0.0, 1.0], [1.0; 3], range)
             .unwrap();
-        scene.build().unwrap()
+        scene
     };
-    let picture = drawn::<Fast>(&moved, &above());
-    assert_eq!(apart(&picture, &drawn::<Fast>(&made(0.5), &above())), 0);
+    let there = drawn::<Fast, BlinnPhong>(&moved, &above(), SIZE);
+    let here = picture::<Fast>(&made(0.5), &above());
+    assert_eq!(apart(&there, &here, 1), 0);
     // A frame of one is refused by the other.
-    let (here, there) = (made(0.5), made(0.25));
+    let [here, there] = [0.5, 0.25].map(|range| made(range).build().unwrap());
     let frame = here.frame(&above()).prepare(SIZE);
     assert!(frame.on(&here).is_ok() && frame.on(&there).is_err());
 }

@@ -5,11 +5,16 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::{RgbColor, Size};
 use reflet::host::compare::{Difference, compare};
 use reflet::host::file::SceneFile;
-use reflet::host::painted;
 use reflet::host::reference::{self, Picture, render, sampled};
 use reflet::quality::{Exact, Fast, Small, Smooth};
 use reflet::scenes::{BuiltIn, Castle, Mirror1};
-use reflet::{Camera, Material, RuntimeScene, Scene, room};
+use reflet::shading::BlinnPhong;
+use reflet::{Camera, Material};
+
+#[path = "common/near.rs"]
+mod near;
+
+use near::Scenery;
 
 const SIDE: u32 = 96;
 const REFLECTIONS: u32 = 4;
@@ -112,8 +117,7 @@ fn part_of_a_row_has_the_colours_of_the_whole_row() {
 #[test]
 fn each_quality_has_smooth_edges() {
     fn drawn<Q: reflet::quality::Quality>() -> Picture {
-        let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Q>();
-        painted(&frame.prepare(Size::new(80, 60)).on(&Mirror1).unwrap())
+        near::drawn::<Q, BlinnPhong>(&Mirror1, &Mirror1::CAMERA, Size::new(80, 60))
     }
     let exact = drawn::<Smooth<2, Exact>>();
     for other in [drawn::<Smooth<2>>(), drawn::<Smooth<2, Small>>()] {
@@ -124,31 +128,30 @@ fn each_quality_has_smooth_edges() {
     assert!(jagged.within1 < 0.9, "{jagged:?}");
 }
 
-/// A rod that is thinner than a pixel, on a black ground. It shines by itself.
-type Rod = RuntimeScene<room!(cylinders: 1, lights: 1, materials: 1)>;
+/// Returns a material that shines by itself, and that no light changes.
+fn shining(bright: f64) -> Material {
+    Material::new([1.0; 3])
+        .ambient(bright)
+        .diffuse(0.0)
+        .specular(0.0, 1.0)
+}
 
+/// The rod is thinner than a pixel, on a black ground, and shines by itself.
 #[test]
 fn thin_rod_that_turns_covers_the_same_area() {
     let camera = Camera::new([0, -10, 0], [0, 0, 0], [0, 0, 1], 30).unwrap();
     let areas: Vec<f64> = (0..12)
         .map(|step| {
             let angle = f64::from(step) * 7.0_f64.to_radians();
-            let mut scene = Rod::new();
-            let white = Material::new([1.0; 3])
-                .ambient(1.0)
-                .diffuse(0.0)
-                .specular(0.0, 1.0);
-            let white = scene.add_material(white).unwrap();
+            let mut scene = Scenery::new();
+            let white = scene.add_material(shining(1.0)).unwrap();
             let axis = [angle.cos(), 0.0, angle.sin()];
             scene
                 .add_cylinder([0, 0, 0], axis, 0.06, 4.0, white)
                 .unwrap();
-            let scene: Scene<_> = scene.build().unwrap();
-            let frame = scene
-                .frame(&camera)
-                .quality::<Smooth<4>>()
-                .prepare(Size::new(120, 120));
-            let picture = painted(&frame.on(&scene).unwrap());
+            let scene = scene.build().unwrap();
+            let size = Size::new(120, 120);
+            let picture = near::drawn::<Smooth<4>, BlinnPhong>(&scene, &camera, size);
             let bytes = picture.pixels.iter().map(|[red, ..]| f64::from(*red));
             bytes.sum::<f64>() / 255.0
         })
@@ -164,61 +167,40 @@ fn thin_rod_that_turns_covers_the_same_area() {
     assert!(most / least < 1.1, "{areas:?}");
 }
 
-/// A disc that shines by itself, on a black ground, and a rod before it that does not shine.
-type Sign = RuntimeScene<room!(cylinders: 1, discs: 1, materials: 2)>;
-
-/// A camera that moves by a sixteenth of a pixel moves an edge by as much. Samples stand for the area of a pixel, and an
-/// upright edge crosses those of its rows at once: two of four with two rows, four of twelve with four.
+/// A camera that moves by a sixteenth of a pixel moves an edge by as much: that of a bright disc, and those of a dark rod
+/// before it. Samples stand for the area of a pixel, and an upright edge crosses those of its rows at once: two of four
+/// with two rows, four of twelve with four.
 #[test]
 fn camera_that_moves_slowly_changes_no_pixel_by_more_than_the_area_that_moved() {
-    let mut scene = Sign::new();
-    let plain = |ambient: f64| {
-        Material::new([1.0; 3])
-            .ambient(ambient)
-            .diffuse(0.0)
-            .specular(0.0, 1.0)
-    };
-    let white = scene.add_material(plain(1.0)).unwrap();
-    let black = scene.add_material(plain(0.0)).unwrap();
+    let mut scene = Scenery::new();
+    let [white, black] = [1.0, 0.0].map(|bright| scene.add_material(shining(bright)).unwrap());
     scene.add_disc([0, 0, 0], [0, 1, 0], 2, white).unwrap();
     scene
         .add_cylinder([0.0, -0.1, 0.0], [0.3, 0.0, 1.0], 0.03, 5.0, black)
         .unwrap();
-    let scene: Scene<_> = scene.build().unwrap();
-    // At this distance a pixel of 96 is a sixteenth wide.
-    let fov = 2.0 * (3.0_f64 / 10.0).atan().to_degrees();
-    let moved = |step: u32| {
+    let scene = scene.build().unwrap();
+    // At this distance 96 pixels are 6 wide.
+    let fov = 2.0 * 0.3_f64.atan().to_degrees();
+    let camera = |step: u32| {
         let x = f64::from(step) / 256.0;
-        let eye = [x, -10.0, 0.0];
-        Camera::look_at(eye, [x, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(fov)
+        Camera::look_at([x, -10.0, 0.0], [x, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(fov)
     };
-    fn largest_change<Q: reflet::quality::Quality>(
-        scene: &Scene<room!(cylinders: 1, discs: 1, materials: 2)>,
-        moved: impl Fn(u32) -> Camera,
-    ) -> u8 {
-        let drawn = |step| {
-            let camera = moved(step);
-            let frame = scene.frame(&camera).quality::<Q>();
-            let frame = frame.prepare(Size::new(SIDE, SIDE));
-            painted(&frame.on(scene).unwrap())
-        };
-        let pictures: Vec<Picture> = (0..24).map(drawn).collect();
+    let largest_change = |drawn: &dyn Fn(&Camera) -> Picture| {
+        let pictures: Vec<Picture> = (0..24).map(|step| drawn(&camera(step))).collect();
         let pairs = pictures.windows(2).flat_map(|pair| {
             let pixels = pair[0].pixels.iter().zip(&pair[1].pixels);
             pixels.map(|(one, other)| one[0].abs_diff(other[0]))
         });
-        pairs.max().unwrap()
-    }
-    let jagged = largest_change::<Fast>(&scene, moved);
-    let [two, four] = [
-        largest_change::<Smooth<2>>(&scene, moved),
-        largest_change::<Smooth<4>>(&scene, moved),
-    ];
+        f64::from(pairs.max().unwrap())
+    };
+    let size = Size::new(SIDE, SIDE);
+    let jagged = largest_change(&|it| near::drawn::<Fast, BlinnPhong>(&scene, it, size));
+    let two = largest_change(&|it| near::drawn::<Smooth<2>, BlinnPhong>(&scene, it, size));
+    let four = largest_change(&|it| near::drawn::<Smooth<4>, BlinnPhong>(&scene, it, size));
     println!("of 255: {jagged} jagged, {two} with two rows, {four} with four");
-    assert_eq!(jagged, 255);
-    let most = |samples: f64| 255.0 * (1.0 / 16.0 + samples);
-    assert!(f64::from(two) <= most(2.0 / 4.0), "{two}");
-    assert!(f64::from(four) <= most(4.0 / 12.0), "{four}");
+    assert_eq!(jagged, 255.0);
+    assert!(two <= 255.0 * (1.0 / 16.0 + 2.0 / 4.0), "{two}");
+    assert!(four <= 255.0 * (1.0 / 16.0 + 4.0 / 12.0), "{four}");
 }
 
 /// A wire and a fence are what jagged edges tear.

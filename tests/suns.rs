@@ -4,20 +4,20 @@ use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::{RgbColor, Size};
 use reflet::host::compare::compare;
 use reflet::host::painted;
-use reflet::host::reference::{self, Picture, render};
-use reflet::quality::{Exact, Fast, Quality, Small};
+use reflet::host::reference::{self, Picture};
+use reflet::quality::{Exact, Fast, Quality};
 use reflet::shading::BlinnPhong;
-use reflet::{Camera, Material, RuntimeScene, Scene, room};
+use reflet::{Camera, Material};
+
+#[path = "common/near.rs"]
+mod near;
+
+use near::{Scenery, apart, assert_near, drawn};
 
 const SIZE: Size = Size::new(120, 90);
-const REFLECTIONS: u8 = 4;
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const NOON: [f64; 3] = [3.0, -2.0, 5.0];
 const EVENING: [f64; 3] = [-8.0, 2.0, 1.5];
-
-type Room = room!(spheres: 3, planes: 1, cylinders: 1, discs: 1, lights: 2, materials: 4);
-type Scenery = RuntimeScene<Room>;
-type Built = Scene<Room>;
 
 /// Returns balls, a cylinder and a disc over a floor, without a light.
 fn garden() -> Scenery {
@@ -48,25 +48,8 @@ fn view() -> Camera {
     Camera::new([0.5, -6.5, 2.2], [0.0, 0.0, 0.8], UP, 45).unwrap()
 }
 
-fn drawn<Q: Quality>(scene: &Built) -> Picture {
-    let camera = view();
-    let frame = scene.frame(&camera).reflections(REFLECTIONS);
-    let frame = frame.quality::<Q>().shading::<BlinnPhong>().prepare(SIZE);
-    painted(&frame.on(scene).unwrap())
-}
-
-fn truth(scene: &Scenery) -> Picture {
-    let shading = reference::Shading::BlinnPhong;
-    let scene = reference::Scene::from(&scene.description());
-    let (camera, reflections) = ((&view()).into(), REFLECTIONS.into());
-    render(
-        &scene,
-        &camera,
-        SIZE.width,
-        SIZE.height,
-        reflections,
-        shading,
-    )
+fn picture<Q: Quality>(scene: &Scenery) -> Picture {
+    drawn::<Q, BlinnPhong>(&scene.build().unwrap(), &view(), SIZE)
 }
 
 #[test]
@@ -82,20 +65,10 @@ fn suns_are_as_double_precision_says() {
         scene
             .add_sun([1.0, -9.0, 4.0], [0.2, 0.2, 0.3], 0.0)
             .unwrap();
-        let (truth, built) = (truth(&scene), scene.build().unwrap());
-        let exact = drawn::<Exact>(&built);
-        for (name, picture) in [
-            ("exact", &exact),
-            ("fast", &drawn::<Fast>(&built)),
-            ("small", &drawn::<Small>(&built)),
-        ] {
-            let within_one = compare(picture, &truth).unwrap().within1;
-            assert!(
-                within_one >= 0.998,
-                "{direction:?} {disc} {name}: {within_one}"
-            );
-        }
-        let apart = compare(&drawn::<Fast>(&built), &exact).unwrap().within1;
+        let (view, shading) = (view(), reference::Shading::BlinnPhong);
+        let bars = [[0.0, 0.998, 0.0]; 3];
+        let [fast, _, exact] = assert_near::<BlinnPhong>((&scene, &view), SIZE, shading, bars);
+        let apart = compare(&fast, &exact).unwrap().within1;
         assert!(apart >= 0.9995, "{direction:?} {disc}: {apart}");
     }
 }
@@ -106,7 +79,7 @@ fn sun_is_the_limit_of_a_far_lamp() {
     near.add_sun(NOON, [1.0; 3], 0.0).unwrap();
     let mut far = garden();
     far.add_light(NOON.map(|it| it * 1e8), [1.0; 3]).unwrap();
-    let [sun, lamp] = [near, far].map(|scene| drawn::<Exact>(&scene.build().unwrap()));
+    let [sun, lamp] = [near, far].map(|scene| picture::<Exact>(&scene));
     let within_one = compare(&sun, &lamp).unwrap().within1;
     assert!(within_one >= 0.999, "{within_one}");
 }
@@ -119,8 +92,8 @@ fn sun_that_moved_is_one_made_there() {
     moved.set_light(sun, EVENING).unwrap();
     let mut scene = garden();
     scene.add_sun(EVENING, [1.0; 3], 20.0).unwrap();
-    let made = scene.build().unwrap();
-    assert_eq!(drawn::<Fast>(&moved).pixels, drawn::<Fast>(&made).pixels);
+    let there = drawn::<Fast, BlinnPhong>(&moved, &view(), SIZE);
+    assert!(there == picture::<Fast>(&scene));
     assert!(moved.set_light(sun, [0.0; 3]).is_err());
 }
 
@@ -129,10 +102,9 @@ fn changed(direction: [f64; 3]) -> usize {
     let [with, without] = [12.0, 0.0].map(|disc| {
         let mut scene = garden();
         scene.add_sun(direction, [1.0, 0.8, 0.0], disc).unwrap();
-        drawn::<Exact>(&scene.build().unwrap())
+        picture::<Exact>(&scene)
     });
-    let pairs = with.pixels.iter().zip(&without.pixels);
-    pairs.filter(|(one, other)| one != other).count()
+    apart(&with, &without, 0)
 }
 
 #[test]

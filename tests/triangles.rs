@@ -2,19 +2,19 @@
 
 use embedded_graphics::prelude::Size;
 use reflet::host::compare::compare;
-use reflet::host::painted;
-use reflet::host::reference::{self, Picture, render};
-use reflet::quality::{Exact, Fast, Quality, Small};
+use reflet::host::reference;
+use reflet::quality::{Fast, Small};
 use reflet::shading::{BlinnPhong, Phong, Shading};
-use reflet::{Camera, Material, MaterialId, RuntimeScene, Scene, room, scene};
+use reflet::{Camera, Material, MaterialId, scene};
 
-const SIDE: u32 = 160;
-const REFLECTIONS: u8 = 4;
+#[path = "common/near.rs"]
+mod near;
+
+use near::{Scenery, assert_near, drawn};
+
+const SIZE: Size = Size::new_equal(160);
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-type Room = room!(spheres: 1, planes: 1, triangles: 90, lights: 2, materials: 4);
-type Scenery = RuntimeScene<Room>;
-type Built = Scene<Room>;
 type Triple = [f64; 3];
 
 fn unit(a: Triple) -> Triple {
@@ -120,33 +120,14 @@ fn smooth() -> (Scenery, Camera) {
     (scene, camera)
 }
 
-fn picture<Q: Quality, K: Shading>(scene: &Built, camera: &Camera, side: u32) -> Picture {
-    let frame = scene.frame(camera).reflections(REFLECTIONS);
-    let frame = frame.quality::<Q>().shading::<K>();
-    painted(&frame.prepare(Size::new(side, side)).on(scene).unwrap())
-}
-
-/// Checks the shares of pixels that are equal or within 1 of the reference in every quality, and that `Fast` is within
-/// 1 of `Exact`.
-fn assert_near<K: Shading>((scene, camera): (Scenery, Camera), shading: reference::Shading) {
-    let truth = {
-        let (scene, camera) = ((&scene.description()).into(), (&camera).into());
-        render(&scene, &camera, SIDE, SIDE, REFLECTIONS.into(), shading)
-    };
-    let built = scene.build().unwrap();
-    let exact = picture::<Exact, K>(&built, &camera, SIDE);
-    let fast = picture::<Fast, K>(&built, &camera, SIDE);
-    let small = picture::<Small, K>(&built, &camera, SIDE);
-    for (name, picture, same, within1) in [
-        ("fast", &fast, 0.985, 0.998),
-        ("small", &small, 0.99, 0.9995),
-        ("exact", &exact, 0.999, 0.9997),
-    ] {
-        let found = compare(picture, &truth).unwrap();
-        println!("{name}: {found:?}");
-        let is_near = found.same >= same && found.within1 >= within1;
-        assert!(is_near, "{name}: {found:?}");
-    }
+/// Checks how near a scene is to double precision in every quality, and that `Fast` is within 1 of `Exact`.
+fn assert_all_near<K: Shading>((scene, camera): (Scenery, Camera), shading: reference::Shading) {
+    let bars = [
+        [0.985, 0.998, 0.0],
+        [0.99, 0.9995, 0.0],
+        [0.999, 0.9997, 0.0],
+    ];
+    let [fast, _, exact] = assert_near::<K>((&scene, &camera), SIZE, shading, bars);
     let found = compare(&fast, &exact).unwrap();
     println!("fast and exact: {found:?}");
     assert!(found.within1 >= 0.999, "{found:?}");
@@ -154,13 +135,13 @@ fn assert_near<K: Shading>((scene, camera): (Scenery, Camera), shading: referenc
 
 #[test]
 fn flat_triangles_are_painted_as_double_precision_paints_them() {
-    assert_near::<BlinnPhong>(facets(), reference::Shading::BlinnPhong);
+    assert_all_near::<BlinnPhong>(facets(), reference::Shading::BlinnPhong);
 }
 
 #[test]
 fn smooth_triangles_are_painted_as_double_precision_paints_them() {
-    assert_near::<BlinnPhong>(smooth(), reference::Shading::BlinnPhong);
-    assert_near::<Phong>(smooth(), reference::Shading::Phong);
+    assert_all_near::<BlinnPhong>(smooth(), reference::Shading::BlinnPhong);
+    assert_all_near::<Phong>(smooth(), reference::Shading::Phong);
 }
 
 /// A closed mesh around the camera hides the background from it.
@@ -177,8 +158,8 @@ fn no_pixel_shows_what_is_outside_of_a_mesh() {
     for target in [[0.0, 1.0, 0.0], [0.3, -0.2, 1.0], [-0.5, 0.1, -0.4]] {
         let camera = Camera::look_at([0.05, 0.1, -0.2], target, [0.1, 0.2, 0.9]).fov(120.0);
         for picture in [
-            picture::<Fast, BlinnPhong>(&built, &camera, 200),
-            picture::<Small, BlinnPhong>(&built, &camera, 200),
+            drawn::<Fast, BlinnPhong>(&built, &camera, Size::new_equal(200)),
+            drawn::<Small, BlinnPhong>(&built, &camera, Size::new_equal(200)),
         ] {
             let is_grey = |[red, green, blue]: &[u8; 3]| red == green && green == blue;
             assert!(picture.pixels.iter().all(is_grey));
@@ -204,7 +185,7 @@ scene! {
 fn constant_scene_is_the_same_picture_as_one_that_is_filled_and_moved() {
     let camera = Camera::look_at([0.3, -4.0, 1.0], [0.3, 0.0, 0.6], UP).fov(50.0);
     let size = Size::new(64, 64);
-    let constant = painted(&Sail::frame(&camera).prepare(size).on(&Sail).unwrap());
+    let constant = drawn::<Fast, BlinnPhong>(&Sail, &camera, size);
     let mut scene = Scenery::new();
     let clay = scene.add_material(CLAY).unwrap();
     scene.set_motion([-4, -4, -4], [4, 4, 4]).unwrap();
@@ -215,15 +196,15 @@ fn constant_scene_is_the_same_picture_as_one_that_is_filled_and_moved() {
     let corners = [[0.2, -0.5, 0.0], [1.5, -0.5, 0.0], [0.2, -0.5, 1.2]];
     let normals = [[0.0, -1.0, 0.0], [0.7, -0.7, 0.0], [0.0, -0.7, 0.7]];
     built.set_triangle(fore, corners, normals).unwrap();
-    let filled = painted(&built.frame(&camera).prepare(size).on(&built).unwrap());
+    let filled = drawn::<Fast, BlinnPhong>(&built, &camera, size);
     assert_eq!(constant, filled);
     let mut moving = reflet::MovingScene::<Sail>::new();
     moving.set_triangle(Sail::FORE, FACE, None).unwrap();
-    let moved = painted(&moving.frame(&camera).prepare(size).on(&moving).unwrap());
+    let moved = drawn::<Fast, BlinnPhong>(&moving, &camera, size);
     assert_ne!(constant, moved);
     moving
         .set_triangle(Sail::FORE, corners, Some(normals))
         .unwrap();
-    let back = painted(&moving.frame(&camera).prepare(size).on(&moving).unwrap());
+    let back = drawn::<Fast, BlinnPhong>(&moving, &camera, size);
     assert_eq!(constant, back);
 }

@@ -19,29 +19,74 @@ use crate::{enter_root, root, table, toolchain};
 /// is built in the repository.
 #[derive(Args, Debug)]
 pub struct Arguments {
-    /// The examples to copy [default: all]
-    #[arg(value_name = "EXAMPLE", value_parser = PossibleValuesParser::new(EXAMPLES.map(|(it, _)| it)))]
+    /// The boards whose examples are copied [default: all]
+    #[arg(value_name = "BOARD", value_parser = PossibleValuesParser::new(EXAMPLES.map(|it| it.board)))]
     examples: Vec<String>,
 }
 
-/// The examples that are packages of firmware, each with its target.
-const EXAMPLES: [(&str, &str); 6] = [
-    ("pico", "thumbv6m-none-eabi"),
-    ("pico2", "thumbv8m.main-none-eabihf"),
-    ("blackpill", "thumbv7em-none-eabihf"),
-    ("esp32c3", "riscv32imc-unknown-none-elf"),
-    ("microbit", "thumbv6m-none-eabi"),
-    ("riscv", "riscv32imac-unknown-none-elf"),
+/// The example for a board.
+#[derive(Clone, Copy)]
+pub(crate) struct Example {
+    board: &'static str,
+    folder: &'static str,
+    pub target: &'static str,
+    /// The program that shows the castle.
+    pub program: &'static str,
+}
+
+const fn example(
+    board: &'static str,
+    folder: &'static str,
+    target: &'static str,
+    program: &'static str,
+) -> Example {
+    Example {
+        board,
+        folder,
+        target,
+        program,
+    }
+}
+
+const EXAMPLES: [Example; 6] = [
+    example("pico", "pico", "thumbv6m-none-eabi", "pico"),
+    example("pico2", "pico", "thumbv8m.main-none-eabihf", "castle"),
+    example(
+        "blackpill",
+        "blackpill",
+        "thumbv7em-none-eabihf",
+        "blackpill",
+    ),
+    example(
+        "esp32c3",
+        "esp32c3",
+        "riscv32imc-unknown-none-elf",
+        "esp32c3",
+    ),
+    example("microbit", "small", "thumbv6m-none-eabi", "small"),
+    example("riscv", "small", "riscv32imac-unknown-none-elf", "small"),
 ];
+
+impl Example {
+    pub(crate) fn of(board: &str) -> Result<Self> {
+        let example = EXAMPLES.into_iter().find(|it| it.board == board);
+        example.with_context(|| format!("there is no example for {board}"))
+    }
+
+    /// Returns the path of its folder in the repository.
+    pub(crate) fn folder(self) -> PathBuf {
+        Path::new("examples").join(self.folder)
+    }
+}
 
 pub fn run(arguments: &Arguments) -> Result<()> {
     enter_root()?;
     let names = &arguments.examples;
-    let is_meant = |(name, _): &(&str, _)| names.is_empty() || names.iter().any(|it| it == name);
+    let is_meant = |name: &&str| names.is_empty() || names.iter().any(|it| it == name);
     let mut rows = Vec::new();
-    for (name, target) in EXAMPLES.into_iter().filter(is_meant) {
+    for name in EXAMPLES.map(|it| it.board).into_iter().filter(is_meant) {
         println!("copies: building {name} and its copy");
-        let [there, copied] = both(name, target)?;
+        let [there, copied] = both(name)?;
         let mut row = vec![name.to_owned()];
         row.extend([there, copied].map(|it| it.flash.to_string()));
         rows.push(row);
@@ -55,9 +100,9 @@ pub fn run(arguments: &Arguments) -> Result<()> {
 ///
 /// # Errors
 /// Fails if any loaded byte differs, or if the firmware contains no code.
-fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
-    let folder = Path::new("examples").join(name);
-    let there = toolchain::build_for_chip(target, &folder, &main_program(name)?)?;
+fn both(name: &str) -> Result<[Weight; 2]> {
+    let example = Example::of(name)?;
+    let there = toolchain::build_for_chip(example.target, &example.folder(), example.program)?;
     // The copy is built to the same place.
     let (weight, content) = (weigh(&there)?, fingerprint(&there)?);
     ensure!(
@@ -76,7 +121,8 @@ fn both(name: &str, target: &str) -> Result<[Weight; 2]> {
 
 /// Returns the firmware that a copy of an example builds. One build serves all tests.
 pub fn firmware(name: &str) -> Result<PathBuf> {
-    images::kept(&Path::new("examples").join(name), || build(name))
+    let example = Example::of(name)?;
+    images::kept(&example.folder(), example.target, || build(name))
 }
 
 /// Builds a copy of an example, and returns another program of it.
@@ -87,42 +133,37 @@ pub fn program(name: &str, program: &str) -> Result<PathBuf> {
 /// Copies an example out of the repository and builds the copy as its README says. Returns the
 /// firmware. What other packages for boards have compiled is not compiled again.
 fn build(name: &str) -> Result<PathBuf> {
-    build_changed(name, &main_program(name)?, |_| Ok(()))
+    build_changed(name, Example::of(name)?.program, |_| Ok(()))
 }
 
-/// Returns the name of an example's main program, which is that of its package.
-fn main_program(name: &str) -> Result<String> {
-    let manifest = root().join("examples").join(name).join("Cargo.toml");
-    let manifest = fs::read_to_string(manifest).context("an example has a manifest")?;
-    let mut lines = manifest.lines();
-    let program = lines.find_map(|line| line.strip_prefix("name = \"")?.strip_suffix('"'));
-    program.map(str::to_owned).context("a package has a name")
-}
-
-/// Builds a copy that draws another scene, as a person would: writes its source to `src/scene.rs`, and its
-/// name into the line with `Shown`.
+/// Builds a copy that draws another scene, as a person would: writes its source over `scene.rs`, and its name into the
+/// line with `Shown`.
 pub fn build_with_scene(name: &str, source: &str, scene: &str) -> Result<PathBuf> {
+    let Example {
+        folder, program, ..
+    } = Example::of(name)?;
     // A package of another name: cargo takes packages of one name for the same, wherever they are.
-    let program = format!("{name}_scene");
-    build_changed(name, &program, |copy| {
-        let change = |file: &str, old: &str, new: &str| {
+    let package = format!("{folder}_scene");
+    let (sources, built) = match program == folder {
+        true => (PathBuf::from("src"), &*package),
+        false => (Path::new("src/bin").join(program), program),
+    };
+    build_changed(name, built, |copy| {
+        let change = |file: &Path, old: &str, new: &str| {
             let file = copy.join(file);
             let text = fs::read_to_string(&file)?;
             ensure!(text.matches(old).count() == 1, "{}: {old}", file.display());
             Ok(fs::write(file, text.replace(old, new))?)
         };
-        fs::write(copy.join("src/scene.rs"), source)?;
-        change(
-            "src/main.rs",
-            "Castle as Shown",
-            &format!("{scene} as Shown"),
-        )?;
-        let old = format!("name = \"{name}\"");
-        let new = format!("name = \"{program}\"");
-        change("Cargo.lock", &old, &new)?;
-        change("Cargo.toml", &old, &new)?;
-        let run = |program: &str| format!("default-run = \"{program}\"");
-        change("Cargo.toml", &run(name), &run(&program))
+        fs::write(copy.join(&sources).join("scene.rs"), source)?;
+        let shown = |scene: &str| format!("{scene} as Shown");
+        change(&sources.join("main.rs"), &shown("Castle"), &shown(scene))?;
+        let name = |package: &str| format!("\nname = \"{package}\"\n");
+        for file in ["Cargo.lock", "Cargo.toml"] {
+            change(file.as_ref(), &name(folder), &name(&package))?;
+        }
+        let run = |package: &str| format!("default-run = \"{package}\"");
+        change("Cargo.toml".as_ref(), &run(folder), &run(&package))
     })
 }
 
@@ -132,15 +173,14 @@ fn build_changed(
     program: &str,
     change: impl FnOnce(&Path) -> Result<()>,
 ) -> Result<PathBuf> {
-    let example = EXAMPLES.into_iter().find(|(example, _)| *example == name);
-    let (_, target) = example.with_context(|| format!("there is no firmware package {name}"))?;
+    let example = Example::of(name)?;
     let place = tempfile::tempdir().context("there is no folder for a copy")?;
     let is_outside = !place.path().starts_with(root());
     ensure!(is_outside, "temporary files lie in the repository");
     let copy = place.path().join(name);
-    copy_example(&root().join("examples").join(name), &copy)?;
+    copy_example(&root().join(example.folder()), &copy)?;
     change(&copy)?;
-    toolchain::build_there(target, &copy, program)
+    toolchain::build_there(example.target, &copy, program)
 }
 
 /// Copies an example's folder. In the copy, the manifest names reflet by its absolute path.

@@ -1,7 +1,7 @@
 //! Boards that people own: their table, which [`crate::measure`] estimates frames a second from. Builds
 //! the firmware of an example, emulates it from the reset, and captures its display.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::{Context, Result};
@@ -11,6 +11,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use image::{Rgb, RgbImage};
 use reflet::scenes::NAMES;
 
+use crate::copies::Example;
 use crate::misuse::Misuse;
 use crate::screenshot::Arguments;
 use crate::{film, screenshot, toolchain};
@@ -29,7 +30,7 @@ pub struct Asked {
 /// A board with a display of 240 by 240 pixels, and the example for it.
 #[derive(Debug)]
 pub struct Owned {
-    /// Name of the example's folder, which is also that of the chore.
+    /// Name of the board, which is also that of the chore.
     pub name: &'static str,
     /// Name of the board in text.
     pub title: &'static str,
@@ -46,7 +47,6 @@ pub struct Owned {
     pub throws: Key,
     /// Whether a DMA sends rows while the next ones are traced.
     pub has_dma: bool,
-    pub target: &'static str,
     pub board: Board,
     /// Whether a key shows the next built-in scene. Otherwise the example only draws the first one.
     shows_all_scenes: bool,
@@ -61,7 +61,6 @@ pub static PICO: Owned = Owned {
     frame: 80,
     throws: Key::Right,
     has_dma: true,
-    target: "thumbv6m-none-eabi",
     board: Board::PICO,
     shows_all_scenes: true,
 };
@@ -75,7 +74,6 @@ pub static PICO_2: Owned = Owned {
     frame: 33,
     throws: Key::Right,
     has_dma: true,
-    target: "thumbv8m.main-none-eabihf",
     board: Board::PICO_2,
     shows_all_scenes: false,
 };
@@ -89,7 +87,6 @@ pub static BLACK_PILL: Owned = Owned {
     frame: 170,
     throws: Key::Select,
     has_dma: false,
-    target: "thumbv7em-none-eabihf",
     board: Board::BLACK_PILL,
     shows_all_scenes: false,
 };
@@ -141,7 +138,7 @@ impl Owned {
         let place = NAMES.iter().position(|name| *name == scene);
         let place = place.context("the names of the scenes are known")?;
         if place > 0 && !self.shows_all_scenes {
-            let words = format!("examples/{} draws {} only", self.name, NAMES[0]);
+            let words = format!("the example for {} draws {} only", self.title, NAMES[0]);
             return Err(Misuse::new(words).into());
         }
         Ok(vec![Key::Select; place])
@@ -149,13 +146,13 @@ impl Owned {
 
     /// Builds the example in its place.
     pub fn build(&self) -> Result<PathBuf> {
-        self.build_program(self.name)
+        self.build_program(Example::of(self.name)?.program)
     }
 
     /// Builds a program of the example in its place.
     pub fn build_program(&self, program: &str) -> Result<PathBuf> {
-        let folder = Path::new("examples").join(self.name);
-        toolchain::build_for_chip(self.target, &folder, program)
+        let example = Example::of(self.name)?;
+        toolchain::build_for_chip(example.target, &example.folder(), program)
     }
 }
 

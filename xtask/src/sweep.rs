@@ -1,5 +1,4 @@
-//! Counts the instructions of many settings of one scene on a core: one firmware draws them one
-//! after another.
+//! Counts the instructions of scenes in many settings on a core: one firmware draws them one after another.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
@@ -14,11 +13,11 @@ use crate::measure::{Core, Scene, Size, firmware, task};
 /// Time limit of a run.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
-pub struct Sweep<'a> {
+pub struct Sweep {
     pub core: &'static Core,
-    pub scene: &'a Scene,
     pub size: Size,
-    pub settings: &'a [Setting],
+    /// Scenes, each with its settings. At most the first is that of a file.
+    pub scenes: Vec<(Scene, Vec<Setting>)>,
 }
 
 /// A setting of a frame, which is lit in Blinn-Phong.
@@ -51,16 +50,18 @@ impl Setting {
     }
 }
 
-impl Sweep<'_> {
+impl Sweep {
     /// Builds the firmware and runs it. Calls `counted` for each setting, in the order of the settings.
     /// Builds for the same target run one after another.
     pub fn run(&self, mut counted: impl FnMut(Count)) -> Result<()> {
         let ticket = self.ticket();
         let job = |file: &Path| self.job(file, ticket);
-        let program = firmware::build_sweep(self.core, self.scene, job)?;
+        let file = self.scenes.first().and_then(|(scene, _)| scene.source());
+        let program = firmware::build_sweep(self.core, file, job)?;
         let emulator = self.core.counting_emulator().limit(LIMIT);
         let mut running = emulator.boot(&program)?;
-        for index in 0..self.settings.len() {
+        let runs = self.scenes.iter().flat_map(|(_, settings)| settings);
+        for index in 0..runs.count() {
             let line = running.line(|line| line.starts_with("measured "))?;
             let report = Report::find(&line)?;
             ensure!(
@@ -80,25 +81,31 @@ impl Sweep<'_> {
     /// Returns a number that identifies the task. The firmware sends it with every report.
     fn ticket(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
-        (self.core.name, self.size.to_string(), self.settings).hash(&mut hasher);
+        (self.core.name, self.size.to_string()).hash(&mut hasher);
+        for (scene, settings) in &self.scenes {
+            (scene.name(), settings).hash(&mut hasher);
+        }
         hasher.finish()
     }
 
     /// Returns the source that the firmware includes. `file` is the path of the source of a scene file's
     /// scene.
     fn job(&self, file: &Path, ticket: u64) -> String {
-        let (module, scene, view) = self.scene.names(file);
-        let order = task::order(self.size, ticket);
-        let mut source = format!("{order}{module}pub struct Seen;\n\n{view}");
-        source += "pub const RUNS: &[firmware::Run] = &[\n";
-        for setting in self.settings {
-            let quality = setting.quality.type_name();
+        let (mut source, mut runs) = (task::order(self.size, ticket), String::new());
+        for (index, (scene, settings)) in self.scenes.iter().enumerate() {
+            let (module, scene, view) = scene.names(file);
             source += &format!(
-                "    firmware::Run {{ reflections: {}, scale: {}, \
-                 draw: firmware::swept::<{scene}, Seen, reflet::quality::{quality}> }},\n",
-                setting.reflections, setting.scale
+                "mod scene{index} {{\n{module}pub type Scene = {scene};\npub struct Seen;\n\n{view}}}\n\n"
             );
+            for setting in settings {
+                let quality = setting.quality.type_name();
+                runs += &format!(
+                    "    firmware::Run {{ reflections: {}, scale: {}, draw: firmware::swept::<\
+                     scene{index}::Scene, scene{index}::Seen, reflet::quality::{quality}> }},\n",
+                    setting.reflections, setting.scale
+                );
+            }
         }
-        source + "];\n"
+        source + &format!("pub const RUNS: &[firmware::Run] = &[\n{runs}];\n")
     }
 }

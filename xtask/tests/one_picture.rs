@@ -3,36 +3,50 @@
 
 use std::thread;
 
-use command_line::{Settings, Source};
+use command_line::{Quality, Settings, Source};
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
 use reflet::scenes;
-use xtask::measure::{CORES, Core, Quality, Size as Pixels, pictures, record};
+use xtask::measure::{CORES, Core, Scene, Size as Pixels};
+use xtask::sweep::{Count, Setting, Sweep};
 
 const SIDE: u32 = 64;
 
 /// Returns the hash of a picture that is drawn here.
-fn hash(name: &str, quality: Quality) -> String {
-    let Quality::Fixed(quality) = quality else {
-        unreachable!("floats are another matter");
-    };
+fn hash(name: &str, quality: Quality) -> u64 {
     let source = Source::built_in(name).unwrap();
     let settings = Settings::blinn_phong(quality, 4);
     let picture = source.drawn(Size::new_equal(SIDE), settings);
     let mut hash = FrameHash::NONE;
     picture.pixels.into_iter().for_each(|pixel| hash.add(pixel));
-    format!("{:016x}", hash.value())
+    hash.value()
 }
 
 /// Checks that a core and this machine draw the same pictures.
 fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, Quality)]) {
     let core = Core::find(core).expect("it is in the list");
-    let there = pictures::hashes(core, Pixels::new(SIDE, SIDE), pictures);
-    let there = there.unwrap_or_else(|error| panic!("{error:#}"));
-    for (&(name, quality), there) in pictures.iter().zip(there) {
+    let scenes = pictures.iter().map(|&(name, quality)| {
+        let setting = Setting {
+            quality,
+            reflections: 4,
+            scale: 1,
+        };
+        (Scene::BuiltIn(name), vec![setting])
+    });
+    let sweep = Sweep {
+        core,
+        size: Pixels::new(SIDE, SIDE),
+        scenes: scenes.collect(),
+    };
+    let mut pictures = pictures.iter();
+    let compare = |there: Count| {
+        let &(name, quality) = pictures.next().expect("a picture for each count");
         let here = hash(name, quality);
-        assert_eq!(there, here, "{} {name}, {quality:?}", core.name);
-    }
+        assert_eq!(there.hash, here, "{} {name}, {quality:?}", core.name);
+    };
+    let swept = sweep.run(compare);
+    swept.unwrap_or_else(|error| panic!("{error:#}"));
+    assert_eq!(pictures.next(), None);
 }
 
 /// Pictures of an M4F and an M33 are compared by xtask/tests/boards: the Black Pill's and the Pico 2's. Those
@@ -41,11 +55,11 @@ fn are_the_same_pictures_as_here(core: &str, pictures: &[(&'static str, Quality)
 fn every_core_draws_the_same_pictures() {
     let cores = ["m0", "rv32"];
     let pictures = [
-        ("castle", Quality::FAST),
-        ("mirror1", Quality::FAST),
-        ("columns", Quality::SMALL),
-        ("primitives", Quality::DRAFT),
-        ("shading_lights", Quality::EXACT),
+        ("castle", Quality::Fast),
+        ("mirror1", Quality::Fast),
+        ("columns", Quality::Small),
+        ("primitives", Quality::Draft),
+        ("shading_lights", Quality::Exact),
     ];
     // A core is emulated while the firmware for the next one is built.
     thread::scope(|scope| {
@@ -55,31 +69,14 @@ fn every_core_draws_the_same_pictures() {
     });
 }
 
-/// xtask/tests/measure.rs holds the constant scenes to the kept hashes.
-#[test]
-fn scenes_filled_here_are_the_pictures_whose_hashes_are_kept() {
-    let kept = record::read(Core::M3).unwrap();
-    let kept = kept
-        .into_iter()
-        .filter(|it| it.quality == Quality::FAST.name());
-    let mut compared = 0;
-    for figures in kept {
-        assert_eq!(figures.size, "64x64");
-        let here = hash(&figures.scene, Quality::FAST);
-        assert_eq!(figures.hash, here, "{}", figures.scene);
-        compared += 1;
-    }
-    assert_eq!(compared, scenes::NAMES.len());
-}
-
 #[test]
 #[ignore = "long: all scenes in all qualities, on every core"]
 fn every_core_draws_every_scene_in_every_quality() {
     let qualities = [
-        Quality::DRAFT,
-        Quality::FAST,
-        Quality::SMALL,
-        Quality::EXACT,
+        Quality::Draft,
+        Quality::Fast,
+        Quality::Small,
+        Quality::Exact,
     ];
     for core in CORES {
         for name in scenes::NAMES {

@@ -1,14 +1,14 @@
 //! Tests the boards without a display: they draw the castle row by row, and the picture is the same
 //! as on this machine.
 
-use std::{fs, path::PathBuf, time::Duration};
+use std::{path::PathBuf, time::Duration};
 
 use embedded_graphics::geometry::Size;
 use frame_hash::FrameHash;
 
 use reflet::host::painted;
 use reflet::scenes::{BuiltIn, Castle};
-use xtask::{copies, emulator::qemu::Qemu, measure::weigh, root};
+use xtask::{copies, emulator::qemu::Qemu, measure::weigh};
 
 const SIDE: u32 = 240;
 
@@ -57,14 +57,4 @@ fn castle_on_risc_v_is_the_same_picture() {
     let program = build("riscv");
     let said = Qemu::riscv32().limit(LIMIT).run(&program);
     stack_of_right_picture(&said.unwrap_or_else(|error| panic!("{error}")));
-}
-
-/// Each example has its own copy, so that its folder can be copied out of the repository.
-#[test]
-fn stack_is_looked_at_alike_on_both_boards() {
-    let source = |board: &str| {
-        let path = root().join("examples").join(board).join("src/stack.rs");
-        fs::read_to_string(path).unwrap()
-    };
-    assert_eq!(source("microbit"), source("riscv"));
 }

@@ -53,17 +53,15 @@ impl digital::Error for Broken {
     }
 }
 
-#[derive(Clone)]
-struct Spi(Rc<RefCell<Wire>>);
+/// The SPI and the data/command pin.
+#[derive(Clone, Default)]
+struct Wires(Rc<RefCell<Wire>>);
 
-#[derive(Clone)]
-struct DataCommand(Rc<RefCell<Wire>>);
-
-impl spi::ErrorType for Spi {
+impl spi::ErrorType for Wires {
     type Error = Broken;
 }
 
-impl spi::SpiBus for Spi {
+impl spi::SpiBus for Wires {
     fn write(&mut self, words: &[u8]) -> Result<(), Broken> {
         let mut wire = self.0.borrow_mut();
         wire.call()?;
@@ -89,32 +87,28 @@ impl spi::SpiBus for Spi {
     }
 }
 
-impl digital::ErrorType for DataCommand {
+impl digital::ErrorType for Wires {
     type Error = Broken;
 }
 
-impl digital::OutputPin for DataCommand {
+impl digital::OutputPin for Wires {
     fn set_low(&mut self) -> Result<(), Broken> {
-        self.0.borrow_mut().call()?;
         self.0.borrow_mut().is_data = false;
-        Ok(())
+        self.0.borrow_mut().call()
     }
 
     fn set_high(&mut self) -> Result<(), Broken> {
-        self.0.borrow_mut().call()?;
         self.0.borrow_mut().is_data = true;
-        Ok(())
+        self.0.borrow_mut().call()
     }
 }
 
-type Display = Ssd0323<Spi, DataCommand>;
-
 /// Returns a display that has been set up, and its wire without the bytes of the set-up.
-fn display() -> (Display, Rc<RefCell<Wire>>) {
-    let wire = Rc::new(RefCell::new(Wire::default()));
-    let display = Ssd0323::new(Spi(wire.clone()), DataCommand(wire.clone())).unwrap();
-    wire.borrow_mut().sent.clear();
-    (display, wire)
+fn display() -> (Ssd0323<Wires, Wires>, Rc<RefCell<Wire>>) {
+    let wires = Wires::default();
+    let display = Ssd0323::new(wires.clone(), wires.clone()).unwrap();
+    wires.0.borrow_mut().sent.clear();
+    (display, wires.0)
 }
 
 fn commands(bytes: [u8; 6]) -> Vec<(char, u8)> {
@@ -199,9 +193,9 @@ fn fewer_colors_than_pixels_leave_the_rest_as_it_is() {
 
 #[test]
 fn display_is_black_and_only_then_switched_on() {
-    let wire = Rc::new(RefCell::new(Wire::default()));
-    Ssd0323::new(Spi(wire.clone()), DataCommand(wire.clone())).unwrap();
-    let sent = &wire.borrow().sent;
+    let wires = Wires::default();
+    Ssd0323::new(wires.clone(), wires.clone()).unwrap();
+    let sent = &wires.0.borrow().sent;
     assert_eq!(sent.first(), Some(&('c', 0xae)));
     assert_eq!(sent.last(), Some(&('c', 0xaf)));
     let data: Vec<_> = sent.iter().filter(|(letter, _)| *letter == 'd').collect();
@@ -231,12 +225,9 @@ fn error_of_spi_comes_back_from_the_call_that_draws() {
         assert_eq!(rows_sent, (calls + 1) / 9, "nothing more is drawn");
     }
     for calls in 0..50 {
-        let wire = Wire {
-            calls_left: Some(calls),
-            ..Wire::default()
-        };
-        let wire = Rc::new(RefCell::new(wire));
-        let failed = Ssd0323::new(Spi(wire.clone()), DataCommand(wire));
+        let wires = Wires::default();
+        wires.0.borrow_mut().calls_left = Some(calls);
+        let failed = Ssd0323::new(wires.clone(), wires);
         assert!(failed.is_err(), "set-up after {calls} calls");
     }
 }

@@ -1,5 +1,8 @@
 //! Connects the parts of the board to pins, and switches them on.
 
+#[path = "chip.rs"]
+pub mod chip;
+
 use core::fmt::Debug;
 
 use embedded_graphics::draw_target::DrawTarget;
@@ -11,22 +14,18 @@ use mipidsi::Builder;
 use mipidsi::interface::SpiInterface;
 use mipidsi::models::ST7789;
 use mipidsi::options::{ColorInversion, Orientation, Rotation};
-use rp2040_hal::clocks::{Clock, init_clocks_and_plls};
-use rp2040_hal::dma::DMAExt;
-use rp2040_hal::fugit::RateExtU32;
-use rp2040_hal::gpio::{DynPinId, FunctionSioInput, FunctionSpi, Pin, Pins, PullUp};
-use rp2040_hal::pac::{PPB, PSM, Peripherals};
-use rp2040_hal::sio::SioFifo;
-use rp2040_hal::{Sio, Spi, Timer, Watchdog};
 
 use crate::screen::Screen;
+use chip::Timer;
+use chip::hal::clocks::{Clock, init_clocks_and_plls};
+use chip::hal::dma::DMAExt;
+pub use chip::hal::entry;
+use chip::hal::gpio::{DynPinId, FunctionSioInput, FunctionSpi, Pin, Pins, PullUp};
+use chip::hal::pac::{PPB, PSM, Peripherals};
+use chip::hal::sio::SioFifo;
+use chip::hal::{Sio, Spi, Watchdog};
 
-/// Second stage of the boot loader. It makes the flash readable as memory.
-#[used]
-#[unsafe(link_section = ".boot2")]
-static BOOT2_FIRMWARE: [u8; 256] = rp2040_boot2::BOOT_LOADER_W25Q080;
-
-/// Frequency of the Raspberry Pi Pico's crystal, in Hz.
+/// Frequency of the crystal of both boards, in Hz.
 const CRYSTAL: u32 = 12_000_000;
 
 /// Input pin that a key connects to ground while it is pressed.
@@ -60,7 +59,10 @@ pub fn switch_on() -> Board {
         &mut Watchdog::new(chip.WATCHDOG),
     )
     .expect("the crystal oscillates");
+    #[cfg(rp2040)]
     let timer = Timer::new(chip.TIMER, &mut chip.RESETS, &clocks);
+    #[cfg(rp2350)]
+    let timer = Timer::new_timer0(chip.TIMER0, &mut chip.RESETS, &clocks);
     let sio = Sio::new(chip.SIO);
     let pins = Pins::new(
         chip.IO_BANK0,
@@ -82,7 +84,7 @@ pub fn switch_on() -> Board {
     let mut bus = Spi::<_, _, _, 8>::new(chip.SPI1, (data, clock)).init(
         &mut chip.RESETS,
         clocks.peripheral_clock.freq(),
-        31_250_000.Hz(),
+        clocks.peripheral_clock.freq() / 4,
         MODE_0,
     );
     let mut chip_select = pins.gpio9.into_push_pull_output();

@@ -7,12 +7,12 @@ use core::ops::Range;
 
 use cortex_m::singleton;
 use heapless::spsc::{Consumer, Producer, Queue};
-use rp2040_hal::Timer;
-use rp2040_hal::fugit::ExtU64;
-use rp2040_hal::multicore::{Multicore, Stack};
-use rp2040_hal::pac::{PPB, PSM};
-use rp2040_hal::sio::SioFifo;
 
+use crate::board::chip::Timer;
+use crate::board::chip::hal::fugit::ExtU64;
+use crate::board::chip::hal::multicore::{Multicore, Stack};
+use crate::board::chip::hal::pac::{PPB, PSM};
+use crate::board::chip::hal::sio::SioFifo;
 use crate::screen::{Line, Screen};
 use crate::view::{Rows, View};
 
@@ -60,14 +60,17 @@ impl Cores {
             }
             rows.row(area.start, &mut line);
             screen.show(area, &line);
+            // The second core may still trace.
+            stopped = stop();
             if let Some(other) = other {
                 match &mut self.second {
-                    Some(second) => line = second.answer(),
-                    None => rows.row(other.start, &mut line),
+                    Some(second) => screen.show(other, &second.answer()),
+                    None => {
+                        rows.row(other.start, &mut line);
+                        screen.show(other, &line);
+                    }
                 }
-                screen.show(other, &line);
             }
-            stopped = stop();
         }
         screen.send();
         stopped

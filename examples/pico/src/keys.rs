@@ -6,10 +6,10 @@ use core::mem::replace;
 
 use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::InputPin;
-use rp2040_hal::Timer;
-use rp2040_hal::gpio::Interrupt;
 
 use crate::board::KeyPin;
+use crate::board::chip::Timer;
+use crate::board::chip::hal::gpio::Interrupt;
 
 /// Action that a key asks for.
 #[derive(Clone, Copy)]
@@ -59,6 +59,12 @@ impl Keys {
         pressed
     }
 
+    /// Returns the request of a key that is held down.
+    pub fn held(&mut self) -> Option<Request> {
+        let mut keys = self.keys.iter_mut();
+        keys.find_map(|(contact, request)| contact.is_held().then_some(*request))
+    }
+
     /// Waits until a key is pressed, and returns its request.
     pub fn wait(&mut self) -> Request {
         loop {
@@ -72,7 +78,7 @@ impl Keys {
 /// The contact of one key.
 struct Contact {
     pin: KeyPin,
-    is_held: bool,
+    was_held: bool,
 }
 
 impl Contact {
@@ -83,7 +89,7 @@ impl Contact {
         pin.clear_interrupt(Interrupt::EdgeLow);
         Self {
             pin,
-            is_held: false,
+            was_held: false,
         }
     }
 
@@ -96,9 +102,16 @@ impl Contact {
     /// bounces, too.
     fn was_pressed(&mut self) -> bool {
         let has_closed = self.has_closed();
-        self.pin.clear_interrupt(Interrupt::EdgeLow);
-        let Ok::<bool, Infallible>(is_held) = self.pin.is_low();
-        let was_held = replace(&mut self.is_held, is_held);
+        if has_closed {
+            self.pin.clear_interrupt(Interrupt::EdgeLow);
+        }
+        let is_held = self.is_held();
+        let was_held = replace(&mut self.was_held, is_held);
         has_closed && !was_held
+    }
+
+    fn is_held(&mut self) -> bool {
+        let Ok::<bool, Infallible>(is_held) = self.pin.is_low();
+        is_held
     }
 }

@@ -1,4 +1,4 @@
-//! Shows the scenes of reflet on a Raspberry Pi Pico with an ST7789 of 240 by 240 pixels, five keys,
+//! Shows the scenes of reflet on a Raspberry Pi Pico or Pico 2 with an ST7789 of 240 by 240 pixels, five keys,
 //! and both cores. The README has the wiring.
 
 #![no_std]
@@ -6,6 +6,7 @@
 
 mod board;
 mod cores;
+#[allow(dead_code, reason = "what counts is that a key is pressed")]
 mod keys;
 mod screen;
 mod view;
@@ -21,7 +22,7 @@ use crate::keys::Keys;
 use crate::screen::SIDE;
 use crate::view::View;
 
-#[rp2040_hal::entry]
+#[board::entry]
 fn main() -> ! {
     rtt_init_print!();
     let Board {

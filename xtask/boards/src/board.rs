@@ -64,7 +64,7 @@ impl Board {
         keys: &PICO_KEYS,
     };
 
-    /// Raspberry Pi Pico 2, wired as in `examples/pico2`.
+    /// Raspberry Pi Pico 2, wired as in `examples/pico`.
     pub const PICO_2: Self = Self {
         chip: ChipKind::Rp2350,
         ..Self::PICO

@@ -9,9 +9,8 @@
 //! formats with `core::fmt` or can panic: where a linked program does, it is the contestant who
 //! needs it.
 //!
-//! Of three more programs, neither flash nor RAM is measured: `pictures` draws several scenes and reports
-//! hashes only, `sweep` goes through many settings of a scene for the package `report`, and `budget`
-//! draws frames with a budget, by the core's own clock.
+//! Of two more programs, neither flash nor RAM is measured: `sweep` goes through scenes in many settings, and
+//! `budget` draws frames with a budget, by the core's own clock.
 #![no_std]
 
 mod clock;
@@ -19,6 +18,8 @@ mod contestant;
 mod fault;
 mod moving;
 pub mod report;
+#[path = "../../../examples/small/src/stack.rs"]
+mod stack;
 mod sweep;
 
 use core::hint::black_box;
@@ -65,7 +66,7 @@ macro_rules! program {
 /// Draws a frame of contestant `C` row by row into `row`, reports and ends the emulation.
 pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
     let clock = Clock::start();
-    stack_peak::paint();
+    stack::paint();
     let mut hash = FrameHash::NONE;
     let mut scene = C::scene();
     let moved = C::moved(&clock, &mut scene);
@@ -83,7 +84,7 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
             hash.add([pixel.r(), pixel.g(), pixel.b()]);
         }
     }
-    let stack = stack_peak::peak();
+    let stack = stack::peak();
 
     if let Some(instructions) = moved {
         report::text("moved");
@@ -98,32 +99,4 @@ pub fn measure<C: Contestant>(order: &Order, row: &mut [Rgb888]) -> ! {
     report::number(" hash=", hash.value());
     report::text("\n");
     semihosting::process::exit(0)
-}
-
-/// Draws all pictures and ends the emulation.
-pub fn pictures(order: &Order, draws: &[Draw], row: &mut [Rgb888]) -> ! {
-    for draw in draws {
-        draw(order.size, row);
-    }
-    semihosting::process::exit(0)
-}
-
-/// A function that draws a picture of this size: [`picture`] of a contestant.
-pub type Draw = fn((u32, u32), &mut [Rgb888]);
-
-/// Draws a frame of contestant `C` row by row into `row` and reports the hash of its pixels. Counts
-/// nothing.
-pub fn picture<C: Contestant>(size: (u32, u32), row: &mut [Rgb888]) {
-    let mut hash = FrameHash::NONE;
-    let scene = C::scene();
-    let picture = C::prepare(&scene, size);
-    for y in 0..size.1 {
-        C::row((&scene, &picture), y, row);
-        for pixel in row.iter() {
-            hash.add([pixel.r(), pixel.g(), pixel.b()]);
-        }
-    }
-    report::text("picture");
-    report::number(" hash=", hash.value());
-    report::text("\n");
 }

@@ -107,11 +107,11 @@ impl<'a> Plan<'a> {
     fn count(&self, arguments: &Arguments, bar: &ProgressBar) -> Result<Vec<Count>> {
         let (name, core) = (self.source.name(), arguments.core);
         bar.set_message(one_line(&format!("{name} on {}", core.name)));
+        let scene = Scene::open(self.path, &arguments.chosen)?;
         let sweep = Sweep {
             core,
-            scene: &Scene::open(self.path, &arguments.chosen)?,
             size: Size::new(arguments.size.width, arguments.size.height),
-            settings: &self.settings,
+            scenes: vec![(scene, self.settings.clone())],
         };
         let mut counts = Vec::new();
         sweep.run(|count| {

@@ -11,9 +11,7 @@ use anyhow::{Context, Result, bail};
 use object::{Object, ObjectSection, SectionFlags, elf};
 use rustix::fs::FlockOperation;
 
-use super::{
-    build_profile::BuildProfile, cores::Core, images, ledger, scene::Scene, task, task::Task,
-};
+use super::{build_profile::BuildProfile, cores::Core, images, ledger, task, task::Task};
 use crate::toolchain;
 
 /// A first build compiles a dozen crates; later ones take seconds.
@@ -120,21 +118,16 @@ fn empty(task: &Task) -> Result<PathBuf> {
     program("empty", task.core, None, &source, task.profile)
 }
 
-/// Returns the program that draws several built-in scenes and reports a hash of each picture.
-pub(super) fn build_pictures(core: &Core, source: &str) -> Result<PathBuf> {
-    program("pictures", core, None, source, BuildProfile::RECOMMENDED)
-}
-
-/// The firmware that goes through several settings of a scene; `job` makes its source of the place
-/// where the source of a file's scene lies.
+/// The firmware that goes through several scenes and settings; `job` makes its source of the place where the source
+/// of a file's scene, `scene`, lies.
 pub(crate) fn build_sweep(
     core: &Core,
-    scene: &Scene,
+    scene: Option<&str>,
     job: impl FnOnce(&Path) -> String,
 ) -> Result<PathBuf> {
     let source = job(&Place::of(core).scene());
     let profile = BuildProfile::RECOMMENDED;
-    program("sweep", core, scene.source(), &source, profile)
+    program("sweep", core, scene, &source, profile)
 }
 
 /// Returns the program of this name for a job, and builds it if it is not there. `scene` is the source
@@ -164,7 +157,7 @@ fn program(
     let title = format!("{name} on {}: {}", core.name, summary(job));
     // A feature of its own lets the other programs be built without what only this one needs.
     let features: &[&str] = match name {
-        "pictures" | "sweep" => &["--features", name],
+        "sweep" => &["--features", name],
         _ => &[],
     };
     let chosen = [profile.arguments, &["--bin", name], features].concat();

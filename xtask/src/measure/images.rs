@@ -21,7 +21,7 @@ const SOURCES: [&str; 6] = [
     "xtask/firmware",
     "xtask/float_port",
     "xtask/frame_hash",
-    "xtask/stack_peak",
+    "examples/small/src/stack.rs",
 ];
 
 /// The image that is made of `key`, whether it is there or not. Images of older sources are removed.
@@ -73,11 +73,15 @@ pub fn sources() -> Result<u64> {
 /// Held while a package is built, so that tests that run side by side build it once.
 static BUILD: Mutex<()> = Mutex::new(());
 
-/// Returns the firmware that is made of a package outside of `xtask`, and builds it if it is not there.
-pub fn kept(package: &Path, build: impl FnOnce() -> Result<PathBuf>) -> Result<PathBuf> {
+/// Returns the firmware that is made of a package outside of `xtask` for a target, and builds it if it is not there.
+pub fn kept(
+    package: &Path,
+    target: &str,
+    build: impl FnOnce() -> Result<PathBuf>,
+) -> Result<PathBuf> {
     let mut hasher = DefaultHasher::new();
     add(&root().join(package), &mut hasher)?;
-    let image = place((package, hasher.finish()))?;
+    let image = place((package, target, hasher.finish()))?;
     let _one = BUILD.lock().unwrap_or_else(PoisonError::into_inner);
     if !image.is_file() {
         keep(&build()?, &image)?;

@@ -3,7 +3,7 @@
 //! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds it, and `images`
 //! keeps what was built; [`outcome`](mod@outcome) runs it, with each row's count from `clock_log`;
 //! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
-//! [`profiles`] measures the same code in several build profiles, [`pictures`] only draws, [`speed`] estimates
+//! [`profiles`] measures the same code in several build profiles, [`speed`] estimates
 //! frames a second, [`frames`] keeps those of boards that people own, [`yardstick`] the
 //! figures of scenes after ray tracers that others published, and [`units`] the cost of a ray, a bounce or a pixel.
 
@@ -21,7 +21,6 @@ pub mod moving;
 mod moving_record;
 pub(crate) mod outcome;
 mod page;
-pub mod pictures;
 pub mod profiles;
 pub mod record;
 pub mod scene;

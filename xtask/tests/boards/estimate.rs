@@ -46,7 +46,7 @@ fn estimate_is_within_10_percent_of_an_emulated_pico_2_whose_time_readme_has() {
 #[test]
 #[ignore = "builds two examples once more"]
 fn time_of_sending_is_what_an_emulated_board_takes_for_an_empty_scene() {
-    let source = fs::read_to_string(root().join("examples/pico2/src/scene.rs")).unwrap();
+    let source = fs::read_to_string(root().join("examples/blackpill/src/scene.rs")).unwrap();
     let source = source.replace("Castle", "Empty");
     for copied in [&PICO_2, &BLACK_PILL] {
         let owned = copied.owned;

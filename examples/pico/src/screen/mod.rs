@@ -9,13 +9,13 @@ use core::ops::Range;
 use cortex_m::singleton;
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use embedded_hal::{digital::OutputPin, spi::SpiBus};
-use rp2040_hal::dma::single_buffer::{Config, Transfer};
-use rp2040_hal::dma::{CH0, Channel};
-use rp2040_hal::gpio::bank0::{Gpio8, Gpio9, Gpio10, Gpio11};
-use rp2040_hal::gpio::{FunctionSioOutput, FunctionSpi, Pin, PullDown};
-use rp2040_hal::pac::SPI1;
-use rp2040_hal::spi::{Enabled, Spi};
 
+use crate::board::chip::hal::dma::single_buffer::{Config, Transfer};
+use crate::board::chip::hal::dma::{CH0, Channel};
+use crate::board::chip::hal::gpio::bank0::{Gpio8, Gpio9, Gpio10, Gpio11};
+use crate::board::chip::hal::gpio::{FunctionSioOutput, FunctionSpi, Pin, PullDown};
+use crate::board::chip::hal::pac::SPI1;
+use crate::board::chip::hal::spi::{Enabled, Spi};
 pub use line::{Line, SIDE};
 use line::{ROW, Wire};
 

@@ -1,6 +1,7 @@
 //! A scene that is being made: adds parts with random materials, lights and cameras. Never chooses
 //! which parts a scene has.
 
+use command_line::Shading;
 use reflet::host::reference::{
     Camera, Cylinder, Disc, Light, Material, Plane, Scene, Sphere, Triangle, Vector,
 };
@@ -22,6 +23,8 @@ pub struct Draft {
     pub scene: Scene,
     /// Number of reflections.
     pub reflections: u8,
+    /// How light shines on surfaces.
+    pub shading: Shading,
     camera: Camera,
 }
 
@@ -36,6 +39,7 @@ impl Draft {
                 ..Scene::default()
             },
             reflections: REFLECTIONS,
+            shading: Shading::BlinnPhong,
             camera: Camera {
                 position: [0.0; 3],
                 target: [0.0; 3],
@@ -52,6 +56,7 @@ impl Draft {
             scene: self.scene,
             camera: self.camera,
             reflections: self.reflections,
+            shading: self.shading,
         }
     }
 
@@ -204,8 +209,13 @@ impl Draft {
             false if offset.unit().across(UP).length() < 1e-3 => Vector([0.0, 1.0, 0.0]),
             false => UP,
         };
+        self.look(target + offset, target, up, fov);
+    }
+
+    /// Points a camera at `target`, with a field of view in degrees.
+    pub fn look(&mut self, position: Vector, target: Vector, up: Vector, fov: f64) {
         self.camera = Camera {
-            position: (target + offset).0,
+            position: position.0,
             target: target.0,
             up: up.0,
             fov,

@@ -1,5 +1,6 @@
-//! Random scenes that are hard to interpolate, in families. The same seed makes the same scenes.
+//! Random scenes in families, most of which are hard to interpolate. The same seed makes the same scenes.
 
+mod any;
 mod draft;
 mod facets;
 mod flat;
@@ -7,14 +8,12 @@ mod light;
 mod random;
 mod shapes;
 
-use clap::ValueEnum;
-
 use self::draft::Draft;
 use self::random::Random;
 use crate::case::Case;
 
 /// A family of random scenes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
     /// Thin rods and tiny spheres in all directions, also along the view.
     Thin,
@@ -36,11 +35,28 @@ pub enum Family {
     Fences,
     /// Meshes and needles of triangles, flat and smooth.
     Facets,
+    /// Anything at any scale, in any shading.
+    Any,
+    /// The same under lights that fall off.
+    Fading,
 }
 
 impl Family {
-    /// Returns the family's name in tables and on the command line.
-    pub fn name(self) -> String {
+    /// Those that lose pixels.
+    pub const ALL: [Self; 10] = [
+        Self::Thin,
+        Self::Sunk,
+        Self::Touching,
+        Self::Crowds,
+        Self::Wide,
+        Self::Mirrors,
+        Self::Far,
+        Self::Glossy,
+        Self::Fences,
+        Self::Facets,
+    ];
+
+    fn name(self) -> String {
         format!("{self:?}").to_lowercase()
     }
 
@@ -59,6 +75,8 @@ impl Family {
             Self::Glossy => light::glossy(&mut draft),
             Self::Fences => light::fences(&mut draft),
             Self::Facets => facets::facets(&mut draft),
+            Self::Any => any::any(&mut draft, false),
+            Self::Fading => any::any(&mut draft, true),
         }
         let name = format!("{}-{seed}-{number}", self.name());
         let name = match draft.reflections {
@@ -69,8 +87,9 @@ impl Family {
     }
 }
 
-/// Returns scene `index` of a run over several families, which take turns.
-pub fn scene_of_run(families: &[Family], seed: u64, index: usize) -> (Family, Case) {
-    let family = families[index % families.len()];
-    (family, family.case(seed, (index / families.len()) as u64))
+/// Returns scene `index` of a run over all families, which take turns.
+pub fn scene_of_run(seed: u64, index: usize) -> (Family, Case) {
+    let count = Family::ALL.len();
+    let family = Family::ALL[index % count];
+    (family, family.case(seed, (index / count) as u64))
 }

@@ -14,7 +14,7 @@ mod screen;
 // For a scene of yours, write `scene.rs` by `cargo xtask scene FILE.json`, and change this line.
 use crate::scene::{CAMERA, Harbour as Shown};
 
-#[rp2040_hal::entry]
+#[board::entry]
 fn main() -> ! {
     let mut screen = board::switch_on().screen;
     let Ok(_) = Shown::frame(&CAMERA).draw(&mut screen);

@@ -1,0 +1,63 @@
+//! Scenes that tests fill, their pictures, and how near these are to double precision. Knows no scene.
+#![allow(dead_code, reason = "not every test needs all of it")]
+
+use embedded_graphics::prelude::Size;
+use reflet::__private::Drawable;
+use reflet::host::compare::compare;
+use reflet::host::painted;
+use reflet::host::reference::{self, Picture, render};
+use reflet::quality::{Exact, Fast, Quality, Small};
+use reflet::shading::Shading;
+use reflet::{Camera, FrameBuilder, RuntimeScene, room};
+
+/// A scene with room for all that a test needs.
+pub type Scenery = RuntimeScene<
+    room!(spheres: 4, planes: 2, cylinders: 1, discs: 6, triangles: 90, lights: 3, materials: 4),
+>;
+
+/// Draws a scene with four reflections.
+pub fn drawn<Q: Quality, K: Shading>(
+    scene: &impl Drawable,
+    camera: &Camera,
+    size: Size,
+) -> Picture {
+    let frame = FrameBuilder::new(scene, camera);
+    let frame = frame.quality::<Q>().shading::<K>().prepare(size);
+    painted(&frame.on(scene).unwrap())
+}
+
+/// Checks the shares of pixels that are equal or within 1 of the reference, and the PSNR, in the qualities `Fast`, `Small`
+/// and `Exact`. Returns the pictures.
+#[track_caller]
+pub fn assert_near<K: Shading>(
+    (scene, camera): (&Scenery, &Camera),
+    size: Size,
+    shading: reference::Shading,
+    bars: [[f64; 3]; 3],
+) -> [Picture; 3] {
+    let exact = reference::Scene::from(&scene.description());
+    let truth = render(&exact, &camera.into(), size.width, size.height, 4, shading);
+    let built = scene.build().unwrap();
+    let pictures = [
+        drawn::<Fast, K>(&built, camera, size),
+        drawn::<Small, K>(&built, camera, size),
+        drawn::<Exact, K>(&built, camera, size),
+    ];
+    let names = ["fast", "small", "exact"].into_iter().zip(bars);
+    for ((name, [same, within1, psnr]), picture) in names.zip(&pictures) {
+        let found = compare(picture, &truth).unwrap();
+        println!("{name}: {found:?}");
+        let is_near = found.same >= same && found.within1 >= within1 && found.psnr >= psnr;
+        assert!(is_near, "{name}: {found:?}");
+    }
+    pictures
+}
+
+/// Returns the number of pixels that differ by more than `most` in a channel.
+pub fn apart(one: &Picture, other: &Picture, most: u8) -> usize {
+    let pairs = one.pixels.iter().zip(&other.pixels);
+    let differ = |(one, other): &(&[u8; 3], &[u8; 3])| {
+        one.iter().zip(*other).any(|(a, b)| a.abs_diff(*b) > most)
+    };
+    pairs.filter(differ).count()
+}
