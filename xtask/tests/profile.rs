@@ -34,7 +34,7 @@ fn total_is_what_measure_counts_but_for_the_calls() {
     let call = 1..=32;
     let beyond = counted.prepare - sums.stage(Stage::Preparation);
     assert!(call.contains(&beyond), "{beyond} for a call");
-    let beyond = counted.instructions - sums.total() - beyond;
+    let beyond = counted.instructions() - sums.total() - beyond;
     assert!(call.contains(&(beyond / ROWS)), "{beyond} for {ROWS} calls");
     for stage in STAGES {
         assert!(sums.stage(stage) > 0, "{stage:?}");

@@ -22,16 +22,9 @@ enum Machine {
     Riscv,
 }
 
-/// Where a core's firmware reads how many instructions it has executed.
-pub enum Clock {
-    /// The firmware reads a timer of the board, which follows the machine's time.
-    Timer { nanoseconds_per_tick: u32 },
-    /// The firmware reads the core's own counter of instructions.
-    Counter,
-}
-
-/// Every instruction of an Arm core takes 2^7 ns of the machine's time.
-pub const TIMER_SHIFT: u8 = 7;
+/// Every instruction of an Arm core takes 2^7 ns of the machine's time, by which a timer of its board
+/// goes; `xtask/firmware/src/clock.rs` reads it.
+const TIMER_SHIFT: u8 = 7;
 
 /// All of them. QEMU has no Cortex-M0 with a timer fine enough, so the M0's instructions run on an
 /// M3, which executes them all and counts them alike.
@@ -107,18 +100,5 @@ impl Core {
             // The core's own count is in nanoseconds of the machine's time.
             Machine::Riscv => 0,
         })
-    }
-
-    /// What the firmware counts by, as `xtask/firmware/src/clock.rs` has it.
-    pub fn clock(&self) -> Clock {
-        match self.machine {
-            Machine::Arm("mps2-an505") => Clock::Timer {
-                nanoseconds_per_tick: 50,
-            },
-            Machine::Arm(_) => Clock::Timer {
-                nanoseconds_per_tick: 40,
-            },
-            Machine::Riscv => Clock::Counter,
-        }
     }
 }

@@ -38,7 +38,7 @@ pub struct Figures {
 impl Figures {
     pub(super) fn new(task: &Task, outcome: &Outcome, weight: Weight) -> Self {
         let settings = task.settings;
-        let (worst_row, worst_row_instructions) = outcome.worst_row();
+        let (worst_row, worst_row_instructions) = outcome.worst_row;
         Self {
             core: task.core.name.to_owned(),
             scene: task.scene.name().to_owned(),
@@ -69,7 +69,7 @@ impl Figures {
 
 /// Returns the instructions of a frame over its pixels.
 pub(super) fn per_pixel(task: &Task, outcome: &Outcome) -> f64 {
-    tenths(outcome.instructions as f64 / task.settings.size.pixels() as f64)
+    tenths(outcome.instructions() as f64 / task.settings.size.pixels() as f64)
 }
 
 fn tenths(number: f64) -> f64 {

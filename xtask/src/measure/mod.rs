@@ -1,7 +1,7 @@
 //! `cargo xtask measure`: what a scene takes on a core, in instructions and bytes.
 //!
 //! [`task`] says what is measured, on which of the [`cores`]; [`firmware`] builds it, and `images`
-//! keeps what was built; [`outcome`](mod@outcome) runs it, with each row's count from `clock_log`;
+//! keeps what was built; [`outcome`](mod@outcome) runs it;
 //! [`figures`] is what comes out, [`record`] keeps it, and [`page`] makes `docs/boards.md` of it.
 //! [`profiles`] measures the same code in several build profiles, [`speed`] estimates
 //! frames a second, [`frames`] keeps those of boards that people own, [`yardstick`] the
@@ -9,7 +9,6 @@
 
 pub mod arguments;
 pub mod build_profile;
-mod clock_log;
 pub mod cores;
 pub mod figures;
 pub(crate) mod firmware;

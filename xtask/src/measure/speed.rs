@@ -117,9 +117,10 @@ impl Board {
 
     /// Returns the instructions of the core that takes the most.
     fn instructions(&self, outcome: &Outcome) -> u64 {
-        let cores = usize::from(self.cores());
-        let rows = |first| outcome.rows.iter().skip(first).step_by(cores).sum::<u64>();
-        outcome.prepare + (0..cores).map(rows).max().unwrap_or(0)
+        if self.cores() == 1 {
+            return outcome.instructions();
+        }
+        outcome.prepare + outcome.halves[0].max(outcome.halves[1])
     }
 
     /// Returns the estimate in words, or as a line of JSON.

@@ -53,7 +53,7 @@ impl Shot {
         let scene = Scene::open(&file("scenes"), &self.chosen())?;
         let mut task = Task::new(core, scene, self.size()?, Quality::Fixed(self.quality()?));
         task.settings.reflections = self.3;
-        Ok(outcome(&task)?.rows.iter().sum::<u64>() as f64)
+        Ok(outcome(&task)?.drawing() as f64)
     }
 
     /// Returns the number of rays of the same picture, drawn on this machine.
