@@ -6,6 +6,7 @@
 
 mod active_list;
 mod active_lists;
+mod beside;
 mod cap;
 pub(crate) mod drawable;
 mod fingerprint;

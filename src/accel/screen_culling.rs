@@ -8,9 +8,11 @@
 use super::World;
 use super::active_list::Window;
 use super::active_lists::ActiveLists;
+use super::beside::nearest_beside;
 use super::screen_bounds::ScreenBounds;
 use super::shadows::Pencil;
 use super::stretch::Stretch;
+use crate::number::to_u16;
 use crate::ray::{Ray, RowPlane, ScaledPoint};
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
@@ -115,6 +117,22 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         }
         let ray = (&ray.direction, self.mirrored.distance(ray));
         self.mirrored.nearest(world, column, ray)
+    }
+
+    /// Returns the nearest bounded shape that a ray hits, which goes through the row beside the centre of the pixel of
+    /// `column`. It is one of the camera, or its first reflection in the plane `mirror`.
+    pub(crate) fn beside(&self, world: &W, (mirror, column): (ShapeId, u32), ray: &Ray) -> Hit {
+        let rects = self.bounds.and_then(|bounds| match mirror {
+            ShapeId::NONE => Some(bounds.direct()),
+            _ => bounds.mirrored(world.parts().plane_index(mirror)?),
+        });
+        match rects.filter(|_| self.camera.is_some()) {
+            Some(rects) => {
+                let pixel = [to_u16(column), self.y];
+                nearest_beside(world, rects, pixel, (ray, mirror))
+            }
+            None => nearest_of(world, (ray, NOWHERE), mirror),
+        }
     }
 
     /// Makes the second list that of a plane and advances it to a window. Returns whether that is possible.

@@ -110,9 +110,21 @@ fn half_way_is_exact_with_the_bend_of_the_three() {
             let bent = bend(sums[start], sums[middle], sums[end]);
             let found = sums[start].half_way(sums[end], bent);
             assert!(found.less(sums[middle]).is_within(1), "{factors:?}");
-            // A quarter of the bend is that for half the distance.
-            let quarter = bend(sums[0], sums[4], sums[8]).quarter();
-            assert!(quarter.less(bend(sums[0], sums[2], sums[4])).is_within(1));
+        }
+    }
+}
+
+/// The halves of a stretch may have different lengths. Each expects the bend for its own.
+#[test]
+fn parabola_knows_its_bend_for_each_distance() {
+    for factors in [[0, 0, 5], [0, 700, -4], [64, -9000, 1 << 20]] {
+        let sums = curve(factors);
+        let parabola = Parabola::through([sums[0], sums[5], sums[11]], 5, 11);
+        for half in 1..6 {
+            let exact = bend(sums[0], sums[half], sums[2 * half]);
+            let found = parabola.bend(half as u32);
+            let off = (half * half) as i32 + 1;
+            assert!(found.less(exact).is_within(off), "{factors:?}, {half}");
         }
     }
 }

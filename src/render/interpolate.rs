@@ -246,17 +246,22 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         let direction = self.directions.of(column);
         if Q::ROWS > 1 {
             // The further samples of a smooth picture share the code.
-            return self.along(direction, Some(column), slot);
+            return self.along((true, column), direction, slot);
         }
         let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
-        self.tracer
-            .trace(Some((&self.window, column)), direction, stops)
+        let pixel = (Some(&self.window), column);
+        self.tracer.trace(pixel, direction, stops)
     }
 
-    /// Traces a path, out of line. `column` is that of the pixel through whose centre it goes, if it does.
+    /// Traces a path through a pixel of a column, out of line: through its centre if `is_center`.
     #[inline(never)]
-    fn along(&mut self, direction: Direction, column: Option<u32>, slot: usize) -> Traced {
-        let pixel = column.map(|column| (&self.window, column));
+    fn along(
+        &mut self,
+        (is_center, column): (bool, u32),
+        direction: Direction,
+        slot: usize,
+    ) -> Traced {
+        let pixel = (is_center.then_some(&self.window), column);
         let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
         self.tracer.trace(pixel, direction, stops)
     }

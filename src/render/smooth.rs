@@ -171,7 +171,8 @@ impl<'s, 'a, W: World, K: sealed::Shading, Q: Quality> SmoothColors<'s, 'a, W, K
             while edges != 0 {
                 let place = edges.trailing_zeros();
                 edges &= edges - 1;
-                let sample = self.row.sample(directions.beside(first + place, right));
+                let column = first + place;
+                let sample = self.row.sample(column, directions.beside(column, right));
                 self.samples[(place % CHUNK) as usize].add(sample);
             }
         }

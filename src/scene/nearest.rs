@@ -179,7 +179,7 @@ impl Nearest {
 
     /// Intersects a ray with a shape, unless the shape is `skip`.
     #[inline(always)]
-    fn ask<K: Bounded>(&mut self, shape: &K, ray: &Ray, id: ShapeId, skip: ShapeId) {
+    pub(crate) fn ask<K: Bounded>(&mut self, shape: &K, ray: &Ray, id: ShapeId, skip: ShapeId) {
         if id != skip {
             self.take(shape.intersect(ray, self.range()), id);
         }

@@ -28,7 +28,7 @@ use crate::{Camera, Material};
 const SIZE: (u32, u32) = (40, 32);
 
 /// Asserts for every pixel that the traced sum with screen culling equals the sum without, for which
-/// every ray tests every shape.
+/// every ray tests every shape: through its centre, and through a place near one of its corners.
 fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
     let generator = camera.generator(SIZE.0, SIZE.1);
     let from = world.parts().grid.place(camera.description().position);
@@ -47,15 +47,23 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         };
         let mut some = tracer(bounds.as_ref(), false);
         let mut all = tracer(Some(&everything), true);
+        let mut unbounded = tracer(None, true);
         let directions = generator.row(y);
         for x in 0..SIZE.0 {
-            let [some, all] = [&mut some, &mut all].map(|it| {
+            let [found, exact] = [&mut some, &mut all].map(|it| {
                 let window = it.advance(x / 4 * 4, x / 4 * 4 + 4);
                 let mut stops = Stops::NONE;
-                it.trace(Some((&window, x)), directions.of(x), (&mut stops, true))
+                it.trace((Some(&window), x), directions.of(x), (&mut stops, true))
                     .sum
             });
-            assert_eq!(some, all, "{name}: pixel {x}, {y} of {camera:?}");
+            assert_eq!(found, exact, "{name}: pixel {x}, {y} of {camera:?}");
+            let [right, down] = [x, y].map(|it| if it % 2 == 0 { -7 } else { 7 });
+            let direction = generator.row_below(y, down).beside(x, right);
+            let [found, exact] = [&mut some, &mut unbounded].map(|it| {
+                let mut stops = Stops::NONE;
+                it.trace((None, x), direction, (&mut stops, false)).sum
+            });
+            assert_eq!(found, exact, "{name}: beside pixel {x}, {y} of {camera:?}");
         }
     }
 }

@@ -11,6 +11,9 @@ use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Surface, planes};
 use crate::shade::highlight::sealed::Shading;
 
+/// The pixel of a path: its column, and a window that holds the column if the path goes through the pixel's centre.
+pub(crate) type Pixel<'a> = (Option<&'a Window>, u32);
+
 /// The latest reflection of a path, and the number of reflections.
 pub(super) struct Bounce {
     /// Number of reflections up to now.
@@ -31,12 +34,11 @@ impl Bounce {
 }
 
 impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
-    /// Returns the surface that a ray hits first, `None` if it hits nothing. `pixel` is that of the path, if the path goes
-    /// through the centre of one.
+    /// Returns the surface that a ray hits first, `None` if it hits nothing. `pixel` is that of the path.
     #[inline(always)]
     pub(super) fn surface(
         &mut self,
-        pixel: Option<(&Window, u32)>,
+        pixel: Pixel<'_>,
         ray: &ScaledRay,
         bounce: &Bounce,
     ) -> Option<Surface<'a>> {
@@ -74,7 +76,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Returns the first hit of a ray in the near region. Returns [`Hit::BEYOND`] for a ray that starts
     /// far away.
     #[inline(always)]
-    fn near_hit(&mut self, pixel: Option<(&Window, u32)>, ray: &ScaledRay, bounce: &Bounce) -> Hit {
+    fn near_hit(&mut self, pixel: Pixel<'_>, ray: &ScaledRay, bounce: &Bounce) -> Hit {
         if !ray.from().is_near() {
             return Hit::BEYOND;
         }
@@ -82,12 +84,15 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let parts = world.parts();
         let bounded = if !parts.has_bounded() {
             Hit::NONE
-        } else if let (Some((_, column)), 0) = (pixel, bounce.count) {
-            self.culling.direct(world, column, ray)
         } else {
-            match (pixel, parts.plane(skip)) {
-                (Some(pixel), Some(plane)) if bounce.count == 1 => {
+            match (pixel, bounce.count, parts.plane(skip)) {
+                ((Some(_), column), 0, _) => self.culling.direct(world, column, ray),
+                ((Some(window), column), 1, Some(plane)) => {
+                    let pixel = (window, column);
                     self.culling.mirrored(world, (skip, plane), pixel, ray)
+                }
+                ((None, column), 0, _) | ((None, column), 1, Some(_)) => {
+                    self.culling.beside(world, (skip, column), ray)
                 }
                 _ => nearest_ahead::<W, Q>(world, ray, (bounce.mirror, skip)),
             }

@@ -19,7 +19,7 @@ mod walk;
 
 use core::marker::PhantomData;
 
-use bounce::Bounce;
+use bounce::{Bounce, Pixel};
 use stops::STOPS;
 pub(crate) use stops::Stops;
 pub(crate) use stretch::Progress;
@@ -178,11 +178,10 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Follows one path from the camera in `direction`, and returns its colour and signature. Stores its
     /// hits in `stops` if pixels are interpolated and `is_read`. The signature has no meaning otherwise.
     ///
-    /// The path goes through the centre of the pixel of a column that lies in the window, or through none.
     #[inline(always)]
     pub(crate) fn trace(
         &mut self,
-        pixel: Option<(&Window, u32)>,
+        pixel: Pixel<'_>,
         direction: Direction,
         (stops, is_read): (&mut Stops, bool),
     ) -> Traced {

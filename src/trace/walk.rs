@@ -60,7 +60,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let mut ray = ScaledRay::new(self.visibility.from, direction);
         let (mut sum, mut throughput, mut bounce) = (Sum::DARK, Unit::ONE, Bounce::NONE);
         let end = loop {
-            let Some(surface) = self.surface(Some(pixel), &ray, &bounce) else {
+            let Some(surface) = self.surface((Some(pixel.0), pixel.1), &ray, &bounce) else {
                 break End::Missed;
             };
             let reflected = Self::reflected(world, &surface, throughput);

@@ -61,9 +61,9 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         }
     }
 
-    /// Returns the colour of a path that goes through no pixel's centre.
-    pub(crate) fn sample(&mut self, direction: Direction) -> Sum {
-        self.along(direction, None, UNREAD).sum
+    /// Returns the colour of a path that goes through a pixel of a column, but not through its centre.
+    pub(crate) fn sample(&mut self, column: u32, direction: Direction) -> Sum {
+        self.along((false, column), direction, UNREAD).sum
     }
 
     /// Returns what the path through the pixel of a column meets. The column comes after the last one that was handed
