@@ -5,8 +5,8 @@
 
 /// Calls the macro `$write` with the list of the bounded kinds of shapes.
 ///
-/// An optional second name `$next` is passed in front of the list: the macro to which `$write` hands the
-/// list on.
+/// An optional second token `$next` is passed in front of the list: the macro to which `$write` hands the
+/// list on, or a `$` with which `$write` declares a macro.
 ///
 /// The first group holds the const parameters of a scene's type in three spellings: declared with
 /// defaults, declared without, and named. The parameter of a new kind comes last and defaults to 0, so
@@ -23,7 +23,7 @@
 ///
 /// Rays test the kinds in the order of this list, and shapes are numbered in the same order.
 macro_rules! kinds {
-    ($write:ident $(, $next:ident)?) => {
+    ($write:ident $(, $next:tt)?) => {
         $write! {
             $($next)?
             {
@@ -72,13 +72,13 @@ macro_rules! kinds {
 macro_rules! __room {
     ($counts:expr) => {
         $crate::__private::Room<
-            { $crate::__private::Counts::parameter(&$counts, "S") },
-            { $crate::__private::Counts::parameter(&$counts, "P") },
-            { $crate::__private::Counts::parameter(&$counts, "C") },
-            { $crate::__private::Counts::parameter(&$counts, "L") },
-            { $crate::__private::Counts::parameter(&$counts, "M") },
-            { $crate::__private::Counts::parameter(&$counts, "D") },
-            { $crate::__private::Counts::parameter(&$counts, "F") },
+            { $counts.spheres },
+            { $counts.planes },
+            { $counts.cylinders },
+            { $counts.lights },
+            { $counts.materials },
+            { $counts.discs },
+            { $counts.triangles },
         >
     };
 }

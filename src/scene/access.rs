@@ -16,6 +16,29 @@ use crate::shape::bounded::Bounded;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::Point;
 
+macro_rules! declare_of_kind {
+    ($d:tt $header:tt $({ $list:ident $($more:tt)* })*) => {
+        /// Asks a bounded shape of any kind. `of_kind!(parts, id, |shape| answer)` is the answer of the
+        /// shape with this number, or `None` if it is not bounded. No closure takes shapes of all kinds.
+        macro_rules! of_kind {
+            ($d parts:expr, $d id:expr, |$d shape:ident| $d answer:expr) => {
+                'asked: {
+                    let index = $d id.index();
+                    $(
+                        if let Some($d shape) = $d parts.$list.get(index) {
+                            break 'asked Some($d answer);
+                        }
+                        let index = index - $d parts.$list.len();
+                    )*
+                    let _ = index;
+                    None
+                }
+            };
+        }
+    };
+}
+kinds!(declare_of_kind, $);
+
 macro_rules! parts {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
@@ -107,6 +130,7 @@ macro_rules! parts {
 
         impl<$($header)*> PlainScene<Room<$($arguments)*>> {
             /// Returns the parts of the scene, in constant code.
+            #[inline(always)]
             pub(crate) const fn constant_parts(&self) -> Parts<'_> {
                 Parts {
                     $($list: used(&self.$list, self.counts.$list),)*
@@ -114,34 +138,6 @@ macro_rules! parts {
                     lights: used(&self.lights, self.counts.lights),
                     materials: used(&self.materials, self.counts.materials),
                     checkers: used(&self.checkers, self.counts.materials),
-                    ..self.values()
-                }
-            }
-        }
-
-        impl<R: Capacity> PlainScene<R> {
-            /// Returns the parts of the scene.
-            #[inline(always)]
-            pub(crate) fn parts(&self) -> Parts<'_> {
-                Parts {
-                    $($list: used(self.$list.as_ref(), self.counts.$list),)*
-                    planes: used(self.planes.as_ref(), self.counts.planes),
-                    lights: used(self.lights.as_ref(), self.counts.lights),
-                    materials: used(self.materials.as_ref(), self.counts.materials),
-                    checkers: used(self.checkers.as_ref(), self.counts.materials),
-                    ..self.values()
-                }
-            }
-
-            /// Returns the settings of the scene, with all lists empty.
-            #[inline(always)]
-            pub(crate) const fn values(&self) -> Parts<'_> {
-                Parts {
-                    $($list: &[],)*
-                    planes: &[],
-                    lights: &[],
-                    materials: &[],
-                    checkers: &[],
                     background: self.background,
                     brightest: self.brightest,
                     dimness: self.dimness,
@@ -155,6 +151,14 @@ macro_rules! parts {
     };
 }
 kinds!(parts);
+
+impl<R: Capacity> PlainScene<R> {
+    /// Returns the parts of the scene.
+    #[inline(always)]
+    pub(crate) fn parts(&self) -> Parts<'_> {
+        R::parts(self)
+    }
+}
 
 /// Returns `items` if `is_needed`, else an empty list, so that code for unneeded items is dropped.
 #[inline(always)]
