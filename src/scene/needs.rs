@@ -248,11 +248,9 @@ impl Needs {
     }
 
     /// Returns these needs for a scene whose shadow rays test all shapes.
-    pub(crate) const fn without_sets(self) -> Self {
-        Self {
-            sets: false,
-            ..self
-        }
+    pub(crate) const fn without_sets(mut self) -> Self {
+        self.sets = false;
+        self
     }
 
     /// Returns the features that both need.

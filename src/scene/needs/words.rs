@@ -74,53 +74,42 @@ const COLORS: Reasons = [
 /// Number of needs in the list that are not kinds of bounded shapes.
 const OTHERS: usize = 15;
 
-impl Needs {
-    /// Returns every need in words, the kinds of bounded shapes first.
-    pub const fn list(&self) -> [Need; KINDS + OTHERS] {
-        let (levels, others) = (self.levels(), self.others());
-        let mut list = [others[0]; KINDS + OTHERS];
-        let mut index = 0;
-        while index < KINDS {
-            let (name, level) = levels[index];
-            list[index] = Need::either(name, level > 0, SHAPES);
-            index += 1;
+macro_rules! list {
+    ($header:tt $({ $list:ident $($more:tt)* })*) => {
+        impl Needs {
+            /// Returns every need in words, the kinds of bounded shapes first.
+            pub const fn list(&self) -> [Need; KINDS + OTHERS] {
+                let has_shininess = !matches!(self.shininess, Shininess::None);
+                let has_mirrors = !matches!(self.mirrors, Mirrors::None);
+                let reflections = match self.reflections {
+                    0 if !has_mirrors => "nothing mirrors",
+                    0 => "none is followed",
+                    1 => "one",
+                    _ => "as many as the frame allows",
+                };
+                [
+                    $(Need::either(stringify!($list), self.$list, SHAPES),)*
+                    Need::either("planes", self.planes, SHAPES),
+                    Need::either("lights", self.lights, LIGHTS),
+                    Need::either("far_lights", self.far_lights, FAR_LIGHTS),
+                    Need::either("ranges", self.ranges, RANGES),
+                    Need::either("shadows", self.shadows, SHADOWS),
+                    Need::either("highlights", self.highlights, HIGHLIGHTS),
+                    Need::new("shininess", has_shininess, self.shininess.words()),
+                    Need::new("mirrors", has_mirrors, self.mirrors.words()),
+                    Need::new("reflections", self.reflections > 0, reflections),
+                    Need::either("mirrored", self.mirrored, MIRRORED),
+                    Need::either("sets", self.sets, SETS),
+                    Need::either("materials", self.materials, MATERIALS),
+                    Need::either("checkers", self.checkers, CHECKERS),
+                    Need::either("sky", self.sky, SKY),
+                    Need::either("colors", self.colors, COLORS),
+                ]
+            }
         }
-        while index < list.len() {
-            list[index] = others[index - KINDS];
-            index += 1;
-        }
-        list
-    }
-
-    /// Returns the needs that are not kinds of bounded shapes, in words.
-    const fn others(&self) -> [Need; OTHERS] {
-        let has_shininess = !matches!(self.shininess, Shininess::None);
-        let has_mirrors = !matches!(self.mirrors, Mirrors::None);
-        let reflections = match self.reflections {
-            0 if !has_mirrors => "nothing mirrors",
-            0 => "none is followed",
-            1 => "one",
-            _ => "as many as the frame allows",
-        };
-        [
-            Need::either("planes", self.planes, SHAPES),
-            Need::either("lights", self.lights, LIGHTS),
-            Need::either("far_lights", self.far_lights, FAR_LIGHTS),
-            Need::either("ranges", self.ranges, RANGES),
-            Need::either("shadows", self.shadows, SHADOWS),
-            Need::either("highlights", self.highlights, HIGHLIGHTS),
-            Need::new("shininess", has_shininess, self.shininess.words()),
-            Need::new("mirrors", has_mirrors, self.mirrors.words()),
-            Need::new("reflections", self.reflections > 0, reflections),
-            Need::either("mirrored", self.mirrored, MIRRORED),
-            Need::either("sets", self.sets, SETS),
-            Need::either("materials", self.materials, MATERIALS),
-            Need::either("checkers", self.checkers, CHECKERS),
-            Need::either("sky", self.sky, SKY),
-            Need::either("colors", self.colors, COLORS),
-        ]
-    }
+    };
 }
+kinds!(list);
 
 impl Shininess {
     const fn words(self) -> &'static str {
