@@ -21,27 +21,20 @@ pub(super) const fn brightest(
     let mut most = 0;
     let (colors, mut index) = (background.colors(), 0);
     while index < colors.len() {
-        let own = bits(colors[index].largest());
-        if own > most {
-            most = own;
-        }
+        most = larger(most, bits(colors[index].largest()));
         index += 1;
     }
     index = 0;
     while index < lights.len() {
-        let own = bits(lights[index].color.in_levels().largest());
-        if lights[index].disc().is_some() && own > most {
-            most = own;
+        if lights[index].disc().is_some() {
+            most = larger(most, bits(lights[index].color.in_levels().largest()));
         }
         index += 1;
     }
     index = 0;
     while index < materials.len() && index < checkers.len() {
         let color = materials[index].color.at_least(checkers[index].color);
-        let own = brightest_of(&materials[index], color, lights);
-        if own > most {
-            most = own;
-        }
+        most = larger(most, brightest_of(&materials[index], color, lights));
         index += 1;
     }
     // No material is brighter than 30, and no background than 16.
@@ -68,16 +61,17 @@ const fn brightest_of(material: &PreparedMaterial, color: Color, lights: &[Prepa
         let rounding = (lights.len() as u128 + 1) << 5;
         let all = received + bits(material.ambient) as u128 + rounding;
         let color = bits(color.components()[axis]) as u128;
-        let own = narrowed_unsigned_128((all * color).div_ceil(1 << 26));
-        if own > most {
-            most = own;
-        }
+        most = larger(most, narrowed_unsigned_128((all * color).div_ceil(1 << 26)));
         axis += 1;
     }
     most
 }
 
 /// Returns a brightness in steps of 2⁻²⁶. No brightness is negative.
+const fn larger(a: u64, b: u64) -> u64 {
+    if a > b { a } else { b }
+}
+
 const fn bits(brightness: Brightness) -> u64 {
     unsigned(brightness.to_bits()) as u64
 }
