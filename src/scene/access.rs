@@ -181,13 +181,10 @@ impl<'a> Parts<'a> {
     /// Tests whether a material has no colour of its own.
     pub(crate) const fn has_blank(&self) -> bool {
         let mut index = 0;
-        while index < self.materials.len() {
-            if !self.materials[index].has_own() {
-                return true;
-            }
+        while index < self.materials.len() && self.materials[index].has_own() {
             index += 1;
         }
-        false
+        index < self.materials.len()
     }
 
     /// Returns the smallest throughput with which a path can still change a channel by `change`, 0 to 1.
@@ -253,7 +250,7 @@ impl ShapeId {
     }
 }
 
-impl Parts<'_> {
+impl<'a> Parts<'a> {
     /// Returns the number of the first plane, which follows all bounded shapes.
     #[inline(always)]
     pub(super) fn first_plane(&self) -> u32 {
@@ -265,9 +262,7 @@ impl Parts<'_> {
     pub(crate) fn is_plane(&self, shape: ShapeId) -> bool {
         shape != ShapeId::NONE && shape.0 >= self.first_plane()
     }
-}
 
-impl<'a> Parts<'a> {
     /// Returns the plane with this number, or `None` if the shape is no plane.
     #[inline(always)]
     pub(crate) fn plane(&self, shape: ShapeId) -> Option<&'a PreparedPlane> {
@@ -277,9 +272,7 @@ impl<'a> Parts<'a> {
     /// Returns the index of a plane among the planes, or `None` if the shape is bounded.
     #[inline(always)]
     pub(crate) fn plane_index(&self, shape: ShapeId) -> Option<usize> {
-        shape
-            .0
-            .checked_sub(self.first_plane())
-            .map(|it| it as usize)
+        let index = shape.0.checked_sub(self.first_plane())?;
+        Some(index as usize)
     }
 }

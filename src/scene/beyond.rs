@@ -9,13 +9,10 @@ impl Parts<'_> {
     /// Tests whether rays that hit nothing show different colours: there is a sky, or the disc of a sun.
     pub(crate) const fn has_sky(&self) -> bool {
         let mut index = 0;
-        while index < self.lights.len() {
-            if self.lights[index].disc().is_some() {
-                return true;
-            }
+        while index < self.lights.len() && self.lights[index].disc().is_none() {
             index += 1;
         }
-        self.background.is_sky()
+        self.background.is_sky() || index < self.lights.len()
     }
 
     /// Returns what a ray in a direction shows that hits nothing. `has_sky` says whether there can be a sky or a disc:
