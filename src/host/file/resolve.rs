@@ -8,12 +8,8 @@ use alloc::vec::Vec;
 
 use super::document;
 use super::error::Problem;
-use crate::host::reference::{self, Camera, Checker, Light, Material, Scene};
+use crate::host::reference::{self, Camera, EPSILON, Light, Material, Scene};
 use crate::number::Number;
-
-/// Default of `epsilon` for a file that does not give it: how far above a surface shadow and reflected
-/// rays start, in scene units.
-const EPSILON: f64 = 1e-3;
 
 /// Returns the scene called `wanted`, or the only scene if `wanted` is `None`.
 pub(super) fn choose(
@@ -122,9 +118,6 @@ fn material(material: &document::Material) -> Material {
         specular: material.specular.unwrap_or(specular),
         shininess: material.shininess.unwrap_or(shininess),
         mirror: material.mirror.unwrap_or(mirror),
-        checker: material.checker.as_ref().map(|it| Checker {
-            color: it.color,
-            size: it.size.0,
-        }),
+        checker: material.checker,
     }
 }
