@@ -84,7 +84,7 @@ macro_rules! __room {
 }
 
 /// Writes what one line of a [`scene!`](crate::scene) stands for: the call that adds the part, its name,
-/// its handle, or the path of the type that describes the part.
+/// or its handle.
 ///
 /// A part and its arguments are token trees. With any other kind of fragment, the compiler loses the
 /// line on which the user wrote them.
@@ -108,38 +108,10 @@ macro_rules! __line {
         #[doc = $crate::__private::concat!(
             "Handle of a ", $crate::__private::stringify!($part), " that can move."
         )]
-        pub const $handle: $crate::Handle<$crate::__line!(described $part)> =
+        pub const $handle: $crate::Handle<$crate::__private::described::$part> =
             $crate::Handle::named(
                 <Self as $crate::__private::SceneLines>::NAMES,
                 $crate::__private::stringify!($handle),
             );
-    };
-    (described sphere) => {
-        $crate::description::Sphere
-    };
-    (described cylinder) => {
-        $crate::description::Cylinder
-    };
-    (described disc) => {
-        $crate::description::Disc
-    };
-    (described triangle) => {
-        $crate::description::Triangle
-    };
-    // These cannot move: `SceneBuilder` says so.
-    (described plane) => {
-        $crate::description::Plane
-    };
-    (described light) => {
-        $crate::description::Light
-    };
-    (described light_with_range) => {
-        $crate::description::Light
-    };
-    (described sun) => {
-        $crate::description::Light
-    };
-    (described sun_with_disc) => {
-        $crate::description::Light
     };
 }

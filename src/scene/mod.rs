@@ -37,7 +37,7 @@ pub(crate) use capacity::Array;
 pub use capacity::{Capacity, Counts, Room};
 pub use description::Description;
 pub use handle::Handle;
-pub use macros::SceneLines;
+pub use macros::{SceneLines, described};
 pub(crate) use needs::FEW;
 pub use needs::{Mirrors, MostReflections, Need, Needs, NeedsLimit, Shininess};
 pub(crate) use prepare::PlainScene;
