@@ -125,10 +125,9 @@ macro_rules! questions {
             let parts = world.parts();
             let first = 0;
             $(
-                let is_ahead = parts.$list.iter().enumerate().any(|(index, shape)| {
+                if parts.$list.iter().enumerate().any(|(index, shape)| {
                     ShapeId::at(first + index) != skip && shape.is_ahead(ray)
-                });
-                if is_ahead {
+                }) {
                     return true;
                 }
                 let first = first + parts.$list.len();

@@ -61,6 +61,16 @@ const fn at_least(length: Length, steps: i32) -> Length {
     }
 }
 
+/// The operator `?`, which constant functions do not have.
+macro_rules! attempt {
+    ($result:expr, |$fault:ident| $error:expr) => {
+        match $result {
+            Ok(value) => value,
+            Err($fault) => return Err($error),
+        }
+    };
+}
+
 macro_rules! prepare {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
@@ -91,10 +101,7 @@ macro_rules! prepare {
         impl<$($header)*> PlainScene<Room<$($arguments)*>> {
             /// Prepares a scene from a description whose parts were checked and fit the room.
             pub(crate) const fn prepare(scene: &Description<'_>) -> Result<Self, Error> {
-                let (grid, epsilon) = match laid(scene) {
-                    Ok(laid) => laid,
-                    Err(error) => return Err(error),
-                };
+                let (grid, epsilon) = attempt!(laid(scene), |error| error);
                 let mut prepared = Self {
                     $($list: [crate::shape::$prepared::NONE; $room],)*
                     planes: [PreparedPlane::NONE; P],
@@ -115,9 +122,7 @@ macro_rules! prepare {
                     },
                     moving: ShapeSet::NONE,
                 };
-                if let Err(error) = prepared.add_shapes(scene) {
-                    return Err(error);
-                }
+                attempt!(prepared.add_shapes(scene), |error| error);
                 prepared.note_what_touches();
                 let mut index = 0;
                 while index < scene.lights.len() && index < L {
@@ -125,9 +130,7 @@ macro_rules! prepare {
                     index += 1;
                 }
                 let lists = (&mut prepared.materials as &mut [_], &mut prepared.checkers as &mut [_]);
-                if let Err(error) = prepare_materials(lists, scene, &grid) {
-                    return Err(error);
-                }
+                attempt!(prepare_materials(lists, scene, &grid), |error| error);
                 prepared.brightest = brightest(
                     used(&prepared.materials, scene.materials.len()),
                     &prepared.checkers,
@@ -144,20 +147,15 @@ macro_rules! prepare {
                 $(
                     let mut index = 0;
                     while index < scene.$list.len() && index < self.$list.len() {
-                        let $kind = &scene.$list[index];
-                        self.$list[index] = match crate::shape::$prepared::prepare($kind, &self.grid) {
-                            Ok($kind) => $kind,
-                            Err(fault) => return Err(Error::at(stringify!($kind), index, fault)),
-                        };
+                        let $kind = crate::shape::$prepared::prepare(&scene.$list[index], &self.grid);
+                        self.$list[index] = attempt!($kind, |fault| Error::at(stringify!($kind), index, fault));
                         index += 1;
                     }
                 )*
                 let mut index = 0;
                 while index < scene.planes.len() && index < P {
-                    self.planes[index] = match PreparedPlane::prepare(&scene.planes[index], &self.grid) {
-                        Ok(plane) => plane,
-                        Err(fault) => return Err(Error::at("plane", index, fault)),
-                    };
+                    let plane = PreparedPlane::prepare(&scene.planes[index], &self.grid);
+                    self.planes[index] = attempt!(plane, |fault| Error::at("plane", index, fault));
                     index += 1;
                 }
                 Ok(())
@@ -211,10 +209,7 @@ const fn touches_another(parts: &Parts<'_>, number: usize) -> bool {
 
 /// Returns the grid of a scene, and its epsilon in steps; epsilon must be below 2²⁸ steps.
 const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), Error> {
-    let grid = match choose_grid(scene) {
-        Ok(grid) => grid,
-        Err(fault) => return Err(Error::of("scene", fault)),
-    };
+    let grid = attempt!(choose_grid(scene), |fault| Error::of("scene", fault));
     let epsilon = grid.length(scene.epsilon);
     if epsilon.to_bits() >= crate::ray::BALL {
         return Err(epsilon_above_the_shapes(scene));
@@ -252,10 +247,8 @@ const fn prepare_materials(
         let described = &scene.materials[index];
         let material = PreparedMaterial::new(described);
         if let Some(checker) = &described.described_checker() {
-            checkers[index] = match PreparedChecker::prepare(checker, grid) {
-                Ok(checker) => checker,
-                Err(fault) => return Err(Error::at("material", index, fault)),
-            };
+            let checker = PreparedChecker::prepare(checker, grid);
+            checkers[index] = attempt!(checker, |fault| Error::at("material", index, fault));
         }
         let brightest = material.color.at_least(checkers[index].color).largest();
         if is_too_bright(&material, brightest, scene.lights) {

@@ -140,7 +140,7 @@ impl<'a> Surface<'a> {
     }
 }
 
-impl Parts<'_> {
+impl<'a> Parts<'a> {
     /// Returns the outward normal of a shape at a near point on it, and the shape's material.
     #[inline(always)]
     pub(crate) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
@@ -185,6 +185,13 @@ impl Parts<'_> {
         let plane = || self.plane(shape).map(|it| it.material);
         of_kind!(self, shape, |it| it.material()).or_else(plane)
     }
+
+    /// Returns the checker of a material, as [`checker_of`] does.
+    #[inline(always)]
+    fn checker(&self, id: MaterialId) -> Option<&'a PreparedChecker> {
+        let is_seen = self.material(id).mirror < Unit::ONE;
+        self.checkers.get(id.index()).filter(|_| is_seen)
+    }
 }
 
 /// Returns the checker of a shape's material; that of a material without one is a single cell. `None` for a
@@ -192,13 +199,4 @@ impl Parts<'_> {
 pub(crate) fn checker_of<W: SceneAccess>(world: &W, shape: ShapeId) -> Option<&PreparedChecker> {
     let parts = world.parts();
     parts.checker(parts.material_of(shape)?)
-}
-
-impl<'a> Parts<'a> {
-    /// Returns the checker of a material, as [`checker_of`] does.
-    #[inline(always)]
-    fn checker(&self, id: MaterialId) -> Option<&'a PreparedChecker> {
-        let is_seen = self.material(id).mirror < Unit::ONE;
-        self.checkers.get(id.index()).filter(|_| is_seen)
-    }
 }
