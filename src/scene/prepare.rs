@@ -1,13 +1,13 @@
 //! Preparation: checks a description and converts it to the steps of its grid. It uses integers only, in
 //! constants and at run time.
 
+use super::Description;
 use super::access::Parts;
-use super::brightness::{brightest, dimness};
+use super::brightness::dimness;
 use super::capacity::{Capacity, Counts, Room};
 use super::description::EPSILON;
 use super::layout::choose_grid;
 use super::shape_set::ShapeSet;
-use super::{Description, used};
 use crate::background::PreparedBackground;
 use crate::camera::Camera;
 use crate::checker::PreparedChecker;
@@ -129,14 +129,8 @@ macro_rules! prepare {
                     prepared.lights[index] = PreparedLight::new(&scene.lights[index], &grid);
                     index += 1;
                 }
-                let lists = (&mut prepared.materials as &mut [_], &mut prepared.checkers as &mut [_]);
-                attempt!(prepare_materials(lists, scene, &grid), |error| error);
-                prepared.brightest = brightest(
-                    used(&prepared.materials, scene.materials.len()),
-                    &prepared.checkers,
-                    used(&prepared.lights, scene.lights.len()),
-                    &prepared.background,
-                );
+                attempt!(prepared.add_materials(scene), |error| error);
+                prepared.brightest = prepared.constant_parts().brightest_color();
                 prepared.dimness = dimness(prepared.brightest);
                 Ok(prepared)
             }
@@ -156,6 +150,26 @@ macro_rules! prepare {
                 while index < scene.planes.len() && index < P {
                     let plane = PreparedPlane::prepare(&scene.planes[index], &self.grid);
                     self.planes[index] = attempt!(plane, |fault| Error::at("plane", index, fault));
+                    index += 1;
+                }
+                Ok(())
+            }
+
+            /// Prepares the materials. Refuses a material that is too bright under the lights of its scene.
+            const fn add_materials(&mut self, scene: &Description<'_>) -> Result<(), Error> {
+                let mut index = 0;
+                while index < scene.materials.len() && index < M {
+                    let described = &scene.materials[index];
+                    let material = PreparedMaterial::new(described);
+                    if let Some(checker) = &described.described_checker() {
+                        let checker = PreparedChecker::prepare(checker, &self.grid);
+                        self.checkers[index] = attempt!(checker, |fault| Error::at("material", index, fault));
+                    }
+                    let brightest = material.color.at_least(self.checkers[index].color).largest();
+                    if is_too_bright(&material, brightest, scene.lights) {
+                        return Err(Error::at("material", index, ErrorKind::Brightness));
+                    }
+                    self.materials[index] = material;
                     index += 1;
                 }
                 Ok(())
@@ -234,30 +248,6 @@ const fn epsilon_above_the_shapes(scene: &Description<'_>) -> Error {
 pub(crate) fn extent_of(scene: &Description<'_>) -> Option<f64> {
     let grid = choose_grid(scene).ok()?;
     Some(f64::from(crate::ray::BALL) * crate::number::power_of_two(-grid.fraction_bits()))
-}
-
-/// Prepares the materials. Refuses a material that is too bright under the lights of its scene.
-const fn prepare_materials(
-    (materials, checkers): (&mut [PreparedMaterial], &mut [PreparedChecker]),
-    scene: &Description<'_>,
-    grid: &Grid,
-) -> Result<(), Error> {
-    let mut index = 0;
-    while index < scene.materials.len() && index < materials.len() && index < checkers.len() {
-        let described = &scene.materials[index];
-        let material = PreparedMaterial::new(described);
-        if let Some(checker) = &described.described_checker() {
-            let checker = PreparedChecker::prepare(checker, grid);
-            checkers[index] = attempt!(checker, |fault| Error::at("material", index, fault));
-        }
-        let brightest = material.color.at_least(checkers[index].color).largest();
-        if is_too_bright(&material, brightest, scene.lights) {
-            return Err(Error::at("material", index, ErrorKind::Brightness));
-        }
-        materials[index] = material;
-        index += 1;
-    }
-    Ok(())
 }
 
 /// Tests whether the light that a material sends out may exceed [`BRIGHTEST`] at any step of its sum.
