@@ -44,8 +44,11 @@ macro_rules! parts {
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
     ) => {
+        /// Names of the kinds of bounded shapes, in their order.
+        pub(crate) const KIND_NAMES: &[&str] = &[$(stringify!($kind)),*];
+
         /// Number of kinds of bounded shapes.
-        pub(crate) const KINDS: usize = [$(stringify!($list)),*].len();
+        pub(crate) const KINDS: usize = KIND_NAMES.len();
 
         /// The prepared lists and settings of a scene, as the kernels read them.
         #[derive(Clone, Copy, Debug)]

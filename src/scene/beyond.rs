@@ -40,13 +40,11 @@ impl Parts<'_> {
         const OFF: i32 = 1 << 8;
         let square = unit_product(turn, turn).to_bits();
         let bulge = (square >> 3) + (square >> 5) + OFF;
-        self.lights
-            .iter()
-            .filter_map(|it| it.disc())
-            .all(|(center, cosine)| {
-                let [one, other] = ends.map(|end| end.dot(center).to_bits());
-                let cosine = cosine.to_bits();
-                one.max(other) < cosine - bulge || one.min(other) > cosine + OFF
-            })
+        let mut discs = self.lights.iter().filter_map(|it| it.disc());
+        discs.all(|(center, cosine)| {
+            let [one, other] = ends.map(|end| end.dot(center).to_bits());
+            let cosine = cosine.to_bits();
+            one.max(other) < cosine - bulge || one.min(other) > cosine + OFF
+        })
     }
 }

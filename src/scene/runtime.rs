@@ -73,9 +73,7 @@ impl<R: Capacity> RuntimeScene<R> {
     /// [`ErrorKind::TooManyMaterials`] if the room is full.
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, Error> {
         let materials = &mut self.0.materials;
-        let index = materials.len;
-        let too_many = ErrorKind::TooManyMaterials;
-        materials.add(material, None, "material", too_many)?;
+        let index = materials.add(material, None, "material", ErrorKind::TooManyMaterials)?;
         Ok(list::id(index))
     }
 

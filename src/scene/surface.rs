@@ -106,10 +106,8 @@ impl<'a> Surface<'a> {
         if !W::NEEDS.checkers {
             return None;
         }
-        world
-            .parts()
-            .checker(self.number)
-            .filter(|it| it.has_cells())
+        let checker = world.parts().checker(self.number)?;
+        checker.has_cells().then_some(checker)
     }
 
     /// Returns the shape that rays from this point need not test: the surface's own. Returns

@@ -18,12 +18,11 @@ pub(super) fn choose(
 ) -> Result<document::Scene, Problem> {
     let is_meant = |at: &usize| wanted.is_none_or(|it| scenes[*at].name.as_deref() == Some(it));
     let mut meant = (0..scenes.len()).filter(is_meant);
+    let names = names(&scenes);
     match (meant.next(), meant.next(), wanted) {
         (Some(at), None, _) => Ok(scenes.swap_remove(at)),
         _ if scenes.is_empty() => Err(Problem::Empty),
-        (_, _, None) => Err(Problem::Undecided {
-            names: names(&scenes),
-        }),
+        (_, _, None) => Err(Problem::Undecided { names }),
         (Some(first), Some(second), Some(wanted)) => Err(Problem::Repeated {
             place: format!("scene {second}"),
             name: wanted.to_owned(),
@@ -31,7 +30,7 @@ pub(super) fn choose(
         }),
         (None, _, Some(wanted)) => Err(Problem::NotFound {
             wanted: wanted.to_owned(),
-            names: names(&scenes),
+            names,
         }),
     }
 }

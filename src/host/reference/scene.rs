@@ -187,7 +187,6 @@ pub struct Light {
     pub sun: Option<f64>,
     /// Range r of a lamp whose strength at the distance d is 1 / (1 + (d / r)²), in scene units; `None` if it does not
     /// fall off.
-    #[serde(default)]
     pub range: Option<f64>,
 }
 

@@ -71,11 +71,10 @@ impl<'a> RustSource<'a> {
     /// assert!(text.contains("pub struct Night {\n        background([0.0, 0.0, 0.5]);"));
     /// ```
     pub fn new(name: &'a str, scene: &'a Scene, camera: &Camera) -> Self {
+        let materials = 0..scene.materials.len();
         Self {
             name,
-            materials: (0..scene.materials.len())
-                .map(|it| it.to_string())
-                .collect(),
+            materials: materials.map(|it| it.to_string()).collect(),
             scene,
             camera: camera.clone(),
             motion: None,
