@@ -6,7 +6,7 @@ use super::{Mirrors, Shininess};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Need {
-    /// Name of the field of [`Needs`], such as `"mirrors"`.
+    /// Name of the field of [`Needs`](super::Needs), such as `"mirrors"`.
     pub name: &'static str,
     /// Whether the code for this feature is in the program.
     pub is_needed: bool,
