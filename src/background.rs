@@ -35,6 +35,13 @@ pub struct Sky {
     pub above: [Number; 3],
 }
 
+impl Sky {
+    /// Tests whether all its colours are in range.
+    const fn has_colors(&self) -> bool {
+        is_color(self.below) && is_color(self.horizon) && is_color(self.above)
+    }
+}
+
 /// Background as it is described.
 #[derive(Clone, Copy, Debug)]
 pub struct Background {
@@ -54,40 +61,25 @@ impl Background {
 
     /// Creates a sky, with its colours below, at the horizon and above.
     pub(crate) const fn of_sky(up: Position, [below, horizon, above]: [[Number; 3]; 3]) -> Self {
-        let sky = Sky {
-            up,
-            below,
-            horizon,
-            above,
-        };
         Self {
-            sky: Some(sky),
+            sky: Some(Sky {
+                up,
+                below,
+                horizon,
+                above,
+            }),
             ..Self::BLACK
         }
     }
 
     /// Returns what is wrong, and the part that is: a colour out of range, or an `up` of length zero.
     pub(crate) const fn fault(&self) -> Option<(&'static str, ErrorKind)> {
-        let Some(sky) = &self.sky else {
-            return match is_color(self.color) {
-                true => None,
-                false => Some(("scene", ErrorKind::Background)),
-            };
-        };
-        let Sky {
-            up,
-            below,
-            horizon,
-            above,
-        } = *sky;
-        if !up.is_in_range() {
-            Some(("sky", ErrorKind::Coordinate))
-        } else if up.magnitude() == 0 {
-            Some(("sky", ErrorKind::Sky))
-        } else if !(is_color(below) && is_color(horizon) && is_color(above)) {
-            Some(("sky", ErrorKind::Color))
-        } else {
-            None
+        match &self.sky {
+            None if !is_color(self.color) => Some(("scene", ErrorKind::Background)),
+            Some(sky) if !sky.up.is_in_range() => Some(("sky", ErrorKind::Coordinate)),
+            Some(sky) if sky.up.magnitude() == 0 => Some(("sky", ErrorKind::Sky)),
+            Some(sky) if !sky.has_colors() => Some(("sky", ErrorKind::Color)),
+            _ => None,
         }
     }
 }
@@ -96,14 +88,10 @@ impl Background {
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedBackground {
     /// Colour at the horizon, or of all rays if there is no sky.
-    horizon: Color,
-    sky: Option<PreparedSky>,
-}
-
-#[derive(Clone, Copy, Debug)]
-struct PreparedSky {
-    up: Direction,
+    /// Direction straight up; `None` without a sky. All three colours are then the same.
+    up: Option<Direction>,
     below: Color,
+    horizon: Color,
     above: Color,
 }
 
@@ -142,48 +130,38 @@ impl Beyond {
 impl PreparedBackground {
     /// Prepares a background that was checked.
     pub(crate) const fn new(background: &Background) -> Self {
-        let Some(sky) = &background.sky else {
-            return Self {
-                horizon: level(background.color),
-                sky: None,
-            };
+        let (up, [below, horizon, above]) = match &background.sky {
+            Some(sky) => (sky.up.direction(), [sky.below, sky.horizon, sky.above]),
+            None => (None, [background.color; 3]),
         };
         Self {
-            horizon: level(sky.horizon),
-            sky: match sky.up.direction() {
-                Some(up) => Some(PreparedSky {
-                    up,
-                    below: level(sky.below),
-                    above: level(sky.above),
-                }),
-                None => None,
-            },
+            up,
+            below: level(below),
+            horizon: level(horizon),
+            above: level(above),
         }
     }
 
     /// Tests whether rays in different directions show different colours.
     pub(crate) const fn is_sky(&self) -> bool {
-        self.sky.is_some()
+        self.up.is_some()
     }
 
     /// Returns the colours between which all that can be seen lie.
     pub(crate) const fn colors(&self) -> [Color; 3] {
-        match &self.sky {
-            Some(sky) => [sky.below, self.horizon, sky.above],
-            None => [self.horizon; 3],
-        }
+        [self.below, self.horizon, self.above]
     }
 
     /// Returns what a ray in a direction shows. `has_sky` says whether there can be a sky: if
     /// not, the direction is not read.
     #[inline(always)]
     pub(crate) fn beyond(&self, direction: Direction, has_sky: bool) -> Beyond {
-        let Some(sky) = self.sky.as_ref().filter(|_| has_sky) else {
+        let Some(up) = self.up.filter(|_| has_sky) else {
             return Beyond::of_one_color(self.horizon);
         };
-        let rise = direction.dot(sky.up).to_bits();
+        let rise = direction.dot(up).to_bits();
         let is_below = rise < 0;
-        let end = if is_below { sky.below } else { sky.above };
+        let end = if is_below { self.below } else { self.above };
         // The cosine may be above 1 by rounding. A component could then be below 0.
         let share = Unit::from_bits(rise.abs().min(Unit::ONE.to_bits()));
         Beyond {

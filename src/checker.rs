@@ -3,7 +3,7 @@
 use crate::color::Color;
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
-use crate::material::is_color;
+use crate::material::{are_same, is_color};
 use crate::number::{
     Number, low_word, narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128,
     sum_modulo_2_32, twos_complement, wide,
@@ -57,16 +57,7 @@ impl Checker {
 
     /// Tests whether two checkers are equal. It can be called in constants, unlike `==`.
     pub(crate) const fn same(&self, other: &Self) -> bool {
-        let mut axis = 0;
-        while axis < 3 {
-            let is_same =
-                self.color[axis].same(other.color[axis]) && self.size[axis].same(other.size[axis]);
-            if !is_same {
-                return false;
-            }
-            axis += 1;
-        }
-        true
+        are_same(self.color, other.color) && are_same(self.size, other.size)
     }
 }
 

@@ -31,21 +31,13 @@ pub struct Error {
 impl Error {
     /// Creates an error of a part that exists only once, such as the camera. It has no index.
     pub(crate) const fn of(part: &'static str, kind: ErrorKind) -> Self {
-        Self {
-            part,
-            index: None,
-            kind,
-        }
+        Self::new(part, None, kind)
     }
 
     /// Creates an error of one of several parts, such as a sphere; `index` counts from 0 within its
     /// kind.
     pub(crate) const fn at(part: &'static str, index: usize, kind: ErrorKind) -> Self {
-        Self {
-            part,
-            index: Some(index),
-            kind,
-        }
+        Self::new(part, Some(index), kind)
     }
 
     /// Creates an error of a part, with its index if it has one.

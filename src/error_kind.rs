@@ -3,8 +3,6 @@
 use core::fmt;
 
 // Messages of [`ErrorKind`] that are longer than a line.
-const COORDINATE: &str =
-    "coordinates and sizes must be finite and within -2^30 to 2^30 scene units";
 const TINY: &str = "radius, half the height and a triangle's altitudes must be at least 2^-22 of the scene's extent: \
     enlarge it or shrink the scene";
 const BELOW_EPSILON: &str = "radius and height must be larger than epsilon, which is 0.001 by default: \
@@ -12,13 +10,9 @@ const BELOW_EPSILON: &str = "radius and height must be larger than epsilon, whic
 const BRIGHTNESS: &str = "color * (ambient + the sum over lights of (diffuse + specular) * light color), \
     with and without color, must stay below 30: dim the material or the lights";
 const CORNERS: &str = "corners must not lie on one line: make the smallest altitude at least 2^-20 of the longest side";
-const CHECKER: &str =
-    "checker sizes must be 0 or 2^-27 to 2^16 of the scene's extent, and not all 0";
 const RANGE: &str = "range must be greater than 0 and at most 2^30 scene units: a light without one does not fall off";
-const NO_LIGHT: &str = "nothing lights the scene: add a light, or give a material some ambient";
 const NOTHING_MOVES: &str =
     "only bounded shapes of a constant scene can have a name and move: use a RuntimeScene";
-const MOTION: &str = "motion box must hold every part that moves, in every place: enlarge it";
 const NUMBER: &str =
     "text must be decimal digits with an optional sign, point and exponent, such as -1.5 or 2e-3";
 
@@ -166,7 +160,7 @@ macro_rules! faults {
                     Self::Normal => "normal must not be zero",
                     Self::Axis => "axis must not be zero",
                     Self::Corners => CORNERS,
-                    Self::Coordinate => COORDINATE,
+                    Self::Coordinate => "coordinates and sizes must be finite and within -2^30 to 2^30 scene units",
                     Self::Tiny => TINY,
                     Self::BelowEpsilon => BELOW_EPSILON,
                     Self::Extent => "extent must be larger than 2^-30 scene units: scale the scene up",
@@ -176,7 +170,7 @@ macro_rules! faults {
                     Self::Specular => "specular must be within 0 to 16",
                     Self::Shininess => "shininess must be within 0 to 2^20",
                     Self::Mirror => "mirror must be within 0 to 1",
-                    Self::Checker => CHECKER,
+                    Self::Checker => "checker sizes must be 0 or 2^-27 to 2^16 of the scene's extent, and not all 0",
                     Self::Background => "background components must be within 0 to 16",
                     Self::Sky => "up must not be zero",
                     Self::Sun => "direction must not be zero, and disc must be within 0 to 90 degrees",
@@ -194,10 +188,10 @@ macro_rules! faults {
                     Self::UnknownMaterial => "material does not exist in this scene: add it first",
                     Self::UnknownHandle => "handle is of another scene: use one that this scene returned",
                     Self::UnusedRoom => "room!(..) has room for more than the scene uses: lower it",
-                    Self::NoLight => NO_LIGHT,
+                    Self::NoLight => "nothing lights the scene: add a light, or give a material some ambient",
                     Self::TooManyMoving => "at most 16 shapes of a constant scene move: use a RuntimeScene",
                     Self::NothingMoves => NOTHING_MOVES,
-                    Self::Motion => MOTION,
+                    Self::Motion => "motion box must hold every part that moves, in every place: enlarge it",
                     Self::View => "target must differ from the position",
                     Self::Up => "up must not be zero or parallel to the view direction",
                     Self::FieldOfView => "fov must be between 0.001 and 179.999 degrees",

@@ -5,8 +5,8 @@
 
 /// Calls the macro `$write` with the list of the bounded kinds of shapes.
 ///
-/// An optional second name `$next` is passed in front of the list: the macro to which `$write` hands the
-/// list on.
+/// An optional second token `$next` is passed in front of the list: the macro to which `$write` hands the
+/// list on, or a `$` with which `$write` declares a macro.
 ///
 /// The first group holds the const parameters of a scene's type in three spellings: declared with
 /// defaults, declared without, and named. The parameter of a new kind comes last and defaults to 0, so
@@ -23,7 +23,7 @@
 ///
 /// Rays test the kinds in the order of this list, and shapes are numbered in the same order.
 macro_rules! kinds {
-    ($write:ident $(, $next:ident)?) => {
+    ($write:ident $(, $next:tt)?) => {
         $write! {
             $($next)?
             {
@@ -72,19 +72,19 @@ macro_rules! kinds {
 macro_rules! __room {
     ($counts:expr) => {
         $crate::__private::Room<
-            { $crate::__private::Counts::parameter(&$counts, "S") },
-            { $crate::__private::Counts::parameter(&$counts, "P") },
-            { $crate::__private::Counts::parameter(&$counts, "C") },
-            { $crate::__private::Counts::parameter(&$counts, "L") },
-            { $crate::__private::Counts::parameter(&$counts, "M") },
-            { $crate::__private::Counts::parameter(&$counts, "D") },
-            { $crate::__private::Counts::parameter(&$counts, "F") },
+            { $counts.spheres },
+            { $counts.planes },
+            { $counts.cylinders },
+            { $counts.lights },
+            { $counts.materials },
+            { $counts.discs },
+            { $counts.triangles },
         >
     };
 }
 
 /// Writes what one line of a [`scene!`](crate::scene) stands for: the call that adds the part, its name,
-/// its handle, or the path of the type that describes the part.
+/// or its handle.
 ///
 /// A part and its arguments are token trees. With any other kind of fragment, the compiler loses the
 /// line on which the user wrote them.
@@ -108,38 +108,10 @@ macro_rules! __line {
         #[doc = $crate::__private::concat!(
             "Handle of a ", $crate::__private::stringify!($part), " that can move."
         )]
-        pub const $handle: $crate::Handle<$crate::__line!(described $part)> =
+        pub const $handle: $crate::Handle<$crate::__private::described::$part> =
             $crate::Handle::named(
                 <Self as $crate::__private::SceneLines>::NAMES,
                 $crate::__private::stringify!($handle),
             );
-    };
-    (described sphere) => {
-        $crate::description::Sphere
-    };
-    (described cylinder) => {
-        $crate::description::Cylinder
-    };
-    (described disc) => {
-        $crate::description::Disc
-    };
-    (described triangle) => {
-        $crate::description::Triangle
-    };
-    // These cannot move: `SceneBuilder` says so.
-    (described plane) => {
-        $crate::description::Plane
-    };
-    (described light) => {
-        $crate::description::Light
-    };
-    (described light_with_range) => {
-        $crate::description::Light
-    };
-    (described sun) => {
-        $crate::description::Light
-    };
-    (described sun_with_disc) => {
-        $crate::description::Light
     };
 }

@@ -283,7 +283,7 @@ pub mod description {
 pub mod __private {
     pub use crate::accel::drawable::{Drawable, Everything};
     pub use crate::accel::{Apart, StaticScene};
-    pub use crate::scene::{Capacity, Counts, Room, SceneLines};
+    pub use crate::scene::{Capacity, Counts, Room, SceneLines, described};
     pub use core::clone::Clone;
     pub use core::fmt::Debug;
     pub use core::marker::Copy;

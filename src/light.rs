@@ -43,12 +43,7 @@ pub struct Light {
 
 impl Light {
     /// Placeholder for an unused slot in a list of described lights.
-    pub(crate) const NONE: Self = Self {
-        position: Position::ORIGIN,
-        color: [Number::ZERO; 3],
-        sun: None,
-        range: None,
-    };
+    pub(crate) const NONE: Self = Self::lamp(Position::ORIGIN, [Number::ZERO; 3]);
 
     /// Describes a lamp.
     pub(crate) const fn lamp(position: Position, color: [Number; 3]) -> Self {
@@ -71,19 +66,14 @@ impl Light {
     /// Describes a sun, with the angle of its disc in degrees.
     pub(crate) const fn sun(direction: Position, color: [Number; 3], disc: Number) -> Self {
         Self {
-            position: direction,
-            color,
             sun: Some(disc),
-            range: None,
+            ..Self::lamp(direction, color)
         }
     }
 
     /// Returns `"light"` or `"sun"`, as an error names the light.
     pub(crate) const fn kind(&self) -> &'static str {
-        match self.sun {
-            None => "light",
-            Some(_) => "sun",
-        }
+        if self.sun.is_some() { "sun" } else { "light" }
     }
 
     /// Checks the light. Returns the first fault, or `None` if all numbers are in range.

@@ -76,10 +76,8 @@ impl Material {
             color: numbers(color),
             ambient: Number::new(0.2),
             diffuse: Number::new(0.8),
-            specular: Number::ZERO,
             shininess: Number::ONE,
-            mirror: Number::ZERO,
-            checker: None,
+            ..Self::NONE
         }
         .checked()
     }
@@ -200,15 +198,11 @@ impl Material {
 
     /// Tests whether two materials are equal. It can be called in constants, unlike `==`.
     pub(crate) const fn same(&self, other: &Self) -> bool {
-        let ([r, g, b], [red, green, blue]) = (self.color, other.color);
-        r.same(red)
-            && g.same(green)
-            && b.same(blue)
-            && self.ambient.same(other.ambient)
-            && self.diffuse.same(other.diffuse)
-            && self.specular.same(other.specular)
-            && self.shininess.same(other.shininess)
-            && self.mirror.same(other.mirror)
+        are_same(self.color, other.color)
+            && are_same(
+                self.described_coefficients(),
+                other.described_coefficients(),
+            )
             && match (&self.checker, &other.checker) {
                 (Some(one), Some(other)) => one.same(other),
                 (None, None) => true,
@@ -241,6 +235,15 @@ impl Material {
 /// Tests whether every component of a colour is within 0 to [`Color::MAX`].
 pub(crate) const fn is_color([red, green, blue]: [Number; 3]) -> bool {
     red.is_within(0, Color::MAX) && green.is_within(0, Color::MAX) && blue.is_within(0, Color::MAX)
+}
+
+/// Tests whether all numbers are equal, in pairs. It can be called in constants, unlike `==`.
+pub(crate) const fn are_same<const N: usize>(one: [Number; N], other: [Number; N]) -> bool {
+    let mut index = 0;
+    while index < N && one[index].same(other[index]) {
+        index += 1;
+    }
+    index == N
 }
 
 /// Material as the kernels read it, in fixed point.
@@ -276,19 +279,12 @@ impl PreparedMaterial {
     pub(crate) const fn new(material: &Material) -> Self {
         let color = Color::from_numbers(material.color).in_levels();
         let is_black = color.largest().to_bits() == 0 && material.checker.is_none();
-        let [ambient, diffuse, specular] = match is_black {
-            true => [Brightness::ZERO; 3],
-            false => [
-                brightness(material.ambient),
-                brightness(material.diffuse),
-                brightness(material.specular),
-            ],
-        };
+        let lit = if is_black { &Material::NONE } else { material };
         Self {
             color,
-            ambient,
-            diffuse,
-            specular,
+            ambient: brightness(lit.ambient),
+            diffuse: brightness(lit.diffuse),
+            specular: brightness(lit.specular),
             shininess: Exponent::new(material.shininess),
             mirror: Unit::from_bits(material.mirror.quantised(30)),
         }

@@ -11,7 +11,7 @@ use crate::number::Length;
 use crate::ray::{Ray, RowPlane};
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::nearest::{Hit, Nearest, nearest_of};
-use crate::scene::{Description, Fillable, Room, used};
+use crate::scene::{Capacity, Description, Room, used};
 use crate::vector::{Direction, Point};
 
 macro_rules! active_lists {
@@ -21,7 +21,7 @@ macro_rules! active_lists {
             [$active_list:ident $active:tt] $($more:tt)* })*
     ) => {
         /// The capacity of a scene, with the memory for the active lists of each kind of shape.
-        pub trait ActiveRoom: Fillable {
+        pub trait ActiveRoom: Capacity {
             /// Prepares a description whose parts have been checked and fit the room.
             fn prepare(description: &Description<'_>) -> Result<Scene<Self>, Error>;
 

@@ -80,7 +80,7 @@ macro_rules! apart {
                 materials: used(&Copied::<T>::MATERIALS, T::SCENE.plain.counts.materials),
                 checkers: used(&Copied::<T>::CHECKERS, T::SCENE.plain.counts.materials),
                 grid: &Copied::<T>::GRID,
-                ..T::SCENE.plain.values()
+                ..T::SCENE.plain.constant_parts()
             };
 
             const LIGHT_OCCLUDERS: &'static [LightOccluders<Room<$($arguments)*>>] =

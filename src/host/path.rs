@@ -12,7 +12,7 @@ use crate::camera::Camera;
 use crate::number::{Number, power_of_two};
 use crate::ray::{ScaledPoint, ScaledRay};
 use crate::scene::Surface;
-use crate::scene::access::{Parts, SceneAccess, ShapeId};
+use crate::scene::access::{KIND_NAMES, Parts, SceneAccess, ShapeId};
 use crate::scene::query::nearest_hit;
 
 /// A ray of the fixed-point core, converted to doubles.
@@ -95,22 +95,17 @@ fn place_of<W: SceneAccess>(world: &W, ScaledPoint { point, scale }: ScaledPoint
     [0, 1, 2].map(|axis| middle[axis] + f64::from(steps[axis]) * step)
 }
 
-macro_rules! named {
-    ($header:tt $({ $list:ident $kind:ident $($more:tt)* })*) => {
-        /// Returns the kind of a shape, and its index among those of its kind.
-        fn shape_of(parts: &Parts<'_>, shape: ShapeId) -> (&'static str, usize) {
-            let index = shape.index();
-            $(
-                if index < parts.$list.len() {
-                    return (stringify!($kind), index);
-                }
-                let index = index - parts.$list.len();
-            )*
-            ("plane", index)
+/// Returns the kind of a shape, and its index among those of its kind.
+fn shape_of(parts: &Parts<'_>, shape: ShapeId) -> (&'static str, usize) {
+    let mut index = shape.index();
+    for (kind, length) in KIND_NAMES.iter().zip(parts.lengths()) {
+        if index < length {
+            return (kind, index);
         }
-    };
+        index -= length;
+    }
+    ("plane", index)
 }
-kinds!(named);
 
 #[cfg(all(feature = "host", feature = "scenes"))]
 #[cfg(test)]

@@ -16,13 +16,39 @@ use crate::shape::bounded::Bounded;
 use crate::shape::plane::PreparedPlane;
 use crate::vector::Point;
 
+macro_rules! declare_of_kind {
+    ($d:tt $header:tt $({ $list:ident $($more:tt)* })*) => {
+        /// Asks a bounded shape of any kind. `of_kind!(parts, id, |shape| answer)` is the answer of the
+        /// shape with this number, or `None` if it is not bounded. No closure takes shapes of all kinds.
+        macro_rules! of_kind {
+            ($d parts:expr, $d id:expr, |$d shape:ident| $d answer:expr) => {
+                'asked: {
+                    let index = $d id.index();
+                    $(
+                        if let Some($d shape) = $d parts.$list.get(index) {
+                            break 'asked Some($d answer);
+                        }
+                        let index = index - $d parts.$list.len();
+                    )*
+                    let _ = index;
+                    None
+                }
+            };
+        }
+    };
+}
+kinds!(declare_of_kind, $);
+
 macro_rules! parts {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
         $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*
     ) => {
+        /// Names of the kinds of bounded shapes, in their order.
+        pub(crate) const KIND_NAMES: &[&str] = &[$(stringify!($kind)),*];
+
         /// Number of kinds of bounded shapes.
-        pub(crate) const KINDS: usize = [$(stringify!($list)),*].len();
+        pub(crate) const KINDS: usize = KIND_NAMES.len();
 
         /// The prepared lists and settings of a scene, as the kernels read them.
         #[derive(Clone, Copy, Debug)]
@@ -107,6 +133,7 @@ macro_rules! parts {
 
         impl<$($header)*> PlainScene<Room<$($arguments)*>> {
             /// Returns the parts of the scene, in constant code.
+            #[inline(always)]
             pub(crate) const fn constant_parts(&self) -> Parts<'_> {
                 Parts {
                     $($list: used(&self.$list, self.counts.$list),)*
@@ -114,34 +141,6 @@ macro_rules! parts {
                     lights: used(&self.lights, self.counts.lights),
                     materials: used(&self.materials, self.counts.materials),
                     checkers: used(&self.checkers, self.counts.materials),
-                    ..self.values()
-                }
-            }
-        }
-
-        impl<R: Capacity> PlainScene<R> {
-            /// Returns the parts of the scene.
-            #[inline(always)]
-            pub(crate) fn parts(&self) -> Parts<'_> {
-                Parts {
-                    $($list: used(self.$list.as_ref(), self.counts.$list),)*
-                    planes: used(self.planes.as_ref(), self.counts.planes),
-                    lights: used(self.lights.as_ref(), self.counts.lights),
-                    materials: used(self.materials.as_ref(), self.counts.materials),
-                    checkers: used(self.checkers.as_ref(), self.counts.materials),
-                    ..self.values()
-                }
-            }
-
-            /// Returns the settings of the scene, with all lists empty.
-            #[inline(always)]
-            pub(crate) const fn values(&self) -> Parts<'_> {
-                Parts {
-                    $($list: &[],)*
-                    planes: &[],
-                    lights: &[],
-                    materials: &[],
-                    checkers: &[],
                     background: self.background,
                     brightest: self.brightest,
                     dimness: self.dimness,
@@ -155,6 +154,14 @@ macro_rules! parts {
     };
 }
 kinds!(parts);
+
+impl<R: Capacity> PlainScene<R> {
+    /// Returns the parts of the scene.
+    #[inline(always)]
+    pub(crate) fn parts(&self) -> Parts<'_> {
+        R::parts(self)
+    }
+}
 
 /// Returns `items` if `is_needed`, else an empty list, so that code for unneeded items is dropped.
 #[inline(always)]
@@ -177,13 +184,10 @@ impl<'a> Parts<'a> {
     /// Tests whether a material has no colour of its own.
     pub(crate) const fn has_blank(&self) -> bool {
         let mut index = 0;
-        while index < self.materials.len() {
-            if !self.materials[index].has_own() {
-                return true;
-            }
+        while index < self.materials.len() && self.materials[index].has_own() {
             index += 1;
         }
-        false
+        index < self.materials.len()
     }
 
     /// Returns the smallest throughput with which a path can still change a channel by `change`, 0 to 1.
@@ -249,7 +253,7 @@ impl ShapeId {
     }
 }
 
-impl Parts<'_> {
+impl<'a> Parts<'a> {
     /// Returns the number of the first plane, which follows all bounded shapes.
     #[inline(always)]
     pub(super) fn first_plane(&self) -> u32 {
@@ -261,9 +265,7 @@ impl Parts<'_> {
     pub(crate) fn is_plane(&self, shape: ShapeId) -> bool {
         shape != ShapeId::NONE && shape.0 >= self.first_plane()
     }
-}
 
-impl<'a> Parts<'a> {
     /// Returns the plane with this number, or `None` if the shape is no plane.
     #[inline(always)]
     pub(crate) fn plane(&self, shape: ShapeId) -> Option<&'a PreparedPlane> {
@@ -273,9 +275,7 @@ impl<'a> Parts<'a> {
     /// Returns the index of a plane among the planes, or `None` if the shape is bounded.
     #[inline(always)]
     pub(crate) fn plane_index(&self, shape: ShapeId) -> Option<usize> {
-        shape
-            .0
-            .checked_sub(self.first_plane())
-            .map(|it| it as usize)
+        let index = shape.0.checked_sub(self.first_plane())?;
+        Some(index as usize)
     }
 }

@@ -9,13 +9,10 @@ impl Parts<'_> {
     /// Tests whether rays that hit nothing show different colours: there is a sky, or the disc of a sun.
     pub(crate) const fn has_sky(&self) -> bool {
         let mut index = 0;
-        while index < self.lights.len() {
-            if self.lights[index].disc().is_some() {
-                return true;
-            }
+        while index < self.lights.len() && self.lights[index].disc().is_none() {
             index += 1;
         }
-        self.background.is_sky()
+        self.background.is_sky() || index < self.lights.len()
     }
 
     /// Returns what a ray in a direction shows that hits nothing. `has_sky` says whether there can be a sky or a disc:
@@ -43,13 +40,11 @@ impl Parts<'_> {
         const OFF: i32 = 1 << 8;
         let square = unit_product(turn, turn).to_bits();
         let bulge = (square >> 3) + (square >> 5) + OFF;
-        self.lights
-            .iter()
-            .filter_map(|it| it.disc())
-            .all(|(center, cosine)| {
-                let [one, other] = ends.map(|end| end.dot(center).to_bits());
-                let cosine = cosine.to_bits();
-                one.max(other) < cosine - bulge || one.min(other) > cosine + OFF
-            })
+        let mut discs = self.lights.iter().filter_map(|it| it.disc());
+        discs.all(|(center, cosine)| {
+            let [one, other] = ends.map(|end| end.dot(center).to_bits());
+            let cosine = cosine.to_bits();
+            one.max(other) < cosine - bulge || one.min(other) > cosine + OFF
+        })
     }
 }

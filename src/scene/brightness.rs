@@ -1,52 +1,12 @@
 //! An upper bound on the colours of a scene. It tells how much a path that is cut off can still lose.
 
 use super::access::Parts;
-use crate::background::PreparedBackground;
-use crate::checker::PreparedChecker;
 use crate::color::Color;
 use crate::light::PreparedLight;
 use crate::material::PreparedMaterial;
 use crate::number::{
     Brightness, Unit, narrowed, narrowed_unsigned, narrowed_unsigned_128, signed, unsigned,
 };
-
-/// Returns the largest component of any colour that a path can hit: the background's, or a material's
-/// at its brightest. Rounded up.
-pub(super) const fn brightest(
-    materials: &[PreparedMaterial],
-    checkers: &[PreparedChecker],
-    lights: &[PreparedLight],
-    background: &PreparedBackground,
-) -> Brightness {
-    let mut most = 0;
-    let (colors, mut index) = (background.colors(), 0);
-    while index < colors.len() {
-        let own = bits(colors[index].largest());
-        if own > most {
-            most = own;
-        }
-        index += 1;
-    }
-    index = 0;
-    while index < lights.len() {
-        let own = bits(lights[index].color.in_levels().largest());
-        if lights[index].disc().is_some() && own > most {
-            most = own;
-        }
-        index += 1;
-    }
-    index = 0;
-    while index < materials.len() && index < checkers.len() {
-        let color = materials[index].color.at_least(checkers[index].color);
-        let own = brightest_of(&materials[index], color, lights);
-        if own > most {
-            most = own;
-        }
-        index += 1;
-    }
-    // No material is brighter than 30, and no background than 16.
-    Brightness::from_bits(signed(narrowed_unsigned(most)))
-}
 
 /// Returns the largest component of (ambient + Σ over the lights of (diffuse + specular) · light) ·
 /// colour, in steps of 2⁻²⁶. Rounded up.
@@ -68,16 +28,17 @@ const fn brightest_of(material: &PreparedMaterial, color: Color, lights: &[Prepa
         let rounding = (lights.len() as u128 + 1) << 5;
         let all = received + bits(material.ambient) as u128 + rounding;
         let color = bits(color.components()[axis]) as u128;
-        let own = narrowed_unsigned_128((all * color).div_ceil(1 << 26));
-        if own > most {
-            most = own;
-        }
+        most = larger(most, narrowed_unsigned_128((all * color).div_ceil(1 << 26)));
         axis += 1;
     }
     most
 }
 
 /// Returns a brightness in steps of 2⁻²⁶. No brightness is negative.
+const fn larger(a: u64, b: u64) -> u64 {
+    if a > b { a } else { b }
+}
+
 const fn bits(brightness: Brightness) -> u64 {
     unsigned(brightness.to_bits()) as u64
 }
@@ -95,6 +56,33 @@ pub(super) const fn dimness(brightest: Brightness) -> Unit {
 }
 
 impl Parts<'_> {
+    /// Returns the largest component of any colour that a path can hit: the background's, or a material's
+    /// at its brightest. Rounded up.
+    pub(super) const fn brightest_color(&self) -> Brightness {
+        let mut most = 0;
+        let (colors, mut index) = (self.background.colors(), 0);
+        while index < colors.len() {
+            most = larger(most, bits(colors[index].largest()));
+            index += 1;
+        }
+        index = 0;
+        while index < self.lights.len() {
+            if self.lights[index].disc().is_some() {
+                most = larger(most, bits(self.lights[index].color.in_levels().largest()));
+            }
+            index += 1;
+        }
+        index = 0;
+        while index < self.materials.len() && index < self.checkers.len() {
+            let (material, checker) = (&self.materials[index], &self.checkers[index]);
+            let color = material.color.at_least(checker.color);
+            most = larger(most, brightest_of(material, color, self.lights));
+            index += 1;
+        }
+        // No material is brighter than 30, and no background than 16.
+        Brightness::from_bits(signed(narrowed_unsigned(most)))
+    }
+
     /// Tests whether nothing lights the scene: no light, no ambient light, and a surface that scatters
     /// light.
     pub(crate) const fn lacks_light(&self) -> bool {

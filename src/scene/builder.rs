@@ -174,20 +174,12 @@ impl<R: Capacity> SceneBuilder<R> {
     }
 }
 
-/// Writes the type of an argument in constant code: floats in place of `Position` and `Number`.
-macro_rules! plain {
-    (Position) => {
-        [f64; 3]
-    };
-    (Number) => {
-        f64
-    };
-    (Corners) => {
-        [[f64; 3]; 3]
-    };
-    (Normals) => {
-        Option<[[f64; 3]; 3]>
-    };
+/// The types of arguments in constant code: floats, by the names of the fields' types.
+mod plain {
+    pub type Position = [f64; 3];
+    pub type Number = f64;
+    pub type Corners = [[f64; 3]; 3];
+    pub type Normals = Option<[[f64; 3]; 3]>;
 }
 
 macro_rules! builder {
@@ -213,7 +205,7 @@ macro_rules! builder {
             $(
                 $(#[$doc])*
                 #[track_caller]
-                pub const fn $kind(mut self, $($field: plain!($type),)* material: Material) -> Self {
+                pub const fn $kind(mut self, $($field: plain::$type,)* material: Material) -> Self {
                     let index = self.described.$list.len;
                     self.described.$list.refuse_more(stringify!($kind), ErrorKind::$too_many);
                     let material = self.described.materials.id_of(material);

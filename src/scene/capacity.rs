@@ -3,6 +3,10 @@
 
 use core::fmt::Debug;
 
+use super::access::Parts;
+use super::description::{Described, Description};
+use super::prepare::PlainScene;
+
 /// An array of any length, as generic code uses it.
 pub trait Array<T>: AsRef<[T]> + AsMut<[T]> + Copy + Debug {
     /// Creates an array in which every item is `item`.
@@ -24,10 +28,16 @@ macro_rules! capacity {
         /// The number of parts of each kind that a scene has, or has room for.
         #[derive(Clone, Copy, Debug)]
         pub struct Counts {
-            $(pub(crate) $list: usize,)*
-            pub(crate) planes: usize,
-            pub(crate) lights: usize,
-            pub(crate) materials: usize,
+            $(
+                #[doc = concat!("Number of ", stringify!($list), ".")]
+                pub $list: usize,
+            )*
+            /// Number of planes.
+            pub planes: usize,
+            /// Number of lights.
+            pub lights: usize,
+            /// Number of materials.
+            pub materials: usize,
         }
 
         impl Counts {
@@ -56,20 +66,6 @@ macro_rules! capacity {
                     }
                 }
                 counts
-            }
-
-            /// Returns the count for one const parameter of [`Room`], by the parameter's name.
-            pub const fn parameter(&self, name: &str) -> usize {
-                $(
-                    if is_same(name, stringify!($room)) {
-                        return self.$list;
-                    }
-                )*
-                match name.as_bytes() {
-                    b"P" => self.planes,
-                    b"L" => self.lights,
-                    _ => self.materials,
-                }
             }
 
             /// Returns the number of bounded shapes of all kinds.
@@ -102,6 +98,17 @@ macro_rules! capacity {
 
             /// Number of parts of each kind that fit the room.
             const COUNTS: Counts;
+
+            // Constant functions, written for every room: they cannot be generic over rooms.
+
+            /// Returns an empty description with a black background and an epsilon of 0.001.
+            fn empty() -> Described<Self>;
+
+            /// Returns what is read of a description.
+            fn description(described: &Described<Self>) -> Description<'_>;
+
+            /// Returns the parts of a prepared scene.
+            fn parts(scene: &PlainScene<Self>) -> Parts<'_>;
         }
 
         impl<$($header)*> Capacity for Room<$($arguments)*> {
@@ -116,6 +123,19 @@ macro_rules! capacity {
                 lights: L,
                 materials: M,
             };
+
+            fn empty() -> Described<Self> {
+                Described::new()
+            }
+
+            fn description(described: &Described<Self>) -> Description<'_> {
+                described.description()
+            }
+
+            #[inline(always)]
+            fn parts(scene: &PlainScene<Self>) -> Parts<'_> {
+                scene.constant_parts()
+            }
         }
     };
 }
@@ -124,17 +144,11 @@ kinds!(capacity);
 /// Tests whether two names are equal, in constant code.
 pub(super) const fn is_same(one: &str, other: &str) -> bool {
     let (one, other) = (one.as_bytes(), other.as_bytes());
-    if one.len() != other.len() {
-        return false;
-    }
     let mut index = 0;
-    while index < one.len() {
-        if one[index] != other[index] {
-            return false;
-        }
+    while index < one.len() && index < other.len() && one[index] == other[index] {
         index += 1;
     }
-    true
+    index == one.len() && index == other.len()
 }
 
 #[cfg(test)]

@@ -98,9 +98,10 @@ const fn distance(from: Position, to: Position) -> u128 {
 pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, ErrorKind> {
     let middle = middle_of(scene);
     let is_bounded = scene.extent(0).is_some();
-    let shapes = match is_bounded {
-        true => radius_around(middle, scene),
-        false => nearest_plane(middle, scene.planes),
+    let (shapes, expanse) = if is_bounded {
+        (radius_around(middle, scene), EXPANSE)
+    } else {
+        (nearest_plane(middle, scene.planes), EXPANSE_OF_PLANES)
     };
     let room = room_of(scene);
     let furthest = smaller(COMPANIONS * shapes, larger(shapes, room));
@@ -114,10 +115,6 @@ pub(super) const fn choose_grid(scene: &Description<'_>) -> Result<Grid, ErrorKi
         radius = larger(radius, epsilon * LEAST_EPSILONS);
     }
     if !scene.planes.is_empty() {
-        let expanse = match is_bounded {
-            true => EXPANSE,
-            false => EXPANSE_OF_PLANES,
-        };
         radius = larger(radius, smaller(radius * expanse, room));
     }
     if radius < 1 << 34 {

@@ -134,8 +134,7 @@ impl<R: Capacity> RuntimeScene<R> {
     fn lit(&mut self, light: Light) -> Result<Handle<Light>, Error> {
         let (kind, fault) = (light.kind(), light.fault());
         let lights = &mut self.0.lights;
-        lights
-            .add(light, fault, kind, ErrorKind::TooManyLights)
-            .map(Handle::new)
+        let index = lights.add(light, fault, kind, ErrorKind::TooManyLights)?;
+        Ok(Handle::new(index))
     }
 }

@@ -20,6 +20,19 @@ pub trait SceneLines {
     const NAMES: &'static [(&'static str, &'static str)];
 }
 
+/// The types of the parts' descriptions, by the names of the parts. Only bounded shapes can move:
+/// `SceneBuilder` refuses to name other parts.
+pub mod described {
+    pub use crate::light::Light as light;
+    pub use crate::light::Light as light_with_range;
+    pub use crate::light::Light as sun;
+    pub use crate::light::Light as sun_with_disc;
+    pub use crate::shape::plane::Plane as plane;
+    pub use crate::shape::{
+        Cylinder as cylinder, Disc as disc, Sphere as sphere, Triangle as triangle,
+    };
+}
+
 /// Writes the type of a scene's room: how many parts of each kind the scene can hold.
 ///
 /// The lists are `spheres`, `planes`, `cylinders`, `discs`, `triangles`, `lights` and `materials`. A list that is not

@@ -4,6 +4,7 @@
 //! Each scene has a grid of its own. Its shapes fill a ball of 2²⁸ steps, whatever their size in scene
 //! units, so users never choose a binary point.
 
+#[macro_use]
 pub(crate) mod access;
 mod beyond;
 mod brightness;
@@ -36,13 +37,13 @@ pub(crate) use capacity::Array;
 pub use capacity::{Capacity, Counts, Room};
 pub use description::Description;
 pub use handle::Handle;
-pub use macros::SceneLines;
+pub use macros::{SceneLines, described};
 pub(crate) use needs::FEW;
 pub use needs::{Mirrors, MostReflections, Need, Needs, NeedsLimit, Shininess};
 pub(crate) use prepare::PlainScene;
 #[cfg(feature = "files")]
 pub(crate) use prepare::extent_of;
-pub use runtime::{Fillable, RuntimeScene};
+pub use runtime::RuntimeScene;
 pub(crate) use surface::Surface;
 
 /// Returns the first `count` items, or all items if there are fewer. Never panics.

@@ -37,9 +37,7 @@ macro_rules! motion {
                             return Err(ErrorKind::Motion);
                         }
                         let moved = crate::shape::$prepared::prepare($kind, &self.grid)?;
-                        let known = self.counts.$list;
-                        let old = self.$list.as_mut().get_mut(index).filter(|_| index < known);
-                        let old = old.ok_or(ErrorKind::UnknownHandle)?;
+                        let old = known(self.$list.as_mut(), self.counts.$list, index)?;
                         let material = old.material;
                         *old = moved.touching(true);
                         old.material = material;
@@ -93,13 +91,7 @@ impl<R: Capacity> PlainScene<R> {
         if !position.is_in_range() {
             return Err(error(ErrorKind::Coordinate));
         }
-        let known = self.counts.lights;
-        let light = self
-            .lights
-            .as_mut()
-            .get_mut(index)
-            .filter(|_| index < known);
-        let light = light.ok_or(error(ErrorKind::UnknownHandle))?;
+        let light = known(self.lights.as_mut(), self.counts.lights, index).map_err(error)?;
         if light.sun().is_some() && position.magnitude() == 0 {
             return Err(error(ErrorKind::Sun));
         }
@@ -119,6 +111,12 @@ impl<R: Capacity> PlainScene<R> {
             && holds(low.y, center.y, high.y, radius)
             && holds(low.z, center.z, high.z, radius)
     }
+}
+
+/// Returns the part with this index among the first `count`.
+fn known<T>(parts: &mut [T], count: usize, index: usize) -> Result<&mut T, ErrorKind> {
+    let known = parts.get_mut(index).filter(|_| index < count);
+    known.ok_or(ErrorKind::UnknownHandle)
 }
 
 /// Tests whether a ball lies between two opposite sides of the motion box, in steps along one axis.

@@ -32,41 +32,22 @@ impl Hit {
     };
 }
 
+impl Parts<'_> {
+    /// Returns the distance at which a ray hits the bounded shape `id`, within `range`.
+    #[inline(always)]
+    pub(crate) fn intersect(&self, id: ShapeId, ray: &Ray, range: Range) -> Option<Length> {
+        of_kind!(self, id, |shape| shape.intersect(ray, range)).flatten()
+    }
+
+    /// Tests whether a ray hits the bounded shape `id` before `reach`.
+    #[inline(always)]
+    pub(crate) fn blocks(&self, id: ShapeId, ray: &Ray, reach: Length) -> bool {
+        of_kind!(self, id, |shape| shape.blocks(ray, reach)).unwrap_or(false)
+    }
+}
+
 macro_rules! questions {
-    (
-        $header:tt
-        $({ $list:ident $($more:tt)* })*
-    ) => {
-        impl Parts<'_> {
-            /// Returns the distance at which a ray hits the bounded shape `id`, within `range`.
-            #[inline(always)]
-            pub(crate) fn intersect(&self, id: ShapeId, ray: &Ray, range: Range) -> Option<Length> {
-                let index = id.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        return shape.intersect(ray, range);
-                    }
-                    let index = index - self.$list.len();
-                )*
-                let _ = index;
-                None
-            }
-
-            /// Tests whether a ray hits the bounded shape `id` before `reach`.
-            #[inline(always)]
-            pub(crate) fn blocks(&self, id: ShapeId, ray: &Ray, reach: Length) -> bool {
-                let index = id.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        return shape.blocks(ray, reach);
-                    }
-                    let index = index - self.$list.len();
-                )*
-                let _ = index;
-                false
-            }
-        }
-
+    ($header:tt $({ $list:ident $($more:tt)* })*) => {
         /// Returns the nearest hit of a ray among all bounded shapes, beyond `start`. The distance counts
         /// from there.
         ///
@@ -144,10 +125,9 @@ macro_rules! questions {
             let parts = world.parts();
             let first = 0;
             $(
-                let is_ahead = parts.$list.iter().enumerate().any(|(index, shape)| {
+                if parts.$list.iter().enumerate().any(|(index, shape)| {
                     ShapeId::at(first + index) != skip && shape.is_ahead(ray)
-                });
-                if is_ahead {
+                }) {
                     return true;
                 }
                 let first = first + parts.$list.len();

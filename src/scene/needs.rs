@@ -9,13 +9,15 @@ pub use bound::{MostReflections, NeedsLimit};
 pub use finish::{Mirrors, Shininess};
 pub use words::Need;
 
-use finish::Finish;
-
 use super::access::{KINDS, Parts};
 use super::capacity::Counts;
 
 macro_rules! needs {
     (
+        {
+            { $($(#[$about:meta])* $first:ident [$($why:literal),*];)* }
+            { $($(#[$note:meta])* $last:ident [$($reason:literal),*];)* }
+        }
         $header:tt
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
             $set:ident $too_many:ident $without:ident $($more:tt)* })*
@@ -48,18 +50,7 @@ macro_rules! needs {
                 #[doc = concat!("Whether the scene has ", stringify!($list), ".")]
                 pub $list: bool,
             )*
-            /// Whether the scene has planes.
-            pub planes: bool,
-            /// Whether the scene has lights, and shapes that they can light.
-            pub lights: bool,
-            /// Whether a light is far away in comparison with the scene, or may be.
-            pub far_lights: bool,
-            /// Whether a light falls off with distance, or may.
-            pub ranges: bool,
-            /// Whether a shape may cast a shadow, on another shape or on itself.
-            pub shadows: bool,
-            /// Whether a light may cause a highlight on a surface.
-            pub highlights: bool,
+            $($(#[$about])* pub $first: bool,)*
             /// Powers that the highlights take: the most general one.
             pub shininess: Shininess,
             /// Surfaces that mirror: none, some or all.
@@ -71,35 +62,20 @@ macro_rules! needs {
             pub mirrored: bool,
             /// Whether shadow rays choose candidates among the shapes, because testing all takes longer.
             pub sets: bool,
-            /// Whether the scene has more than one material.
-            pub materials: bool,
-            /// Whether a material has a checker, or may have one.
-            pub checkers: bool,
-            /// Whether the background is a sky, or may be.
-            pub sky: bool,
-            /// Whether the scene has colours; a scene in grey computes one channel.
-            pub colors: bool,
+            $($(#[$note])* pub $last: bool,)*
         }
 
         impl Needs {
             /// Needs with every feature.
             pub const ALL: Self = Self {
                 $($list: true,)*
-                planes: true,
-                lights: true,
-                far_lights: true,
-                ranges: true,
-                shadows: true,
-                highlights: true,
+                $($first: true,)*
                 shininess: Shininess::Real,
                 mirrors: Mirrors::Some,
                 reflections: u8::MAX,
                 mirrored: true,
                 sets: true,
-                materials: true,
-                checkers: true,
-                sky: true,
-                colors: true,
+                $($last: true,)*
             };
 
             /// Returns needs with every feature, but only the kinds of bounded shapes with a count above
@@ -108,9 +84,25 @@ macro_rules! needs {
                 Self { $($list: counts.$list > 0,)* ..Self::ALL }
             }
 
-            /// Returns needs with every feature, but only the kinds of bounded shapes that both need.
-            const fn of_both_kinds(&self, other: &Self) -> Self {
-                Self { $($list: self.$list && other.$list,)* ..Self::ALL }
+            /// Returns the features that both need.
+            #[must_use]
+            pub const fn both(&self, other: &Self) -> Self {
+                Self {
+                    $($list: self.$list && other.$list,)*
+                    $($first: self.$first && other.$first,)*
+                    shininess: self.shininess.less(other.shininess),
+                    mirrors: self.mirrors.common(other.mirrors),
+                    reflections: match self.reflections < other.reflections {
+                        true => self.reflections,
+                        false => other.reflections,
+                    },
+                    mirrored: self.mirrored
+                        && other.mirrored
+                        && self.reflections > 0
+                        && other.reflections > 0,
+                    sets: self.sets && other.sets,
+                    $($last: self.$last && other.$last,)*
+                }
             }
 
             /// Returns name and level of each need that a limit may lower, the kinds of bounded shapes
@@ -118,21 +110,27 @@ macro_rules! needs {
             const fn levels(&self) -> [(&'static str, u8); KINDS + 14] {
                 [
                     $((stringify!($list), self.$list as u8),)*
-                    ("planes", self.planes as u8),
-                    ("lights", self.lights as u8),
-                    ("far_lights", self.far_lights as u8),
-                    ("ranges", self.ranges as u8),
-                    ("shadows", self.shadows as u8),
-                    ("highlights", self.highlights as u8),
+                    $((stringify!($first), self.$first as u8),)*
                     ("shininess", self.shininess as u8),
                     // First whether a surface mirrors, then whether a surface has a colour of its own.
                     ("mirrors", !matches!(self.mirrors, Mirrors::None) as u8),
                     ("mirrors", !matches!(self.mirrors, Mirrors::All) as u8),
                     ("mirrored", self.mirrored as u8),
-                    ("materials", self.materials as u8),
-                    ("checkers", self.checkers as u8),
-                    ("sky", self.sky as u8),
-                    ("colors", self.colors as u8),
+                    $((stringify!($last), self.$last as u8),)*
+                ]
+            }
+
+            /// Returns every need in words, the kinds of bounded shapes first.
+            pub const fn list(&self) -> [Need; KINDS + 15] {
+                [
+                    $(Need::either(stringify!($list), self.$list, words::SHAPES),)*
+                    $(Need::either(stringify!($first), self.$first, [$($why),*]),)*
+                    Need::of_shininess(self.shininess),
+                    Need::of_mirrors(self.mirrors),
+                    Need::of_reflections(self.reflections, self.mirrors),
+                    Need::either("mirrored", self.mirrored, words::MIRRORED),
+                    Need::either("sets", self.sets, words::SETS),
+                    $(Need::either(stringify!($last), self.$last, [$($reason),*]),)*
                 ]
             }
 
@@ -154,28 +152,35 @@ macro_rules! needs {
                 }
             )*
         }
-
     };
 }
-kinds!(needs);
-
-impl Parts<'_> {
-    /// Returns the needs of a scene with these parts.
-    pub(crate) const fn needs(&self) -> Needs {
-        let mut finish = Finish::new(&self.background, self.lights);
-        let mut number = 0;
-        while let Some((_, material)) = self.ball(number) {
-            finish.add(self, material);
-            number += 1;
-        }
-        let mut index = 0;
-        while index < self.planes.len() {
-            finish.add(self, self.planes[index].material);
-            index += 1;
-        }
-        Needs::of_room(&self.counts()).of_finish(&finish)
+// The needs that a scene either has or not, each with the reason why it has it and why not.
+kinds!(needs, {
+    {
+        /// Whether the scene has planes.
+        planes ["there are some", "there are none"];
+        /// Whether the scene has lights, and shapes that they can light.
+        lights ["there are some", "nothing is lit: ambient light only"];
+        /// Whether a light is far away in comparison with the scene, or may be.
+        far_lights ["a light may be far away in comparison with the scene", "every light is near"];
+        /// Whether a light falls off with distance, or may.
+        ranges ["a light falls off with distance, or may", "no light falls off with distance"];
+        /// Whether a shape may cast a shadow, on another shape or on itself.
+        shadows ["a shape may hide a light", "no light is hidden from what can be seen lit"];
+        /// Whether a light may cause a highlight on a surface.
+        highlights ["a specular coefficient is above 0", "no light shines on a specular surface"];
     }
-}
+    {
+        /// Whether the scene has more than one material.
+        materials ["there are several", "there is one at most: its numbers are constants"];
+        /// Whether a material has a checker, or may have one.
+        checkers ["a material has a checker, or may have one", "no material has one"];
+        /// Whether the background is a sky, or may be.
+        sky ["the background is a sky, or may be", "it has one colour"];
+        /// Whether the scene has colours; a scene in grey computes one channel.
+        colors ["something is not grey", "all is grey: one channel is worked out"];
+    }
+});
 
 /// Largest number of bounded shapes for which testing all takes less time than choosing candidates.
 pub(crate) const FEW: usize = 3;
@@ -215,80 +220,10 @@ impl Needs {
         }
     }
 
-    /// Returns these needs, lowered to what the materials and lights of a scene use.
-    const fn of_finish(self, finish: &Finish) -> Self {
-        let mirrors = match finish.mirrors {
-            [false, _] => Mirrors::None,
-            [true, true] => Mirrors::Some,
-            [true, false] => Mirrors::All,
-        };
-        let shininess = match self.lights {
-            true => finish.shininess,
-            false => Shininess::None,
-        };
-        Self {
-            far_lights: self.lights && finish.is_far,
-            ranges: self.lights && finish.has_ranges,
-            highlights: !matches!(shininess, Shininess::None),
-            shininess,
-            mirrors,
-            reflections: match mirrors {
-                Mirrors::None => 0,
-                _ => self.reflections,
-            },
-            // A single plane shows only the background. A sky depends on the ray, a colour does not.
-            mirrored: self.mirrored
-                && !matches!(mirrors, Mirrors::None)
-                && (self.reflections > 1 || finish.has_sky),
-            checkers: finish.has_checkers,
-            sky: finish.has_sky,
-            colors: !(finish.is_grey && (finish.is_lit_grey || !self.lights)),
-            ..self
-        }
-    }
-
     /// Returns these needs for a scene whose shadow rays test all shapes.
-    pub(crate) const fn without_sets(self) -> Self {
-        Self {
-            sets: false,
-            ..self
-        }
-    }
-
-    /// Returns the features that both need.
-    #[must_use]
-    pub const fn both(&self, other: &Self) -> Self {
-        Self {
-            planes: self.planes && other.planes,
-            lights: self.lights && other.lights,
-            far_lights: self.far_lights && other.far_lights,
-            ranges: self.ranges && other.ranges,
-            shadows: self.shadows && other.shadows,
-            highlights: self.highlights && other.highlights,
-            shininess: match (self.shininess as u8) < other.shininess as u8 {
-                true => self.shininess,
-                false => other.shininess,
-            },
-            mirrors: match (self.mirrors, other.mirrors) {
-                (Mirrors::Some, mirrors) | (mirrors, Mirrors::Some) => mirrors,
-                (Mirrors::All, Mirrors::All) => Mirrors::All,
-                _ => Mirrors::None,
-            },
-            reflections: match self.reflections < other.reflections {
-                true => self.reflections,
-                false => other.reflections,
-            },
-            mirrored: self.mirrored
-                && other.mirrored
-                && self.reflections > 0
-                && other.reflections > 0,
-            sets: self.sets && other.sets,
-            materials: self.materials && other.materials,
-            checkers: self.checkers && other.checkers,
-            sky: self.sky && other.sky,
-            colors: self.colors && other.colors,
-            ..self.of_both_kinds(other)
-        }
+    pub(crate) const fn without_sets(mut self) -> Self {
+        self.sets = false;
+        self
     }
 }
 

@@ -118,8 +118,6 @@ pub(super) fn others<W: SceneAccess>(
     skip: ShapeId,
 ) -> impl Iterator<Item = (ShapeId, &PreparedPlane)> {
     let parts = world.parts();
-    let numbers = (parts.first_plane()..).map(ShapeId);
-    numbers
-        .zip(parts.planes)
-        .filter(move |(number, _)| *number != skip)
+    let planes = (parts.first_plane()..).map(ShapeId).zip(parts.planes);
+    planes.filter(move |(number, _)| *number != skip)
 }

@@ -1,13 +1,13 @@
 //! Preparation: checks a description and converts it to the steps of its grid. It uses integers only, in
 //! constants and at run time.
 
+use super::Description;
 use super::access::Parts;
-use super::brightness::{brightest, dimness};
+use super::brightness::dimness;
 use super::capacity::{Capacity, Counts, Room};
 use super::description::EPSILON;
 use super::layout::choose_grid;
 use super::shape_set::ShapeSet;
-use super::{Description, used};
 use crate::background::PreparedBackground;
 use crate::camera::Camera;
 use crate::checker::PreparedChecker;
@@ -61,6 +61,16 @@ const fn at_least(length: Length, steps: i32) -> Length {
     }
 }
 
+/// The operator `?`, which constant functions do not have.
+macro_rules! attempt {
+    ($result:expr, |$fault:ident| $error:expr) => {
+        match $result {
+            Ok(value) => value,
+            Err($fault) => return Err($error),
+        }
+    };
+}
+
 macro_rules! prepare {
     (
         { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
@@ -91,10 +101,7 @@ macro_rules! prepare {
         impl<$($header)*> PlainScene<Room<$($arguments)*>> {
             /// Prepares a scene from a description whose parts were checked and fit the room.
             pub(crate) const fn prepare(scene: &Description<'_>) -> Result<Self, Error> {
-                let (grid, epsilon) = match laid(scene) {
-                    Ok(laid) => laid,
-                    Err(error) => return Err(error),
-                };
+                let (grid, epsilon) = attempt!(laid(scene), |error| error);
                 let mut prepared = Self {
                     $($list: [crate::shape::$prepared::NONE; $room],)*
                     planes: [PreparedPlane::NONE; P],
@@ -115,25 +122,15 @@ macro_rules! prepare {
                     },
                     moving: ShapeSet::NONE,
                 };
-                if let Err(error) = prepared.add_shapes(scene) {
-                    return Err(error);
-                }
+                attempt!(prepared.add_shapes(scene), |error| error);
                 prepared.note_what_touches();
                 let mut index = 0;
                 while index < scene.lights.len() && index < L {
                     prepared.lights[index] = PreparedLight::new(&scene.lights[index], &grid);
                     index += 1;
                 }
-                let lists = (&mut prepared.materials as &mut [_], &mut prepared.checkers as &mut [_]);
-                if let Err(error) = prepare_materials(lists, scene, &grid) {
-                    return Err(error);
-                }
-                prepared.brightest = brightest(
-                    used(&prepared.materials, scene.materials.len()),
-                    &prepared.checkers,
-                    used(&prepared.lights, scene.lights.len()),
-                    &prepared.background,
-                );
+                attempt!(prepared.add_materials(scene), |error| error);
+                prepared.brightest = prepared.constant_parts().brightest_color();
                 prepared.dimness = dimness(prepared.brightest);
                 Ok(prepared)
             }
@@ -144,20 +141,35 @@ macro_rules! prepare {
                 $(
                     let mut index = 0;
                     while index < scene.$list.len() && index < self.$list.len() {
-                        let $kind = &scene.$list[index];
-                        self.$list[index] = match crate::shape::$prepared::prepare($kind, &self.grid) {
-                            Ok($kind) => $kind,
-                            Err(fault) => return Err(Error::at(stringify!($kind), index, fault)),
-                        };
+                        let $kind = crate::shape::$prepared::prepare(&scene.$list[index], &self.grid);
+                        self.$list[index] = attempt!($kind, |fault| Error::at(stringify!($kind), index, fault));
                         index += 1;
                     }
                 )*
                 let mut index = 0;
                 while index < scene.planes.len() && index < P {
-                    self.planes[index] = match PreparedPlane::prepare(&scene.planes[index], &self.grid) {
-                        Ok(plane) => plane,
-                        Err(fault) => return Err(Error::at("plane", index, fault)),
-                    };
+                    let plane = PreparedPlane::prepare(&scene.planes[index], &self.grid);
+                    self.planes[index] = attempt!(plane, |fault| Error::at("plane", index, fault));
+                    index += 1;
+                }
+                Ok(())
+            }
+
+            /// Prepares the materials. Refuses a material that is too bright under the lights of its scene.
+            const fn add_materials(&mut self, scene: &Description<'_>) -> Result<(), Error> {
+                let mut index = 0;
+                while index < scene.materials.len() && index < M {
+                    let described = &scene.materials[index];
+                    let material = PreparedMaterial::new(described);
+                    if let Some(checker) = &described.described_checker() {
+                        let checker = PreparedChecker::prepare(checker, &self.grid);
+                        self.checkers[index] = attempt!(checker, |fault| Error::at("material", index, fault));
+                    }
+                    let brightest = material.color.at_least(self.checkers[index].color).largest();
+                    if is_too_bright(&material, brightest, scene.lights) {
+                        return Err(Error::at("material", index, ErrorKind::Brightness));
+                    }
+                    self.materials[index] = material;
                     index += 1;
                 }
                 Ok(())
@@ -211,10 +223,7 @@ const fn touches_another(parts: &Parts<'_>, number: usize) -> bool {
 
 /// Returns the grid of a scene, and its epsilon in steps; epsilon must be below 2²⁸ steps.
 const fn laid(scene: &Description<'_>) -> Result<(Grid, Length), Error> {
-    let grid = match choose_grid(scene) {
-        Ok(grid) => grid,
-        Err(fault) => return Err(Error::of("scene", fault)),
-    };
+    let grid = attempt!(choose_grid(scene), |fault| Error::of("scene", fault));
     let epsilon = grid.length(scene.epsilon);
     if epsilon.to_bits() >= crate::ray::BALL {
         return Err(epsilon_above_the_shapes(scene));
@@ -239,32 +248,6 @@ const fn epsilon_above_the_shapes(scene: &Description<'_>) -> Error {
 pub(crate) fn extent_of(scene: &Description<'_>) -> Option<f64> {
     let grid = choose_grid(scene).ok()?;
     Some(f64::from(crate::ray::BALL) * crate::number::power_of_two(-grid.fraction_bits()))
-}
-
-/// Prepares the materials. Refuses a material that is too bright under the lights of its scene.
-const fn prepare_materials(
-    (materials, checkers): (&mut [PreparedMaterial], &mut [PreparedChecker]),
-    scene: &Description<'_>,
-    grid: &Grid,
-) -> Result<(), Error> {
-    let mut index = 0;
-    while index < scene.materials.len() && index < materials.len() && index < checkers.len() {
-        let described = &scene.materials[index];
-        let material = PreparedMaterial::new(described);
-        if let Some(checker) = &described.described_checker() {
-            checkers[index] = match PreparedChecker::prepare(checker, grid) {
-                Ok(checker) => checker,
-                Err(fault) => return Err(Error::at("material", index, fault)),
-            };
-        }
-        let brightest = material.color.at_least(checkers[index].color).largest();
-        if is_too_bright(&material, brightest, scene.lights) {
-            return Err(Error::at("material", index, ErrorKind::Brightness));
-        }
-        materials[index] = material;
-        index += 1;
-    }
-    Ok(())
 }
 
 /// Tests whether the light that a material sends out may exceed [`BRIGHTEST`] at any step of its sum.

@@ -94,8 +94,7 @@ pub(crate) fn located<W: SceneAccess, const PRECISE: bool>(
         }
     }
     // Unpacked and packed again, or the compiler keeps near hits in memory, too.
-    let (at, shape) = far_hit(world, ray, skip)?;
-    Some((at, shape))
+    far_hit(world, ray, skip)
 }
 
 /// Returns the first hit of a ray that hits nothing near. Out of line, away from the code of near hits.

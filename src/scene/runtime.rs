@@ -1,6 +1,6 @@
 //! Scenes that are filled while the program runs, for example from a file.
 
-use super::capacity::{Capacity, Room};
+use super::capacity::Capacity;
 use super::description::{Described, Description};
 use super::{Handle, list, prepare};
 use crate::background::Background;
@@ -57,15 +57,23 @@ use crate::vector::Position;
 pub struct RuntimeScene<R: Capacity>(pub(super) Described<R>);
 
 impl<R: Capacity> RuntimeScene<R> {
+    /// Creates an empty scene with a black background and an epsilon of 0.001.
+    pub fn new() -> Self {
+        Self(R::empty())
+    }
+
+    /// Returns the description of the parts added so far.
+    pub fn description(&self) -> Description<'_> {
+        R::description(&self.0)
+    }
+
     /// Adds a material and returns the identifier that shapes of this scene use for it.
     ///
     /// # Errors
     /// [`ErrorKind::TooManyMaterials`] if the room is full.
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, Error> {
         let materials = &mut self.0.materials;
-        let index = materials.len;
-        let too_many = ErrorKind::TooManyMaterials;
-        materials.add(material, None, "material", too_many)?;
+        let index = materials.add(material, None, "material", ErrorKind::TooManyMaterials)?;
         Ok(list::id(index))
     }
 
@@ -172,7 +180,7 @@ impl<R: Capacity> RuntimeScene<R> {
 
 macro_rules! runtime {
     (
-        { $declaration:tt [$($header:tt)*] [$($arguments:tt)*] }
+        $header:tt
         $({ $list:ident $kind:ident $described:ident $prepared:ident $room:ident $lists:ident $active:tt
             $set:ident $too_many:ident $without:ident
             $(#[$doc:meta])* $add:ident($($field:ident: $type:ident),*) })*
@@ -201,43 +209,11 @@ macro_rules! runtime {
                 }
             )*
         }
-
-        impl<$($header)*> Fillable for Room<$($arguments)*> {
-            fn empty() -> Described<Self> {
-                Described::new()
-            }
-
-            fn description(described: &Described<Self>) -> Description<'_> {
-                described.description()
-            }
-        }
     };
 }
 kinds!(runtime);
 
-/// The room of a scene that is filled while the program runs. Each room implements it, because constant
-/// functions cannot be generic over rooms.
-pub trait Fillable: Capacity {
-    /// Returns an empty description with a black background and an epsilon of 0.001.
-    fn empty() -> Described<Self>;
-
-    /// Returns what is read of a description.
-    fn description(described: &Described<Self>) -> Description<'_>;
-}
-
-impl<R: Fillable> RuntimeScene<R> {
-    /// Creates an empty scene with a black background and an epsilon of 0.001.
-    pub fn new() -> Self {
-        Self(R::empty())
-    }
-
-    /// Returns the description of the parts added so far.
-    pub fn description(&self) -> Description<'_> {
-        R::description(&self.0)
-    }
-}
-
-impl<R: Fillable> Default for RuntimeScene<R> {
+impl<R: Capacity> Default for RuntimeScene<R> {
     fn default() -> Self {
         Self::new()
     }

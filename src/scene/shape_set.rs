@@ -72,7 +72,7 @@ impl ShapeSet {
     }
 
     /// Calls `ask` for each shape of one kind in the set, in ascending order, until it returns `true`.
-    /// Returns whether it did.
+    /// Returns whether it did. Goes through the bits a word at a time.
     ///
     /// `lengths` are the numbers of shapes of all kinds, `kind` is the index of this kind, `shapes` are
     /// its shapes. If `is_chosen` is `false`, all shapes are tested and the set is ignored.
@@ -88,9 +88,36 @@ impl ShapeSet {
             let mut shapes = shapes.iter().enumerate();
             return shapes.any(|(index, shape)| ask(index, shape));
         }
-        SetLayout::new(lengths).any(*self, kind, |index| {
-            shapes.get(index).is_some_and(|shape| ask(index, shape))
-        })
+        let layout = SetLayout::new(lengths);
+        let (start, end) = (layout.starts[kind], layout.starts[kind + 1]);
+        if start == end {
+            return false;
+        }
+        let is_one_word = layout.starts[KINDS] <= 32;
+        let all = match is_one_word {
+            true => low_word(self.0).into(),
+            false => self.0,
+        };
+        let mut bits = all.checked_shr(to_u32(start)).unwrap_or(0);
+        // Bits after the last shape stand for none. In one word, clearing them takes less time than
+        // testing for it.
+        if end < layout.starts[KINDS] || is_one_word {
+            let low = 1_u64.checked_shl(to_u32(end - start));
+            bits &= low.map_or(u64::MAX, |end| end - 1);
+        }
+        for (word, first) in [(low_word(bits), 0), (low_word(bits >> 32), 32)] {
+            let mut rest = word;
+            while rest != 0 {
+                let run = first + rest.trailing_zeros() as usize;
+                rest &= rest - 1;
+                // The last run of a kind may have indices past the last shape.
+                let mut run = run * layout.run..(run + 1) * layout.run;
+                if run.any(|index| shapes.get(index).is_some_and(|shape| ask(index, shape))) {
+                    return true;
+                }
+            }
+        }
+        false
     }
 }
 
@@ -140,39 +167,5 @@ impl SetLayout {
             kind += 1;
         }
         self.bit(kind, index)
-    }
-
-    /// Calls `is_it` for each shape of one kind in a set, until it returns `true`. Goes through the
-    /// bits a word at a time. The last run of a kind may give indices past the last shape.
-    #[inline(always)]
-    fn any(self, set: ShapeSet, kind: usize, mut is_it: impl FnMut(usize) -> bool) -> bool {
-        let (start, end) = (self.starts[kind], self.starts[kind + 1]);
-        if start == end {
-            return false;
-        }
-        let is_one_word = self.starts[KINDS] <= 32;
-        let all = match is_one_word {
-            true => low_word(set.0).into(),
-            false => set.0,
-        };
-        let mut bits = all.checked_shr(to_u32(start)).unwrap_or(0);
-        // Bits after the last shape stand for none. In one word, clearing them takes less time than
-        // testing for it.
-        if end < self.starts[KINDS] || is_one_word {
-            let low = 1_u64.checked_shl(to_u32(end - start));
-            bits &= low.map_or(u64::MAX, |end| end - 1);
-        }
-        for (word, first) in [(low_word(bits), 0), (low_word(bits >> 32), 32)] {
-            let mut rest = word;
-            while rest != 0 {
-                let run = first + rest.trailing_zeros() as usize;
-                rest &= rest - 1;
-                let mut shapes = run * self.run..(run + 1) * self.run;
-                if shapes.any(&mut is_it) {
-                    return true;
-                }
-            }
-        }
-        false
     }
 }

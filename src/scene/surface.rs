@@ -106,10 +106,8 @@ impl<'a> Surface<'a> {
         if !W::NEEDS.checkers {
             return None;
         }
-        world
-            .parts()
-            .checker(self.number)
-            .filter(|it| it.has_cells())
+        let checker = world.parts().checker(self.number)?;
+        checker.has_cells().then_some(checker)
     }
 
     /// Returns the shape that rays from this point need not test: the surface's own. Returns
@@ -140,96 +138,63 @@ impl<'a> Surface<'a> {
     }
 }
 
-macro_rules! surfaces {
-    ($header:tt $({ $list:ident $kind:ident $described:ident $prepared:ident $($more:tt)* })*) => {
-        impl<'a> Parts<'a> {
-            /// Returns the outward normal of a shape at a near point on it, and the shape's material.
-            #[inline(always)]
-            pub(crate) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
-                let index = shape.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        return Some((shape.normal(at), shape.material()));
-                    }
-                    let index = index - self.$list.len();
-                )*
-                let plane = self.planes.get(index)?;
-                Some((plane.normal, plane.material))
-            }
-
-            /// Returns the normal with which a point of a flat shape is shaded, if that is not `flat`, the shape's own
-            /// normal on the viewer's side.
-            #[inline(always)]
-            fn bent(&self, shape: ShapeId, at: Point, (flat, view): (Direction, Direction)) -> Option<Direction> {
-                let index = shape.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        return shape.bent(at, flat, view);
-                    }
-                    let index = index - self.$list.len();
-                )*
-                let _ = index;
-                None
-            }
-
-            /// Tests whether a flat shape is shaded with other normals than its own.
-            #[inline(always)]
-            pub(crate) fn is_smooth(&self, shape: ShapeId) -> bool {
-                let index = shape.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        return shape.is_smooth();
-                    }
-                    let index = index - self.$list.len();
-                )*
-                let _ = index;
-                false
-            }
-
-            /// Returns the radius on which the normals of a shape turn, in steps. `None` if it is flat.
-            #[inline(always)]
-            pub(crate) fn bending_radius(&self, shape: ShapeId) -> Option<i32> {
-                let index = shape.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        let (_, _, radius) = shape.outline();
-                        return (!<crate::shape::$prepared as Bounded>::IS_FLAT).then_some(radius);
-                    }
-                    let index = index - self.$list.len();
-                )*
-                let _ = index;
-                None
-            }
-
-            /// Returns the material of a shape.
-            #[inline(always)]
-            pub(crate) fn material_of(&self, shape: ShapeId) -> Option<MaterialId> {
-                let index = shape.index();
-                $(
-                    if let Some(shape) = self.$list.get(index) {
-                        return Some(shape.material());
-                    }
-                    let index = index - self.$list.len();
-                )*
-                Some(self.planes.get(index)?.material)
-            }
-        }
-    };
-}
-kinds!(surfaces);
-
-/// Returns the checker of a shape's material; that of a material without one is a single cell. `None` for a
-/// perfect mirror, which has no colour of its own.
-pub(crate) fn checker_of<W: SceneAccess>(world: &W, shape: ShapeId) -> Option<&PreparedChecker> {
-    let parts = world.parts();
-    parts.checker(parts.material_of(shape)?)
-}
-
 impl<'a> Parts<'a> {
+    /// Returns the outward normal of a shape at a near point on it, and the shape's material.
+    #[inline(always)]
+    pub(crate) fn outside(&self, shape: ShapeId, at: Point) -> Option<(Direction, MaterialId)> {
+        let plane = || {
+            let plane = self.planes.get(shape.index() - self.bounded())?;
+            Some((plane.normal, plane.material))
+        };
+        of_kind!(self, shape, |it| (it.normal(at), it.material())).or_else(plane)
+    }
+
+    /// Returns the normal with which a point of a flat shape is shaded, if that is not `flat`, the shape's own
+    /// normal on the viewer's side.
+    #[inline(always)]
+    fn bent(
+        &self,
+        shape: ShapeId,
+        at: Point,
+        (flat, view): (Direction, Direction),
+    ) -> Option<Direction> {
+        of_kind!(self, shape, |it| it.bent(at, flat, view)).flatten()
+    }
+
+    /// Tests whether a flat shape is shaded with other normals than its own.
+    #[inline(always)]
+    pub(crate) fn is_smooth(&self, shape: ShapeId) -> bool {
+        of_kind!(self, shape, |it| it.is_smooth()).unwrap_or(false)
+    }
+
+    /// Returns the radius on which the normals of a shape turn, in steps. `None` if it is flat.
+    #[inline(always)]
+    pub(crate) fn bending_radius(&self, shape: ShapeId) -> Option<i32> {
+        fn radius<K: Bounded>(shape: &K) -> Option<i32> {
+            let (_, _, radius) = shape.outline();
+            (!K::IS_FLAT).then_some(radius)
+        }
+        of_kind!(self, shape, |it| radius(it)).flatten()
+    }
+
+    /// Returns the material of a shape.
+    #[inline(always)]
+    pub(crate) fn material_of(&self, shape: ShapeId) -> Option<MaterialId> {
+        let plane = || self.plane(shape).map(|it| it.material);
+        of_kind!(self, shape, |it| it.material()).or_else(plane)
+    }
+
     /// Returns the checker of a material, as [`checker_of`] does.
     #[inline(always)]
     fn checker(&self, id: MaterialId) -> Option<&'a PreparedChecker> {
         let is_seen = self.material(id).mirror < Unit::ONE;
         self.checkers.get(id.index()).filter(|_| is_seen)
     }
+}
+
+/// Returns the checker of a shape's material; that of a material without one is a single cell. `None` for a
+/// perfect mirror, which has no colour of its own.
+pub(crate) fn checker_of<W: SceneAccess>(world: &W, shape: ShapeId) -> Option<&PreparedChecker> {
+    let parts = world.parts();
+    parts.checker(parts.material_of(shape)?)
 }

@@ -11,19 +11,7 @@ use serde::de::{DeserializeOwned, Error, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::error::FileError;
-use crate::host::reference::{Camera, Light, Sky};
-
-/// A position or a direction: x, y and z.
-type Position = [f64; 3];
-
-/// A size, such as a radius or a height.
-type Number = f64;
-
-/// The three corners of a triangle.
-type Corners = [[f64; 3]; 3];
-
-/// Normals at the corners of a triangle, which a file may leave out.
-type Normals = Option<[[f64; 3]; 3]>;
+use crate::host::reference::{Camera, Checker, Corners, Light, Normals, Number, Position, Sky};
 
 macro_rules! document {
     ($parameters:tt $({
@@ -87,47 +75,35 @@ pub(super) struct Material {
     pub checker: Option<Checker>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Checker {
-    pub color: [f64; 3],
-    pub size: Size,
-}
+/// Reads the size of a cell: one number along all axes, or one along each.
+pub(in crate::host) fn size<'de, D: Deserializer<'de>>(source: D) -> Result<[f64; 3], D::Error> {
+    struct Numbers;
 
-/// The size of a cell: along all axes, or one along each.
-#[derive(Clone, Copy)]
-pub(super) struct Size(pub [f64; 3]);
+    impl<'de> Visitor<'de> for Numbers {
+        type Value = [f64; 3];
 
-impl<'de> Deserialize<'de> for Size {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Numbers;
-
-        impl<'de> Visitor<'de> for Numbers {
-            type Value = Size;
-
-            fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-                formatter.write_str("a number, or three numbers in [ ]")
-            }
-
-            fn visit_f64<E: Error>(self, size: f64) -> Result<Size, E> {
-                Ok(Size([size; 3]))
-            }
-
-            fn visit_u64<E: Error>(self, size: u64) -> Result<Size, E> {
-                self.visit_f64(size as f64)
-            }
-
-            fn visit_i64<E: Error>(self, size: i64) -> Result<Size, E> {
-                self.visit_f64(size as f64)
-            }
-
-            fn visit_seq<A: SeqAccess<'de>>(self, sizes: A) -> Result<Size, A::Error> {
-                Deserialize::deserialize(SeqAccessDeserializer::new(sizes)).map(Size)
-            }
+        fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+            formatter.write_str("a number, or three numbers in [ ]")
         }
 
-        deserializer.deserialize_any(Numbers)
+        fn visit_f64<E: Error>(self, size: f64) -> Result<[f64; 3], E> {
+            Ok([size; 3])
+        }
+
+        fn visit_u64<E: Error>(self, size: u64) -> Result<[f64; 3], E> {
+            self.visit_f64(size as f64)
+        }
+
+        fn visit_i64<E: Error>(self, size: i64) -> Result<[f64; 3], E> {
+            self.visit_f64(size as f64)
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, sizes: A) -> Result<[f64; 3], A::Error> {
+            Deserialize::deserialize(SeqAccessDeserializer::new(sizes))
+        }
     }
+
+    source.deserialize_any(Numbers)
 }
 
 /// Reads one scene or an array of scenes from JSON text.

@@ -32,7 +32,7 @@
 
 // What reads a file is `#[inline]`: a program then compiles it as it compiles itself, small or fast.
 
-mod document;
+pub(super) mod document;
 mod error;
 mod fill;
 #[cfg(feature = "host")]

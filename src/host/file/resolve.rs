@@ -8,12 +8,8 @@ use alloc::vec::Vec;
 
 use super::document;
 use super::error::Problem;
-use crate::host::reference::{self, Camera, Checker, Light, Material, Scene};
+use crate::host::reference::{self, Camera, EPSILON, Light, Material, Scene};
 use crate::number::Number;
-
-/// Default of `epsilon` for a file that does not give it: how far above a surface shadow and reflected
-/// rays start, in scene units.
-const EPSILON: f64 = 1e-3;
 
 /// Returns the scene called `wanted`, or the only scene if `wanted` is `None`.
 pub(super) fn choose(
@@ -22,12 +18,11 @@ pub(super) fn choose(
 ) -> Result<document::Scene, Problem> {
     let is_meant = |at: &usize| wanted.is_none_or(|it| scenes[*at].name.as_deref() == Some(it));
     let mut meant = (0..scenes.len()).filter(is_meant);
+    let names = names(&scenes);
     match (meant.next(), meant.next(), wanted) {
         (Some(at), None, _) => Ok(scenes.swap_remove(at)),
         _ if scenes.is_empty() => Err(Problem::Empty),
-        (_, _, None) => Err(Problem::Undecided {
-            names: names(&scenes),
-        }),
+        (_, _, None) => Err(Problem::Undecided { names }),
         (Some(first), Some(second), Some(wanted)) => Err(Problem::Repeated {
             place: format!("scene {second}"),
             name: wanted.to_owned(),
@@ -35,7 +30,7 @@ pub(super) fn choose(
         }),
         (None, _, Some(wanted)) => Err(Problem::NotFound {
             wanted: wanted.to_owned(),
-            names: names(&scenes),
+            names,
         }),
     }
 }
@@ -122,9 +117,6 @@ fn material(material: &document::Material) -> Material {
         specular: material.specular.unwrap_or(specular),
         shininess: material.shininess.unwrap_or(shininess),
         mirror: material.mirror.unwrap_or(mirror),
-        checker: material.checker.as_ref().map(|it| Checker {
-            color: it.color,
-            size: it.size.0,
-        }),
+        checker: material.checker,
     }
 }

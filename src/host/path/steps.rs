@@ -144,11 +144,9 @@ fn empty<S: Drawable, K: Shading>(rows: &Rows<'_, S, Exact, K>) -> Path {
         missed: None,
         sum,
     };
-    let path = path(rows.world(), &walked);
-    Path {
-        background: Some(path.sum),
-        ..path
-    }
+    let mut path = path(rows.world(), &walked);
+    path.background = Some(path.sum);
+    path
 }
 
 fn path<W: SceneAccess>(world: &W, walked: &Walked) -> Path {

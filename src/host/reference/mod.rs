@@ -46,7 +46,6 @@
 
 #[cfg(feature = "host")]
 pub mod bound;
-mod camera;
 mod convert;
 #[cfg(feature = "host")]
 mod model;
@@ -62,7 +61,6 @@ mod shading;
 #[cfg(feature = "host")]
 mod trace;
 
-pub use self::camera::Camera;
 #[cfg(feature = "host")]
 pub use self::model::Vector;
 #[cfg(feature = "host")]

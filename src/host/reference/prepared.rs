@@ -94,12 +94,11 @@ fn disc(disc: &Disc) -> model::Disc {
 
 fn triangle(triangle: &Triangle) -> model::Triangle {
     let [corner, second, third] = triangle.corners.map(vector);
+    let unit = |normal| vector(normal).unit();
     model::Triangle {
         corner,
         sides: [second - corner, third - corner],
-        normals: triangle
-            .normals
-            .map(|it| it.map(|normal| vector(normal).unit())),
+        normals: triangle.normals.map(|it| it.map(unit)),
         material: triangle.material,
     }
 }

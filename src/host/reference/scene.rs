@@ -1,5 +1,5 @@
-//! The scene of the reference, in doubles, with public fields. This file checks nothing and renders
-//! nothing.
+//! The scene and the camera of the reference, in doubles, with public fields. This file checks nothing and
+//! renders nothing.
 
 use alloc::vec::Vec;
 use core::fmt::Debug;
@@ -7,16 +7,19 @@ use core::fmt::Debug;
 use serde::Deserialize;
 
 /// A position in scene units, or a direction of any length.
-type Position = [f64; 3];
+pub(in crate::host) type Position = [f64; 3];
 
 /// A size, such as a radius or a height, in scene units.
-type Number = f64;
+pub(in crate::host) type Number = f64;
 
 /// The three corners of a triangle, in scene units.
-type Corners = [[f64; 3]; 3];
+pub(in crate::host) type Corners = [[f64; 3]; 3];
 
 /// Normals at the corners of a triangle; `None` if it is flat.
-type Normals = Option<[[f64; 3]; 3]>;
+pub(in crate::host) type Normals = Option<[[f64; 3]; 3]>;
+
+/// Default of a scene's epsilon, the distance by which rays are lifted off surfaces, in scene units.
+pub(in crate::host) const EPSILON: f64 = 1e-3;
 
 macro_rules! scene {
     ([$($parameter:tt)*] $({
@@ -54,7 +57,7 @@ macro_rules! scene {
                     materials: Vec::new(),
                     background: [0.0; 3],
                     sky: None,
-                    epsilon: 1e-3,
+                    epsilon: EPSILON,
                 }
             }
         }
@@ -139,6 +142,23 @@ pub struct Shape<'a> {
     pub material: usize,
 }
 
+/// A camera of the reference, in doubles.
+///
+/// Nothing is checked. The caller makes sure that `target` differs from `position`, that `up` is not
+/// parallel to the view, and that `fov` is between 0 and 180.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Camera {
+    /// Position of the camera, in scene units.
+    pub position: [f64; 3],
+    /// Point that the camera looks at, in scene units. It is in the middle of the picture.
+    pub target: [f64; 3],
+    /// Direction that is up in the picture. Only its part perpendicular to the view direction matters.
+    pub up: [f64; 3],
+    /// Full horizontal field of view in degrees.
+    pub fov: f64,
+}
+
 /// A sky: the colour of a ray that hits nothing depends on its direction d. It is
 /// horizon + (above − horizon) · d · up, or horizon + (below − horizon) · −d · up below the horizon.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
@@ -167,7 +187,6 @@ pub struct Light {
     pub sun: Option<f64>,
     /// Range r of a lamp whose strength at the distance d is 1 / (1 + (d / r)²), in scene units; `None` if it does not
     /// fall off.
-    #[serde(default)]
     pub range: Option<f64>,
 }
 
@@ -193,10 +212,12 @@ pub struct Material {
 
 /// A checker: the second colour of a material. Along each axis a point x lies in cell ⌊x / size⌋, and where the
 /// sum of the three is odd, the surface has this colour.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Checker {
     /// Linear colour of every other cell.
     pub color: [f64; 3],
     /// Size of a cell along each axis, in scene units; 0 along an axis in which a cell has no end.
+    #[serde(deserialize_with = "crate::host::file::document::size")]
     pub size: [f64; 3],
 }

@@ -64,11 +64,9 @@ impl Needs {
 
     /// Returns these needs without planes.
     #[must_use]
-    pub const fn without_planes(self) -> Self {
-        Self {
-            planes: false,
-            ..self
-        }
+    pub const fn without_planes(mut self) -> Self {
+        self.planes = false;
+        self
     }
 
     /// Returns these needs without lights, and so without shadows and highlights.
@@ -86,11 +84,9 @@ impl Needs {
 
     /// Returns these needs for scenes whose lights do not fall off with distance.
     #[must_use]
-    pub const fn without_ranges(self) -> Self {
-        Self {
-            ranges: false,
-            ..self
-        }
+    pub const fn without_ranges(mut self) -> Self {
+        self.ranges = false;
+        self
     }
 
     /// Returns these needs without highlights.
@@ -132,20 +128,16 @@ impl Needs {
     /// Returns these needs with at most `reflections` reflections of a path, 0 to 255. A scene that
     /// could use more is not refused: its paths are cut off.
     #[must_use]
-    pub const fn with_reflections(self, reflections: u8) -> Self {
-        Self {
-            reflections,
-            ..self
-        }
+    pub const fn with_reflections(mut self, reflections: u8) -> Self {
+        self.reflections = reflections;
+        self
     }
 
     /// Returns these needs for scenes without checkers.
     #[must_use]
-    pub const fn without_checkers(self) -> Self {
-        Self {
-            checkers: false,
-            ..self
-        }
+    pub const fn without_checkers(mut self) -> Self {
+        self.checkers = false;
+        self
     }
 
     /// Returns these needs for scenes whose background has one colour.
@@ -156,11 +148,9 @@ impl Needs {
 
     /// Returns these needs for scenes in grey, whose colours are computed in one channel.
     #[must_use]
-    pub const fn without_colors(self) -> Self {
-        Self {
-            colors: false,
-            ..self
-        }
+    pub const fn without_colors(mut self) -> Self {
+        self.colors = false;
+        self
     }
 }
 

@@ -1,9 +1,8 @@
 //! The needs that follow from the materials and the lights of a scene.
 
-use super::Parts;
-use crate::background::PreparedBackground;
+use super::{Needs, Parts};
 use crate::light::PreparedLight;
-use crate::number::{Brightness, Exponent, Unit};
+use crate::number::{Exponent, Unit};
 use crate::shape::MaterialId;
 
 /// The powers that the highlights of a scene take. Each variant includes those before it.
@@ -37,69 +36,104 @@ pub enum Mirrors {
     All,
 }
 
-/// The properties of a scene's lights and used materials that its needs depend on.
-pub(super) struct Finish {
-    pub(super) shininess: Shininess,
-    /// Whether a surface mirrors some light, and whether a surface has a colour of its own (α below 1).
-    pub(super) mirrors: [bool; 2],
-    pub(super) is_grey: bool,
-    /// Whether the colours of all lights are grey.
-    pub(super) is_lit_grey: bool,
-    /// Whether a light is far away.
-    pub(super) is_far: bool,
-    /// Whether a light falls off with distance.
-    pub(super) has_ranges: bool,
-    pub(super) has_sky: bool,
-    pub(super) has_checkers: bool,
+impl Shininess {
+    pub(super) const fn less(self, other: Self) -> Self {
+        if (self as u8) < other as u8 {
+            self
+        } else {
+            other
+        }
+    }
 }
 
-impl Finish {
-    pub(super) const fn new(background: &PreparedBackground, lights: &[PreparedLight]) -> Self {
-        let [below, horizon, above] = background.colors();
-        let mut finish = Self {
+impl Mirrors {
+    pub(super) const fn common(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Some, mirrors) | (mirrors, Self::Some) => mirrors,
+            (Self::All, Self::All) => Self::All,
+            _ => Self::None,
+        }
+    }
+}
+
+impl Parts<'_> {
+    /// Returns the needs of a scene with these parts.
+    pub(crate) const fn needs(&self) -> Needs {
+        let [below, horizon, above] = self.background.colors();
+        let mut needs = Needs {
+            far_lights: false,
+            ranges: false,
+            highlights: false,
             shininess: Shininess::None,
-            mirrors: [false; 2],
-            is_grey: below.is_grey() && horizon.is_grey() && above.is_grey(),
-            is_lit_grey: true,
-            is_far: false,
-            has_ranges: false,
-            has_sky: background.is_sky(),
-            has_checkers: false,
+            checkers: false,
+            sky: self.has_sky(),
+            colors: !(below.is_grey() && horizon.is_grey() && above.is_grey()),
+            ..Needs::of_room(&self.counts())
         };
         let mut index = 0;
-        while index < lights.len() {
-            finish.is_lit_grey &= lights[index].color.is_grey();
-            finish.is_far |= !lights[index].place.is_near();
-            finish.has_ranges |= lights[index].is_ranged();
-            if lights[index].disc().is_some() {
-                finish.has_sky = true;
-                finish.is_grey &= lights[index].color.is_grey();
-            }
+        while index < self.lights.len() {
+            needs.add_light(&self.lights[index]);
             index += 1;
         }
-        finish
+        let mut mirrors = [false; 2];
+        index = 0;
+        while let Some((_, material)) = self.ball(index) {
+            needs.add_material(self, material, &mut mirrors);
+            index += 1;
+        }
+        index = 0;
+        while index < self.planes.len() {
+            needs.add_material(self, self.planes[index].material, &mut mirrors);
+            index += 1;
+        }
+        needs.of_mirrors(mirrors)
+    }
+}
+
+impl Needs {
+    const fn add_light(&mut self, light: &PreparedLight) {
+        self.far_lights |= self.lights && !light.place.is_near();
+        self.ranges |= self.lights && light.is_ranged();
+        self.colors |= !light.color.is_grey() && (self.lights || light.disc().is_some());
     }
 
-    /// Includes the material of a shape.
-    pub(super) const fn add(&mut self, parts: &Parts<'_>, id: MaterialId) {
+    /// Includes the material of a shape. Notes whether a surface mirrors some light, and whether a surface has a
+    /// colour of its own (α below 1).
+    const fn add_material(&mut self, parts: &Parts<'_>, id: MaterialId, mirrors: &mut [bool; 2]) {
         if id.index() >= parts.materials.len() || id.index() >= parts.checkers.len() {
             return;
         }
         let material = &parts.materials[id.index()];
         let checker = &parts.checkers[id.index()];
-        self.mirrors[0] |= material.mirror.to_bits() > 0;
         let is_seen = material.mirror.to_bits() < Unit::ONE.to_bits();
-        self.mirrors[1] |= is_seen;
+        mirrors[0] |= material.mirrors();
+        mirrors[1] |= is_seen;
         if !is_seen {
             return;
         }
-        self.is_grey &= material.color.is_grey() && checker.color.is_grey();
-        self.has_checkers |= checker.has_cells();
-        if material.specular.to_bits() > Brightness::ZERO.to_bits() {
+        self.colors |= !(material.color.is_grey() && checker.color.is_grey());
+        self.checkers |= checker.has_cells();
+        if self.lights && material.specular.to_bits() > 0 {
+            self.highlights = true;
             let shininess = shininess(material.shininess);
             if shininess as u8 > self.shininess as u8 {
                 self.shininess = shininess;
             }
+        }
+    }
+
+    /// Returns these needs, lowered to the mirrors that [`Needs::add_material`] noted.
+    const fn of_mirrors(self, mirrors: [bool; 2]) -> Self {
+        let mirrors = match mirrors {
+            [false, _] => return self.without_mirrors(),
+            [true, true] => Mirrors::Some,
+            [true, false] => Mirrors::All,
+        };
+        Self {
+            mirrors,
+            // A single plane shows only the background. A sky depends on the ray, a colour does not.
+            mirrored: self.mirrored && (self.reflections > 1 || self.sky),
+            ..self
         }
     }
 }

@@ -1,12 +1,12 @@
 //! The needs of a scene in English words, with the reasons.
 
-use super::{KINDS, Mirrors, Needs, Shininess};
+use super::{Mirrors, Shininess};
 
-/// One feature that a scene may need, described in words. [`Needs::list`] returns them.
+/// One feature that a scene may need, described in words. [`Needs::list`](super::Needs::list) returns them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Need {
-    /// Name of the field of [`Needs`], such as `"mirrors"`.
+    /// Name of the field of [`Needs`](super::Needs), such as `"mirrors"`.
     pub name: &'static str,
     /// Whether the code for this feature is in the program.
     pub is_needed: bool,
@@ -23,122 +23,49 @@ impl Need {
         }
     }
 
-    const fn either(name: &'static str, is_needed: bool, [yes, no]: [&'static str; 2]) -> Self {
+    pub(super) const fn either(name: &'static str, is_needed: bool, [yes, no]: Reasons) -> Self {
         Self::new(name, is_needed, if is_needed { yes } else { no })
+    }
+
+    pub(super) const fn of_shininess(shininess: Shininess) -> Self {
+        let why = match shininess {
+            Shininess::None => "there is no highlight",
+            Shininess::Even => "even whole numbers: by squaring, without a root or a logarithm",
+            Shininess::Whole => "whole numbers: by squaring, without a logarithm",
+            Shininess::Real => "real numbers: by squaring and a logarithm",
+        };
+        Self::new("shininess", !matches!(shininess, Shininess::None), why)
+    }
+
+    pub(super) const fn of_mirrors(mirrors: Mirrors) -> Self {
+        let why = match mirrors {
+            Mirrors::None => "no mirror is above 0: a path ends at the first surface",
+            Mirrors::Some => "a mirror is above 0",
+            Mirrors::All => "every mirror is 1: no surface has a colour of its own",
+        };
+        Self::new("mirrors", !matches!(mirrors, Mirrors::None), why)
+    }
+
+    pub(super) const fn of_reflections(reflections: u8, mirrors: Mirrors) -> Self {
+        let why = match (reflections, mirrors) {
+            (0, Mirrors::None) => "nothing mirrors",
+            (0, _) => "none is followed",
+            (1, _) => "one",
+            _ => "as many as the frame allows",
+        };
+        Self::new("reflections", reflections > 0, why)
     }
 }
 
 /// Two reasons: the first if a feature is needed, the second if it is not.
 type Reasons = [&'static str; 2];
 
-const SHAPES: Reasons = ["there are some", "there are none"];
-const LIGHTS: Reasons = ["there are some", "nothing is lit: ambient light only"];
-const FAR_LIGHTS: Reasons = [
-    "a light may be far away in comparison with the scene",
-    "every light is near",
-];
-const RANGES: Reasons = [
-    "a light falls off with distance, or may",
-    "no light falls off with distance",
-];
-const SHADOWS: Reasons = [
-    "a shape may hide a light",
-    "no light is hidden from what can be seen lit",
-];
-const HIGHLIGHTS: Reasons = [
-    "a specular coefficient is above 0",
-    "no light shines on a specular surface",
-];
-const MIRRORED: Reasons = [
+pub(super) const SHAPES: Reasons = ["there are some", "there are none"];
+pub(super) const MIRRORED: Reasons = [
     "a mirror may show a shape or a sky",
     "no mirror shows more than one colour",
 ];
-const SETS: Reasons = [
+pub(super) const SETS: Reasons = [
     "choosing among the shapes that may throw a shadow saves time",
     "so few shapes may throw a shadow that all are asked",
 ];
-const MATERIALS: Reasons = [
-    "there are several",
-    "there is one at most: its numbers are constants",
-];
-const CHECKERS: Reasons = [
-    "a material has a checker, or may have one",
-    "no material has one",
-];
-const SKY: Reasons = ["the background is a sky, or may be", "it has one colour"];
-const COLORS: Reasons = [
-    "something is not grey",
-    "all is grey: one channel is worked out",
-];
-
-/// Number of needs in the list that are not kinds of bounded shapes.
-const OTHERS: usize = 15;
-
-impl Needs {
-    /// Returns every need in words, the kinds of bounded shapes first.
-    pub const fn list(&self) -> [Need; KINDS + OTHERS] {
-        let (levels, others) = (self.levels(), self.others());
-        let mut list = [others[0]; KINDS + OTHERS];
-        let mut index = 0;
-        while index < KINDS {
-            let (name, level) = levels[index];
-            list[index] = Need::either(name, level > 0, SHAPES);
-            index += 1;
-        }
-        while index < list.len() {
-            list[index] = others[index - KINDS];
-            index += 1;
-        }
-        list
-    }
-
-    /// Returns the needs that are not kinds of bounded shapes, in words.
-    const fn others(&self) -> [Need; OTHERS] {
-        let has_shininess = !matches!(self.shininess, Shininess::None);
-        let has_mirrors = !matches!(self.mirrors, Mirrors::None);
-        let reflections = match self.reflections {
-            0 if !has_mirrors => "nothing mirrors",
-            0 => "none is followed",
-            1 => "one",
-            _ => "as many as the frame allows",
-        };
-        [
-            Need::either("planes", self.planes, SHAPES),
-            Need::either("lights", self.lights, LIGHTS),
-            Need::either("far_lights", self.far_lights, FAR_LIGHTS),
-            Need::either("ranges", self.ranges, RANGES),
-            Need::either("shadows", self.shadows, SHADOWS),
-            Need::either("highlights", self.highlights, HIGHLIGHTS),
-            Need::new("shininess", has_shininess, self.shininess.words()),
-            Need::new("mirrors", has_mirrors, self.mirrors.words()),
-            Need::new("reflections", self.reflections > 0, reflections),
-            Need::either("mirrored", self.mirrored, MIRRORED),
-            Need::either("sets", self.sets, SETS),
-            Need::either("materials", self.materials, MATERIALS),
-            Need::either("checkers", self.checkers, CHECKERS),
-            Need::either("sky", self.sky, SKY),
-            Need::either("colors", self.colors, COLORS),
-        ]
-    }
-}
-
-impl Shininess {
-    const fn words(self) -> &'static str {
-        match self {
-            Self::None => "there is no highlight",
-            Self::Even => "even whole numbers: by squaring, without a root or a logarithm",
-            Self::Whole => "whole numbers: by squaring, without a logarithm",
-            Self::Real => "real numbers: by squaring and a logarithm",
-        }
-    }
-}
-
-impl Mirrors {
-    const fn words(self) -> &'static str {
-        match self {
-            Self::None => "no mirror is above 0: a path ends at the first surface",
-            Self::Some => "a mirror is above 0",
-            Self::All => "every mirror is 1: no surface has a colour of its own",
-        }
-    }
-}

@@ -71,11 +71,10 @@ impl<'a> RustSource<'a> {
     /// assert!(text.contains("pub struct Night {\n        background([0.0, 0.0, 0.5]);"));
     /// ```
     pub fn new(name: &'a str, scene: &'a Scene, camera: &Camera) -> Self {
+        let materials = 0..scene.materials.len();
         Self {
             name,
-            materials: (0..scene.materials.len())
-                .map(|it| it.to_string())
-                .collect(),
+            materials: materials.map(|it| it.to_string()).collect(),
             scene,
             camera: camera.clone(),
             motion: None,
@@ -90,11 +89,9 @@ impl<'a> RustSource<'a> {
 
     /// Sets the camera of the scene.
     #[must_use]
-    pub fn camera(self, camera: &camera::Camera) -> Self {
-        Self {
-            camera: camera.into(),
-            ..self
-        }
+    pub fn camera(mut self, camera: &camera::Camera) -> Self {
+        self.camera = camera.into();
+        self
     }
 
     /// Lets the first shape of a kind, such as `sphere`, move in the box between two corners. Its handle has
@@ -114,11 +111,9 @@ impl<'a> RustSource<'a> {
     /// assert!(text.contains("sphere MOVING([0.0, 5.0, 0.0], 1.0, MATERIAL_0);"));
     /// ```
     #[must_use]
-    pub fn motion(self, kind: &'static str, low: [f64; 3], high: [f64; 3]) -> Self {
-        Self {
-            motion: Some(Motion { kind, low, high }),
-            ..self
-        }
+    pub fn motion(mut self, kind: &'static str, low: [f64; 3], high: [f64; 3]) -> Self {
+        self.motion = Some(Motion { kind, low, high });
+        self
     }
 
     /// Returns the name of the scene's type: `TwoBalls` for a scene called `two balls`.

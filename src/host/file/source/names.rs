@@ -33,11 +33,8 @@ pub(super) fn constants(names: &[String], type_name: &str) -> Vec<String> {
         let free = candidates.find(|name| taken.insert(name.clone()));
         free.expect("numbers do not end")
     };
-    names
-        .iter()
-        .map(|name| constant(name))
-        .map(unique)
-        .collect()
+    let constants = names.iter().map(|name| constant(name));
+    constants.map(unique).collect()
 }
 
 fn constant(name: &str) -> String {

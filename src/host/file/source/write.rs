@@ -1,4 +1,5 @@
-//! Writes the lines of the Rust source of a scene.
+//! Writes the lines of the Rust source of a scene. A number is written as `Debug` writes it: with the shortest
+//! digits that parse to the same number.
 
 use alloc::borrow::ToOwned;
 use alloc::collections::BTreeSet;
@@ -6,10 +7,7 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::{Motion, RustSource};
-use crate::host::reference::{Light, Material, Scene, Shape};
-
-/// Default of a scene's epsilon, the distance by which rays are lifted off surfaces.
-const EPSILON: f64 = 1e-3;
+use crate::host::reference::{Checker, EPSILON, Light, Material, Scene, Shape};
 
 /// Returns the source of a constant scene. `materials` are the names of the materials' constants.
 pub(super) fn text(source: &RustSource<'_>, type_name: &str, materials: &[String]) -> String {
@@ -27,17 +25,17 @@ pub(super) fn text(source: &RustSource<'_>, type_name: &str, materials: &[String
          use reflet::{{Camera, {import}scene}};\n\n\
          {constants}\n\
          /// The view the scene was made for.\n\
-         pub const CAMERA: Camera = Camera::look_at({}, {}, {}).fov({});\n\n\
+         pub const CAMERA: Camera = Camera::look_at({:?}, {:?}, {:?}).fov({:?});\n\n\
          scene! {{\n    \
              /// The scene `{name}`.\n    \
              pub struct {type_name} {{\n\
                  {}    \
              }}\n\
          }}\n",
-        vector(camera.position),
-        vector(camera.target),
-        vector(camera.up),
-        number(camera.fov),
+        camera.position,
+        camera.target,
+        camera.up,
+        camera.fov,
         parts(scene, materials, source.motion.as_ref()),
     )
 }
@@ -48,19 +46,15 @@ fn used_materials(scene: &Scene) -> BTreeSet<usize> {
 
 fn constant(name: &str, material: &Material) -> String {
     let mut text = format!(
-        "const {name}: Material = Material::new({}).ambient({}).diffuse({}).specular({}, {})",
-        vector(material.color),
-        number(material.ambient),
-        number(material.diffuse),
-        number(material.specular),
-        number(material.shininess),
+        "const {name}: Material = \
+         Material::new({:?}).ambient({:?}).diffuse({:?}).specular({:?}, {:?})",
+        material.color, material.ambient, material.diffuse, material.specular, material.shininess,
     );
     if material.mirror != 0.0 {
-        text += &format!(".mirror({})", number(material.mirror));
+        text += &format!(".mirror({:?})", material.mirror);
     }
-    if let Some(checker) = &material.checker {
-        let [color, size] = [checker.color, checker.size].map(vector);
-        text += &format!(".checker({color}, {size})");
+    if let Some(Checker { color, size }) = &material.checker {
+        text += &format!(".checker({color:?}, {size:?})");
     }
     text + ";\n"
 }
@@ -72,49 +66,34 @@ fn parts(scene: &Scene, materials: &[String], motion: Option<&Motion>) -> String
         let moves = is_first && motion.is_some_and(|motion| motion.kind == it.kind);
         is_first &= !moves;
         let handle = if moves { " MOVING" } else { "" };
-        let fields = it.fields.iter().map(|field| format!("{field:?}"));
-        let (fields, material) = (
-            fields.collect::<Vec<_>>().join(", "),
-            &materials[it.material],
-        );
-        format!("{}{handle}({fields}, {material})", it.kind)
+        let fields = it.fields.iter().map(|field| format!("{field:?}, "));
+        let (fields, material) = (fields.collect::<String>(), &materials[it.material]);
+        format!("{}{handle}({fields}{material})", it.kind)
     };
     let light = |it: &Light| {
-        let [position, color] = [it.position, it.color].map(vector);
-        match (it.sun, it.range.map(number)) {
-            (None, None) => format!("light({position}, {color})"),
-            (None, Some(range)) => format!("light_with_range({position}, {color}, {range})"),
-            (Some(0.0), _) => format!("sun({position}, {color})"),
-            (Some(disc), _) => format!("sun_with_disc({position}, {color}, {})", number(disc)),
+        let (position, color) = (it.position, it.color);
+        match (it.sun, it.range) {
+            (None, None) => format!("light({position:?}, {color:?})"),
+            (None, Some(range)) => format!("light_with_range({position:?}, {color:?}, {range:?})"),
+            (Some(0.0), _) => format!("sun({position:?}, {color:?})"),
+            (Some(disc), _) => format!("sun_with_disc({position:?}, {color:?}, {disc:?})"),
         }
     };
-    let corners = |motion: &Motion| {
-        let [low, high] = [motion.low, motion.high].map(vector);
-        format!("motion({low}, {high})")
-    };
+    let corners = |motion: &Motion| format!("motion({:?}, {:?})", motion.low, motion.high);
     let mut parts: Vec<String> = motion.map(corners).into_iter().collect();
     parts.extend(scene.shapes().map(shape));
     parts.extend(scene.lights.iter().map(light));
     if let Some(sky) = &scene.sky {
-        let [up, below, horizon, above] = [sky.up, sky.below, sky.horizon, sky.above].map(vector);
-        parts.push(format!("sky({up}, [{below}, {horizon}, {above}])"));
+        let colors = [sky.below, sky.horizon, sky.above];
+        parts.push(format!("sky({:?}, {colors:?})", sky.up));
     }
     if scene.background != [0.0; 3] {
-        parts.push(format!("background({})", vector(scene.background)));
+        parts.push(format!("background({:?})", scene.background));
     }
     if scene.epsilon != EPSILON {
-        parts.push(format!("epsilon({})", number(scene.epsilon)));
+        parts.push(format!("epsilon({:?})", scene.epsilon));
     }
     parts.push("camera(CAMERA)".to_owned());
     let line = |part: String| format!("        {part};\n");
     parts.into_iter().map(line).collect()
-}
-
-fn vector([x, y, z]: [f64; 3]) -> String {
-    format!("[{}, {}, {}]", number(x), number(y), number(z))
-}
-
-/// Returns the shortest digits that parse to the same number.
-fn number(value: f64) -> String {
-    format!("{value:?}")
 }

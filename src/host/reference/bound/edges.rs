@@ -5,11 +5,8 @@ use crate::host::reference::model::{Scene, Surface, Vector};
 /// Returns a number for the cell of a checker in which a surface lies, and whether it may be another cell: the
 /// point is off by up to `error` along each axis.
 pub(super) fn cell(surface: &Surface, error: f64) -> (u64, bool) {
-    let checker = surface
-        .material
-        .checker
-        .filter(|_| surface.material.mirror < 1.0);
-    let Some(checker) = checker else {
+    let material = surface.material;
+    let Some(checker) = material.checker.filter(|_| material.mirror < 1.0) else {
         return (0, false);
     };
     let [low, here, high] =

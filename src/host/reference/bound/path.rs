@@ -147,12 +147,9 @@ pub(super) fn follow(
         let shape = scene.number(surface.shape) as u64;
         // A perfect mirror has no colour of its own, so it does not matter which lights shine on it.
         let lights = lights * u64::from(surface.material.mirror < 1.0);
-        stage.trail = mixed(
-            mixed(stage.trail, 2 * shape + u64::from(surface.is_inside)),
-            lights,
-        );
         let (cell, is_near_another) = cell(&surface, at.place);
-        stage.trail = mixed(stage.trail, cell);
+        let side = 2 * shape + u64::from(surface.is_inside);
+        stage.trail = [side, lights, cell].into_iter().fold(stage.trail, mixed);
         stage.is_unsure |= at.is_unsure || is_near_another;
         stages.push(stage);
         if stage.weight < NOTHING {
@@ -226,16 +223,9 @@ impl Hit {
             let gleam = self.gleam(surface, towards, light, shading);
             let strength_error = material.diffuse * diffuse + material.specular * gleam;
             // A change of the distance by a part of it changes the share by up to 2 (1 - share) of that part.
-            let (share, share_error) = match lamp.range {
-                Some(range) => {
-                    let share = Light::share_at(range, distance);
-                    (
-                        share,
-                        2.0 * share * (1.0 - share) * light + to_the_minus(24),
-                    )
-                }
-                None => (1.0, 0.0),
-            };
+            let share = lamp.range.map_or(1.0, |it| Light::share_at(it, distance));
+            let rounding = lamp.range.map_or(0.0, |_| to_the_minus(24));
+            let share_error = 2.0 * share * (1.0 - share) * light + rounding;
             let strength_error = strength_error * share + sent * share_error;
             let lit = sent * share;
             received += lamp.color * lit;

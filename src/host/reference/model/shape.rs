@@ -32,7 +32,9 @@ pub trait Shape {
     fn normal(&self, at: Vector) -> Vector;
 
     /// Returns the curvature: 1 / radius of a sphere or cylinder, 0 of a flat shape.
-    fn curvature(&self) -> Real;
+    fn curvature(&self) -> Real {
+        0.0
+    }
 }
 
 /// A sphere, prepared for tracing.
@@ -144,10 +146,6 @@ impl Shape for Plane {
     fn normal(&self, _: Vector) -> Vector {
         self.normal
     }
-
-    fn curvature(&self) -> Real {
-        0.0
-    }
 }
 
 impl Shape for Cylinder {
@@ -214,10 +212,6 @@ impl Shape for Disc {
     #[inline]
     fn normal(&self, _: Vector) -> Vector {
         self.normal
-    }
-
-    fn curvature(&self) -> Real {
-        0.0
     }
 }
 
