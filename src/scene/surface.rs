@@ -149,7 +149,7 @@ macro_rules! surfaces {
                 let index = shape.index();
                 $(
                     if let Some(shape) = self.$list.get(index) {
-                        return Some((shape.normal(at), shape.material()));
+                        return Some((shape.normal(at), shape.material));
                     }
                     let index = index - self.$list.len();
                 )*
@@ -207,7 +207,7 @@ macro_rules! surfaces {
                 let index = shape.index();
                 $(
                     if let Some(shape) = self.$list.get(index) {
-                        return Some(shape.material());
+                        return Some(shape.material);
                     }
                     let index = index - self.$list.len();
                 )*

@@ -32,8 +32,12 @@ pub trait Bordered: Bounded {
     /// Returns a lower bound of the distance from the eye to the shape's outline, in steps.
     fn outline_distance(&self, from: &Self::FromPoint) -> i32;
 
-    /// Returns a ball around the shape.
-    fn bounding_ball(&self) -> Ball;
+    /// Returns a ball around the shape. Defaults to that in the middle of the outline.
+    #[inline(always)]
+    fn bounding_ball(&self) -> Ball {
+        let (center, _, radius) = self.outline();
+        (center, radius)
+    }
 
     /// Tests whether the solid surely has no point in a ball.
     fn is_apart_from(&self, ball: Ball) -> bool;
@@ -181,11 +185,7 @@ impl Fan {
             Base {
                 outward: outward.reversed_if(distance < 0),
                 distance: distance.abs(),
-                middle: Vector::new(
-                    (one.x + other.x) >> 1,
-                    (one.y + other.y) >> 1,
-                    (one.z + other.z) >> 1,
-                ),
+                middle: one.plus(other).coarser(1),
                 half: (length.to_bits() >> 1) + 2,
                 along,
             }

@@ -8,6 +8,7 @@ pub mod cylinder;
 pub mod disc;
 #[cfg(test)]
 mod fixture;
+mod flat;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;
