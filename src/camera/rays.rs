@@ -66,19 +66,19 @@ impl RayGenerator {
     /// picture.
     pub(crate) fn row(&self, y: u32) -> RowDirections {
         debug_assert!(y < self.height && self.height < 1 << 16);
-        self.directions(self.middle(self.vertical(y)))
+        self.directions(self.middle(y, 0))
     }
 
     /// Prepares the directions through points at a distance below the centres of row `y`, in sixteenths of a pixel.
     #[inline(never)]
     pub(crate) fn row_below(&self, y: u32, down: i32) -> RowDirections {
-        self.directions(self.middle_below(y, down))
+        self.directions(self.middle(y, down))
     }
 
     /// Returns the plane of the rays through points below the centres of row `y`, as [`RayGenerator::row_below`] does.
     #[inline(never)]
     pub(crate) fn row_plane_below(&self, (y, down): (u32, i32), origin: Point) -> RowPlane {
-        self.plane(self.middle_below(y, down), origin)
+        self.plane(self.middle(y, down), origin)
     }
 
     /// Prepares the directions of a row from the vector to its middle.
@@ -98,7 +98,7 @@ impl RayGenerator {
 
     /// Returns the plane of row `y`, for rays from `origin`.
     pub(crate) fn row_plane(&self, y: u32, origin: Point) -> RowPlane {
-        self.plane(self.middle(self.vertical(y)), origin)
+        self.plane(self.middle(y, 0), origin)
     }
 
     /// Returns the plane of a row from the vector to its middle.
@@ -122,21 +122,16 @@ impl RayGenerator {
         }
     }
 
-    /// Returns the distance of a row from the middle of the picture, in half pixels, upwards.
-    fn vertical(&self, y: u32) -> i64 {
-        i64::from(self.height) - 1 - 2 * i64::from(y)
-    }
-
-    /// Returns the vector to the middle of a line below the centres of row `y`, in sixteenths of a pixel.
-    fn middle_below(&self, y: u32, down: i32) -> [i64; 3] {
-        let middle = self.middle(self.vertical(y));
-        // A sixteenth of a pixel is an eighth of half a pixel.
-        [0, 1, 2].map(|axis| middle[axis] - (self.up[axis] >> 3) * i64::from(down))
-    }
-
-    /// Returns the vector to the middle of a row, scaled as [`RowDirections`] says.
-    fn middle(&self, vertical: i64) -> [i64; 3] {
-        [0, 1, 2].map(|axis| self.ahead[axis] + self.up[axis] * vertical)
+    /// Returns the vector to the middle of a line at a distance below the centres of row `y`, in sixteenths of a
+    /// pixel, scaled as [`RowDirections`] says.
+    #[inline(always)]
+    fn middle(&self, y: u32, down: i32) -> [i64; 3] {
+        // In half pixels, an eighth of which is a sixteenth of a pixel.
+        let up_from_middle = i64::from(self.height) - 1 - 2 * i64::from(y);
+        [0, 1, 2].map(|axis| {
+            let middle = self.ahead[axis] + self.up[axis] * up_from_middle;
+            middle - (self.up[axis] >> 3) * i64::from(down)
+        })
     }
 }
 
