@@ -2,7 +2,7 @@
 
 use super::Camera;
 use crate::number::{
-    Scaled, shifted, signed, signed_wide, square_root, stepped, unsigned_wide, wide,
+    Quotient, shifted, signed, signed_wide, square_root, stepped, unsigned_wide, wide,
 };
 use crate::ray::{RowPlane, ScreenAxis};
 use crate::vector::{Direction, Point, Vector};
@@ -13,16 +13,16 @@ impl Camera {
     pub(crate) fn generator(&self, width: u32, height: u32) -> RayGenerator {
         // The picture is width · cot(fov / 2) half pixels in front of the camera.
         let product = u64::from(width) * u64::from(self.cotangent.mantissa);
-        let Scaled { exponent, .. } = self.cotangent;
+        let Quotient { exponent, .. } = self.cotangent;
         let bits = |value: u64| 64 - signed(value.leading_zeros());
         let largest = (bits(product) + exponent).max(bits(u64::from(width.max(height))));
         // The largest component is scaled to 2³⁰, so that the vector of a ray stays below 2⁶¹ in Q30.
         let scale = 30 - largest;
         let ahead = shifted(signed_wide(product), (exponent + scale).max(-63));
         RayGenerator {
-            ahead: times(self.forward, ahead),
+            ahead: raw(self.forward).map(|coordinate| coordinate * ahead),
             right: self.right,
-            up: [0, 1, 2].map(|axis| shifted(raw(self.up)[axis], scale)),
+            up: raw(self.up).map(|coordinate| shifted(coordinate, scale)),
             scale,
             width,
             height,
@@ -189,13 +189,9 @@ impl RowDirections {
     #[inline(always)]
     fn way(&self, aside: i32) -> Vector {
         let [x, y, z] = self.middle;
-        let Vector {
-            x: dx,
-            y: dy,
-            z: dz,
-        } = self.right.raw();
+        let right = self.right.raw();
         let at = |middle: i64, right: i32| ((middle + wide(right, aside)) >> 32) as i32;
-        Vector::new(at(x, dx), at(y, dy), at(z, dz))
+        Vector::new(at(x, right.x), at(y, right.y), at(z, right.z))
     }
 
     /// Returns four times the signed distance from the middle of the row to the pixel of a column.
@@ -214,9 +210,4 @@ fn at(start: i64, step: i64, column: u32) -> i32 {
 /// Returns the coordinates of a direction as raw Q2.30 bits.
 fn raw(direction: Direction) -> [i64; 3] {
     direction.components().map(|unit| i64::from(unit.to_bits()))
-}
-
-/// Multiplies the raw Q2.30 coordinates of a direction by `factor`.
-fn times(direction: Direction, factor: i64) -> [i64; 3] {
-    raw(direction).map(|coordinate| coordinate * factor)
 }
