@@ -1,10 +1,10 @@
 //! Where a cylinder begins and ends in a row, and what it surely does to a stretch.
 
 use super::{CylinderFromLight, CylinderFromPoint, PreparedCylinder};
-use crate::number::{Unit, ratio, signed, signed_wide, square_root, wide};
+use crate::number::{Unit, ratio, scaled_by_unit, signed, signed_wide, square_root, wide};
 use crate::ray::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
-use crate::shape::bordered::{Ball, Bordered, Fan, Rod, SLACK, square};
-use crate::vector::Vector;
+use crate::shape::bordered::{Ball, Bordered, Fan, SLACK, square};
+use crate::vector::{Direction, Vector};
 
 impl Bordered for PreparedCylinder {
     /// Where the rims of both ends begin and end.
@@ -57,14 +57,10 @@ impl Bordered for PreparedCylinder {
         if one.min(other) > reach || one.max(other) < -reach {
             return true;
         }
-        fan.avoids_rod(
-            from.way,
-            &Rod {
-                axis: self.axis,
-                half: self.half_height,
-                radius: self.radius,
-            },
-        ) || self.is_passed(whole, fan)
+        let size = |direction: Direction| {
+            scaled_by_unit(self.half_height, self.axis.dot(direction)).abs() + self.radius + SLACK
+        };
+        fan.avoids(from.way, size) || self.is_passed(whole, fan)
     }
 
     /// Rays to a straight line that meet the solid at both ends meet it between, as it is convex. They hit the wall

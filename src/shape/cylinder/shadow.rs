@@ -63,11 +63,7 @@ impl CastsShadow for PreparedCylinder {
             .scaled(lamp.along)
             .plus(lamp.up.scaled(lamp.height));
         let to = way.coarser(lamp.scale).minus(light);
-        let from = CylinderFromPoint {
-            way: to,
-            across: self.axis.crossed_with(to),
-            rise: to.dot(self.axis),
-        };
+        let from = CylinderFromPoint::new(to, self.axis);
         let off = lamp.off(line);
         let touching = [self.radius - off, self.radius + off]
             .map(|radius| from.touching(self.axis, radius.max(0) >> lamp.scale));
