@@ -7,7 +7,7 @@ pub(crate) use rays::{RayGenerator, RowDirections};
 
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
-use crate::number::{Number, Scaled, cotangent_of_half, sine_and_cosine_of};
+use crate::number::{Number, Quotient, cotangent_of_half, sine_and_cosine_of};
 use crate::vector::{Direction, Position};
 
 /// Narrowest field of view, in degrees. In a picture of 320 columns a pixel is then 2⁻²⁴ wide. A
@@ -70,7 +70,7 @@ pub struct Camera {
     right: Direction,
     up: Direction,
     /// Cotangent of half the field of view: 1 / tan(fov / 2).
-    cotangent: Scaled,
+    cotangent: Quotient,
 }
 
 impl Camera {
@@ -202,7 +202,7 @@ impl Camera {
     #[inline(never)]
     const fn aimed(
         description: CameraDescription,
-        cotangent: Option<Scaled>,
+        cotangent: Option<Quotient>,
     ) -> Result<Self, Error> {
         let CameraDescription {
             position,

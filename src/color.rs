@@ -53,16 +53,7 @@ impl Color {
     /// Returns the largest of the three components.
     pub const fn largest(self) -> Brightness {
         let [red, green, blue] = self.0;
-        let most = if red.to_bits() > green.to_bits() {
-            red
-        } else {
-            green
-        };
-        if most.to_bits() > blue.to_bits() {
-            most
-        } else {
-            blue
-        }
+        larger(larger(red, green), blue)
     }
 
     /// Tests whether all three components have the same brightness.
@@ -84,12 +75,6 @@ impl Color {
 
     /// Returns the colour that has, in each component, the larger of this and of another colour.
     pub(crate) const fn at_least(self, other: Self) -> Self {
-        const fn larger(one: Brightness, other: Brightness) -> Brightness {
-            match one.to_bits() > other.to_bits() {
-                true => one,
-                false => other,
-            }
-        }
         let ([r, g, b], [red, green, blue]) = (self.0, other.0);
         Self([larger(r, red), larger(g, green), larger(b, blue)])
     }
@@ -153,6 +138,14 @@ impl<const PRECISE: bool> Lighting<PRECISE> {
 /// Converts a number to a brightness, rounded to nearest. The caller has checked its range.
 pub(crate) const fn brightness(number: Number) -> Brightness {
     Brightness::from_bits(number.quantised(26))
+}
+
+/// Returns the larger of two components.
+const fn larger(one: Brightness, other: Brightness) -> Brightness {
+    match one.to_bits() > other.to_bits() {
+        true => one,
+        false => other,
+    }
 }
 
 /// Half of an 8-bit level, as a part of a [`Sum`].

@@ -11,7 +11,7 @@ pub use position::Position;
 pub(crate) use position::leading_shift;
 
 use crate::number::{
-    Length, Unit, high, high_unsigned, narrowed, reciprocal_root, rounded, shifted, signed,
+    Length, Unit, high, high_unsigned, narrowed, reciprocal_root, scaled_by_unit, shifted, signed,
     unit_shift, unsigned, unsigned_wide, wide,
 };
 
@@ -65,12 +65,7 @@ impl Point {
     /// With coordinates within ±3 · 2²⁷ and a distance below 2³⁰, the sum stays below 1.375 · 2³⁰.
     #[inline(always)]
     pub const fn precisely_along(self, direction: Direction, distance: Length) -> Self {
-        let distance = distance.to_bits();
-        Self::new(
-            self.x + narrowed(rounded(wide(distance, direction.x.to_bits()), 30)),
-            self.y + narrowed(rounded(wide(distance, direction.y.to_bits()), 30)),
-            self.z + narrowed(rounded(wide(distance, direction.z.to_bits()), 30)),
-        )
+        Self::at(self.to_vector().plus(direction.nearest(distance.to_bits())))
     }
 
     /// Divides all coordinates by 2^`shift`, rounded down.
@@ -130,6 +125,21 @@ impl Vector {
         Self::new(self.x << shift, self.y << shift, self.z << shift)
     }
 
+    /// Returns the vector with all components divided by 2^`shift`, rounded down.
+    pub(crate) const fn coarser(self, shift: u32) -> Self {
+        Self::new(self.x >> shift, self.y >> shift, self.z >> shift)
+    }
+
+    /// Multiplies all components by a Q2.30 number, rounded down. They must stay within ±2³¹.
+    #[inline(always)]
+    pub(crate) const fn part(self, share: Unit) -> Self {
+        Self::new(
+            scaled_by_unit(self.x, share),
+            scaled_by_unit(self.y, share),
+            scaled_by_unit(self.z, share),
+        )
+    }
+
     /// Returns the exact dot product with another vector. Components of one are within ±2³⁰, of the other ±2³¹.
     pub(crate) const fn dot_raw(self, b: Self) -> i64 {
         wide(self.x, b.x) + wide(self.y, b.y) + wide(self.z, b.z)
@@ -147,9 +157,7 @@ impl Vector {
     /// Returns the dot product with `direction`: the length of the vector along it, in steps with 30
     /// fraction bits. Its magnitude is below 2⁶² for coordinates within ±2³⁰.
     pub const fn dot_wide(self, direction: Direction) -> i64 {
-        wide(self.x, direction.x.to_bits())
-            + wide(self.y, direction.y.to_bits())
-            + wide(self.z, direction.z.to_bits())
+        self.dot_raw(direction.raw())
     }
 
     /// Returns the dot product with `direction`: the length of the vector along it, rounded down to a

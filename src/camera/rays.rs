@@ -2,7 +2,7 @@
 
 use super::Camera;
 use crate::number::{
-    Scaled, shifted, signed, signed_wide, square_root, stepped, unsigned_wide, wide,
+    Quotient, shifted, signed, signed_wide, square_root, stepped, unsigned_wide, wide,
 };
 use crate::ray::{RowPlane, ScreenAxis};
 use crate::vector::{Direction, Point, Vector};
@@ -13,16 +13,16 @@ impl Camera {
     pub(crate) fn generator(&self, width: u32, height: u32) -> RayGenerator {
         // The picture is width · cot(fov / 2) half pixels in front of the camera.
         let product = u64::from(width) * u64::from(self.cotangent.mantissa);
-        let Scaled { exponent, .. } = self.cotangent;
+        let Quotient { exponent, .. } = self.cotangent;
         let bits = |value: u64| 64 - signed(value.leading_zeros());
         let largest = (bits(product) + exponent).max(bits(u64::from(width.max(height))));
         // The largest component is scaled to 2³⁰, so that the vector of a ray stays below 2⁶¹ in Q30.
         let scale = 30 - largest;
         let ahead = shifted(signed_wide(product), (exponent + scale).max(-63));
         RayGenerator {
-            ahead: times(self.forward, ahead),
+            ahead: raw(self.forward).map(|coordinate| coordinate * ahead),
             right: self.right,
-            up: [0, 1, 2].map(|axis| shifted(raw(self.up)[axis], scale)),
+            up: raw(self.up).map(|coordinate| shifted(coordinate, scale)),
             scale,
             width,
             height,
@@ -66,19 +66,19 @@ impl RayGenerator {
     /// picture.
     pub(crate) fn row(&self, y: u32) -> RowDirections {
         debug_assert!(y < self.height && self.height < 1 << 16);
-        self.directions(self.middle(self.vertical(y)))
+        self.directions(self.middle(y, 0))
     }
 
     /// Prepares the directions through points at a distance below the centres of row `y`, in sixteenths of a pixel.
     #[inline(never)]
     pub(crate) fn row_below(&self, y: u32, down: i32) -> RowDirections {
-        self.directions(self.middle_below(y, down))
+        self.directions(self.middle(y, down))
     }
 
     /// Returns the plane of the rays through points below the centres of row `y`, as [`RayGenerator::row_below`] does.
     #[inline(never)]
     pub(crate) fn row_plane_below(&self, (y, down): (u32, i32), origin: Point) -> RowPlane {
-        self.plane(self.middle_below(y, down), origin)
+        self.plane(self.middle(y, down), origin)
     }
 
     /// Prepares the directions of a row from the vector to its middle.
@@ -98,7 +98,7 @@ impl RayGenerator {
 
     /// Returns the plane of row `y`, for rays from `origin`.
     pub(crate) fn row_plane(&self, y: u32, origin: Point) -> RowPlane {
-        self.plane(self.middle(self.vertical(y)), origin)
+        self.plane(self.middle(y, 0), origin)
     }
 
     /// Returns the plane of a row from the vector to its middle.
@@ -122,21 +122,16 @@ impl RayGenerator {
         }
     }
 
-    /// Returns the distance of a row from the middle of the picture, in half pixels, upwards.
-    fn vertical(&self, y: u32) -> i64 {
-        i64::from(self.height) - 1 - 2 * i64::from(y)
-    }
-
-    /// Returns the vector to the middle of a line below the centres of row `y`, in sixteenths of a pixel.
-    fn middle_below(&self, y: u32, down: i32) -> [i64; 3] {
-        let middle = self.middle(self.vertical(y));
-        // A sixteenth of a pixel is an eighth of half a pixel.
-        [0, 1, 2].map(|axis| middle[axis] - (self.up[axis] >> 3) * i64::from(down))
-    }
-
-    /// Returns the vector to the middle of a row, scaled as [`RowDirections`] says.
-    fn middle(&self, vertical: i64) -> [i64; 3] {
-        [0, 1, 2].map(|axis| self.ahead[axis] + self.up[axis] * vertical)
+    /// Returns the vector to the middle of a line at a distance below the centres of row `y`, in sixteenths of a
+    /// pixel, scaled as [`RowDirections`] says.
+    #[inline(always)]
+    fn middle(&self, y: u32, down: i32) -> [i64; 3] {
+        // In half pixels, an eighth of which is a sixteenth of a pixel.
+        let up_from_middle = i64::from(self.height) - 1 - 2 * i64::from(y);
+        [0, 1, 2].map(|axis| {
+            let middle = self.ahead[axis] + self.up[axis] * up_from_middle;
+            middle - (self.up[axis] >> 3) * i64::from(down)
+        })
     }
 }
 
@@ -194,13 +189,9 @@ impl RowDirections {
     #[inline(always)]
     fn way(&self, aside: i32) -> Vector {
         let [x, y, z] = self.middle;
-        let Vector {
-            x: dx,
-            y: dy,
-            z: dz,
-        } = self.right.raw();
+        let right = self.right.raw();
         let at = |middle: i64, right: i32| ((middle + wide(right, aside)) >> 32) as i32;
-        Vector::new(at(x, dx), at(y, dy), at(z, dz))
+        Vector::new(at(x, right.x), at(y, right.y), at(z, right.z))
     }
 
     /// Returns four times the signed distance from the middle of the row to the pixel of a column.
@@ -219,9 +210,4 @@ fn at(start: i64, step: i64, column: u32) -> i32 {
 /// Returns the coordinates of a direction as raw Q2.30 bits.
 fn raw(direction: Direction) -> [i64; 3] {
     direction.components().map(|unit| i64::from(unit.to_bits()))
-}
-
-/// Multiplies the raw Q2.30 coordinates of a direction by `factor`.
-fn times(direction: Direction, factor: i64) -> [i64; 3] {
-    raw(direction).map(|coordinate| coordinate * factor)
 }

@@ -26,14 +26,10 @@ fn reciprocal(number: u32) -> Unit {
     Unit::from_bits(RECIPROCALS[(number as usize - 1) % LONGEST])
 }
 
-/// Parabola through the sums of three columns. Columns are counted from the first of them.
+/// Parabola through the sums of three columns. Columns are counted from the first of them. Holds the sum of
+/// column 0, and the first and the second difference there, for a distance of one column.
 #[derive(Clone, Copy, Debug)]
-pub struct Parabola {
-    start: Sum,
-    /// First and second difference at the start, for a distance of one column.
-    first: Sum,
-    second: Sum,
-}
+pub struct Parabola([Sum; 3]);
 
 impl Parabola {
     /// Returns the parabola through the sums of columns 0, `half` and `length`.
@@ -46,47 +42,40 @@ impl Parabola {
         });
         let steps = signed(half) - 1;
         let first = before.each(second, |slope, second| slope - second * steps / 2);
-        Self {
-            start,
-            first,
-            second,
-        }
+        Self([start, first, second])
     }
 
     /// Returns the second difference of the sums of three columns, each `half` columns after the one before.
     pub fn bend(&self, half: u32) -> Bend {
         let square = signed(half * half);
-        self.second.each(self.second, |second, _| second * square)
+        let [_, _, second] = self.0;
+        second.each(second, |second, _| second * square)
     }
 
     /// Returns the sum of column 0, and the first and the second difference there.
     #[inline(always)]
     pub fn to_sums(self) -> [Sum; 3] {
-        [self.start, self.first, self.second]
+        self.0
     }
 
     /// Returns the parabola that [`Parabola::to_sums`] was called for.
     #[inline(always)]
-    pub fn from_sums([start, first, second]: [Sum; 3]) -> Self {
-        Self {
-            start,
-            first,
-            second,
-        }
+    pub fn from_sums(sums: [Sum; 3]) -> Self {
+        Self(sums)
     }
 
     /// Returns the parabola with the same sum in each column.
     #[inline(always)]
     pub fn constant(sum: Sum) -> Self {
-        Self::from_sums([sum, Sum::ZERO, Sum::ZERO])
+        Self([sum, Sum::ZERO, Sum::ZERO])
     }
 
     /// Returns the sum of all columns if it is the same.
     #[inline(always)]
     pub fn as_constant(&self) -> Option<Sum> {
-        let differences = self.first.each(self.second, |first, second| first | second);
-        let [red, green, blue] = differences.0;
-        (red | green | blue == 0).then_some(self.start)
+        let [start, first, second] = self.0;
+        let [red, green, blue] = first.each(second, |first, second| first | second).0;
+        (red | green | blue == 0).then_some(start)
     }
 
     /// Fills places with the sums of columns 0, 1, 2, ..., each converted by `shown`.
@@ -97,13 +86,14 @@ impl Parabola {
         shown: impl Fn(Sum) -> C,
     ) {
         // The step comes before the conversion, because both then fit into the registers of a Cortex-M.
-        let mut first = self.first.less(self.second);
-        let mut sum = self.start.less(first);
+        let [start, first, second] = self.0;
+        let mut first = first.less(second);
+        let mut sum = start.less(first);
         for place in places {
             sum = sum.each(first, |sum, first| sum + first);
             // Keeps the compiler from unrolling the loop: there are no registers for that.
             black_box(());
-            first = first.each(self.second, |first, second| first + second);
+            first = first.each(second, |first, second| first + second);
             *place = shown(sum);
         }
     }

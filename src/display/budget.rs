@@ -215,17 +215,13 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     ///
     /// # Errors
     /// The error of the target, at once: no further row is computed.
-    pub fn draw_within<D>(
+    pub fn draw_within<D: DrawTarget<Color: From<Rgb888>>>(
         self,
         front: &ParetoFront,
         instructions: u64,
         time_is_up: impl FnMut() -> bool,
         target: &mut D,
-    ) -> Result<Budgeted, D::Error>
-    where
-        D: DrawTarget,
-        D::Color: From<Rgb888>,
-    {
+    ) -> Result<Budgeted, D::Error> {
         let size = target.bounding_box().size;
         let choice = front.choose(size, instructions);
         let (level, scale) = (choice.point.level, u32::from(choice.point.scale));
@@ -244,16 +240,12 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     }
 
     /// Draws the frame with the quality that `level` stands for, until time is up.
-    fn at_level<D>(
+    fn at_level<D: DrawTarget<Color: From<Rgb888>>>(
         self,
         level: QualityLevel,
         time_is_up: impl FnMut() -> bool,
         target: &mut D,
-    ) -> Result<Drawn, D::Error>
-    where
-        D: DrawTarget,
-        D::Color: From<Rgb888>,
-    {
+    ) -> Result<Drawn, D::Error> {
         match level {
             QualityLevel::Fast => self.quality::<Fast>().draw_until(time_is_up, target),
             QualityLevel::Exact => self.quality::<Exact>().draw_until(time_is_up, target),
@@ -261,15 +253,11 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     }
 
     /// Draws the rows of the frame over the target, from the top, until time is up.
-    fn draw_until<D>(
+    fn draw_until<D: DrawTarget<Color: From<Rgb888>>>(
         &self,
         mut time_is_up: impl FnMut() -> bool,
         target: &mut D,
-    ) -> Result<Drawn, D::Error>
-    where
-        D: DrawTarget,
-        D::Color: From<Rgb888>,
-    {
+    ) -> Result<Drawn, D::Error> {
         let area = target.bounding_box();
         let mut drawn = Drawn {
             report: Report::NONE,

@@ -61,15 +61,11 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     ///
     /// # Errors
     /// The error of the target, at once: no further row is computed.
-    pub fn draw_coarse_first<D>(
+    pub fn draw_coarse_first<D: DrawTarget<Color: From<Rgb888>>>(
         &self,
         row: &mut [D::Color],
         target: &mut D,
-    ) -> Result<Report, D::Error>
-    where
-        D: DrawTarget,
-        D::Color: From<Rgb888>,
-    {
+    ) -> Result<Report, D::Error> {
         let area = target.bounding_box();
         let mut report = Report::NONE;
         if area.is_zero_sized() {

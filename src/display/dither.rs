@@ -44,11 +44,7 @@ pub struct Dithered<'a, D> {
     display: &'a mut D,
 }
 
-impl<'a, D> Dithered<'a, D>
-where
-    D: DrawTarget,
-    D::Color: Ditherable,
-{
+impl<'a, D: DrawTarget<Color: Ditherable>> Dithered<'a, D> {
     /// Creates a dithering draw target for `display`.
     pub fn new(display: &'a mut D) -> Self {
         Self { display }
@@ -61,18 +57,14 @@ impl<D: Dimensions> Dimensions for Dithered<'_, D> {
     }
 }
 
-impl<D> DrawTarget for Dithered<'_, D>
-where
-    D: DrawTarget,
-    D::Color: Ditherable,
-{
+impl<D: DrawTarget<Color: Ditherable>> DrawTarget for Dithered<'_, D> {
     type Color = Rgb888;
     type Error = D::Error;
 
-    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), D::Error>
-    where
-        I: IntoIterator<Item = Pixel<Rgb888>>,
-    {
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(
+        &mut self,
+        pixels: I,
+    ) -> Result<(), D::Error> {
         let dots = pixels.into_iter();
         self.display
             .draw_iter(dots.map(|Pixel(at, color)| Pixel(at, dither(color, at))))

@@ -37,11 +37,10 @@ impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     ///
     /// # Errors
     /// The error of the target, at once: no further row is computed.
-    pub fn draw<D>(&self, target: &mut D) -> Result<Report, D::Error>
-    where
-        D: DrawTarget,
-        D::Color: From<Rgb888>,
-    {
+    pub fn draw<D: DrawTarget<Color: From<Rgb888>>>(
+        &self,
+        target: &mut D,
+    ) -> Result<Report, D::Error> {
         let area = target.bounding_box();
         if area.is_zero_sized() {
             return Ok(Report::NONE);
@@ -84,16 +83,12 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
     ///
     /// # Errors
     /// The error of the target, at once: no further row is computed.
-    pub fn draw_area<D>(
+    pub fn draw_area<D: DrawTarget<Color: From<Rgb888>>>(
         &self,
         area: Rectangle,
         top_left: Point,
         target: &mut D,
-    ) -> Result<Report, D::Error>
-    where
-        D: DrawTarget,
-        D::Color: From<Rgb888>,
-    {
+    ) -> Result<Report, D::Error> {
         let visible = Rectangle::new(
             target.bounding_box().top_left - top_left,
             target.bounding_box().size,

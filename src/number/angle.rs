@@ -4,25 +4,17 @@
 use super::narrow::{
     narrowed, narrowed_128, narrowed_unsigned, narrowed_unsigned_128, signed, to_u32, unsigned_wide,
 };
-use super::{Number, Unit};
-
-/// Positive number `mantissa` · 2^`exponent`. The mantissa is 2³⁰ to 2³¹ - 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Scaled {
-    /// Leading bits of the number.
-    pub mantissa: u32,
-    /// Power of two by which the mantissa is scaled.
-    pub exponent: i32,
-}
+use super::{Number, Quotient, Unit};
 
 /// Factor from degrees to half the angle in radians: π / 360 in Q60.
 const HALF_DEGREE: i128 = 10_061_138_136_218_226;
 
-/// Returns cot(`degrees` / 2), with a relative error below 2⁻³⁰ for 0.001 to 179.999 degrees.
+/// Returns cot(`degrees` / 2), with a relative error below 2⁻³⁰ for 0.001 to 179.999 degrees. The
+/// mantissa is 2³⁰ to 2³¹ - 1.
 ///
 /// `degrees` is between 0 and 180. Returns `None` if it is so close to 0 or 180 that the cotangent does
 /// not fit.
-pub const fn cotangent_of_half(degrees: Number) -> Option<Scaled> {
+pub const fn cotangent_of_half(degrees: Number) -> Option<Quotient> {
     // Q64 · Q60 >> 64 = Q60
     let angle = narrowed_128(((degrees.to_bits() >> 4) * HALF_DEGREE) >> 60);
     let (sine, cosine) = sine_and_cosine(angle);
@@ -36,7 +28,7 @@ pub const fn cotangent_of_half(degrees: Number) -> Option<Scaled> {
     } else {
         quotient << (31 - bits)
     };
-    Some(Scaled {
+    Some(Quotient {
         mantissa: narrowed_unsigned(narrowed_unsigned_128(mantissa)),
         exponent: bits - 31 - 64,
     })

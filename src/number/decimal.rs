@@ -133,29 +133,17 @@ impl From<f32> for Number {
     }
 }
 
-impl From<i32> for Number {
-    fn from(value: i32) -> Self {
-        Self(I64F64::from(value))
-    }
+/// Converts numbers of types that Q64.64 holds exactly.
+macro_rules! exact {
+    ($($number:ty)*) => {
+        $(impl From<$number> for Number {
+            fn from(value: $number) -> Self {
+                Self(I64F64::from(value))
+            }
+        })*
+    };
 }
-
-impl From<I16F16> for Number {
-    fn from(value: I16F16) -> Self {
-        Self(I64F64::from(value))
-    }
-}
-
-impl From<U16F16> for Number {
-    fn from(value: U16F16) -> Self {
-        Self(I64F64::from(value))
-    }
-}
-
-impl From<I32F32> for Number {
-    fn from(value: I32F32) -> Self {
-        Self(I64F64::from(value))
-    }
-}
+exact!(i32 I16F16 U16F16 I32F32);
 
 impl From<I64F64> for Number {
     fn from(value: I64F64) -> Self {

@@ -31,7 +31,7 @@ mod root;
 pub(crate) mod sweep;
 mod zeros;
 
-pub use angle::{Scaled, cotangent_of_half, sine_and_cosine_of};
+pub use angle::{cotangent_of_half, sine_and_cosine_of};
 pub use decimal::Number;
 pub(crate) use decimal::numbers;
 #[cfg(feature = "files")]

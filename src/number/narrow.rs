@@ -4,36 +4,52 @@
 //! which `debug_assert!` checks. Without debug assertions, a function is only the operation itself.
 //! Lints in `lib.rs` and `tests/floors` ensure that other files use these functions.
 
-/// Converts an `i64` to an `i32`. The value must fit: -2³¹ to 2³¹ - 1.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn narrowed(value: i64) -> i32 {
-    debug_assert!(value as i32 as i64 == value, "beyond an i32");
-    value as i32
+/// Writes conversions of a value to another type, which must be able to hold it.
+macro_rules! conversions {
+    ($($(#[$doc:meta])* $name:ident($from:ty) -> $to:ty, $fault:literal;)*) => {$(
+        $(#[$doc])*
+        #[inline(always)]
+        #[cfg_attr(debug_assertions, track_caller)]
+        pub const fn $name(value: $from) -> $to {
+            debug_assert!(value as $to as i128 == value as i128, $fault);
+            value as $to
+        }
+    )*};
 }
 
-/// Converts a `u64` to a `u32`. The value must fit: 0 to 2³² - 1.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn narrowed_unsigned(value: u64) -> u32 {
-    debug_assert!(value as u32 as u64 == value, "beyond a u32");
-    value as u32
-}
+conversions! {
+    /// Converts an `i64` to an `i32`. The value must fit: -2³¹ to 2³¹ - 1.
+    narrowed(i64) -> i32, "beyond an i32";
 
-/// Converts an `i128` to an `i64`. The value must fit: -2⁶³ to 2⁶³ - 1.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn narrowed_128(value: i128) -> i64 {
-    debug_assert!(value as i64 as i128 == value, "beyond an i64");
-    value as i64
-}
+    /// Converts a `u64` to a `u32`. The value must fit: 0 to 2³² - 1.
+    narrowed_unsigned(u64) -> u32, "beyond a u32";
 
-/// Converts a `u128` to a `u64`. The value must fit: 0 to 2⁶⁴ - 1.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn narrowed_unsigned_128(value: u128) -> u64 {
-    debug_assert!(value as u64 as u128 == value, "beyond a u64");
-    value as u64
+    /// Converts an `i128` to an `i64`. The value must fit: -2⁶³ to 2⁶³ - 1.
+    narrowed_128(i128) -> i64, "beyond an i64";
+
+    /// Converts a `u128` to a `u64`. The value must fit: 0 to 2⁶⁴ - 1.
+    narrowed_unsigned_128(u128) -> u64, "beyond a u64";
+
+    /// Converts a `u32` to a `u8`. The value must fit: 0 to 255.
+    to_u8(u32) -> u8, "beyond a u8";
+
+    /// Converts a `u32` to a `u16`. The value must fit: 0 to 2¹⁶ - 1.
+    to_u16(u32) -> u16, "beyond a u16";
+
+    /// Converts a count or an index to a `u32`. The value must fit: 0 to 2³² - 1.
+    to_u32(usize) -> u32, "beyond a u32";
+
+    /// Converts an `i32` that is not negative to a `u32`: 0 to 2³¹ - 1.
+    unsigned(i32) -> u32, "below zero";
+
+    /// Converts an `i64` that is not negative to a `u64`: 0 to 2⁶³ - 1.
+    unsigned_wide(i64) -> u64, "below zero";
+
+    /// Converts a `u32` to an `i32`. The value must fit: 0 to 2³¹ - 1.
+    signed(u32) -> i32, "beyond an i32";
+
+    /// Converts a `u64` to an `i64`. The value must fit: 0 to 2⁶³ - 1.
+    signed_wide(u64) -> i64, "beyond an i64";
 }
 
 /// Converts an `i128` to an `i32`, or returns `None` if it does not fit.
@@ -47,50 +63,10 @@ pub const fn fitting(value: i128) -> Option<i32> {
     }
 }
 
-/// Converts a `u32` to a `u8`. The value must fit: 0 to 255.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn to_u8(value: u32) -> u8 {
-    debug_assert!(value <= u8::MAX as u32, "beyond a u8");
-    value as u8
-}
-
-/// Converts a `u32` to a `u16`. The value must fit: 0 to 2¹⁶ - 1.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn to_u16(value: u32) -> u16 {
-    debug_assert!(value <= u16::MAX as u32, "beyond a u16");
-    value as u16
-}
-
-/// Converts a count or an index to a `u32`. The value must fit: 0 to 2³² - 1.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn to_u32(value: usize) -> u32 {
-    debug_assert!(value as u32 as usize == value, "beyond a u32");
-    value as u32
-}
-
 /// Returns the low 32 bits of any `u64`.
 #[inline(always)]
 pub const fn low_word(value: u64) -> u32 {
     value as u32
-}
-
-/// Converts an `i32` that is not negative to a `u32`: 0 to 2³¹ - 1.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn unsigned(value: i32) -> u32 {
-    debug_assert!(value >= 0, "below zero");
-    value as u32
-}
-
-/// Converts an `i64` that is not negative to a `u64`: 0 to 2⁶³ - 1.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn unsigned_wide(value: i64) -> u64 {
-    debug_assert!(value >= 0, "below zero");
-    value as u64
 }
 
 /// Converts an `i128` that is not negative to a `u128`: 0 to 2¹²⁷ - 1.
@@ -111,22 +87,6 @@ pub const fn twos_complement(value: i64) -> u64 {
 #[inline(always)]
 pub const fn from_twos_complement(bits: u64) -> i64 {
     bits as i64
-}
-
-/// Converts a `u32` to an `i32`. The value must fit: 0 to 2³¹ - 1.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn signed(value: u32) -> i32 {
-    debug_assert!(value <= i32::MAX as u32, "beyond an i32");
-    value as i32
-}
-
-/// Converts a `u64` to an `i64`. The value must fit: 0 to 2⁶³ - 1.
-#[inline(always)]
-#[cfg_attr(debug_assertions, track_caller)]
-pub const fn signed_wide(value: u64) -> i64 {
-    debug_assert!(value <= i64::MAX as u64, "beyond an i64");
-    value as i64
 }
 
 /// Splits a number within ±(2³² - 1) into its low 32 bits and its sign, which is repeated in every bit

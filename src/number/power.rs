@@ -109,13 +109,7 @@ const STEPS: usize = 32;
 
 /// Table for logarithms. Entry i has the reciprocal of the middle of interval i of 1 to 2, in Q30, and
 /// -log₂ of exactly that reciprocal, in Q30.
-static LOGARITHMS: [(u32, u32); STEPS] = logarithms();
-
-/// Table of powers of two: entry i is 2^(i / 32) in Q30.
-static POWERS: [u32; STEPS] = powers();
-
-/// Computes the table of reciprocals and their logarithms.
-const fn logarithms() -> [(u32, u32); STEPS] {
+static LOGARITHMS: [(u32, u32); STEPS] = {
     let mut table = [(0, 0); STEPS];
     let mut index = 0;
     while index < STEPS {
@@ -127,7 +121,27 @@ const fn logarithms() -> [(u32, u32); STEPS] {
         index += 1;
     }
     table
-}
+};
+
+/// Table of powers of two: entry i is 2^(i / 32) in Q30.
+static POWERS: [u32; STEPS] = {
+    // Five square roots of two give 2^(1/32) in Q60.
+    let mut step = 2_u128 << 60;
+    let mut halving = 0;
+    while halving < 5 {
+        step = (step << 60).isqrt();
+        halving += 1;
+    }
+    let mut table = [0; STEPS];
+    let mut value = 1_u128 << 60;
+    let mut index = 0;
+    while index < STEPS {
+        table[index] = narrowed_unsigned(narrowed_unsigned_128((value + (1 << 29)) >> 30));
+        value = (value * step) >> 60;
+        index += 1;
+    }
+    table
+};
 
 /// Returns -log₂ of `value` · 2⁻³⁰ (0.5 to 1) in Q30. Each squaring gives one bit.
 const fn negative_logarithm(value: u64) -> u32 {
@@ -145,26 +159,6 @@ const fn negative_logarithm(value: u64) -> u32 {
         bit += 1;
     }
     narrowed_unsigned((1 << 30) - ((logarithm as u64 + 1) >> 1))
-}
-
-/// Computes the table of powers of two.
-const fn powers() -> [u32; STEPS] {
-    // Five square roots of two give 2^(1/32) in Q60.
-    let mut step = 2_u128 << 60;
-    let mut halving = 0;
-    while halving < 5 {
-        step = (step << 60).isqrt();
-        halving += 1;
-    }
-    let mut table = [0; STEPS];
-    let mut value = 1_u128 << 60;
-    let mut index = 0;
-    while index < STEPS {
-        table[index] = narrowed_unsigned(narrowed_unsigned_128((value + (1 << 29)) >> 30));
-        value = (value * step) >> 60;
-        index += 1;
-    }
-    table
 }
 
 /// One in Q30. The series below multiplies by constants such as `ONE / 3` instead of dividing.

@@ -6,30 +6,7 @@
 
 use super::narrow::narrowed;
 
-/// Returns the 64-bit product of two signed numbers.
-#[inline(always)]
-pub const fn wide(a: i32, b: i32) -> i64 {
-    multiplier::wide(a, b)
-}
-
-/// Returns the 64-bit product of two unsigned numbers.
-#[inline(always)]
-pub const fn wide_unsigned(a: u32, b: u32) -> u64 {
-    multiplier::wide_unsigned(a, b)
-}
-
-/// Returns the high word of the product of two signed numbers: `a` · `b` · 2⁻³², rounded down.
-#[inline(always)]
-pub const fn high(a: i32, b: i32) -> i32 {
-    multiplier::high(a, b)
-}
-
-/// Returns the 64-bit product of two numbers, neither of which is below 0. A signed product takes three
-/// instructions if the compiler knows of only one factor that it is not negative.
-#[inline(always)]
-pub const fn wide_positive(a: i32, b: i32) -> i64 {
-    multiplier::wide_positive(a, b)
-}
+pub use multiplier::{high, high_unsigned, scaled_unsigned, wide, wide_positive, wide_unsigned};
 
 /// Returns the high word of the product of two numbers, neither of which is below 0: `a` · `b` · 2⁻³²,
 /// rounded down.
@@ -48,50 +25,45 @@ pub const fn add_high_positive(sum: i32, a: i32, b: i32) -> i32 {
     narrowed((((sum as i64) << 32) + half + wide_positive(a, b)) >> 32)
 }
 
-/// Returns `a` · `short` · 2⁻¹⁷, rounded down. `short` is below 2¹⁶.
-#[inline(always)]
-pub const fn scaled_unsigned(a: u32, short: u32) -> u32 {
-    multiplier::scaled_unsigned(a, short)
-}
-
-/// Returns the high word of the product of two unsigned numbers: `a` · `b` · 2⁻³², rounded down.
-#[inline(always)]
-pub const fn high_unsigned(a: u32, b: u32) -> u32 {
-    multiplier::high_unsigned(a, b)
-}
-
 // The Arm cores without a long multiply are those without atomic exchanges.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 mod multiplier {
     use crate::number::narrow::{signed_wide, unsigned};
 
+    /// Returns the 64-bit product of two signed numbers.
     #[inline(always)]
-    pub(super) const fn wide(a: i32, b: i32) -> i64 {
+    pub const fn wide(a: i32, b: i32) -> i64 {
         a as i64 * b as i64
     }
 
+    /// Returns the 64-bit product of two unsigned numbers.
     #[inline(always)]
-    pub(super) const fn wide_unsigned(a: u32, b: u32) -> u64 {
+    pub const fn wide_unsigned(a: u32, b: u32) -> u64 {
         a as u64 * b as u64
     }
 
+    /// Returns the 64-bit product of two numbers, neither of which is below 0. A signed product takes
+    /// three instructions if the compiler knows of only one factor that it is not negative.
     #[inline(always)]
-    pub(super) const fn wide_positive(a: i32, b: i32) -> i64 {
+    pub const fn wide_positive(a: i32, b: i32) -> i64 {
         signed_wide(wide_unsigned(unsigned(a), unsigned(b)))
     }
 
+    /// Returns the high word of the product of two signed numbers: `a` · `b` · 2⁻³², rounded down.
     #[inline(always)]
-    pub(super) const fn high(a: i32, b: i32) -> i32 {
+    pub const fn high(a: i32, b: i32) -> i32 {
         (wide(a, b) >> 32) as i32
     }
 
+    /// Returns the high word of the product of two unsigned numbers: `a` · `b` · 2⁻³², rounded down.
     #[inline(always)]
-    pub(super) const fn high_unsigned(a: u32, b: u32) -> u32 {
+    pub const fn high_unsigned(a: u32, b: u32) -> u32 {
         (wide_unsigned(a, b) >> 32) as u32
     }
 
+    /// Returns `a` · `short` · 2⁻¹⁷, rounded down. `short` is below 2¹⁶.
     #[inline(always)]
-    pub(super) const fn scaled_unsigned(a: u32, short: u32) -> u32 {
+    pub const fn scaled_unsigned(a: u32, short: u32) -> u32 {
         high_unsigned(a, short << 15)
     }
 }
@@ -115,7 +87,7 @@ mod halves {
     }
 
     #[inline(always)]
-    pub(super) const fn high(a: i32, b: i32) -> i32 {
+    pub const fn high(a: i32, b: i32) -> i32 {
         let (a_low, a_high, b_low, b_high) = (low_half(a), a >> 16, low_half(b), b >> 16);
         let low = a_low.wrapping_mul(b_low) as u32;
         // `first` and `second` are both within ±2³¹.
@@ -125,19 +97,19 @@ mod halves {
     }
 
     #[inline(always)]
-    pub(super) const fn wide(a: i32, b: i32) -> i64 {
+    pub const fn wide(a: i32, b: i32) -> i64 {
         ((high(a, b) as i64) << 32) | a.wrapping_mul(b) as u32 as i64
     }
 
     #[inline(always)]
-    pub(super) const fn wide_positive(a: i32, b: i32) -> i64 {
+    pub const fn wide_positive(a: i32, b: i32) -> i64 {
         wide(a, b)
     }
 
     /// Returns `a` · `short` · 2⁻¹⁷, rounded down. Takes two products, because the upper half of `short`
     /// is 0.
     #[inline(always)]
-    pub(super) const fn scaled_unsigned(a: u32, short: u32) -> u32 {
+    pub const fn scaled_unsigned(a: u32, short: u32) -> u32 {
         ((a >> 16) * short + (((a & 0xffff) * short) >> 16)) >> 1
     }
 
@@ -145,14 +117,14 @@ mod halves {
     /// The compiler would recognise a direct sum of unsigned halves and call the product of 64 by 64
     /// bits.
     #[inline(always)]
-    pub(super) const fn high_unsigned(a: u32, b: u32) -> u32 {
+    pub const fn high_unsigned(a: u32, b: u32) -> u32 {
         let (a, b) = (a as i32, b as i32);
         let signs = ((a >> 31) & b).wrapping_add((b >> 31) & a);
         high(a, b).wrapping_add(signs) as u32
     }
 
     #[inline(always)]
-    pub(super) const fn wide_unsigned(a: u32, b: u32) -> u64 {
+    pub const fn wide_unsigned(a: u32, b: u32) -> u64 {
         ((high_unsigned(a, b) as u64) << 32) | a.wrapping_mul(b) as u64
     }
 }

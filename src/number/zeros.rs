@@ -3,53 +3,40 @@
 //! Most cores count leading zeros in one instruction. Armv6-M (Cortex-M0) cannot; there, a table gives
 //! the count for the leading byte. This takes a third of the instructions of the compiler's routine.
 
+use super::{to_u8, to_u32};
+
 /// Returns the number of leading zeros of a number; 32 for 0.
 #[inline(always)]
 pub const fn leading_zeros(number: u32) -> u32 {
-    counter::leading_zeros(number)
-}
-
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-mod counter {
-    #[inline(always)]
-    pub(super) const fn leading_zeros(number: u32) -> u32 {
-        number.leading_zeros()
+    match cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        true => looked_up(number),
+        false => number.leading_zeros(),
     }
 }
 
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-use table as counter;
-
-#[cfg(any(test, all(target_arch = "arm", not(target_has_atomic = "32"))))]
-mod table {
-    use crate::number::{to_u8, to_u32};
-
-    /// Number of leading zeros of every 8-bit number.
-    static ZEROS: [u8; 256] = zeros();
-
-    const fn zeros() -> [u8; 256] {
-        let mut zeros = [8; 256];
-        let mut number = 1;
-        while number < 256 {
-            zeros[number] = to_u8(to_u8(to_u32(number)).leading_zeros());
-            number += 1;
-        }
-        zeros
+/// Number of leading zeros of every 8-bit number.
+static ZEROS: [u8; 256] = {
+    let mut zeros = [8; 256];
+    let mut number = 1;
+    while number < 256 {
+        zeros[number] = to_u8(to_u8(to_u32(number)).leading_zeros());
+        number += 1;
     }
+    zeros
+};
 
-    #[inline(always)]
-    pub(super) const fn leading_zeros(number: u32) -> u32 {
-        let (mut leading, mut above) = (number, 16);
-        if leading >> 16 != 0 {
-            (leading, above) = (leading >> 16, 0);
-        }
-        if leading >> 8 != 0 {
-            leading >>= 8;
-        } else {
-            above += 8;
-        }
-        above + ZEROS[(leading & 0xff) as usize] as u32
+#[inline(always)]
+const fn looked_up(number: u32) -> u32 {
+    let (mut leading, mut above) = (number, 16);
+    if leading >> 16 != 0 {
+        (leading, above) = (leading >> 16, 0);
     }
+    if leading >> 8 != 0 {
+        leading >>= 8;
+    } else {
+        above += 8;
+    }
+    above + ZEROS[(leading & 0xff) as usize] as u32
 }
 
 #[cfg(test)]

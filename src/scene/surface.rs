@@ -146,7 +146,7 @@ impl<'a> Parts<'a> {
             let plane = self.planes.get(shape.index() - self.bounded())?;
             Some((plane.normal, plane.material))
         };
-        of_kind!(self, shape, |it| (it.normal(at), it.material())).or_else(plane)
+        of_kind!(self, shape, |it| (it.normal(at), it.material)).or_else(plane)
     }
 
     /// Returns the normal with which a point of a flat shape is shaded, if that is not `flat`, the shape's own
@@ -181,7 +181,7 @@ impl<'a> Parts<'a> {
     #[inline(always)]
     pub(crate) fn material_of(&self, shape: ShapeId) -> Option<MaterialId> {
         let plane = || self.plane(shape).map(|it| it.material);
-        of_kind!(self, shape, |it| it.material()).or_else(plane)
+        of_kind!(self, shape, |it| it.material).or_else(plane)
     }
 
     /// Returns the checker of a material, as [`checker_of`] does.

@@ -1,6 +1,5 @@
 //! The built-in scene `castle`.
 
-use super::BuiltIn;
 use crate::{Camera, Material, scene};
 
 const WALL: Material = Material::new([0.6, 0.6, 0.6])
@@ -30,7 +29,7 @@ const CLOUD: Material = Material::new([1.0, 1.0, 1.0])
     .diffuse(0.7)
     .specular(0.0, 2.0);
 
-const CAMERA: Camera = Camera::look_at(
+pub(super) const CAMERA: Camera = Camera::look_at(
     [24.186, -55.742, 26.689],
     [20.357, -47.128, 23.352],
     [-0.136, 0.305, 0.943],
@@ -98,9 +97,4 @@ scene! {
         light([10.539, -61.862, 55.018], [1.0, 0.719, 0.413]);
         camera(CAMERA);
     }
-}
-
-impl BuiltIn for Castle {
-    const NAME: &'static str = "castle";
-    const CAMERA: Camera = CAMERA;
 }

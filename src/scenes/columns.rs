@@ -1,6 +1,5 @@
 //! The built-in scene `columns`.
 
-use super::BuiltIn;
 use crate::{Camera, Material, scene};
 
 const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
@@ -14,7 +13,7 @@ const SHINY: Material = Material::new([0.9, 0.3, 0.1])
     .specular(0.9, 10.0)
     .mirror(0.2);
 
-const CAMERA: Camera =
+pub(super) const CAMERA: Camera =
     Camera::look_at([0.0, -8.0, 6.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(70.0);
 
 scene! {
@@ -35,9 +34,4 @@ scene! {
         light([20.0, -3.0, 0.0], [1.0, 0.2, 0.1]);
         camera(CAMERA);
     }
-}
-
-impl BuiltIn for Columns {
-    const NAME: &'static str = "columns";
-    const CAMERA: Camera = CAMERA;
 }

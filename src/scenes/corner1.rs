@@ -1,6 +1,5 @@
 //! The built-in scene `corner1`.
 
-use super::BuiltIn;
 use crate::{Camera, Material, scene};
 
 const GREEN: Material = Material::new([0.3, 1.0, 0.4])
@@ -8,7 +7,8 @@ const GREEN: Material = Material::new([0.3, 1.0, 0.4])
     .diffuse(0.9)
     .specular(0.1, 4.0);
 
-const CAMERA: Camera = Camera::look_at([0.0, 0.5, 0.0], [0.0, 0.5, 1.0], [0.0, 1.0, 0.0]).fov(75.0);
+pub(super) const CAMERA: Camera =
+    Camera::look_at([0.0, 0.5, 0.0], [0.0, 0.5, 1.0], [0.0, 1.0, 0.0]).fov(75.0);
 
 scene! {
     /// The scene `corner1`: three planes, and a light that lies in two of them. Which surfaces are lit
@@ -20,9 +20,4 @@ scene! {
         light([0.0, 0.0, 0.1], [1.0, 0.4, 0.2]);
         camera(CAMERA);
     }
-}
-
-impl BuiltIn for Corner1 {
-    const NAME: &'static str = "corner1";
-    const CAMERA: Camera = CAMERA;
 }

@@ -1,6 +1,5 @@
 //! The built-in scene `cylinders`.
 
-use super::BuiltIn;
 use crate::{Camera, Material, scene};
 
 const WHITE: Material = Material::new([0.9, 0.9, 0.9])
@@ -9,7 +8,8 @@ const WHITE: Material = Material::new([0.9, 0.9, 0.9])
     .specular(0.1, 4.0)
     .mirror(0.1);
 
-const CAMERA: Camera = Camera::look_at([0.0, 3.0, 8.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]).fov(45.0);
+pub(super) const CAMERA: Camera =
+    Camera::look_at([0.0, 3.0, 8.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]).fov(45.0);
 
 scene! {
     /// The scene `cylinders`: three open cylinders with slanting axes under three coloured lights.
@@ -22,9 +22,4 @@ scene! {
         light([-50.0, 50.0, 50.0], [0.2, 0.8, 0.2]);
         camera(CAMERA);
     }
-}
-
-impl BuiltIn for Cylinders {
-    const NAME: &'static str = "cylinders";
-    const CAMERA: Camera = CAMERA;
 }

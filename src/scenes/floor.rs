@@ -1,6 +1,5 @@
 //! The built-in scene `floor`.
 
-use super::BuiltIn;
 use crate::{Camera, Material, scene};
 
 const WHITE: Material = Material::new([0.9, 0.9, 0.9])
@@ -9,7 +8,7 @@ const WHITE: Material = Material::new([0.9, 0.9, 0.9])
     .specular(0.1, 4.0)
     .mirror(0.1);
 
-const CAMERA: Camera =
+pub(super) const CAMERA: Camera =
     Camera::look_at([-2.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.75]).fov(75.0);
 
 scene! {
@@ -18,9 +17,4 @@ scene! {
         plane([0.0, 0.0, -0.5], [0.0, 0.0, 1.0], WHITE);
         camera(CAMERA);
     }
-}
-
-impl BuiltIn for Floor {
-    const NAME: &'static str = "floor";
-    const CAMERA: Camera = CAMERA;
 }

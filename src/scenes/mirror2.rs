@@ -1,6 +1,5 @@
 //! The built-in scene `mirror2`.
 
-use super::BuiltIn;
 use crate::{Camera, Material, scene};
 
 const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
@@ -29,7 +28,7 @@ const BLUE_PARTICLE: Material = Material::new([0.1, 0.3, 0.9])
     .specular(0.9, 10.0)
     .mirror(0.1);
 
-const CAMERA: Camera =
+pub(super) const CAMERA: Camera =
     Camera::look_at([0.5, -2.0, 0.4], [0.5, 0.0, 0.4], [0.0, 0.0, 1.0]).fov(65.0);
 
 scene! {
@@ -48,9 +47,4 @@ scene! {
         light([0.5, -2.5, -0.1], [0.5, 0.8, 1.0]);
         camera(CAMERA);
     }
-}
-
-impl BuiltIn for Mirror2 {
-    const NAME: &'static str = "mirror2";
-    const CAMERA: Camera = CAMERA;
 }

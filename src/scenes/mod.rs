@@ -34,44 +34,8 @@ mod sets;
 mod shading_lights;
 mod shading_speculars;
 
-pub use castle::Castle;
-pub use columns::Columns;
-pub use corner1::Corner1;
-pub use cylinders::Cylinders;
-pub use empty::Empty;
-pub use floor::Floor;
-pub use mirror1::Mirror1;
-pub use mirror2::Mirror2;
-pub use primitives::Primitives;
-pub use shading_lights::ShadingLights;
-pub use shading_speculars::ShadingSpeculars;
-
 use crate::accel::Apart;
 use crate::{Camera, FrameBuilder};
-
-/// Names of the eleven built-in scenes, in the order in which programs show them.
-///
-/// ```
-/// use reflet::scenes::{BuiltIn, NAMES};
-/// use reflet::scenes::{Columns, Cylinders, Primitives, ShadingLights, ShadingSpeculars};
-///
-/// assert_eq!((NAMES[0], NAMES.len()), ("castle", 11));
-/// assert_eq!(NAMES[1..4], [ShadingLights::NAME, ShadingSpeculars::NAME, Columns::NAME]);
-/// assert!(NAMES.contains(&Cylinders::NAME) && NAMES.contains(&Primitives::NAME));
-/// ```
-pub const NAMES: [&str; 11] = [
-    Castle::NAME,
-    ShadingLights::NAME,
-    ShadingSpeculars::NAME,
-    Columns::NAME,
-    Mirror1::NAME,
-    Mirror2::NAME,
-    Primitives::NAME,
-    Empty::NAME,
-    Floor::NAME,
-    Corner1::NAME,
-    Cylinders::NAME,
-];
 
 /// A scene that is built into the library.
 pub trait BuiltIn: Apart {
@@ -97,22 +61,53 @@ pub trait Visitor {
     fn visit<S: BuiltIn>(self) -> Self::Output;
 }
 
-/// Runs the visitor on the scene called `name`, or returns `None` if there is no such scene.
-pub fn visit<V: Visitor>(name: &str, visitor: V) -> Option<V::Output> {
-    Some(match name {
-        Castle::NAME => visitor.visit::<Castle>(),
-        ShadingLights::NAME => visitor.visit::<ShadingLights>(),
-        ShadingSpeculars::NAME => visitor.visit::<ShadingSpeculars>(),
-        Columns::NAME => visitor.visit::<Columns>(),
-        Mirror1::NAME => visitor.visit::<Mirror1>(),
-        Mirror2::NAME => visitor.visit::<Mirror2>(),
-        Primitives::NAME => visitor.visit::<Primitives>(),
-        Empty::NAME => visitor.visit::<Empty>(),
-        Floor::NAME => visitor.visit::<Floor>(),
-        Corner1::NAME => visitor.visit::<Corner1>(),
-        Cylinders::NAME => visitor.visit::<Cylinders>(),
-        _ => return None,
-    })
+/// Declares the built-in scenes: the module and the type of each, in the order in which programs show
+/// them. A scene has the name of its module.
+macro_rules! built_in {
+    ($($module:ident $scene:ident)*) => {
+        $(
+            pub use $module::$scene;
+
+            impl BuiltIn for $scene {
+                const NAME: &'static str = stringify!($module);
+                const CAMERA: Camera = $module::CAMERA;
+            }
+        )*
+
+        /// Names of the eleven built-in scenes, in the order in which programs show them.
+        ///
+        /// ```
+        /// use reflet::scenes::{BuiltIn, NAMES};
+        /// use reflet::scenes::{Columns, Cylinders, Primitives, ShadingLights, ShadingSpeculars};
+        ///
+        /// assert_eq!((NAMES[0], NAMES.len()), ("castle", 11));
+        /// assert_eq!(NAMES[1..4], [ShadingLights::NAME, ShadingSpeculars::NAME, Columns::NAME]);
+        /// assert!(NAMES.contains(&Cylinders::NAME) && NAMES.contains(&Primitives::NAME));
+        /// ```
+        pub const NAMES: [&str; 11] = [$($scene::NAME),*];
+
+        /// Runs the visitor on the scene called `name`, or returns `None` if there is no such scene.
+        pub fn visit<V: Visitor>(name: &str, visitor: V) -> Option<V::Output> {
+            match name {
+                $($scene::NAME => Some(visitor.visit::<$scene>()),)*
+                _ => None,
+            }
+        }
+    };
+}
+
+built_in! {
+    castle Castle
+    shading_lights ShadingLights
+    shading_speculars ShadingSpeculars
+    columns Columns
+    mirror1 Mirror1
+    mirror2 Mirror2
+    primitives Primitives
+    empty Empty
+    floor Floor
+    corner1 Corner1
+    cylinders Cylinders
 }
 
 #[cfg(test)]

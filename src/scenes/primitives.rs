@@ -1,6 +1,5 @@
 //! The built-in scene `primitives`.
 
-use super::BuiltIn;
 use crate::{Camera, Material, scene};
 
 const GREEN: Material = Material::new([0.3, 1.0, 0.4])
@@ -18,7 +17,8 @@ const MIRROR: Material = Material::new([0.9, 0.9, 0.9])
     .specular(0.0, 0.0)
     .mirror(1.0);
 
-const CAMERA: Camera = Camera::look_at([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]).fov(75.0);
+pub(super) const CAMERA: Camera =
+    Camera::look_at([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]).fov(75.0);
 
 scene! {
     /// The scene `primitives`: a room with a mirroring sphere above a low open cylinder. The camera is at
@@ -36,9 +36,4 @@ scene! {
         light([-3.0, -0.8, 3.0], [0.2, 0.4, 0.9]);
         camera(CAMERA);
     }
-}
-
-impl BuiltIn for Primitives {
-    const NAME: &'static str = "primitives";
-    const CAMERA: Camera = CAMERA;
 }

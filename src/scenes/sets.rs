@@ -20,6 +20,7 @@ use crate::scene::shape_set::ShapeSet;
 use crate::scene::{RuntimeScene, Surface};
 use crate::shade::BlinnPhong;
 use crate::shape::MaterialId;
+use crate::shape::bounded::{Bounded, Range};
 use crate::shape::plane::{PreparedPlane, Side};
 use crate::trace::{Stops, Tracer};
 use crate::vector::{Direction, Point, Position};
@@ -273,7 +274,11 @@ fn occluded_by_any<W: World>(
     spheres.any(|sphere| sphere.seen_from(light).is_before(direction, distance))
         || parts.cylinders.iter().enumerate().any(|(index, cylinder)| {
             let seen = cylinder.seen_from(light);
-            let met = cylinder.met(&seen, &direction, parts.epsilon, distance);
+            let range = Range {
+                start: parts.epsilon,
+                reach: distance,
+            };
+            let met = cylinder.intersect_from(&seen, &direction, range);
             left != Some(index) && met.is_some()
         })
 }

@@ -1,6 +1,5 @@
 //! The built-in scene `shading_lights`.
 
-use super::BuiltIn;
 use crate::{Camera, Material, scene};
 
 const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
@@ -13,7 +12,7 @@ const WHITE: Material = Material::new([0.9, 0.9, 0.9])
     .diffuse(0.9)
     .specular(0.1, 8.0);
 
-const CAMERA: Camera =
+pub(super) const CAMERA: Camera =
     Camera::look_at([0.0, -4.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(70.0);
 
 scene! {
@@ -27,9 +26,4 @@ scene! {
         light([-3.0, 0.0, 3.0], [1.0, 0.0, 0.0]);
         camera(CAMERA);
     }
-}
-
-impl BuiltIn for ShadingLights {
-    const NAME: &'static str = "shading_lights";
-    const CAMERA: Camera = CAMERA;
 }

@@ -1,6 +1,5 @@
 //! The built-in scene `shading_speculars`.
 
-use super::BuiltIn;
 use crate::{Camera, Material, scene};
 
 const FLOOR: Material = Material::new([0.9, 0.9, 0.9])
@@ -18,7 +17,7 @@ const SHINY: Material = Material::new([0.9, 0.3, 0.1])
     .specular(0.9, 10.0)
     .mirror(0.2);
 
-const CAMERA: Camera =
+pub(super) const CAMERA: Camera =
     Camera::look_at([0.0, -4.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]).fov(70.0);
 
 scene! {
@@ -34,9 +33,4 @@ scene! {
         light([0.0, 0.0, 0.0], [1.0, 0.9, 0.5]);
         camera(CAMERA);
     }
-}
-
-impl BuiltIn for ShadingSpeculars {
-    const NAME: &'static str = "shading_speculars";
-    const CAMERA: Camera = CAMERA;
 }

@@ -5,8 +5,7 @@ use core::fmt::Debug;
 
 use super::bounded::Bounded;
 use crate::number::{
-    Length, Unit, narrowed_unsigned, ratio, scaled_by_unit, signed, square_root, unsigned,
-    unsigned_wide, wide,
+    Length, Unit, narrowed_unsigned, ratio, signed, square_root, unsigned, unsigned_wide, wide,
 };
 use crate::ray::{Cut, Line, REACH, RowPlane, ScaledPoint, Shadows, Span};
 use crate::vector::{Direction, Point, Vector};
@@ -32,8 +31,12 @@ pub trait Bordered: Bounded {
     /// Returns a lower bound of the distance from the eye to the shape's outline, in steps.
     fn outline_distance(&self, from: &Self::FromPoint) -> i32;
 
-    /// Returns a ball around the shape.
-    fn bounding_ball(&self) -> Ball;
+    /// Returns a ball around the shape. Defaults to that in the middle of the outline.
+    #[inline(always)]
+    fn bounding_ball(&self) -> Ball {
+        let (center, _, radius) = self.outline();
+        (center, radius)
+    }
 
     /// Tests whether the solid surely has no point in a ball.
     fn is_apart_from(&self, ball: Ball) -> bool;
@@ -144,13 +147,6 @@ struct Base {
 /// What a distance is enlarged by, in steps, because products are rounded.
 pub(crate) const SLACK: i32 = 64;
 
-/// A capsule without its round ends: half of its axis along a direction, and its radius.
-pub(super) struct Rod {
-    pub(super) axis: Direction,
-    pub(super) half: i32,
-    pub(super) radius: i32,
-}
-
 impl Fan {
     /// Returns the fan between two rays. The curve between them is at most `bulge` steps away from the
     /// straight line. `None` if the apex lies almost on that line.
@@ -181,11 +177,7 @@ impl Fan {
             Base {
                 outward: outward.reversed_if(distance < 0),
                 distance: distance.abs(),
-                middle: Vector::new(
-                    (one.x + other.x) >> 1,
-                    (one.y + other.y) >> 1,
-                    (one.z + other.z) >> 1,
-                ),
+                middle: one.plus(other).coarser(1),
                 half: (length.to_bits() >> 1) + 2,
                 along,
             }
@@ -207,8 +199,7 @@ impl Fan {
 
     /// Tests whether no point of the fan lies in a body. `way` is the vector from the apex to the body's
     /// centre, `size` returns its extent along a direction.
-    #[inline(always)]
-    fn avoids(&self, way: Vector, size: impl Fn(Direction) -> i32) -> bool {
+    pub(super) fn avoids(&self, way: Vector, size: impl Fn(Direction) -> i32) -> bool {
         if way.dot(self.normal).abs() > size(self.normal) + self.thickness {
             return true;
         }
@@ -273,13 +264,6 @@ impl Fan {
         let from = way.minus(base.middle);
         let along = from.dot(base.along).max(-base.half).min(base.half);
         from.without(base.along, along).square() > square(reach)
-    }
-
-    /// Tests whether the fan surely avoids a rod.
-    pub(super) fn avoids_rod(&self, way: Vector, rod: &Rod) -> bool {
-        self.avoids(way, |direction| {
-            scaled_by_unit(rod.half, rod.axis.dot(direction)).abs() + rod.radius + SLACK
-        })
     }
 }
 

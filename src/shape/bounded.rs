@@ -1,14 +1,13 @@
-//! The trait of bounded shapes: tests of rays against a shape, its normal and its material. Code that is
+//! The trait of bounded shapes: tests of rays against a shape, and its normal. Code that is
 //! generic over the trait is compiled once for each kind of shape.
 
 use core::fmt::Debug;
 
-use super::MaterialId;
 use crate::number::Length;
 use crate::ray::{REACH, Ray};
 use crate::vector::{Direction, Point, Vector};
 
-/// Bounded shape as the kernels read it: hit, occlusion, normal and material.
+/// Bounded shape as the kernels read it: hit, occlusion and normal.
 pub trait Bounded: Copy + Debug + 'static {
     /// Values that all rays from one fixed point share in their tests against the shape, such as the
     /// vector from the point to the shape's centre.
@@ -62,7 +61,10 @@ pub trait Bounded: Copy + Debug + 'static {
     ) -> Option<Length>;
 
     /// Tests whether the ray hits the shape at a distance above 0 and below `reach`.
-    fn blocks(&self, ray: &Ray, reach: Length) -> bool;
+    fn blocks(&self, ray: &Ray, reach: Length) -> bool {
+        let start = Length::from_bits(0);
+        self.intersect(ray, Range { start, reach }).is_some()
+    }
 
     /// Tests whether the ray hits the shape at any distance above 0.
     #[inline(always)]
@@ -94,9 +96,6 @@ pub trait Bounded: Copy + Debug + 'static {
     fn is_smooth(&self) -> bool {
         false
     }
-
-    /// Returns the material of the shape.
-    fn material(&self) -> MaterialId;
 }
 
 /// Largest distance in steps between a hit and the end of a range that may leave it out. A sphere is left
@@ -111,6 +110,14 @@ pub struct Range {
     pub(crate) reach: Length,
 }
 
+impl Range {
+    /// Tests whether a distance lies within the range.
+    #[inline(always)]
+    pub(super) fn holds(&self, distance: Length) -> bool {
+        self.start < distance && distance < self.reach
+    }
+}
+
 /// Shadow ray that starts at a light and ends just above a point on a surface.
 pub struct LightRay {
     pub(crate) direction: Direction,
@@ -120,6 +127,17 @@ pub struct LightRay {
     pub(crate) epsilon: Length,
     /// End of the ray: the point that lies epsilon above the surface.
     pub(crate) end: Point,
+}
+
+impl LightRay {
+    /// Returns the distances at which hits count.
+    #[inline(always)]
+    pub(super) fn range(&self) -> Range {
+        Range {
+            start: self.epsilon,
+            reach: self.reach,
+        }
+    }
 }
 
 /// Whether the end of a shadow ray lies on the surface of the shape under test.

@@ -15,9 +15,7 @@ use super::bounded::{Bounded, LightRay, Own, Range};
 use super::{Extent, MaterialId, Normaliser, SMALLEST, size_fault};
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
-use crate::number::{
-    Length, Number, narrowed, scaled_by_unit, square_root, to_u8, unsigned_wide, wide,
-};
+use crate::number::{Length, Number, narrowed, square_root, to_u8, unsigned_wide, wide};
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -163,13 +161,7 @@ impl PreparedCylinder {
 
     /// Returns the centre, the vector from there to one end of the axis, and the radius, in steps.
     pub(crate) const fn capsule(&self) -> (Point, Vector, i32) {
-        let half = self.half_height;
-        let [x, y, z] = self.axis.components();
-        let half_axis = Vector::new(
-            scaled_by_unit(half, x),
-            scaled_by_unit(half, y),
-            scaled_by_unit(half, z),
-        );
+        let half_axis = self.axis.raw_times(self.half_height);
         (self.center, half_axis, self.radius)
     }
 
@@ -249,12 +241,7 @@ impl Bounded for PreparedCylinder {
         if self.is_beside(sideways) {
             return None;
         }
-        self.met_beside(from, direction, sideways, range.start, range.reach)
-    }
-
-    fn blocks(&self, ray: &Ray, reach: Length) -> bool {
-        let start = Length::from_bits(0);
-        self.intersect(ray, Range { start, reach }).is_some()
+        self.met_beside(from, direction, sideways, range)
     }
 
     #[inline(always)]
@@ -267,7 +254,7 @@ impl Bounded for PreparedCylinder {
         own != Own::Outside
             && from.nearest < ray.reach.to_bits()
             && self
-                .met(&from.from, &ray.direction, ray.epsilon, ray.reach)
+                .intersect_from(&from.from, &ray.direction, ray.range())
                 .is_some()
     }
 
@@ -277,11 +264,6 @@ impl Bounded for PreparedCylinder {
         let (lift, inverse) = (self.lift.into(), self.inverse);
         let across = outward.without(self.axis, outward.dot(self.axis));
         Normaliser { lift, inverse }.direction(across)
-    }
-
-    #[inline(always)]
-    fn material(&self) -> MaterialId {
-        self.material
     }
 }
 

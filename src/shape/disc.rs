@@ -6,11 +6,13 @@
 mod borders;
 mod shadow;
 
+use super::bordered::square;
 use super::bounded::{Bounded, LightRay, Own, Range};
+use super::flat::FlatFromPoint;
 use super::{Extent, MaterialId, SMALLEST, size_fault};
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
-use crate::number::{Length, Number, high, ratio, unsigned, wide_unsigned};
+use crate::number::{Length, Number, ratio, unsigned, wide_unsigned};
 use crate::ray::Ray;
 use crate::vector::{Direction, Point, Position, Vector};
 
@@ -82,15 +84,6 @@ pub struct PreparedDisc {
     pub(crate) material: MaterialId,
 }
 
-/// Values that all rays from one point share in their tests against a disc.
-#[derive(Clone, Copy, Debug)]
-pub struct DiscFromPoint {
-    /// Vector from the point to the disc's centre, in steps.
-    way: Vector,
-    /// Signed distance from the point to the disc's plane along the disc's normal, in steps.
-    height: i32,
-}
-
 /// Enlargement of a disc's radius, in steps. Rounding moves a hit by up to two steps along each axis.
 /// Without the enlargement, a gap could show where a disc closes a cylinder of the same radius.
 const RIM: i32 = 4;
@@ -105,10 +98,7 @@ impl PreparedDisc {
     };
 
     /// Placeholder for an unused slot in a light's list of discs. It hides nothing.
-    pub(crate) const NOT_SEEN: DiscFromPoint = DiscFromPoint {
-        way: Vector::ZERO,
-        height: 0,
-    };
+    pub(crate) const NOT_SEEN: FlatFromPoint = FlatFromPoint::NONE;
 
     /// Smallest epsilon of a ray that leaves a disc, in steps. A disc has no inside, so this is the
     /// smallest epsilon of any surface.
@@ -152,22 +142,18 @@ impl PreparedDisc {
     }
 
     /// Prepares the tests of rays from a near point against the disc.
-    pub(crate) const fn seen_from(&self, point: Point) -> DiscFromPoint {
-        let way = point.to(self.center);
-        DiscFromPoint {
-            way,
-            height: way.dot(self.normal),
-        }
+    pub(crate) const fn seen_from(&self, point: Point) -> FlatFromPoint {
+        FlatFromPoint::new(point, self.center, self.normal)
     }
 
     /// Prepares the tests of rays from a light at a near point against the disc.
-    pub(crate) const fn seen_from_light(&self, light: Point) -> DiscFromPoint {
+    pub(crate) const fn seen_from_light(&self, light: Point) -> FlatFromPoint {
         self.seen_from(light)
     }
 
     /// Tests whether the prepared values decide which points the disc hides from a light. They always
     /// do, so the result is `true`.
-    pub(crate) const fn is_told(&self, _: &DiscFromPoint) -> bool {
+    pub(crate) const fn is_told(&self, _: &FlatFromPoint) -> bool {
         true
     }
 
@@ -177,7 +163,7 @@ impl PreparedDisc {
     /// The height above the disc's plane is known to one step. So the error of the distance is the
     /// distance in which the ray loses one step of height, as for a plane.
     #[inline(never)]
-    fn met(&self, from: &DiscFromPoint, direction: &Direction, range: Range) -> Option<Length> {
+    fn met(&self, from: &FlatFromPoint, direction: &Direction, range: Range) -> Option<Length> {
         let climb = direction.dot(self.normal).to_bits();
         // A ray that hits the disc approaches its plane and is not parallel to it.
         if (climb ^ from.height) < 0 || climb == 0 {
@@ -191,33 +177,23 @@ impl PreparedDisc {
         }
         let distance = Length::from_bits(ratio(height, climb));
         let aside = from.way.without(*direction, distance.to_bits());
-        let is_met = range.start < distance
-            && distance < range.reach
-            && aside.square() <= unsigned_square(self.radius);
+        let is_met = range.holds(distance) && aside.square() <= square(self.radius);
         is_met.then_some(distance)
     }
 }
 
-/// Returns the square of a length that is not negative.
-#[inline(always)]
-const fn unsigned_square(length: i32) -> u64 {
-    wide_unsigned(unsigned(length), unsigned(length))
-}
-
 impl Bounded for PreparedDisc {
-    type FromPoint = DiscFromPoint;
-    type FromLight = DiscFromPoint;
+    type FromPoint = FlatFromPoint;
+    type FromLight = FlatFromPoint;
 
     const IS_BALL: bool = false;
     const IS_FLAT: bool = true;
 
     fn outline(&self) -> (Point, Vector, i32) {
-        let [x, y, z] = self.normal.components();
-        let [x, y, z] = [x, y, z].map(|it| high(self.radius << 2, it.to_bits()));
-        (self.center, Vector::new(x, y, z), self.radius)
+        (self.center, self.normal.raw_times(self.radius), self.radius)
     }
 
-    fn seen_from_eye(&self, eye: Point) -> DiscFromPoint {
+    fn seen_from_eye(&self, eye: Point) -> FlatFromPoint {
         self.seen_from(eye)
     }
 
@@ -233,42 +209,26 @@ impl Bounded for PreparedDisc {
     #[inline(always)]
     fn intersect_from(
         &self,
-        from: &DiscFromPoint,
+        from: &FlatFromPoint,
         direction: &Direction,
         range: Range,
     ) -> Option<Length> {
         self.met(from, direction, range)
     }
 
-    fn blocks(&self, ray: &Ray, reach: Length) -> bool {
-        let start = Length::from_bits(0);
-        let from = self.seen_from(ray.origin);
-        self.met(&from, &ray.direction, Range { start, reach })
-            .is_some()
-    }
-
     #[inline(always)]
     fn occludes<const PRECISE: bool>(
         &self,
-        from: &DiscFromPoint,
+        from: &FlatFromPoint,
         ray: &LightRay,
         own: Own,
     ) -> bool {
-        let range = Range {
-            start: ray.epsilon,
-            reach: ray.reach,
-        };
-        own == Own::No && self.met(from, &ray.direction, range).is_some()
+        own == Own::No && self.met(from, &ray.direction, ray.range()).is_some()
     }
 
     #[inline(always)]
     fn normal(&self, _: Point) -> Direction {
         self.normal
-    }
-
-    #[inline(always)]
-    fn material(&self) -> MaterialId {
-        self.material
     }
 }
 

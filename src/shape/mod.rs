@@ -8,6 +8,7 @@ pub mod cylinder;
 pub mod disc;
 #[cfg(test)]
 mod fixture;
+mod flat;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;
@@ -134,8 +135,7 @@ impl Normaliser {
     /// because rounded coordinates no longer have the length of the shape.
     #[cold]
     const fn precise_direction(&self, vector: Vector) -> Direction {
-        let Vector { x, y, z } = vector;
-        Vector::new(x << self.lift, y << self.lift, z << self.lift).precise_direction()
+        vector.lifted(self.lift).precise_direction()
     }
 
     /// Divides one coordinate, in steps, by the stored length. Rounded down to 2⁻²⁸.

@@ -190,8 +190,8 @@ impl PreparedPlane {
             return None;
         }
         let lift = epsilon.to_bits() * if height < 0 { -1 } else { 1 };
-        let Vector { x, y, z } = origin.to_vector().without(self.normal, 2 * height - lift);
-        let place = ScaledPoint::new(Point::new(x, y, z), 0);
+        let image = origin.to_vector().without(self.normal, 2 * height - lift);
+        let place = ScaledPoint::new(Point::at(image), 0);
         place.is_near().then_some(place.point)
     }
 

@@ -188,20 +188,6 @@ impl PreparedSphere {
             },
         }
     }
-
-    /// Prepares conservative tests of rays from a near point. The length of the tangents is reduced, so
-    /// that rounding never turns a hit into a miss: a direction is within 2⁻²⁷ of length one.
-    pub(crate) const fn surely_seen_from(&self, origin: Point) -> SphereFromPoint {
-        let SphereFromPoint { way, tangent } = self.seen_from(origin);
-        SphereFromPoint {
-            way,
-            tangent: if tangent < 0 {
-                tangent
-            } else {
-                Length::from_bits(tangent).surely_less().to_bits()
-            },
-        }
-    }
 }
 
 impl Bounded for PreparedSphere {
@@ -214,13 +200,20 @@ impl Bounded for PreparedSphere {
         (self.center, Vector::ZERO, self.radius)
     }
 
+    /// Reduces the length of the tangents, so that rounding never turns a hit into a miss: a direction is
+    /// within 2⁻²⁷ of length one.
     fn seen_from_eye(&self, eye: Point) -> SphereFromPoint {
-        self.surely_seen_from(eye)
+        let mut from = self.seen_from(eye);
+        if from.tangent >= 0 {
+            from.tangent = Length::from_bits(from.tangent).surely_less().to_bits();
+        }
+        from
     }
 
+    /// Of two spheres, the one with the shorter tangents is in front, or about as far away.
     #[inline(always)]
     fn is_in_front_of(one: &SphereFromPoint, other: &SphereFromPoint) -> bool {
-        one.is_in_front_of(other)
+        one.tangent < other.tangent
     }
 
     fn holds(&self, point: Point) -> bool {
@@ -232,7 +225,7 @@ impl Bounded for PreparedSphere {
         let way = ray.origin.to(self.center);
         match way.passes_by(way.dot(ray.direction), self.radius) {
             true => None,
-            false => self.met(way, ray.direction, range.start, range.reach),
+            false => self.met(way, ray.direction, range),
         }
     }
 
@@ -243,8 +236,8 @@ impl Bounded for PreparedSphere {
         direction: &Direction,
         range: Range,
     ) -> Option<Length> {
-        match from.may_be_met(from.nearest_approach(*direction)) {
-            true => self.met(from.way(), *direction, range.start, range.reach),
+        match from.may_be_met(*direction) {
+            true => self.met(from.way, *direction, range),
             false => None,
         }
     }
@@ -277,11 +270,6 @@ impl Bounded for PreparedSphere {
     fn normal(&self, at: Point) -> Direction {
         let (lift, inverse) = (self.lift.into(), self.inverse);
         Normaliser { lift, inverse }.direction(self.center.to(at))
-    }
-
-    #[inline(always)]
-    fn material(&self) -> MaterialId {
-        self.material
     }
 }
 

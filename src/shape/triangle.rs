@@ -9,9 +9,11 @@ mod described;
 mod shadow;
 mod smooth;
 
+use described::larger;
 pub use described::{Corners, Normals, Triangle};
 
 use super::bounded::{Bounded, LightRay, Own, Range};
+use super::flat::FlatFromPoint;
 use super::{MaterialId, SMALLEST};
 use crate::error_kind::ErrorKind;
 use crate::grid::Grid;
@@ -33,15 +35,6 @@ pub struct PreparedTriangle {
     radius: i32,
     smooth: Option<Smooth>,
     pub(crate) material: MaterialId,
-}
-
-/// Values that all rays from one point share in their tests against a triangle.
-#[derive(Clone, Copy, Debug)]
-pub struct TriangleFromPoint {
-    /// Vector from the point to the triangle's first corner, in steps.
-    way: Vector,
-    /// Signed distance from the point to the triangle's plane along its normal, in steps.
-    height: i32,
 }
 
 /// Enlargement of the ball around a triangle, in steps: its centre and its radius are rounded.
@@ -102,10 +95,7 @@ impl PreparedTriangle {
     };
 
     /// Placeholder for an unused slot in a light's list of triangles.
-    pub(crate) const NOT_SEEN: TriangleFromPoint = TriangleFromPoint {
-        way: Vector::ZERO,
-        height: 0,
-    };
+    pub(crate) const NOT_SEEN: FlatFromPoint = FlatFromPoint::NONE;
 
     /// Smallest epsilon of a ray that leaves a triangle, in steps. A triangle has no inside, so this is the
     /// smallest epsilon of any surface.
@@ -159,22 +149,18 @@ impl PreparedTriangle {
     }
 
     /// Prepares the tests of rays from a near point against the triangle.
-    pub(crate) const fn seen_from(&self, point: Point) -> TriangleFromPoint {
-        let way = point.to(self.corner);
-        TriangleFromPoint {
-            way,
-            height: way.dot(self.normal),
-        }
+    pub(crate) const fn seen_from(&self, point: Point) -> FlatFromPoint {
+        FlatFromPoint::new(point, self.corner, self.normal)
     }
 
     /// Prepares the tests of rays from a light at a near point against the triangle.
-    pub(crate) const fn seen_from_light(&self, light: Point) -> TriangleFromPoint {
+    pub(crate) const fn seen_from_light(&self, light: Point) -> FlatFromPoint {
         self.seen_from(light)
     }
 
     /// Tests whether the prepared values decide which points the triangle hides from a light. They always
     /// do, so the result is `true`.
-    pub(crate) const fn is_told(&self, _: &TriangleFromPoint) -> bool {
+    pub(crate) const fn is_told(&self, _: &FlatFromPoint) -> bool {
         true
     }
 }
@@ -183,30 +169,22 @@ impl PreparedTriangle {
 const fn longest(sides: [Vector; 2]) -> u32 {
     let third = sides[1].minus(sides[0]);
     let squares = [sides[0].square(), sides[1].square(), third.square()];
-    let mut square = if squares[0] > squares[1] {
-        squares[0]
-    } else {
-        squares[1]
-    };
-    if squares[2] > square {
-        square = squares[2];
-    }
+    let square = larger(squares[0], larger(squares[1], squares[2]));
     unsigned(square_root(square)) | 1
 }
 
 impl Bounded for PreparedTriangle {
-    type FromPoint = TriangleFromPoint;
-    type FromLight = TriangleFromPoint;
+    type FromPoint = FlatFromPoint;
+    type FromLight = FlatFromPoint;
 
     const IS_BALL: bool = false;
     const IS_FLAT: bool = true;
 
     fn outline(&self) -> (Point, Vector, i32) {
-        let Vector { x, y, z } = self.normal.scaled(self.radius);
-        (self.center, Vector::new(x, y, z), self.radius)
+        (self.center, self.normal.scaled(self.radius), self.radius)
     }
 
-    fn seen_from_eye(&self, eye: Point) -> TriangleFromPoint {
+    fn seen_from_eye(&self, eye: Point) -> FlatFromPoint {
         self.seen_from(eye)
     }
 
@@ -222,33 +200,22 @@ impl Bounded for PreparedTriangle {
     #[inline(always)]
     fn intersect_from(
         &self,
-        from: &TriangleFromPoint,
+        from: &FlatFromPoint,
         direction: &Direction,
         range: Range,
     ) -> Option<Length> {
         self.met(from, direction, range)
     }
 
-    fn blocks(&self, ray: &Ray, reach: Length) -> bool {
-        let start = Length::from_bits(0);
-        let from = self.seen_from(ray.origin);
-        self.met(&from, &ray.direction, Range { start, reach })
-            .is_some()
-    }
-
     #[inline(always)]
     fn occludes<const PRECISE: bool>(
         &self,
-        from: &TriangleFromPoint,
+        from: &FlatFromPoint,
         ray: &LightRay,
         own: Own,
     ) -> bool {
-        let range = Range {
-            start: ray.epsilon,
-            reach: ray.reach,
-        };
         let is_tested = own == Own::No || self.is_smooth();
-        is_tested && self.met(from, &ray.direction, range).is_some()
+        is_tested && self.met(from, &ray.direction, ray.range()).is_some()
     }
 
     #[inline(always)]
@@ -263,11 +230,6 @@ impl Bounded for PreparedTriangle {
 
     fn is_smooth(&self) -> bool {
         self.smooth.is_some()
-    }
-
-    #[inline(always)]
-    fn material(&self) -> MaterialId {
-        self.material
     }
 }
 

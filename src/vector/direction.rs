@@ -2,7 +2,7 @@
 //! scene.
 
 use super::Vector;
-use crate::number::{Unit, high, minus_wide, narrowed, scaled_by_unit, signed_wide, wide};
+use crate::number::{Unit, high, minus_wide, narrowed, rounded, signed_wide, wide};
 
 /// Unit vector, Q2.30 per coordinate. Its length is within 2⁻²⁶ of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,11 +87,7 @@ impl Direction {
 
     /// Returns the opposite direction.
     pub const fn reversed(self) -> Self {
-        Self::from_raw(Vector::new(
-            -self.x.to_bits(),
-            -self.y.to_bits(),
-            -self.z.to_bits(),
-        ))
+        self.reversed_if(true)
     }
 
     /// Reflects the direction at a surface: `self` - 2 (`self` · `normal`) `normal`. `cosine` is
@@ -132,10 +128,16 @@ impl Direction {
     /// is within ±2³⁰.
     #[inline(always)]
     pub(crate) const fn raw_times(self, length: i32) -> Vector {
+        self.raw().part(Unit::from_bits(length))
+    }
+
+    /// Returns the vector of `length` steps along the direction, each coordinate rounded to nearest.
+    #[inline(always)]
+    pub(crate) const fn nearest(self, length: i32) -> Vector {
         Vector::new(
-            scaled_by_unit(length, self.x),
-            scaled_by_unit(length, self.y),
-            scaled_by_unit(length, self.z),
+            narrowed(rounded(wide(length, self.x.to_bits()), 30)),
+            narrowed(rounded(wide(length, self.y.to_bits()), 30)),
+            narrowed(rounded(wide(length, self.z.to_bits()), 30)),
         )
     }
 
@@ -158,23 +160,15 @@ impl Direction {
         let lack = narrowed(((1_i64 << 60) + (1 << 30) - signed_wide(self.raw().square())) >> 31);
         // 1 / √(1 - 2 h) = 1 + h + 3 h² / 2 + ...
         let excess = lack + high(2 * lack, 3 * lack);
-        Self::from_raw(Vector::new(
-            grown(self.x.to_bits(), excess),
-            grown(self.y.to_bits(), excess),
-            grown(self.z.to_bits(), excess),
-        ))
+        Self::from_raw(self.raw().plus(self.nearest(excess)))
     }
 
     /// Returns the cross product, scaled so that its largest coordinate has 29 bits, and the shift of
     /// that scale: |`self` × `other`| = |vector| · 2^(shift - 60). The shift is 1 to 32. Returns `None`
     /// if the directions are parallel.
     pub const fn cross(self, other: Self) -> Option<(Vector, u32)> {
-        let (a, b) = (self.raw(), other.raw());
-        // The exact cross product, in Q60.
-        let x = wide(a.y, b.z) - wide(a.z, b.y);
-        let y = wide(a.z, b.x) - wide(a.x, b.z);
-        let z = wide(a.x, b.y) - wide(a.y, b.x);
-        match Vector::leading([x, y, z], 29) {
+        // The exact cross product is in Q60.
+        match Vector::leading(self.raw().cross_wide(other.raw()), 29) {
             (_, 0) => None,
             crossed => Some(crossed),
         }
@@ -187,12 +181,8 @@ impl Direction {
 
     /// Returns the cross product of the direction with the vector `b`, each coordinate rounded down.
     pub(crate) const fn crossed_with(self, b: Vector) -> Vector {
-        let a = self.raw();
-        Vector::new(
-            narrowed((wide(a.y, b.z) - wide(a.z, b.y)) >> 30),
-            narrowed((wide(a.z, b.x) - wide(a.x, b.z)) >> 30),
-            narrowed((wide(a.x, b.y) - wide(a.y, b.x)) >> 30),
-        )
+        let [x, y, z] = self.raw().cross_wide(b);
+        Vector::new(narrowed(x >> 30), narrowed(y >> 30), narrowed(z >> 30))
     }
 
     /// Returns the direction of the cross product, exact to the last bit, or `None` if the directions
@@ -208,9 +198,4 @@ impl Direction {
 /// Returns 2 · `a` · `b` in Q30, rounded down. The result has 64 bits, because 2 does not fit Q2.30.
 const fn twice(a: Unit, b: Unit) -> i64 {
     wide(a.to_bits(), b.to_bits()) >> 29
-}
-
-/// Returns `coordinate` · (1 + `excess`), rounded to nearest. `excess` is in Q30.
-const fn grown(coordinate: i32, excess: i32) -> i32 {
-    coordinate + narrowed((wide(coordinate, excess) + (1 << 29)) >> 30)
 }

@@ -7,111 +7,45 @@ use embedded_graphics::pixelcolor::{
 
 use super::{Ditherable, Threshold};
 
-/// Returns red, green and blue, each dithered to the levels of `C`.
-#[inline]
-fn levels<C: RgbColor>(color: Rgb888, threshold: Threshold) -> [u8; 3] {
-    [
-        threshold.level(color.r(), C::MAX_R),
-        threshold.level(color.g(), C::MAX_G),
-        threshold.level(color.b(), C::MAX_B),
-    ]
-}
-
 /// Returns the luma that embedded-graphics computes for a colour, dithered to the levels 0 to `largest`.
 #[inline]
 fn grey(color: Rgb888, largest: u8, threshold: Threshold) -> u8 {
     threshold.level(Gray8::from(color).luma(), largest)
 }
 
-impl Ditherable for Rgb555 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
+/// Implements [`Ditherable`] with the same expression for several colour types.
+macro_rules! ditherable {
+    ($($(#[$doc:meta])* $color_type:ty),+: |$color:ident, $threshold:pat_param| $dithered:expr) => {
+        $(
+            $(#[$doc])*
+            impl Ditherable for $color_type {
+                #[inline]
+                fn dithered($color: Rgb888, $threshold: Threshold) -> Self {
+                    $dithered
+                }
+            }
+        )+
+    };
 }
 
-impl Ditherable for Bgr555 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
+ditherable!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666: |color, threshold| Self::new(
+    threshold.level(color.r(), Self::MAX_R),
+    threshold.level(color.g(), Self::MAX_G),
+    threshold.level(color.b(), Self::MAX_B),
+));
 
-impl Ditherable for Rgb565 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
+ditherable!(Gray2, Gray4: |color, threshold| Self::new(grey(color, Self::WHITE.luma(), threshold)));
 
-impl Ditherable for Bgr565 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
+ditherable!(BinaryColor: |color, threshold| Self::from(grey(color, 1, threshold) == 1));
 
-impl Ditherable for Rgb666 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
+ditherable!(
+    /// Returns colours unchanged: the type has all 256 levels per channel.
+    Rgb888: |color, _| color
+);
 
-impl Ditherable for Bgr666 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        let [red, green, blue] = levels::<Self>(color, threshold);
-        Self::new(red, green, blue)
-    }
-}
-
-/// Returns colours unchanged: the type has all 256 levels per channel.
-impl Ditherable for Rgb888 {
-    #[inline]
-    fn dithered(color: Rgb888, _: Threshold) -> Self {
-        color
-    }
-}
-
-/// Converts colours without dithering: the type has all 256 levels per channel.
-impl Ditherable for Bgr888 {
-    #[inline]
-    fn dithered(color: Rgb888, _: Threshold) -> Self {
-        color.into()
-    }
-}
-
-impl Ditherable for Gray2 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        Self::new(grey(color, Self::WHITE.luma(), threshold))
-    }
-}
-
-impl Ditherable for Gray4 {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        Self::new(grey(color, Self::WHITE.luma(), threshold))
-    }
-}
-
-/// Converts colours as embedded-graphics does, without dithering: the type has a level for every luma.
-impl Ditherable for Gray8 {
-    #[inline]
-    fn dithered(color: Rgb888, _: Threshold) -> Self {
-        color.into()
-    }
-}
-
-impl Ditherable for BinaryColor {
-    #[inline]
-    fn dithered(color: Rgb888, threshold: Threshold) -> Self {
-        Self::from(grey(color, 1, threshold) == 1)
-    }
-}
+ditherable!(
+    /// Converts colours without dithering: the type has all 256 levels per channel.
+    Bgr888,
+    /// Converts colours as embedded-graphics does, without dithering: the type has a level for every luma.
+    Gray8: |color, _| color.into()
+);

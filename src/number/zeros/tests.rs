@@ -1,4 +1,4 @@
-use super::table;
+use super::looked_up;
 use crate::number::sweep::Sweep;
 
 #[test]
@@ -8,6 +8,6 @@ fn zeros_looked_up_are_those_counted() {
     let any = (0..1000).map(|_| sweep.within(i32::MIN, i32::MAX) as u32);
     let any: std::vec::Vec<u32> = any.collect();
     for number in edges.chain(any) {
-        assert_eq!(table::leading_zeros(number), number.leading_zeros());
+        assert_eq!(looked_up(number), number.leading_zeros());
     }
 }

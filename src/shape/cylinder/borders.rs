@@ -3,8 +3,8 @@
 use super::{CylinderFromLight, CylinderFromPoint, PreparedCylinder};
 use crate::number::{Unit, ratio, scaled_by_unit, signed, signed_wide, square_root, wide};
 use crate::ray::{ANY_COLUMN, Chord, NO_COLUMN, RowPlane, Span, column};
-use crate::shape::bordered::{Ball, Bordered, Fan, Rod, SLACK, square};
-use crate::vector::Vector;
+use crate::shape::bordered::{Ball, Bordered, Fan, SLACK, square};
+use crate::vector::{Direction, Vector};
 
 impl Bordered for PreparedCylinder {
     /// Where the rims of both ends begin and end.
@@ -57,14 +57,10 @@ impl Bordered for PreparedCylinder {
         if one.min(other) > reach || one.max(other) < -reach {
             return true;
         }
-        fan.avoids_rod(
-            from.way,
-            &Rod {
-                axis: self.axis,
-                half: self.half_height,
-                radius: self.radius,
-            },
-        ) || self.is_passed(whole, fan)
+        let size = |direction: Direction| {
+            scaled_by_unit(self.half_height, self.axis.dot(direction)).abs() + self.radius + SLACK
+        };
+        fan.avoids(from.way, size) || self.is_passed(whole, fan)
     }
 
     /// Rays to a straight line that meet the solid at both ends meet it between, as it is convex. They hit the wall
@@ -118,9 +114,7 @@ impl PreparedCylinder {
                 return ends[end];
             }
             let share = Unit::from_bits(ratio(rest.unsigned_abs(), whole.unsigned_abs()));
-            let Vector { x, y, z } = apex.minus(ends[end]);
-            let [x, y, z] = [x, y, z].map(|it| scaled_by_unit(it, share));
-            ends[end].plus(Vector::new(x, y, z))
+            ends[end].plus(apex.minus(ends[end]).part(share))
         };
         AlongAxis {
             ends,
@@ -228,12 +222,7 @@ impl PreparedCylinder {
 #[inline(never)]
 fn are_beside(these: [Vector; 2], others: [Vector; 2], radius: i32) -> bool {
     let [one, other] = these;
-    let middle = Vector::new(
-        (one.x >> 1) + (other.x >> 1),
-        (one.y >> 1) + (other.y >> 1),
-        (one.z >> 1) + (other.z >> 1),
-    );
-    let (side, _) = middle.normalised();
+    let (side, _) = one.coarser(1).plus(other.coarser(1)).normalised();
     let mut points = these.iter().chain(&others);
     points.all(|point| point.dot(side) > radius)
 }

@@ -26,6 +26,15 @@ pub struct CylinderFromLight {
 }
 
 impl CylinderFromPoint {
+    /// Prepares the tests from the vector to the cylinder's centre.
+    pub(super) const fn new(way: Vector, axis: Direction) -> Self {
+        Self {
+            way,
+            across: axis.crossed_with(way),
+            rise: way.dot(axis),
+        }
+    }
+
     /// Returns the distance between the lines of a ray and of the cylinder's axis, in steps, times the
     /// sine of the angle between them. The sign says on which side of the axis the ray passes.
     #[inline(always)]
@@ -37,12 +46,7 @@ impl CylinderFromPoint {
 impl PreparedCylinder {
     /// Prepares the tests of rays from a near point against the cylinder.
     pub(crate) const fn seen_from(&self, origin: Point) -> CylinderFromPoint {
-        let way = origin.to(self.center);
-        CylinderFromPoint {
-            way,
-            across: self.axis.crossed_with(way),
-            rise: way.dot(self.axis),
-        }
+        CylinderFromPoint::new(origin.to(self.center), self.axis)
     }
 
     /// Prepares the tests of rays from a light at a near point against the cylinder.

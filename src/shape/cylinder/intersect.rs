@@ -6,6 +6,7 @@ use crate::number::{
     scaled_by_unit, signed, square_root, unit_shift, unsigned, unsigned_wide, wide, wide_positive,
 };
 use crate::ray::Ray;
+use crate::shape::bounded::Range;
 use crate::vector::Direction;
 
 /// Square of the sine of the angle between ray and axis, Q2.30, below which a ray counts as almost
@@ -22,23 +23,6 @@ impl PreparedCylinder {
         way.passes_by(way.dot(ray.direction), radius)
     }
 
-    /// Returns the distance at which a ray first hits the wall, from outside or from inside, above
-    /// `start` and below `reach`. `seen` was prepared for the ray's origin.
-    #[inline(always)]
-    pub(crate) fn met(
-        &self,
-        seen: &CylinderFromPoint,
-        direction: &Direction,
-        start: Length,
-        reach: Length,
-    ) -> Option<Length> {
-        let sideways = seen.sideways(*direction);
-        if self.is_beside(sideways) {
-            return None;
-        }
-        self.met_beside(seen, direction, sideways, start, reach)
-    }
-
     /// Tests whether the line of a ray surely misses the infinite cylinder. `sideways` is the distance
     /// between the lines of ray and axis, times the sine of the angle between them. If that exceeds the
     /// radius, the distance does so too.
@@ -47,7 +31,7 @@ impl PreparedCylinder {
         sideways.unsigned_abs() > unsigned(self.radius)
     }
 
-    /// Returns the distance at which a ray first hits the wall, above `start` and below `reach`.
+    /// Returns the distance at which a ray first hits the wall, from outside or from inside, within `range`.
     /// `sideways` is the distance between the lines of ray and axis, times the sine of the angle between
     /// them.
     ///
@@ -60,8 +44,7 @@ impl PreparedCylinder {
         seen: &CylinderFromPoint,
         direction: &Direction,
         sideways: i32,
-        start: Length,
-        reach: Length,
+        range: Range,
     ) -> Option<Length> {
         let climb = direction.dot(self.axis);
         // All products of signed numbers stand in one block: if a sign is extended in another block, the
@@ -69,7 +52,7 @@ impl PreparedCylinder {
         let steepness = climb.to_bits().abs();
         let flat = (1 << 30) - narrowed(wide_positive(steepness, steepness) >> 30);
         if flat < STEEP {
-            return self.met_steeply(seen, direction, start, reach);
+            return self.met_steeply(seen, direction, range);
         }
         let lifted = sideways << self.lift;
         let half_chord_square = high_positive(self.lifted_square, flat) - high(lifted, lifted);
@@ -94,12 +77,11 @@ impl PreparedCylinder {
                 return None;
             }
             let distance = Length::from_bits(ratio(unsigned(ahead), unsigned(flat)));
-            (start < distance && distance < reach).then_some(distance)
+            range.holds(distance).then_some(distance)
         })
     }
 
-    /// Returns the distance at which a ray first hits the wall, above `start` and below `reach`. Rays
-    /// almost parallel to the axis get the same precision as others. It works for all rays but costs
+    /// Returns the distance at which a ray first hits the wall, within `range`. Rays almost parallel to the axis get the same precision as others. It works for all rays but costs
     /// more than [`PreparedCylinder::met_beside`].
     ///
     /// The direction across, d × axis, is computed exactly and normalised, which keeps all bits (Cychosz
@@ -110,8 +92,7 @@ impl PreparedCylinder {
         &self,
         seen: &CylinderFromPoint,
         direction: &Direction,
-        start: Length,
-        reach: Length,
+        range: Range,
     ) -> Option<Length> {
         // |across| = sin(ray, axis) · 2^(60 - shift)
         let (across, shift) = direction.cross(self.axis)?;
@@ -132,8 +113,8 @@ impl PreparedCylinder {
             .into_iter()
             .find_map(|flat| {
                 let distance = wide(flat, root) >> down;
-                if distance <= i64::from(start.to_bits()) || distance >= i64::from(reach.to_bits())
-                {
+                let [start, reach] = [range.start, range.reach].map(|it| i64::from(it.to_bits()));
+                if distance <= start || distance >= reach {
                     return None;
                 }
                 let distance = narrowed(distance);

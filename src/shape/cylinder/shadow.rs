@@ -1,9 +1,7 @@
 //! Where a line cuts a cylinder, and where the cylinder's shadow on a line ends.
 
 use super::{CylinderFromPoint, PreparedCylinder};
-use crate::number::{
-    Unit, over, scaled_by_unit, share_of, signed_wide, square_root, unsigned_wide, wide,
-};
+use crate::number::{Unit, over, share_of, signed_wide, square_root, unsigned_wide, wide};
 use crate::ray::{ChordLine, Cut, Line, SLACK, Shadows, within_reach};
 use crate::shape::bordered::{CastsShadow, square};
 use crate::vector::{Direction, Vector};
@@ -64,13 +62,8 @@ impl CastsShadow for PreparedCylinder {
             .along
             .scaled(lamp.along)
             .plus(lamp.up.scaled(lamp.height));
-        let Vector { x, y, z } = way;
-        let to = Vector::new(x >> lamp.scale, y >> lamp.scale, z >> lamp.scale).minus(light);
-        let from = CylinderFromPoint {
-            way: to,
-            across: self.axis.crossed_with(to),
-            rise: to.dot(self.axis),
-        };
+        let to = way.coarser(lamp.scale).minus(light);
+        let from = CylinderFromPoint::new(to, self.axis);
         let off = lamp.off(line);
         let touching = [self.radius - off, self.radius + off]
             .map(|radius| from.touching(self.axis, radius.max(0) >> lamp.scale));
@@ -147,13 +140,7 @@ impl CylinderFromPoint {
         // As shares of e, so that the sum fits.
         let half = |part: i32| share_of(part >> 1, length).unwrap_or(Unit::from_bits(1 << 29));
         let [root, radius] = [root, radius].map(half);
-        let (across, toward) = (scaled(self.across, root), scaled(toward, radius));
+        let (across, toward) = (self.across.part(root), toward.part(radius));
         Some([toward.plus(across), toward.minus(across)])
     }
-}
-
-fn scaled(vector: Vector, share: Unit) -> Vector {
-    let Vector { x, y, z } = vector;
-    let [x, y, z] = [x, y, z].map(|it| scaled_by_unit(it, share));
-    Vector::new(x, y, z)
 }

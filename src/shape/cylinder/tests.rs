@@ -24,7 +24,8 @@ fn tube() -> PreparedCylinder {
 /// Returns the distance at which a ray hits the wall. Does not test the ball around the cylinder.
 fn intersect(cylinder: &PreparedCylinder, ray: &Ray, reach: Length) -> Option<Length> {
     let seen = cylinder.seen_from(ray.origin);
-    cylinder.met(&seen, &ray.direction, Length::from_bits(0), reach)
+    let start = Length::from_bits(0);
+    cylinder.intersect_from(&seen, &ray.direction, Range { start, reach })
 }
 
 fn met(origin: [i32; 3], towards: [i32; 3]) -> Option<i32> {

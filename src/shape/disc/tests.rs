@@ -357,7 +357,11 @@ fn disc_closes_a_cylinder_without_a_gap() {
             continue;
         };
         let from = wall.seen_from(ray.origin);
-        let on_wall = wall.met(&from, &ray.direction, start, EVERYWHERE);
+        let range = Range {
+            start,
+            reach: EVERYWHERE,
+        };
+        let on_wall = wall.intersect_from(&from, &ray.direction, range);
         let on_lid = intersect(&lid, &ray, EVERYWHERE);
         let Some(nearest) = [on_wall, on_lid].into_iter().flatten().min() else {
             continue; // The ray passes the rim on the outside.

@@ -17,11 +17,6 @@ impl Bordered for PreparedSphere {
     }
 
     #[inline(always)]
-    fn bounding_ball(&self) -> Ball {
-        self.ball()
-    }
-
-    #[inline(always)]
     fn is_apart_from(&self, (center, radius): Ball) -> bool {
         self.center.to(center).square() > square(self.radius + radius)
     }

@@ -15,32 +15,11 @@ pub struct SphereFromPoint {
 }
 
 impl SphereFromPoint {
-    /// Returns a quarter of the distance along a ray at which the ray is nearest to the sphere's centre,
-    /// rounded down.
-    #[inline(always)]
-    pub(crate) const fn nearest_approach(&self, direction: Direction) -> i32 {
-        self.way.quarter_dot(direction)
-    }
-
-    /// Tests whether a ray may hit the sphere. `nearest_approach` comes from
-    /// [`SphereFromPoint::nearest_approach`]. A ray that touches the sphere is nearest to the centre at
+    /// Tests whether a ray may hit the sphere. A ray that touches the sphere is nearest to the centre at
     /// the tangents' length. A ray that goes through the sphere is nearest further on.
     #[inline(always)]
-    pub(crate) const fn may_be_met(&self, nearest_approach: i32) -> bool {
-        nearest_approach >= self.tangent >> 2
-    }
-
-    /// Tests whether the tangents to this sphere are shorter than those to `other`. This sphere is then
-    /// in front of the other one, or about as far away.
-    #[inline(always)]
-    pub(crate) const fn is_in_front_of(&self, other: &Self) -> bool {
-        self.tangent < other.tangent
-    }
-
-    /// Returns the vector from the point to the sphere's centre, in steps.
-    #[inline(always)]
-    pub(crate) const fn way(&self) -> Vector {
-        self.way
+    pub(crate) const fn may_be_met(&self, direction: Direction) -> bool {
+        self.way.quarter_dot(direction) >= self.tangent >> 2
     }
 
     /// Tests whether the point lies inside the sphere.

@@ -3,6 +3,7 @@
 use super::PreparedSphere;
 use crate::number::{Length, root_of_square, signed_wide, unsigned_wide, wide};
 use crate::ray::Ray;
+use crate::shape::bounded::Range;
 use crate::vector::{Direction, Vector};
 
 /// Depth below a sphere's surface, in steps, down to which a ray counts as starting on the surface. A
@@ -11,17 +12,12 @@ use crate::vector::{Direction, Vector};
 const ON_SURFACE: i64 = 4;
 
 impl PreparedSphere {
-    /// Returns the distance of a ray's first hit above `start` and below `reach`. If the ray enters the
-    /// sphere before `start`, the hit is where it leaves. `way` is the vector from the ray's origin to
+    /// Returns the distance of a ray's first hit within `range`. If the ray enters the sphere before the
+    /// start of the range, the hit is where it leaves. `way` is the vector from the ray's origin to
     /// the centre.
     #[inline(always)]
-    pub(crate) fn met(
-        &self,
-        way: Vector,
-        direction: Direction,
-        start: Length,
-        reach: Length,
-    ) -> Option<Length> {
+    pub(crate) fn met(&self, way: Vector, direction: Direction, range: Range) -> Option<Length> {
+        let Range { start, reach } = range;
         let distance = way.dot(direction);
         if distance - self.radius >= reach.to_bits() {
             return None;
@@ -51,7 +47,8 @@ impl PreparedSphere {
         if way.dot(ray.direction) < -self.radius {
             return None;
         }
-        self.met(way, ray.direction, Length::from_bits(0), reach)
+        let start = Length::from_bits(0);
+        self.met(way, ray.direction, Range { start, reach })
     }
 
     /// Tests whether the ray hits the sphere at a distance above 0 and below `reach`. Takes no root. A

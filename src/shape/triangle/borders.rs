@@ -1,9 +1,10 @@
 //! Where a triangle begins and ends in a row, and what it surely does to a stretch.
 
-use super::{PreparedTriangle, TriangleFromPoint};
+use super::PreparedTriangle;
 use crate::number::{Unit, ratio, scaled_by_unit, signed, square_root};
 use crate::ray::{ANY_COLUMN, NO_COLUMN, RowPlane, SLACK as OFF, Seen, Span};
 use crate::shape::bordered::{Ball, Bordered, Fan, SLACK, square};
+use crate::shape::flat::FlatFromPoint;
 use crate::vector::Vector;
 
 /// A corner that is nearer to a row's plane may lie on either side of it, in steps.
@@ -14,7 +15,7 @@ const NARROW: i32 = 12;
 
 impl PreparedTriangle {
     /// Returns the corners as vectors from the point for which `from` was prepared.
-    fn ways(&self, from: &TriangleFromPoint) -> [Vector; 3] {
+    fn ways(&self, from: &FlatFromPoint) -> [Vector; 3] {
         let [one, other] = self.sides;
         [from.way, from.way.plus(one), from.way.plus(other)]
     }
@@ -30,9 +31,7 @@ fn cut(row: &RowPlane, [from, to]: [(Vector, i32); 2]) -> Option<[i32; 2]> {
     let way = to.0.minus(from.0);
     let (part, rest) = (from.1.unsigned_abs(), to.1.unsigned_abs());
     let share = Unit::from_bits(ratio(part, part + rest));
-    let Vector { x, y, z } = way;
-    let [x, y, z] = [x, y, z].map(|it| scaled_by_unit(it, share));
-    let [ahead, aside] = row.flat(from.0.plus(Vector::new(x, y, z))).map(i64::from);
+    let [ahead, aside] = row.flat(from.0.plus(way.part(share))).map(i64::from);
     let length = i64::from(square_root(way.square()));
     let off = i64::from(OFF) * (length / i64::from((part + rest) | 1) + 2) + 8;
     match row.seen(ahead, aside, off) {
@@ -49,7 +48,7 @@ impl Bordered for PreparedTriangle {
     /// The row's plane cuts two sides, unless a corner is near to it.
     fn span(
         &self,
-        from: &TriangleFromPoint,
+        from: &FlatFromPoint,
         row: &RowPlane,
         screen: [u16; 2],
     ) -> Option<Span<[u16; 1]>> {
@@ -78,16 +77,11 @@ impl Bordered for PreparedTriangle {
         Span::new(ends, is_sure, [rim])
     }
 
-    fn outline_distance(&self, from: &TriangleFromPoint) -> i32 {
+    fn outline_distance(&self, from: &FlatFromPoint) -> i32 {
         let distances = self.ways(from).map(|way| square_root(way.square()));
         let nearest = distances[0].min(distances[1]).min(distances[2]);
         // No point is further from the nearest corner than the ball is wide.
         nearest - 2 * self.radius - SLACK
-    }
-
-    #[inline(always)]
-    fn bounding_ball(&self) -> Ball {
-        self.ball()
     }
 
     fn is_apart_from(&self, (center, radius): Ball) -> bool {
@@ -96,21 +90,15 @@ impl Bordered for PreparedTriangle {
             || self.center.to(center).square() > square(self.radius + radius)
     }
 
-    fn spares(&self, from: &TriangleFromPoint, fan: &Fan) -> bool {
-        // Heights of the apex and of the ends above the triangle.
-        let apex = -from.height;
-        let is_above = fan.ends.iter().zip(fan.reaches).map(|(end, reach)| {
-            let height = apex + scaled_by_unit(reach.to_bits(), end.dot(self.normal));
-            let reach = fan.thickness + SLACK;
-            i32::from(height > reach) - i32::from(height < -reach)
-        });
-        let sides = is_above.sum::<i32>() + i32::from(apex > SLACK) - i32::from(apex < -SLACK);
+    fn spares(&self, from: &FlatFromPoint, fan: &Fan) -> bool {
         let way = from.way.plus(self.corner.to(self.center));
-        sides.abs() == 3 || fan.avoids_ball(way, self.radius) || self.is_beside(from, fan)
+        from.is_beside(self.normal, fan)
+            || fan.avoids_ball(way, self.radius)
+            || self.is_beside(from, fan)
     }
 
     /// Two triangles may share a side along a stretch, and rounding decides which one a ray hits.
-    fn hides(&self, _: &TriangleFromPoint, _: &Fan) -> bool {
+    fn hides(&self, _: &FlatFromPoint, _: &Fan) -> bool {
         false
     }
 }
@@ -121,7 +109,7 @@ impl PreparedTriangle {
     ///
     /// A ray that ends more than a slack beside that plane leads away from it all the way.
     #[inline(never)]
-    fn is_beside(&self, from: &TriangleFromPoint, fan: &Fan) -> bool {
+    fn is_beside(&self, from: &FlatFromPoint, fan: &Fan) -> bool {
         let ways = self.ways(from);
         (0..3).any(|index| {
             let [one, other, inner] = [0, 1, 2].map(|it| ways[(index + it) % 3]);

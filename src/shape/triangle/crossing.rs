@@ -6,9 +6,10 @@
 //! Ray/Triangle Intersection", 2013). The products are integers, so the signs are exact and do not depend on the
 //! triangle that asks.
 
-use super::{PreparedTriangle, TriangleFromPoint};
-use crate::number::{Length, narrowed, ratio, unsigned, wide, wide_unsigned};
+use super::PreparedTriangle;
+use crate::number::{Length, narrowed, ratio, unsigned, wide_unsigned};
 use crate::shape::bounded::Range;
+use crate::shape::flat::FlatFromPoint;
 use crate::vector::{Direction, Vector};
 
 /// Cosine, Q2.30, below which the distance may lie beside the triangle: 2⁻¹⁰.
@@ -17,46 +18,29 @@ const GRAZING: i32 = 1 << 20;
 /// A cosine below this many units of 2⁻³⁰, or a height below this many steps, may have the wrong sign.
 const UNSURE: i32 = 8;
 
-/// Cross product of a ray's direction and the vector to a corner: high words, in steps, rounded down.
-#[derive(Clone, Copy)]
-struct Across {
-    high: Vector,
-}
-
-impl Across {
-    #[inline(always)]
-    fn new(direction: &Direction, way: Vector) -> Self {
-        Self {
-            high: direction.crossed_with(way),
-        }
-    }
-
-    /// Returns a number whose sign says on which side of a side of the triangle the ray's line passes; 0 if the
-    /// line cuts it. `side` starts at the corner to which `way` leads.
-    ///
-    /// Each coordinate of the cross product is rounded down by less than 1.
-    #[inline(always)]
-    fn passes(&self, side: Vector, direction: &Direction, way: Vector) -> i64 {
-        let Vector { x, y, z } = self.high;
-        let high = wide(x, side.x) + wide(y, side.y) + wide(z, side.z);
-        let most = side.x.unsigned_abs() + side.y.unsigned_abs() + side.z.unsigned_abs();
-        match high.unsigned_abs() > u64::from(most) {
-            true => high,
-            false => with_fractions(high, side, (direction, way)),
-        }
+/// Returns a number whose sign says on which side of a side of the triangle the ray's line passes; 0 if the
+/// line cuts it. `side` starts at the corner to which `way` leads. `across` is the cross product of the ray's
+/// direction and `way`, in steps.
+///
+/// Each coordinate of the cross product is rounded down by less than 1.
+#[inline(always)]
+fn passes(across: Vector, side: Vector, ray: (&Direction, Vector)) -> i64 {
+    let high = across.dot_raw(side);
+    let most = side.x.unsigned_abs() + side.y.unsigned_abs() + side.z.unsigned_abs();
+    match high.unsigned_abs() > u64::from(most) {
+        true => high,
+        false => with_fractions(high, side, ray),
     }
 }
 
-/// Returns what [`Across::passes`] returns, from the high words and what they leave out.
+/// Returns what [`passes`] returns, from the high words and what they leave out.
 #[cold]
 #[inline(never)]
 fn with_fractions(high: i64, side: Vector, (direction, way): (&Direction, Vector)) -> i64 {
     const FRACTION: i64 = (1 << 30) - 1;
-    let Vector { x, y, z } = direction.raw();
     let low = |product: i64| narrowed(product & FRACTION);
-    let sum = wide(low(wide(y, way.z) - wide(z, way.y)), side.x)
-        + wide(low(wide(z, way.x) - wide(x, way.z)), side.y)
-        + wide(low(wide(x, way.y) - wide(y, way.x)), side.z);
+    let [x, y, z] = direction.raw().cross_wide(way).map(low);
+    let sum = Vector::new(x, y, z).dot_raw(side);
     match high + (sum >> 30) {
         0 => i64::from(sum & FRACTION != 0),
         rounded_down => rounded_down,
@@ -72,7 +56,7 @@ impl PreparedTriangle {
     #[inline(never)]
     pub(super) fn met(
         &self,
-        from: &TriangleFromPoint,
+        from: &FlatFromPoint,
         direction: &Direction,
         range: Range,
     ) -> Option<Length> {
@@ -93,7 +77,7 @@ impl PreparedTriangle {
             return None;
         }
         let distance = Length::from_bits(ratio(height, rise));
-        (range.start < distance && distance < range.reach).then_some(distance)
+        range.holds(distance).then_some(distance)
     }
 
     /// Tests whether the line of a ray cuts the triangle. `is_reversed` says whether the ray leads against its
@@ -102,18 +86,18 @@ impl PreparedTriangle {
     fn is_crossed(&self, way: Vector, direction: &Direction, is_reversed: bool) -> bool {
         let [one, other] = self.sides;
         let is_out = |passes: i64| if is_reversed { passes > 0 } else { passes < 0 };
-        let first = Across::new(direction, way);
-        if is_out(first.passes(one, direction, way)) {
+        let across = direction.crossed_with(way);
+        if is_out(passes(across, one, (direction, way))) {
             return false;
         }
         // From the third corner to the first.
         let back = Vector::new(-other.x, -other.y, -other.z);
-        if is_out(first.passes(back, direction, way)) {
+        if is_out(passes(across, back, (direction, way))) {
             return false;
         }
         let way = way.plus(one);
-        let second = Across::new(direction, way);
-        !is_out(second.passes(other.minus(one), direction, way))
+        let across = direction.crossed_with(way);
+        !is_out(passes(across, other.minus(one), (direction, way)))
     }
 
     /// Returns the distance at which a ray almost along the triangle hits it.
@@ -122,12 +106,7 @@ impl PreparedTriangle {
     /// triangle hits it ahead, whatever the signs are.
     #[cold]
     #[inline(never)]
-    fn grazed(
-        &self,
-        from: &TriangleFromPoint,
-        direction: &Direction,
-        range: Range,
-    ) -> Option<Length> {
+    fn grazed(&self, from: &FlatFromPoint, direction: &Direction, range: Range) -> Option<Length> {
         let climb = direction.dot(self.normal).to_bits();
         let approaches = (climb ^ from.height) >= 0 && climb != 0;
         let is_level = climb.abs() < UNSURE;
@@ -150,6 +129,6 @@ impl PreparedTriangle {
             false => (nearest >> 1) + (furthest >> 1),
         };
         let distance = Length::from_bits(distance);
-        (range.start < distance && distance < range.reach).then_some(distance)
+        range.holds(distance).then_some(distance)
     }
 }

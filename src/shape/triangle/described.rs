@@ -192,8 +192,8 @@ const fn extent_of(positions: [Position; 3]) -> Extent {
     let radius = unsigned(square_root(square)) as u64 + 8;
     Extent {
         center: moved(one, center, shift),
-        radius: Number::from_bits(scaled(radius, shift)),
-        smallest: Number::from_bits(scaled(altitude, shift) | 1),
+        radius: Number::from_bits(scaled(radius as i128, shift)),
+        smallest: Number::from_bits(scaled(altitude as i128, shift) | 1),
     }
 }
 
@@ -203,9 +203,9 @@ const fn middle(first: Vector, second: Vector) -> (Vector, u64) {
     let both = first.plus(second);
     let centers = [
         Vector::new(both.x / 3, both.y / 3, both.z / 3),
-        Vector::new(first.x >> 1, first.y >> 1, first.z >> 1),
-        Vector::new(second.x >> 1, second.y >> 1, second.z >> 1),
-        Vector::new(both.x >> 1, both.y >> 1, both.z >> 1),
+        first.coarser(1),
+        second.coarser(1),
+        both.coarser(1),
     ];
     let mut best = (centers[0], furthest(centers[0], first, second));
     let mut index = 1;
@@ -225,16 +225,16 @@ const fn furthest(center: Vector, first: Vector, second: Vector) -> u64 {
     larger(center.square(), sides)
 }
 
-const fn larger(a: u64, b: u64) -> u64 {
+pub(super) const fn larger(a: u64, b: u64) -> u64 {
     if a > b { a } else { b }
 }
 
 /// Returns `value` · 2^`shift`, in the raw bits of a number.
-const fn scaled(value: u64, shift: i32) -> i128 {
+const fn scaled(value: i128, shift: i32) -> i128 {
     if shift >= 0 {
-        (value as i128) << shift
+        value << shift
     } else {
-        value as i128 >> -shift
+        value >> -shift
     }
 }
 
@@ -242,16 +242,8 @@ const fn scaled(value: u64, shift: i32) -> i128 {
 const fn moved(from: Position, way: Vector, shift: i32) -> Position {
     let [x, y, z] = from.0;
     Position([
-        Number::from_bits(x.to_bits() + signed_scaled(way.x, shift)),
-        Number::from_bits(y.to_bits() + signed_scaled(way.y, shift)),
-        Number::from_bits(z.to_bits() + signed_scaled(way.z, shift)),
+        Number::from_bits(x.to_bits() + scaled(way.x as i128, shift)),
+        Number::from_bits(y.to_bits() + scaled(way.y as i128, shift)),
+        Number::from_bits(z.to_bits() + scaled(way.z as i128, shift)),
     ])
-}
-
-const fn signed_scaled(value: i32, shift: i32) -> i128 {
-    if shift >= 0 {
-        (value as i128) << shift
-    } else {
-        value as i128 >> -shift
-    }
 }

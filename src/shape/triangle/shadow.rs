@@ -49,9 +49,7 @@ impl PreparedTriangle {
         };
         let doubt = Unit::from_bits(ratio(2 * unsigned(lamp.off(line)), change));
         let off = line.off + scaled_by_unit(2 * self.radius, doubt) + 16;
-        let Vector { x, y, z } = to.minus(from);
-        let [x, y, z] = [x, y, z].map(|it| scaled_by_unit(it, share));
-        let point = from.plus(Vector::new(x, y, z));
+        let point = from.plus(to.minus(from).part(share));
         let around = |axis: Direction| {
             let place = point.dot(axis);
             [place - off, place + off]

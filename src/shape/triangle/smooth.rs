@@ -1,7 +1,7 @@
 //! Normals between the corners of a triangle.
 
 use super::Face;
-use crate::number::{Unit, narrowed, signed_wide, unsigned, wide};
+use crate::number::{Unit, narrowed, signed_wide, unsigned};
 use crate::vector::{Direction, Position, Vector};
 
 /// Normals at the corners of a triangle, and what finds the weights between them.
@@ -59,14 +59,11 @@ impl Smooth {
 /// Returns the gradient of a weight that is 0 along a lifted side. With the area a of [`Face`], it is the side times the
 /// normal, over a, in units of 2²⁸.
 const fn gradient(face: &Face, side: Vector, is_to_the_right: bool) -> Vector {
-    let Vector { x, y, z } = face.normal.crossed_with(side);
     let inverse = signed_wide((1 << 58) / (unsigned(face.area) | 1) as u64);
     let inverse = narrowed(if is_to_the_right { -inverse } else { inverse });
-    Vector::new(
-        narrowed(wide(x, inverse) >> 30),
-        narrowed(wide(y, inverse) >> 30),
-        narrowed(wide(z, inverse) >> 30),
-    )
+    face.normal
+        .crossed_with(side)
+        .part(Unit::from_bits(inverse))
 }
 
 /// Bends a normal until a view that it mirrors does not lead below the surface `flat`.
@@ -79,14 +76,7 @@ fn above(normal: Direction, flat: Direction, view: Direction) -> Direction {
     let along = mirrored.raw().without(flat, height.to_bits());
     let (along, _) = along.normalised();
     // Half of each, so that the difference fits.
-    let half = |it: Direction| {
-        Vector::new(
-            it.x.to_bits() >> 1,
-            it.y.to_bits() >> 1,
-            it.z.to_bits() >> 1,
-        )
-    };
-    let between = half(along).minus(half(view));
+    let between = along.raw().coarser(1).minus(view.raw().coarser(1));
     match between.square() < 1 << 36 {
         true => flat,
         false => between.normalised().0,
