@@ -170,7 +170,7 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 19_451;
+    const MOST_CODE: usize = 19_452;
 
     /// Most lines of Rust outside of the library.
     const MOST_OUTSIDE: usize = 39_709;
