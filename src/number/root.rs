@@ -14,13 +14,7 @@ use super::{Unit, high_unsigned, leading_zeros};
 
 /// Start values, at points between which lines are drawn: first 2¹⁶ / x for x from 1 to 2, then 2¹⁶ / √x for x from
 /// 1 to 4, both in steps of 1/64.
-static TABLE: [u16; 258] = table();
-
-/// Number of points of the reciprocal.
-const RECIPROCALS: usize = 65;
-
-/// Computes the table of start values.
-const fn table() -> [u16; 258] {
+static TABLE: [u16; 258] = {
     /// Returns a start value with 12 fraction bits for x = `index` / 64.
     const fn curve(index: usize, is_root: bool) -> i64 {
         let index = index as u64;
@@ -42,7 +36,10 @@ const fn table() -> [u16; 258] {
         place += 1;
     }
     entries
-}
+};
+
+/// Number of points of the reciprocal.
+const RECIPROCALS: usize = 65;
 
 /// Returns the value of the line from a point of the table to the next, `way` · 2⁻¹¹ of the way to it.
 #[inline(always)]

@@ -170,10 +170,10 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 19_511;
+    const MOST_CODE: usize = 19_146;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 38_166;
+    const MOST_OUTSIDE: usize = 38_226;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;
