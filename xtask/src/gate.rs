@@ -351,14 +351,7 @@ fn boards() -> Vec<Step> {
 
 /// Returns the steps that only `--all` runs.
 fn long() -> Vec<Step> {
-    let rays = cargo("test").args(["--profile", "checked", "--package", "stability"]);
-    let rays = rays.args([
-        "--test",
-        "catalogue",
-        "--",
-        "--exact",
-        "random_scenes_overflow_nowhere",
-    ]);
+    let rays = cargo("run").args(["--profile", "checked", "--package", "stability", "--"]);
     let schema = cargo("test").args(["--manifest-path", "tests/schema/Cargo.toml"]);
     let schema = schema.args(["--target-dir".as_ref(), target_directory().as_os_str()]);
     vec![
@@ -366,7 +359,7 @@ fn long() -> Vec<Step> {
         step("fuzz", xtask().args(["fuzz", "--seconds", "600"])),
         step(
             "10^8 random rays with overflow checks",
-            rays.env("RAYS", "100000000"),
+            rays.args(["--rays", "100000000"]),
         ),
         step(
             "copies of examples are the same firmware",

@@ -1,6 +1,7 @@
-//! One scene, drawn by the reference and by a quality, and the pixels that the quality loses. Never opens a file.
+//! One scene, drawn by the reference and by qualities, and the pixels that a quality loses. Never reads a
+//! file.
 
-use command_line::{Quality, Settings, Shading, Source, scene_file};
+use command_line::{Quality, Settings, Shading, Source};
 use embedded_graphics::geometry::Size;
 use reflet::host::file::FileError;
 use reflet::host::reference::{Camera, Scene, render};
@@ -29,30 +30,49 @@ pub struct Case {
     pub shading: Shading,
 }
 
-/// What a quality loses of a scene.
+/// What the qualities lose of a scene.
 #[derive(Clone, Debug)]
 pub struct Judged {
+    /// Name of the scene.
+    pub name: String,
+    /// Width and height of the pictures.
+    pub size: Size,
     /// Percentage of the pixels that `Exact` has within [`RIGHT`].
     pub exact: f64,
+    /// What each tested quality loses.
+    pub lost: Vec<Lost>,
+}
+
+/// What one quality loses of a scene.
+#[derive(Clone, Debug)]
+pub struct Lost {
+    /// The tested quality.
+    pub quality: Quality,
+    /// The picture of this quality.
+    pub pixels: Vec<Pixel>,
     /// Whether each pixel is lost.
     pub is_lost: Vec<bool>,
 }
 
-impl Judged {
+impl Lost {
+    /// Returns the number of lost pixels.
+    pub fn count(&self) -> usize {
+        self.is_lost.iter().filter(|it| **it).count()
+    }
+
     /// Returns the percentage of lost pixels.
     pub fn percent(&self) -> f64 {
-        let count = self.is_lost.iter().filter(|it| **it).count();
-        100.0 * count as f64 / self.is_lost.len() as f64
+        100.0 * self.count() as f64 / self.is_lost.len().max(1) as f64
     }
 }
 
 impl Case {
-    /// Draws the scene and finds what a quality loses.
+    /// Draws the scene and finds what the qualities lose. The reference is drawn once.
     ///
     /// # Errors
     ///
     /// The library refuses the scene or the camera.
-    pub fn judge(&self, size: Size, quality: Quality) -> Result<Judged, FileError> {
+    pub fn judge(&self, size: Size, qualities: &[Quality]) -> Result<Judged, FileError> {
         let source = self.source()?;
         let (n, shading) = (self.reflections.into(), self.shading.into());
         let truth = render(
@@ -73,25 +93,27 @@ impl Case {
             source.drawn(size, settings).pixels
         };
         let exact = drawn(Quality::Exact);
-        // `Exact` decides by bounds what rays can hit. It is tested against `Small`, which tests all.
-        let is_lost = match quality {
-            Quality::Exact => lost(&truth, &drawn(Quality::Small), &exact),
-            _ => lost(&truth, &exact, &drawn(quality)),
+        let judge = |&quality: &Quality| {
+            let pixels = drawn(quality);
+            // `Exact` decides by bounds what rays can hit. It is tested against `Small`, which tests all.
+            let is_lost = match quality {
+                Quality::Exact => lost(&truth, &drawn(Quality::Small), &pixels),
+                _ => lost(&truth, &exact, &pixels),
+            };
+            Lost {
+                quality,
+                pixels,
+                is_lost,
+            }
         };
         let right = exact.iter().zip(&truth);
         let right = right.filter(|(a, b)| difference(**a, **b) <= RIGHT).count();
         Ok(Judged {
-            exact: 100.0 * right as f64 / truth.len() as f64,
-            is_lost,
+            name: self.name.clone(),
+            size,
+            exact: 100.0 * right as f64 / truth.len().max(1) as f64,
+            lost: qualities.iter().map(judge).collect(),
         })
-    }
-
-    /// Returns the text of a scene file. Materials are named by their numbers. Files do not hold the number of
-    /// reflections.
-    pub fn json(&self) -> String {
-        let materials = 0..self.scene.materials.len();
-        let materials: Vec<_> = materials.map(|index| index.to_string()).collect();
-        scene_file::text(&self.name, &materials, &self.scene, &self.camera)
     }
 
     /// Returns the scene as a source of pictures.

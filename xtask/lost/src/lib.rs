@@ -1,9 +1,11 @@
-//! Counts *lost* pixels: those that `Exact` has right and an interpolating quality has wrong, in random scenes that
-//! are made to lose many. This library prints nothing.
+//! Counts *lost* pixels: those that `Exact` has right and an interpolating quality has wrong. Draws
+//! scenes of any origin, and makes random scenes that lose many. This library prints nothing.
 #![deny(missing_docs)]
 
 pub mod case;
 pub mod families;
+pub mod file;
+pub mod table;
 
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;

@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --package stability -- --help`
 
+mod long;
+
 use std::fs;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -26,6 +28,15 @@ struct Arguments {
         default_value = "docs/internals/stability.md"
     )]
     page: PathBuf,
+
+    /// Draw random scenes instead, until N rays have been followed, with every overflow checked:
+    /// needs `--profile checked` instead of `--release`
+    #[arg(long, value_name = "N")]
+    rays: Option<u64>,
+
+    /// Seed of the random scenes
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
 }
 
 fn main() -> ExitCode {
@@ -43,6 +54,9 @@ fn main() -> ExitCode {
 /// Tries all cases. Returns whether every case met its bar or has a reason, and whether the aim is
 /// met.
 fn run(arguments: &Arguments) -> Result<bool, Failure> {
+    if let Some(rays) = arguments.rays {
+        return long::run(rays, arguments.seed);
+    }
     let tried: Vec<Tried> = catalogue::chapters()
         .iter()
         .flat_map(|(chapter, cases)| cases.iter().map(|case| Tried::new(chapter, case)))

@@ -8,12 +8,14 @@ mod light;
 mod random;
 mod shapes;
 
+use clap::ValueEnum;
+
 use self::draft::Draft;
 use self::random::Random;
 use crate::case::Case;
 
 /// A family of random scenes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Family {
     /// Thin rods and tiny spheres in all directions, also along the view.
     Thin,
@@ -56,7 +58,8 @@ impl Family {
         Self::Facets,
     ];
 
-    fn name(self) -> String {
+    /// Returns the family's name in tables and on the command line.
+    pub fn name(self) -> String {
         format!("{self:?}").to_lowercase()
     }
 
@@ -87,9 +90,8 @@ impl Family {
     }
 }
 
-/// Returns scene `index` of a run over all families, which take turns.
-pub fn scene_of_run(seed: u64, index: usize) -> (Family, Case) {
-    let count = Family::ALL.len();
-    let family = Family::ALL[index % count];
-    (family, family.case(seed, (index / count) as u64))
+/// Returns scene `index` of a run over several families, which take turns.
+pub fn scene_of_run(families: &[Family], seed: u64, index: usize) -> (Family, Case) {
+    let family = families[index % families.len()];
+    (family, family.case(seed, (index / families.len()) as u64))
 }
