@@ -40,7 +40,7 @@ pub(super) fn error(row: &[&Stage], x: usize, block: usize, tolerance: f64) -> (
                 start,
                 length: end - start,
                 tolerance,
-                around: None,
+                expected: None,
             };
             worst = worst.max(part.worst(x));
         }
@@ -54,8 +54,8 @@ struct Part<'a> {
     start: usize,
     length: usize,
     tolerance: f64,
-    /// The second difference of the part around, of which this is a half.
-    around: Option<Vector>,
+    /// The second difference at a distance of half the length, as the part around has it, of which this is a half.
+    expected: Option<Vector>,
 }
 
 impl Part<'_> {
@@ -68,7 +68,6 @@ impl Part<'_> {
         if self.length == 2 || x == middle {
             return own;
         }
-        let around = Some(self.bend());
         let (start, length) = match x < middle {
             true => (self.start, half),
             false => (middle, self.length - half),
@@ -76,7 +75,7 @@ impl Part<'_> {
         let part = Self {
             start,
             length,
-            around,
+            expected: Some(self.bend_at((length / 2).max(1))),
             ..self
         };
         own.max(part.worst(x))
@@ -101,23 +100,23 @@ impl Part<'_> {
         [before, (after - before) * (1.0 / self.length as f64)]
     }
 
-    /// Returns the second difference at a distance of half the length.
-    fn bend(&self) -> Vector {
-        let half = (self.length / 2) as f64;
-        self.slopes()[1] * (2.0 * half * half)
+    /// Returns the second difference at this distance.
+    fn bend_at(&self, distance: usize) -> Vector {
+        let distance = distance as f64;
+        self.slopes()[1] * (2.0 * distance * distance)
     }
 
     /// Returns the largest error of pixel `x` if it is interpolated from this part, 0 if it cannot be.
     fn error(&self, x: usize) -> f64 {
         let [start, middle, end] = self.colors();
-        let expected = self.around.map(|bend| bend * 0.25);
         let miss = |color: Vector| largest(color - self.color(x)) + self.slack();
         if self.length > 2 {
             let (way, half) = ((x - self.start) as f64, (self.length / 2) as f64);
             let [slope, change] = self.slopes();
             let curve = start + slope * way + change * (way * (way - half));
-            let is_exact = |expected: Vector| self.allows(self.bend() - expected, 4.0);
-            let is_taken = is_exact(Vector::ZERO) || expected.is_some_and(is_exact);
+            let is_exact =
+                |expected: Vector| self.allows(self.bend_at(self.length / 2) - expected, 4.0);
+            let is_taken = is_exact(Vector::ZERO) || self.expected.is_some_and(is_exact);
             return if is_taken { miss(curve) } else { 0.0 };
         }
         let half_way = |bend: Vector| (start + end) * 0.5 - bend * 0.5;
@@ -128,7 +127,7 @@ impl Part<'_> {
         } else {
             0.0
         };
-        match expected {
+        match self.expected {
             Some(bend) if is_even || self.allows(bend, 4.0) => line.max(miss(half_way(bend))),
             _ => line,
         }
