@@ -115,11 +115,11 @@
 //!
 //! | profile | castle flash | castle instr/pixel | corner1 flash | corner1 instr/pixel |
 //! |---|--:|--:|--:|--:|
-//! | lto = true, codegen-units = 1 | 52632 | 1420 | 14804 | 247 |
-//! | Cargo's default release | 65948 | 1518 | 19164 | 293 |
-//! | lto = true, codegen-units = 1, opt-level = "s" | 48968 | 2390 | 15936 | 314 |
-//! | lto = true, codegen-units = 1, opt-level = "z" | 45712 | 3525 | 15912 | 482 |
-//! | Cargo's default dev (debug) | 617436 | 39762 | 576696 | 7319 |
+//! | lto = true, codegen-units = 1 | 52696 | 1421 | 14800 | 247 |
+//! | Cargo's default release | 67564 | 1510 | 19216 | 295 |
+//! | lto = true, codegen-units = 1, opt-level = "s" | 49492 | 2387 | 15976 | 316 |
+//! | lto = true, codegen-units = 1, opt-level = "z" | 46240 | 3710 | 16480 | 540 |
+//! | Cargo's default dev (debug) | 624976 | 40034 | 582400 | 7389 |
 //!
 //! Every profile draws the same picture. If flash is scarce, the quality [`Small`](quality::Small) saves
 //! more than an `opt-level`.
