@@ -1,6 +1,5 @@
 //! Tests of the counting and of the random scenes, and that a small run loses nothing.
 
-use clap::ValueEnum;
 use command_line::Quality;
 use embedded_graphics::geometry::Size;
 use lost::case::{Case, VISIBLE, difference};
@@ -18,7 +17,7 @@ const SIZE: Size = Size::new(64, 48);
 
 /// Returns the results of `check` for the first scenes of every family, in turns.
 fn for_scenes<T: Send>(of_each: usize, check: impl Fn(Family, Case) -> T + Sync) -> Vec<T> {
-    let families = Family::value_variants();
+    let families = &Family::ALL;
     on_all_cores(of_each * families.len(), |index| {
         let (family, case) = scene_of_run(families, SEED, index);
         check(family, case)
