@@ -170,10 +170,10 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 19_146;
+    const MOST_CODE: usize = 19_145;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 38_543;
+    const MOST_OUTSIDE: usize = 38_541;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;
