@@ -18,8 +18,8 @@ macro_rules! beside {
         $header:tt
         $({ $list:ident $($more:tt)* })*
     ) => {
-        /// Returns the nearest hit of a ray through the pixel at `column` and `row` among the shapes with these
-        /// rectangles. Skips the shape that the ray leaves.
+        /// Returns the nearest hit of a ray through a pixel, given by its column and row, among the shapes whose rectangles
+        /// hold the pixel. Skips the shape that the ray leaves.
         #[inline(never)]
         pub(super) fn nearest_beside<W: World>(
             world: &W,

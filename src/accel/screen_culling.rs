@@ -119,8 +119,8 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         self.mirrored.nearest(world, column, ray)
     }
 
-    /// Returns the nearest bounded shape that a ray hits, which goes through the row beside the centre of the pixel of
-    /// `column`. It is one of the camera, or its first reflection in the plane `mirror`.
+    /// Returns the nearest bounded shape that a ray hits. The ray is the camera's, through a place beside the centre of
+    /// the pixel at `column`, or its first reflection in the plane `mirror`.
     pub(crate) fn beside(&self, world: &W, (mirror, column): (ShapeId, u32), ray: &Ray) -> Hit {
         let rects = self.bounds.and_then(|bounds| match mirror {
             ShapeId::NONE => Some(bounds.direct()),

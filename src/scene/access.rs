@@ -19,7 +19,7 @@ use crate::vector::Point;
 macro_rules! declare_of_kind {
     ($d:tt $header:tt $({ $list:ident $($more:tt)* })*) => {
         /// Asks a bounded shape of any kind. `of_kind!(parts, id, |shape| answer)` is the answer of the
-        /// shape with this number, or `None` if it is not bounded. No closure takes shapes of all kinds.
+        /// shape with this number, or `None` if it is not bounded. A macro, because no closure takes shapes of all kinds.
         macro_rules! of_kind {
             ($d parts:expr, $d id:expr, |$d shape:ident| $d answer:expr) => {
                 'asked: {

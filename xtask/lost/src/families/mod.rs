@@ -44,7 +44,7 @@ pub enum Family {
 }
 
 impl Family {
-    /// Those that lose pixels.
+    /// Those that are hard to interpolate.
     pub const ALL: [Self; 10] = [
         Self::Thin,
         Self::Sunk,
