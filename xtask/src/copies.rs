@@ -109,7 +109,8 @@ fn both(name: &str) -> Result<[Weight; 2]> {
         weight.code > 0,
         "the firmware of {name} is empty: its linker script is missing"
     );
-    let copied = build(name)?;
+    // As its README says: every program of it.
+    let copied = build_changed(name, (example.program, &[]), |_| Ok(()))?;
     let weights = [weight, weigh(&copied)?];
     let [one, other] = weights.map(|it| it.flash);
     ensure!(
@@ -119,21 +120,18 @@ fn both(name: &str) -> Result<[Weight; 2]> {
     Ok(weights)
 }
 
-/// Returns the firmware that a copy of an example builds. One build serves all tests.
+/// Returns the firmware that a copy of an example builds.
 pub fn firmware(name: &str) -> Result<PathBuf> {
-    let example = Example::of(name)?;
-    images::kept(&example.folder(), example.target, || build(name))
+    program(name, Example::of(name)?.program)
 }
 
-/// Builds a copy of an example, and returns another program of it.
+/// Copies an example, and returns one program that the copy builds. One build serves all tests.
 pub fn program(name: &str, program: &str) -> Result<PathBuf> {
-    build_changed(name, program, |_| Ok(()))
-}
-
-/// Copies an example out of the repository and builds the copy as its README says. Returns the
-/// firmware. What other packages for boards have compiled is not compiled again.
-fn build(name: &str) -> Result<PathBuf> {
-    build_changed(name, Example::of(name)?.program, |_| Ok(()))
+    let example = Example::of(name)?;
+    let only: &[&str] = &["--bin", program];
+    images::kept((&example.folder(), example.target, program), || {
+        build_changed(name, (program, only), |_| Ok(()))
+    })
 }
 
 /// Builds a copy that draws another scene, as a person would: writes its source over `scene.rs`, and its name into the
@@ -148,7 +146,7 @@ pub fn build_with_scene(name: &str, source: &str, scene: &str) -> Result<PathBuf
         true => (PathBuf::from("src"), &*package),
         false => (Path::new("src/bin").join(program), program),
     };
-    build_changed(name, built, |copy| {
+    build_changed(name, (built, &["--bin", built]), |copy| {
         let change = |file: &Path, old: &str, new: &str| {
             let file = copy.join(file);
             let text = fs::read_to_string(&file)?;
@@ -167,10 +165,11 @@ pub fn build_with_scene(name: &str, source: &str, scene: &str) -> Result<PathBuf
     })
 }
 
-/// Copies an example, changes the copy, builds it, and returns the program of a name.
+/// Copies an example out of the repository, changes the copy, builds it with these arguments, and returns the program
+/// of a name. What other packages for boards have compiled is not compiled again.
 fn build_changed(
     name: &str,
-    program: &str,
+    (program, arguments): (&str, &[&str]),
     change: impl FnOnce(&Path) -> Result<()>,
 ) -> Result<PathBuf> {
     let example = Example::of(name)?;
@@ -180,7 +179,8 @@ fn build_changed(
     let copy = place.path().join(name);
     copy_example(&root().join(example.folder()), &copy)?;
     change(&copy)?;
-    toolchain::build_there(example.target, &copy, program)
+    let built = toolchain::build_there(example.target, &copy, arguments)?;
+    Ok(built.with_file_name(program))
 }
 
 /// Copies an example's folder. In the copy, the manifest names reflet by its absolute path.

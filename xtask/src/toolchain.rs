@@ -208,12 +208,12 @@ pub fn build_in(profile: &str, target: &str, arguments: &[&str]) -> Result<PathB
     built(cargo_build(profile, target)?.args(arguments))
 }
 
-/// Builds the package in a folder outside of the repository, with that folder's own configuration. Returns
-/// the program of this name.
-pub fn build_there(target: &str, folder: &Path, name: &str) -> Result<PathBuf> {
+/// Builds the package in a folder outside of the repository, with that folder's own configuration. Returns the path
+/// of one of its programs.
+pub fn build_there(target: &str, folder: &Path, arguments: &[&str]) -> Result<PathBuf> {
     let place = directory_for(target);
     let cargo = cargo_build("release", target)?.args(["--target-dir".as_ref(), place.as_os_str()]);
-    Ok(built(cargo.in_folder(folder))?.with_file_name(name))
+    built(cargo.args(arguments).in_folder(folder))
 }
 
 fn cargo_build(profile: &str, target: &str) -> Result<Program> {

@@ -73,15 +73,14 @@ pub fn sources() -> Result<u64> {
 /// Held while a package is built, so that tests that run side by side build it once.
 static BUILD: Mutex<()> = Mutex::new(());
 
-/// Returns the firmware that is made of a package outside of `xtask` for a target, and builds it if it is not there.
+/// Returns a program of a package outside of `xtask` for a target, and builds it if it is not there.
 pub fn kept(
-    package: &Path,
-    target: &str,
+    (package, target, program): (&Path, &str, &str),
     build: impl FnOnce() -> Result<PathBuf>,
 ) -> Result<PathBuf> {
     let mut hasher = DefaultHasher::new();
     add(&root().join(package), &mut hasher)?;
-    let image = place((package, target, hasher.finish()))?;
+    let image = place((package, target, program, hasher.finish()))?;
     let _one = BUILD.lock().unwrap_or_else(PoisonError::into_inner);
     if !image.is_file() {
         keep(&build()?, &image)?;
