@@ -238,7 +238,7 @@ fn rows_seen_from_inside_a_sphere_miss_no_shape() {
         );
 
         // The camera is inside a sphere that surrounds all shapes and hides what is outside.
-        let (mut scene, glass) = described::<61, 20>(&mut random, (60, 20));
+        let (mut scene, glass) = described::<100, 40>(&mut random, (60, 20));
         scene.add_sphere([0.1, 0.2, 0.3], 3.5, glass).unwrap();
         scene
             .add_plane([0.0, 0.0, -0.8], [0.0, 0.1, 1.0], glass)
@@ -334,7 +334,7 @@ fn light_tables_miss_no_shape() {
     for _ in 0..6 {
         let asked = [
             asked(&crowd::<100, 40>(&mut random).tabled(), &mut random),
-            asked(&crowd::<30, 20>(&mut random).tabled(), &mut random),
+            asked(&crowd::<24, 8>(&mut random).tabled(), &mut random),
             asked(&roomy_crowd(&mut random).tabled(), &mut random),
             asked(&crowd::<2, 1>(&mut random).tabled(), &mut random),
         ];

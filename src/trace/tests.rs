@@ -20,8 +20,11 @@ use crate::ray::ScaledPoint;
 use crate::scene::RuntimeScene;
 use crate::scene::access::{SceneAccess, ShapeId};
 use crate::scene::query::nearest_hit;
-use crate::shade::{BlinnPhong, Normals, Phong};
+use crate::shade::{BlinnPhong, Normals};
 use crate::vector::{Position, Vector};
+
+/// Room for the scenes of these tests: with one type, the path is compiled once.
+type Scenery = RuntimeScene<Room<4, 2, 1, 0, 7>>;
 
 /// Step of a throughput: 2⁻³⁰.
 const ULP: f64 = 1.0 / (1 << 30) as f64;
@@ -256,17 +259,17 @@ fn path_that_meets_nothing_adds_the_background_with_its_weight() {
     let parts = scene.parts();
     let from = parts.grid.place(Position::new([0.0, -3.0, 0.0]));
     let path = |towards| path(from, towards);
-    let past = followed_by::<Phong, Exact, _>(&scene, path([1.0, 0.0, 0.0]), 9);
+    let past = followed_by::<BlinnPhong, Exact, _>(&scene, path([1.0, 0.0, 0.0]), 9);
     assert_eq!(
         (past.sum.to_rgb8(), past.rays, past.cut_off),
         ([255, 128, 0], 1, Unit::ZERO)
     );
-    let mirrored = followed_by::<Phong, Exact, _>(&scene, path([0.0, 1.0, 0.0]), 9);
+    let mirrored = followed_by::<BlinnPhong, Exact, _>(&scene, path([0.0, 1.0, 0.0]), 9);
     assert_eq!(
         (mirrored.sum.to_rgb8(), mirrored.rays, mirrored.cut_off),
         ([128, 64, 0], 2, Unit::ZERO)
     );
-    let cut = followed_by::<Phong, Exact, _>(&scene, path([0.0, 1.0, 0.0]), 0);
+    let cut = followed_by::<BlinnPhong, Exact, _>(&scene, path([0.0, 1.0, 0.0]), 0);
     assert_eq!(
         (cut.sum.to_rgb8(), cut.rays, cut.cut_off.to_bits()),
         ([0; 3], 1, 1 << 29)
@@ -286,7 +289,7 @@ fn normals_are_seen_in_no_mirror() {
 #[test]
 fn path_between_facing_mirrors_stays_between_them() {
     // No path leaves, and no plane is hit twice in a row.
-    let mut scene = RuntimeScene::<Room<0, 2, 0, 0, 1>>::new();
+    let mut scene = Scenery::new();
     let shining = Material::from_numbers([1, 1, 1], 1, 0, (0, 1), 0.875).unwrap();
     let shining = scene.add_material(shining).unwrap();
     scene.add_plane([0, 0, 0], [0, 0, 1], shining).unwrap();
@@ -311,7 +314,7 @@ fn path_between_facing_mirrors_stays_between_them() {
 /// not where the near kernels hit the other plane.
 #[test]
 fn mirror_that_the_camera_almost_lies_in_shows_all_that_is_before_other_planes() {
-    let mut scene = RuntimeScene::<Room<1, 2, 0, 0, 3>>::new();
+    let mut scene = Scenery::new();
     let mut material = |color: [f64; 3], alpha: f64| {
         let made = Material::from_numbers(color, 1, 0, (0, 1), alpha).unwrap();
         scene.add_material(made).unwrap()
@@ -335,7 +338,7 @@ fn mirror_that_the_camera_almost_lies_in_shows_all_that_is_before_other_planes()
     let from = scene.parts().grid.place(Position::new([-16.0; 3]));
     let followed = |y: f64| {
         let path = path(from, [0.75, y, 0.59]);
-        let followed = followed_by::<Phong, Exact, _>(&scene, path, 1);
+        let followed = followed_by::<BlinnPhong, Exact, _>(&scene, path, 1);
         (followed.rays, followed.sum.to_rgb8())
     };
     // Away from the mirror, and towards it.
@@ -347,7 +350,7 @@ fn mirror_that_the_camera_almost_lies_in_shows_all_that_is_before_other_planes()
 /// The surface would take it for a ray that does not climb, and show its other side.
 #[test]
 fn mirror_is_met_from_below_only_by_rays_that_climb() {
-    let mut scene = RuntimeScene::<Room<1, 1, 0, 0, 1>>::new();
+    let mut scene = Scenery::new();
     let mirror = Material::from_numbers([1; 3], 0, 0, (0, 1), 1).unwrap();
     let mirror = scene.add_material(mirror).unwrap();
     scene.add_sphere([0, 0, 3], 1, mirror).unwrap();
@@ -358,7 +361,8 @@ fn mirror_is_met_from_below_only_by_rays_that_climb() {
     assert!(from.is_near());
     for climb in 1..9 {
         let direction = Direction::from_raw(Vector::new(1 << 30, 0, climb));
-        let followed = followed_by::<Phong, Exact, _>(&scene, ScaledRay::new(from, direction), 1);
+        let followed =
+            followed_by::<BlinnPhong, Exact, _>(&scene, ScaledRay::new(from, direction), 1);
         assert_eq!(followed.rays, if climb < 4 { 1 } else { 2 }, "{climb}");
     }
 }
@@ -370,7 +374,7 @@ fn weights_add_up_to_exactly_one() {
     let mut sweep = Sweep::new(3);
     let (mut rays, mut whole) = (0, 0);
     for number in 0..400 {
-        let mut scene = RuntimeScene::<Room<4, 2, 1, 0, 7>>::new();
+        let mut scene = Scenery::new();
         let mut mirror = || {
             // A share from 0 to just below 1; both ends occur often.
             let bits = sweep.within(-(1 << 28), 5 << 28).clamp(0, (1 << 30) - 1);
@@ -397,7 +401,7 @@ fn weights_add_up_to_exactly_one() {
         for _ in 0..20 {
             let towards = sweep.triple(1000).map(|it| f64::from(it) / 700.0);
             let path = path(from, [towards[0], 1.0, towards[2]]);
-            let traced = followed_by::<Phong, Exact, _>(&scene, path, 255);
+            let traced = followed_by::<BlinnPhong, Exact, _>(&scene, path, 255);
             // Only what is cut off after 255 reflections may be missing.
             if traced.cut_off == Unit::ZERO {
                 assert_eq!(

@@ -1,8 +1,8 @@
 //! The accumulation in the library's own formats, on random α and c: the bounds of `docs/internals/theory.md`.
 
-use crate::scene::Room;
 use std::vec::Vec;
 
+use super::Scenery;
 use super::qualities::{Exact, Fast};
 use super::series::{Chain, recursion};
 use super::{Followed, followed_by, path};
@@ -10,7 +10,6 @@ use crate::color::Sum;
 use crate::material::{Material, PreparedMaterial};
 use crate::number::sweep::Sweep;
 use crate::number::{Unit, share};
-use crate::scene::RuntimeScene;
 use crate::scene::access::SceneAccess;
 use crate::shade::BlinnPhong;
 use crate::trace::PathQuality;
@@ -200,7 +199,7 @@ fn traced_path_is_the_loop_bit_for_bit() {
     let mut sweep = Sweep::new(17);
     for _ in 0..300 {
         let loss = sweep.within(0, 20);
-        let mut scene = RuntimeScene::<Room<0, 2, 0, 0, 2>>::new();
+        let mut scene = Scenery::new();
         let walls = [0, 1].map(|height| {
             let alpha = 1.0 - f64::from(sweep.within(0, 1 << 30 >> loss)) / f64::from(1 << 30);
             let own = f64::from(sweep.within(0, 16 << 12)) / 4096.0;

@@ -1,12 +1,9 @@
 //! Tests: rays that leave the inside of a curved surface hit the next wall. They do not hit the wall
 //! they left, and do not pass through it.
 
-use super::light::colors;
+use super::light::{Scenery, colors};
 use super::*;
-use crate::scene::Room;
 use crate::vector::Point;
-
-type Scenery = RuntimeScene<Room<2, 0, 1, 1, 1>>;
 
 /// Counts what happened to rays inside of a shape.
 #[derive(Debug, Default)]

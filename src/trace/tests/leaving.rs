@@ -1,13 +1,10 @@
 //! Tests: rays that leave a surface from outside do not hit it again at any angle, and their directions
 //! have length one.
 
-use super::light::colors;
+use super::light::{Scenery, colors};
 use super::*;
 use crate::number::Brightness;
-use crate::scene::Room;
 use crate::shape::MaterialId;
-
-type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
 
 /// The kind of shape that rays are sent at.
 #[derive(Clone, Copy, Debug, PartialEq)]

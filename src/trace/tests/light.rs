@@ -3,8 +3,9 @@
 use super::*;
 use crate::color::Color;
 use crate::scene::Room;
+use crate::shade::Phong;
 
-type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
+pub(super) type Scenery = RuntimeScene<Room<2, 2, 1, 4, 2>>;
 type Built = Scene<Room<2, 2, 1, 4, 2>>;
 
 /// Step of a colour: Q6.26.
