@@ -9,10 +9,7 @@ use reflet::quality::{Exact, Fast, Quality};
 use reflet::shading::BlinnPhong;
 use reflet::{Camera, Material};
 
-#[path = "common/near.rs"]
-mod near;
-
-use near::{Scenery, apart, assert_near, drawn};
+use super::near::{Scenery, apart, assert_near, drawn};
 
 const SIZE: Size = Size::new(120, 90);
 const UP: [f64; 3] = [0.0, 0.0, 1.0];

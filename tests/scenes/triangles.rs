@@ -7,10 +7,7 @@ use reflet::quality::{Fast, Small};
 use reflet::shading::{BlinnPhong, Phong, Shading};
 use reflet::{Camera, Material, MaterialId, scene};
 
-#[path = "common/near.rs"]
-mod near;
-
-use near::{Scenery, assert_near, drawn};
+use super::near::{Scenery, assert_near, drawn};
 
 const SIZE: Size = Size::new_equal(160);
 const UP: [f64; 3] = [0.0, 0.0, 1.0];

@@ -10,12 +10,10 @@ use reflet::host::reference::bound::{Ending, Paths};
 use reflet::quality::{Exact, Fast, Quality};
 use reflet::scenes::NAMES;
 use reflet::shading::{BlinnPhong, Phong, Shading};
-use reflet::{Camera, Material, RuntimeScene, Unit, room};
+use reflet::{Camera, Material, Unit};
 
-#[path = "common/bound.rs"]
-mod held;
-
-use held::{ending, held};
+use super::held::{ending, held};
+use super::near::Scenery;
 
 const SIDE: u32 = 96;
 
@@ -114,11 +112,8 @@ fn no_pixel_of_a_scene_is_further_off_than_its_bound() {
 
 /// Returns a closed room that mirrors and glows: every hit of a path has the same α and the same
 /// colour.
-fn room(
-    alpha: f64,
-    is_round: bool,
-) -> RuntimeScene<room!(spheres: 1, planes: 6, lights: 1, materials: 1)> {
-    let mut room = RuntimeScene::new();
+fn room(alpha: f64, is_round: bool) -> Scenery {
+    let mut room = Scenery::new();
     let glass = Material::from_numbers(COLOR, 1, 0, (0, 1), alpha).unwrap();
     let glass = room.add_material(glass).unwrap();
     if is_round {

@@ -9,13 +9,8 @@ use reflet::quality::{Exact, Fast, Quality, Small};
 use reflet::shading::{BlinnPhong, Phong};
 use reflet::{Camera, Material, MaterialId};
 
-#[path = "common/bound.rs"]
-mod held;
-#[path = "common/near.rs"]
-mod near;
-
-use held::{ending, held};
-use near::{Scenery, assert_near, drawn};
+use super::held::{ending, held};
+use super::near::{Scenery, assert_near, drawn};
 
 const SIZE: Size = Size::new_equal(160);
 const REFLECTIONS: u8 = 4;

@@ -4,23 +4,18 @@
 use embedded_graphics::prelude::Size;
 use reflet::__private::Drawable;
 use reflet::description::{self, Description};
+use reflet::host::file::FileScene;
 use reflet::host::reference::Picture;
 use reflet::quality::{Exact, Fast};
 use reflet::scenes::{Castle, Mirror1};
 use reflet::shading::{BlinnPhong, Phong};
 use reflet::{
     Camera, Error, ErrorKind, FrameBuilder, Handle, Material, MovingScene, PreparedFrame, Rows,
-    RuntimeScene, Scene, SceneBuilder, room, scene,
+    Scene, SceneBuilder, room, scene,
 };
 
-#[path = "common/near.rs"]
-mod near;
-
+use super::near::{Scenery, apart, drawn};
 use Move::{Cylinder, Disc, Light, Sphere};
-use near::{apart, drawn};
-
-/// Room for the parts of both scenes.
-type Parts = room!(spheres: 18, planes: 1, cylinders: 3, discs: 3, lights: 2, materials: 4);
 
 const GOLD: Material = Material::new([0.7, 0.6, 0.0])
     .specular(0.8, 4.0)
@@ -104,7 +99,7 @@ struct Handles {
 
 /// A built scene and the handles of its parts.
 struct Built {
-    scene: Scene<Parts>,
+    scene: FileScene,
     handles: Handles,
 }
 
@@ -150,7 +145,7 @@ impl Places {
 
     /// Builds the scene with a motion box, or without one.
     fn built_in(&self, motion: Option<[[f64; 3]; 2]>) -> Built {
-        let mut scene = RuntimeScene::<Parts>::new();
+        let mut scene = Scenery::new();
         if let Some([low, high]) = motion {
             scene.set_motion(low, high).unwrap();
         }
@@ -208,7 +203,7 @@ trait Moving: Drawable {
     fn take(&mut self, handles: &Handles, moved: Move) -> Result<(), Error>;
 }
 
-impl Moving for Scene<Parts> {
+impl Moving for FileScene {
     fn take(&mut self, handles: &Handles, moved: Move) -> Result<(), Error> {
         match moved {
             Sphere(it, center, radius) => self.set_sphere(handles.spheres[it], center, radius),
@@ -436,7 +431,7 @@ fn assert_refused<S: Drawable>(frame: &PreparedFrame<S>, scene: &S) {
 #[test]
 fn prepared_frame_refuses_a_scene_that_has_changed() {
     let Built { mut scene, handles } = Places::start().built();
-    let frame = |scene: &Scene<Parts>| scene.frame(&CAMERA).prepare(Size::new(9, 9));
+    let frame = |scene: &FileScene| scene.frame(&CAMERA).prepare(Size::new(9, 9));
     for moved in [
         Sphere(2, [0.5, 0.5, 2.5], 0.5),
         Cylinder(1, AT, [0.0, 1.0, 1.0], 0.5, 1.0),
@@ -570,7 +565,7 @@ fn part_of_a_scene_without_a_motion_box_stays() {
 #[test]
 fn handle_of_another_scene_is_refused() {
     let more = Places::start().built().handles;
-    let mut scene = RuntimeScene::<Parts>::new();
+    let mut scene = Scenery::new();
     scene.set_motion(LOW, HIGH).unwrap();
     let chalk = scene.add_material(CHALK).unwrap();
     scene.add_sphere([0, 0, 1], 1, chalk).unwrap();
@@ -621,11 +616,11 @@ const fn assert_send_and_sync<T: Send + Sync>() {}
 const _: () = {
     assert_send_and_sync::<PreparedFrame<Castle>>();
     assert_send_and_sync::<PreparedFrame<Tower, Exact, Phong>>();
-    assert_send_and_sync::<PreparedFrame<Scene<Parts>, Fast, BlinnPhong>>();
+    assert_send_and_sync::<PreparedFrame<FileScene, Fast, BlinnPhong>>();
     assert_send_and_sync::<PreparedFrame<MovingScene<Tower>>>();
     assert_send_and_sync::<Rows<'static, Mirror1>>();
-    assert_send_and_sync::<Rows<'static, Scene<Parts>, Exact, Phong>>();
+    assert_send_and_sync::<Rows<'static, FileScene, Exact, Phong>>();
     assert_send_and_sync::<Rows<'static, MovingScene<Tower>>>();
-    assert_send_and_sync::<FrameBuilder<'static, Scene<Parts>>>();
+    assert_send_and_sync::<FrameBuilder<'static, FileScene>>();
     assert_send_and_sync::<Handle<description::Sphere>>();
 };
