@@ -168,13 +168,13 @@ const CLAY: Material = Material::new([0.8, 0.5, 0.3]).ambient(0.2);
 const FACE: [[f64; 3]; 3] = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.5]];
 
 scene! {
-    /// A flat and a smooth triangle.
+    /// A flat and a smooth triangle, in light that falls off.
     struct Sail {
         motion([-4.0, -4.0, -4.0], [4.0, 4.0, 4.0]);
         triangle(FACE, None, CLAY);
         triangle FORE([[0.2, -0.5, 0.0], [1.5, -0.5, 0.0], [0.2, -0.5, 1.2]],
             Some([[0.0, -1.0, 0.0], [0.7, -0.7, 0.0], [0.0, -0.7, 0.7]]), CLAY);
-        light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0]);
+        light_with_range([3.0, -4.0, 6.0], [4.0; 3], 5.0);
     }
 }
 
@@ -188,7 +188,7 @@ fn constant_scene_is_the_same_picture_as_one_that_is_filled_and_moved() {
     scene.set_motion([-4, -4, -4], [4, 4, 4]).unwrap();
     scene.add_triangle(FACE, None, clay).unwrap();
     let fore = scene.add_triangle(FACE, None, clay).unwrap();
-    scene.add_light([3, -4, 6], [1, 1, 1]).unwrap();
+    scene.add_light_with_range([3, -4, 6], [4; 3], 5).unwrap();
     let mut built = scene.build().unwrap();
     let corners = [[0.2, -0.5, 0.0], [1.5, -0.5, 0.0], [0.2, -0.5, 1.2]];
     let normals = [[0.0, -1.0, 0.0], [0.7, -0.7, 0.0], [0.0, -0.7, 0.7]];

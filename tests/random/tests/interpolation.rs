@@ -73,12 +73,10 @@ fn scene_of_planes_loses_nothing() {
     }
 }
 
-/// A scene of few shapes in front of the camera, and a ball behind it.
+/// A scene of few shapes, or of at most thirty balls, more than an active list holds, in front of the camera; and a ball
+/// behind it.
 type Few =
-    RuntimeScene<room!(spheres: 2, cylinders: 1, discs: 1, planes: 1, lights: 1, materials: 2)>;
-
-/// A scene with at most thirty balls, more than an active list holds, and one behind the camera.
-type Balls = RuntimeScene<room!(spheres: 31, lights: 1, materials: 1)>;
+    RuntimeScene<room!(spheres: 31, cylinders: 1, discs: 1, planes: 1, lights: 1, materials: 2)>;
 
 /// White that shines by itself.
 fn white() -> Material {
@@ -190,8 +188,8 @@ fn ahead(down: f64, fov: f64) -> Camera {
 
 /// Returns balls beside each other at some distances. None hides another. Together they are `width`
 /// wide, where the view is 9 wide at a distance of 10.
-fn balls(places: &[(f64, f64, f64)], width: f64) -> Balls {
-    let mut scene = Balls::new();
+fn balls(places: &[(f64, f64, f64)], width: f64) -> Few {
+    let mut scene = Few::new();
     let white = scene.add_material(white()).unwrap();
     scene.add_sphere([0, -10, 0], 1, white).unwrap();
     let slots = places.len() as f64;

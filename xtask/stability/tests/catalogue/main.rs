@@ -90,12 +90,12 @@ fn found(fixed: f64, single: f64) -> Measured {
 /// Runs with every overflow checked, like all tests. `stability --rays` follows more rays.
 #[test]
 fn random_scenes_overflow_nowhere() {
-    overflow_nowhere(Wild::read, 250_000);
+    overflow_nowhere(Wild::read, 100_000);
 }
 
 #[test]
 fn random_scenes_with_ranges_overflow_nowhere() {
-    overflow_nowhere(Wild::read_with_ranges, 125_000);
+    overflow_nowhere(Wild::read_with_ranges, 50_000);
 }
 
 #[test]
