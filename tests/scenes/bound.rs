@@ -3,10 +3,9 @@
 
 use command_line::{Quality as Known, Settings, Shading as Tested, Source};
 use embedded_graphics::prelude::Size;
-use reflet::host::painted;
-use reflet::host::precision;
 use reflet::host::reference::Picture;
 use reflet::host::reference::bound::{Ending, Paths};
+use reflet::host::{painted, precision};
 use reflet::quality::{Exact, Fast, Quality};
 use reflet::scenes::NAMES;
 use reflet::shading::{BlinnPhong, Phong, Shading};
@@ -69,38 +68,24 @@ fn complaints(name: &str, reflections: &[u8]) -> Vec<String> {
 fn pictures<K: Shading>(
     source: &Source,
     shading: Tested,
-    reflections: u8,
+    n: u8,
 ) -> [(&'static str, Ending, Picture); 4] {
     let size = Size::new(SIDE, SIDE);
     let drawn = |quality| {
         let settings = Settings {
-            reflections,
+            reflections: n,
             shading,
             quality,
         };
         source.drawn(size, settings)
     };
+    let short = source.painted::<Short, K>(size, n);
+    let rough = source.painted::<Rough, K>(size, n);
     [
-        (
-            "fast",
-            ending::<Fast>(reflections, SIDE),
-            drawn(Known::Fast),
-        ),
-        (
-            "exact",
-            ending::<Exact>(reflections, SIDE),
-            drawn(Known::Exact),
-        ),
-        (
-            "short",
-            ending::<Short>(reflections, SIDE),
-            source.painted::<Short, K>(size, reflections),
-        ),
-        (
-            "rough",
-            ending::<Rough>(reflections, SIDE),
-            source.painted::<Rough, K>(size, reflections),
-        ),
+        ("fast", ending::<Fast>(n, SIDE), drawn(Known::Fast)),
+        ("exact", ending::<Exact>(n, SIDE), drawn(Known::Exact)),
+        ("short", ending::<Short>(n, SIDE), short),
+        ("rough", ending::<Rough>(n, SIDE), rough),
     ]
 }
 

@@ -14,7 +14,7 @@ use reflet::{
     Scene, SceneBuilder, room, scene,
 };
 
-use super::near::{Scenery, apart, drawn};
+use super::near::{Scenery, UP, apart, drawn};
 use Move::{Cylinder, Disc, Light, Sphere};
 
 const GOLD: Material = Material::new([0.7, 0.6, 0.0])
@@ -26,7 +26,6 @@ const WATER: Material = Material::new([0.3, 0.4, 0.6]).mirror(0.3);
 
 const LOW: [f64; 3] = [-4.0, -4.0, -0.5];
 const HIGH: [f64; 3] = [4.0, 4.0, 5.0];
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
 /// A place in the middle of the motion box.
 const AT: [f64; 3] = [0.0, 0.0, 2.0];
 const CAMERA: Camera = Camera::look_at([1.0, -9.0, 4.0], [0.0, 0.0, 1.5], [0.0, 0.0, 1.0]);

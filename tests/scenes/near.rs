@@ -14,6 +14,8 @@ use reflet::{Camera, FrameBuilder};
 /// the renderer again for it.
 pub type Scenery = FileRuntimeScene;
 
+pub const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
 /// Draws a scene with four reflections.
 pub fn drawn<Q: Quality, K: Shading>(
     scene: &impl Drawable,

@@ -8,10 +8,9 @@ use reflet::quality::{Exact, Fast, Quality};
 use reflet::shading::BlinnPhong;
 use reflet::{Camera, Material};
 
-use super::near::{Scenery, apart, assert_near, drawn};
+use super::near::{Scenery, UP, apart, assert_near, drawn};
 
 const SIZE: Size = Size::new(160, 120);
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Random numbers: SplitMix64.
 struct Random(u64);
