@@ -13,7 +13,7 @@ use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use proptest::prelude::*;
 use reflet::display::{Ditherable, Dithered, Threshold, dither};
-use reflet::scenes::{BuiltIn, Castle, Empty, Mirror1};
+use reflet::scenes::{BuiltIn, Empty, Mirror1};
 use reflet::{PreparedFrame, Report};
 
 /// Bayer's matrix as it is printed. A dot is lit if the picture is brighter than its number there.
@@ -352,9 +352,9 @@ fn rows_have_the_dots_of_the_whole() {
 }
 
 #[test]
-fn castle_in_black_and_white_is_as_bright_as_the_castle() {
+fn picture_in_black_and_white_is_as_bright_as_the_picture() {
     let size = Size::new(320, 320);
-    let frame = Castle::frame(&Castle::CAMERA);
+    let frame = Mirror1::frame(&Mirror1::CAMERA);
     let mut grey = SimulatorDisplay::<Gray8>::new(size);
     frame.draw(&mut grey).unwrap();
     let mut dots = SimulatorDisplay::<BinaryColor>::new(size);

@@ -1,5 +1,5 @@
 //! Cases of displays: the narrowest and the widest. Pictures partly outside of a display are in
-//! `tests/drawing.rs`.
+//! `tests/scenes/drawing.rs`.
 
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;

@@ -90,11 +90,18 @@ fn found(fixed: f64, single: f64) -> Measured {
 /// Runs with every overflow checked, like all tests. `stability --rays` follows more rays.
 #[test]
 fn random_scenes_overflow_nowhere() {
-    overflow_nowhere(Wild::read, 1_000_000);
+    overflow_nowhere(Wild::read, 100_000);
 }
 
 #[test]
 fn random_scenes_with_ranges_overflow_nowhere() {
+    overflow_nowhere(Wild::read_with_ranges, 50_000);
+}
+
+#[test]
+#[ignore = "long: more rays"]
+fn many_more_rays_overflow_nowhere() {
+    overflow_nowhere(Wild::read, 1_000_000);
     overflow_nowhere(Wild::read_with_ranges, 500_000);
 }
 

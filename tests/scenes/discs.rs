@@ -3,25 +3,18 @@
 
 use embedded_graphics::prelude::Size;
 use reflet::host::precision;
-use reflet::host::reference;
-use reflet::host::reference::bound::Paths;
+use reflet::host::reference::{self, bound::Paths};
 use reflet::quality::{Exact, Fast, Quality, Small};
 use reflet::shading::{BlinnPhong, Phong};
 use reflet::{Camera, Material, MaterialId};
 
-#[path = "common/bound.rs"]
-mod held;
-#[path = "common/near.rs"]
-mod near;
-
-use held::{ending, held};
-use near::{Scenery, assert_near, drawn};
+use super::held::{ending, held};
+use super::near::{Scenery, UP, assert_near, drawn};
 
 const SIZE: Size = Size::new_equal(160);
 const REFLECTIONS: u8 = 4;
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-fn materials(scene: &mut Scenery) -> [MaterialId; 4] {
+pub fn materials(scene: &mut Scenery) -> [MaterialId; 4] {
     let red = Material::new([0.9, 0.2, 0.1]).ambient(0.2).diffuse(0.6);
     let gold = Material::new([0.7, 0.6, 0.0]).ambient(0.2).diffuse(0.4);
     let chalk = Material::new([0.9, 0.9, 0.8]).ambient(0.2).diffuse(0.8);

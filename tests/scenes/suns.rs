@@ -2,20 +2,15 @@
 
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::{RgbColor, Size};
-use reflet::host::compare::compare;
-use reflet::host::painted;
 use reflet::host::reference::{self, Picture};
+use reflet::host::{compare::compare, painted};
 use reflet::quality::{Exact, Fast, Quality};
 use reflet::shading::BlinnPhong;
 use reflet::{Camera, Material};
 
-#[path = "common/near.rs"]
-mod near;
-
-use near::{Scenery, apart, assert_near, drawn};
+use super::near::{Scenery, UP, apart, assert_near, drawn};
 
 const SIZE: Size = Size::new(120, 90);
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const NOON: [f64; 3] = [3.0, -2.0, 5.0];
 const EVENING: [f64; 3] = [-8.0, 2.0, 1.5];
 

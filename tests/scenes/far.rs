@@ -5,10 +5,7 @@ use reflet::host::reference::{Picture, Shading};
 use reflet::shading::BlinnPhong;
 use reflet::{Camera, Material};
 
-#[path = "common/near.rs"]
-mod near;
-
-use near::{Scenery, assert_near};
+use super::near::{Scenery, assert_near};
 
 /// Returns the picture in `Exact`. Checks that it is within 1 of the reference in every pixel.
 fn exact(scene: &Scenery, camera: &Camera) -> Picture {

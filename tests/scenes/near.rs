@@ -1,19 +1,20 @@
 //! Scenes that tests fill, their pictures, and how near these are to double precision. Knows no scene.
-#![allow(dead_code, reason = "not every test needs all of it")]
 
 use embedded_graphics::prelude::Size;
 use reflet::__private::Drawable;
 use reflet::host::compare::compare;
+use reflet::host::file::FileRuntimeScene;
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, render};
 use reflet::quality::{Exact, Fast, Quality, Small};
 use reflet::shading::Shading;
-use reflet::{Camera, FrameBuilder, RuntimeScene, room};
+use reflet::{Camera, FrameBuilder};
 
-/// A scene with room for all that a test needs.
-pub type Scenery = RuntimeScene<
-    room!(spheres: 4, planes: 2, cylinders: 1, discs: 6, triangles: 90, lights: 3, materials: 4),
->;
+/// A scene with room for all that a test needs. The crate `command_line` draws the same type, so that no test compiles
+/// the renderer again for it.
+pub type Scenery = FileRuntimeScene;
+
+pub const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Draws a scene with four reflections.
 pub fn drawn<Q: Quality, K: Shading>(

@@ -7,14 +7,10 @@ use reflet::host::compare::{Difference, compare};
 use reflet::host::file::SceneFile;
 use reflet::host::reference::{self, Picture, render, sampled};
 use reflet::quality::{Exact, Fast, Small, Smooth};
-use reflet::scenes::{BuiltIn, Castle, Mirror1};
 use reflet::shading::BlinnPhong;
 use reflet::{Camera, Material};
 
-#[path = "common/near.rs"]
-mod near;
-
-use near::Scenery;
+use super::near::{self, Scenery};
 
 const SIDE: u32 = 96;
 const REFLECTIONS: u32 = 4;
@@ -95,9 +91,11 @@ fn two_rows_are_as_good_as_four_samples_and_four_rows_are_better() {
 
 #[test]
 fn part_of_a_row_has_the_colours_of_the_whole_row() {
-    let frame = Castle::frame(&Castle::CAMERA).quality::<Smooth<2>>();
+    let castle = Source::built_in("castle").unwrap();
+    let camera = castle.camera();
+    let frame = castle.scene().frame(&camera).quality::<Smooth<2>>();
     let frame = frame.prepare(Size::new(100, 60));
-    let rows = frame.on(&Castle).unwrap();
+    let rows = frame.on(castle.scene()).unwrap();
     for y in [0, 17, 31, 59] {
         let mut whole = [Rgb888::BLACK; 100];
         rows.row(y, 0, &mut whole);
@@ -117,7 +115,8 @@ fn part_of_a_row_has_the_colours_of_the_whole_row() {
 #[test]
 fn each_quality_has_smooth_edges() {
     fn drawn<Q: reflet::quality::Quality>() -> Picture {
-        near::drawn::<Q, BlinnPhong>(&Mirror1, &Mirror1::CAMERA, Size::new(80, 60))
+        let source = Source::built_in("mirror1").unwrap();
+        source.painted::<Q, BlinnPhong>(Size::new(80, 60), 4)
     }
     let exact = drawn::<Smooth<2, Exact>>();
     for other in [drawn::<Smooth<2>>(), drawn::<Smooth<2, Small>>()] {

@@ -14,7 +14,7 @@ use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, pixel};
 use reflet::quality::{Exact, Fast};
-use reflet::scenes::{BuiltIn, Castle, Mirror1, Mirror2, NAMES};
+use reflet::scenes::{BuiltIn, Mirror1, NAMES};
 use reflet::shading::{Phong, Unshadowed};
 use reflet::{Report, Unit};
 
@@ -51,7 +51,7 @@ const PREPARE: u32 = 777;
 mod measured {
     use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
 
-    include!("../docs/error-time/front.rs");
+    include!("../../docs/error-time/front.rs");
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn what_is_drawn_when_time_is_up_stays_and_the_rest_is_counted() {
             left -= 1;
             left < 0
         };
-        let frame = Castle::frame(&Castle::CAMERA);
+        let frame = Mirror1::frame(&Mirror1::CAMERA);
         let Ok(drawn) = frame.draw_within(&FRONT, budget, is_up, &mut display);
         assert_eq!(drawn.missing_rows, SIZE.height - rows_drawn);
         let is_untouched = |y: u32| {
@@ -123,7 +123,7 @@ fn what_is_drawn_when_time_is_up_stays_and_the_rest_is_counted() {
 #[test]
 fn nothing_is_drawn_on_a_display_without_pixels() {
     let mut display = SimulatorDisplay::<Rgb888>::new(Size::zero());
-    let frame = Castle::frame(&Castle::CAMERA);
+    let frame = Mirror1::frame(&Mirror1::CAMERA);
     let Ok(drawn) = frame.draw_within(&FRONT, 0, || false, &mut display);
     assert_eq!((drawn.report, drawn.missing_rows), (Report::NONE, 0));
 }
@@ -153,9 +153,9 @@ impl DrawTarget for Part<'_> {
 #[test]
 fn every_pixel_of_a_display_with_larger_ones_is_a_square_inside_of_it() {
     for scale in [0, 1, 2, 3, 4, 50, u32::MAX] {
-        let frame = || Mirror2::frame(&Mirror2::CAMERA);
+        let frame = || Mirror1::frame(&Mirror1::CAMERA);
         let small = Enlarged::<SimulatorDisplay<Rgb888>>::size_of(SIZE, scale);
-        let small = painted(&frame().prepare(small).on(&Mirror2).unwrap());
+        let small = painted(&frame().prepare(small).on(&Mirror1).unwrap());
         let mut display = SimulatorDisplay::<Rgb888>::new(SIZE + Size::new(7, 9));
         let area = Rectangle::new(Point::new(3, 5), SIZE);
         let mut part = Part(&mut display, area);

@@ -1,19 +1,15 @@
 //! Tests triangles in pictures: compared with double precision, in every quality, and as a constant scene.
 
 use embedded_graphics::prelude::Size;
-use reflet::host::compare::compare;
-use reflet::host::reference;
+use reflet::host::{compare::compare, reference};
 use reflet::quality::{Fast, Small};
 use reflet::shading::{BlinnPhong, Phong, Shading};
 use reflet::{Camera, Material, MaterialId, scene};
 
-#[path = "common/near.rs"]
-mod near;
-
-use near::{Scenery, assert_near, drawn};
+use super::discs::materials;
+use super::near::{Scenery, UP, assert_near, drawn};
 
 const SIZE: Size = Size::new_equal(160);
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 type Triple = [f64; 3];
 
@@ -22,8 +18,8 @@ fn unit(a: Triple) -> Triple {
     a.map(|it| it / length)
 }
 
-/// Returns the triangles of an icosahedron whose sides are halved `times` times, with corners on the unit sphere.
-fn ball(times: usize) -> Vec<[Triple; 3]> {
+/// Returns the triangles of an icosahedron whose sides are halved, with corners on the unit sphere.
+fn ball() -> Vec<[Triple; 3]> {
     let golden = f64::midpoint(1.0, 5f64.sqrt());
     let mut corners = Vec::new();
     for one in [-1.0, 1.0] {
@@ -47,30 +43,15 @@ fn ball(times: usize) -> Vec<[Triple; 3]> {
             }
         }
     }
-    for _ in 0..times {
-        let halved = triangles.iter().flat_map(|&[p, q, r]| {
-            let middle = |a: Triple, b: Triple| unit([0, 1, 2].map(|axis| a[axis] + b[axis]));
-            let [s, t, u] = [middle(p, q), middle(q, r), middle(r, p)];
-            [[p, s, u], [s, q, t], [u, t, r], [s, t, u]]
-        });
-        triangles = halved.collect();
-    }
-    triangles
+    let halved = triangles.iter().flat_map(|&[p, q, r]| {
+        let middle = |a: Triple, b: Triple| unit([0, 1, 2].map(|axis| a[axis] + b[axis]));
+        let [s, t, u] = [middle(p, q), middle(q, r), middle(r, p)];
+        [[p, s, u], [s, q, t], [u, t, r], [s, t, u]]
+    });
+    halved.collect()
 }
 
-fn materials(scene: &mut Scenery) -> [MaterialId; 3] {
-    let red = Material::new([0.9, 0.2, 0.1]).ambient(0.2).diffuse(0.6);
-    let gold = Material::new([0.7, 0.6, 0.0]).ambient(0.2).diffuse(0.4);
-    let chalk = Material::new([0.9, 0.9, 0.8]).ambient(0.2).diffuse(0.8);
-    [
-        red.specular(0.5, 20.0),
-        gold.specular(0.8, 4.0).mirror(0.4),
-        chalk,
-    ]
-    .map(|material| scene.add_material(material).unwrap())
-}
-
-fn furnished(mirror: f64) -> (Scenery, [MaterialId; 3], Camera) {
+fn furnished(mirror: f64) -> (Scenery, [MaterialId; 4], Camera) {
     let mut scene = Scenery::new();
     let ids = materials(&mut scene);
     let floor = Material::new([0.5, 0.6, 0.7]).mirror(mirror);
@@ -87,7 +68,7 @@ fn furnished(mirror: f64) -> (Scenery, [MaterialId; 3], Camera) {
 /// A ball of 80 flat triangles, some of which mirror, above a mirroring floor.
 fn facets() -> (Scenery, Camera) {
     let (mut scene, ids, camera) = furnished(0.5);
-    for (index, corners) in ball(1).into_iter().enumerate() {
+    for (index, corners) in ball().into_iter().enumerate() {
         let place = |it: Triple| [it[0] - 0.4, it[1], it[2] + 1.2];
         scene
             .add_triangle(corners.map(place), None, ids[index % 3])
@@ -98,8 +79,8 @@ fn facets() -> (Scenery, Camera) {
 
 /// A ball of 20 triangles with the normals of a sphere, and triangles seen edge-on and as needles.
 fn smooth() -> (Scenery, Camera) {
-    let (mut scene, [red, gold, chalk], camera) = furnished(0.0);
-    for corners in ball(1) {
+    let (mut scene, [red, gold, chalk, _], camera) = furnished(0.0);
+    for corners in ball() {
         let place = |it: Triple| [0.8 * it[0] - 0.6, 0.8 * it[1], 0.8 * it[2] + 1.0];
         scene
             .add_triangle(corners.map(place), corners, red)
@@ -150,7 +131,7 @@ fn no_pixel_shows_what_is_outside_of_a_mesh() {
     let mut scene = Scenery::new();
     let grey = Material::new([0.5; 3]).ambient(1.0).diffuse(0.0);
     let grey = scene.add_material(grey).unwrap();
-    for corners in ball(1) {
+    for corners in ball() {
         scene.add_triangle(corners, None, grey).unwrap();
     }
     scene.set_background([1.0, 0.0, 0.0]).unwrap();
@@ -171,13 +152,13 @@ const CLAY: Material = Material::new([0.8, 0.5, 0.3]).ambient(0.2);
 const FACE: [[f64; 3]; 3] = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.5]];
 
 scene! {
-    /// A flat and a smooth triangle.
+    /// A flat and a smooth triangle, in light that falls off.
     struct Sail {
         motion([-4.0, -4.0, -4.0], [4.0, 4.0, 4.0]);
         triangle(FACE, None, CLAY);
         triangle FORE([[0.2, -0.5, 0.0], [1.5, -0.5, 0.0], [0.2, -0.5, 1.2]],
             Some([[0.0, -1.0, 0.0], [0.7, -0.7, 0.0], [0.0, -0.7, 0.7]]), CLAY);
-        light([3.0, -4.0, 6.0], [1.0, 1.0, 1.0]);
+        light_with_range([3.0, -4.0, 6.0], [4.0; 3], 5.0);
     }
 }
 
@@ -191,7 +172,7 @@ fn constant_scene_is_the_same_picture_as_one_that_is_filled_and_moved() {
     scene.set_motion([-4, -4, -4], [4, 4, 4]).unwrap();
     scene.add_triangle(FACE, None, clay).unwrap();
     let fore = scene.add_triangle(FACE, None, clay).unwrap();
-    scene.add_light([3, -4, 6], [1, 1, 1]).unwrap();
+    scene.add_light_with_range([3, -4, 6], [4; 3], 5).unwrap();
     let mut built = scene.build().unwrap();
     let corners = [[0.2, -0.5, 0.0], [1.5, -0.5, 0.0], [0.2, -0.5, 1.2]];
     let normals = [[0.0, -1.0, 0.0], [0.7, -0.7, 0.0], [0.0, -0.7, 0.7]];
