@@ -7,6 +7,7 @@ use command_line::Source;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use reflet::host::{compare::compare, painted, reference::Picture};
 use reflet::quality::{Fast, Quality};
 use reflet::scenes::NAMES;
@@ -240,9 +241,10 @@ fn kind() -> impl Strategy<Value = Kind> {
 
 /// For shapes of any size and position, even smaller than a pixel, and wide fields of view: seen directly, or in a mirror
 /// below them, too.
-fn no_part_is_lost_of_shapes(cases: u32) {
+fn no_part_is_lost_of_shapes(cases: u32, rng_seed: RngSeed) {
     let config = ProptestConfig {
         cases,
+        rng_seed,
         failure_persistence: None,
         ..ProptestConfig::default()
     };
@@ -265,17 +267,17 @@ fn no_part_is_lost_of_shapes(cases: u32) {
 
 #[test]
 fn no_part_of_a_shape_is_lost() {
-    no_part_is_lost_of_shapes(1500);
+    no_part_is_lost_of_shapes(1500, RngSeed::Fixed(1));
 }
 
 #[test]
-#[ignore = "long: more shapes"]
+#[ignore = "long: more shapes, others in each run"]
 fn no_part_of_many_more_shapes_is_lost() {
-    no_part_is_lost_of_shapes(4000);
+    no_part_is_lost_of_shapes(4000, RngSeed::Random);
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
 
     /// For several spheres at different distances, also if there are more than an active list holds.
     #[test]

@@ -150,7 +150,7 @@ fn no_pixel_of_any_scene_is_further_off_than_its_bound() {
 
 #[test]
 fn no_pixel_under_lights_that_fall_off_is_further_off_than_its_bound() {
-    no_pixel_is_further_off_than_its_bound(Family::Fading, 80);
+    no_pixel_is_further_off_than_its_bound(Family::Fading, 120);
 }
 
 #[test]
