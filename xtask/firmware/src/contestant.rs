@@ -42,6 +42,30 @@ pub trait View {
     const CAMERA: Camera;
 }
 
+/// The two functions of a [`Contestant`] whose instructions are counted, where the library draws.
+macro_rules! counted {
+    () => {
+        #[inline(never)]
+        fn prepare(scene: &Self::Scene, (width, height): (u32, u32)) -> Self::Picture {
+            scene
+                .frame(black_box(&V::CAMERA))
+                .reflections(N)
+                .quality::<Q>()
+                .shading::<K>()
+                .prepare(Size::new(width, height))
+        }
+
+        #[inline(never)]
+        fn row((scene, frame): (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]) {
+            if let Ok(rows) = frame.on(scene) {
+                rows.row(y, 0, row);
+            }
+        }
+    };
+}
+
+pub(crate) use counted;
+
 /// Renders scene `S` with the library: view `V`, quality `Q`, shading `K`, at most `N` reflections.
 pub struct Fixed<S, V, Q, K, const N: u8>(PhantomData<(S, V, Q, K)>);
 
@@ -56,22 +80,7 @@ impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant for Fixe
         Limited::new(S::INSTANCE).unwrap_or_else(|_| report::stop("the limit"))
     }
 
-    #[inline(never)]
-    fn prepare(scene: &Self::Scene, (width, height): (u32, u32)) -> Self::Picture {
-        scene
-            .frame(black_box(&V::CAMERA))
-            .reflections(N)
-            .quality::<Q>()
-            .shading::<K>()
-            .prepare(Size::new(width, height))
-    }
-
-    #[inline(never)]
-    fn row((scene, frame): (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]) {
-        if let Ok(rows) = frame.on(scene) {
-            rows.row(y, 0, row);
-        }
-    }
+    counted!();
 }
 
 /// Renders scene `S` with the library, and links all code that any scene needs.
@@ -87,22 +96,7 @@ impl<S: Apart, V: View, Q: Quality, K: Shading, const N: u8> Contestant
         Whole(S::INSTANCE)
     }
 
-    #[inline(never)]
-    fn prepare(scene: &Self::Scene, (width, height): (u32, u32)) -> Self::Picture {
-        scene
-            .frame(black_box(&V::CAMERA))
-            .reflections(N)
-            .quality::<Q>()
-            .shading::<K>()
-            .prepare(Size::new(width, height))
-    }
-
-    #[inline(never)]
-    fn row((scene, frame): (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]) {
-        if let Ok(rows) = frame.on(scene) {
-            rows.row(y, 0, row);
-        }
-    }
+    counted!();
 }
 
 /// Scene, camera and settings that the float port renders.

@@ -10,7 +10,7 @@ use reflet::quality::Quality;
 use reflet::shading::Shading;
 use reflet::{Error, MovingScene, PreparedFrame};
 
-use crate::contestant::{Contestant, View};
+use crate::contestant::{Contestant, View, counted};
 use crate::{Clock, report};
 
 /// A constant scene with a shape that moves.
@@ -40,21 +40,5 @@ impl<S: Moves, V: View, Q: Quality, K: Shading, const N: u8> Contestant for Movi
         }
     }
 
-    #[inline(never)]
-    fn prepare(scene: &Self::Scene, (width, height): (u32, u32)) -> Self::Picture {
-        scene
-            .frame(black_box(&V::CAMERA))
-            .reflections(N)
-            .quality::<Q>()
-            .shading::<K>()
-            .prepare(Size::new(width, height))
-    }
-
-    #[inline(never)]
-    fn row((scene, frame): (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]) {
-        match frame.on(scene) {
-            Ok(rows) => rows.row(y, 0, row),
-            Err(_) => report::stop("the frame"),
-        };
-    }
+    counted!();
 }
