@@ -293,9 +293,14 @@ fn main() {{}}
     )
 }
 
-/// Writes the package of all programs, with the versions that this one is locked to.
+/// Writes the package of all programs, with the versions that this one is locked to, and its profile: so cargo has
+/// checked for one what the other needs.
 fn written() -> PathBuf {
     let this = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let own = fs::read_to_string(this.join("Cargo.toml")).unwrap();
+    let is_for_all =
+        |it: &&str| it.contains("[profile.dev]") || it.contains("[profile.dev.package.\"*\"]");
+    let profile: String = own.split_inclusive("\n\n").filter(is_for_all).collect();
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bad_scenes");
     let programs = folder.join("src/bin");
     fs::remove_dir_all(folder.join("src")).ok();
@@ -313,7 +318,7 @@ edition = \"2024\"
 [dependencies]
 reflet = {{ path = {this:?} }}
 [workspace]
-"
+{profile}"
     );
     fs::write(folder.join("Cargo.toml"), manifest).unwrap();
     fs::copy(this.join("Cargo.lock"), folder.join("Cargo.lock")).unwrap();
@@ -324,13 +329,12 @@ reflet = {{ path = {this:?} }}
 fn complaints(folder: &Path) -> BTreeMap<String, String> {
     let output = Command::new(env!("CARGO"))
         .args(["check", "--bins", "--keep-going", "--offline"])
-        .args(["--message-format=json", "--target-dir=target"])
+        .args(["--message-format=json", "--target-dir=../.."])
         .current_dir(folder)
         .env_remove("RUSTFLAGS")
         .output()
         .unwrap();
-    let mut complaints = BTreeMap::<String, String>::new();
-    let mut finished = 0;
+    let (mut complaints, mut finished) = (BTreeMap::<String, String>::new(), 0);
     for line in String::from_utf8(output.stdout).unwrap().lines() {
         let message: Value = serde_json::from_str(line).unwrap();
         finished += u32::from(message["reason"] == "build-finished");
@@ -358,13 +362,9 @@ fn constants_that_are_wrong_do_not_compile_and_say_why() {
         let first = found.lines().next().unwrap_or_default();
         let is_said = first.replacen(IN_LINE, "", 1) == wrong.first_line;
         if !is_said || !found.contains(&wrong.shown) {
-            let Wrong {
-                items,
-                first_line,
-                shown,
-            } = wrong;
+            let (items, line, shown) = (&wrong.items, &wrong.first_line, &wrong.shown);
             differences.push(format!(
-                "{items}\nshould say: {first_line}\nand {shown}\nbut says: {found}"
+                "{items}\nshould say: {line}\nand {shown}\nbut says: {found}"
             ));
         }
     }
