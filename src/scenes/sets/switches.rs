@@ -1,6 +1,7 @@
 //! Tests of the culling switches. Switching off a technique that chooses candidates changes no bit of a
 //! path; switching off one that replaces a computation changes few pixels.
 
+use super::super::Mirror1;
 use super::*;
 use crate::accel::light_lists::LightLists;
 use crate::accel::row_list::row_list;
@@ -165,6 +166,7 @@ fn compare_lists<W: World>(world: &W, first: &Camera, name: &str) {
 #[test]
 fn lists_change_no_bit_of_the_plain_path() {
     compare_lists(&Static::<Castle>::new(), &Castle::CAMERA, "castle");
+    compare_lists(&Static::<Mirror1>::new(), &Mirror1::CAMERA, "mirror1");
     for name in NAMES {
         let (scene, camera) = at_run_time(name);
         compare_lists(&listed(&*scene), &camera, name);
