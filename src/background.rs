@@ -87,10 +87,10 @@ impl Background {
 /// Background as the kernels read it.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedBackground {
-    /// Colour at the horizon, or of all rays if there is no sky.
     /// Direction straight up; `None` without a sky. All three colours are then the same.
     up: Option<Direction>,
     below: Color,
+    /// Colour at the horizon, or of all rays if there is no sky.
     horizon: Color,
     above: Color,
 }

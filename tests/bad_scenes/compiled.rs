@@ -293,14 +293,13 @@ fn main() {{}}
     )
 }
 
-/// Writes the package of all programs, with the versions that this one is locked to, and its profile: so cargo has
-/// checked for one what the other needs.
+/// Writes the package of all programs. It has the versions and the profile of this one, so cargo checks what both need
+/// only once.
 fn written() -> PathBuf {
     let this = Path::new(env!("CARGO_MANIFEST_DIR"));
     let own = fs::read_to_string(this.join("Cargo.toml")).unwrap();
-    let is_for_all =
-        |it: &&str| it.contains("[profile.dev]") || it.contains("[profile.dev.package.\"*\"]");
-    let profile: String = own.split_inclusive("\n\n").filter(is_for_all).collect();
+    let is_own = |it: &&str| it.contains("[profile.dev]") || it.contains("dev.package.\"*\"]");
+    let profile: String = own.split_inclusive("\n\n").filter(is_own).collect();
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("bad_scenes");
     let programs = folder.join("src/bin");
     fs::remove_dir_all(folder.join("src")).ok();

@@ -109,7 +109,7 @@ fn both(name: &str) -> Result<[Weight; 2]> {
         weight.code > 0,
         "the firmware of {name} is empty: its linker script is missing"
     );
-    // As its README says: every program of it.
+    // Every program of the copy, as its README says.
     let copied = build_changed(name, (example.program, &[]), |_| Ok(()))?;
     let weights = [weight, weigh(&copied)?];
     let [one, other] = weights.map(|it| it.flash);

@@ -34,7 +34,7 @@ pub struct Arguments {
 /// Time limit of a step. On a working machine no step takes a tenth of it.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
-/// Steps that run at a time: one more than the two cores of the plan, because builds of firmware wait for each other.
+/// Number of steps that run at the same time: one more than there are cores, as builds of firmware wait for each other.
 const LANES: usize = 3;
 
 /// Packages outside of the workspace. Each is built with its own flags or for its own target.
@@ -245,7 +245,7 @@ fn tests(all: bool) -> Result<Vec<Step>> {
     let (boards, measured): (Vec<_>, Vec<_>) = firmware.into_iter().partition(is_board);
     let is_longest = |name: &String| name == &format!("--test={LONGEST}");
     let (longest, measured): (Vec<_>, Vec<_>) = measured.into_iter().partition(is_longest);
-    // What keeps one core busy comes first, so that no core is idle at the end.
+    // Steps that use one core come first, so that none is idle at the end.
     Ok(vec![
         step("tests of firmware's size and speed", test(&measured)),
         step("tests on emulated boards", test(&boards)),

@@ -276,7 +276,7 @@ fn is_held<const I: usize>(scene: &Scene<Little>) -> bool {
 
 const FRONT: Camera = Camera::look_at([0.3, -6.0, 1.0], [0.0; 3], [0.0, 0.0, 1.0]);
 
-/// So many random cases.
+/// Returns the settings of a test of so many random cases.
 fn cases(count: u32, rng_seed: RngSeed) -> ProptestConfig {
     ProptestConfig {
         rng_seed,

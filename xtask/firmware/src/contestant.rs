@@ -42,7 +42,7 @@ pub trait View {
     const CAMERA: Camera;
 }
 
-/// The two functions of a [`Contestant`] whose instructions are counted, where the library draws.
+/// Writes the two functions of a [`Contestant`] whose instructions are counted, for a scene that the library draws.
 macro_rules! counted {
     () => {
         #[inline(never)]
@@ -57,9 +57,10 @@ macro_rules! counted {
 
         #[inline(never)]
         fn row((scene, frame): (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]) {
-            if let Ok(rows) = frame.on(scene) {
-                rows.row(y, 0, row);
-            }
+            match frame.on(scene) {
+                Ok(rows) => rows.row(y, 0, row),
+                Err(_) => report::stop("the frame"),
+            };
         }
     };
 }
