@@ -1,10 +1,10 @@
 //! Floor 1: linear colour, the sum of colours over reflections, and the one function that quantises a
 //! colour.
 
-mod mean;
+mod levels;
 mod parabola;
 
-pub use mean::Samples;
+pub use levels::{Levels, Mixture};
 pub use parabola::{LONGEST, Parabola};
 
 use crate::number::{

@@ -243,7 +243,7 @@ pub use vector::Position;
 
 /// Qualities: types that say how exact a picture is, and which approximations a frame uses.
 pub mod quality {
-    pub use crate::render::{Draft, Exact, Fast, Quality, Small, Smooth};
+    pub use crate::render::{Draft, Exact, Fast, Quality, Seam, Small, Smooth};
 }
 
 /// Shading models: types that say how the colour of a surface is computed.

@@ -21,7 +21,7 @@ pub(crate) use shadows::within_reach;
 pub use shadows::{Borders, Shadows};
 
 use crate::number::{
-    Length, high, offset_modulo_2_32, product_modulo_2_32, sum_modulo_2_32, unsigned,
+    Length, high, offset_modulo_2_32, product_modulo_2_32, sum_modulo_2_32, to_u16, unsigned,
 };
 use crate::vector::{Direction, Point, Vector};
 
@@ -237,9 +237,10 @@ impl PathSignature {
         Self(self.0 << 1 | u32::from(is_bounded))
     }
 
-    /// Tests whether two paths hit the same, as far as their hashes tell.
-    pub(crate) fn is_like(self, other: Self) -> bool {
-        (self.0 ^ other.0) >> 1 == 0
+    /// Returns the mark of the path.
+    pub(crate) fn mark(self) -> PathMark {
+        let path = self.0 >> 1;
+        PathMark(to_u16((path ^ path >> 16) & 0xffff))
     }
 
     /// Tests whether two paths hit the same and have known bounds.
@@ -247,6 +248,15 @@ impl PathSignature {
     pub(crate) fn is_same_as(self, other: Self) -> bool {
         self == other && self.0 & 1 == 1
     }
+}
+
+/// What a path hit, as 16 bits of its signature. Paths that hit the same have the same mark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct PathMark(u16);
+
+impl PathMark {
+    /// The mark of a path that is not known.
+    pub(crate) const NONE: Self = Self(0);
 }
 
 #[cfg(test)]

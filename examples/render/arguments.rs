@@ -49,7 +49,7 @@ pub struct Arguments {
     )]
     quality: Quality,
 
-    /// Draw smooth edges in the quality fast: K rows for each row of pixels, 2 or 4
+    /// Draw smooth edges in the quality fast: K is 2, or 4 for finer ones
     #[arg(long, value_name = "K", num_args = 0..=1, default_missing_value = "4")]
     #[arg(value_parser = smooth, conflicts_with_all = ["quality", "reference"])]
     smooth: Option<Quality>,
@@ -155,7 +155,7 @@ impl Arguments {
     }
 }
 
-/// Parses the number of rows of a smooth picture.
+/// Parses how smooth edges are.
 fn smooth(rows: &str) -> Result<Quality, &'static str> {
     match rows {
         "2" => Ok(Quality::Smooth2),

@@ -230,7 +230,7 @@ impl<'a> View<'a> {
         News::Setting
     }
 
-    /// Changes between jagged edges and smooth ones of two and of four rows. A quality without smooth edges stays.
+    /// Changes between jagged edges and the smooth ones of `Smooth<2>` and `Smooth<4>`. A quality without smooth edges stays.
     fn smooth(&mut self) -> News {
         self.settings.quality = match self.settings.quality {
             Quality::Fast => Quality::Smooth2,

@@ -1,66 +1,114 @@
-//! The bounded shapes that a ray beside the centre of a pixel can hit: those whose rectangles hold the pixel. It serves
-//! the further samples of smooth edges, for rays of the camera and for their first reflection in a plane.
+//! The bounded shapes that rays beside the centres of pixels can hit: those whose rectangles reach into a part of the row.
+//! It serves the corners' sides and the samples of smooth edges, for rays of the camera and for their first reflection in a
+//! plane.
 //!
-//! Bound: [`super::screen_bounds`]. A rectangle is widened by at least one pixel, and a sample lies at most half a pixel
-//! beside the centre.
+//! Bound: [`super::screen_bounds`]. A rectangle is widened by at least one pixel, and a ray passes by the centre of its
+//! pixel at most one pixel to the side, and at most one above or below.
 
 use super::World;
 use super::screen_bounds::Rects;
 use super::screen_rect::ScreenRect;
-use crate::ray::Ray;
-use crate::scene::access::ShapeId;
-use crate::scene::nearest::{Hit, NOWHERE, Nearest};
-use crate::scene::used;
-use crate::shape::bounded::Bounded;
+use crate::number::to_u16;
+use crate::scene::access::{KINDS, ShapeId};
+use crate::scene::shape_set::{SetLayout, ShapeSet};
+
+/// Number of columns of a part of a row, as a power of two.
+const PART: u32 = 2;
+
+/// The shapes that rays through one part of a row can hit, directly and in the latest plane.
+pub(crate) struct Beside([Option<(Part, ShapeSet)>; 2]);
+
+/// A part of a row.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct Part {
+    /// The plane that mirrors the rays; [`ShapeId::NONE`] if none does.
+    mirror: ShapeId,
+    /// Number of the part, from the left.
+    number: u32,
+    /// The row.
+    y: u16,
+}
+
+impl Part {
+    /// Returns the part that a pixel lies in, for rays that `mirror` has mirrored.
+    #[inline(always)]
+    pub(super) fn of(mirror: ShapeId, column: u32, y: u16) -> Self {
+        let number = column >> PART;
+        Self { mirror, number, y }
+    }
+}
+
+impl Beside {
+    /// No shapes are known yet.
+    pub(crate) const NONE: Self = Self([None; 2]);
+
+    /// Returns the shapes that rays through a part can hit.
+    #[inline(always)]
+    pub(super) fn of<W: World>(
+        &mut self,
+        world: &W,
+        rects: &Rects<W::Room>,
+        part: Part,
+    ) -> ShapeSet {
+        let [direct, mirrored] = &mut self.0;
+        let kept = if part.mirror == ShapeId::NONE {
+            direct
+        } else {
+            mirrored
+        };
+        match kept {
+            Some((known, set)) if *known == part => *set,
+            _ => {
+                let set = reaching(world, rects, part);
+                *kept = Some((part, set));
+                set
+            }
+        }
+    }
+}
 
 macro_rules! beside {
     (
         $header:tt
         $({ $list:ident $($more:tt)* })*
     ) => {
-        /// Returns the nearest hit of a ray through a pixel, given by its column and row, among the shapes whose rectangles
-        /// hold the pixel. Skips the shape that the ray leaves.
+        /// Returns the shapes whose rectangles reach into a part of a row.
         #[inline(never)]
-        pub(super) fn nearest_beside<W: World>(
-            world: &W,
-            rects: &Rects<W::Room>,
-            pixel: [u16; 2],
-            (ray, skip): (&Ray, ShapeId),
-        ) -> Hit {
-            let mut nearest = Nearest::beyond(NOWHERE);
-            let parts = world.parts();
-            let first = 0;
+        fn reaching<W: World>(world: &W, rects: &Rects<W::Room>, part: Part) -> ShapeSet {
+            let mut set = ShapeSet::NONE;
+            let lengths = world.parts().lengths();
+            let kind = 0;
             $(
                 if W::NEEDS.$list {
-                    let rects = used(rects.$list.as_ref(), parts.$list.len());
-                    ask(&mut nearest, (parts.$list, first), rects, pixel, (ray, skip));
+                    let rects = crate::scene::used(rects.$list.as_ref(), lengths[kind]);
+                    add(&mut set, (kind, lengths), rects, part);
                 }
-                let first = first + parts.$list.len();
+                let kind = kind + 1;
             )*
-            let _ = first;
-            nearest.hit()
+            let _ = kind;
+            set
         }
     };
 }
 kinds!(beside);
 
-/// Intersects a ray with the shapes of one kind whose rectangles hold a pixel. `first` is the number of the first shape.
+/// Adds the shapes of one kind whose rectangles reach into a part of a row.
 #[inline(always)]
-fn ask<K: Bounded>(
-    nearest: &mut Nearest,
-    (shapes, first): (&[K], usize),
+fn add(
+    set: &mut ShapeSet,
+    (kind, lengths): (usize, [usize; KINDS]),
     rects: &[ScreenRect],
-    [column, row]: [u16; 2],
-    (ray, skip): (&Ray, ShapeId),
+    part: Part,
 ) {
+    let layout = SetLayout::new(lengths);
+    let first = to_u16(part.number << PART);
+    let last = first | ((1 << PART) - 1);
     for rect in rects {
-        if rect.left > column {
+        if rect.left > last {
             break;
         }
-        if rect.right >= column && rect.has_row(row) {
-            if let Some(shape) = shapes.get(rect.shape()) {
-                nearest.ask(shape, ray, ShapeId::at(first + rect.shape()), skip);
-            }
+        if rect.right >= first && rect.has_row(part.y) {
+            *set = set.with(ShapeSet::of(layout.bit(kind, rect.shape())));
         }
     }
 }

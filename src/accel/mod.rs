@@ -29,6 +29,7 @@ pub(crate) mod stretch;
 mod within;
 
 pub(crate) use active_list::Window;
+pub(crate) use beside::Beside;
 pub(crate) use light_stretch::{LitStretch, is_clear_way, lights_all, sun_lights_all};
 pub use motion::MovingScene;
 pub use scene::{Scene, Tabled};

@@ -8,14 +8,13 @@
 use super::World;
 use super::active_list::Window;
 use super::active_lists::ActiveLists;
-use super::beside::nearest_beside;
+use super::beside::{Beside, Part};
 use super::screen_bounds::ScreenBounds;
 use super::shadows::Pencil;
 use super::stretch::Stretch;
-use crate::number::to_u16;
 use crate::ray::{Ray, RowPlane, ScaledPoint};
 use crate::scene::access::ShapeId;
-use crate::scene::nearest::{Hit, NOWHERE, nearest_of};
+use crate::scene::nearest::{Hit, NOWHERE, nearest_listed, nearest_of};
 use crate::shape::plane::PreparedPlane;
 use crate::vector::{Direction, Point};
 
@@ -61,8 +60,9 @@ impl<'a, W: World> ScreenCulling<'a, W> {
         }
     }
 
-    /// Goes back to the first column, for rays of the camera that lie in another plane and go through the same row.
-    pub(crate) fn turn(&mut self, row: RowPlane) {
+    /// Goes back to the first column, for rays of the camera through row `y` that lie in another plane.
+    pub(crate) fn turn(&mut self, y: u32, row: RowPlane) {
+        self.y = (y & 0xffff) as u16;
         if let Some(camera) = self.camera {
             self.direct.restart((camera, row), self.is_full);
         }
@@ -120,16 +120,22 @@ impl<'a, W: World> ScreenCulling<'a, W> {
     }
 
     /// Returns the nearest bounded shape that a ray hits. The ray is the camera's, through a place beside the centre of
-    /// the pixel at `column`, or its first reflection in the plane `mirror`.
-    pub(crate) fn beside(&self, world: &W, (mirror, column): (ShapeId, u32), ray: &Ray) -> Hit {
+    /// the pixel at `column`, or its first reflection in the plane `mirror`. `known` keeps what the rays can hit.
+    pub(crate) fn beside(
+        &self,
+        world: &W,
+        known: &mut Beside,
+        (mirror, column): (ShapeId, u32),
+        ray: &Ray,
+    ) -> Hit {
         let rects = self.bounds.and_then(|bounds| match mirror {
             ShapeId::NONE => Some(bounds.direct()),
             _ => bounds.mirrored(world.parts().plane_index(mirror)?),
         });
         match rects.filter(|_| self.camera.is_some()) {
             Some(rects) => {
-                let pixel = [to_u16(column), self.y];
-                nearest_beside(world, rects, pixel, (ray, mirror))
+                let set = known.of(world, rects, Part::of(mirror, column, self.y));
+                nearest_listed(world, &set, ray, mirror)
             }
             None => nearest_of(world, (ray, NOWHERE), mirror),
         }

@@ -11,8 +11,20 @@ impl Camera {
     /// Prepares the camera's rays through the pixels of a picture of `width` by `height` pixels, each 1
     /// to 65535.
     pub(crate) fn generator(&self, width: u32, height: u32) -> RayGenerator {
+        self.generator_of([width, height], width)
+    }
+
+    /// Prepares the camera's rays through the corners of the pixels of a picture of `width` by `height` pixels, each 1 to
+    /// 65534. There is a column and a row of corners more than of pixels.
+    pub(crate) fn corners(&self, width: u32, height: u32) -> RayGenerator {
+        self.generator_of([width + 1, height + 1], width)
+    }
+
+    /// Prepares rays through a grid of points that are as far apart as the pixels of a picture of `wide` columns.
+    #[inline(always)]
+    fn generator_of(&self, [width, height]: [u32; 2], wide: u32) -> RayGenerator {
         // The picture is width · cot(fov / 2) half pixels in front of the camera.
-        let product = u64::from(width) * u64::from(self.cotangent.mantissa);
+        let product = u64::from(wide) * u64::from(self.cotangent.mantissa);
         let Quotient { exponent, .. } = self.cotangent;
         let bits = |value: u64| 64 - signed(value.leading_zeros());
         let largest = (bits(product) + exponent).max(bits(u64::from(width.max(height))));
@@ -69,7 +81,7 @@ impl RayGenerator {
         self.directions(self.middle(y, 0))
     }
 
-    /// Prepares the directions through points at a distance below the centres of row `y`, in sixteenths of a pixel.
+    /// Prepares the directions through points at a distance below the centres of row `y`, in 64ths of a pixel.
     #[inline(never)]
     pub(crate) fn row_below(&self, y: u32, down: i32) -> RowDirections {
         self.directions(self.middle(y, down))
@@ -126,11 +138,14 @@ impl RayGenerator {
     /// pixel, scaled as [`RowDirections`] says.
     #[inline(always)]
     fn middle(&self, y: u32, down: i32) -> [i64; 3] {
-        // In half pixels, an eighth of which is a sixteenth of a pixel.
-        let up_from_middle = i64::from(self.height) - 1 - 2 * i64::from(y);
+        // In half pixels, 32 of which are 64ths of a pixel.
+        let up_from_middle = signed(self.height) - 1 - 2 * signed(y);
         [0, 1, 2].map(|axis| {
-            let middle = self.ahead[axis] + self.up[axis] * up_from_middle;
-            middle - (self.up[axis] >> 3) * i64::from(down)
+            let (ahead, up) = (self.ahead[axis], self.up[axis]);
+            match down {
+                0 => ahead + up * i64::from(up_from_middle),
+                _ => ahead + (up >> 5) * i64::from(32 * up_from_middle - down),
+            }
         })
     }
 }
@@ -171,9 +186,9 @@ impl RowDirections {
         self.towards(self.aside(column))
     }
 
-    /// Returns the direction of the ray through a point beside the centre of a pixel, in sixteenths of a pixel.
+    /// Returns the direction of the ray through a point beside the centre of a pixel, in 64ths of a pixel.
     pub(crate) fn beside(&self, column: u32, right: i32) -> Direction {
-        let more = (self.step_aside >> 4) * i64::from(right);
+        let more = (self.step_aside >> 6) * i64::from(right);
         self.towards(at(self.aside + more, self.step_aside, column))
     }
 

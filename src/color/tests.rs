@@ -136,13 +136,24 @@ fn what_is_brighter_than_white_is_white() {
 
 #[test]
 fn mean_of_samples_is_that_of_the_clamped_ones() {
-    let sample = |level: i32| Sum([(level << 16) + HALF; 3]);
-    for count in [1, 2, 4, 12, 64] {
-        let mut samples = Samples::NONE;
-        (0..count).for_each(|index| samples.add(sample(if index == 0 { -90 } else { 300 })));
+    let sample = |level: i32| Levels::of(Sum([(level << 16) + HALF; 3]));
+    for count in [1, 2, 3, 5, 16, 17, 2048] {
+        let mut mixture = Mixture::NONE;
+        (0..count).for_each(|index| mixture.add(sample(if index == 0 { -90 } else { 300 }), 1));
         let level = 255.0 * f64::from(count - 1) / f64::from(count);
-        let Sum([mean, ..]) = samples.mean(count as u32);
+        let Sum([mean, ..]) = mixture.mean(count as u32).sum();
         let off = f64::from(mean - HALF) - level * 65_536.0;
-        assert!((-1.0..=0.0).contains(&off), "{count}: {off}");
+        assert!((-512.0..=0.0).contains(&off), "{count}: {off}");
     }
+}
+
+#[test]
+fn contrast_is_the_largest_difference_in_levels() {
+    let color = |levels: [i32; 3]| Levels::of(Sum(levels.map(|level| (level << 16) + HALF)));
+    let (one, other) = (color([10, 200, 30]), color([12, 120, 30]));
+    assert_eq!(
+        [one.contrast(other), other.contrast(one), one.contrast(one)],
+        [80, 80, 0]
+    );
+    assert_eq!(one.brightness(), 240 << 8);
 }

@@ -23,8 +23,12 @@ use crate::accel::drawable::Drawable;
 use crate::color::Sum;
 use crate::number::unsigned;
 use crate::render::Quality;
-use crate::render::{FrameBuilder, PreparedFrame, Report, Rows};
+use crate::render::{FrameBuilder, PreparedFrame, Report, Rows, Seam};
 use crate::shade::Shading;
+
+/// Widest picture with smooth edges of which [`Rows::draw_area`] keeps what a row leaves to the next one, in parts of 32
+/// columns.
+const WIDEST: usize = 10;
 
 impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
     /// Prepares the frame for a picture of `size` pixels. Each side is clamped to 1 to 65535.
@@ -73,7 +77,23 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
     ///
     /// Pixels beyond the edges of the picture stay as they are.
     pub fn row<C: PixelColor + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
-        self.fill_row(y, x, pixels, shown)
+        self.next_row(&mut Seam::<1>::new(), y, x, pixels)
+    }
+
+    /// Does what [`Rows::row`] does, for rows that are asked for from top to bottom.
+    ///
+    /// With smooth edges ([`Smooth`](crate::quality::Smooth)) a row takes from `seam` what the row above it has left there,
+    /// and leaves something to the row below: it takes about half of the time. Colours are the same. Other qualities do
+    /// not use the seam.
+    #[inline(always)]
+    pub fn next_row<C: PixelColor + From<Rgb888>, const N: usize>(
+        &self,
+        seam: &mut Seam<N>,
+        y: u32,
+        x: u32,
+        pixels: &mut [C],
+    ) -> Report {
+        self.fill_row(y, x, pixels, (seam, shown))
     }
 
     /// Draws the part of the picture that lies inside of `area`, and returns a report on it.
@@ -109,6 +129,7 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
             return Ok(report);
         };
         let (left, width) = (area.top_left.x, area.size.width);
+        let mut seam = Seam::<WIDEST>::new();
         for y in area.rows() {
             let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
             let start = [unsigned(left), unsigned(y)];
@@ -117,7 +138,7 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
                     let pixels = (0..width).map(|_| shown(colors.next_color()));
                     target.fill_contiguous(&row, pixels)
                 }),
-                _ => self.in_smooth_row(generator, start, |colors| {
+                _ => self.in_smooth_row(generator, start, &mut seam, |colors| {
                     let pixels = (0..width).map(|_| shown(colors.next_color()));
                     target.fill_contiguous(&row, pixels)
                 }),

@@ -9,8 +9,11 @@ use embedded_graphics::prelude::Size;
 
 use super::reference::Picture;
 use crate::accel::drawable::Drawable;
-use crate::render::{Quality, Rows};
+use crate::render::{Quality, Rows, Seam};
 use crate::shade::Shading;
+
+/// Widest picture with smooth edges of which a row keeps what the one below needs, in parts of 32 columns.
+const WIDEST: usize = 32;
 
 /// Draws a frame, row by row, and returns it as a [`Picture`] that can be compared with others.
 ///
@@ -27,8 +30,9 @@ use crate::shade::Shading;
 pub fn painted<S: Drawable, Q: Quality, K: Shading>(rows: &Rows<'_, S, Q, K>) -> Picture {
     let Size { width, height } = rows.size();
     let mut row = vec![Rgb888::BLACK; width as usize];
+    let mut seam = Seam::<WIDEST>::new();
     let pixels = (0..height).flat_map(|y| {
-        rows.row(y, 0, &mut row);
+        rows.next_row(&mut seam, y, 0, &mut row);
         let bytes = row.iter().map(|pixel| [pixel.r(), pixel.g(), pixel.b()]);
         bytes.collect::<Vec<_>>()
     });

@@ -17,6 +17,7 @@ mod output;
 mod pieces;
 
 pub(crate) use marks::{Marked, Marks, Unmarked};
+pub(super) use output::fill;
 
 use crate::accel::{LONGEST_BLOCK, Window, World};
 use crate::camera::RowDirections;
@@ -25,7 +26,7 @@ use crate::number::Unit;
 use crate::ray::PathSignature;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
-use crate::trace::{Stops, Traced, Tracer};
+use crate::trace::{Pixel, Stops, Traced, Tracer};
 use crate::vector::Direction;
 use between::{DIVISIONS, Known};
 use pieces::Pieces;
@@ -101,7 +102,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         );
         assert!(
             matches!(Q::ROWS, 1 | 2 | 4),
-            "a quality samples 1, 2 or 4 rows in each row of pixels"
+            "edges of a quality are jagged, 1, or smooth, 2 or 4"
         );
     };
 
@@ -207,7 +208,6 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         let missed = self.tracer.missed();
         let curve = Parabola::constant(missed.sum);
         self.colors.set_curve(0, LONGEST_BLOCK, curve);
-        self.marks.fill(0, LONGEST_BLOCK as usize, missed.signature);
         true
     }
 
@@ -249,7 +249,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             return self.along((true, column), direction, slot);
         }
         let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
-        let pixel = (Some(&self.window), column);
+        let pixel = Pixel::Center(&self.window, column);
         self.tracer.trace(pixel, direction, stops)
     }
 
@@ -261,7 +261,10 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
         direction: Direction,
         slot: usize,
     ) -> Traced {
-        let pixel = (is_center.then_some(&self.window), column);
+        let pixel = match self.marks.beside() {
+            Some(known) if !is_center => Pixel::Beside(known, column),
+            _ => Pixel::Center(&self.window, column),
+        };
         let stops = (&mut self.stops[slot.min(UNREAD)], slot != UNREAD);
         self.tracer.trace(pixel, direction, stops)
     }

@@ -16,6 +16,7 @@ pub use prepared::{PreparedFrame, Rows};
 pub use quality::{Draft, Exact, Fast, Quality, Small, Smooth};
 pub use report::Report;
 pub(crate) use report::light_cut_off;
+pub use smooth::Seam;
 
 use interpolate::Colors;
 #[cfg(feature = "host")]

@@ -2,6 +2,7 @@
 
 use core::marker::PhantomData;
 
+use super::interpolate::fill;
 use super::{Colors, Report};
 use crate::accel::CullingQuality;
 use crate::accel::drawable::Drawable;
@@ -15,7 +16,7 @@ use crate::color::Sum;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::ray::ScaledPoint;
-use crate::render::{Fast, Quality};
+use crate::render::{Fast, Quality, Seam};
 use crate::scene::access::SceneAccess;
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
@@ -70,7 +71,7 @@ pub struct PreparedFrame<S: Drawable, Q = Fast, K = BlinnPhong> {
     kinds: PhantomData<Kinds<S, Q, K>>,
 }
 
-/// Marker for scene, quality and shading of a frame. As a function type it is always `Send` and `Sync`.
+/// Marker for the kinds of a frame. As a function type it is always `Send` and `Sync`.
 type Kinds<S, Q, K> = fn() -> (S, Q, K);
 
 impl<S: Drawable, Q, K> Clone for PreparedFrame<S, Q, K> {
@@ -83,7 +84,8 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
     /// Prepares a frame for a picture of these columns and rows, each clamped to 1 to 65535.
     #[inline(always)]
     pub(super) fn new(scene: &S, camera: &Camera, sides: [u32; 2], reflections: u8) -> Self {
-        let [width, height] = sides.map(|side| side.clamp(1, 65_535));
+        // Smooth edges have a column of corners more than of pixels.
+        let [width, height] = sides.map(|side| side.clamp(1, 65_535 - u32::from(Q::ROWS > 1)));
         let world = &scene.world();
         let mut frame = Self {
             generator: None,
@@ -100,7 +102,10 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
         }
         let position = camera.description().position;
         let from = world.parts().grid.place(position);
-        let generator = camera.generator(width, height);
+        let generator = match Q::ROWS {
+            1 => camera.generator(width, height),
+            _ => camera.corners(width, height),
+        };
         frame.lights = match Q::CULLING.light_occluders {
             true => LightVisibility::new(world, from),
             false => LightVisibility::unclear(from),
@@ -198,12 +203,12 @@ impl<'a, S: Drawable, Q, K> Rows<'a, S, Q, K> {
 impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
     /// Fills `pixels` with the colours of row `y` from column `x` on, each converted by `shown`. Pixels beyond the picture stay.
     #[inline(always)]
-    pub(crate) fn fill_row<C: Copy>(
+    pub(crate) fn fill_row<C: Copy, const N: usize>(
         &self,
         y: u32,
         x: u32,
         pixels: &mut [C],
-        shown: impl Fn(Sum) -> C,
+        (seam, shown): (&mut Seam<N>, impl Fn(Sum) -> C),
     ) -> Report {
         if y >= self.frame.height || x >= self.frame.width || pixels.is_empty() {
             return Report::NONE;
@@ -221,21 +226,21 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         let Some(generator) = self.generator() else {
             return Report::NONE;
         };
-        self.fill(generator, [x, y], pixels, shown)
+        self.fill(generator, [x, y], pixels, (seam, shown))
     }
 
     /// Fills pixels inside of the picture. Not inlined, so that the tracer leaves the stack again.
     #[inline(never)]
-    fn fill<C: Copy>(
+    fn fill<C: Copy, const N: usize>(
         &self,
         generator: &RayGenerator,
         start: [u32; 2],
         pixels: &mut [C],
-        shown: impl Fn(Sum) -> C,
+        (seam, shown): (&mut Seam<N>, impl Fn(Sum) -> C),
     ) -> Report {
         let filled = match Q::ROWS {
             1 => self.in_row(generator, start, |colors| colors.fill(pixels, shown)),
-            _ => self.in_smooth_row(generator, start, |colors| colors.fill(pixels, shown)),
+            _ => self.in_smooth_row(generator, start, seam, |colors| colors.fill(pixels, shown)),
         };
         filled.1
     }
@@ -291,10 +296,4 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
             S::World::<'a>::NEEDS.far_lights.then_some(shadows),
         )
     }
-}
-
-/// Fills pixels with one colour. Inlined, it would make the compiler unroll its caller's loops.
-#[inline(never)]
-pub(super) fn fill<C: Copy>(pixels: &mut [C], color: C) {
-    pixels.fill(color);
 }

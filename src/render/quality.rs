@@ -66,16 +66,15 @@ pub trait Quality {
     /// `true`.
     const IS_PRECISE: bool = false;
 
-    /// Number of rows in which each row of pixels is sampled: 1, 2 or 4. Defaults to 1: edges are jagged. [`Smooth`] sets
-    /// it.
+    /// How smooth edges are: 1, 2 or 4. Defaults to 1: they are jagged. [`Smooth`] sets it.
     const ROWS: u32 = 1;
 }
 
-/// A quality with smooth edges: each row of pixels is the mean of `K` rows, 2 or 4. Where what is seen changes from one
-/// pixel to the next, or from one of the rows to the next, three times as many samples are taken.
+/// A quality with smooth edges: each pixel is the mean of what its area shows, as far as the corners of pixels tell. `K` is 2
+/// or 4. With 4, edges are found more finely, and twice as many corners tell of shapes that are thinner than a pixel.
 ///
-/// Each sample is clamped to 0 to 1, then the mean is taken, then it is rounded. `Q` says how exact a sample is. It needs
-/// no frame buffer: each row is drawn by itself.
+/// Each colour is clamped to 0 to 1, then the mean is taken, then it is rounded. `Q` says how exact a colour is. It needs no
+/// frame buffer. Rows that are asked for one by one take a [`Seam`] along, or about twice the time.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
@@ -101,10 +100,7 @@ impl<const K: u32, Q: Quality> Quality for Smooth<K, Q> {
     const IS_SMALL: bool = Q::IS_SMALL;
     const IS_PRECISE: bool = Q::IS_PRECISE;
     const ROWS: u32 = {
-        assert!(
-            K == 2 || K == 4,
-            "a smooth picture takes 2 or 4 rows for each row of pixels"
-        );
+        assert!(K == 2 || K == 4, "edges are smooth with 2 or 4");
         K
     };
 }

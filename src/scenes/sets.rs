@@ -5,7 +5,7 @@ use crate::accel::light_occluders::{self, LightOccluders};
 use crate::accel::light_visibility::LightVisibility;
 use crate::accel::screen_bounds::ScreenBounds;
 use crate::accel::screen_culling::ScreenCulling;
-use crate::accel::{Scene, Static, World};
+use crate::accel::{Beside, Scene, Static, World};
 use crate::host::file::{FileScene, built};
 use crate::host::reference;
 use crate::number::sweep::Sweep;
@@ -22,7 +22,7 @@ use crate::shade::BlinnPhong;
 use crate::shape::MaterialId;
 use crate::shape::bounded::{Bounded, Range};
 use crate::shape::plane::{PreparedPlane, Side};
-use crate::trace::{Stops, Tracer};
+use crate::trace::{Pixel, Stops, Tracer};
 use crate::vector::{Direction, Point, Position};
 use crate::{Camera, Material};
 
@@ -50,19 +50,25 @@ fn compare<W: World>(world: &W, camera: &Camera, name: &str) {
         let mut all = tracer(Some(&everything), true);
         let mut unbounded = tracer(None, true);
         let directions = generator.row(y);
+        let mut beside = Beside::NONE;
         for x in 0..SIZE.0 {
             let [found, exact] = [&mut some, &mut all].map(|it| {
                 let window = it.advance(x / 4 * 4, x / 4 * 4 + 4);
                 let mut stops = Stops::NONE;
-                it.trace((Some(&window), x), directions.of(x), (&mut stops, true))
-                    .sum
+                it.trace(
+                    Pixel::Center(&window, x),
+                    directions.of(x),
+                    (&mut stops, true),
+                )
+                .sum
             });
             assert_eq!(found, exact, "{name}: pixel {x}, {y} of {camera:?}");
-            let [right, down] = [x, y].map(|it| if it % 2 == 0 { -7 } else { 7 });
+            let [right, down] = [x, y].map(|it| if it % 2 == 0 { -63 } else { 63 });
             let direction = generator.row_below(y, down).beside(x, right);
             let [found, exact] = [&mut some, &mut unbounded].map(|it| {
                 let mut stops = Stops::NONE;
-                it.trace((None, x), direction, (&mut stops, false)).sum
+                let pixel = Pixel::Beside(&mut beside, x);
+                it.trace(pixel, direction, (&mut stops, false)).sum
             });
             assert_eq!(found, exact, "{name}: beside pixel {x}, {y} of {camera:?}");
         }

@@ -1,7 +1,7 @@
 //! What a ray hits first, as a camera ray or after reflections.
 
 use super::{PathQuality, Tracer};
-use crate::accel::{Window, World, nearest_ahead};
+use crate::accel::{Beside, Window, World, nearest_ahead};
 use crate::ray::{Ray, ScaledPoint, ScaledRay};
 use crate::scene::FEW;
 use crate::scene::access::ShapeId;
@@ -11,8 +11,13 @@ use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Surface, planes};
 use crate::shade::highlight::sealed::Shading;
 
-/// The pixel of a path: its column, and a window that holds the column if the path goes through the pixel's centre.
-pub(crate) type Pixel<'a> = (Option<&'a Window>, u32);
+/// Where a path starts in a row of pixels.
+pub(crate) enum Pixel<'a> {
+    /// Through the centre of the pixel in a column of a window.
+    Center(&'a Window, u32),
+    /// Beside the centre of the pixel in a column. What such rays can hit is kept.
+    Beside(&'a mut Beside, u32),
+}
 
 /// The latest reflection of a path, and the number of reflections.
 pub(super) struct Bounce {
@@ -38,7 +43,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     pub(super) fn surface(
         &mut self,
-        pixel: Pixel<'_>,
+        pixel: &mut Pixel<'_>,
         ray: &ScaledRay,
         bounce: &Bounce,
     ) -> Option<Surface<'a>> {
@@ -76,7 +81,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     /// Returns the first hit of a ray in the near region. Returns [`Hit::BEYOND`] for a ray that starts
     /// far away.
     #[inline(always)]
-    fn near_hit(&mut self, pixel: Pixel<'_>, ray: &ScaledRay, bounce: &Bounce) -> Hit {
+    fn near_hit(&mut self, pixel: &mut Pixel<'_>, ray: &ScaledRay, bounce: &Bounce) -> Hit {
         if !ray.from().is_near() {
             return Hit::BEYOND;
         }
@@ -86,13 +91,14 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
             Hit::NONE
         } else {
             match (pixel, bounce.count, parts.plane(skip)) {
-                ((Some(_), column), 0, _) => self.culling.direct(world, column, ray),
-                ((Some(window), column), 1, Some(plane)) => {
-                    let pixel = (window, column);
+                (Pixel::Center(_, column), 0, _) => self.culling.direct(world, *column, ray),
+                (Pixel::Center(window, column), 1, Some(plane)) => {
+                    let pixel = (*window, *column);
                     self.culling.mirrored(world, (skip, plane), pixel, ray)
                 }
-                ((None, column), 0, _) | ((None, column), 1, Some(_)) => {
-                    self.culling.beside(world, (skip, column), ray)
+                (Pixel::Beside(known, column), 0, _)
+                | (Pixel::Beside(known, column), 1, Some(_)) => {
+                    self.culling.beside(world, known, (skip, *column), ray)
                 }
                 _ => nearest_ahead::<W, Q>(world, ray, (bounce.mirror, skip)),
             }

@@ -19,7 +19,8 @@ mod walk;
 
 use core::marker::PhantomData;
 
-use bounce::{Bounce, Pixel};
+use bounce::Bounce;
+pub(crate) use bounce::Pixel;
 use stops::STOPS;
 pub(crate) use stops::Stops;
 pub(crate) use stretch::Progress;
@@ -42,7 +43,7 @@ use crate::scene::shape_set::ShapeSet;
 use crate::scene::{Mirrors, Surface};
 use crate::shade::highlight::sealed::Shading;
 use crate::shade::{LightQuality, Lit};
-use crate::vector::{Direction, Point, Vector};
+use crate::vector::{Direction, Vector};
 
 /// The part of a quality that says how exactly paths are followed.
 pub trait PathQuality: CullingQuality + LightQuality {
@@ -93,7 +94,7 @@ impl Traced {
 pub(crate) struct Tracer<'a, W: World, K, Q> {
     pub(crate) world: &'a W,
     /// The camera's position, and the lights that planes hide in this frame.
-    visibility: &'a LightVisibility,
+    pub(crate) visibility: &'a LightVisibility,
     /// The candidates for the rays of this row.
     culling: ScreenCulling<'a, W>,
     /// The bounded shapes that the camera's rays through this row can hit, on the plain path.
@@ -181,7 +182,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
     #[inline(always)]
     pub(crate) fn trace(
         &mut self,
-        pixel: Pixel<'_>,
+        mut pixel: Pixel<'_>,
         direction: Direction,
         (stops, is_read): (&mut Stops, bool),
     ) -> Traced {
@@ -195,7 +196,7 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let least = least.unwrap_or(Unit::from_bits(i32::MAX));
         let is_seen = |throughput| Self::IS_INTERPOLATED && Q::IS_SURE && throughput >= least;
         loop {
-            let Some(surface) = self.surface(pixel, &ray, &bounce) else {
+            let Some(surface) = self.surface(&mut pixel, &ray, &bounce) else {
                 traced.add_missed::<W, K>(world, throughput, ray.direction());
                 if is_seen(throughput) {
                     stops.add(None, ray.direction());
@@ -230,10 +231,10 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         traced
     }
 
-    /// Turns to rays through the same row of pixels that lie in another plane.
-    pub(crate) fn turn(&mut self, plane: impl Fn(Point) -> RowPlane, directions: &RowDirections) {
+    /// Turns to rays through row `y` that lie in another plane.
+    pub(crate) fn turn(&mut self, y: u32, (plane, directions): (RowPlane, &RowDirections)) {
         let from = self.visibility.from;
-        self.culling.turn(plane(from.point));
+        self.culling.turn(y, plane);
         self.list = row_list::<_, Q>(self.world, from, directions);
         if let Some(shadows) = self.shadows.as_deref_mut() {
             *shadows = RowShadows::NONE;

@@ -75,7 +75,11 @@ fn followed_by<K: Shading, Q: PathQuality, W: World>(
     let mut stops = Stops::NONE;
     Followed {
         sum: tracer
-            .trace((Some(&window), 0), path.direction(), (&mut stops, true))
+            .trace(
+                Pixel::Center(&window, 0),
+                path.direction(),
+                (&mut stops, true),
+            )
             .sum,
         rays: tracer.rays,
         cut_off: tracer.cut_off,

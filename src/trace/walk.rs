@@ -3,7 +3,7 @@
 
 use alloc::vec::Vec;
 
-use super::bounce::Bounce;
+use super::bounce::{Bounce, Pixel};
 use super::{PathQuality, Tracer};
 use crate::accel::{Window, World};
 use crate::color::{Color, Sum};
@@ -60,7 +60,8 @@ impl<'a, W: World, K: Shading, Q: PathQuality> Tracer<'a, W, K, Q> {
         let mut ray = ScaledRay::new(self.visibility.from, direction);
         let (mut sum, mut throughput, mut bounce) = (Sum::DARK, Unit::ONE, Bounce::NONE);
         let end = loop {
-            let Some(surface) = self.surface((Some(pixel.0), pixel.1), &ray, &bounce) else {
+            let Some(surface) = self.surface(&mut Pixel::Center(pixel.0, pixel.1), &ray, &bounce)
+            else {
                 break End::Missed;
             };
             let reflected = Self::reflected(world, &surface, throughput);

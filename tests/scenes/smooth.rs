@@ -2,11 +2,13 @@
 
 use command_line::{Quality, Settings, Source, four_samples};
 use embedded_graphics::pixelcolor::Rgb888;
-use embedded_graphics::prelude::{RgbColor, Size};
+use embedded_graphics::prelude::{Point, PointsIter, RgbColor, Size};
+use embedded_graphics::primitives::Rectangle;
+use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::file::SceneFile;
 use reflet::host::reference::{self, Picture, render, sampled};
-use reflet::quality::{Exact, Fast, Small, Smooth};
+use reflet::quality::{self, Draft, Exact, Fast, Seam, Small, Smooth};
 use reflet::shading::BlinnPhong;
 use reflet::{Camera, Material};
 
@@ -64,51 +66,71 @@ impl Judge {
 }
 
 #[test]
-fn two_rows_are_as_good_as_four_samples_and_four_rows_are_better() {
+fn smooth_edges_are_as_good_as_four_samples_and_smoother_ones_are_better() {
     for name in NAMES {
         let judge = Judge::new(name);
         let four = judge.decibels(&judge.four);
         let [fast, two, more] =
             [Quality::Fast, Quality::Smooth2, Quality::Smooth4].map(|it| judge.drawn(it));
         println!(
-            "{name}: jagged {fast:.1}, four samples {four:.1}, two rows {two:.1}, four rows {more:.1} dB"
+            "{name}: jagged {fast:.1}, four samples {four:.1}, Smooth<2> {two:.1}, Smooth<4> {more:.1} dB"
         );
-        // In a small picture more edges lie between the rows.
+        // Small pictures are full of edges. In corner1 all are faint, and those of low contrast are found less finely.
         assert!(
-            two >= four - 2.0,
-            "{name}: {two} with two rows, {four} with four samples"
+            two >= (four - 2.0).min(48.0),
+            "{name}: {two} with Smooth<2>, {four} with four samples"
         );
         assert!(
-            more >= four + 2.0,
-            "{name}: {more} with four rows, {four} with four samples"
+            more >= (four + 2.0).min(55.0),
+            "{name}: {more} with Smooth<4>, {four} with four samples"
         );
         assert!(
             two >= fast + 4.0,
-            "{name}: {two} with two rows, {fast} jagged"
+            "{name}: {two} with Smooth<2>, {fast} jagged"
         );
     }
 }
 
-#[test]
-fn part_of_a_row_has_the_colours_of_the_whole_row() {
-    let castle = Source::built_in("castle").unwrap();
-    let camera = castle.camera();
-    let frame = castle.scene().frame(&camera).quality::<Smooth<2>>();
-    let frame = frame.prepare(Size::new(100, 60));
-    let rows = frame.on(castle.scene()).unwrap();
-    for y in [0, 17, 31, 59] {
-        let mut whole = [Rgb888::BLACK; 100];
-        rows.row(y, 0, &mut whole);
-        for x in [1, 31, 32, 33, 64, 96, 99] {
-            let mut part = [Rgb888::BLACK; 100];
+/// Tests that rows alone, rows one after the other and parts of rows have the same colours: `Q` is the quality.
+fn assert_same_however_drawn<Q: quality::Quality>(source: &Source, [width, height]: [u32; 2]) {
+    let (scene, camera) = (source.scene(), source.camera());
+    let frame = scene.frame(&camera).quality::<Q>();
+    let frame = frame.prepare(Size::new(width, height));
+    let rows = frame.on(scene).unwrap();
+    let mut display = SimulatorDisplay::<Rgb888>::new(rows.size());
+    let area = Rectangle::new(Point::zero(), rows.size());
+    rows.draw_area(area, Point::zero(), &mut display).unwrap();
+    let (mut short, mut long) = (Seam::<1>::new(), Seam::<12>::new());
+    for y in 0..height {
+        let mut found = [(); 3].map(|()| vec![Rgb888::BLACK; width as usize]);
+        let [alone, narrow, wide] = &mut found;
+        rows.row(y, 0, alone);
+        rows.next_row(&mut short, y, 0, narrow);
+        rows.next_row(&mut long, y, 0, wide);
+        let line = Rectangle::new(Point::new(0, y as i32), Size::new(width, 1));
+        let drawn: Vec<_> = line.points().map(|it| display.get_pixel(it)).collect();
+        let are_same = alone == narrow && alone == wide && *alone == drawn;
+        assert!(are_same, "row {y} of {width} columns");
+        for x in [1, 31, 32, 33, 64, 96] {
+            let mut part = vec![Rgb888::BLACK; width.saturating_sub(x) as usize];
             rows.row(y, x, &mut part);
-            let count = 100 - x as usize;
-            assert_eq!(
-                part[..count],
-                whole[x as usize..],
-                "row {y} from column {x} on"
-            );
+            let whole = alone.get(x as usize..).unwrap_or_default();
+            assert!(part == whole, "row {y} of {width} columns, from {x} on");
         }
+    }
+}
+
+/// The last width is beyond what a picture drawn at once keeps. `cylinders` has no plane, so parts of its rows are clear.
+#[test]
+fn rows_have_the_same_colours_however_they_are_drawn() {
+    for name in ["castle", "cylinders", "mirror2"] {
+        let source = Source::built_in(name).unwrap();
+        for size in [[1, 3], [33, 20], [100, 60], [176, 30], [340, 9]] {
+            assert_same_however_drawn::<Smooth<2>>(&source, size);
+        }
+        assert_same_however_drawn::<Smooth<4, Exact>>(&source, [70, 12]);
+        assert_same_however_drawn::<Smooth<2, Draft>>(&source, [70, 12]);
+        assert_same_however_drawn::<Smooth<2, Small>>(&source, [70, 12]);
     }
 }
 
@@ -121,7 +143,7 @@ fn each_quality_has_smooth_edges() {
     let exact = drawn::<Smooth<2, Exact>>();
     for other in [drawn::<Smooth<2>>(), drawn::<Smooth<2, Small>>()] {
         let found = compare(&other, &exact).unwrap();
-        assert!(found.within1 >= 0.998, "{found:?}");
+        assert!(found.within1 >= 0.996, "{found:?}");
     }
     let jagged = compare(&drawn::<Fast>(), &exact).unwrap();
     assert!(jagged.within1 < 0.9, "{jagged:?}");
@@ -163,12 +185,12 @@ fn thin_rod_that_turns_covers_the_same_area() {
     println!("{least:.1} to {most:.1} pixels");
     // A quarter of a pixel for each of the 89 columns that the rod crosses, at most.
     assert!(most - least <= 0.25 * 89.0, "{areas:?}");
-    assert!(most / least < 1.1, "{areas:?}");
+    assert!(most / least < 1.02, "{areas:?}");
 }
 
 /// A camera that moves by a sixteenth of a pixel moves an edge by as much: that of a bright disc, and those of a dark rod
-/// before it. Samples stand for the area of a pixel, and an upright edge crosses those of its rows at once: two of four
-/// with two rows, four of twelve with four.
+/// before it. An edge is found to an eighth of a pixel with `Smooth<2>`, and to a sixteenth with `Smooth<4>`; two edges
+/// cross a pixel of the rod.
 #[test]
 fn camera_that_moves_slowly_changes_no_pixel_by_more_than_the_area_that_moved() {
     let mut scene = Scenery::new();
@@ -196,10 +218,10 @@ fn camera_that_moves_slowly_changes_no_pixel_by_more_than_the_area_that_moved() 
     let jagged = largest_change(&|it| near::drawn::<Fast, BlinnPhong>(&scene, it, size));
     let two = largest_change(&|it| near::drawn::<Smooth<2>, BlinnPhong>(&scene, it, size));
     let four = largest_change(&|it| near::drawn::<Smooth<4>, BlinnPhong>(&scene, it, size));
-    println!("of 255: {jagged} jagged, {two} with two rows, {four} with four");
+    println!("of 255: {jagged} jagged, {two} with Smooth<2>, {four} with Smooth<4>");
     assert_eq!(jagged, 255.0);
-    assert!(two <= 255.0 * (1.0 / 16.0 + 2.0 / 4.0), "{two}");
-    assert!(four <= 255.0 * (1.0 / 16.0 + 4.0 / 12.0), "{four}");
+    assert!(two <= 255.0 * (1.0 / 16.0 + 2.0 / 8.0), "{two}");
+    assert!(four <= 255.0 * (1.0 / 16.0 + 2.0 / 16.0) + 1.0, "{four}");
 }
 
 /// A wire and a fence are what jagged edges tear.
@@ -211,7 +233,7 @@ fn wire_and_fence_are_whole() {
         let judge = Judge::of(Source::described(name.to_owned(), scene, camera).unwrap());
         let drawn = [Quality::Fast, Quality::Smooth2, Quality::Smooth4].map(|it| judge.drawn(it));
         println!("{name}: {drawn:.1?} dB");
-        assert!(drawn[1] >= drawn[0] + 7.0, "{name}: {drawn:?}");
-        assert!(drawn[2] >= drawn[1] + 4.0, "{name}: {drawn:?}");
+        assert!(drawn[1] >= drawn[0] + 5.0, "{name}: {drawn:?}");
+        assert!(drawn[2] >= drawn[1] + 2.0, "{name}: {drawn:?}");
     }
 }

@@ -170,10 +170,10 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 19_145;
+    const MOST_CODE: usize = 19_727;
 
     /// Most lines of Rust outside of the library.
-    const MOST_OUTSIDE: usize = 38_537;
+    const MOST_OUTSIDE: usize = 38_584;
 
     /// Most packages that a newcomer's first command compiles.
     const MOST_PACKAGES: usize = 62;

@@ -1,35 +1,59 @@
 //! Floor 7: what the paths of a block's pixels met, for frames with smooth edges. Other frames keep nothing.
 
-use crate::accel::LONGEST_BLOCK;
-use crate::ray::PathSignature;
+use crate::accel::{Beside, LONGEST_BLOCK};
+use crate::ray::{PathMark, PathSignature};
 
 /// What a row keeps of the paths of a block's pixels.
 pub(crate) trait Marks {
+    /// Whether anything is kept.
+    const ARE_KEPT: bool;
+
     /// Nothing is kept yet.
     const NONE: Self;
 
     /// Keeps what the paths of `count` pixels from `place` on met.
     fn fill(&mut self, place: usize, count: usize, path: PathSignature);
+
+    /// Returns what rays beside the centres of pixels can hit, if there are such rays.
+    fn beside(&mut self) -> Option<&mut Beside>;
 }
 
 /// Nothing is kept.
 pub(crate) struct Unmarked;
 
 impl Marks for Unmarked {
+    const ARE_KEPT: bool = false;
     const NONE: Self = Self;
 
     #[inline(always)]
     fn fill(&mut self, _: usize, _: usize, _: PathSignature) {}
+
+    #[inline(always)]
+    fn beside(&mut self) -> Option<&mut Beside> {
+        None
+    }
 }
 
-/// The signature of each path.
-pub(crate) struct Marked(pub(crate) [PathSignature; LONGEST_BLOCK as usize]);
+/// The mark of each path, and what rays beside the centres of pixels can hit.
+pub(crate) struct Marked {
+    pub(crate) paths: [PathMark; LONGEST_BLOCK as usize],
+    beside: Beside,
+}
 
 impl Marks for Marked {
-    const NONE: Self = Self([PathSignature::new(); LONGEST_BLOCK as usize]);
+    const ARE_KEPT: bool = true;
+    const NONE: Self = Self {
+        paths: [PathMark::NONE; LONGEST_BLOCK as usize],
+        beside: Beside::NONE,
+    };
 
     fn fill(&mut self, place: usize, count: usize, path: PathSignature) {
-        let marks = self.0.get_mut(place..).unwrap_or_default();
+        let marks = self.paths.get_mut(place..).unwrap_or_default();
+        let path = path.mark();
         marks.iter_mut().take(count).for_each(|mark| *mark = path);
+    }
+
+    fn beside(&mut self) -> Option<&mut Beside> {
+        Some(&mut self.beside)
     }
 }

@@ -4,13 +4,12 @@
 use super::{Colors, Marks, SHORT, UNREAD};
 use crate::accel::World;
 use crate::camera::RowDirections;
-use crate::color::{Samples, Sum};
+use crate::color::Sum;
 use crate::number::to_u32;
-use crate::ray::{PathSignature, RowPlane};
+use crate::ray::RowPlane;
 use crate::render::Quality;
-use crate::render::prepared::fill;
 use crate::shade::highlight::sealed::Shading;
-use crate::trace::Tracer;
+use crate::trace::{Traced, Tracer};
 use crate::vector::{Direction, Point};
 
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
@@ -46,34 +45,42 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         &mut self,
         plane: impl Fn(Point) -> RowPlane,
         directions: RowDirections,
-        first: u32,
+        (first, y): (u32, u32),
     ) {
-        self.tracer.turn(plane, &directions);
+        let plane = plane(self.tracer.visibility.from.point);
+        self.tracer.turn(y, (plane, &directions));
         self.directions = directions;
         self.window = self.tracer.advance(first, first + self.block.max(SHORT));
         (self.column, self.until, self.end.0, self.clear_until) = (first, first, u32::MAX, 0);
     }
 
-    /// Adds the next colours to the samples of their pixels, which are those of a chunk.
-    pub(crate) fn add_to(&mut self, samples: &mut [Samples]) {
-        for sample in samples {
-            sample.add(self.next_color());
-        }
+    /// Returns the result of a path that goes through a pixel of a column, but not through its centre.
+    pub(crate) fn beside(&mut self, column: u32, direction: Direction) -> Traced {
+        self.along((false, column), direction, UNREAD)
     }
 
-    /// Returns the colour of a path that goes through a pixel of a column, but not through its centre.
-    pub(crate) fn sample(&mut self, column: u32, direction: Direction) -> Sum {
-        self.along((false, column), direction, UNREAD).sum
+    /// Returns the result of all paths from column `first`, the first of a block and the next one, to column `last`, if none
+    /// of them hits anything. The next column is `last` then.
+    pub(crate) fn missed_until(&mut self, first: u32, last: u32) -> Option<Traced> {
+        if first >= self.clear_until && !Self::traces_each(self.tracer) {
+            self.follow(first);
+        }
+        (last < self.clear_until).then(|| {
+            (self.column, self.until) = (last, last);
+            self.tracer.missed()
+        })
     }
 
     /// Returns what the path through the pixel of a column meets. The column comes after the last one that was handed
     /// out.
-    pub(crate) fn path_after(&mut self, column: u32) -> PathSignature {
+    pub(crate) fn after(&mut self, column: u32) -> Traced {
         if self.end.0 == column {
-            return self.end.1.traced.signature;
+            return self.end.1.traced;
         }
-        self.window = self.tracer.advance(column, column + SHORT);
-        self.trace(column, UNREAD).traced.signature
+        // The window of the block that begins there.
+        let last = column + self.block.max(SHORT);
+        self.window = self.tracer.advance(column, last);
+        self.trace(column, UNREAD).traced
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the
@@ -100,6 +107,10 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
                 0 => self.colors.fill(Self::place(self.column), now, &shown),
                 // All pixels of a clear part have one colour.
                 _ => {
+                    if M::ARE_KEPT {
+                        let path = self.tracer.missed().signature;
+                        self.marks.fill(Self::place(self.column), now.len(), path);
+                    }
                     fill(now, shown(self.colors.color_of(0)));
                     now.len()
                 }
@@ -108,4 +119,10 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
             pixels = pixels.get_mut(count..).unwrap_or_default();
         }
     }
+}
+
+/// Fills pixels with one colour. Inlined, it would make the compiler unroll its caller's loops.
+#[inline(never)]
+pub(in crate::render) fn fill<C: Copy>(pixels: &mut [C], color: C) {
+    pixels.fill(color);
 }

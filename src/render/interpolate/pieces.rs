@@ -3,10 +3,10 @@
 
 use core::hint::black_box;
 
+use super::output::fill;
 use crate::accel::LONGEST_BLOCK;
 use crate::color::{Parabola, Sum};
 use crate::number::to_u32;
-use crate::render::prepared::fill;
 
 /// Colours of the pixels of a block. A place is the column within [`LONGEST_BLOCK`] columns.
 ///

@@ -94,7 +94,11 @@ fn traced_by<W: World, Q: PathQuality>(
         let pixels = (0..SIZE.0).map(|x| {
             let window = tracer.advance(x, x);
             let mut stops = Stops::NONE;
-            let traced = tracer.trace((Some(&window), x), directions.of(x), (&mut stops, true));
+            let traced = tracer.trace(
+                Pixel::Center(&window, x),
+                directions.of(x),
+                (&mut stops, true),
+            );
             (traced.sum, traced.signature)
         });
         pixels.collect::<std::vec::Vec<_>>()

@@ -64,9 +64,9 @@ pub enum Quality {
     Fast,
     Small,
     Exact,
-    /// As `Fast`, with smooth edges of two rows a pixel.
+    /// As `Fast`, with smooth edges.
     Smooth2,
-    /// As `Fast`, with smooth edges of four rows a pixel.
+    /// As `Fast`, with the smoothest edges.
     Smooth4,
 }
 

@@ -58,7 +58,7 @@ macro_rules! counted {
         #[inline(never)]
         fn row((scene, frame): (&Self::Scene, &Self::Picture), y: u32, row: &mut [Rgb888]) {
             match frame.on(scene) {
-                Ok(rows) => rows.row(y, 0, row),
+                Ok(rows) => rows.next_row(crate::seam(), y, 0, row),
                 Err(_) => report::stop("the frame"),
             };
         }

@@ -28,6 +28,7 @@ use core::{hint::black_box, ptr::addr_of_mut};
 #[doc(hidden)]
 pub use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use frame_hash::FrameHash;
+use reflet::quality::Seam;
 
 pub use clock::Clock;
 pub use contestant::{Contestant, Everything, Fixed, Float, FloatView, Nothing, View};
@@ -63,6 +64,17 @@ macro_rules! program {
             $call
         }
     };
+}
+
+/// Widest picture that is measured with smooth edges, in parts of 32 columns.
+const WIDEST: usize = 8;
+
+/// Returns what a row with smooth edges leaves to the row below. Without smooth edges it is not linked.
+fn seam() -> &'static mut Seam<WIDEST> {
+    // Static as the row is, so the stack holds only what the renderer needs.
+    static mut SEAM: Seam<WIDEST> = Seam::new();
+    // Sound: nothing else names it, and the caller gives it up before the next row.
+    unsafe { &mut *addr_of_mut!(SEAM) }
 }
 
 /// Draws a frame of contestant `C` row by row into `row`, reports and ends the emulation.

@@ -34,7 +34,7 @@ fn draw_row<S: Apart, Q: Quality>(
     row: &mut [Rgb888],
 ) {
     if let Ok(rows) = frame.on(S::INSTANCE) {
-        rows.row(y, 0, row);
+        rows.next_row(crate::seam(), y, 0, row);
     }
 }
 

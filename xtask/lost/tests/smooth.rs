@@ -13,9 +13,10 @@ const SCENES: usize = 20;
 /// Prints the PSNR of each scene.
 #[test]
 #[ignore = "takes twenty seconds"]
-fn two_rows_are_about_as_good_as_four_samples() {
+fn corners_are_better_than_four_samples_on_average() {
     let shading = reference::Shading::BlinnPhong;
     let [width, height] = SIZE;
+    let mut gain = 0.0;
     for index in 0..SCENES {
         let (_, case) = scene_of_run(&Family::ALL, SEED, index);
         let (scene, camera, n) = (&case.scene, &case.camera, case.reflections.into());
@@ -29,10 +30,17 @@ fn two_rows_are_about_as_good_as_four_samples() {
             compare(&drawn, &truth).unwrap().psnr
         });
         println!(
-            "{:>20}: four samples {four:.1}, two rows {two:.1}, four rows {more:.1} dB",
+            "{:>20}: four samples {four:.1}, Smooth<2> {two:.1}, Smooth<4> {more:.1} dB",
             case.name
         );
-        assert!(two >= four - 1.5, "{}", case.name);
-        assert!(more >= four + 2.5, "{}", case.name);
+        // What is thinner than a pixel and lies between all corners is missed: in fences, and far away.
+        assert!(two >= four - 5.0, "{}", case.name);
+        assert!(more >= four - 1.5, "{}", case.name);
+        gain += two - four;
     }
+    println!(
+        "Smooth<2> is better by {:.1} dB on average",
+        gain / SCENES as f64
+    );
+    assert!(gain > 0.0);
 }

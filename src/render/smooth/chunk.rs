@@ -1,0 +1,183 @@
+//! Floor 7: the pixels of a chunk, from the corners above and below them.
+
+use super::cell::Cell;
+use super::corner::{Corner, Line, Side};
+use super::places::{CENTER, PIXEL, Place, enough};
+use super::walker::Walker;
+use super::{CHUNK, ChunkColors};
+use crate::accel::World;
+use crate::number::{low_word, to_u8, to_u32};
+use crate::render::Quality;
+use crate::render::interpolate::fill;
+use crate::shade::highlight::sealed::Shading;
+
+/// Largest change of the components' sum along a pixel that takes no sample: 40 levels, in steps of 1/256.
+const STEEP: i32 = 40 << 8;
+
+/// A chunk of a row of pixels.
+pub(super) struct Chunk<'c> {
+    /// Column of the first pixel.
+    first: u32,
+    /// Number of pixels.
+    count: u32,
+    upper: &'c Line,
+    lower: &'c Line,
+    /// The sides between the corners of both lines, from the left one of the first pixel on.
+    uprights: [Side; CHUNK as usize + 1],
+}
+
+impl<'c> Chunk<'c> {
+    /// Creates a chunk of `count` pixels from column `first` on, between two lines.
+    pub(super) fn new([first, count]: [u32; 2], [upper, lower]: [&'c Line; 2]) -> Self {
+        Self {
+            first,
+            count,
+            upper,
+            lower,
+            uprights: [Side::WHOLE; CHUNK as usize + 1],
+        }
+    }
+
+    /// Computes the colours of all pixels.
+    #[inline(always)]
+    pub(super) fn paint<W: World, K: Shading, Q: Quality>(
+        &mut self,
+        walker: &mut Walker<'_, '_, W, K, Q>,
+        colors: &mut ChunkColors,
+    ) {
+        if self.upper.is_flat_with(self.lower) {
+            let [all, ..] = &self.upper.corners;
+            return fill(colors, Cell::sum([all, all]).mean(2));
+        }
+        let crossed = self.stand(walker);
+        let busy = (self.plain(colors) | crossed) & u32::MAX >> (CHUNK - self.count);
+        if busy != 0 {
+            self.mix(walker, colors, busy);
+        }
+    }
+
+    /// Finds where edges cross the sides between both lines. Returns a bit for each pixel that an edge crosses.
+    #[inline(always)]
+    fn stand<W: World, K: Shading, Q: Quality>(
+        &mut self,
+        walker: &mut Walker<'_, '_, W, K, Q>,
+    ) -> u32 {
+        let mut crossed = self.upper.crossed | self.lower.crossed;
+        let corners = self.upper.corners.iter().zip(&self.lower.corners);
+        for (place, ((upper, lower), side)) in (0..).zip(corners.zip(&mut self.uprights)) {
+            if upper.path != lower.path {
+                let start = [self.first + place, self.upper.line()];
+                *side = walker.divided(start, Walker::<W, K, Q>::DOWN, [upper, lower]);
+                // The pixel to the left of the side, and the one to the right.
+                crossed |= low_word(3 << place >> 1);
+            }
+        }
+        crossed
+    }
+
+    /// Gives each pixel the mean of its corners' colours. Returns a bit for each pixel whose colour is steep.
+    #[inline(always)]
+    fn plain(&self, colors: &mut ChunkColors) -> u32 {
+        let mut corners = self.upper.corners.iter().zip(&self.lower.corners);
+        let Some((upper, lower)) = corners.next() else {
+            return 0;
+        };
+        let mut left = Cell::sum([upper, lower]);
+        let (mut steep, mut bit) = (0, 1);
+        for ((upper, lower), color) in corners.zip(colors) {
+            let right = Cell::sum([upper, lower]);
+            *color = left.with(right).mean(4);
+            let across = left.brightness() - right.brightness();
+            let down = upper.color.brightness() - lower.color.brightness();
+            if across.abs() > 2 * STEEP || down.abs() > STEEP {
+                steep |= bit;
+            }
+            bit <<= 1;
+            left = right;
+        }
+        steep
+    }
+
+    /// Returns a pixel of the chunk.
+    fn cell(&self, place: u32) -> Option<Cell> {
+        let from = place as usize;
+        let pair = |line: &Line| {
+            let corners = line.corners.get(from..)?.first_chunk::<2>()?;
+            Some((*corners, *line.sides.get(from)?))
+        };
+        let (([a, b], top), ([d, c], bottom)) = (pair(self.upper)?, pair(self.lower)?);
+        let [left, right] = *self.uprights.get(from..)?.first_chunk()?;
+        Some(Cell {
+            corners: [a, b, c, d],
+            sides: [top, right, bottom, left],
+        })
+    }
+
+    /// Computes the colours of the pixels that have a bit in `busy`, by the shares of their corners or by samples.
+    #[inline(never)]
+    fn mix<W: World, K: Shading, Q: Quality>(
+        &self,
+        walker: &mut Walker<'_, '_, W, K, Q>,
+        colors: &mut ChunkColors,
+        mut busy: u32,
+    ) {
+        let mut news = News([0; CHUNK as usize]);
+        while busy != 0 {
+            let place = busy.trailing_zeros();
+            busy &= busy - 1;
+            let (Some(cell), Some(color)) = (self.cell(place), colors.get_mut(place as usize))
+            else {
+                break;
+            };
+            let told = news.of(place);
+            let places = match cell.contrast().max(told) {
+                0 if !cell.is_whole() => {
+                    *color = cell.shares().mean(Cell::AREA);
+                    continue;
+                }
+                contrast if told > 0 || !cell.is_whole() => {
+                    enough(contrast, Walker::<W, K, Q>::TOLERANCE)
+                }
+                _ => CENTER,
+            };
+            let mut mixture = cell.whole();
+            for at in places {
+                let start = [self.first + place, self.upper.line()];
+                let sample = walker.sample(start, *at);
+                // All corners count as one sample.
+                mixture.add(sample.color, 4);
+                busy |= news.tell(self, (place, at), &sample);
+            }
+            *color = mixture.mean(4 * (1 + to_u32(places.len())));
+        }
+    }
+}
+
+/// What samples tell of the pixels beside theirs: the contrast, in 8-bit levels, of something that none of the corners
+/// meets. So what is thinner than a pixel is followed along the row.
+struct News([u8; CHUNK as usize]);
+
+impl News {
+    /// Returns what is told of a pixel, 0 if nothing is.
+    fn of(&self, place: u32) -> u32 {
+        self.0.get(place as usize).copied().unwrap_or(0).into()
+    }
+
+    /// Tells of the pixel beside that of a sample, if it has the same at all its corners. Returns its bit if that is news.
+    fn tell(&mut self, chunk: &Chunk<'_>, (place, at): (u32, &Place), sample: &Corner) -> u32 {
+        let next = match at[0] > PIXEL / 2 {
+            true => Some(place + 1),
+            false => place.checked_sub(1),
+        };
+        let Some(next) = next.filter(|next| *next < chunk.count) else {
+            return 0;
+        };
+        let (Some(told @ 0), Some(cell)) = (self.0.get_mut(next as usize), chunk.cell(next)) else {
+            return 0;
+        };
+        if cell.is_whole() && at != &CENTER[0] {
+            *told = to_u8(cell.contrast_to(sample));
+        }
+        u32::from(*told > 0) << next
+    }
+}

@@ -1,0 +1,178 @@
+//! Floor 7: the corners of pixels, and the line of them that a row of pixels leaves to the row below.
+
+use super::CHUNK;
+use crate::color::Levels;
+use crate::ray::PathMark;
+use crate::trace::Traced;
+
+/// A corner of pixels: what its path shows. It is aligned so that it is copied as two words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(align(4))]
+pub(super) struct Corner {
+    pub(super) color: Levels,
+    /// What the path met.
+    pub(super) path: PathMark,
+}
+
+impl Corner {
+    /// A corner that is not known. It is all zeros, so it needs no constant in flash.
+    pub(super) const NONE: Self = Self {
+        color: Levels::DARK,
+        path: PathMark::NONE,
+    };
+
+    /// Returns the corner whose path was traced.
+    pub(super) fn of(traced: Traced) -> Self {
+        Self {
+            color: Levels::of(traced.sum),
+            path: traced.signature.mark(),
+        }
+    }
+
+    /// Returns the contrast to another corner, in 8-bit levels.
+    pub(super) fn contrast(&self, other: &Self) -> u32 {
+        self.color.contrast(other.color)
+    }
+}
+
+/// A side of a pixel: whether an edge crosses it, and where.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Side(u8);
+
+impl Side {
+    /// Length of a side, in steps.
+    pub(super) const LENGTH: i32 = 32;
+
+    /// A side whose ends meet the same.
+    pub(super) const WHOLE: Self = Self(0);
+
+    /// Added where more than one edge crosses a side.
+    const TANGLED: u8 = 1 << 6;
+
+    /// A side that an edge crosses `at` this distance from its left or upper end, 1 to 31 steps.
+    pub(super) fn divided(at: u8) -> Self {
+        Self(at)
+    }
+
+    /// A side that more than one edge crosses. One of them does `at` this distance.
+    pub(super) fn tangled(at: u8) -> Self {
+        Self(at | Self::TANGLED)
+    }
+
+    /// Tests whether no edge crosses the side.
+    pub(super) fn is_whole(self) -> bool {
+        self == Self::WHOLE
+    }
+
+    /// Tests whether more than one edge crosses the side.
+    pub(super) fn is_tangled(self) -> bool {
+        self.0 & Self::TANGLED != 0
+    }
+
+    /// Returns where an edge crosses the side, in steps; its middle if none does.
+    pub(super) fn at(self) -> i32 {
+        match self.is_whole() {
+            true => Self::LENGTH / 2,
+            false => i32::from(self.0 & (Self::TANGLED - 1)),
+        }
+    }
+}
+
+/// The corners on one line of a chunk: those of its pixels, and the first one of the next chunk.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    /// The line, counted from the top, and the first column of the chunk. The line is one too high, so that all zeros are a
+    /// line that is not known.
+    of: [u32; 2],
+    pub(super) corners: [Corner; CHUNK as usize + 1],
+    /// The side from each corner to the next one.
+    pub(super) sides: [Side; CHUNK as usize],
+    /// A bit for each side that an edge crosses.
+    pub(super) crossed: u32,
+    /// Whether all corners are known to be the same.
+    pub(super) is_flat: bool,
+}
+
+impl Line {
+    /// A line that is not known. It is all zeros, so it needs no constant in flash.
+    pub(super) const NONE: Self = Self {
+        of: [0; 2],
+        corners: [Corner::NONE; CHUNK as usize + 1],
+        sides: [Side::WHOLE; CHUNK as usize],
+        crossed: 0,
+        is_flat: false,
+    };
+
+    /// Tests whether this is a line of the chunk that begins at column `first`.
+    pub(super) fn is_of(&self, line: u32, first: u32) -> bool {
+        self.of == [line + 1, first]
+    }
+
+    /// Returns the line, counted from the top.
+    pub(super) fn line(&self) -> u32 {
+        self.of[0].saturating_sub(1)
+    }
+
+    /// Tests whether all corners of this line and of another one are known to be the same.
+    pub(super) fn is_flat_with(&self, other: &Self) -> bool {
+        self.is_flat && other.is_flat && self.corners[0] == other.corners[0]
+    }
+
+    /// Makes it the same as another line. Inlined, it would link a copy for parts of memory that overlap.
+    #[inline(never)]
+    pub(super) fn copy(&mut self, other: &Self) {
+        *self = *other;
+    }
+
+    /// Makes it the next line of the chunk, which has the same corners.
+    pub(super) fn descend(&mut self) {
+        self.of[0] += 1;
+    }
+
+    /// Makes it a line of the chunk that begins at column `first`, whose sides no edge crosses.
+    pub(super) fn begin(&mut self, line: u32, first: u32) {
+        self.of = [line + 1, first];
+        self.sides = [Side::WHOLE; CHUNK as usize];
+        self.crossed = 0;
+        self.is_flat = false;
+    }
+}
+
+/// What a row with smooth edges leaves to the row below it: the corners of pixels on the line between the two.
+///
+/// `N` is the number of columns of the picture over 32, rounded up: 8 for 240 columns. It takes 308 bytes each. Columns
+/// beyond trace the line above again, and so does a row that does not follow the one above. Use it for the rows of one
+/// picture only.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+/// use reflet::quality::{Seam, Smooth};
+/// use reflet::scenes::{BuiltIn, Mirror1};
+///
+/// let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Smooth<2>>().prepare(Size::new(64, 64));
+/// let rows = frame.on(&Mirror1)?;
+/// let (mut seam, mut row) = (Seam::<2>::new(), [Rgb888::BLACK; 64]);
+/// let [first, second] = [20, 21].map(|y| rows.next_row(&mut seam, y, 0, &mut row).rays);
+/// assert!(second < first);
+///
+/// let mut alone = [Rgb888::BLACK; 64];
+/// rows.row(21, 0, &mut alone);
+/// assert_eq!(row, alone);
+/// # Ok::<(), reflet::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Seam<const N: usize>(pub(super) [Line; N]);
+
+impl<const N: usize> Seam<N> {
+    /// Creates a seam in which no row has left anything. It is all zeros, so a static one takes no flash.
+    pub const fn new() -> Self {
+        const { assert!(N > 0, "a seam has room for at least 32 columns") };
+        Self([Line::NONE; N])
+    }
+}
+
+impl<const N: usize> Default for Seam<N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
