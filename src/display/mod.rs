@@ -31,7 +31,7 @@ use crate::shade::Shading;
 const WIDEST: usize = 10;
 
 impl<S: Drawable, Q: Quality, K: Shading> FrameBuilder<'_, S, Q, K> {
-    /// Prepares the frame for a picture of `size` pixels. Each side is clamped to 1 to 65535.
+    /// Prepares the frame for a picture of `size` pixels. Each side is clamped to 1 to 65535, or 65534 with smooth edges.
     #[inline(always)]
     pub fn prepare(&self, size: Size) -> PreparedFrame<S, Q, K> {
         self.prepared(size.width, size.height)

@@ -74,7 +74,7 @@ pub trait Quality {
 /// or 4. With 4, edges are found more finely, and twice as many corners tell of shapes that are thinner than a pixel.
 ///
 /// Each colour is clamped to 0 to 1, then the mean is taken, then it is rounded. `Q` says how exact a colour is. It needs no
-/// frame buffer. Rows that are asked for one by one take a [`Seam`] along, or about twice the time.
+/// frame buffer. Rows that are asked for one by one take a [`Seam`](crate::quality::Seam) along, or about twice the time.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};

@@ -6,8 +6,9 @@
 //! Graphics 21(4), 1987, in two dimensions). Where more than one edge crosses a side, and where a colour is steep, the
 //! pixel is sampled instead. The higher the contrast, the finer both are.
 //!
-//! So a picture takes one line of corners for each row of pixels, and one more; a line is computed as any other row. Edges
-//! cross a side of two pixels, and are found once for both. A row leaves its lower line to the row below ([`Seam`]).
+//! So a picture takes one line of corners for each row of pixels, and one more; a line is computed as any other row. With
+//! `Smooth<4>` a row of pixels takes two lines, and is the mean of the parts between them. An edge that crosses a side of
+//! two pixels is found once for both. A row leaves its last line to the row below ([`Seam`]).
 //!
 //! Pixels are computed by chunks of columns at fixed places, so a part of a row has the colours that it has in the whole
 //! row.

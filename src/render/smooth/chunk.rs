@@ -14,7 +14,7 @@ use crate::shade::highlight::sealed::Shading;
 /// Largest change of the components' sum along a pixel that takes no sample: 40 levels, in steps of 1/256.
 const STEEP: i32 = 40 << 8;
 
-/// A chunk of a row of pixels.
+/// A chunk of a row of pixels, or of the part of the row between two lines.
 pub(super) struct Chunk<'c> {
     /// Column of the first pixel.
     first: u32,
