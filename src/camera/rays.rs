@@ -11,20 +11,8 @@ impl Camera {
     /// Prepares the camera's rays through the pixels of a picture of `width` by `height` pixels, each 1
     /// to 65535.
     pub(crate) fn generator(&self, width: u32, height: u32) -> RayGenerator {
-        self.generator_of([width, height], width)
-    }
-
-    /// Prepares the camera's rays through the corners of the pixels of a picture of `width` by `height` pixels, each 1 to
-    /// 65534. There is a column and a row of corners more than of pixels.
-    pub(crate) fn corners(&self, width: u32, height: u32) -> RayGenerator {
-        self.generator_of([width + 1, height + 1], width)
-    }
-
-    /// Prepares rays through a grid of points that are as far apart as the pixels of a picture of `wide` columns.
-    #[inline(always)]
-    fn generator_of(&self, [width, height]: [u32; 2], wide: u32) -> RayGenerator {
         // The picture is width · cot(fov / 2) half pixels in front of the camera.
-        let product = u64::from(wide) * u64::from(self.cotangent.mantissa);
+        let product = u64::from(width) * u64::from(self.cotangent.mantissa);
         let Quotient { exponent, .. } = self.cotangent;
         let bits = |value: u64| 64 - signed(value.leading_zeros());
         let largest = (bits(product) + exponent).max(bits(u64::from(width.max(height))));
@@ -38,6 +26,17 @@ impl Camera {
             scale,
             width,
             height,
+        }
+    }
+
+    /// Prepares the camera's rays through the corners of the pixels of a picture of `width` by `height` pixels, each 1 to
+    /// 65534. There is a column and a row of corners more than of pixels.
+    pub(crate) fn corners(&self, width: u32, height: u32) -> RayGenerator {
+        let pixels = self.generator(width, height);
+        RayGenerator {
+            width: width + 1,
+            height: height + 1,
+            ..pixels
         }
     }
 
@@ -139,13 +138,10 @@ impl RayGenerator {
     #[inline(always)]
     fn middle(&self, y: u32, down: i32) -> [i64; 3] {
         // In half pixels, 32 of which are 64ths of a pixel.
-        let up_from_middle = signed(self.height) - 1 - 2 * signed(y);
+        let up_from_middle = i64::from(self.height) - 1 - 2 * i64::from(y);
         [0, 1, 2].map(|axis| {
-            let (ahead, up) = (self.ahead[axis], self.up[axis]);
-            match down {
-                0 => ahead + up * i64::from(up_from_middle),
-                _ => ahead + (up >> 5) * i64::from(32 * up_from_middle - down),
-            }
+            let middle = self.ahead[axis] + self.up[axis] * up_from_middle;
+            middle - (self.up[axis] >> 5) * i64::from(down)
         })
     }
 }

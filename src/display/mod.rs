@@ -77,7 +77,7 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
     ///
     /// Pixels beyond the edges of the picture stay as they are.
     pub fn row<C: PixelColor + From<Rgb888>>(&self, y: u32, x: u32, pixels: &mut [C]) -> Report {
-        self.next_row(&mut Seam::<1>::new(), y, x, pixels)
+        self.fill_row(y, x, pixels, (None, shown))
     }
 
     /// Does what [`Rows::row`] does, for rows that are asked for from top to bottom.
@@ -93,7 +93,7 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
         x: u32,
         pixels: &mut [C],
     ) -> Report {
-        self.fill_row(y, x, pixels, (seam, shown))
+        self.fill_row(y, x, pixels, (Some(&mut seam.0), shown))
     }
 
     /// Draws the part of the picture that lies inside of `area`, and returns a report on it.
@@ -138,7 +138,7 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
                     let pixels = (0..width).map(|_| shown(colors.next_color()));
                     target.fill_contiguous(&row, pixels)
                 }),
-                _ => self.in_smooth_row(generator, start, &mut seam, |colors| {
+                _ => self.in_smooth_row(generator, start, &mut seam.0, |colors| {
                     let pixels = (0..width).map(|_| shown(colors.next_color()));
                     target.fill_contiguous(&row, pixels)
                 }),

@@ -16,7 +16,8 @@ use crate::color::Sum;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::ray::ScaledPoint;
-use crate::render::{Fast, Quality, Seam};
+use crate::render::smooth::Line;
+use crate::render::{Fast, Quality};
 use crate::scene::access::SceneAccess;
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
@@ -203,12 +204,12 @@ impl<'a, S: Drawable, Q, K> Rows<'a, S, Q, K> {
 impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
     /// Fills `pixels` with the colours of row `y` from column `x` on, each converted by `shown`. Pixels beyond the picture stay.
     #[inline(always)]
-    pub(crate) fn fill_row<C: Copy, const N: usize>(
+    pub(crate) fn fill_row<C: Copy>(
         &self,
         y: u32,
         x: u32,
         pixels: &mut [C],
-        (seam, shown): (&mut Seam<N>, impl Fn(Sum) -> C),
+        (seam, shown): (Option<&mut [Line]>, impl Fn(Sum) -> C),
     ) -> Report {
         if y >= self.frame.height || x >= self.frame.width || pixels.is_empty() {
             return Report::NONE;
@@ -226,23 +227,23 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         let Some(generator) = self.generator() else {
             return Report::NONE;
         };
-        self.fill(generator, [x, y], pixels, (seam, shown))
+        match Q::ROWS {
+            1 => self.fill(generator, [x, y], pixels, shown),
+            _ => self.fill_smooth(generator, [x, y], pixels, (seam, shown)),
+        }
     }
 
     /// Fills pixels inside of the picture. Not inlined, so that the tracer leaves the stack again.
     #[inline(never)]
-    fn fill<C: Copy, const N: usize>(
+    fn fill<C: Copy>(
         &self,
         generator: &RayGenerator,
         start: [u32; 2],
         pixels: &mut [C],
-        (seam, shown): (&mut Seam<N>, impl Fn(Sum) -> C),
+        shown: impl Fn(Sum) -> C,
     ) -> Report {
-        let filled = match Q::ROWS {
-            1 => self.in_row(generator, start, |colors| colors.fill(pixels, shown)),
-            _ => self.in_smooth_row(generator, start, seam, |colors| colors.fill(pixels, shown)),
-        };
-        filled.1
+        self.in_row(generator, start, |colors| colors.fill(pixels, shown))
+            .1
     }
 
     /// Calls `draw` with the colours of row `y` from column `x` on, inside of the picture. Returns its result with a report.

@@ -30,7 +30,7 @@ use crate::number::to_u32;
 use crate::shade::Shading;
 use crate::shade::highlight::sealed;
 use chunk::Chunk;
-use corner::Line;
+pub(crate) use corner::Line;
 pub use corner::Seam;
 use walker::Walker;
 
@@ -128,13 +128,28 @@ impl<W: World, K: sealed::Shading, Q: Quality> SmoothColors<'_, '_, W, K, Q> {
 }
 
 impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
+    /// Fills pixels inside of the picture with smooth edges. Without a seam the row traces the line above it.
+    #[inline(never)]
+    pub(super) fn fill_smooth<C: Copy>(
+        &self,
+        generator: &RayGenerator,
+        start: [u32; 2],
+        pixels: &mut [C],
+        (seam, shown): (Option<&mut [Line]>, impl Fn(Sum) -> C),
+    ) -> Report {
+        let mut own = [Line::NONE];
+        let seam = seam.unwrap_or(&mut own);
+        self.in_smooth_row(generator, start, seam, |colors| colors.fill(pixels, shown))
+            .1
+    }
+
     /// Does what [`Rows::in_row`] does for a row with smooth edges. `seam` is what the row above has left.
     #[inline(always)]
-    pub(crate) fn in_smooth_row<T, const N: usize>(
+    pub(crate) fn in_smooth_row<T>(
         &self,
         generator: &RayGenerator,
         [x, y]: [u32; 2],
-        seam: &mut Seam<N>,
+        seam: &mut [Line],
         draw: impl FnOnce(&mut SmoothColors<'_, '_, S::World<'a>, K, Q>) -> T,
     ) -> (T, Report) {
         let directions = generator.row_below(y, 0);
@@ -150,7 +165,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
                 y,
                 width,
             },
-            seam: &mut seam.0,
+            seam,
             lower: Line::NONE,
             column: x,
             until: first,

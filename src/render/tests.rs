@@ -15,12 +15,10 @@ fn scene_of_nothing_but_a_sky_shows_it() {
     let frame = FrameBuilder::<_, super::Fast, BlinnPhong>::new(&scene, &camera).prepared(9, 9);
     let shown = [0, 4, 8].map(|y| {
         let mut row = [0; 9];
-        let report = frame.unchanged(&scene).fill_row(
-            y,
-            0,
-            &mut row,
-            (&mut super::Seam::<1>::new(), |sum| sum.to_rgb8()[0]),
-        );
+        let report =
+            frame
+                .unchanged(&scene)
+                .fill_row(y, 0, &mut row, (None, |sum| sum.to_rgb8()[0]));
         assert!(report.rays > 0);
         row[4]
     });

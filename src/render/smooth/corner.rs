@@ -80,7 +80,7 @@ impl Side {
 
 /// The corners on one line of a chunk: those of its pixels, and the first one of the next chunk.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
+pub(crate) struct Line {
     /// The line, counted from the top, and the first column of the chunk. The line is one too high, so that all zeros are a
     /// line that is not known.
     of: [u32; 2],
@@ -161,7 +161,7 @@ impl Line {
 /// # Ok::<(), reflet::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Seam<const N: usize>(pub(super) [Line; N]);
+pub struct Seam<const N: usize>(pub(crate) [Line; N]);
 
 impl<const N: usize> Seam<N> {
     /// Creates a seam in which no row has left anything. It is all zeros, so a static one takes no flash.
