@@ -2,7 +2,6 @@
 //! pins remember them.
 
 use core::convert::Infallible;
-use core::mem::replace;
 
 use embedded_hal::delay::DelayNs;
 use embedded_hal::digital::InputPin;
@@ -105,8 +104,9 @@ impl Contact {
         if has_closed {
             self.pin.clear_interrupt(Interrupt::EdgeLow);
         }
-        let is_held = self.is_held();
-        let was_held = replace(&mut self.was_held, is_held);
+        let was_held = self.was_held;
+        // A contact that closes only now is not held yet: its press belongs to the next call.
+        self.was_held = self.is_held() && (has_closed || was_held);
         has_closed && !was_held
     }
 

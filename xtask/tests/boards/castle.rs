@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use boards::{Display, Picture, Run, SIDE, Script};
+use boards::{Display, Key, Picture, Run, SIDE, Script};
 use command_line::{Chosen, Source};
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb565;
@@ -151,6 +151,16 @@ fn one_core_of_a_pico_draws_the_castle() {
     let castle = simulated::<Castle>(&Castle::CAMERA);
     let drawn = &run.pictures[0].pixels[..ROWS * SIDE];
     assert_eq!(drawn, castle[..SIDE].repeat(ROWS));
+}
+
+/// A press may come at any instruction of the loop that waits for it.
+#[test]
+#[ignore = "draws the castle 26 times"]
+fn no_press_of_a_key_is_lost() {
+    let script = Script::default().picture(&[]);
+    let script = (0..25).fold(script, |all, _| all.picture(&[Key::Right]));
+    let run = PICO_2.board().run(PICO_2.firmware(), &script).unwrap();
+    assert_eq!(run.pictures.len(), 26);
 }
 
 #[test]
