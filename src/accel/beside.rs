@@ -11,6 +11,7 @@ use super::screen_rect::ScreenRect;
 use crate::number::to_u16;
 use crate::scene::access::{KINDS, ShapeId};
 use crate::scene::shape_set::{SetLayout, ShapeSet};
+use crate::scene::used;
 
 /// Number of columns of a part of a row, as a power of two.
 const PART: u32 = 2;
@@ -80,7 +81,7 @@ macro_rules! beside {
             let kind = 0;
             $(
                 if W::NEEDS.$list {
-                    let rects = crate::scene::used(rects.$list.as_ref(), lengths[kind]);
+                    let rects = used(rects.$list.as_ref(), lengths[kind]);
                     add(&mut set, (kind, lengths), rects, part);
                 }
                 let kind = kind + 1;
@@ -92,7 +93,7 @@ macro_rules! beside {
 }
 kinds!(beside);
 
-/// Adds the shapes of one kind whose rectangles reach into a part of a row.
+/// Adds to a set the shapes of one kind whose rectangles reach into a part of a row.
 #[inline(always)]
 fn add(
     set: &mut ShapeSet,

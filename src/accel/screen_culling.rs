@@ -12,6 +12,7 @@ use super::beside::{Beside, Part};
 use super::screen_bounds::ScreenBounds;
 use super::shadows::Pencil;
 use super::stretch::Stretch;
+use crate::number::to_u16;
 use crate::ray::{Ray, RowPlane, ScaledPoint};
 use crate::scene::access::ShapeId;
 use crate::scene::nearest::{Hit, NOWHERE, nearest_listed, nearest_of};
@@ -62,7 +63,7 @@ impl<'a, W: World> ScreenCulling<'a, W> {
 
     /// Goes back to the first column, for rays of the camera through row `y` that lie in another plane.
     pub(crate) fn turn(&mut self, y: u32, row: RowPlane) {
-        self.y = (y & 0xffff) as u16;
+        self.y = to_u16(y);
         if let Some(camera) = self.camera {
             self.direct.restart((camera, row), self.is_full);
         }

@@ -3,7 +3,7 @@
 use super::{HALF, Sum};
 use crate::number::{narrowed, signed, to_u16, unsigned, wide};
 
-/// A colour, clamped to 0 to 1: red, green and blue in steps of 1/256 of an 8-bit level.
+/// A colour as a display shows it: red, green and blue, clamped to 0 to 255 levels, in steps of 1/256 of a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Levels([u16; 3]);
 

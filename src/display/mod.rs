@@ -133,7 +133,7 @@ impl<S: Drawable, Q: Quality, K: Shading> Rows<'_, S, Q, K> {
         for y in area.rows() {
             let row = Rectangle::new(Point::new(left, y) + top_left, Size::new(width, 1));
             let start = [unsigned(left), unsigned(y)];
-            let (drawn, part) = match Q::ROWS {
+            let (drawn, part) = match Q::SMOOTHNESS {
                 1 => self.in_row(generator, start, |colors| {
                     let pixels = (0..width).map(|_| shown(colors.next_color()));
                     target.fill_contiguous(&row, pixels)

@@ -12,9 +12,6 @@ use crate::accel::drawable::Drawable;
 use crate::render::{Quality, Rows, Seam};
 use crate::shade::Shading;
 
-/// Widest picture with smooth edges of which a row keeps what the one below needs, in parts of 32 columns.
-const WIDEST: usize = 32;
-
 /// Draws a frame, row by row, and returns it as a [`Picture`] that can be compared with others.
 ///
 /// ```
@@ -30,7 +27,7 @@ const WIDEST: usize = 32;
 pub fn painted<S: Drawable, Q: Quality, K: Shading>(rows: &Rows<'_, S, Q, K>) -> Picture {
     let Size { width, height } = rows.size();
     let mut row = vec![Rgb888::BLACK; width as usize];
-    let mut seam = Seam::<WIDEST>::new();
+    let mut seam = Seam::<32>::new(); // for 1024 columns
     let pixels = (0..height).flat_map(|y| {
         rows.next_row(&mut seam, y, 0, &mut row);
         let bytes = row.iter().map(|pixel| [pixel.r(), pixel.g(), pixel.b()]);

@@ -101,8 +101,8 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
             "a quality has a tolerance of 0 to 1"
         );
         assert!(
-            matches!(Q::ROWS, 1 | 2 | 4),
-            "edges of a quality are jagged, 1, or smooth, 2 or 4"
+            matches!(Q::SMOOTHNESS, 1 | 2 | 4),
+            "the SMOOTHNESS of a quality is 1, 2 or 4"
         );
     };
 
@@ -244,7 +244,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality, M: Marks> Colors<'s, 'a, W, K, Q,
     #[inline(always)]
     fn traced(&mut self, column: u32, slot: usize) -> Traced {
         let direction = self.directions.of(column);
-        if Q::ROWS > 1 {
+        if Q::SMOOTHNESS > 1 {
             // The further samples of a smooth picture share the code.
             return self.along((true, column), direction, slot);
         }

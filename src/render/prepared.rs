@@ -3,7 +3,8 @@
 use core::marker::PhantomData;
 
 use super::interpolate::fill;
-use super::{Colors, Report};
+use super::smooth::Line;
+use super::{Colors, Fast, Quality, Report};
 use crate::accel::CullingQuality;
 use crate::accel::drawable::Drawable;
 use crate::accel::light_visibility::LightVisibility;
@@ -16,8 +17,6 @@ use crate::color::Sum;
 use crate::error::Error;
 use crate::error_kind::ErrorKind;
 use crate::ray::ScaledPoint;
-use crate::render::smooth::Line;
-use crate::render::{Fast, Quality};
 use crate::scene::access::SceneAccess;
 use crate::shade::{BlinnPhong, Shading};
 use crate::trace::{Traced, Tracer};
@@ -86,7 +85,8 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
     #[inline(always)]
     pub(super) fn new(scene: &S, camera: &Camera, sides: [u32; 2], reflections: u8) -> Self {
         // Smooth edges have a column of corners more than of pixels.
-        let [width, height] = sides.map(|side| side.clamp(1, 65_535 - u32::from(Q::ROWS > 1)));
+        let [width, height] =
+            sides.map(|side| side.clamp(1, 65_535 - u32::from(Q::SMOOTHNESS > 1)));
         let world = &scene.world();
         let mut frame = Self {
             generator: None,
@@ -103,7 +103,7 @@ impl<S: Drawable, Q: Quality, K: Shading> PreparedFrame<S, Q, K> {
         }
         let position = camera.description().position;
         let from = world.parts().grid.place(position);
-        let generator = match Q::ROWS {
+        let generator = match Q::SMOOTHNESS {
             1 => camera.generator(width, height),
             _ => camera.corners(width, height),
         };
@@ -227,7 +227,7 @@ impl<'a, S: Drawable, Q: Quality, K: Shading> Rows<'a, S, Q, K> {
         let Some(generator) = self.generator() else {
             return Report::NONE;
         };
-        match Q::ROWS {
+        match Q::SMOOTHNESS {
             1 => self.fill(generator, [x, y], pixels, shown),
             _ => self.fill_smooth(generator, [x, y], pixels, (seam, shown)),
         }

@@ -67,7 +67,7 @@ pub trait Quality {
     const IS_PRECISE: bool = false;
 
     /// How smooth edges are: 1, 2 or 4. Defaults to 1: they are jagged. [`Smooth`] sets it.
-    const ROWS: u32 = 1;
+    const SMOOTHNESS: u32 = 1;
 }
 
 /// A quality with smooth edges: each pixel is the mean of what its area shows, as far as the corners of pixels tell. `K` is 2
@@ -99,8 +99,8 @@ impl<const K: u32, Q: Quality> Quality for Smooth<K, Q> {
     const IS_SURE: bool = Q::IS_SURE;
     const IS_SMALL: bool = Q::IS_SMALL;
     const IS_PRECISE: bool = Q::IS_PRECISE;
-    const ROWS: u32 = {
-        assert!(K == 2 || K == 4, "edges are smooth with 2 or 4");
+    const SMOOTHNESS: u32 = {
+        assert!(K == 2 || K == 4, "K of Smooth<K> is 2 or 4");
         K
     };
 }

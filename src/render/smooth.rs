@@ -1,10 +1,11 @@
 //! Floor 7: rows with smooth edges.
 //!
-//! A pixel is known by its four corners. If the paths through all four meet the same, its colour is their mean. If not, an
-//! edge crosses the pixel. Each side whose ends meet something else is divided where the edge crosses it, which bisection
-//! finds, and the corners' colours count by the areas that these points bound (Lorensen, Cline, "Marching Cubes", Computer
-//! Graphics 21(4), 1987, in two dimensions). Where more than one edge crosses a side, and where a colour is steep, the
-//! pixel is sampled instead. The higher the contrast, the finer both are.
+//! The colour of a pixel is computed from paths through its four corners. If all four hit the same shapes, lit by the same
+//! lights, the pixel has the mean of their colours. If not, an edge crosses the pixel. On each side whose two ends differ,
+//! bisection finds the point where the edge crosses it. These points divide the pixel into an area for each corner, and
+//! each corner's colour has that area as its weight (Lorensen, Cline, "Marching Cubes", Computer Graphics 21(4), 1987, in
+//! two dimensions). Where more than one edge crosses a side, or where a colour changes steeply, paths through points inside
+//! of the pixel are traced instead, its samples. The higher the contrast, the finer the bisection, and the more samples.
 //!
 //! So a picture takes one line of corners for each row of pixels, and one more; a line is computed as any other row. With
 //! `Smooth<4>` a row of pixels takes two lines, and is the mean of the parts between them. An edge that crosses a side of
@@ -43,7 +44,7 @@ type ChunkColors = [Levels; CHUNK as usize];
 /// The colours of a row of pixels with smooth edges, computed from one column on to the right.
 pub(crate) struct SmoothColors<'s, 'a, W: World, K, Q> {
     walker: Walker<'s, 'a, W, K, Q>,
-    /// The corners above the row of pixels, by chunks. Those of chunks that are done are the ones below it.
+    /// A line of corners for each chunk: the one above the row of pixels, or, where the colours are computed, the one below.
     seam: &'s mut [Line],
     /// The corners below the chunk.
     lower: Line,
@@ -68,8 +69,7 @@ impl<W: World, K: sealed::Shading, Q: Quality> SmoothColors<'_, '_, W, K, Q> {
     }
 
     /// Fills `pixels` with the next colours, each converted by `shown`. All pixels must lie in the picture.
-    pub(super) fn fill<C>(&mut self, pixels: &mut [C], shown: impl Fn(Sum) -> C) {
-        let mut pixels = pixels;
+    pub(super) fn fill<C>(&mut self, mut pixels: &mut [C], shown: impl Fn(Sum) -> C) {
         while !pixels.is_empty() {
             if self.column >= self.until {
                 self.follow(self.column);

@@ -2,7 +2,7 @@
 
 use command_line::{Quality, Settings, Source, four_samples};
 use embedded_graphics::pixelcolor::Rgb888;
-use embedded_graphics::prelude::{Point, PointsIter, RgbColor, Size};
+use embedded_graphics::prelude::{Dimensions, Point, PointsIter, RgbColor, Size};
 use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::host::compare::{Difference, compare};
@@ -93,12 +93,11 @@ fn smooth_edges_are_as_good_as_four_samples_and_smoother_ones_are_better() {
 
 /// Tests that rows alone, rows one after the other and parts of rows have the same colours: `Q` is the quality.
 fn assert_same_however_drawn<Q: quality::Quality>(source: &Source, [width, height]: [u32; 2]) {
-    let (scene, camera) = (source.scene(), source.camera());
-    let frame = scene.frame(&camera).quality::<Q>();
-    let frame = frame.prepare(Size::new(width, height));
+    let (scene, camera, size) = (source.scene(), source.camera(), Size::new(width, height));
+    let frame = scene.frame(&camera).quality::<Q>().prepare(size);
     let rows = frame.on(scene).unwrap();
-    let mut display = SimulatorDisplay::<Rgb888>::new(rows.size());
-    let area = Rectangle::new(Point::zero(), rows.size());
+    let mut display = SimulatorDisplay::<Rgb888>::new(size);
+    let area = display.bounding_box();
     rows.draw_area(area, Point::zero(), &mut display).unwrap();
     let (mut short, mut long) = (Seam::<1>::new(), Seam::<12>::new());
     for y in 0..height {

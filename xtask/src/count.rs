@@ -170,7 +170,7 @@ mod tests {
     use super::*;
 
     /// Most lines of code of the library.
-    const MOST_CODE: usize = 19_741;
+    const MOST_CODE: usize = 19_728;
 
     /// Most lines of Rust outside of the library.
     const MOST_OUTSIDE: usize = 38_584;

@@ -3,14 +3,13 @@
 
 use super::{Colors, Marks, SHORT, UNREAD};
 use crate::accel::World;
-use crate::camera::RowDirections;
+use crate::camera::RayGenerator;
 use crate::color::Sum;
 use crate::number::to_u32;
-use crate::ray::RowPlane;
 use crate::render::Quality;
 use crate::shade::highlight::sealed::Shading;
 use crate::trace::{Traced, Tracer};
-use crate::vector::{Direction, Point};
+use crate::vector::Direction;
 
 impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
     /// Returns the colour of the next column, which must lie in the picture.
@@ -39,17 +38,12 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         traced.sum
     }
 
-    /// Turns to a row in another plane through points of the same pixels, and goes back to column `first`, the first of a
-    /// chunk. `plane` returns the plane for rays that start at a point.
-    pub(crate) fn turn(
-        &mut self,
-        plane: impl Fn(Point) -> RowPlane,
-        directions: RowDirections,
-        (first, y): (u32, u32),
-    ) {
-        let plane = plane(self.tracer.visibility.from.point);
-        self.tracer.turn(y, (plane, &directions));
-        self.directions = directions;
+    /// Turns to the rays through points `down` below the centres of row `y`, in 64ths of a pixel, and goes to column `first`,
+    /// the first of a chunk.
+    pub(crate) fn turn(&mut self, generator: &RayGenerator, (y, down): (u32, i32), first: u32) {
+        let plane = generator.row_plane_below((y, down), self.tracer.visibility.from.point);
+        self.directions = generator.row_below(y, down);
+        self.tracer.turn(y, (plane, &self.directions));
         self.window = self.tracer.advance(first, first + self.block.max(SHORT));
         (self.column, self.until, self.end.0, self.clear_until) = (first, first, u32::MAX, 0);
     }
@@ -59,8 +53,8 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         self.along((false, column), direction, UNREAD)
     }
 
-    /// Returns the result of all paths from column `first`, the first of a block and the next one, to column `last`, if none
-    /// of them hits anything. The next column is `last` then.
+    /// Returns the result of the paths of the columns from `first` to `last`, if no path hits anything; the next column then
+    /// is `last`. Otherwise the next column stays `first`, which must be the first of a block.
     pub(crate) fn missed_until(&mut self, first: u32, last: u32) -> Option<Traced> {
         if first >= self.clear_until && !Self::traces_each(self.tracer) {
             self.follow(first);
@@ -71,8 +65,7 @@ impl<W: World, K: Shading, Q: Quality, M: Marks> Colors<'_, '_, W, K, Q, M> {
         })
     }
 
-    /// Returns what the path through the pixel of a column meets. The column comes after the last one that was handed
-    /// out.
+    /// Returns the result of the path through the pixel of a column, which comes after the last one that was handed out.
     pub(crate) fn after(&mut self, column: u32) -> Traced {
         if self.end.0 == column {
             return self.end.1.traced;

@@ -3,10 +3,10 @@
 use super::corner::{Corner, Side};
 use crate::color::Mixture;
 
-/// Largest contrast that is not seen, in 8-bit levels: a pixel with more than one edge takes no samples for it.
+/// Largest contrast in a pixel with several edges that takes no samples, in 8-bit levels: nobody sees it.
 const UNSEEN: u32 = 4;
 
-/// Largest contrast of corners that meet the same, in 8-bit levels, at which the shares of the corners are enough.
+/// Largest contrast of corners between which no edge lies that takes no samples, in 8-bit levels.
 const UNEVEN: u32 = 16;
 
 /// A pixel. Corners and sides go round clockwise; the first corner is the upper left one, the first side the upper one.
@@ -24,7 +24,7 @@ impl Cell {
         self.sides.iter().all(|side| side.is_whole())
     }
 
-    /// Returns the contrast that samples must show, in 8-bit levels; 0 if the corners are enough.
+    /// Returns the contrast by which the number of samples is chosen, in 8-bit levels; 0 if the pixel needs none.
     pub(super) fn contrast(&self) -> u32 {
         let divided = self.sides.iter().filter(|side| !side.is_whole()).count();
         let is_tangled = divided > 2 || self.sides.iter().any(|side| side.is_tangled());
@@ -55,13 +55,13 @@ impl Cell {
     }
 
     /// Returns the sum of all four corners' colours.
-    pub(super) fn whole(&self) -> Mixture {
+    pub(super) fn all(&self) -> Mixture {
         let [a, b, c, d] = &self.corners;
         Self::sum([a, b]).with(Self::sum([c, d]))
     }
 
-    /// Returns the corners' colours, each with its share of the pixel, which is bounded by the points where edges cross the
-    /// sides. The sum of all shares is [`Cell::AREA`].
+    /// Returns the sum of the corners' colours, each times the area of the pixel that is nearest to it. The points where edges
+    /// cross the sides bound these areas. Their sum is [`Cell::AREA`].
     pub(super) fn shares(&self) -> Mixture {
         const WHOLE: i32 = Side::LENGTH;
         let [top, right, bottom, left] = self.sides.map(Side::at);

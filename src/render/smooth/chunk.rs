@@ -46,8 +46,7 @@ impl<'c> Chunk<'c> {
         colors: &mut ChunkColors,
     ) {
         if self.upper.is_flat_with(self.lower) {
-            let [all, ..] = &self.upper.corners;
-            return fill(colors, Cell::sum([all, all]).mean(2));
+            return fill(colors, self.upper.corners[0].color);
         }
         let crossed = self.stand(walker);
         let busy = (self.plain(colors) | crossed) & u32::MAX >> (CHUNK - self.count);
@@ -113,7 +112,8 @@ impl<'c> Chunk<'c> {
         })
     }
 
-    /// Computes the colours of the pixels that have a bit in `busy`, by the shares of their corners or by samples.
+    /// Computes the colours of pixels that an edge crosses, or whose colour is steep: those that have a bit in `busy`. Corners
+    /// have their areas as weights, or samples are traced.
     #[inline(never)]
     fn mix<W: World, K: Shading, Q: Quality>(
         &self,
@@ -129,18 +129,17 @@ impl<'c> Chunk<'c> {
             else {
                 break;
             };
-            let told = news.of(place);
-            let places = match cell.contrast().max(told) {
-                0 if !cell.is_whole() => {
-                    *color = cell.shares().mean(Cell::AREA);
-                    continue;
-                }
-                contrast if told > 0 || !cell.is_whole() => {
-                    enough(contrast, Walker::<W, K, Q>::TOLERANCE)
-                }
-                _ => CENTER,
+            let (told, is_whole) = (news.of(place), cell.is_whole());
+            let contrast = cell.contrast().max(told);
+            if contrast == 0 && !is_whole {
+                *color = cell.shares().mean(Cell::AREA);
+                continue;
+            }
+            let places = match is_whole && told == 0 {
+                true => CENTER,
+                false => enough(contrast, Walker::<W, K, Q>::TOLERANCE),
             };
-            let mut mixture = cell.whole();
+            let mut mixture = cell.all();
             for at in places {
                 let start = [self.first + place, self.upper.line()];
                 let sample = walker.sample(start, *at);
@@ -153,17 +152,18 @@ impl<'c> Chunk<'c> {
     }
 }
 
-/// What samples tell of the pixels beside theirs: the contrast, in 8-bit levels, of something that none of the corners
-/// meets. So what is thinner than a pixel is followed along the row.
+/// For each pixel of a chunk, the contrast between its corners and what a sample of the pixel beside it hit, if none of the
+/// corners hit that; otherwise 0. Such a pixel is sampled, too, so a wire thinner than a pixel is followed along the row.
 struct News([u8; CHUNK as usize]);
 
 impl News {
-    /// Returns what is told of a pixel, 0 if nothing is.
+    /// Returns the contrast that is noted for a pixel, in 8-bit levels; 0 if none is.
     fn of(&self, place: u32) -> u32 {
         self.0.get(place as usize).copied().unwrap_or(0).into()
     }
 
-    /// Tells of the pixel beside that of a sample, if it has the same at all its corners. Returns its bit if that is news.
+    /// Notes the contrast of a sample for the pixel beside its own, on the side where the sample lies, if no edge crosses that
+    /// pixel and nothing is noted yet. Returns the bit of that pixel if something is noted now.
     fn tell(&mut self, chunk: &Chunk<'_>, (place, at): (u32, &Place), sample: &Corner) -> u32 {
         let next = match at[0] > PIXEL / 2 {
             true => Some(place + 1),

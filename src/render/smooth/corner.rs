@@ -140,7 +140,7 @@ impl Line {
 
 /// What a row with smooth edges leaves to the row below it: the corners of pixels on the line between the two.
 ///
-/// `N` is the number of columns of the picture over 32, rounded up: 8 for 240 columns. It takes 308 bytes each. Columns
+/// `N` is the number of columns of the picture over 32, rounded up: 8 for 240 columns. It takes 312 bytes each. Columns
 /// beyond trace the line above again, and so does a row that does not follow the one above. Use it for the rows of one
 /// picture only.
 ///

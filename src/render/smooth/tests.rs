@@ -113,6 +113,8 @@ fn line_is_known_for_its_own_chunk_only() {
     assert!(!line.is_of(0, 0));
     line.begin(3, 32);
     assert!(line.is_of(3, 32) && !line.is_of(3, 0) && !line.is_of(4, 32));
+    // As the pages say.
+    assert_eq!(size_of::<Line>(), 312);
 }
 
 /// The more a pixel's contrast, the more samples.

@@ -11,11 +11,11 @@ use crate::render::Quality;
 use crate::render::interpolate::{Colors, Marked};
 use crate::shade::highlight::sealed::Shading;
 
-/// Follows the rays through a row of pixels and its corners.
+/// Traces the rays through the corners of a row of pixels, and through other points of its pixels.
 pub(super) struct Walker<'s, 'a, W: World, K, Q> {
     /// The colours of the corners on one line.
     pub(super) row: Colors<'s, 'a, W, K, Q, Marked>,
-    /// The line that `row` goes along, counted from the top.
+    /// Number of the line of corners that `row` computes, counted from the top of the picture.
     pub(super) line: u32,
     pub(super) generator: &'s RayGenerator,
     /// The row of pixels.
@@ -24,15 +24,15 @@ pub(super) struct Walker<'s, 'a, W: World, K, Q> {
     pub(super) width: u32,
 }
 
-impl<'s, 'a, W: World, K: Shading, Q: Quality> Walker<'s, 'a, W, K, Q> {
+impl<W: World, K: Shading, Q: Quality> Walker<'_, '_, W, K, Q> {
     /// Largest contrast that an edge may be off by, and that a sample may stand for, in 8-bit levels.
-    pub(super) const TOLERANCE: u32 = match Q::ROWS {
+    pub(super) const TOLERANCE: u32 = match Q::SMOOTHNESS {
         2 => 24,
         _ => 12,
     };
 
     /// Number of lines of corners for each row of pixels.
-    pub(super) const LINES: u32 = if Q::ROWS == 4 { 2 } else { 1 };
+    pub(super) const LINES: u32 = if Q::SMOOTHNESS == 4 { 2 } else { 1 };
 
     /// Returns the line above the row of pixels.
     pub(super) fn first_line(&self) -> u32 {
@@ -53,10 +53,7 @@ impl<'s, 'a, W: World, K: Shading, Q: Quality> Walker<'s, 'a, W, K, Q> {
     pub(super) fn walk(&mut self, line: u32, first: u32, found: &mut Line) {
         if self.line != line {
             self.line = line;
-            let (y, down) = Self::place(line);
-            let plane = |from| self.generator.row_plane_below((y, down), from);
-            let directions = self.generator.row_below(y, down);
-            self.row.turn(plane, directions, (first, y));
+            self.row.turn(self.generator, Self::place(line), first);
         }
         found.begin(line, first);
         let last = (first + CHUNK).min(self.width);

@@ -11,10 +11,6 @@ use reflet::{Camera, Report};
 
 use crate::{Quality, Shading, Source};
 
-/// Widest picture with smooth edges of which a row keeps what the one below needs, in parts of 32
-/// columns.
-const WIDEST: usize = 32;
-
 /// Settings of a picture: reflections, shading and quality.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
@@ -107,7 +103,7 @@ impl Draw<'_> {
         let picture = prepared.on(self.scene).expect("the scene never changes");
         let Size { width, height } = self.size;
         let mut pixels = vec![Rgb888::BLACK; width as usize];
-        let mut seam = quality::Seam::<WIDEST>::new();
+        let mut seam = quality::Seam::<32>::new(); // for 1024 columns
         (0..height).fold(Report::NONE, |report, y| {
             let of_row = picture.next_row(&mut seam, y, 0, &mut pixels);
             row(y, &pixels);

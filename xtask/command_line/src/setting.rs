@@ -64,9 +64,9 @@ pub enum Quality {
     Fast,
     Small,
     Exact,
-    /// As `Fast`, with smooth edges.
+    /// As `Fast`, with the smooth edges of `Smooth<2>`.
     Smooth2,
-    /// As `Fast`, with the smoothest edges.
+    /// As `Fast`, with the smooth edges of `Smooth<4>`.
     Smooth4,
 }
 

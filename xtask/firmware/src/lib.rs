@@ -66,13 +66,10 @@ macro_rules! program {
     };
 }
 
-/// Widest picture that is measured with smooth edges, in parts of 32 columns.
-const WIDEST: usize = 8;
-
-/// Returns what a row with smooth edges leaves to the row below. Without smooth edges it is not linked.
-fn seam() -> &'static mut Seam<WIDEST> {
+/// Returns what a row of up to 256 columns leaves to the row below. Without smooth edges it is not linked.
+fn seam() -> &'static mut Seam<8> {
     // Static as the row is, so the stack holds only what the renderer needs.
-    static mut SEAM: Seam<WIDEST> = Seam::new();
+    static mut SEAM: Seam<8> = Seam::new();
     // Sound: nothing else names it, and the caller gives it up before the next row.
     unsafe { &mut *addr_of_mut!(SEAM) }
 }
