@@ -75,7 +75,7 @@ impl Qemu {
         firmware: &Path,
         mut see: impl FnMut(u32) -> ControlFlow<()>,
     ) -> Result<(), Failure> {
-        let stepping = one_by_one(self.name);
+        let stepping = self.one_by_one()?;
         let logged = self.args(["-d", "exec,nochain"]).args(stepping);
         let mut running = logged.boot(firmware)?;
         while let Some(line) = running.receive()? {
@@ -115,8 +115,23 @@ impl Qemu {
     }
 
     fn kernel(self, firmware: &Path) -> Result<Program, Failure> {
-        self.need.get_if_missing().map_err(Failure::Missing)?;
+        self.get_if_missing()?;
         Ok(self.program.args(["-kernel".as_ref(), firmware]))
+    }
+
+    /// Returns the options that make QEMU execute one instruction at a time. They changed in version
+    /// 8.1, so QEMU is installed first if it is missing.
+    fn one_by_one(&self) -> Result<&'static [&'static str], Failure> {
+        self.get_if_missing()?;
+        let printed = Program::new(self.name).args(["--version"]).read();
+        Ok(match printed.ok().as_deref().and_then(version) {
+            Some(version) if version < (8, 1) => &["-singlestep"],
+            _ => &["-accel", "tcg,one-insn-per-tb=on"],
+        })
+    }
+
+    fn get_if_missing(&self) -> Result<(), Failure> {
+        self.need.get_if_missing().map_err(Failure::Missing)
     }
 }
 
@@ -235,16 +250,6 @@ impl Running {
             none => none.insert(Monitor::connect(&self.folder.path().join(MONITOR))?),
         };
         Ok(monitor.execute(command, arguments)?)
-    }
-}
-
-/// Returns the options that make QEMU execute one instruction at a time. They changed in version
-/// 8.1.
-fn one_by_one(program: &str) -> &'static [&'static str] {
-    let printed = Program::new(program).args(["--version"]).read();
-    match printed.ok().as_deref().and_then(version) {
-        Some(version) if version < (8, 1) => &["-singlestep"],
-        _ => &["-accel", "tcg,one-insn-per-tb=on"],
     }
 }
 
@@ -376,6 +381,33 @@ mod tests {
         assert_eq!(version(printed), Some((7, 2)));
         assert_eq!(version("QEMU emulator version 10.0.2"), Some((10, 0)));
         assert_eq!(version("nothing"), None);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn version_is_asked_after_a_missing_emulator_was_got() {
+        use std::{fs, os::unix::fs::PermissionsExt, process, sync::LazyLock};
+
+        static LATE: LazyLock<String> = LazyLock::new(|| {
+            let name = format!("reflet-late-qemu-{}", process::id());
+            env::temp_dir().join(name).display().to_string()
+        });
+        static NEED: Need = Need {
+            name: "late emulator",
+            is_there: || Path::new(&*LATE).exists(),
+            get: || {
+                fs::write(&*LATE, "#!/bin/sh\necho QEMU emulator version 7.2.22\n")?;
+                Ok(fs::set_permissions(
+                    &*LATE,
+                    PermissionsExt::from_mode(0o755),
+                )?)
+            },
+            by_hand: "wait",
+            without: None,
+        };
+        let options = Qemu::new(&LATE, &NEED).one_by_one();
+        fs::remove_file(&*LATE).unwrap();
+        assert_eq!(options.unwrap(), ["-singlestep"]);
     }
 
     #[test]
