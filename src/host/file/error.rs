@@ -236,10 +236,19 @@ impl Problem {
     }
 }
 
-/// Rounds a number to four digits.
+/// Rounds a positive number to four digits.
 fn rounded(number: f64) -> f64 {
-    // Read as JSON, because the parser is linked in any case, and that of `core` has tables of its own.
-    serde_json::from_str(&format!("{number:.3e}")).expect("it was a number")
+    // Not by formatting: that would link tables of `core` that nothing else reads.
+    let (mut unit, mut parts) = (1.0, 1.0);
+    while number >= 1e4 * unit {
+        unit *= 10.0;
+    }
+    while number * parts < 1e3 {
+        parts *= 10.0;
+    }
+    // From 2^52 on, a number of 64 bits has no fraction: adding it rounds.
+    let digits = number * parts / unit + power_of_two(52) - power_of_two(52);
+    digits * unit / parts
 }
 
 macro_rules! refused {

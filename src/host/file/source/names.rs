@@ -1,7 +1,6 @@
 //! Makes Rust identifiers from names, which may be any text.
 
 use alloc::borrow::ToOwned;
-use alloc::collections::BTreeSet;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -26,15 +25,16 @@ pub(super) fn type_name(name: &str) -> String {
 /// Returns the names of the materials' constants: `old gold` becomes `OLD_GOLD`. All names are
 /// different, and differ from the scene's type and its camera.
 pub(super) fn constants(names: &[String], type_name: &str) -> Vec<String> {
-    let mut taken = BTreeSet::from(["CAMERA".to_owned(), type_name.to_owned()]);
-    let unique = |name: String| {
+    let mut constants: Vec<String> = Vec::new();
+    for name in names.iter().map(|name| constant(name)) {
         let numbered = (2..).map(|number| format!("{name}_{number}"));
-        let mut candidates = core::iter::once(name.clone()).chain(numbered);
-        let free = candidates.find(|name| taken.insert(name.clone()));
-        free.expect("numbers do not end")
-    };
-    let constants = names.iter().map(|name| constant(name));
-    constants.map(unique).collect()
+        let candidates = core::iter::once(name.clone()).chain(numbered);
+        let is_free =
+            |name: &String| name != "CAMERA" && name != type_name && !constants.contains(name);
+        let free = { candidates }.find(is_free);
+        constants.extend(free);
+    }
+    constants
 }
 
 fn constant(name: &str) -> String {

@@ -2,7 +2,6 @@
 //! digits that parse to the same number.
 
 use alloc::borrow::ToOwned;
-use alloc::collections::BTreeSet;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -12,13 +11,17 @@ use crate::host::reference::{Checker, EPSILON, Light, Material, Scene, Shape};
 /// Returns the source of a constant scene. `materials` are the names of the materials' constants.
 pub(super) fn text(source: &RustSource<'_>, type_name: &str, materials: &[String]) -> String {
     let (scene, camera) = (source.scene, &source.camera);
-    let used = used_materials(scene);
-    let mut constants = String::new();
-    for index in &used {
-        let material = constant(&materials[*index], &scene.materials[*index]);
-        constants += &material;
-    }
-    let import = if used.is_empty() { "" } else { "Material, " };
+    let is_used = |index: usize| scene.shapes().any(|shape| shape.material == index);
+    let named = materials.iter().zip(&scene.materials).enumerate();
+    let used = named.filter(|(index, _)| is_used(*index));
+    let constants: String = used
+        .map(|(_, (name, material))| constant(name, material))
+        .collect();
+    let import = if constants.is_empty() {
+        ""
+    } else {
+        "Material, "
+    };
     let name = source.name.escape_debug();
     format!(
         "//! The scene `{name}`, written from a scene file by `cargo xtask scene`.\n\n\
@@ -38,10 +41,6 @@ pub(super) fn text(source: &RustSource<'_>, type_name: &str, materials: &[String
         camera.fov,
         parts(scene, materials, source.motion.as_ref()),
     )
-}
-
-fn used_materials(scene: &Scene) -> BTreeSet<usize> {
-    scene.shapes().map(|shape| shape.material).collect()
 }
 
 fn constant(name: &str, material: &Material) -> String {
