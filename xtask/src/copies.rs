@@ -127,9 +127,15 @@ pub fn firmware(name: &str) -> Result<PathBuf> {
 
 /// Copies an example, and returns one program that the copy builds. One build serves all tests.
 pub fn program(name: &str, program: &str) -> Result<PathBuf> {
+    program_with(name, program, "")
+}
+
+/// Does what [`program`] does, with features of the example.
+pub fn program_with(name: &str, program: &str, features: &str) -> Result<PathBuf> {
     let example = Example::of(name)?;
-    let only: &[&str] = &["--bin", program];
-    images::kept((&example.folder(), example.target, program), || {
+    let only: &[&str] = &["--bin", program, "--features", features];
+    let called = format!("{program} {features}");
+    images::kept((&example.folder(), example.target, &called), || {
         build_changed(name, (program, only), |_| Ok(()))
     })
 }

@@ -15,8 +15,8 @@ use crate::board::chip::hal::gpio::Interrupt;
 pub enum Request {
     /// Orbit the camera: degrees about its `up`, and degrees upwards.
     Orbit(i32, i32),
-    /// Show the next scene.
-    NextScene,
+    /// What the select key stands for: the next scene, or smooth edges.
+    Select,
 }
 
 /// Degrees by which one press turns the camera.
@@ -32,14 +32,14 @@ pub struct Keys {
 }
 
 impl Keys {
-    /// Creates the keys: the arrow keys orbit the camera, the select key asks for the next scene.
+    /// Creates the keys: the arrow keys orbit the camera.
     pub fn new([up, down, left, right, select]: [KeyPin; 5], timer: Timer) -> Self {
         let keys = [
             (Contact::new(up), Request::Orbit(0, STEP)),
             (Contact::new(down), Request::Orbit(0, -STEP)),
             (Contact::new(left), Request::Orbit(-STEP, 0)),
             (Contact::new(right), Request::Orbit(STEP, 0)),
-            (Contact::new(select), Request::NextScene),
+            (Contact::new(select), Request::Select),
         ];
         Self { keys, timer }
     }

@@ -37,7 +37,7 @@ impl View {
                     .unwrap_or(self.camera);
                 Self { camera, ..self }
             }
-            Request::NextScene => self.next_scene(),
+            Request::Select => self.next_scene(),
         }
     }
 

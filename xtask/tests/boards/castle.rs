@@ -8,6 +8,7 @@ use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::Camera;
+use reflet::quality::Smooth;
 use reflet::scenes::{BuiltIn, Castle, ShadingLights};
 use xtask::measure::ledger;
 use xtask::{copies, root};
@@ -161,6 +162,20 @@ fn no_press_of_a_key_is_lost() {
     let script = (0..25).fold(script, |all, _| all.picture(&[Key::Right]));
     let run = PICO_2.board().run(PICO_2.firmware(), &script).unwrap();
     assert_eq!(run.pictures.len(), 26);
+}
+
+#[test]
+#[ignore = "builds the castle once more and draws it twice"]
+fn select_key_makes_edges_smooth() {
+    let script = Script::default().picture(&[]).picture(&[Key::Select]);
+    let firmware = copies::program_with(PICO_2.owned.name, "castle", "smooth").unwrap();
+    let run = PICO_2.board().run(&firmware, &script).unwrap();
+    println!("{:?}", run.said);
+    let mut smooth = SimulatorDisplay::<Rgb565>::new(Size::new(SIDE as u32, SIDE as u32));
+    let frame = Castle::frame(&Castle::CAMERA).quality::<Smooth<2>>();
+    let Ok(_) = frame.draw(&mut smooth);
+    let jagged = simulated::<Castle>(&Castle::CAMERA);
+    assert_are_shown(&PICO_2, &run, &[jagged, pixels(&smooth)]);
 }
 
 #[test]

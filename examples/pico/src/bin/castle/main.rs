@@ -1,4 +1,5 @@
-//! Shows reflet's castle, or a scene of yours, by both cores. The arrow keys orbit the camera.
+//! Shows reflet's castle, or a scene of yours, by both cores. The arrow keys orbit the camera. With the feature
+//! `smooth`, the select key makes edges smooth, or jagged again.
 
 #![no_std]
 #![no_main]
@@ -34,7 +35,10 @@ fn main() -> ! {
     let mut board = board::switch_on();
     let mut keys = Keys::new(board.keys, board.timer);
     let mut cores = Cores::new(board.second_core, board.timer);
-    let mut view = View { camera: CAMERA };
+    let mut view = View {
+        camera: CAMERA,
+        is_smooth: false,
+    };
     loop {
         let start = board.timer.get_counter();
         view.with_rows(|rows| {
@@ -43,10 +47,13 @@ fn main() -> ! {
         });
         let time = board.timer.get_counter() - start;
         rprintln!("picture: {} ms", time.to_millis());
-        if let Request::Orbit(azimuth, elevation) = keys.wait() {
-            // A camera cannot look along its `up`: then it keeps its place.
-            let turned = view.camera.orbited(azimuth, elevation);
-            view.camera = turned.unwrap_or(view.camera);
+        match keys.wait() {
+            Request::Orbit(azimuth, elevation) => {
+                // A camera cannot look along its `up`: then it keeps its place.
+                let turned = view.camera.orbited(azimuth, elevation);
+                view.camera = turned.unwrap_or(view.camera);
+            }
+            Request::Select => view.is_smooth = !view.is_smooth,
         }
     }
 }
