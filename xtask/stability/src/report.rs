@@ -1,37 +1,37 @@
 //! Formats the results of the cases as lines. Never tries a case.
 
-use super::catalogue::Case;
 use super::catalogue::judge::{Verdict, judge};
+use super::catalogue::{Case, chapters};
 
 /// A case that was tried, and its verdict.
 pub struct Tried {
     /// Title of the page's chapter in which a case stands.
     pub chapter: &'static str,
-    /// Name of the case.
-    pub name: String,
-    /// Why the case is hard.
-    pub why: &'static str,
-    /// Why single precision may be better.
-    pub exception: Option<&'static str>,
+    /// The case that was tried.
+    pub case: Case,
     /// The outcome of the case.
     pub verdict: Verdict,
 }
 
+/// Tries all cases of the catalogue.
+pub fn try_all() -> impl Iterator<Item = Tried> {
+    let chapters = chapters().into_iter();
+    chapters.flat_map(|(chapter, cases)| cases.into_iter().map(|case| Tried::new(chapter, case)))
+}
+
 impl Tried {
     /// Tries a case of a chapter.
-    pub fn new(chapter: &'static str, case: &Case) -> Self {
+    pub fn new(chapter: &'static str, case: Case) -> Self {
         Self {
             chapter,
-            name: case.name.clone(),
-            why: case.why,
-            exception: case.exception,
-            verdict: judge(case),
+            verdict: judge(&case),
+            case,
         }
     }
 
     /// Returns one line about the case.
     pub fn line(&self) -> String {
-        format!("{:<5} {}: {}", self.word(), self.name, self.figures())
+        format!("{:<5} {}: {}", self.word(), self.case.name, self.figures())
     }
 
     /// Returns the verdict in a few words: `fails`, `met`, or `met, worse than f32`.
@@ -44,23 +44,18 @@ impl Tried {
     }
 
     fn figures(&self) -> String {
-        let Verdict {
-            errors,
-            unit,
-            within8,
-            words,
-            ..
-        } = &self.verdict;
-        let errors = errors.map(|[fixed, single]| {
-            format!("fixed {}, f32 {} ({unit})", number(fixed), number(single))
+        let verdict = &self.verdict;
+        let errors = verdict.errors.map(|errors| {
+            let [fixed, single] = errors.map(number);
+            format!("fixed {fixed}, f32 {single} ({})", verdict.unit)
         });
-        let within8 = within8.map(|shares| {
+        let within8 = verdict.within8.map(|shares| {
             let [exact, fast, single] = shares.map(percent);
             format!("within 8: Exact {exact}, Fast {fast}, f32 {single}")
         });
         let parts: Vec<_> = errors.into_iter().chain(within8).collect();
         match parts.is_empty() {
-            true => words.clone(),
+            true => verdict.words.clone(),
             false => parts.join("; "),
         }
     }
@@ -112,11 +107,8 @@ impl Compared {
 
     /// Formats a count of cases and its share.
     pub fn share(&self, count: usize) -> String {
-        format!(
-            "{count} of {} ({})",
-            self.all,
-            percent(count as f64 / self.all as f64)
-        )
+        let share = percent(count as f64 / self.all as f64);
+        format!("{count} of {} ({share})", self.all)
     }
 
     /// Tests whether enough cases are no worse in `Exact`.
@@ -129,25 +121,17 @@ impl Compared {
 /// reason.
 pub fn failures(tried: &[Tried]) -> Vec<String> {
     let missed = tried.iter().filter(|it| !it.verdict.is_met);
-    let mut lines: Vec<_> = missed
-        .map(|it| {
-            format!(
-                "{}: {}: {} (bar: {})",
-                it.chapter,
-                it.name,
-                it.figures(),
-                it.verdict.words
-            )
-        })
-        .collect();
-    let worse = worse(tried).filter(|it| it.exception.is_none());
-    lines.extend(worse.map(|it| format!("{}: worse than f32: {}", it.name, it.figures())));
-    lines
+    let missed = missed.map(|it| {
+        let (name, figures, bar) = (&it.case.name, it.figures(), &it.verdict.words);
+        format!("{}: {name}: {figures} (bar: {bar})", it.chapter)
+    });
+    let worse = worse(tried).filter(|it| it.case.exception.is_none());
+    let worse = worse.map(|it| format!("{}: worse than f32: {}", it.case.name, it.figures()));
+    missed.chain(worse).collect()
 }
 
 /// Returns the cases in which single precision is better than `Exact`.
 pub fn worse(tried: &[Tried]) -> impl Iterator<Item = &Tried> {
-    tried
-        .iter()
-        .filter(|it| matches!(it.verdict.no_worse, Some([false, ..])))
+    let is_worse = |it: &&Tried| matches!(it.verdict.no_worse, Some([false, ..]));
+    tried.iter().filter(is_worse)
 }

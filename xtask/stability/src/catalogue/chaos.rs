@@ -3,11 +3,9 @@
 use reflet::host::path::follow;
 use reflet::host::reference::Vector;
 
-use super::draft::Draft;
+use super::draft::{Draft, UP};
 use super::scene::Scene;
 use super::{Bar, Case, Measured, drawn, measured, reflected};
-
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// A sphere: its centre and its radius.
 type Ball = ([f64; 3], f64);
@@ -99,10 +97,11 @@ fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// Measures the largest angle by which a ray is not parallel to itself after three bounces in a
 /// corner cube.
 fn returned() -> Measured {
-    let scene = Scene::read(&corner(1.0).text()).expect("the scene is accepted");
+    let scene = Scene::read(&corner(1.0), 3).expect("the scene is accepted");
+    let (built, camera) = (scene.source.scene(), scene.source.camera());
     let (mut fixed, mut single, mut rays) = (0.0_f64, 0.0_f64, 0);
     for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
-        let path = follow(&*scene.built, &scene.camera, (64, 64), (x, y), 3);
+        let path = follow(built, &camera, (64, 64), (x, y), 3);
         let [first, _, _, last] = &path[..] else {
             continue;
         };

@@ -4,54 +4,37 @@
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::RgbColor;
-use reflet::host::reference::{self, Shading};
-use reflet::quality::Fast;
+use lost::case::{VISIBLE, difference};
 
 use super::draft::Setting;
 use super::scene::Scene;
 use super::{Case, claim};
 
-fn still_life() -> Scene {
-    Scene::read(&Setting::HERE.still_life().text()).expect("the scene is accepted")
-}
-
 /// Returns the share of the pixels in some rows that are within 8 of 255 of the reference.
-fn within8(size: (u32, u32), lines: &[u32]) -> f64 {
-    let scene = still_life();
-    let frame = scene.built.frame(&scene.camera).quality::<Fast>();
-    let frame = frame.prepare(Size::new(size.0, size.1));
-    let rows = frame.on(&*scene.built).expect("the frame is this scene's");
-    let mut row = vec![Rgb888::BLACK; size.0 as usize];
-    let (mut near, mut all) = (0, 0);
+fn within8(size: Size, lines: &[u32]) -> f64 {
+    let scene = Scene::read(&Setting::HERE.still_life(), 4).expect("the scene is accepted");
+    let (built, camera) = (scene.source.scene(), scene.source.camera());
+    let frame = built.frame(&camera).prepare(size);
+    let rows = frame.on(built).expect("the frame is this scene's");
+    let mut row = vec![Rgb888::BLACK; size.width as usize];
     // For a very wide display, 512 to 1023 columns are enough.
-    let step = (size.0 / 512).max(1);
+    let step = (size.width / 512).max(1);
+    let mut are_near = Vec::new();
     for &y in lines {
         rows.row(y, 0, &mut row);
-        for x in (0..size.0).step_by(step as usize) {
-            let color = reference::pixel(
-                &scene.exact,
-                &scene.eye,
-                size,
-                (x, y),
-                4,
-                Shading::BlinnPhong,
-            );
-            let found = row[x as usize];
+        for (x, found) in (0..).zip(&row).step_by(step as usize) {
+            let truth = scene.case.true_pixel(size, (x, y));
             let found = [found.r(), found.g(), found.b()];
-            let is_near = [0, 1, 2].into_iter().all(|it| {
-                let truth = (255.0 * color[it].clamp(0.0, 1.0)).round();
-                (truth - f64::from(found[it])).abs() <= 8.0
-            });
-            near += u32::from(is_near);
-            all += 1;
+            are_near.push(difference(found, truth) <= VISIBLE);
         }
     }
-    f64::from(near) / f64::from(all)
+    let near = are_near.iter().filter(|is_near| **is_near).count();
+    near as f64 / are_near.len() as f64
 }
 
-fn shown(size: (u32, u32), rows: &[u32]) -> Result<String, String> {
-    let share = within8(size, rows);
-    let words = format!("{}x{}: {:.2} % within 8", size.0, size.1, 100.0 * share);
+fn shown((width, height): (u32, u32), rows: &[u32]) -> Result<String, String> {
+    let share = within8(Size::new(width, height), rows);
+    let words = format!("{width}x{height}: {:.2} % within 8", 100.0 * share);
     match share >= super::BAR {
         true => Ok(words),
         false => Err(words),

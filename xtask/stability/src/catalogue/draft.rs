@@ -5,9 +5,15 @@ use serde_json::{Value, json};
 
 /// A scene file that is being built.
 #[derive(Clone)]
-pub struct Draft(Value);
+pub struct Draft(pub Value);
 
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
+/// Direction of z.
+pub const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// Position of the usual lamp, and position and target of the usual camera.
+pub const LAMP: [f64; 3] = [3.0, -5.0, 4.0];
+pub const EYE: [f64; 3] = [0.5, -4.0, 1.5];
+pub const TARGET: [f64; 3] = [0.0, 0.0, 0.5];
 
 impl Draft {
     /// Starts a scene with a camera 50 degrees wide whose `up` is along z.
@@ -75,19 +81,16 @@ impl Draft {
         self.part("suns", sun)
     }
 
-    /// Adds a sphere.
     pub fn sphere(self, center: [f64; 3], radius: f64, material: &str) -> Self {
         let sphere = json!({"center": center, "radius": radius, "material": material});
         self.part("spheres", sphere)
     }
 
-    /// Adds a plane.
     pub fn plane(self, center: [f64; 3], normal: [f64; 3], material: &str) -> Self {
         let plane = json!({"center": center, "normal": normal, "material": material});
         self.part("planes", plane)
     }
 
-    /// Adds a cylinder: its centre, axis, radius and height.
     pub fn cylinder(
         self,
         center: [f64; 3],
@@ -102,7 +105,6 @@ impl Draft {
         self.part("cylinders", cylinder)
     }
 
-    /// Adds a disc: its centre, normal and radius.
     pub fn disc(self, center: [f64; 3], normal: [f64; 3], radius: f64, material: &str) -> Self {
         let disc = json!({
             "center": center, "normal": normal, "radius": radius, "material": material,
@@ -112,10 +114,8 @@ impl Draft {
 
     /// Adds a flat triangle.
     pub fn triangle(self, corners: [[f64; 3]; 3], material: &str) -> Self {
-        self.part(
-            "triangles",
-            json!({"corners": corners, "material": material}),
-        )
+        let triangle = json!({"corners": corners, "material": material});
+        self.part("triangles", triangle)
     }
 
     /// Sets the background colour.
@@ -128,11 +128,6 @@ impl Draft {
     pub fn epsilon(mut self, epsilon: f64) -> Self {
         self.0["epsilon"] = json!(epsilon);
         self
-    }
-
-    /// Returns the scene file's text.
-    pub fn text(&self) -> String {
-        self.0.to_string()
     }
 }
 
@@ -160,16 +155,12 @@ impl Setting {
     /// Adds three spheres and a leaning cylinder on a plane of water, without lights.
     pub fn furnish(&self, draft: Draft) -> Draft {
         let (at, scale) = (|it| self.at(it), self.scale);
+        let size = (0.4 * scale, 1.4 * scale);
         draft
             .sphere(at([-1.0, 0.0, 0.6]), 0.6 * scale, "gold")
             .sphere(at([0.6, -0.4, 0.4]), 0.4 * scale, "water")
             .sphere(at([1.3, 0.7, 0.8]), 0.8 * scale, "chalk")
-            .cylinder(
-                at([0.2, 1.2, 0.7]),
-                [0.1, 0.0, 1.0],
-                (0.4 * scale, 1.4 * scale),
-                "red",
-            )
+            .cylinder(at([0.2, 1.2, 0.7]), [0.1, 0.0, 1.0], size, "red")
             .plane(at([0.0; 3]), UP, "water")
             .epsilon(1e-3 * scale)
     }
@@ -177,15 +168,20 @@ impl Setting {
     /// Adds the two lights of the still life.
     pub fn lit(&self, draft: Draft) -> Draft {
         draft
-            .shining(self.at([3.0, -5.0, 4.0]), [0.8, 0.8, 0.7])
+            .shining(self.at(LAMP), [0.8, 0.8, 0.7])
             .shining(self.at([-2.0, -6.0, 1.5]), [0.3, 0.3, 0.4])
     }
 
     /// Returns the still life with its water, its lights and its usual camera.
     pub fn still_life(&self) -> Draft {
-        let (eye, target) = (self.at([0.5, -4.0, 1.5]), self.at([0.0, 0.0, 0.5]));
+        let (eye, target) = (self.at(EYE), self.at(TARGET));
         self.lit(self.furnish(Draft::seen_from(eye, target)))
     }
+}
+
+/// Returns an empty scene with the usual camera.
+pub fn usual() -> Draft {
+    Draft::seen_from(EYE, TARGET)
 }
 
 /// Returns the still life with its water and lights, for any camera.
@@ -196,7 +192,5 @@ pub fn still_life(position: [f64; 3], target: [f64; 3], fov: f64) -> Draft {
 
 /// Returns the still life with its water and usual camera, lit by this light only.
 pub fn lit_by(light: [f64; 3]) -> Draft {
-    let here = Setting::HERE;
-    here.furnish(Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5]))
-        .light(light)
+    Setting::HERE.furnish(usual()).light(light)
 }

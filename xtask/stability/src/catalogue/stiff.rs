@@ -1,6 +1,6 @@
 //! Cases of stiff accumulation: throughputs that hardly fall or that alternate, and very many terms.
 
-use super::draft::Draft;
+use super::draft::{Draft, Setting, UP, usual};
 use super::{Bar, Case, drawn, reflected};
 
 const OWN: [f64; 3] = [0.75, 0.5, 0.25];
@@ -8,7 +8,7 @@ const OWN: [f64; 3] = [0.75, 0.5, 0.25];
 /// Returns a camera inside a scene of the material "wall", which glows and mirrors by the share α.
 /// In a closed room of it, each ray that stops after N reflections shows c (1 - α^(N + 1)).
 fn glowing(alpha: f64) -> Draft {
-    Draft::through([0.1, -0.3, 0.2], [0.3, 1.0, 0.1], [0.0, 0.0, 1.0], 90.0)
+    Draft::through([0.1, -0.3, 0.2], [0.3, 1.0, 0.1], UP, 90.0)
         .material("wall", OWN, [1.0, 0.0, 0.0, 1.0, alpha])
         .before([1.0; 3])
 }
@@ -31,7 +31,7 @@ fn closed(name: String, why: &'static str, draft: Draft, alpha: f64, reflections
 
 fn parallel(alpha: f64) -> Draft {
     let (eye, target) = ([0.1, -0.3, 0.1], [1.0, 0.0, 0.15]);
-    Draft::through(eye, target, [0.0, 0.0, 1.0], 60.0)
+    Draft::through(eye, target, UP, 60.0)
         .material("wall", [0.5, 0.7, 0.9], [0.5, 0.3, 0.0, 1.0, alpha])
         .plane([1.0, 0.0, 0.0], [1.0, 0.0, 0.0], "wall")
         .plane([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], "wall")
@@ -43,13 +43,13 @@ fn parallel(alpha: f64) -> Draft {
 fn alternating() -> Draft {
     let (eye, target) = ([0.1, -0.9, 0.1], [0.2, 0.6, 0.05]);
     let (odd, even) = (["mirror", "chalk"], ["chalk", "mirror"]);
-    let room = Draft::through(eye, target, [0.0, 0.0, 1.0], 70.0).light([0.0, -0.5, 0.4]);
+    let room = Draft::through(eye, target, UP, 70.0).light([0.0, -0.5, 0.4]);
     boxed(room, [odd, even, odd])
 }
 
 /// Returns a scene of 256 hits with 16 lights each: 4096 terms of about a ten-thousandth.
 fn many_terms() -> Draft {
-    let room = Draft::through([0.1, -0.3, 0.2], [0.3, 1.0, 0.1], [0.0, 0.0, 1.0], 90.0)
+    let room = Draft::through([0.1, -0.3, 0.2], [0.3, 1.0, 0.1], UP, 90.0)
         .material("wall", [0.9, 0.7, 0.5], [0.2, 0.2, 0.0, 1.0, 0.9999])
         .sphere([0.0; 3], 1.0, "wall");
     (0..16).fold(room, |draft, number| {
@@ -102,8 +102,7 @@ pub fn cases() -> Vec<Case> {
         255,
     ));
     for alpha in [0.003, 0.05] {
-        let here = super::draft::Setting::HERE;
-        let draft = Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+        let draft = usual()
             .material("faint", [0.5, 0.7, 0.9], [0.5, 0.3, 0.2, 10.0, alpha])
             .sphere([-1.0, 0.0, 0.6], 0.6, "faint")
             .sphere([0.6, -0.4, 0.4], 0.4, "faint")
@@ -111,7 +110,7 @@ pub fn cases() -> Vec<Case> {
         cases.push(reflected(
             format!("faint mirrors, α = {alpha}, N = 255"),
             "weights fall below the smallest step of the format, and must fall to nothing",
-            here.lit(draft),
+            Setting::HERE.lit(draft),
             255,
         ));
     }
