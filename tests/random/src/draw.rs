@@ -34,10 +34,7 @@ impl Wild {
             4 => self.paint(&built, frame.shading::<Phong>().quality::<Exact>()),
             5 => self.paint(&built, frame.shading::<BlinnPhong>().quality::<Exact>()),
             6 => self.paint(&built, frame.quality::<Small>()),
-            _ => self.paint(
-                &built,
-                frame.shading::<Unshadowed<BlinnPhong>>().quality::<Fast>(),
-            ),
+            _ => self.paint(&built, frame.shading::<Unshadowed<BlinnPhong>>()),
         })
     }
 
