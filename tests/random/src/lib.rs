@@ -10,12 +10,12 @@
 mod draw;
 mod number;
 
+use std::error::Error;
+
 use arbitrary::Unstructured;
 use embedded_graphics::geometry::Size;
 use number::{Numbers, three};
-use reflet::{Camera, Error, Material, MaterialId, RuntimeScene, room};
-
-pub use draw::Drawn;
+use reflet::{Camera, Material, MaterialId, RuntimeScene, room};
 
 /// A scene with enough room for what a few hundred bytes describe.
 pub type Scenery = RuntimeScene<
@@ -39,22 +39,8 @@ pub struct Wild {
     pub mirrors: bool,
 }
 
-/// Why no scene is made: there are too few bytes, or the library refuses a part.
-struct Refused;
-
-impl From<arbitrary::Error> for Refused {
-    fn from(_: arbitrary::Error) -> Self {
-        Self
-    }
-}
-
-impl From<Error> for Refused {
-    fn from(_: Error) -> Self {
-        Self
-    }
-}
-
-type Result<T> = core::result::Result<T, Refused>;
+/// An error says that there are too few bytes, or that the library refuses a part.
+type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 impl Wild {
     /// Makes a scene from bytes. `None` if the library refuses one of its parts, or if there are too

@@ -31,9 +31,9 @@ pub fn run(rays: u64, seed: u64) -> Result<bool, Failure> {
             wild.draw()
         });
         match drawn {
-            Some(drawn) => {
+            Some(rays) => {
                 scenes += 1;
-                followed += drawn.rays;
+                followed += rays;
                 bar.set_position(followed);
             }
             None => refused += 1,

@@ -7,9 +7,7 @@ use super::catalogue::{Case, chapters};
 pub struct Tried {
     /// Title of the page's chapter in which a case stands.
     pub chapter: &'static str,
-    /// The case that was tried.
     pub case: Case,
-    /// The outcome of the case.
     pub verdict: Verdict,
 }
 
@@ -20,7 +18,6 @@ pub fn try_all() -> impl Iterator<Item = Tried> {
 }
 
 impl Tried {
-    /// Tries a case of a chapter.
     pub fn new(chapter: &'static str, case: Case) -> Self {
         Self {
             chapter,
@@ -29,7 +26,6 @@ impl Tried {
         }
     }
 
-    /// Returns one line about the case.
     pub fn line(&self) -> String {
         format!("{:<5} {}: {}", self.word(), self.case.name, self.figures())
     }
@@ -71,7 +67,6 @@ pub fn number(value: f64) -> String {
     }
 }
 
-/// Formats a share in percent.
 pub fn percent(share: f64) -> String {
     format!("{:.2} %", 100.0 * share)
 }
@@ -81,18 +76,15 @@ pub const AIM: f64 = 0.9;
 
 /// Numbers of cases that are compared with single precision, and of those that are no worse.
 pub struct Compared {
-    /// Number of cases in which fixed point and single precision are compared.
     pub all: usize,
     /// Cases that are no worse by the rule of the page, in `Exact` and `Fast`.
     pub no_worse: [usize; 2],
-    /// Cases in which the error of fixed point is smaller, even if invisibly. `same`: cases with
-    /// equal errors.
+    /// Cases in which the error of fixed point is smaller, even if invisibly, and in which it is the same.
     pub smaller: usize,
     pub same: usize,
 }
 
 impl Compared {
-    /// Counts the compared cases.
     pub fn of(tried: &[Tried]) -> Self {
         let verdicts = || tried.iter().map(|it| &it.verdict);
         let compared = || verdicts().filter_map(|it| it.no_worse);
@@ -105,7 +97,6 @@ impl Compared {
         }
     }
 
-    /// Formats a count of cases and its share.
     pub fn share(&self, count: usize) -> String {
         let share = percent(count as f64 / self.all as f64);
         format!("{count} of {} ({share})", self.all)

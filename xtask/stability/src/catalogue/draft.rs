@@ -3,9 +3,12 @@
 use reflet::host::reference::Vector;
 use serde_json::{Value, json};
 
-/// A scene file that is being built.
+/// A scene file that is being built, and how many reflections its paths follow.
 #[derive(Clone)]
-pub struct Draft(pub Value);
+pub struct Draft {
+    pub file: Value,
+    pub reflections: u8,
+}
 
 /// Direction of z.
 pub const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -21,16 +24,17 @@ impl Draft {
         Self::through(position, target, UP, 50.0)
     }
 
-    /// Starts a scene with any camera. It has these materials: chalk, gold, water, red, black, white
+    /// Starts a scene with any camera and 4 reflections. It has these materials: chalk, gold, water, red, black, white
     /// and mirror.
     pub fn through(position: [f64; 3], target: [f64; 3], up: [f64; 3], fov: f64) -> Self {
-        let draft = Self(json!({
+        let file = json!({
             "camera": {"position": position, "target": target, "up": up, "fov": fov},
             // No channel is half way between two levels of 255, so rounding errors cannot change a
             // level.
             "background": [0.21, 0.29, 0.52],
-        }));
-        draft
+        });
+        let reflections = 4;
+        Self { file, reflections }
             .material("chalk", [0.9, 0.9, 0.8], [0.2, 0.8, 0.0, 1.0, 0.0])
             .material("gold", [0.7, 0.6, 0.0], [0.2, 0.4, 0.8, 4.0, 0.4])
             .material("water", [0.6, 0.8, 1.0], [0.2, 0.3, 1.0, 50.0, 0.5])
@@ -41,7 +45,7 @@ impl Draft {
     }
 
     fn part(mut self, list: &str, part: Value) -> Self {
-        match &mut self.0[list] {
+        match &mut self.file[list] {
             Value::Array(parts) => parts.push(part),
             none => *none = json!([part]),
         }
@@ -64,7 +68,6 @@ impl Draft {
         self.shining(position, [1.0; 3])
     }
 
-    /// Adds a light with a colour.
     pub fn shining(self, position: [f64; 3], color: [f64; 3]) -> Self {
         self.part("lights", json!({"position": position, "color": color}))
     }
@@ -118,15 +121,19 @@ impl Draft {
         self.part("triangles", triangle)
     }
 
-    /// Sets the background colour.
-    pub fn before(mut self, background: [f64; 3]) -> Self {
-        self.0["background"] = json!(background);
+    pub fn reflections(mut self, reflections: u8) -> Self {
+        self.reflections = reflections;
+        self
+    }
+
+    pub fn background(mut self, background: [f64; 3]) -> Self {
+        self.file["background"] = json!(background);
         self
     }
 
     /// Sets epsilon: the distance by which rays are lifted off surfaces.
     pub fn epsilon(mut self, epsilon: f64) -> Self {
-        self.0["epsilon"] = json!(epsilon);
+        self.file["epsilon"] = json!(epsilon);
         self
     }
 }

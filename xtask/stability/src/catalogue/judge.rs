@@ -38,7 +38,7 @@ const TIMES_NOISE: f64 = 1.5;
 pub struct Verdict {
     /// What the result was compared with.
     pub reference: &'static str,
-    /// Unit of the errors of a case, such as radians.
+    /// Unit of the errors, such as radians.
     pub unit: &'static str,
     /// Errors of fixed point and of single precision; `None` for a case without numbers.
     pub errors: Option<[f64; 2]>,
@@ -70,18 +70,17 @@ impl Verdict {
 /// Tries a case and returns its verdict.
 pub fn judge(case: &Case) -> Verdict {
     match &case.trial {
-        Trial::Picture(it) => {
-            let is_chaotic = matches!(it.bar, Bar::Statistics);
-            let refused = |words| Verdict {
-                words,
-                ..Verdict::NONE
-            };
-            let pictures = Pictures::of(&it.draft, it.reflections, is_chaotic);
-            pictures.map_or_else(refused, |pictures| match it.bar {
-                Bar::Pixels(share) => pictures.judge(share),
-                Bar::Statistics => pictures.judge_statistics(),
-                Bar::Color(color) => pictures.judge_color(color),
-            })
+        Trial::Picture(draft, bar) => {
+            let is_chaotic = matches!(bar, Bar::Statistics);
+            match (Pictures::of(draft, is_chaotic), bar) {
+                (Ok(pictures), Bar::Pixels(share)) => pictures.judge(*share),
+                (Ok(pictures), Bar::Statistics) => pictures.judge_statistics(),
+                (Ok(pictures), Bar::Color(color)) => pictures.judge_color(*color),
+                (Err(words), _) => Verdict {
+                    words,
+                    ..Verdict::NONE
+                },
+            }
         }
         Trial::Measured(measure) => judge_measured(measure()),
         Trial::Claim(claim) => {
@@ -120,9 +119,9 @@ pub struct Pictures {
 impl Pictures {
     /// Draws all pictures of a scene. For a chaotic scene also draws the references that
     /// statistics need.
-    pub fn of(draft: &Draft, reflections: u8, is_chaotic: bool) -> Result<Self, String> {
-        let scene = Scene::read(draft, reflections)?;
-        let has_long_paths = reflections > MANY && !is_chaotic;
+    pub fn of(draft: &Draft, is_chaotic: bool) -> Result<Self, String> {
+        let scene = Scene::read(draft)?;
+        let has_long_paths = draft.reflections > MANY && !is_chaotic;
         let size = Size::new_equal(if has_long_paths { SHORT_SIDE } else { SIDE });
         let nudges = NUDGES.iter().filter(|_| is_chaotic);
         let nudged = nudges.map(|nudge| {

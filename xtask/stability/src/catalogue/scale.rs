@@ -7,7 +7,7 @@ use lost::case::differing;
 use super::draft::{Draft, EYE, LAMP, Setting, TARGET, UP, lit_by, still_life, usual};
 use super::judge::SIDE;
 use super::scene::Scene;
-use super::{Case, LAST_BIT, Measured, measured, picture};
+use super::{Case, LAST_BIT, Measured, Trial, picture};
 
 fn planet_of(material: &str, ratio: f64) -> Draft {
     Draft::seen_from([0.5, -6.0, 2.0], [0.0, 0.0, 0.8])
@@ -30,7 +30,7 @@ fn scaled_by_powers() -> Measured {
     let drawn = |power: i32| {
         let mut setting = Setting::HERE;
         setting.scale = 2f64.powi(power);
-        let scene = Scene::read(&setting.still_life(), 4).expect("the scene is accepted");
+        let scene = Scene::read(&setting.still_life()).expect("the scene is accepted");
         let size = Size::new_equal(SIDE);
         [scene.drawn(Quality::Exact, size), scene.single(size)]
     };
@@ -218,10 +218,9 @@ fn glaring() -> Draft {
         .material("dim", [0.1, 0.05, 0.08], [16.0, 0.8, 0.0, 1.0, 0.0])
         .shining([3.0, -5.0, 4.0], [14.0; 3])
         .sphere([0.0, 0.0, 0.6], 0.6, "dim")
-        .before([16.0, 0.0, 0.5])
+        .background([16.0, 0.0, 0.5])
 }
 
-/// Returns the cases of the chapter "Scale".
 pub fn cases() -> Vec<Case> {
     let mut cases = ratios();
     cases.push(picture(
@@ -230,10 +229,10 @@ pub fn cases() -> Vec<Case> {
          step or two of the pebble's 256",
         planet_of("water", 1e6),
     ));
-    cases.push(measured(
+    cases.push(Case::new(
         "scaled by powers of two",
         "a scene has no size of its own: nothing may be compared with a constant of the format",
-        scaled_by_powers,
+        Trial::Measured(scaled_by_powers),
     ));
     let edge = "the last number that is taken must be drawn truly";
     cases.push(picture("radius of 2^30", edge, lonely(2f64.powi(30))));

@@ -19,14 +19,14 @@ pub struct Scene {
 
 impl Scene {
     /// Reads a scene file. The error says why the library refuses it.
-    pub fn read(draft: &Draft, reflections: u8) -> Result<Self, String> {
-        let file = SceneFile::parse(&draft.0.to_string(), None).map_err(|it| it.to_string())?;
+    pub fn read(draft: &Draft) -> Result<Self, String> {
+        let file = SceneFile::parse(&draft.file.to_string(), None).map_err(|it| it.to_string())?;
         let (scene, camera) = file.reference();
         let case = Case {
             name: String::new(),
             scene,
             camera,
-            reflections,
+            reflections: draft.reflections,
             shading: Shading::BlinnPhong,
         };
         let source = case.source().map_err(|it| it.to_string())?;

@@ -34,7 +34,6 @@ fn bright() -> Draft {
     })
 }
 
-/// Returns the cases of the chapter "Shading".
 pub fn cases() -> Vec<Case> {
     let mut cases: Vec<_> = [0.0, 1.0, 2.5, 128.0, 1000.0, 1e5, f64::from(1 << 20)]
         .into_iter()

@@ -2,7 +2,7 @@
 
 use super::draft::{Draft, Setting, lit_by, usual};
 use super::judge::{Pictures, SIDE};
-use super::{Case, claim, picture};
+use super::{Case, Trial, picture};
 
 /// Direction towards the sun of the limit.
 const TOWARDS: [f64; 3] = [0.8, -1.0, 0.7];
@@ -29,7 +29,7 @@ fn seen_at(place: [f64; 2], disc: f64) -> Draft {
 /// gives the same one: to the bit in `Exact`, within one level in `Fast`. `Fast` interpolates a sun on round surfaces and
 /// traces all that a far lamp may reach.
 fn limit_of_lamps() -> Result<String, String> {
-    let drawn = |draft: Draft| Pictures::of(&draft, 4, false);
+    let drawn = |draft: Draft| Pictures::of(&draft, false);
     let sun = drawn(sunny(TOWARDS, 0.0))?;
     let mut counts = Vec::new();
     for power in 1..=9 {
@@ -43,7 +43,6 @@ fn limit_of_lamps() -> Result<String, String> {
     }
 }
 
-/// Returns the cases of the chapter "Suns".
 pub fn cases() -> Vec<Case> {
     let grazing = "n · l is next to nothing or nothing, and shadows are as long as the floor";
     let axis = "products with the direction's zeros must be zero, and n · l is 1 or 0";
@@ -51,10 +50,10 @@ pub fn cases() -> Vec<Case> {
         "whether a pixel shows the disc is decided by the last bits of a cosine, in mirrors, too";
     // The middle of a pixel.
     let pixel = 39.0 / f64::from(SIDE);
-    let limit = claim(
+    let limit = Case::new(
         "a lamp that moves away becomes a sun",
         "a sun is the limit of a lamp",
-        limit_of_lamps,
+        Trial::Claim(limit_of_lamps),
     );
     let lit = [
         (

@@ -24,14 +24,14 @@ fn unlit(color: f64, mirror: f64, background: f64, spheres: &[([f64; 3], f64)]) 
         .material("own", [color; 3], [1.0, 0.0, 0.0, 1.0, mirror])
         .plane([0.0, 0.0, -1.0], [0.1, 0.0, 1.0], "own")
         .cylinder([0.0, 0.5, 0.0], [0.3, 0.2, 1.0], (0.3, 1.5), "own")
-        .before([background; 3]);
+        .background([background; 3]);
     let spheres = spheres.iter();
     spheres.fold(draft, |draft, it| draft.sphere(it.0, it.1, "own"))
 }
 
 /// Fails if a channel of the scene's picture is brighter than `most`, in any quality.
-fn none_is_brighter(draft: &Draft, reflections: u8, most: u8) -> Result<(), TestCaseError> {
-    let scene = Scene::read(draft, reflections).unwrap();
+fn none_is_brighter(draft: &Draft, most: u8) -> Result<(), TestCaseError> {
+    let scene = Scene::read(draft).unwrap();
     for quality in [Quality::Exact, Quality::Fast] {
         let picture = scene.drawn(quality, Size::new(48, 24));
         let brightest = picture.pixels.into_iter().flatten().max().unwrap();
@@ -48,7 +48,7 @@ fn set(color: f64, coefficients: [f64; 5]) -> Draft {
         .sphere([-0.5, 0.0, 0.5], 0.5, "own")
         .cylinder([0.7, 0.0, 0.5], [0.0, 0.0, 1.0], (0.4, 1.0), "own")
         .plane([0.0; 3], [0.0, 0.0, 1.0], "own")
-        .before([0.0; 3])
+        .background([0.0; 3])
 }
 
 #[test]
@@ -57,7 +57,8 @@ fn no_pixel_is_brighter_than_the_brightest_surface() {
     let scenes = (0.0..1.0, 0.0..=1.0, 0.0..1.0, spheres, any::<u8>());
     let outcome = runner(400).run(&scenes, |(color, mirror, background, spheres, n)| {
         let most = (255.0 * f64::max(color, background)).round() as u8;
-        none_is_brighter(&unlit(color, mirror, background, &spheres), n, most)
+        let draft = unlit(color, mirror, background, &spheres);
+        none_is_brighter(&draft.reflections(n), most)
     });
     outcome.unwrap_or_else(|error| panic!("{error}"));
 }
@@ -73,7 +74,7 @@ fn lit_pixel_is_no_brighter_than_its_material_may_shine() {
         let (diffuse, specular) = ((1.0 - ambient) * part, (1.0 - ambient) * (1.0 - part));
         let draft = set(color, [ambient, diffuse, specular, shininess, mirror]);
         let draft = draft.light(if is_beside { [0.7, -3.0, 2.0] } else { EYE });
-        none_is_brighter(&draft, n, (255.0 * color).round() as u8)
+        none_is_brighter(&draft.reflections(n), (255.0 * color).round() as u8)
     });
     outcome.unwrap_or_else(|error| panic!("{error}"));
 }
@@ -82,7 +83,7 @@ fn lit_pixel_is_no_brighter_than_its_material_may_shine() {
 fn black_absorbs_everything() {
     let soot = set(0.0, [1.0, 1.0, 1.0, 4.0, 0.0]);
     let soot = soot.plane([0.0, 9.0, 0.0], [0.0, 1.0, 0.0], "own");
-    none_is_brighter(&Setting::HERE.lit(soot), 4, 0).unwrap();
+    none_is_brighter(&Setting::HERE.lit(soot), 0).unwrap();
 }
 
 /// Moving the camera by a step or two of the grid changes no pixel by more than two levels, except

@@ -10,7 +10,7 @@ use std::fs;
 
 use stability::catalogue::draft::{EYE, TARGET, still_life};
 use stability::catalogue::judge::judge;
-use stability::catalogue::{BAR, Bar, Case, Measured, Trial, chapters, drawn};
+use stability::catalogue::{BAR, Bar, Case, Measured, Trial, chapters};
 use stability::report::Tried;
 use stability::{page, random, report};
 use wild::Wild;
@@ -45,7 +45,7 @@ fn case(trial: Trial) -> Case {
 #[test]
 fn verdicts_can_fail() {
     let scene = || still_life(EYE, TARGET, 50.0);
-    let compared = |draft, bar| judge(&drawn("a case", "", draft, (4, bar)));
+    let compared = |draft, bar| judge(&case(Trial::Picture(draft, bar)));
     let picture = |draft, share| compared(draft, Bar::Pixels(share));
     assert!(picture(scene(), BAR).is_met);
     assert!(!picture(scene(), 1.01).is_met);
@@ -96,7 +96,7 @@ fn overflow_nowhere(read: fn(&[u8]) -> Option<Wild>, most: u64) {
     let (mut rays, mut scenes) = (0, 0);
     let mut drawn = random::scenes([7; 32], read).filter_map(|wild| wild?.draw());
     while rays < most {
-        rays += drawn.next().map_or(0, |it| it.rays);
+        rays += drawn.next().unwrap_or(0);
         scenes += 1;
     }
     println!("{rays} rays in {scenes} scenes");

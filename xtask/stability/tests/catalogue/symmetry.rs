@@ -25,7 +25,7 @@ pub fn drawn(draft: &Draft) -> Picture {
 }
 
 fn drawn_in(quality: Quality, draft: &Draft) -> Picture {
-    let scene = Scene::read(draft, 4).unwrap();
+    let scene = Scene::read(draft).unwrap();
     scene.drawn(quality, Size::new_equal(SIDE))
 }
 
@@ -37,7 +37,7 @@ fn colors(picture: &Picture) -> usize {
 /// Applies `change` to the points or directions in the fields of these names.
 fn changed(draft: &Draft, names: &[&str], change: impl Fn([f64; 3]) -> [f64; 3]) -> Draft {
     let mut draft = draft.clone();
-    change_fields(&mut draft.0, &|name, field| {
+    change_fields(&mut draft.file, &|name, field| {
         if names.contains(&name) {
             let triple: [f64; 3] = serde_json::from_value(field.take()).unwrap();
             *field = json!(change(triple));
@@ -157,13 +157,13 @@ fn directions_of_any_length_show_the_same_picture() {
 /// Multiplies every point and length by a factor.
 fn enlarged(draft: &Draft, factor: f64) -> Draft {
     let mut draft = changed(draft, &PLACES, |at| at.map(|it| it * factor));
-    change_fields(&mut draft.0, &|name, field| {
+    change_fields(&mut draft.file, &|name, field| {
         if ["radius", "height", "epsilon"].contains(&name) {
             *field = json!(field.as_f64().unwrap() * factor);
         }
     });
     // Without this field epsilon would be a thousandth of a unit, whatever the scene's lengths are.
-    assert!(draft.0["epsilon"].is_number());
+    assert!(draft.file["epsilon"].is_number());
     draft
 }
 
