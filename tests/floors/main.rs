@@ -14,28 +14,24 @@ use std::{
 
 use source::{paths, tokens};
 
-/// The modules of the stack and their floors. Modules on the same floor may name each other.
-const FLOORS: [(&str, u8); 20] = [
-    ("number", 0),
-    ("error", 0),
-    ("error_kind", 0),
-    ("kinds", 0),
-    ("vector", 1),
-    ("ray", 1),
-    ("grid", 1),
-    ("color", 1),
-    ("background", 2),
-    ("checker", 2),
-    ("material", 2),
-    ("light", 2),
-    ("shape", 2),
-    ("camera", 2),
-    ("scene", 3),
-    ("shade", 4),
-    ("accel", 5),
-    ("trace", 6),
-    ("render", 7),
-    ("display", 8),
+/// The modules of each floor, from the lowest up. Modules on the same floor may name each other.
+const FLOORS: [&[&str]; 9] = [
+    &["number", "error", "error_kind", "kinds"],
+    &["vector", "ray", "grid", "color"],
+    &[
+        "background",
+        "checker",
+        "material",
+        "light",
+        "shape",
+        "camera",
+    ],
+    &["scene"],
+    &["shade"],
+    &["accel"],
+    &["trace"],
+    &["render"],
+    &["display"],
 ];
 
 /// Modules beside the stack: they use it, and no module of the stack names them.
@@ -135,9 +131,8 @@ fn module_of(file: &str) -> Vec<String> {
     file.split('/').map(str::to_owned).collect()
 }
 
-fn floor_of(room: &str) -> Option<u8> {
-    let known = FLOORS.iter().find(|(name, _)| *name == room);
-    known.map(|(_, floor)| *floor)
+fn floor_of(room: &str) -> Option<usize> {
+    FLOORS.iter().position(|rooms| rooms.contains(&room))
 }
 
 fn upward_names(module: &[String], source: &str) -> Complaints {
