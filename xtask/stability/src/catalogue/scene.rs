@@ -40,14 +40,8 @@ impl Scene {
 
     /// Draws a picture in single precision.
     pub fn single(&self, Size { width, height }: Size) -> Picture {
-        let Case {
-            scene,
-            camera,
-            reflections,
-            shading,
-            ..
-        } = &self.case;
-        let (size, n) = ((width, height), u32::from(*reflections));
-        single::render(scene, camera, size, n, (*shading).into())
+        let (case, size) = (&self.case, (width, height));
+        let (n, shading) = (case.reflections.into(), case.shading.into());
+        single::render(&case.scene, &case.camera, size, n, shading)
     }
 }

@@ -55,29 +55,16 @@ pub fn cases() -> Vec<Case> {
         "a sun is the limit of a lamp",
         Trial::Claim(limit_of_lamps),
     );
-    let lit = [
-        (
-            "sun at a height of 1 / 2000",
-            grazing,
-            [1000.0, 0.3, 0.5],
-            0.0,
-        ),
-        (
-            "sun at a height of 5 / 10^6",
-            grazing,
-            [100.0, 0.0, 5e-4],
-            0.0,
-        ),
-        ("sun at the horizon", grazing, [1.0, -0.2, 0.0], 6.0),
-        ("sun along x", axis, [1.0, 0.0, 0.0], 6.0),
-        (
-            "sun behind the camera, along y",
-            axis,
-            [0.0, -1.0, 0.0],
-            6.0,
-        ),
-        ("sun overhead, along z", axis, [0.0, 0.0, 1.0], 6.0),
-        ("sun under the floor, along z", axis, [0.0, 0.0, -1.0], 6.0),
+    let low = [
+        ("sun at a height of 1 / 2000", [1000.0, 0.3, 0.5], 0.0),
+        ("sun at a height of 5 / 10^6", [100.0, 0.0, 5e-4], 0.0),
+        ("sun at the horizon", [1.0, -0.2, 0.0], 6.0),
+    ];
+    let along = [
+        ("sun along x", [1.0, 0.0, 0.0]),
+        ("sun behind the camera, along y", [0.0, -1.0, 0.0]),
+        ("sun overhead, along z", [0.0, 0.0, 1.0]),
+        ("sun under the floor, along z", [0.0, 0.0, -1.0]),
     ];
     let seen = [
         ("disc at the picture's edge", [1.0, 0.4], 6.0),
@@ -90,7 +77,13 @@ pub fn cases() -> Vec<Case> {
         ("disc smaller than a pixel", [pixel; 2], 0.1),
         ("disc of 90°", [-1.0, 0.4], 90.0),
     ];
-    let lit = lit.map(|(name, why, direction, angle)| picture(name, why, sunny(direction, angle)));
+    let low = low.map(|(name, direction, disc)| picture(name, grazing, sunny(direction, disc)));
+    let along = along.map(|(name, direction)| picture(name, axis, sunny(direction, 6.0)));
     let seen = seen.map(|(name, place, angle)| picture(name, disc, seen_at(place, angle)));
-    [limit].into_iter().chain(lit).chain(seen).collect()
+    [limit]
+        .into_iter()
+        .chain(low)
+        .chain(along)
+        .chain(seen)
+        .collect()
 }
