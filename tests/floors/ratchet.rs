@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::{
-    File, files,
+    File, assert_none, files,
     length::{Lengths, test_modules},
 };
 
@@ -22,8 +22,7 @@ fn no_file_is_too_long() {
     let found = library
         .iter()
         .map(|(file, lengths)| (file.name.clone(), lengths.lines));
-    let complaints = complaints(found, LONGEST_FILE);
-    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+    assert_none(complaints(found, LONGEST_FILE));
 }
 
 #[test]
@@ -31,8 +30,7 @@ fn no_file_is_too_long_with_its_tests() {
     let found = files()
         .into_iter()
         .map(|file| (file.name, file.text.lines().count()));
-    let complaints = complaints(found, LONGEST_WITH_TESTS);
-    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+    assert_none(complaints(found, LONGEST_WITH_TESTS));
 }
 
 #[test]
@@ -42,8 +40,7 @@ fn no_function_is_too_long() {
         let functions = lengths.functions.iter();
         functions.map(|it| (format!("{}: {}", file.name, it.name), it.code))
     });
-    let complaints = complaints(found, LONGEST_FUNCTION);
-    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+    assert_none(complaints(found, LONGEST_FUNCTION));
 }
 
 /// Returns the library's files that are not only for tests, with their lengths.
@@ -51,13 +48,8 @@ fn library() -> Vec<(File, Lengths)> {
     let mut files = files();
     let tests: BTreeSet<_> = files.iter().flat_map(declared_for_tests).collect();
     files.retain(|file| (1..=file.module.len()).all(|end| !tests.contains(&file.module[..end])));
-    files
-        .into_iter()
-        .map(|file| {
-            let lengths = Lengths::of(&file.text);
-            (file, lengths)
-        })
-        .collect()
+    let lengths: Vec<_> = files.iter().map(|file| Lengths::of(&file.text)).collect();
+    files.into_iter().zip(lengths).collect()
 }
 
 /// Returns the module paths of the test-only modules that a file declares in files of their own.

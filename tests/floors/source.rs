@@ -8,7 +8,10 @@ use std::collections::BTreeSet;
 pub fn paths(module: &[String], source: &str) -> Vec<(usize, String)> {
     let tokens = tokens(source);
     let exports = tokens.iter().any(|token| token.1 == "macro_export");
-    let mut scope = Scope::new(module);
+    let mut scope = Scope {
+        module: module.to_vec(),
+        ..Scope::default()
+    };
     let mut found = Vec::new();
     for at in 0..tokens.len() {
         let word = tokens[at].1;
@@ -69,6 +72,7 @@ fn follow(
 }
 
 /// The module that contains a token, including modules that are opened inside the file.
+#[derive(Default)]
 struct Scope {
     module: Vec<String>,
     depth: usize,
@@ -76,14 +80,6 @@ struct Scope {
 }
 
 impl Scope {
-    fn new(module: &[String]) -> Self {
-        Self {
-            module: module.to_vec(),
-            depth: 0,
-            opened: Vec::new(),
-        }
-    }
-
     /// Updates the module with the last of the tokens passed so far.
     fn pass(&mut self, passed: &[(usize, &str)]) {
         match passed {

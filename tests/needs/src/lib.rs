@@ -9,6 +9,7 @@ use embedded_graphics::prelude::Size;
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
 use reflet::__private::{Drawable, Everything};
+use reflet::host::compare::compare;
 use reflet::host::file::{FileScene, built};
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture};
@@ -30,7 +31,7 @@ fn refilled<S: BuiltIn>() -> Box<FileScene> {
 /// Compares a constant scene, of which only the needed parts are linked, with the same scene filled
 /// at run time in a type that has room for everything.
 fn assert_is_the_same_at_run_time<S: BuiltIn>() {
-    let (fixed, filled, view) = (S::INSTANCE, &*refilled::<S>(), (&S::CAMERA, SIZE));
+    let (fixed, filled, view) = (S::INSTANCE, &*refilled::<S>(), (&S::CAMERA, SIZE, 4));
     assert_alike::<Fast, BlinnPhong>(S::NAME, view, fixed, filled);
     assert_alike::<Exact, Phong>(S::NAME, view, fixed, filled);
     assert_alike::<Small, BlinnPhong>(S::NAME, view, fixed, filled);
@@ -48,23 +49,23 @@ impl Visitor for SameNeeds {
     }
 }
 
-/// Compares the pictures of two scenes through one camera.
-fn assert_alike<Q, K>(
+/// A camera, the size of a picture, and the number of reflections.
+type View<'a> = (&'a Camera, Size, u8);
+
+/// Compares the pictures of two scenes.
+fn assert_alike<Q: Quality, K: Shading>(
     name: &str,
-    (camera, size): (&Camera, Size),
+    view: View,
     fixed: &impl Drawable,
     filled: &impl Drawable,
-) where
-    Q: Quality,
-    K: Shading,
-{
-    let same = picture::<Q, K>(fixed, camera, size) == picture::<Q, K>(filled, camera, size);
-    assert!(same, "{name}");
+) {
+    let is_same = picture::<Q, K>(fixed, view) == picture::<Q, K>(filled, view);
+    assert!(is_same, "{name}");
 }
 
-/// Draws a scene with 4 reflections.
-fn picture<Q: Quality, K: Shading>(scene: &impl Drawable, camera: &Camera, size: Size) -> Picture {
-    let frame = FrameBuilder::new(scene, camera);
+fn picture<Q: Quality, K: Shading>(scene: &impl Drawable, view: View) -> Picture {
+    let (camera, size, reflections) = view;
+    let frame = FrameBuilder::new(scene, camera).reflections(reflections);
     let frame = frame.quality::<Q>().shading::<K>().prepare(size);
     painted(&frame.on(scene).unwrap())
 }
@@ -86,17 +87,11 @@ fn scene_in_flash_and_scene_filled_at_run_time_have_the_same_needs() {
 
 /// Compares a number of reflections known at compile time with the same number set at run time.
 fn assert_known<S: BuiltIn, const N: u8>() {
-    let (name, size) = (S::NAME, Size::new(64, 48));
-    let limited = Limited::<_, MostReflections<N>>::new(S::INSTANCE).unwrap();
-    let known = limited.frame(&S::CAMERA).reflections(N);
-    let free = S::frame(&S::CAMERA).reflections(N);
-    let found = painted(&free.prepare(size).on(S::INSTANCE).unwrap());
-    let drawn = painted(&known.prepare(size).on(&limited).unwrap());
-    assert!(drawn == found, "{name}, {N}");
-    let (known, free) = (known.quality::<Small>(), free.quality::<Small>());
-    let found = painted(&free.prepare(size).on(S::INSTANCE).unwrap());
-    let drawn = painted(&known.prepare(size).on(&limited).unwrap());
-    assert!(drawn == found, "{name}, {N}, small");
+    let (name, view) = (S::NAME, (&S::CAMERA, Size::new(64, 48), N));
+    let known = Limited::<_, MostReflections<N>>::new(S::INSTANCE).unwrap();
+    let what = |quality| format!("{name}, {N}, {quality}");
+    assert_alike::<Fast, BlinnPhong>(&what("fast"), view, &known, S::INSTANCE);
+    assert_alike::<Small, BlinnPhong>(&what("small"), view, &known, S::INSTANCE);
 }
 
 #[test]
@@ -124,12 +119,13 @@ impl NeedsLimit for Bare {
 fn bounded_frame_gives_the_same_picture_or_names_what_is_too_much() {
     let castle = &*refilled::<Castle>();
     let limited = Limited::<_, Like>::new(castle).unwrap();
-    let view = (&Castle::CAMERA, SIZE);
+    let view = (&Castle::CAMERA, SIZE, 4);
     assert_alike::<Fast, BlinnPhong>("castle", view, castle, &limited);
 
     let floor = &*refilled::<Floor>();
     let limited = Limited::<_, Bare>::new(floor).unwrap();
-    assert_alike::<Fast, BlinnPhong>("floor", (&Floor::CAMERA, SIZE), floor, &limited);
+    let view = (&Floor::CAMERA, SIZE, 4);
+    assert_alike::<Fast, BlinnPhong>("floor", view, floor, &limited);
     assert_eq!(excess(castle), Some("spheres"));
     assert_eq!(excess(floor), None);
     let mut two_floors = Few::new();
@@ -231,12 +227,6 @@ prop_compose! {
     }
 }
 
-/// Returns the number of pixels that differ by more than 1 in any channel.
-fn within_a_step(a: &[[u8; 3]], b: &[[u8; 3]]) -> usize {
-    let off = |a: &[u8; 3], b: &[u8; 3]| (0..3).any(|it| a[it].abs_diff(b[it]) > 1);
-    a.iter().zip(b).filter(|(a, b)| off(a, b)).count()
-}
-
 /// Bounds that each leave out one thing: number `I` of [`OFF`].
 struct Off<const I: usize>;
 
@@ -267,7 +257,7 @@ fn is_held<const I: usize>(scene: &Scene<Little>) -> bool {
     let Ok(bound) = Limited::<_, Off<I>>::new(scene) else {
         return false;
     };
-    let view = (&FRONT, Size::new(24, 20));
+    let view = (&FRONT, Size::new(24, 20), 4);
     let what = |name| format!("{name} of {:?}, bound {:?}", scene.needs(), OFF[I]);
     assert_alike::<Fast, BlinnPhong>(&what("fast"), view, &bound, scene);
     assert_alike::<Small, Phong>(&what("small"), view, &bound, scene);
@@ -370,13 +360,12 @@ fn reflections_beyond_a_bound_are_cut_off() {
     }
 
     let mirrors = &*refilled::<Mirror1>();
-    let size = Size::new(64, 48);
-    let once = mirrors.frame(&Mirror1::CAMERA).reflections(1);
-    let once = painted(&once.prepare(size).on(mirrors).unwrap());
+    let view = |reflections| (&Mirror1::CAMERA, Size::new(64, 48), reflections);
+    let once = picture::<Fast, BlinnPhong>(mirrors, view(1));
     let bound = Limited::<_, Once>::new(mirrors).unwrap();
-    assert!(picture::<Fast, BlinnPhong>(&bound, &Mirror1::CAMERA, size) == once);
+    assert!(picture::<Fast, BlinnPhong>(&bound, view(4)) == once);
     let most = Limited::<_, MostReflections<1>>::new(&Mirror1).unwrap();
-    assert!(picture::<Fast, BlinnPhong>(&most, &Mirror1::CAMERA, size) == once);
+    assert!(picture::<Fast, BlinnPhong>(&most, view(4)) == once);
 }
 
 /// A ball between a light and a floor that is a million times as far away. The camera is as far
@@ -387,20 +376,19 @@ fn shadow_falls_on_what_is_far_from_what_throws_it() {
     let chalk = Material::new([1.0; 3]).ambient(0.25).diffuse(0.5);
     let chalk = scene.add_material(chalk).unwrap();
     scene.add_sphere([0.0, 0.0, -0.75], 0.5, chalk).unwrap();
-    scene
-        .add_plane([0, 0, -1_000_000], [0, 0, 1], chalk)
-        .unwrap();
+    let far_below = [0, 0, -1_000_000];
+    scene.add_plane(far_below, [0, 0, 1], chalk).unwrap();
     scene.add_light([0.0, 0.0, 0.0], [1.0, 1.0, 1.0]).unwrap();
     let scene = scene.build().unwrap();
-    let size = Size::new(16, 16);
     let mut seen = Vec::new();
     // Below the ball, and far to the side of its shadow.
     for x in [0.0, 4e6] {
         let camera = Camera::look_at([x, -2e5, -6e5], [x, 0.0, -1e6], [0.0, 0.0, 1.0]);
         let camera = camera.fov(20.0);
-        let fast = picture::<Fast, BlinnPhong>(&scene, &camera, size).pixels[8 * 16 + 8];
-        let small = picture::<Small, BlinnPhong>(&scene, &camera, size);
-        assert_eq!(fast, small.pixels[8 * 16 + 8], "x = {x}");
+        let view = (&camera, Size::new(16, 16), 4);
+        let fast = picture::<Fast, BlinnPhong>(&scene, view).pixels[8 * 16 + 8];
+        let small = picture::<Small, BlinnPhong>(&scene, view).pixels[8 * 16 + 8];
+        assert_eq!(fast, small, "x = {x}");
         seen.push(fast[0]);
     }
     assert!(seen[0] == 64 && seen[1] > 70, "{seen:?}");
@@ -414,10 +402,10 @@ proptest! {
     #[test]
     fn small_code_shows_what_fast_code_shows(scene in few()) {
         let Ok(scene) = scene.build() else { return Ok(()) };
-        let size = Size::new(40, 32);
-        let fast = painted(&scene.frame(&FRONT).quality::<Exact>().prepare(size).on(&scene).unwrap());
-        let small = painted(&scene.frame(&FRONT).quality::<Small>().prepare(size).on(&scene).unwrap());
-        let off = within_a_step(&fast.pixels, &small.pixels);
-        prop_assert!(off <= 4, "{off} of {} pixels", fast.pixels.len());
+        let view = (&FRONT, Size::new(40, 32), 4);
+        let exact = picture::<Exact, BlinnPhong>(&scene, view);
+        let small = picture::<Small, BlinnPhong>(&scene, view);
+        let off = (1.0 - compare(&exact, &small).unwrap().within1) * (40.0 * 32.0);
+        prop_assert!(off.round() <= 4.0, "{off} pixels");
     }
 }

@@ -9,21 +9,15 @@ use reflet::{FrameBuilder, Report, Unit};
 
 use crate::Wild;
 
-/// Result of drawing a picture.
-#[derive(Clone, Copy, Debug)]
-pub struct Drawn {
-    /// Number of followed rays, without shadow rays.
-    pub rays: u64,
-}
-
 impl Wild {
-    /// Draws the scene. `None` if the library refuses it as a whole.
+    /// Draws the scene, and returns the number of followed rays, without shadow rays. `None` if the library
+    /// refuses the scene as a whole.
     ///
     /// # Panics
     ///
     /// Panics if a row takes more rays than it may, or if a path was cut off in a scene without
     /// mirrors.
-    pub fn draw(&self) -> Option<Drawn> {
+    pub fn draw(&self) -> Option<u64> {
         let built = self.scene.build().ok()?;
         let frame = built.frame(&self.camera).reflections(self.reflections);
         Some(match self.kind % 8 {
@@ -34,10 +28,7 @@ impl Wild {
             4 => self.paint(&built, frame.shading::<Phong>().quality::<Exact>()),
             5 => self.paint(&built, frame.shading::<BlinnPhong>().quality::<Exact>()),
             6 => self.paint(&built, frame.quality::<Small>()),
-            _ => self.paint(
-                &built,
-                frame.shading::<Unshadowed<BlinnPhong>>().quality::<Fast>(),
-            ),
+            _ => self.paint(&built, frame.shading::<Unshadowed<BlinnPhong>>()),
         })
     }
 
@@ -45,7 +36,7 @@ impl Wild {
         &self,
         scene: &S,
         frame: FrameBuilder<'_, S, Q, K>,
-    ) -> Drawn {
+    ) -> u64 {
         let prepared = frame.prepare(self.size);
         let picture = prepared.on(scene).unwrap();
         let (width, height) = (self.size.width, self.size.height);
@@ -63,6 +54,6 @@ impl Wild {
         }
         let is_whole = report.cut_off == Unit::ZERO;
         assert!(self.mirrors || is_whole, "{report:?}, and nothing mirrors");
-        Drawn { rays: report.rays }
+        report.rays
     }
 }

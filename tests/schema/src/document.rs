@@ -50,11 +50,8 @@ pub const EDGES: [f64; 26] = [
 /// Makes a file: some of these scenes in an array or one alone, with some mistakes.
 pub fn file(bytes: &mut Unstructured, scenes: &[Value]) -> Result<Value> {
     let is_array = bytes.ratio(1, 4)?;
-    let count = if is_array {
-        bytes.int_in_range(0..=3)?
-    } else {
-        1
-    };
+    let counts = if is_array { 0..=3 } else { 1..=1 };
+    let count = bytes.int_in_range(counts)?;
     let mut made = Vec::new();
     for number in 0..count {
         let mut scene = bytes.choose(scenes)?.clone();
@@ -106,18 +103,9 @@ fn spoil(bytes: &mut Unstructured, scene: &mut Value) -> Result<()> {
 
 /// Makes a value that is wrong at most places. No array is as long as an object has keys.
 fn wrong(bytes: &mut Unstructured) -> Result<Value> {
-    let values = [
-        json!(null),
-        json!(true),
-        json!("clay"),
-        json!(3),
-        json!([]),
-        json!({}),
-        json!([0]),
-        json!([0, 0, "1"]),
-        json!([1, 2, 3]),
-    ];
-    bytes.choose(&values).cloned()
+    let values = json!([null, true, "clay", 3, [], {}, [0], [0, 0, "1"], [1, 2, 3]]);
+    let values = values.as_array().expect("it is an array");
+    bytes.choose(values).cloned()
 }
 
 /// Removes a key or an item.
@@ -136,14 +124,13 @@ fn drop_from(bytes: &mut Unstructured, at: &mut Value) -> Result<()> {
 /// Repeats the first part of a list until the list has `count` parts. An empty list stays empty.
 /// Every repeated material gets its own name.
 pub fn fill(scene: &mut Value, list: &str, count: usize) {
-    let Some(parts) = scene.get_mut(list).and_then(Value::as_array_mut) else {
-        return;
-    };
-    let Some(part) = parts.first().cloned() else {
+    let Some(Value::Array(parts)) = scene.get_mut(list) else {
         return;
     };
     for number in parts.len()..count {
-        let mut part = part.clone();
+        let Some(mut part) = parts.first().cloned() else {
+            return;
+        };
         if list == "materials" && part.is_object() {
             part["name"] = json!(number.to_string());
         }
@@ -161,9 +148,9 @@ pub fn places(value: &Value) -> Vec<String> {
         }
         _ => Vec::new(),
     };
-    let inner = inner.into_iter().flat_map(|(key, value)| {
-        let below = places(value).into_iter();
-        below.map(move |place| format!("/{key}{place}"))
-    });
-    [String::new()].into_iter().chain(inner).collect()
+    let mut found = vec![String::new()];
+    for (key, value) in inner {
+        found.extend(places(value).iter().map(|place| format!("/{key}{place}")));
+    }
+    found
 }

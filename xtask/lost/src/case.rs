@@ -4,7 +4,7 @@
 use command_line::{Quality, Settings, Shading, Source};
 use embedded_graphics::geometry::Size;
 use reflet::host::file::FileError;
-use reflet::host::reference::{Camera, Scene, render};
+use reflet::host::reference::{Camera, Picture, Scene, pixel, render};
 
 /// A pixel's levels of red, green and blue.
 pub type Pixel = [u8; 3];
@@ -35,8 +35,6 @@ pub struct Case {
 pub struct Judged {
     /// Name of the scene.
     pub name: String,
-    /// Width and height of the pictures.
-    pub size: Size,
     /// Percentage of the pixels that `Exact` has within [`RIGHT`].
     pub exact: f64,
     /// What each tested quality loses.
@@ -49,7 +47,7 @@ pub struct Lost {
     /// The tested quality.
     pub quality: Quality,
     /// The picture of this quality.
-    pub pixels: Vec<Pixel>,
+    pub picture: Picture,
     /// Whether each pixel is lost.
     pub is_lost: Vec<bool>,
 }
@@ -73,45 +71,26 @@ impl Case {
     ///
     /// The library refuses the scene or the camera.
     pub fn judge(&self, size: Size, qualities: &[Quality]) -> Result<Judged, FileError> {
-        let source = self.source()?;
-        let (n, shading) = (self.reflections.into(), self.shading.into());
-        let truth = render(
-            &self.scene,
-            &self.camera,
-            size.width,
-            size.height,
-            n,
-            shading,
-        )
-        .pixels;
-        let drawn = |quality| {
-            let settings = Settings {
-                reflections: self.reflections,
-                shading: self.shading,
-                quality,
-            };
-            source.drawn(size, settings).pixels
-        };
+        let (source, truth) = (self.source()?, self.truth(size));
+        let drawn = |quality| source.drawn(size, self.settings(quality));
         let exact = drawn(Quality::Exact);
         let judge = |&quality: &Quality| {
-            let pixels = drawn(quality);
+            let picture = drawn(quality);
             // `Exact` decides by bounds what rays can hit. It is tested against `Small`, which tests all.
             let is_lost = match quality {
-                Quality::Exact => lost(&truth, &drawn(Quality::Small), &pixels),
-                _ => lost(&truth, &exact, &pixels),
+                Quality::Exact => lost(&truth, &drawn(Quality::Small), &picture),
+                _ => lost(&truth, &exact, &picture),
             };
             Lost {
                 quality,
-                pixels,
+                picture,
                 is_lost,
             }
         };
-        let right = exact.iter().zip(&truth);
-        let right = right.filter(|(a, b)| difference(**a, **b) <= RIGHT).count();
+        let right = within(&exact, &truth, RIGHT).filter(|it| *it).count();
         Ok(Judged {
             name: self.name.clone(),
-            size,
-            exact: 100.0 * right as f64 / truth.len().max(1) as f64,
+            exact: 100.0 * right as f64 / truth.pixels.len().max(1) as f64,
             lost: qualities.iter().map(judge).collect(),
         })
     }
@@ -123,6 +102,28 @@ impl Case {
     pub fn source(&self) -> Result<Source, FileError> {
         Source::described(self.name.clone(), self.scene.clone(), self.camera.clone())
     }
+
+    /// Returns the settings with which a quality draws the scene.
+    pub fn settings(&self, quality: Quality) -> Settings {
+        Settings {
+            reflections: self.reflections,
+            shading: self.shading,
+            quality,
+        }
+    }
+
+    /// Returns the picture in double precision.
+    pub fn truth(&self, Size { width, height }: Size) -> Picture {
+        let (n, shading) = (self.reflections.into(), self.shading.into());
+        render(&self.scene, &self.camera, width, height, n, shading)
+    }
+
+    /// Returns one pixel of the picture in double precision.
+    pub fn true_pixel(&self, Size { width, height }: Size, at: (u32, u32)) -> Pixel {
+        let (n, shading) = (self.reflections.into(), self.shading.into());
+        let color = pixel(&self.scene, &self.camera, (width, height), at, n, shading);
+        color.map(|it| (255.0 * it).round().clamp(0.0, 255.0) as u8)
+    }
 }
 
 /// Returns the largest difference of a channel.
@@ -131,12 +132,21 @@ pub fn difference(one: Pixel, other: Pixel) -> u8 {
     channels.max().unwrap_or(0)
 }
 
+/// Tests for each pixel whether two pictures differ by at most this.
+pub fn within(one: &Picture, other: &Picture, most: u8) -> impl Iterator<Item = bool> {
+    let pixels = one.pixels.iter().zip(&other.pixels);
+    pixels.map(move |(one, other)| difference(*one, *other) <= most)
+}
+
+/// Returns the number of pixels by which two pictures differ by more than this.
+pub fn differing(one: &Picture, other: &Picture, most: u8) -> usize {
+    within(one, other, most).filter(|is_near| !is_near).count()
+}
+
 /// Tests for each pixel whether one quality has it right and the tested one visibly wrong.
-fn lost(truth: &[Pixel], right: &[Pixel], tested: &[Pixel]) -> Vec<bool> {
-    let pixels = truth.iter().zip(right).zip(tested);
-    let is_lost = pixels.map(|((truth, right), tested)| {
-        difference(*right, *truth) <= RIGHT && difference(*tested, *truth) > VISIBLE
-    });
+fn lost(truth: &Picture, right: &Picture, tested: &Picture) -> Vec<bool> {
+    let pixels = within(right, truth, RIGHT).zip(within(tested, truth, VISIBLE));
+    let is_lost = pixels.map(|(is_right, is_near)| is_right && !is_near);
     is_lost.collect()
 }
 
@@ -155,7 +165,12 @@ mod tests {
             (grey, [92, 108, 100], false),
             (grey, grey, false),
         ] {
-            let found = lost(&[grey], &[right], &[tested]);
+            let [truth, one, other] = [grey, right, tested].map(|pixel| Picture {
+                width: 1,
+                height: 1,
+                pixels: vec![pixel],
+            });
+            let found = lost(&truth, &one, &other);
             assert_eq!(found, [expected], "{right:?} {tested:?}");
         }
     }

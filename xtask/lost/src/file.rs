@@ -3,7 +3,7 @@
 use command_line::scene_file;
 use image::{ImageFormat, RgbImage};
 
-use crate::case::{Case, Judged, Lost};
+use crate::case::{Case, Lost};
 
 /// Colour of lost pixels in pictures.
 const MAGENTA: [u8; 3] = [255, 0, 255];
@@ -21,9 +21,9 @@ pub fn json(case: &Case) -> String {
 /// # Errors
 ///
 /// The picture cannot be encoded.
-pub fn png(judged: &Judged, lost: &Lost) -> image::ImageResult<Vec<u8>> {
-    let mut picture = RgbImage::new(judged.size.width, judged.size.height);
-    let pixels = lost.pixels.iter().zip(&lost.is_lost);
+pub fn png(lost: &Lost) -> image::ImageResult<Vec<u8>> {
+    let mut picture = RgbImage::new(lost.picture.width, lost.picture.height);
+    let pixels = lost.picture.pixels.iter().zip(&lost.is_lost);
     for (target, (pixel, is_lost)) in picture.pixels_mut().zip(pixels) {
         target.0 = if *is_lost { MAGENTA } else { *pixel };
     }

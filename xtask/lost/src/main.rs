@@ -150,7 +150,7 @@ fn write(folder: &Path, judged: &Judged, case: &Case) -> Result<(), Failure> {
     for lost in judged.lost.iter().filter(|it| it.count() > 0) {
         write(".json", file::json(case).as_bytes())?;
         let ending = format!("-{}.png", lost.quality.name());
-        write(&ending, &file::png(judged, lost)?)?;
+        write(&ending, &file::png(lost)?)?;
     }
     Ok(())
 }

@@ -62,7 +62,7 @@ pub fn lines(judged: &Judged) -> impl Iterator<Item = String> {
             "{:<26} {:<5} {:>8} {:>11.2} %  | {:>6} {:>6.3} %",
             judged.name,
             lost.quality.name(),
-            lost.pixels.len(),
+            lost.is_lost.len(),
             judged.exact,
             lost.count(),
             lost.percent(),

@@ -11,7 +11,6 @@ use lost::on_all_cores;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::precision;
 use reflet::host::reference::bound::Paths;
-use reflet::host::reference::{Picture, render};
 use reflet::quality::{Exact, Fast};
 
 #[path = "../../../tests/scenes/held.rs"]
@@ -44,22 +43,11 @@ fn for_scenes<T: Send>(
     checked
 }
 
-fn drawn(case: &Case, source: &Source, quality: Quality, shading: Shading, side: u32) -> Picture {
-    let settings = Settings {
-        reflections: case.reflections,
-        shading,
-        quality,
-    };
-    source.drawn(Size::new_equal(side), settings)
-}
-
 fn are_painted_as_double_precision_paints_them(family: Family, count: usize) {
-    const SIDE: u32 = 48;
+    const SIZE: Size = Size::new_equal(48);
     let found = for_scenes(family, count, |case, source| {
-        let picture = drawn(case, source, Quality::Exact, case.shading, SIDE);
-        let (n, shading) = (case.reflections.into(), case.shading.into());
-        let truth = render(&case.scene, &case.camera, SIDE, SIDE, n, shading);
-        let found = compare(&picture, &truth).unwrap();
+        let picture = source.drawn(SIZE, case.settings(Quality::Exact));
+        let found = compare(&picture, &case.truth(SIZE)).unwrap();
         let is_near = found.within8 >= WITHIN_8 && found.within1 >= WITHIN_1;
         assert!(is_near, "{}: {found:?}", case.name);
         (found, BTreeSet::from_iter(picture.pixels).len())
@@ -112,16 +100,14 @@ fn no_pixel_is_further_off_than_its_bound(family: Family, count: usize) {
             _ => Shading::BlinnPhong,
         };
         let (precision, size) = (precision(source.scene()), (SIDE, SIDE));
-        let paths = Paths::follow(
-            &case.scene,
-            &case.camera,
-            size,
-            ALL,
-            shading.into(),
-            &precision,
-        );
+        let (scene, camera) = (&case.scene, &case.camera);
+        let paths = Paths::follow(scene, camera, size, ALL, shading.into(), &precision);
         let held = |quality, ending| {
-            let picture = drawn(case, source, quality, shading, SIDE);
+            let settings = Settings {
+                shading,
+                ..case.settings(quality)
+            };
+            let picture = source.drawn(Size::new_equal(SIDE), settings);
             let held = held(&paths, &ending, &picture, ALL);
             assert!(held.broken == 0, "{}: {held:?}", case.name);
             held

@@ -7,7 +7,6 @@ use lost::families::{Family, scene_of_run};
 use lost::table::{HEAD, Summary, row};
 use lost::{file, on_all_cores};
 use reflet::host::file::{SceneFile, built};
-use reflet::host::reference::{Shading, pixel};
 
 /// Least percentage of pixels that `Exact` has within 1.
 const BAR: f64 = 95.0;
@@ -46,19 +45,13 @@ fn highlight_of_a_pixel_on_a_plane_is_not_lost_where_the_view_turns() {
 
 /// Tests whether rays a 32nd of a pixel to each side have the colour of a pixel in double precision.
 fn is_sure(case: &Case, index: usize) -> bool {
-    let Size { width, height } = SIZE;
-    let (x, y) = (index as u32 % width, index as u32 / width);
-    let color = |size, at| {
-        let n = case.reflections.into();
-        let color = pixel(&case.scene, &case.camera, size, at, n, Shading::BlinnPhong);
-        color.map(|it| (255.0 * it).round().clamp(0.0, 255.0) as u8)
-    };
-    let own = color((width, height), (x, y));
+    let (x, y) = (index as u32 % SIZE.width, index as u32 / SIZE.width);
+    let own = case.true_pixel(SIZE, (x, y));
     // In a picture 16 times as large, these are the four pixels in the middle of this one.
     let mut beside = [(7, 7), (7, 8), (8, 7), (8, 8)].into_iter();
     beside.all(|(right, down)| {
         let at = (16 * x + right, 16 * y + down);
-        difference(color((16 * width, 16 * height), at), own) <= VISIBLE
+        difference(case.true_pixel(SIZE * 16, at), own) <= VISIBLE
     })
 }
 

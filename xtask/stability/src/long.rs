@@ -2,16 +2,11 @@
 
 use std::time::Instant;
 
-use embedded_graphics::geometry::Size;
 use indicatif::{ProgressBar, ProgressStyle};
-use proptest::prelude::RngCore;
-use proptest::test_runner::{RngAlgorithm, TestRng};
+use stability::random;
 use wild::Wild;
 
 use crate::{Failure, print};
-
-/// Number of random bytes from which a scene is made.
-const BYTES: usize = 600;
 
 /// Factor on width and height of the fuzzer's pictures, because rays are wanted more than scenes.
 const LARGER: u32 = 8;
@@ -25,23 +20,20 @@ pub fn run(rays: u64, seed: u64) -> Result<bool, Failure> {
     let start = Instant::now();
     let mut bytes = [0; 32];
     bytes[..8].copy_from_slice(&seed.to_le_bytes());
-    let mut random = TestRng::from_seed(RngAlgorithm::ChaCha, &bytes);
     let bar = ProgressBar::new(rays).with_style(ProgressStyle::with_template(
         "{wide_bar} {percent:>3} % {eta:>4}",
     )?);
     let (mut followed, mut scenes, mut refused) = (0, 0_u64, 0_u64);
-    let mut bytes = [0; BYTES];
+    let mut random = random::scenes(bytes, Wild::read);
     while followed < rays {
-        random.fill_bytes(&mut bytes);
-        let drawn = Wild::read(&bytes).and_then(|mut wild| {
-            let Size { width, height } = wild.size;
-            wild.size = Size::new(width * LARGER, height * LARGER);
+        let drawn = random.next().flatten().and_then(|mut wild| {
+            wild.size *= LARGER;
             wild.draw()
         });
         match drawn {
-            Some(drawn) => {
+            Some(rays) => {
                 scenes += 1;
-                followed += drawn.rays;
+                followed += rays;
                 bar.set_position(followed);
             }
             None => refused += 1,

@@ -11,8 +11,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use command_line::{Failure, parse};
-use stability::report::Tried;
-use stability::{catalogue, page, report};
+use stability::{page, report};
 
 /// Tries every case of the catalogue and writes docs/internals/stability.md.
 ///
@@ -57,11 +56,8 @@ fn run(arguments: &Arguments) -> Result<bool, Failure> {
     if let Some(rays) = arguments.rays {
         return long::run(rays, arguments.seed);
     }
-    let tried: Vec<Tried> = catalogue::chapters()
-        .iter()
-        .flat_map(|(chapter, cases)| cases.iter().map(|case| Tried::new(chapter, case)))
-        .inspect(|tried| print(&tried.line()))
-        .collect();
+    let tried = report::try_all().inspect(|tried| print(&tried.line()));
+    let tried: Vec<_> = tried.collect();
     let failures = report::failures(&tried);
     for failure in &failures {
         writeln!(io::stderr(), "{failure}")?;

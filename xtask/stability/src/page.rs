@@ -21,8 +21,8 @@ fn write_exceptions(page: &mut String, tried: &[Tried]) {
     let lines: Vec<_> = report::worse(tried)
         .map(|it| {
             let [fixed, single] = it.verdict.errors.unwrap_or_default().map(number);
-            let reason = it.exception.unwrap_or("For no reason.");
-            format!("- {}: {fixed} against {single}. {reason}\n", it.name)
+            let reason = it.case.exception.unwrap_or("For no reason.");
+            format!("- {}: {fixed} against {single}. {reason}\n", it.case.name)
         })
         .collect();
     page.push_str(&match lines.is_empty() {
@@ -33,9 +33,10 @@ fn write_exceptions(page: &mut String, tried: &[Tried]) {
 
 fn head(tried: &[Tried]) -> String {
     let compared = Compared::of(tried);
-    let aim = match compared.is_aim_met() {
-        true => "met",
-        false => "missed",
+    let aim = if compared.is_aim_met() {
+        "met"
+    } else {
+        "missed"
     };
     format!(
         "# Stiff and extreme cases\n\n\
@@ -77,21 +78,14 @@ fn write_chapter(page: &mut String, chapter: &[Tried]) {
         );
     }
     for tried in figures {
-        let verdict = &tried.verdict;
-        let [fixed, single] = verdict.errors.unwrap_or_default();
+        let (case, verdict, word) = (&tried.case, &tried.verdict, tried.word());
+        let [fixed, single] = verdict.errors.unwrap_or_default().map(number);
         let shares = verdict.within8.map(|shares| shares.map(percent));
-        let [exact, fast, port] = shares.unwrap_or_else(|| [""; 3].map(str::to_owned));
+        let [exact, fast, port] = shares.unwrap_or_default();
         let _ = writeln!(
             page,
-            "| {} | {} | {} | {} | {} | {} | {exact} | {fast} | {port} | {} | {} |",
-            tried.name,
-            tried.why,
-            verdict.reference,
-            verdict.unit,
-            number(fixed),
-            number(single),
-            verdict.words,
-            tried.word(),
+            "| {} | {} | {} | {} | {fixed} | {single} | {exact} | {fast} | {port} | {} | {word} |",
+            case.name, case.why, verdict.reference, verdict.unit, verdict.words,
         );
     }
     if !claims.is_empty() {
@@ -100,7 +94,7 @@ fn write_chapter(page: &mut String, chapter: &[Tried]) {
         );
     }
     for tried in claims {
-        let (name, why, words) = (&tried.name, tried.why, &tried.verdict.words);
+        let (name, why, words) = (&tried.case.name, tried.case.why, &tried.verdict.words);
         let _ = writeln!(page, "| {name} | {why} | {words} | {} |", tried.word());
     }
 }

@@ -1,37 +1,33 @@
 //! Formats the results of the cases as lines. Never tries a case.
 
-use super::catalogue::Case;
 use super::catalogue::judge::{Verdict, judge};
+use super::catalogue::{Case, chapters};
 
 /// A case that was tried, and its verdict.
 pub struct Tried {
     /// Title of the page's chapter in which a case stands.
     pub chapter: &'static str,
-    /// Name of the case.
-    pub name: String,
-    /// Why the case is hard.
-    pub why: &'static str,
-    /// Why single precision may be better.
-    pub exception: Option<&'static str>,
-    /// The outcome of the case.
+    pub case: Case,
     pub verdict: Verdict,
 }
 
+/// Tries all cases of the catalogue.
+pub fn try_all() -> impl Iterator<Item = Tried> {
+    let chapters = chapters().into_iter();
+    chapters.flat_map(|(chapter, cases)| cases.into_iter().map(|case| Tried::new(chapter, case)))
+}
+
 impl Tried {
-    /// Tries a case of a chapter.
-    pub fn new(chapter: &'static str, case: &Case) -> Self {
+    pub fn new(chapter: &'static str, case: Case) -> Self {
         Self {
             chapter,
-            name: case.name.clone(),
-            why: case.why,
-            exception: case.exception,
-            verdict: judge(case),
+            verdict: judge(&case),
+            case,
         }
     }
 
-    /// Returns one line about the case.
     pub fn line(&self) -> String {
-        format!("{:<5} {}: {}", self.word(), self.name, self.figures())
+        format!("{:<5} {}: {}", self.word(), self.case.name, self.figures())
     }
 
     /// Returns the verdict in a few words: `fails`, `met`, or `met, worse than f32`.
@@ -44,23 +40,18 @@ impl Tried {
     }
 
     fn figures(&self) -> String {
-        let Verdict {
-            errors,
-            unit,
-            within8,
-            words,
-            ..
-        } = &self.verdict;
-        let errors = errors.map(|[fixed, single]| {
-            format!("fixed {}, f32 {} ({unit})", number(fixed), number(single))
+        let verdict = &self.verdict;
+        let errors = verdict.errors.map(|errors| {
+            let [fixed, single] = errors.map(number);
+            format!("fixed {fixed}, f32 {single} ({})", verdict.unit)
         });
-        let within8 = within8.map(|shares| {
+        let within8 = verdict.within8.map(|shares| {
             let [exact, fast, single] = shares.map(percent);
             format!("within 8: Exact {exact}, Fast {fast}, f32 {single}")
         });
         let parts: Vec<_> = errors.into_iter().chain(within8).collect();
         match parts.is_empty() {
-            true => words.clone(),
+            true => verdict.words.clone(),
             false => parts.join("; "),
         }
     }
@@ -76,7 +67,6 @@ pub fn number(value: f64) -> String {
     }
 }
 
-/// Formats a share in percent.
 pub fn percent(share: f64) -> String {
     format!("{:.2} %", 100.0 * share)
 }
@@ -86,18 +76,15 @@ pub const AIM: f64 = 0.9;
 
 /// Numbers of cases that are compared with single precision, and of those that are no worse.
 pub struct Compared {
-    /// Number of cases in which fixed point and single precision are compared.
     pub all: usize,
     /// Cases that are no worse by the rule of the page, in `Exact` and `Fast`.
     pub no_worse: [usize; 2],
-    /// Cases in which the error of fixed point is smaller, even if invisibly. `same`: cases with
-    /// equal errors.
+    /// Cases in which the error of fixed point is smaller, even if invisibly, and in which it is the same.
     pub smaller: usize,
     pub same: usize,
 }
 
 impl Compared {
-    /// Counts the compared cases.
     pub fn of(tried: &[Tried]) -> Self {
         let verdicts = || tried.iter().map(|it| &it.verdict);
         let compared = || verdicts().filter_map(|it| it.no_worse);
@@ -110,13 +97,9 @@ impl Compared {
         }
     }
 
-    /// Formats a count of cases and its share.
     pub fn share(&self, count: usize) -> String {
-        format!(
-            "{count} of {} ({})",
-            self.all,
-            percent(count as f64 / self.all as f64)
-        )
+        let share = percent(count as f64 / self.all as f64);
+        format!("{count} of {} ({share})", self.all)
     }
 
     /// Tests whether enough cases are no worse in `Exact`.
@@ -129,25 +112,17 @@ impl Compared {
 /// reason.
 pub fn failures(tried: &[Tried]) -> Vec<String> {
     let missed = tried.iter().filter(|it| !it.verdict.is_met);
-    let mut lines: Vec<_> = missed
-        .map(|it| {
-            format!(
-                "{}: {}: {} (bar: {})",
-                it.chapter,
-                it.name,
-                it.figures(),
-                it.verdict.words
-            )
-        })
-        .collect();
-    let worse = worse(tried).filter(|it| it.exception.is_none());
-    lines.extend(worse.map(|it| format!("{}: worse than f32: {}", it.name, it.figures())));
-    lines
+    let missed = missed.map(|it| {
+        let (name, figures, bar) = (&it.case.name, it.figures(), &it.verdict.words);
+        format!("{}: {name}: {figures} (bar: {bar})", it.chapter)
+    });
+    let worse = worse(tried).filter(|it| it.case.exception.is_none());
+    let worse = worse.map(|it| format!("{}: worse than f32: {}", it.case.name, it.figures()));
+    missed.chain(worse).collect()
 }
 
 /// Returns the cases in which single precision is better than `Exact`.
 pub fn worse(tried: &[Tried]) -> impl Iterator<Item = &Tried> {
-    tried
-        .iter()
-        .filter(|it| matches!(it.verdict.no_worse, Some([false, ..])))
+    let is_worse = |it: &&Tried| matches!(it.verdict.no_worse, Some([false, ..]));
+    tried.iter().filter(is_worse)
 }

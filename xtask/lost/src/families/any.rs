@@ -18,7 +18,7 @@ struct Place {
 impl Place {
     fn of(random: &mut Random) -> Self {
         Self {
-            offset: cube(random) * random.pick(&[0.0, 0.0, 100.0]),
+            offset: random.cube() * random.pick(&[0.0, 0.0, 100.0]),
             scale: match random.chance(0.25) {
                 true => 1.0,
                 false => random.log_between(1e-3, 1e5),
@@ -31,34 +31,22 @@ impl Place {
     }
 }
 
-fn cube(random: &mut Random) -> Vector {
-    Vector([0; 3].map(|_| random.between(-1.0, 1.0)))
-}
-
-fn channels(random: &mut Random) -> [f64; 3] {
-    [0; 3].map(|_| random.between(0.0, 1.0))
-}
-
 /// Makes shapes, lights, a sky and a camera of any kind. The lights fall off if they `fade`.
 pub fn any(draft: &mut Draft, fade: bool) {
     let place = Place::of(&mut draft.random);
-    draft.scene.background = channels(&mut draft.random);
+    draft.scene.background = draft.random.channels();
     draft.scene.epsilon = 1e-4 * place.scale;
-    for _ in 0..MATERIALS {
-        let material = material(&mut draft.random, place.scale);
-        draft.scene.materials.push(material);
-    }
+    let materials = (0..MATERIALS).map(|_| material(&mut draft.random, place.scale));
+    draft.scene.materials = materials.collect();
     shapes(draft, &place);
-    for _ in 0..draft.random.count(1, 3) {
-        let light = light(&mut draft.random, &place, fade);
-        draft.scene.lights.push(light);
-    }
+    let lights = (0..draft.random.count(1, 3)).map(|_| light(&mut draft.random, &place, fade));
+    draft.scene.lights = lights.collect();
     if draft.random.chance(0.3) {
         draft.scene.sky = Some(Sky {
-            up: cube(&mut draft.random).0,
-            below: channels(&mut draft.random),
+            up: draft.random.cube().0,
+            below: draft.random.channels(),
             horizon: draft.scene.background,
-            above: channels(&mut draft.random),
+            above: draft.random.channels(),
         });
     }
     draft.reflections = draft.random.count(0, 8) as u8;
@@ -77,11 +65,11 @@ fn material(random: &mut Random, scale: f64) -> Material {
     let [x, y, z] = [0; 3].map(|_| scale * random.between(0.1, 1.0));
     let size = random.pick(&[[x, y, z], [x, x, 0.0]]);
     let checker = Checker {
-        color: channels(random),
+        color: random.channels(),
         size,
     };
     Material {
-        color: channels(random),
+        color: random.channels(),
         ambient: random.between(0.0, 0.3),
         diffuse: random.between(0.0, 1.0),
         specular: random.between(0.0, 1.0),
@@ -94,24 +82,24 @@ fn material(random: &mut Random, scale: f64) -> Material {
 fn shapes(draft: &mut Draft, place: &Place) {
     let scale = place.scale;
     for _ in 0..draft.random.count(1, 15) {
-        let (center, radius) = (cube(&mut draft.random), draft.random.between(0.02, 0.4));
+        let (center, radius) = (draft.random.cube(), draft.random.between(0.02, 0.4));
         let material = draft.random.count(0, MATERIALS - 1);
         draft.sphere(place.at(center), radius * scale, material);
     }
     for _ in 0..draft.random.count(0, 3) {
-        let (point, normal) = (cube(&mut draft.random) * 2.0, cube(&mut draft.random));
+        let (point, normal) = (draft.random.cube() * 2.0, draft.random.cube());
         let material = draft.random.count(0, MATERIALS - 1);
         draft.plane(place.at(point), normal, material);
     }
     for _ in 0..draft.random.count(0, 5) {
-        let (center, axis) = (cube(&mut draft.random), cube(&mut draft.random));
+        let (center, axis) = (draft.random.cube(), draft.random.cube());
         let radius = scale * draft.random.between(0.02, 0.3);
         let size = (radius, scale * draft.random.between(0.05, 2.0));
         let material = draft.random.count(0, MATERIALS - 1);
         draft.cylinder(place.at(center), axis, size, material);
     }
     for _ in 0..draft.random.count(0, 3) {
-        let (center, normal) = (cube(&mut draft.random), cube(&mut draft.random));
+        let (center, normal) = (draft.random.cube(), draft.random.cube());
         let radius = scale * draft.random.between(0.05, 0.6);
         let material = draft.random.count(0, MATERIALS - 1);
         draft.disc(place.at(center), normal, radius, material);
@@ -125,10 +113,10 @@ fn light(random: &mut Random, place: &Place, fades: bool) -> Light {
         1 => 5e3,
         _ => random.between(0.5, 3.0),
     };
-    let color = channels(random);
+    let color = random.channels();
     let range = away * place.scale * (0.02 + 3.0 * color[0] * color[0]);
     Light {
-        position: place.at(cube(random) * away).0,
+        position: place.at(random.cube() * away).0,
         color,
         sun: None,
         range: fades.then_some(range),
@@ -137,10 +125,10 @@ fn light(random: &mut Random, place: &Place, fades: bool) -> Light {
 
 /// Puts the camera among the shapes, into a sphere, or outside.
 fn camera(draft: &mut Draft, place: &Place) {
-    let target = place.at(cube(&mut draft.random) * 0.3);
+    let target = place.at(draft.random.cube() * 0.3);
     let random = &mut draft.random;
     let (position, fov) = match random.count(0, 8) {
-        0..3 => (place.at(cube(random)), random.between(30.0, 120.0)),
+        0..3 => (place.at(random.cube()), random.between(30.0, 120.0)),
         3 => {
             let sphere = random.pick(&draft.scene.spheres);
             let center = Vector(sphere.center) + Vector([0.3 * sphere.radius; 3]);
@@ -155,6 +143,6 @@ fn camera(draft: &mut Draft, place: &Place) {
             (place.at(away), random.between(1.0, 8.0))
         }
     };
-    let up = cube(random);
+    let up = random.cube();
     draft.look(position, target, up, fov);
 }

@@ -77,28 +77,19 @@ impl Draft {
 
     /// Adds a material that shines with probability one half, and mirrors with one quarter.
     pub fn any_material(&mut self) -> usize {
-        let highlight = match self.random.chance(0.5) {
-            true => (
-                self.random.between(0.2, 1.0),
-                self.random.log_between(2.0, 60.0),
-            ),
+        let random = &mut self.random;
+        let highlight = match random.chance(0.5) {
+            true => (random.between(0.2, 1.0), random.log_between(2.0, 60.0)),
             false => (0.0, 1.0),
         };
-        let mirror = match self.random.chance(0.25) {
-            true => self.random.between(0.1, 0.6),
+        let mirror = match random.chance(0.25) {
+            true => random.between(0.1, 0.6),
             false => 0.0,
         };
         self.material(highlight, mirror)
     }
 
-    /// Adds a matt material.
-    pub fn matt(&mut self) -> usize {
-        self.material((0.0, 1.0), 0.0)
-    }
-
-    /// Adds a sphere.
-    pub fn sphere(&mut self, center: Vector, radius: f64, material: usize) {
-        let center = center.0;
+    pub fn sphere(&mut self, Vector(center): Vector, radius: f64, material: usize) {
         self.scene.spheres.push(Sphere {
             center,
             radius,
@@ -123,7 +114,6 @@ impl Draft {
         });
     }
 
-    /// Adds a disc.
     pub fn disc(&mut self, center: Vector, normal: Vector, radius: f64, material: usize) {
         self.scene.discs.push(Disc {
             center: center.0,
@@ -133,7 +123,6 @@ impl Draft {
         });
     }
 
-    /// Adds a triangle.
     pub fn triangle(
         &mut self,
         corners: [Vector; 3],
@@ -147,13 +136,32 @@ impl Draft {
         });
     }
 
-    /// Adds a plane.
     pub fn plane(&mut self, point: Vector, normal: Vector, material: usize) {
         self.scene.planes.push(Plane {
             point: point.0,
             normal: normal.0,
             material,
         });
+    }
+
+    /// Adds a thin cylinder, up to 0.1 thick, with any material.
+    pub fn rod(&mut self, center: Vector, axis: Vector, longest: f64) {
+        let radius = self.random.log_between(0.003, 0.05);
+        let height = self.random.between(0.5, longest);
+        let material = self.any_material();
+        self.cylinder(center, axis, (radius, height), material);
+    }
+
+    /// Adds a disc in any direction.
+    pub fn any_disc(&mut self, center: Vector, radius: f64, material: usize) {
+        let normal = self.random.direction();
+        self.disc(center, normal, radius, material);
+    }
+
+    /// Adds a cylinder of this radius and height in any direction.
+    pub fn any_cylinder(&mut self, center: Vector, size: (f64, f64), material: usize) {
+        let axis = self.random.direction();
+        self.cylinder(center, axis, size, material);
     }
 
     /// Adds a sphere, cylinder or disc of about this radius with any material.

@@ -41,11 +41,8 @@ fn pyramid(draft: &mut Draft, center: Vector) {
         let corners = [corner(index), corner((index + 1) % sides), tip];
         let normals = corners.map(|it| (it - center + up * 0.2).unit());
         draft.triangle(corners, is_smooth.then_some(normals), material);
-        draft.triangle(
-            [corner((index + 1) % sides), corner(index), center],
-            None,
-            material,
-        );
+        let base = [corners[1], corners[0], center];
+        draft.triangle(base, None, material);
     }
 }
 

@@ -9,8 +9,7 @@ use super::draft::{Draft, UP};
 pub fn sunk(draft: &mut Draft) {
     let mut planes = vec![(Vector::ZERO, UP)];
     for _ in 0..draft.random.count(0, 2) {
-        let normal = draft.random.direction() + UP * 0.3;
-        let normal = normal.unit();
+        let normal = (draft.random.direction() + UP * 0.3).unit();
         planes.push((normal * -2.5, normal));
     }
     for &(point, normal) in &planes {
@@ -23,6 +22,7 @@ pub fn sunk(draft: &mut Draft) {
         let place = point + across * draft.random.between(0.0, 2.0);
         let radius = draft.random.log_between(0.1, 4.0);
         let depth = radius * (1.0 - draft.random.log_between(2e-4, 0.2));
+        let center = place - normal * depth;
         let material = draft.any_material();
         let axis = draft.random.across(normal);
         match draft.random.count(0, 3) {
@@ -30,18 +30,13 @@ pub fn sunk(draft: &mut Draft) {
                 let tilt = draft.random.log_between(1e-3, 0.3);
                 let axis = axis + normal * draft.random.pick(&[0.0, 0.0, tilt]);
                 let length = draft.random.between(0.5, 4.0);
-                draft.cylinder(place - normal * depth, axis, (radius, length), material);
+                draft.cylinder(center, axis, (radius, length), material);
             }
             1 => {
                 let tilt = draft.random.pick(&[0.0, 0.02, 0.3]);
-                draft.disc(
-                    place - normal * depth,
-                    axis + normal * tilt,
-                    radius,
-                    material,
-                );
+                draft.disc(center, axis + normal * tilt, radius, material);
             }
-            _ => draft.sphere(place - normal * depth, radius, material),
+            _ => draft.sphere(center, radius, material),
         }
     }
     if draft.random.chance(0.4) {
@@ -110,14 +105,8 @@ pub fn mirrors(draft: &mut Draft) {
         let mirror = draft.random.between(0.3, 1.0);
         let material = draft.material((0.5, 30.0), mirror);
         match draft.random.count(0, 4) {
-            0 => {
-                let normal = draft.random.direction();
-                draft.disc(center, normal, radius, material);
-            }
-            1 => {
-                let (axis, size) = (draft.random.direction(), (radius * 0.5, 2.0 * radius));
-                draft.cylinder(center, axis, size, material);
-            }
+            0 => draft.any_disc(center, radius, material),
+            1 => draft.any_cylinder(center, (radius * 0.5, 2.0 * radius), material),
             _ => draft.sphere(center, radius, material),
         }
     }
@@ -156,12 +145,7 @@ pub fn far(draft: &mut Draft) {
     }
     for _ in 0..draft.random.count(0, 5) {
         let (center, axis) = (draft.random.point() * 1.5 + UP, draft.random.direction());
-        let size = (
-            draft.random.log_between(0.003, 0.05),
-            draft.random.between(0.5, 4.0),
-        );
-        let material = draft.any_material();
-        draft.cylinder(center, axis, size, material);
+        draft.rod(center, axis, 4.0);
     }
     let lights = draft.random.count(1, 2);
     let away = draft.random.log_between(8.0, 1e5);

@@ -19,14 +19,8 @@ pub fn glossy(draft: &mut Draft) {
         let radius = draft.random.log_between(0.05, 0.9);
         let material = gloss(draft);
         match draft.random.count(0, 4) {
-            0 => {
-                let (axis, size) = (draft.random.direction(), (radius * 0.5, 3.0 * radius));
-                draft.cylinder(center, axis, size, material);
-            }
-            1 => {
-                let normal = draft.random.direction();
-                draft.disc(center, normal, radius, material);
-            }
+            0 => draft.any_cylinder(center, (radius * 0.5, 3.0 * radius), material),
+            1 => draft.any_disc(center, radius, material),
             _ => draft.sphere(center, radius, material),
         }
     }
@@ -35,12 +29,10 @@ pub fn glossy(draft: &mut Draft) {
 }
 
 fn gloss(draft: &mut Draft) -> usize {
-    let highlight = (
-        draft.random.between(0.5, 2.0),
-        draft.random.log_between(50.0, 1e5),
-    );
+    let specular = draft.random.between(0.5, 2.0);
+    let shininess = draft.random.log_between(50.0, 1e5);
     let mirror = draft.random.pick(&[0.0, 0.0, 0.3]);
-    draft.material(highlight, mirror)
+    draft.material((specular, shininess), mirror)
 }
 
 /// Makes rows of thin posts on a floor, some with rails and knobs, under one or two low lights.
@@ -75,16 +67,12 @@ pub fn fences(draft: &mut Draft) {
 }
 
 fn add_fence(draft: &mut Draft) {
-    let material = draft.matt();
-    let (along, start) = (
-        draft.random.across(UP),
-        draft.random.point().across(UP) * 2.0,
-    );
+    let material = draft.material((0.0, 1.0), 0.0);
+    let along = draft.random.across(UP);
+    let start = draft.random.point().across(UP) * 2.0;
     let (posts, apart) = (draft.random.count(6, 36), draft.random.between(0.08, 0.35));
-    let (radius, height) = (
-        draft.random.log_between(0.004, 0.05),
-        draft.random.between(0.3, 1.5),
-    );
+    let radius = draft.random.log_between(0.004, 0.05);
+    let height = draft.random.between(0.3, 1.5);
     let has_knobs = draft.random.chance(0.3);
     for post in 0..posts {
         let foot = start + along * (apart * (post as f64 - posts as f64 / 2.0));

@@ -60,10 +60,15 @@ impl Random {
         items[self.count(0, items.len() - 1)]
     }
 
+    /// Returns a point in the cube of ±1, evenly distributed.
+    pub fn cube(&mut self) -> Vector {
+        Vector([0; 3].map(|_| self.between(-1.0, 1.0)))
+    }
+
     /// Returns a point in the unit ball, evenly distributed, not too near to its middle.
     pub fn point(&mut self) -> Vector {
         loop {
-            let point = Vector([0; 3].map(|_| self.between(-1.0, 1.0)));
+            let point = self.cube();
             if (0.01..=1.0).contains(&point.length()) {
                 return point;
             }
@@ -88,5 +93,10 @@ impl Random {
     /// Returns a colour with every channel from 0.1 to 1.
     pub fn color(&mut self) -> [f64; 3] {
         [0; 3].map(|_| self.between(0.1, 1.0))
+    }
+
+    /// Returns a colour with every channel from 0 to 1.
+    pub fn channels(&mut self) -> [f64; 3] {
+        [0; 3].map(|_| self.between(0.0, 1.0))
     }
 }

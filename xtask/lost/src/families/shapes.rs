@@ -22,12 +22,7 @@ pub fn thin(draft: &mut Draft) {
             }
             _ => draft.random.direction(),
         };
-        let size = (
-            draft.random.log_between(0.003, 0.05),
-            draft.random.between(0.5, 6.0),
-        );
-        let material = draft.any_material();
-        draft.cylinder(center, axis, size, material);
+        draft.rod(center, axis, 6.0);
     }
     for _ in 0..draft.random.count(0, 10) {
         let center = draft.random.point() * 1.5 + UP;
@@ -35,17 +30,12 @@ pub fn thin(draft: &mut Draft) {
         let material = draft.any_material();
         match draft.random.chance(0.75) {
             true => draft.sphere(center, radius, material),
-            false => {
-                let normal = draft.random.direction();
-                draft.disc(center, normal, 4.0 * radius, material);
-            }
+            false => draft.any_disc(center, 4.0 * radius, material),
         }
     }
     draft.lights((1, 2), 12.0);
-    let (distance, fov) = (
-        draft.random.between(3.0, 7.0),
-        draft.random.between(25.0, 60.0),
-    );
+    let distance = draft.random.between(3.0, 7.0);
+    let fov = draft.random.between(25.0, 60.0);
     draft.camera(UP, eye * distance, fov);
 }
 

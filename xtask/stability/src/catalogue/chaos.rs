@@ -3,11 +3,9 @@
 use reflet::host::path::follow;
 use reflet::host::reference::Vector;
 
-use super::draft::Draft;
+use super::draft::{Draft, UP};
 use super::scene::Scene;
-use super::{Bar, Case, Measured, drawn, measured, reflected};
-
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
+use super::{Bar, Case, Measured, Trial, picture};
 
 /// A sphere: its centre and its radius.
 type Ball = ([f64; 3], f64);
@@ -58,7 +56,8 @@ fn hall(draft: Draft, set: &[Ball]) -> Draft {
 fn chaotic(name: &str, draft: Draft) -> Case {
     let why = "every bounce off a sphere multiplies an error, so that single pixels are nobody's; what \
                must agree is the picture as a whole";
-    drawn(name, why, draft, (60, Bar::Statistics))
+    let trial = Trial::Picture(draft.reflections(60), Bar::Statistics);
+    Case::new(name, why, trial)
 }
 
 /// Camera position in front of the gap between three spheres. `EYE_OF_FOUR` and `AIM_OF_FOUR` are
@@ -99,10 +98,11 @@ fn apart(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// Measures the largest angle by which a ray is not parallel to itself after three bounces in a
 /// corner cube.
 fn returned() -> Measured {
-    let scene = Scene::read(&corner(1.0).text()).expect("the scene is accepted");
+    let scene = Scene::read(&corner(1.0)).expect("the scene is accepted");
+    let (built, camera) = (scene.source.scene(), scene.source.camera());
     let (mut fixed, mut single, mut rays) = (0.0_f64, 0.0_f64, 0);
     for (x, y) in (0..64).flat_map(|y| (0..64).map(move |x| (x, y))) {
-        let path = follow(&*scene.built, &scene.camera, (64, 64), (x, y), 3);
+        let path = follow(built, &camera, (64, 64), (x, y), 3);
         let [first, _, _, last] = &path[..] else {
             continue;
         };
@@ -134,9 +134,9 @@ fn inside(draft: Draft) -> Draft {
         .material("wall", [0.9, 0.6, 0.5], [0.2, 0.6, 0.3, 10.0, 0.9])
         .light([0.0, 0.0, 0.5])
         .sphere([0.3, 0.6, -0.3], 0.2, "chalk")
+        .reflections(8)
 }
 
-/// Returns the cases of the chapter "Chaotic geometry".
 pub fn cases() -> Vec<Case> {
     let three_seen = hall(Draft::through(EYE_OF_THREE, [0.0; 3], UP, 60.0), &three());
     let four_seen = hall(Draft::through(EYE_OF_FOUR, AIM_OF_FOUR, UP, 60.0), &four());
@@ -154,14 +154,15 @@ pub fn cases() -> Vec<Case> {
              with its eye moved.",
         ),
         chaotic("between four touching spheres, N = 60", four_seen),
-        reflected("inside of a mirrored sphere", round, sphere, 8),
-        reflected("inside of a mirror cylinder", round, tube, 8),
-        measured("corner cube returns rays", cube, returned),
-        reflected(
+        picture("inside of a mirrored sphere", round, sphere),
+        picture("inside of a mirror cylinder", round, tube),
+        Case::new("corner cube returns rays", cube, Trial::Measured(returned)),
+        picture(
             "corner cube",
             "what is seen in a corner cube is the eye, and edges where three mirrors meet",
-            corner(0.8).sphere(turned([0.4, 0.5, 0.3]), 0.2, "chalk"),
-            6,
+            corner(0.8)
+                .sphere(turned([0.4, 0.5, 0.3]), 0.2, "chalk")
+                .reflections(6),
         ),
     ]
 }

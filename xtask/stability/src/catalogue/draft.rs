@@ -3,11 +3,20 @@
 use reflet::host::reference::Vector;
 use serde_json::{Value, json};
 
-/// A scene file that is being built.
+/// A scene file that is being built, and how many reflections its paths follow.
 #[derive(Clone)]
-pub struct Draft(Value);
+pub struct Draft {
+    pub file: Value,
+    pub reflections: u8,
+}
 
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
+/// Direction of z.
+pub const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// Position of the usual lamp, and position and target of the usual camera.
+pub const LAMP: [f64; 3] = [3.0, -5.0, 4.0];
+pub const EYE: [f64; 3] = [0.5, -4.0, 1.5];
+pub const TARGET: [f64; 3] = [0.0, 0.0, 0.5];
 
 impl Draft {
     /// Starts a scene with a camera 50 degrees wide whose `up` is along z.
@@ -15,16 +24,17 @@ impl Draft {
         Self::through(position, target, UP, 50.0)
     }
 
-    /// Starts a scene with any camera. It has these materials: chalk, gold, water, red, black, white
+    /// Starts a scene with any camera and 4 reflections. It has these materials: chalk, gold, water, red, black, white
     /// and mirror.
     pub fn through(position: [f64; 3], target: [f64; 3], up: [f64; 3], fov: f64) -> Self {
-        let draft = Self(json!({
+        let file = json!({
             "camera": {"position": position, "target": target, "up": up, "fov": fov},
             // No channel is half way between two levels of 255, so rounding errors cannot change a
             // level.
             "background": [0.21, 0.29, 0.52],
-        }));
-        draft
+        });
+        let reflections = 4;
+        Self { file, reflections }
             .material("chalk", [0.9, 0.9, 0.8], [0.2, 0.8, 0.0, 1.0, 0.0])
             .material("gold", [0.7, 0.6, 0.0], [0.2, 0.4, 0.8, 4.0, 0.4])
             .material("water", [0.6, 0.8, 1.0], [0.2, 0.3, 1.0, 50.0, 0.5])
@@ -35,7 +45,7 @@ impl Draft {
     }
 
     fn part(mut self, list: &str, part: Value) -> Self {
-        match &mut self.0[list] {
+        match &mut self.file[list] {
             Value::Array(parts) => parts.push(part),
             none => *none = json!([part]),
         }
@@ -58,7 +68,6 @@ impl Draft {
         self.shining(position, [1.0; 3])
     }
 
-    /// Adds a light with a colour.
     pub fn shining(self, position: [f64; 3], color: [f64; 3]) -> Self {
         self.part("lights", json!({"position": position, "color": color}))
     }
@@ -75,19 +84,16 @@ impl Draft {
         self.part("suns", sun)
     }
 
-    /// Adds a sphere.
     pub fn sphere(self, center: [f64; 3], radius: f64, material: &str) -> Self {
         let sphere = json!({"center": center, "radius": radius, "material": material});
         self.part("spheres", sphere)
     }
 
-    /// Adds a plane.
     pub fn plane(self, center: [f64; 3], normal: [f64; 3], material: &str) -> Self {
         let plane = json!({"center": center, "normal": normal, "material": material});
         self.part("planes", plane)
     }
 
-    /// Adds a cylinder: its centre, axis, radius and height.
     pub fn cylinder(
         self,
         center: [f64; 3],
@@ -102,7 +108,6 @@ impl Draft {
         self.part("cylinders", cylinder)
     }
 
-    /// Adds a disc: its centre, normal and radius.
     pub fn disc(self, center: [f64; 3], normal: [f64; 3], radius: f64, material: &str) -> Self {
         let disc = json!({
             "center": center, "normal": normal, "radius": radius, "material": material,
@@ -112,27 +117,24 @@ impl Draft {
 
     /// Adds a flat triangle.
     pub fn triangle(self, corners: [[f64; 3]; 3], material: &str) -> Self {
-        self.part(
-            "triangles",
-            json!({"corners": corners, "material": material}),
-        )
+        let triangle = json!({"corners": corners, "material": material});
+        self.part("triangles", triangle)
     }
 
-    /// Sets the background colour.
-    pub fn before(mut self, background: [f64; 3]) -> Self {
-        self.0["background"] = json!(background);
+    pub fn reflections(mut self, reflections: u8) -> Self {
+        self.reflections = reflections;
+        self
+    }
+
+    pub fn background(mut self, background: [f64; 3]) -> Self {
+        self.file["background"] = json!(background);
         self
     }
 
     /// Sets epsilon: the distance by which rays are lifted off surfaces.
     pub fn epsilon(mut self, epsilon: f64) -> Self {
-        self.0["epsilon"] = json!(epsilon);
+        self.file["epsilon"] = json!(epsilon);
         self
-    }
-
-    /// Returns the scene file's text.
-    pub fn text(&self) -> String {
-        self.0.to_string()
     }
 }
 
@@ -160,16 +162,12 @@ impl Setting {
     /// Adds three spheres and a leaning cylinder on a plane of water, without lights.
     pub fn furnish(&self, draft: Draft) -> Draft {
         let (at, scale) = (|it| self.at(it), self.scale);
+        let size = (0.4 * scale, 1.4 * scale);
         draft
             .sphere(at([-1.0, 0.0, 0.6]), 0.6 * scale, "gold")
             .sphere(at([0.6, -0.4, 0.4]), 0.4 * scale, "water")
             .sphere(at([1.3, 0.7, 0.8]), 0.8 * scale, "chalk")
-            .cylinder(
-                at([0.2, 1.2, 0.7]),
-                [0.1, 0.0, 1.0],
-                (0.4 * scale, 1.4 * scale),
-                "red",
-            )
+            .cylinder(at([0.2, 1.2, 0.7]), [0.1, 0.0, 1.0], size, "red")
             .plane(at([0.0; 3]), UP, "water")
             .epsilon(1e-3 * scale)
     }
@@ -177,15 +175,20 @@ impl Setting {
     /// Adds the two lights of the still life.
     pub fn lit(&self, draft: Draft) -> Draft {
         draft
-            .shining(self.at([3.0, -5.0, 4.0]), [0.8, 0.8, 0.7])
+            .shining(self.at(LAMP), [0.8, 0.8, 0.7])
             .shining(self.at([-2.0, -6.0, 1.5]), [0.3, 0.3, 0.4])
     }
 
     /// Returns the still life with its water, its lights and its usual camera.
     pub fn still_life(&self) -> Draft {
-        let (eye, target) = (self.at([0.5, -4.0, 1.5]), self.at([0.0, 0.0, 0.5]));
+        let (eye, target) = (self.at(EYE), self.at(TARGET));
         self.lit(self.furnish(Draft::seen_from(eye, target)))
     }
+}
+
+/// Returns an empty scene with the usual camera.
+pub fn usual() -> Draft {
+    Draft::seen_from(EYE, TARGET)
 }
 
 /// Returns the still life with its water and lights, for any camera.
@@ -196,7 +199,5 @@ pub fn still_life(position: [f64; 3], target: [f64; 3], fov: f64) -> Draft {
 
 /// Returns the still life with its water and usual camera, lit by this light only.
 pub fn lit_by(light: [f64; 3]) -> Draft {
-    let here = Setting::HERE;
-    here.furnish(Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5]))
-        .light(light)
+    Setting::HERE.furnish(usual()).light(light)
 }

@@ -1,9 +1,12 @@
 //! Tries a case of the catalogue and returns the verdict. Never prints.
 
+use command_line::Quality;
+use embedded_graphics::geometry::Size;
+use lost::case::{difference, differing};
 use reflet::host::compare::compare;
 use reflet::host::reference::Picture;
-use reflet::quality::{Exact, Fast};
 
+use super::draft::Draft;
 use super::scene::Scene;
 use super::{Bar, Case, Measured, Trial};
 
@@ -35,7 +38,7 @@ const TIMES_NOISE: f64 = 1.5;
 pub struct Verdict {
     /// What the result was compared with.
     pub reference: &'static str,
-    /// Unit of the errors of a case, such as radians.
+    /// Unit of the errors, such as radians.
     pub unit: &'static str,
     /// Errors of fixed point and of single precision; `None` for a case without numbers.
     pub errors: Option<[f64; 2]>,
@@ -67,18 +70,17 @@ impl Verdict {
 /// Tries a case and returns its verdict.
 pub fn judge(case: &Case) -> Verdict {
     match &case.trial {
-        Trial::Picture(it) => {
-            let is_chaotic = matches!(it.bar, Bar::Statistics);
-            let refused = |words| Verdict {
-                words,
-                ..Verdict::NONE
-            };
-            let pictures = Pictures::of(&it.draft.text(), it.reflections, is_chaotic);
-            pictures.map_or_else(refused, |pictures| match it.bar {
-                Bar::Pixels(share) => pictures.judge(share),
-                Bar::Statistics => pictures.judge_statistics(),
-                Bar::Color(color) => pictures.judge_color(color),
-            })
+        Trial::Picture(draft, bar) => {
+            let is_chaotic = matches!(bar, Bar::Statistics);
+            match (Pictures::of(draft, is_chaotic), bar) {
+                (Ok(pictures), Bar::Pixels(share)) => pictures.judge(*share),
+                (Ok(pictures), Bar::Statistics) => pictures.judge_statistics(),
+                (Ok(pictures), Bar::Color(color)) => pictures.judge_color(*color),
+                (Err(words), _) => Verdict {
+                    words,
+                    ..Verdict::NONE
+                },
+            }
         }
         Trial::Measured(measure) => judge_measured(measure()),
         Trial::Claim(claim) => {
@@ -115,25 +117,25 @@ pub struct Pictures {
 }
 
 impl Pictures {
-    /// Draws all pictures of a scene file. For a chaotic scene also draws the references that
+    /// Draws all pictures of a scene. For a chaotic scene also draws the references that
     /// statistics need.
-    pub fn of(text: &str, reflections: u8, is_chaotic: bool) -> Result<Self, String> {
-        let scene = Scene::read(text)?;
-        let has_long_paths = reflections > MANY && !is_chaotic;
-        let side = if has_long_paths { SHORT_SIDE } else { SIDE };
+    pub fn of(draft: &Draft, is_chaotic: bool) -> Result<Self, String> {
+        let scene = Scene::read(draft)?;
+        let has_long_paths = draft.reflections > MANY && !is_chaotic;
+        let size = Size::new_equal(if has_long_paths { SHORT_SIDE } else { SIDE });
         let nudges = NUDGES.iter().filter(|_| is_chaotic);
         let nudged = nudges.map(|nudge| {
-            let mut eye = scene.eye.clone();
-            eye.position[0] += nudge;
-            scene.truth(&eye, reflections, side)
+            let mut case = scene.case.clone();
+            case.camera.position[0] += nudge;
+            case.truth(size)
         });
         Ok(Self {
             nudged: nudged.collect(),
-            truth: scene.truth(&scene.eye, reflections, side),
+            truth: scene.case.truth(size),
             drawn: [
-                scene.drawn::<Exact>(reflections, (side, side)),
-                scene.drawn::<Fast>(reflections, (side, side)),
-                scene.single(reflections, side),
+                scene.drawn(Quality::Exact, size),
+                scene.drawn(Quality::Fast, size),
+                scene.single(size),
             ],
         })
     }
@@ -159,11 +161,9 @@ impl Pictures {
     /// and interpolate it in the other.
     pub fn differing(&self, other: &Self) -> usize {
         let pairs = self.drawn.iter().zip(&other.drawn).zip([0, 1]);
-        let counts = pairs.map(|((one, other), most)| {
-            let pixels = one.pixels.iter().zip(&other.pixels);
-            pixels.filter(|(a, b)| differ(a, b, most)).count()
-        });
-        counts.sum()
+        pairs
+            .map(|((one, other), most)| differing(one, other, most))
+            .sum()
     }
 
     fn judge(&self, bar: f64) -> Verdict {
@@ -248,18 +248,13 @@ fn within8_of(picture: &Picture, truth: &Picture) -> f64 {
     compare(picture, truth).expect("one size").within8
 }
 
-/// Tests whether two pixels differ by more than `most` in a channel.
-fn differ(a: &[u8; 3], b: &[u8; 3], most: u8) -> bool {
-    a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > most)
-}
-
 /// Tests whether a pixel differs by more than `most` from one of the eight around it.
 pub fn is_edge(picture: &Picture, index: usize, most: u8) -> bool {
     let (width, height) = (picture.width as usize, picture.height as usize);
     let (x, y) = (index % width, index / width);
     let near = |at: usize, end: usize| at.saturating_sub(1)..=(at + 1).min(end - 1);
     let mut around = near(y, height).flat_map(|y| near(x, width).map(move |x| y * width + x));
-    around.any(|other| differ(&picture.pixels[index], &picture.pixels[other], most))
+    around.any(|other| difference(picture.pixels[index], picture.pixels[other]) > most)
 }
 
 fn mean_error(picture: &Picture, truth: &Picture) -> f64 {

@@ -32,7 +32,6 @@ const LAST_BIT: &str = "An edge passes close to the middles of these pixels, and
     while a float has smaller ones near zero.";
 
 impl Case {
-    /// Creates a case. `why` says why it is hard.
     pub fn new(name: impl Into<String>, why: &'static str, trial: Trial) -> Self {
         Self {
             name: name.into(),
@@ -53,22 +52,12 @@ impl Case {
 
 /// How a case is tried and compared.
 pub enum Trial {
-    /// A picture, compared with that of the double-precision reference.
-    Picture(Picture),
+    /// A picture, compared with that of the double-precision reference as the bar says.
+    Picture(Draft, Bar),
     /// A quantity that is measured in fixed point and in single precision.
     Measured(fn() -> Measured),
     /// A claim that holds or not, with a text. It is not compared with single precision.
     Claim(fn() -> Result<String, String>),
-}
-
-/// A picture to draw, and the bar that it has to meet.
-pub struct Picture {
-    /// Scene of the case.
-    pub draft: Draft,
-    /// Largest number of reflections.
-    pub reflections: u8,
-    /// How the picture is compared.
-    pub bar: Bar,
 }
 
 /// How a picture is compared, and the bar that it has to meet.
@@ -86,11 +75,10 @@ pub enum Bar {
 pub struct Measured {
     /// What the result is compared with.
     pub reference: &'static str,
-    /// Unit of the errors of a case, such as radians.
+    /// Unit of the errors, such as radians.
     pub unit: &'static str,
-    /// Measured error of the fixed-point picture of a case.
+    /// Errors of fixed point and of single precision.
     pub fixed: f64,
-    /// Measured error of the single-precision picture of a case.
     pub single: f64,
     /// Largest error of fixed point that meets the bar.
     pub bar: f64,
@@ -101,52 +89,14 @@ pub struct Measured {
 /// Bar of every scene that is accepted: the share of the pixels that must be within 8 of 255.
 pub const BAR: f64 = 0.99;
 
-/// Returns a case with a picture of four reflections that must meet [`BAR`].
+/// Returns a case with a picture that must meet [`BAR`].
 pub fn picture(name: impl Into<String>, why: &'static str, draft: Draft) -> Case {
-    reflected(name, why, draft, 4)
+    Case::new(name, why, Trial::Picture(draft, Bar::Pixels(BAR)))
 }
 
-/// Returns a case with a picture of `reflections` reflections that must meet [`BAR`].
-pub fn reflected(
-    name: impl Into<String>,
-    why: &'static str,
-    draft: Draft,
-    reflections: u8,
-) -> Case {
-    drawn(name, why, draft, (reflections, Bar::Pixels(BAR)))
-}
-
-/// Returns a case with a picture that is compared as `bar` says.
-pub fn drawn(
-    name: impl Into<String>,
-    why: &'static str,
-    draft: Draft,
-    (reflections, bar): (u8, Bar),
-) -> Case {
-    let picture = Picture {
-        draft,
-        reflections,
-        bar,
-    };
-    Case::new(name, why, Trial::Picture(picture))
-}
-
-/// Returns a case with a claim that holds or not.
-pub fn claim(name: &str, why: &'static str, trial: fn() -> Result<String, String>) -> Case {
-    Case::new(name, why, Trial::Claim(trial))
-}
-
-/// Returns a case with a measured quantity.
-pub fn measured(name: &str, why: &'static str, trial: fn() -> Measured) -> Case {
-    Case::new(name, why, Trial::Measured(trial))
-}
-
-/// A chapter of the catalogue: its title and its cases.
-pub type Chapter = (&'static str, Vec<Case>);
-
-/// Returns all chapters, in the order of the page.
-pub fn chapters() -> Vec<Chapter> {
-    vec![
+/// Returns the titles and cases of all chapters, in the order of the page.
+pub fn chapters() -> [(&'static str, Vec<Case>); 7] {
+    [
         ("Stiff accumulation", stiff::cases()),
         ("Chaotic geometry", chaos::cases()),
         ("Scale", scale::cases()),

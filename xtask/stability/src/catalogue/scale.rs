@@ -1,14 +1,13 @@
 //! Cases of scale: very large beside very small, very far, very thin, very narrow and very wide.
 
-use reflet::host::reference::Picture;
-use reflet::quality::Exact;
+use command_line::Quality;
+use embedded_graphics::geometry::Size;
+use lost::case::differing;
 
-use super::draft::{Draft, Setting, lit_by, still_life};
+use super::draft::{Draft, EYE, LAMP, Setting, TARGET, UP, lit_by, still_life, usual};
 use super::judge::SIDE;
 use super::scene::Scene;
-use super::{Case, LAST_BIT, Measured, measured, picture};
-
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
+use super::{Case, LAST_BIT, Measured, Trial, picture};
 
 fn planet_of(material: &str, ratio: f64) -> Draft {
     Draft::seen_from([0.5, -6.0, 2.0], [0.0, 0.0, 0.8])
@@ -31,21 +30,17 @@ fn scaled_by_powers() -> Measured {
     let drawn = |power: i32| {
         let mut setting = Setting::HERE;
         setting.scale = 2f64.powi(power);
-        let scene = Scene::read(&setting.still_life().text()).expect("the scene is accepted");
-        [scene.drawn::<Exact>(4, (SIDE, SIDE)), scene.single(4, SIDE)]
+        let scene = Scene::read(&setting.still_life()).expect("the scene is accepted");
+        let size = Size::new_equal(SIDE);
+        [scene.drawn(Quality::Exact, size), scene.single(size)]
     };
     let unscaled = drawn(0);
-    let differ = |a: &Picture, b: &Picture| {
-        let pairs = a.pixels.iter().zip(&b.pixels);
-        pairs.filter(|(a, b)| a != b).count() as f64
-    };
-    let mut most = [0.0_f64; 2];
+    let mut most = [0; 2];
     for power in (-20..=20).filter(|power| *power != 0) {
-        for (most, (scaled, unscaled)) in most.iter_mut().zip(drawn(power).iter().zip(&unscaled)) {
-            *most = most.max(differ(scaled, unscaled));
-        }
+        let scaled = drawn(power);
+        most = [0, 1].map(|it| most[it].max(differing(&scaled[it], &unscaled[it], 0)));
     }
-    let [fixed, single] = most;
+    let [fixed, single] = most.map(|count| count as f64);
     Measured {
         reference: "itself, unscaled",
         unit: "pixels that differ",
@@ -107,7 +102,7 @@ fn places() -> Vec<Case> {
         cases.push(picture(
             format!("camera 10^{power} away"),
             "pixels lie 3 / distance apart in angle, and the scene in few of the ray's steps",
-            still_life([0.3 * far, -far, 0.5 * far], [0.0, 0.0, 0.5], fov),
+            still_life([0.3 * far, -far, 0.5 * far], TARGET, fov),
         ));
         let sphere = picture(
             format!("sphere 10^{power} away"),
@@ -130,7 +125,7 @@ fn places() -> Vec<Case> {
 fn thin() -> Vec<Case> {
     let floor = Draft::seen_from([0.0, -3.0, 0.6], [0.0; 3])
         .plane([0.0, 0.0, -0.5], UP, "water")
-        .light([3.0, -5.0, 4.0]);
+        .light(LAMP);
     let spread = |number: u32| {
         let angle = 2.4 * f64::from(number);
         let far = (f64::from(number) / 40.0).sqrt();
@@ -145,7 +140,7 @@ fn thin() -> Vec<Case> {
         draft.cylinder(spread(number), axis, (1e-3, 2.0), "gold")
     });
     let crumbs = Draft::seen_from([0.0, -0.01, 0.002], [0.0; 3])
-        .light([3.0, -5.0, 4.0])
+        .light(LAMP)
         .sphere([0.0; 3], 1e-3, "gold")
         .sphere([2e-3, 5e-4, 0.0], 1e-3, "water")
         .sphere([1.0, 3.0, 0.0], 1.0, "chalk")
@@ -193,14 +188,14 @@ fn views() -> Vec<Case> {
         cases.push(picture(
             format!("telephoto {fov}°"),
             "neighbouring rays differ in their last bits",
-            still_life([0.1 * far, -0.9 * far, 0.3 * far], [0.0, 0.0, 0.5], fov),
+            still_life([0.1 * far, -0.9 * far, 0.3 * far], TARGET, fov),
         ));
     }
     for fov in [150.0, 179.0, 179.999] {
         cases.push(picture(
             format!("wide {fov}°"),
             "the picture's edge is 1 / cos further from the eye than its middle",
-            still_life([0.5, -4.0, 1.5], [0.0, 0.0, 0.5], fov),
+            still_life(EYE, TARGET, fov),
         ));
     }
     cases
@@ -219,14 +214,13 @@ fn lonely(radius: f64) -> Draft {
 /// Returns a scene with a background and a material of 16, under the brightest light that the
 /// material "white" allows.
 fn glaring() -> Draft {
-    Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+    usual()
         .material("dim", [0.1, 0.05, 0.08], [16.0, 0.8, 0.0, 1.0, 0.0])
         .shining([3.0, -5.0, 4.0], [14.0; 3])
         .sphere([0.0, 0.0, 0.6], 0.6, "dim")
-        .before([16.0, 0.0, 0.5])
+        .background([16.0, 0.0, 0.5])
 }
 
-/// Returns the cases of the chapter "Scale".
 pub fn cases() -> Vec<Case> {
     let mut cases = ratios();
     cases.push(picture(
@@ -235,10 +229,10 @@ pub fn cases() -> Vec<Case> {
          step or two of the pebble's 256",
         planet_of("water", 1e6),
     ));
-    cases.push(measured(
+    cases.push(Case::new(
         "scaled by powers of two",
         "a scene has no size of its own: nothing may be compared with a constant of the format",
-        scaled_by_powers,
+        Trial::Measured(scaled_by_powers),
     ));
     let edge = "the last number that is taken must be drawn truly";
     cases.push(picture("radius of 2^30", edge, lonely(2f64.powi(30))));

@@ -1,56 +1,47 @@
 //! A scene file that the library has accepted, and its pictures. Judges nothing.
 
+use command_line::{Quality, Shading, Source};
 use embedded_graphics::geometry::Size;
 use float_picture::single;
-use reflet::Camera;
-use reflet::host::file::{FileScene, SceneFile};
-use reflet::host::painted;
-use reflet::host::reference::{self, Picture, Shading, render};
-use reflet::quality::Quality;
+use lost::case::Case;
+use reflet::host::file::SceneFile;
+use reflet::host::reference::Picture;
+
+use super::draft::Draft;
 
 /// A scene that the library has accepted.
 pub struct Scene {
-    /// The scene that the library draws.
-    pub built: Box<FileScene>,
-    /// The library's camera.
-    pub camera: Camera,
     /// The scene in double precision.
-    pub exact: reference::Scene,
-    /// The camera in double precision.
-    pub eye: reference::Camera,
+    pub case: Case,
+    /// The scene that the library draws.
+    pub source: Source,
 }
 
 impl Scene {
-    /// Reads the text of a scene file. The error says why the library refuses it.
-    pub fn read(text: &str) -> Result<Self, String> {
-        let file = SceneFile::parse(text, None).map_err(|error| error.to_string())?;
-        let built = file.build().map_err(|error| error.to_string())?;
-        let (_, camera) = file.runtime().map_err(|error| error.to_string())?;
-        let (exact, eye) = file.reference();
-        Ok(Self {
-            built,
+    /// Reads a scene file. The error says why the library refuses it.
+    pub fn read(draft: &Draft) -> Result<Self, String> {
+        let file = SceneFile::parse(&draft.file.to_string(), None).map_err(|it| it.to_string())?;
+        let (scene, camera) = file.reference();
+        let case = Case {
+            name: String::new(),
+            scene,
             camera,
-            exact,
-            eye,
-        })
+            reflections: draft.reflections,
+            shading: Shading::BlinnPhong,
+        };
+        let source = case.source().map_err(|it| it.to_string())?;
+        Ok(Self { case, source })
     }
 
     /// Draws a picture with the library.
-    pub fn drawn<Q: Quality>(&self, reflections: u8, (width, height): (u32, u32)) -> Picture {
-        let frame = self.built.frame(&self.camera).reflections(reflections);
-        let frame = frame.quality::<Q>().prepare(Size::new(width, height));
-        painted(&frame.on(&*self.built).expect("the frame is this scene's"))
-    }
-
-    /// Draws a picture in double precision, seen from `eye`.
-    pub fn truth(&self, eye: &reference::Camera, reflections: u8, side: u32) -> Picture {
-        let shading = Shading::BlinnPhong;
-        render(&self.exact, eye, side, side, reflections.into(), shading)
+    pub fn drawn(&self, quality: Quality, size: Size) -> Picture {
+        self.source.drawn(size, self.case.settings(quality))
     }
 
     /// Draws a picture in single precision.
-    pub fn single(&self, reflections: u8, side: u32) -> Picture {
-        let (size, shading) = ((side, side), Shading::BlinnPhong);
-        single::render(&self.exact, &self.eye, size, reflections.into(), shading)
+    pub fn single(&self, Size { width, height }: Size) -> Picture {
+        let (case, size) = (&self.case, (width, height));
+        let (n, shading) = (case.reflections.into(), case.shading.into());
+        single::render(&case.scene, &case.camera, size, n, shading)
     }
 }

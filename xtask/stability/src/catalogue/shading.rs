@@ -1,12 +1,10 @@
 //! Cases of shading: exponents, grazing light, too much light and no light.
 
-use super::draft::{Draft, Setting, lit_by};
+use super::draft::{Draft, Setting, UP, lit_by, usual};
 use super::{Case, LAST_BIT, picture};
 
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
-
 fn shiny(shininess: f64) -> Draft {
-    Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+    usual()
         .material("shiny", [0.8, 0.6, 0.4], [0.1, 0.3, 1.0, shininess, 0.1])
         .sphere([0.0, 0.0, 0.6], 0.6, "shiny")
         .sphere([1.0, 0.5, 0.4], 0.4, "shiny")
@@ -26,8 +24,7 @@ fn lonely(light: [f64; 3]) -> Draft {
 /// Returns a scene with 16 lights. Together they are far brighter than white, and as bright as the
 /// material "white" allows.
 fn bright() -> Draft {
-    let here = Setting::HERE;
-    let draft = here.furnish(Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5]));
+    let draft = Setting::HERE.furnish(usual());
     let draft = draft.sphere([0.0, -1.5, 0.3], 0.3, "white");
     (0..16).fold(draft, |draft, number| {
         let angle = f64::from(number);
@@ -37,7 +34,6 @@ fn bright() -> Draft {
     })
 }
 
-/// Returns the cases of the chapter "Shading".
 pub fn cases() -> Vec<Case> {
     let mut cases: Vec<_> = [0.0, 1.0, 2.5, 128.0, 1000.0, 1e5, f64::from(1 << 20)]
         .into_iter()
@@ -61,7 +57,7 @@ pub fn cases() -> Vec<Case> {
         picture(
             "black and white",
             "black takes everything and white sends on all: nothing may be left over or be missing",
-            Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+            usual()
                 .light([3.0, -5.0, 4.0])
                 .sphere([0.0, 0.0, 0.6], 0.6, "black")
                 .sphere([1.0, 0.5, 0.4], 0.4, "white")
@@ -71,8 +67,7 @@ pub fn cases() -> Vec<Case> {
         picture("shadow terminator, light behind", dark, behind),
     ]);
     for range in [1e-19, 0.01, 0.5, 8.0, f64::from(1 << 30)] {
-        let draft = Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
-            .shining([-2.0, -6.0, 1.5], [0.3, 0.3, 0.4]);
+        let draft = usual().shining([-2.0, -6.0, 1.5], [0.3, 0.3, 0.4]);
         cases.push(picture(
             format!("light with a range of {range}"),
             "the squares of range and distance are up to 2^128 apart",

@@ -1,12 +1,10 @@
 //! Cases of tangency and grazing: the last bit decides what a ray hits.
 
-use super::draft::{Draft, Setting, lit_by, still_life};
+use super::draft::{Draft, EYE, LAMP, TARGET, UP, lit_by, still_life, usual};
 use super::judge::Pictures;
-use super::{Case, LAST_BIT, claim, picture};
+use super::{Case, LAST_BIT, Trial, picture};
 
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const TILTED: [f64; 3] = [0.1, 0.2, 1.0];
-const LAMP: [f64; 3] = [3.0, -5.0, 4.0];
 
 fn ahead() -> Draft {
     Draft::seen_from([0.0, -5.0, 0.0], [0.0; 3]).light(LAMP)
@@ -111,7 +109,7 @@ fn rays() -> Vec<Case> {
         picture(
             "eye in a plane",
             "a ray from a plane is not stopped by it, and a ray in it never meets it",
-            still_life([0.0, -4.0, 0.0], [0.0, 0.0, 0.5], 50.0),
+            still_life([0.0, -4.0, 0.0], TARGET, 50.0),
         ),
         picture(
             "eye and view in a plane",
@@ -215,7 +213,7 @@ fn touching() -> Vec<Case> {
 
 /// Returns pairs of scenes: one with one shape, the other also with a second shape in the same
 /// place, behind it in the list. Each pair has a name.
-fn twins() -> Vec<(&'static str, Draft, Draft)> {
+fn twins() -> [(&'static str, Draft, Draft); 5] {
     let ball = ahead().sphere([0.0; 3], 1.0, "chalk");
     let tube = |draft: Draft, name| draft.cylinder([0.0; 3], [0.2, 0.0, 1.0], (1.0, 2.0), name);
     let floor = above().sphere([0.0, 0.0, 0.5], 0.5, "gold");
@@ -226,7 +224,7 @@ fn twins() -> Vec<(&'static str, Draft, Draft)> {
     let slopes = slope.clone().plane([0.0; 3], TILTED, "black");
     let plate = |draft: Draft, name| draft.disc([0.0; 3], TILTED, 1.0, name);
     let lid = plate(above(), "gold");
-    vec![
+    [
         ("sphere", ball.clone(), ball.sphere([0.0; 3], 1.0, "black")),
         ("cylinder", one.clone(), tube(one, "gold")),
         ("disc", lid.clone(), plate(lid, "black")),
@@ -236,14 +234,14 @@ fn twins() -> Vec<(&'static str, Draft, Draft)> {
 }
 
 fn stable_winners() -> Result<String, String> {
-    let pictures = twins().into_iter().map(|(name, one, two)| {
-        let pictures = |draft: Draft| Pictures::of(&draft.text(), 4, false);
+    let pictures = twins().map(|(name, one, two)| {
+        let pictures = |draft: Draft| Pictures::of(&draft, false);
         match pictures(one)?.differing(&pictures(two)?) {
             0 => Ok(name),
             differ => Err(format!("{name}: {differ} pixels show the second")),
         }
     });
-    let names: Vec<_> = pictures.collect::<Result<_, String>>()?;
+    let names: Vec<_> = pictures.into_iter().collect::<Result<_, String>>()?;
     Ok(format!(
         "not a pixel of `Exact` differs from the picture with the first alone, and none of \
          `Fast` by more than one level: {}",
@@ -264,7 +262,7 @@ fn lights() -> Vec<Case> {
         picture(
             "light 1/1024 above a lonely plane",
             "nothing but the light and the plane tells how large the scene is",
-            Draft::seen_from([0.5, -4.0, 1.5], [0.0, 0.0, 0.5])
+            usual()
                 .light([0.0, 0.0, 1.0 / 1024.0])
                 .plane([0.0; 3], UP, "chalk"),
         ),
@@ -273,7 +271,7 @@ fn lights() -> Vec<Case> {
         picture(
             "light at the camera",
             "no shadow is seen, and every facing cosine is the viewer's",
-            lit_by([0.5, -4.0, 1.5]),
+            lit_by(EYE),
         ),
         picture("light in a sphere", within, lit_by([-1.0, 0.0, 0.6])),
         picture("light in a cylinder", within, lit_by([0.2, 1.2, 0.7])),
@@ -282,14 +280,13 @@ fn lights() -> Vec<Case> {
 
 fn eyes() -> Vec<Case> {
     let within = "every ray begins inside of a wall that may be met once only";
-    let here = Setting::HERE;
-    let seen = |eye, target| here.lit(here.furnish(Draft::through(eye, target, UP, 90.0)));
+    let seen = |eye, target| still_life(eye, target, 90.0);
     let column = |draft: Draft| draft.cylinder([-1.6, -1.0, 0.6], UP, (0.5, 1.2), "red");
     // Outside by less than a pixel can show, so that the reference's result is defined.
     let aside = 0.6 + 1e-6;
-    let in_a_sphere = still_life([-1.0, 0.0, 0.6], [0.0, 0.0, 0.5], 50.0);
-    let by_a_light = still_life([-1.2, 0.0, 0.6], [0.0, 0.0, 0.5], 100.0).light([-1.0, 0.1, 0.6]);
-    let in_a_cylinder = still_life([0.2, 1.2, 0.7], [0.0, 0.0, 0.5], 100.0);
+    let in_a_sphere = still_life([-1.0, 0.0, 0.6], TARGET, 50.0);
+    let by_a_light = still_life([-1.2, 0.0, 0.6], TARGET, 100.0).light([-1.0, 0.1, 0.6]);
+    let in_a_cylinder = still_life([0.2, 1.2, 0.7], TARGET, 100.0);
     vec![
         picture("eye in a sphere", within, in_a_sphere),
         picture("eye and light in a sphere", within, by_a_light),
@@ -318,14 +315,13 @@ fn eyes() -> Vec<Case> {
     ]
 }
 
-/// Returns the cases of the chapter "Tangency and grazing".
 pub fn cases() -> Vec<Case> {
     let mut cases = rays();
     cases.extend(touching());
-    cases.push(claim(
+    cases.push(Case::new(
         "the second in the same place",
         "of two equal distances the first shape must win, in every pixel",
-        stable_winners,
+        Trial::Claim(stable_winners),
     ));
     cases.extend(lights());
     cases.extend(eyes());

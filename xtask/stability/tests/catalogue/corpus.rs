@@ -17,9 +17,9 @@ fn corpus_of_the_fuzzer_is_drawn() {
         println!("{}", path.display());
         let bytes = fs::read(&path).unwrap();
         files += 1;
-        if let Some(picture) = Wild::read(&bytes).and_then(|wild| wild.draw()) {
+        if let Some(followed) = Wild::read(&bytes).and_then(|wild| wild.draw()) {
             drawn += 1;
-            rays += picture.rays;
+            rays += followed;
         }
     }
     println!("{drawn} scenes of {files} files, {rays} rays");

@@ -1,12 +1,14 @@
 //! Tests what every picture preserves: it has no more light than the scene, and changes little if
 //! the camera moves by a step.
 
+use command_line::Quality;
+use embedded_graphics::geometry::Size;
+use lost::case::difference;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestRng, TestRunner};
-use reflet::quality::{Exact, Fast};
 
 use super::symmetry::{SIDE, drawn};
-use stability::catalogue::draft::{Draft, Setting, still_life};
+use stability::catalogue::draft::{Draft, EYE, Setting, TARGET, UP, still_life, usual};
 use stability::catalogue::judge::is_edge;
 use stability::catalogue::scene::Scene;
 
@@ -18,40 +20,35 @@ fn runner(cases: u32) -> TestRunner {
 
 /// Returns shapes of one glowing material in front of a background, without lights.
 fn unlit(color: f64, mirror: f64, background: f64, spheres: &[([f64; 3], f64)]) -> Draft {
-    let draft = Draft::through([0.1, -3.0, 0.3], [0.0; 3], [0.0, 0.0, 1.0], 80.0)
+    let draft = Draft::through([0.1, -3.0, 0.3], [0.0; 3], UP, 80.0)
         .material("own", [color; 3], [1.0, 0.0, 0.0, 1.0, mirror])
         .plane([0.0, 0.0, -1.0], [0.1, 0.0, 1.0], "own")
         .cylinder([0.0, 0.5, 0.0], [0.3, 0.2, 1.0], (0.3, 1.5), "own")
-        .before([background; 3]);
+        .background([background; 3]);
     let spheres = spheres.iter();
     spheres.fold(draft, |draft, it| draft.sphere(it.0, it.1, "own"))
 }
 
 /// Fails if a channel of the scene's picture is brighter than `most`, in any quality.
-fn none_is_brighter(draft: &Draft, reflections: u8, most: u8) -> Result<(), TestCaseError> {
-    let (scene, size) = (Scene::read(&draft.text()).unwrap(), (48, 24));
-    let pictures = [
-        ("Exact", scene.drawn::<Exact>(reflections, size)),
-        ("Fast", scene.drawn::<Fast>(reflections, size)),
-    ];
-    for (quality, picture) in pictures {
+fn none_is_brighter(draft: &Draft, most: u8) -> Result<(), TestCaseError> {
+    let scene = Scene::read(draft).unwrap();
+    for quality in [Quality::Exact, Quality::Fast] {
+        let picture = scene.drawn(quality, Size::new(48, 24));
         let brightest = picture.pixels.into_iter().flatten().max().unwrap();
-        prop_assert!(brightest <= most, "{quality}: {brightest} of {most}");
+        prop_assert!(brightest <= most, "{quality:?}: {brightest} of {most}");
     }
     Ok(())
 }
 
-const EYE: [f64; 3] = [0.5, -4.0, 1.5];
-
 /// Returns a sphere and a cylinder on a floor, of one material with this colour, with a black
 /// background.
 fn set(color: f64, coefficients: [f64; 5]) -> Draft {
-    Draft::seen_from(EYE, [0.0, 0.0, 0.5])
+    usual()
         .material("own", [color; 3], coefficients)
         .sphere([-0.5, 0.0, 0.5], 0.5, "own")
         .cylinder([0.7, 0.0, 0.5], [0.0, 0.0, 1.0], (0.4, 1.0), "own")
         .plane([0.0; 3], [0.0, 0.0, 1.0], "own")
-        .before([0.0; 3])
+        .background([0.0; 3])
 }
 
 #[test]
@@ -60,7 +57,8 @@ fn no_pixel_is_brighter_than_the_brightest_surface() {
     let scenes = (0.0..1.0, 0.0..=1.0, 0.0..1.0, spheres, any::<u8>());
     let outcome = runner(400).run(&scenes, |(color, mirror, background, spheres, n)| {
         let most = (255.0 * f64::max(color, background)).round() as u8;
-        none_is_brighter(&unlit(color, mirror, background, &spheres), n, most)
+        let draft = unlit(color, mirror, background, &spheres);
+        none_is_brighter(&draft.reflections(n), most)
     });
     outcome.unwrap_or_else(|error| panic!("{error}"));
 }
@@ -76,7 +74,7 @@ fn lit_pixel_is_no_brighter_than_its_material_may_shine() {
         let (diffuse, specular) = ((1.0 - ambient) * part, (1.0 - ambient) * (1.0 - part));
         let draft = set(color, [ambient, diffuse, specular, shininess, mirror]);
         let draft = draft.light(if is_beside { [0.7, -3.0, 2.0] } else { EYE });
-        none_is_brighter(&draft, n, (255.0 * color).round() as u8)
+        none_is_brighter(&draft.reflections(n), (255.0 * color).round() as u8)
     });
     outcome.unwrap_or_else(|error| panic!("{error}"));
 }
@@ -85,24 +83,24 @@ fn lit_pixel_is_no_brighter_than_its_material_may_shine() {
 fn black_absorbs_everything() {
     let soot = set(0.0, [1.0, 1.0, 1.0, 4.0, 0.0]);
     let soot = soot.plane([0.0, 9.0, 0.0], [0.0, 1.0, 0.0], "own");
-    none_is_brighter(&Setting::HERE.lit(soot), 4, 0).unwrap();
+    none_is_brighter(&Setting::HERE.lit(soot), 0).unwrap();
 }
 
 /// Moving the camera by a step or two of the grid changes no pixel by more than two levels, except
 /// at edges, where the pixel's ray may hit another surface.
 #[test]
 fn camera_moved_by_a_step_changes_edges_alone() {
-    let eyes = [[0.5, -4.0, 1.5], [-3.0, -2.5, 0.7], [1.0, -0.9, 0.1]];
+    let eyes = [EYE, [-3.0, -2.5, 0.7], [1.0, -0.9, 0.1]];
     let mut changed = 0;
     for [x, y, z] in eyes {
-        let at = |x, y, z| still_life([x, y, z], [0.0, 0.0, 0.5], 60.0).text();
-        let before = drawn(&at(x, y, z));
+        let seen_from = |eye| drawn(&still_life(eye, TARGET, 60.0));
+        let before = seen_from([x, y, z]);
         // The grid of the still life has steps of 2^-23 to 2^-22.
         let step = 2f64.powi(-22);
         for moved in [[x + step, y, z], [x, y + step, z], [x, y, z - step]] {
-            let after = drawn(&at(moved[0], moved[1], moved[2]));
+            let after = seen_from(moved);
             for (index, (a, b)) in before.pixels.iter().zip(&after.pixels).enumerate() {
-                let apart = a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max().unwrap();
+                let apart = difference(*a, *b);
                 changed += u32::from(apart > 0);
                 let is_held = apart <= 2 || is_edge(&before, index, 4);
                 assert!(is_held, "pixel {index}: {a:?} {b:?}, {moved:?}");

@@ -8,22 +8,16 @@ mod symmetry;
 use std::collections::BTreeSet;
 use std::fs;
 
-use proptest::prelude::RngCore;
-use proptest::test_runner::{RngAlgorithm, TestRng};
-use stability::catalogue::draft::still_life;
+use stability::catalogue::draft::{EYE, TARGET, still_life};
 use stability::catalogue::judge::judge;
-use stability::catalogue::{BAR, Bar, Case, Measured, Trial, chapters, drawn};
+use stability::catalogue::{BAR, Bar, Case, Measured, Trial, chapters};
 use stability::report::Tried;
-use stability::{page, report};
+use stability::{page, random, report};
 use wild::Wild;
 
 #[test]
 fn every_case_meets_its_bar_and_the_page_says_so() {
-    let chapters = chapters();
-    let all = chapters
-        .iter()
-        .flat_map(|(chapter, cases)| cases.iter().map(|case| Tried::new(chapter, case)));
-    let tried: Vec<_> = all.collect();
+    let tried: Vec<_> = report::try_all().collect();
     let failures = report::failures(&tried);
     assert!(failures.is_empty(), "{}", failures.join("\n"));
     assert!(report::Compared::of(&tried).is_aim_met());
@@ -50,8 +44,8 @@ fn case(trial: Trial) -> Case {
 
 #[test]
 fn verdicts_can_fail() {
-    let scene = || still_life([0.5, -4.0, 1.5], [0.0, 0.0, 0.5], 50.0);
-    let compared = |draft, bar| judge(&drawn("a case", "", draft, (4, bar)));
+    let scene = || still_life(EYE, TARGET, 50.0);
+    let compared = |draft, bar| judge(&case(Trial::Picture(draft, bar)));
     let picture = |draft, share| compared(draft, Bar::Pixels(share));
     assert!(picture(scene(), BAR).is_met);
     assert!(!picture(scene(), 1.01).is_met);
@@ -59,18 +53,11 @@ fn verdicts_can_fail() {
     let refused = scene().sphere([0.0; 3], -1.0, "gold");
     assert!(!picture(refused, 0.0).is_met);
     assert!(!compared(scene(), Bar::Color([0.5; 3])).is_met);
-    let measured = |fixed, single| {
-        let measured = case(Trial::Measured(match (fixed, single) {
-            (true, _) => || found(2.0, 3.0),
-            (_, true) => || found(0.5, 0.25),
-            _ => || found(0.5, 0.5),
-        }));
-        Tried::new("a chapter", &measured)
-    };
-    assert_eq!(report::failures(&[measured(false, false)]).len(), 0);
-    assert_eq!(report::failures(&[measured(true, false)]).len(), 1);
+    let measured = |trial| [Tried::new("a chapter", case(Trial::Measured(trial)))];
+    assert_eq!(report::failures(&measured(|| found(0.5, 0.5))).len(), 0);
+    assert_eq!(report::failures(&measured(|| found(2.0, 3.0))).len(), 1);
     // Worse without a reason, and 0 of 1 cases misses the aim.
-    let worse = [measured(false, true)];
+    let worse = measured(|| found(0.5, 0.25));
     assert_eq!(report::failures(&worse).len(), 1);
     assert!(!report::Compared::of(&worse).is_aim_met());
     assert!(!judge(&case(Trial::Claim(|| Err("no".to_owned())))).is_met);
@@ -106,15 +93,11 @@ fn many_more_rays_overflow_nowhere() {
 }
 
 fn overflow_nowhere(read: fn(&[u8]) -> Option<Wild>, most: u64) {
-    let mut random = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);
-    let mut bytes = [0; 600];
     let (mut rays, mut scenes) = (0, 0);
+    let mut drawn = random::scenes([7; 32], read).filter_map(|wild| wild?.draw());
     while rays < most {
-        random.fill_bytes(&mut bytes);
-        if let Some(drawn) = read(&bytes).and_then(|wild| wild.draw()) {
-            rays += drawn.rays;
-            scenes += 1;
-        }
+        rays += drawn.next().unwrap_or(0);
+        scenes += 1;
     }
     println!("{rays} rays in {scenes} scenes");
     assert!(scenes > most / 1000, "{scenes} scenes are too few");

@@ -1,37 +1,59 @@
 //! Tests that a scene that is mirrored, turned by a right angle, moved or enlarged gives the same
 //! picture; mirrored if the scene is.
 
+use std::collections::BTreeSet;
+
+use command_line::Quality;
+use embedded_graphics::geometry::Size;
+use lost::case::differing;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::reference::{Picture, Vector};
-use reflet::quality::{Exact, Fast, Quality};
 use serde_json::{Value, json};
 
-use stability::catalogue::draft::{Draft, Setting, lit_by, still_life};
+use stability::catalogue::draft::{Draft, Setting, TARGET, UP, lit_by, still_life};
 use stability::catalogue::scene::Scene;
 
 pub const SIDE: u32 = 96;
 
-/// Returns the picture of a scene file in `Exact`.
-pub fn drawn(text: &str) -> Picture {
-    drawn_in::<Exact>(text)
+/// Fields of a scene file that hold points, and those that hold directions.
+const PLACES: [&str; 3] = ["position", "target", "center"];
+const WAYS: [&str; 3] = ["up", "normal", "axis"];
+
+/// Returns the picture of a scene in `Exact`.
+pub fn drawn(draft: &Draft) -> Picture {
+    drawn_in(Quality::Exact, draft)
 }
 
-fn drawn_in<Q: Quality>(text: &str) -> Picture {
-    Scene::read(text).unwrap().drawn::<Q>(4, (SIDE, SIDE))
+fn drawn_in(quality: Quality, draft: &Draft) -> Picture {
+    let scene = Scene::read(draft).unwrap();
+    scene.drawn(quality, Size::new_equal(SIDE))
 }
 
-/// Returns a scene file in which `change` was applied to every point and direction. Its second
-/// argument is whether the triple is a point.
-fn changed(text: &str, change: impl Fn([f64; 3], bool) -> [f64; 3] + Copy) -> String {
-    let mut scene: Value = serde_json::from_str(text).unwrap();
-    change_fields(&mut scene, &|name, field| {
-        let is_place = ["position", "target", "center"].contains(&name);
-        if is_place || ["up", "normal", "axis"].contains(&name) {
+/// Returns the number of colours in a picture.
+fn colors(picture: &Picture) -> usize {
+    BTreeSet::from_iter(&picture.pixels).len()
+}
+
+/// Applies `change` to the points or directions in the fields of these names.
+fn changed(draft: &Draft, names: &[&str], change: impl Fn([f64; 3]) -> [f64; 3]) -> Draft {
+    let mut draft = draft.clone();
+    change_fields(&mut draft.file, &|name, field| {
+        if names.contains(&name) {
             let triple: [f64; 3] = serde_json::from_value(field.take()).unwrap();
-            *field = json!(change(triple, is_place));
+            *field = json!(change(triple));
         }
     });
-    scene.to_string()
+    draft
+}
+
+/// Moves every point.
+fn moved(draft: &Draft, offset: [f64; 3]) -> Draft {
+    changed(draft, &PLACES, |at| (Vector(at) + Vector(offset)).0)
+}
+
+/// Applies `change` to every point and direction.
+fn turned(draft: &Draft, change: impl Fn([f64; 3]) -> [f64; 3]) -> Draft {
+    changed(draft, &[PLACES, WAYS].concat(), change)
 }
 
 /// Calls `change` with the name and the value of every field, at any depth.
@@ -52,8 +74,7 @@ fn scenes() -> Vec<Draft> {
         Setting::HERE.still_life(),
         still_life([-3.0, -2.5, 0.7], [0.0, 0.0, 0.4], 70.0),
         // From inside of the golden sphere; only a light inside makes its wall visible.
-        still_life([-1.2, 0.1, 0.7], [0.0, 0.0, 0.5], 100.0)
-            .shining([-0.9, -0.2, 0.8], [0.5, 0.6, 0.7]),
+        still_life([-1.2, 0.1, 0.7], TARGET, 100.0).shining([-0.9, -0.2, 0.8], [0.5, 0.6, 0.7]),
         lit_by([-2.0, 1.5, 3.0]),
     ]
 }
@@ -70,13 +91,12 @@ fn assert_same(found: &Picture, expected: &Picture, what: &str) {
 #[test]
 fn mirrored_scene_shows_the_mirrored_picture() {
     for (number, scene) in scenes().iter().enumerate() {
-        let picture = drawn(&scene.text());
+        let picture = drawn(scene);
         for axis in 0..3 {
-            let mirror = |mut at: [f64; 3], _| {
+            let mut mirrored = drawn(&turned(scene, |mut at| {
                 at[axis] = -at[axis];
                 at
-            };
-            let mut mirrored = drawn(&changed(&scene.text(), mirror));
+            }));
             // Right is forward x up, so the picture of every mirrored scene has left and right
             // exchanged.
             let rows = mirrored.pixels.chunks_exact_mut(SIDE as usize);
@@ -86,79 +106,61 @@ fn mirrored_scene_shows_the_mirrored_picture() {
     }
 }
 
-#[test]
-fn turned_scene_shows_the_same_picture() {
+/// Checks that a change of a scene changes no picture, except for rounding. If `is_exact`, not even a bit.
+fn assert_unchanged(what: &str, is_exact: bool, change: impl Fn(&Draft) -> Draft) {
     for (number, scene) in scenes().iter().enumerate() {
-        let picture = drawn(&scene.text());
-        for turned in [
-            |[x, y, z]: [f64; 3]| [-y, x, z],
-            |[x, y, z]: [f64; 3]| [y, z, x],
-            |[x, y, z]: [f64; 3]| [x, -z, y],
-        ] {
-            let found = drawn(&changed(&scene.text(), |at, _| turned(at)));
-            assert_same(&found, &picture, &format!("scene {number}, turned"));
-        }
+        let (found, expected) = (drawn(&change(scene)), drawn(scene));
+        let what = format!("scene {number}, {what}");
+        assert_same(&found, &expected, &what);
+        assert!(!is_exact || found.pixels == expected.pixels, "{what}");
     }
 }
 
-/// An offset of a whole number of grid steps: all points keep their distances in whole steps.
-const WHOLE: [f64; 3] = [3.0, -5.0, 7.0];
+#[test]
+fn turned_scene_shows_the_same_picture() {
+    for turn in [
+        |[x, y, z]: [f64; 3]| [-y, x, z],
+        |[x, y, z]: [f64; 3]| [y, z, x],
+        |[x, y, z]: [f64; 3]| [x, -z, y],
+    ] {
+        assert_unchanged("turned", false, |scene| turned(scene, turn));
+    }
+}
 
 #[test]
 fn moved_scene_shows_the_same_picture() {
-    for (number, scene) in scenes().iter().enumerate() {
-        let picture = drawn(&scene.text());
-        // First a whole number of steps, then two others.
-        for offset in [WHOLE, [1234.567, -0.001, 99.9], [1e6, 2e6, -3e6]] {
-            let shift = |at: [f64; 3], is_place: bool| match is_place {
-                true => (Vector(at) + Vector(offset)).0,
-                false => at,
-            };
-            let found = drawn(&changed(&scene.text(), shift));
-            assert_same(&found, &picture, &format!("scene {number}, moved"));
-            if offset == WHOLE {
-                assert!(found.pixels == picture.pixels, "scene {number}");
-            }
-        }
+    for (offset, is_exact) in [
+        // A whole number of grid steps: all points keep their distances in whole steps.
+        ([3.0, -5.0, 7.0], true),
+        ([1234.567, -0.001, 99.9], false),
+        ([1e6, 2e6, -3e6], false),
+    ] {
+        let what = format!("moved by {offset:?}");
+        assert_unchanged(&what, is_exact, |scene| moved(scene, offset));
     }
 }
 
 #[test]
 fn directions_of_any_length_show_the_same_picture() {
-    for scene in scenes() {
-        let picture = drawn(&scene.text());
-        for factor in [2f64.powi(-20), 3.0, 1e6] {
-            let longer = |at: [f64; 3], is_place: bool| match is_place {
-                true => at,
-                false => at.map(|it| it * factor),
-            };
-            let found = drawn(&changed(&scene.text(), longer));
-            assert_same(&found, &picture, "longer");
-            if factor == 2f64.powi(-20) {
-                assert!(found.pixels == picture.pixels, "a power of two");
-            }
-        }
+    for (factor, is_exact) in [(2f64.powi(-20), true), (3.0, false), (1e6, false)] {
+        let longer = |way: [f64; 3]| way.map(|it| it * factor);
+        let what = format!("directions times {factor}");
+        assert_unchanged(&what, is_exact, |scene| changed(scene, &WAYS, longer));
     }
 }
 
-/// Returns a scene file with every point and length multiplied by a factor.
-fn enlarged(text: &str, factor: f64) -> String {
-    let places = changed(text, |at, is_place| match is_place {
-        true => at.map(|it| it * factor),
-        false => at,
-    });
-    let mut scene: Value = serde_json::from_str(&places).unwrap();
-    change_fields(&mut scene, &|name, field| {
+/// Multiplies every point and length by a factor.
+fn enlarged(draft: &Draft, factor: f64) -> Draft {
+    let mut draft = changed(draft, &PLACES, |at| at.map(|it| it * factor));
+    change_fields(&mut draft.file, &|name, field| {
         if ["radius", "height", "epsilon"].contains(&name) {
             *field = json!(field.as_f64().unwrap() * factor);
         }
     });
     // Without this field epsilon would be a thousandth of a unit, whatever the scene's lengths are.
-    assert!(scene["epsilon"].is_number());
-    scene.to_string()
+    assert!(draft.file["epsilon"].is_number());
+    draft
 }
-
-const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// Returns scenes that are no still life.
 fn other_scenes() -> Vec<(&'static str, Draft)> {
@@ -218,19 +220,15 @@ fn other_scenes() -> Vec<(&'static str, Draft)> {
 fn scene_made_larger_by_a_power_of_two_shows_the_same_picture() {
     let still_lifes = scenes().into_iter().map(|scene| ("still life", scene));
     for (name, scene) in still_lifes.chain(other_scenes()) {
-        let pictures = |text: &str| [drawn_in::<Exact>(text), drawn_in::<Fast>(text)];
-        let expected = pictures(&scene.text());
-        let mut colors = expected[0].pixels.clone();
-        colors.sort();
-        colors.dedup();
-        println!("{name}: {} colours", colors.len());
-        assert!(colors.len() > 20, "{name} shows nothing");
-        for power in [-20, -7, 1, 20] {
-            let found = pictures(&enlarged(&scene.text(), 2f64.powi(power)));
-            for ((quality, found), expected) in ["Exact", "Fast"].iter().zip(found).zip(&expected) {
-                let pairs = found.pixels.iter().zip(&expected.pixels);
-                let differ = pairs.filter(|(a, b)| a != b).count();
-                assert_eq!(differ, 0, "{name}, 2^{power}, {quality}");
+        for quality in [Quality::Exact, Quality::Fast] {
+            let expected = drawn_in(quality, &scene);
+            let colors = colors(&expected);
+            println!("{name}: {colors} colours");
+            assert!(colors > 20, "{name} shows nothing");
+            for power in [-20, -7, 1, 20] {
+                let found = drawn_in(quality, &enlarged(&scene, 2f64.powi(power)));
+                let differ = differing(&found, &expected, 0);
+                assert_eq!(differ, 0, "{name}, 2^{power}, {quality:?}");
             }
         }
     }
@@ -240,7 +238,7 @@ fn scene_made_larger_by_a_power_of_two_shows_the_same_picture() {
 /// and the camera is at this many times its usual distance.
 fn in_64ths(distance: f64) -> Draft {
     let eye = [0.5, -5.5, 2.0].map(|it| it * distance);
-    Draft::through(eye, [0.0, 0.0, 0.5], [0.0, 0.125, 1.0], 50.0 / distance)
+    Draft::through(eye, TARGET, [0.0, 0.125, 1.0], 50.0 / distance)
         .sphere([-1.0, 0.0, 0.75], 0.75, "gold")
         .sphere([0.5, -1.0, 0.25], 0.25, "chalk")
         .sphere([1.5, 0.5, 0.5], 0.5, "water")
@@ -258,12 +256,10 @@ fn in_64ths(distance: f64) -> Draft {
 #[test]
 fn scene_moved_by_what_the_format_holds_shows_the_same_picture() {
     for distance in [1.0, 16.0] {
-        let text = in_64ths(distance).text();
-        let picture = drawn(&text);
-        let mut colors = picture.pixels.clone();
-        colors.sort_unstable();
-        colors.dedup();
-        assert!(colors.len() > 1000, "{} colours", colors.len());
+        let scene = in_64ths(distance);
+        let picture = drawn(&scene);
+        let colors = colors(&picture);
+        assert!(colors > 1000, "{colors} colours");
         for (power, offset) in [
             (0, [1.0, 0.0, 0.0]),
             (0, [-0.015625, 1000.0, 3.5]),
@@ -271,15 +267,9 @@ fn scene_moved_by_what_the_format_holds_shows_the_same_picture() {
             (-9, [1e6, 2e6, -3e6]),
             (9, [-7777.5, 0.25, 31.0]),
         ] {
-            let moved = changed(&text, |at, is_place| match is_place {
-                true => (Vector(at) + Vector(offset)).0,
-                false => at,
-            });
-            let found = drawn(&enlarged(&moved, 2f64.powi(power)));
-            assert!(
-                found.pixels == picture.pixels,
-                "{distance}, {power}, {offset:?}"
-            );
+            let found = drawn(&enlarged(&moved(&scene, offset), 2f64.powi(power)));
+            let differ = differing(&found, &picture, 0);
+            assert_eq!(differ, 0, "{distance}, {power}, {offset:?}");
         }
     }
 }
