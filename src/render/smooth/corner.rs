@@ -2,6 +2,7 @@
 
 use super::CHUNK;
 use crate::color::Levels;
+use crate::number::to_u16;
 use crate::ray::PathMark;
 use crate::trace::Traced;
 
@@ -81,14 +82,15 @@ impl Side {
 /// The corners on one line of a chunk: those of its pixels, and the first one of the next chunk.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line {
-    /// The line, counted from the top, and the first column of the chunk. The line is one too high, so that all zeros are a
-    /// line that is not known.
-    of: [u32; 2],
+    /// The line, counted from the top, and one more: so all zeros are a line that is not known.
+    line: u32,
     pub(super) corners: [Corner; CHUNK as usize + 1],
     /// The side from each corner to the next one.
     pub(super) sides: [Side; CHUNK as usize],
     /// A bit for each side that an edge crosses.
     pub(super) crossed: u32,
+    /// The chunk, counted from the left.
+    chunk: u16,
     /// Whether all corners are known to be the same.
     pub(super) is_flat: bool,
 }
@@ -96,21 +98,22 @@ pub(crate) struct Line {
 impl Line {
     /// A line that is not known. It is all zeros, so it needs no constant in flash.
     pub(super) const NONE: Self = Self {
-        of: [0; 2],
+        line: 0,
         corners: [Corner::NONE; CHUNK as usize + 1],
         sides: [Side::WHOLE; CHUNK as usize],
         crossed: 0,
+        chunk: 0,
         is_flat: false,
     };
 
     /// Tests whether this is a line of the chunk that begins at column `first`.
     pub(super) fn is_of(&self, line: u32, first: u32) -> bool {
-        self.of == [line + 1, first]
+        self.line == line + 1 && u32::from(self.chunk) * CHUNK == first
     }
 
     /// Returns the line, counted from the top.
     pub(super) fn line(&self) -> u32 {
-        self.of[0].saturating_sub(1)
+        self.line.saturating_sub(1)
     }
 
     /// Tests whether all corners of this line and of another one are known to be the same.
@@ -126,12 +129,12 @@ impl Line {
 
     /// Makes it the next line of the chunk, which has the same corners.
     pub(super) fn descend(&mut self) {
-        self.of[0] += 1;
+        self.line += 1;
     }
 
     /// Makes it a line of the chunk that begins at column `first`, whose sides no edge crosses.
     pub(super) fn begin(&mut self, line: u32, first: u32) {
-        self.of = [line + 1, first];
+        (self.line, self.chunk) = (line + 1, to_u16(first / CHUNK));
         self.sides = [Side::WHOLE; CHUNK as usize];
         self.crossed = 0;
         self.is_flat = false;
@@ -140,7 +143,7 @@ impl Line {
 
 /// What a row with smooth edges leaves to the row below it: the corners of pixels on the line between the two.
 ///
-/// `N` is the number of columns of the picture over 32, rounded up: 8 for 240 columns. It takes 312 bytes each. Columns
+/// `N` is the number of columns of the picture over 32, rounded up: 8 for 240 columns. It takes 308 bytes each. Columns
 /// beyond trace the line above again, and so does a row that does not follow the one above. Use it for the rows of one
 /// picture only.
 ///
