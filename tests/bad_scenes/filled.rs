@@ -35,12 +35,14 @@ fn assert_error(found: Option<Error>, expected: Expected) {
     assert_eq!(found.to_string(), format!("{part}: {message}"));
 }
 
+/// Adds something to a scene, of this material.
+type Add = Box<dyn Fn(&mut Scenery, MaterialId) -> Result<(), Error>>;
+
 /// Something to be added to a scene, and how errors name it there.
 struct Addition {
     part: &'static str,
     index: Option<usize>,
-    /// Adds it, of this material.
-    add: Box<dyn Fn(&mut Scenery, MaterialId) -> Result<(), Error>>,
+    add: Add,
 }
 
 /// Returns an addition to a scene that has one part of every kind. Errors number all but the whole scene and its sky.
