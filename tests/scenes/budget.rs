@@ -16,7 +16,7 @@ use reflet::host::reference::{self, pixel};
 use reflet::quality::{Exact, Fast};
 use reflet::scenes::{BuiltIn, Mirror1, NAMES};
 use reflet::shading::{Phong, Unshadowed};
-use reflet::{Report, Unit};
+use reflet::{FrameBuilder, Report, Unit};
 
 const FRONT: ParetoFront = ParetoFront::new(&[
     point(40, 0, QualityLevel::Fast, 4, 2000),
@@ -47,6 +47,15 @@ const SIZE: Size = Size::new(30, 21);
 
 const PREPARE: u32 = 777;
 
+/// Returns a frame of a scene with mirrors and shadows.
+fn frame() -> FrameBuilder<'static, Mirror1> {
+    Mirror1::frame(&Mirror1::CAMERA)
+}
+
+fn display() -> SimulatorDisplay<Rgb888> {
+    SimulatorDisplay::new(SIZE)
+}
+
 /// Measured Pareto fronts of the built-in scenes.
 mod measured {
     use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
@@ -76,13 +85,11 @@ fn dearest_point_that_fits_is_chosen() {
 #[test]
 fn front_is_drawn_with_the_settings_of_its_points() {
     for point in FRONT.points() {
-        let mut display = SimulatorDisplay::<Rgb888>::new(SIZE);
+        let (mut found, mut expected) = (display(), display());
         let budget = point.expected(SIZE);
-        let frame = Mirror1::frame(&Mirror1::CAMERA);
-        let Ok(drawn) = frame.draw_within(&FRONT, budget, || false, &mut display);
+        let Ok(drawn) = frame().draw_within(&FRONT, budget, || false, &mut found);
         assert_eq!((drawn.choice.point, drawn.missing_rows), (*point, 0));
-        let mut expected = SimulatorDisplay::<Rgb888>::new(SIZE);
-        let frame = Mirror1::frame(&Mirror1::CAMERA).reflections(point.reflections);
+        let frame = frame().reflections(point.reflections);
         let mut target = Enlarged::new(&mut expected, point.scale.into());
         let small = frame.prepare(target.bounding_box().size);
         let small = small.on(&Mirror1).unwrap();
@@ -90,7 +97,7 @@ fn front_is_drawn_with_the_settings_of_its_points() {
             QualityLevel::Fast => frame.quality::<Fast>().draw(&mut target),
             QualityLevel::Exact => frame.quality::<Exact>().draw(&mut target),
         };
-        assert_eq!(display.to_be_bytes(), expected.to_be_bytes(), "{point:?}");
+        assert_eq!(found.to_be_bytes(), expected.to_be_bytes(), "{point:?}");
         assert_eq!(drawn.report, report);
         assert_eq!(drawn.cut_off_bound, small.cut_off_bound(&report));
         assert!(drawn.cut_off_bound > Unit::ZERO);
@@ -100,15 +107,14 @@ fn front_is_drawn_with_the_settings_of_its_points() {
 #[test]
 fn what_is_drawn_when_time_is_up_stays_and_the_rest_is_counted() {
     for (budget, asked, rows_drawn) in [(0, 2, 4 * 2), (u64::MAX, 5, 5), (0, 6, SIZE.height)] {
-        let mut display = SimulatorDisplay::<Rgb888>::new(SIZE);
+        let mut display = display();
         let Ok(()) = display.clear(Rgb888::MAGENTA);
         let mut left = asked;
         let is_up = || {
             left -= 1;
             left < 0
         };
-        let frame = Mirror1::frame(&Mirror1::CAMERA);
-        let Ok(drawn) = frame.draw_within(&FRONT, budget, is_up, &mut display);
+        let Ok(drawn) = frame().draw_within(&FRONT, budget, is_up, &mut display);
         assert_eq!(drawn.missing_rows, SIZE.height - rows_drawn);
         let is_untouched = |y: u32| {
             let pixel = |x| display.get_pixel(Point::new(x as i32, y as i32));
@@ -123,8 +129,7 @@ fn what_is_drawn_when_time_is_up_stays_and_the_rest_is_counted() {
 #[test]
 fn nothing_is_drawn_on_a_display_without_pixels() {
     let mut display = SimulatorDisplay::<Rgb888>::new(Size::zero());
-    let frame = Mirror1::frame(&Mirror1::CAMERA);
-    let Ok(drawn) = frame.draw_within(&FRONT, 0, || false, &mut display);
+    let Ok(drawn) = frame().draw_within(&FRONT, 0, || false, &mut display);
     assert_eq!((drawn.report, drawn.missing_rows), (Report::NONE, 0));
 }
 
@@ -153,7 +158,6 @@ impl DrawTarget for Part<'_> {
 #[test]
 fn every_pixel_of_a_display_with_larger_ones_is_a_square_inside_of_it() {
     for scale in [0, 1, 2, 3, 4, 50, u32::MAX] {
-        let frame = || Mirror1::frame(&Mirror1::CAMERA);
         let small = Enlarged::<SimulatorDisplay<Rgb888>>::size_of(SIZE, scale);
         let small = painted(&frame().prepare(small).on(&Mirror1).unwrap());
         let mut display = SimulatorDisplay::<Rgb888>::new(SIZE + Size::new(7, 9));
@@ -174,17 +178,12 @@ fn every_pixel_of_a_display_with_larger_ones_is_a_square_inside_of_it() {
 /// Returns the scene with only one shape. Shapes are numbered: first spheres, then planes, then
 /// cylinders.
 fn lone(scene: &reference::Scene, shape: usize) -> reference::Scene {
-    fn only<T: Copy>(all: &[T], at: Option<usize>) -> Vec<T> {
-        at.and_then(|at| all.get(at)).copied().into_iter().collect()
-    }
-    let first_plane = scene.spheres.len();
-    let first_cylinder = first_plane + scene.planes.len();
-    reference::Scene {
-        spheres: only(&scene.spheres, Some(shape)),
-        planes: only(&scene.planes, shape.checked_sub(first_plane)),
-        cylinders: only(&scene.cylinders, shape.checked_sub(first_cylinder)),
-        ..scene.clone()
-    }
+    let (mut lone, mut numbers) = (scene.clone(), 0..);
+    let mut is_it = || numbers.next() == Some(shape);
+    lone.spheres.retain(|_| is_it());
+    lone.planes.retain(|_| is_it());
+    lone.cylinders.retain(|_| is_it());
+    lone
 }
 
 /// Returns the scene with glowing shapes: the red channel is the shape's number plus one. The

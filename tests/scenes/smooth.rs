@@ -76,18 +76,9 @@ fn smooth_edges_are_as_good_as_four_samples_and_smoother_ones_are_better() {
             "{name}: jagged {fast:.1}, four samples {four:.1}, Smooth<2> {two:.1}, Smooth<4> {more:.1} dB"
         );
         // Small pictures are full of edges. In corner1 all are faint, and those of low contrast are found less finely.
-        assert!(
-            two >= (four - 2.0).min(48.0),
-            "{name}: {two} with Smooth<2>, {four} with four samples"
-        );
-        assert!(
-            more >= (four + 2.0).min(55.0),
-            "{name}: {more} with Smooth<4>, {four} with four samples"
-        );
-        assert!(
-            two >= fast + 4.0,
-            "{name}: {two} with Smooth<2>, {fast} jagged"
-        );
+        assert!(two >= (four - 2.0).min(48.0), "{name}: Smooth<2>");
+        assert!(more >= (four + 2.0).min(55.0), "{name}: Smooth<4>");
+        assert!(two >= fast + 4.0, "{name}: Smooth<2> and jagged");
     }
 }
 
@@ -166,9 +157,8 @@ fn thin_rod_that_turns_covers_the_same_area() {
             let mut scene = Scenery::new();
             let white = scene.add_material(shining(1.0)).unwrap();
             let axis = [angle.cos(), 0.0, angle.sin()];
-            scene
-                .add_cylinder([0, 0, 0], axis, 0.06, 4.0, white)
-                .unwrap();
+            let rod = scene.add_cylinder([0, 0, 0], axis, 0.06, 4.0, white);
+            rod.unwrap();
             let scene = scene.build().unwrap();
             let size = Size::new(120, 120);
             let picture = near::drawn::<Smooth<4>, BlinnPhong>(&scene, &camera, size);
@@ -176,11 +166,8 @@ fn thin_rod_that_turns_covers_the_same_area() {
             bytes.sum::<f64>() / 255.0
         })
         .collect();
-    let (least, most) = areas
-        .iter()
-        .fold((f64::MAX, 0.0_f64), |(least, most), area| {
-            (least.min(*area), most.max(*area))
-        });
+    let least = areas.iter().copied().fold(f64::MAX, f64::min);
+    let most = areas.iter().copied().fold(0.0, f64::max);
     println!("{least:.1} to {most:.1} pixels");
     // A quarter of a pixel for each of the 89 columns that the rod crosses, at most.
     assert!(most - least <= 0.25 * 89.0, "{areas:?}");
@@ -195,9 +182,8 @@ fn camera_that_moves_slowly_changes_no_pixel_by_more_than_the_area_that_moved() 
     let mut scene = Scenery::new();
     let [white, black] = [1.0, 0.0].map(|bright| scene.add_material(shining(bright)).unwrap());
     scene.add_disc([0, 0, 0], [0, 1, 0], 2, white).unwrap();
-    scene
-        .add_cylinder([0.0, -0.1, 0.0], [0.3, 0.0, 1.0], 0.03, 5.0, black)
-        .unwrap();
+    let rod = scene.add_cylinder([0.0, -0.1, 0.0], [0.3, 0.0, 1.0], 0.03, 5.0, black);
+    rod.unwrap();
     let scene = scene.build().unwrap();
     // At this distance 96 pixels are 6 wide.
     let fov = 2.0 * 0.3_f64.atan().to_degrees();
