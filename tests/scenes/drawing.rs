@@ -21,7 +21,7 @@ use reflet::{
 };
 
 /// A display that records its calls in order, and fails at the call `fails_at`.
-struct Recorder<C> {
+pub struct Recorder<C> {
     bounds: Rectangle,
     /// Area and colours of every call.
     calls: Vec<(Rectangle, Vec<C>)>,
@@ -29,10 +29,10 @@ struct Recorder<C> {
 }
 
 #[derive(Debug, PartialEq, Eq)]
-struct CableLost(usize);
+pub struct CableLost(usize);
 
 impl<C: PixelColor> Recorder<C> {
-    fn new(top_left: Point, size: Size) -> Self {
+    pub fn new(top_left: Point, size: Size) -> Self {
         Self {
             bounds: Rectangle::new(top_left, size),
             calls: Vec::new(),
@@ -45,6 +45,12 @@ impl<C: PixelColor> Recorder<C> {
         let calls = self.calls.iter();
         let pixels = calls.flat_map(|(area, colors)| area.points().zip(colors.iter().copied()));
         pixels.collect()
+    }
+
+    /// Returns the last colour of each pixel, by its row and column.
+    pub fn shown(&self) -> BTreeMap<[i32; 2], C> {
+        let pixels = self.pixels().into_iter();
+        pixels.map(|(at, color)| ([at.y, at.x], color)).collect()
     }
 }
 
@@ -73,6 +79,10 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
         self.calls.push((*area, colors.into_iter().collect()));
         Ok(())
     }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), CableLost> {
+        self.fill_contiguous(area, area.points().map(|_| color))
+    }
 }
 
 type Mirrors<Q> = PreparedFrame<Mirror1, Q>;
@@ -82,7 +92,7 @@ fn recorder(width: u32, height: u32) -> Recorder<Rgb888> {
 }
 
 /// Returns a frame of a scene with mirrors and shadows.
-fn frame() -> FrameBuilder<'static, Mirror1> {
+pub fn frame() -> FrameBuilder<'static, Mirror1> {
     Mirror1::frame(&Mirror1::CAMERA)
 }
 
@@ -453,11 +463,7 @@ fn picture_that_is_coarse_at_first_traces_each_row_once_and_ends_as_the_plain_on
         let (coarse, drawn) = coarse_first(height, usize::MAX);
         assert_eq!(drawn, report);
         assert_eq!(coarse.calls.len(), height as usize);
-        let last = |it: &Recorder<Rgb888>| {
-            let pixels = it.pixels().into_iter();
-            BTreeMap::from_iter(pixels.map(|(at, color)| ((at.y, at.x), color)))
-        };
-        assert_eq!(last(&coarse), last(&plain));
+        assert_eq!(coarse.shown(), plain.shown());
         let quarter = coarse.calls.iter().take(height.div_ceil(4) as usize);
         let rows: u32 = quarter.map(|(area, _)| area.size.height).sum();
         assert_eq!(rows, height, "the first pass covers the display");

@@ -77,14 +77,12 @@ impl Move {
 }
 
 /// The places of a scene's parts, and their materials.
-#[derive(Clone)]
 struct Places {
     parts: reference::Scene,
     materials: Vec<Material>,
 }
 
 /// Handles of the parts of a scene that may move.
-#[derive(Clone)]
 struct Handles {
     spheres: Vec<Handle<description::Sphere>>,
     cylinders: Vec<Handle<description::Cylinder>>,
