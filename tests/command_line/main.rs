@@ -90,13 +90,23 @@ fn picture_without_a_path_takes_a_free_name() {
     assert_eq!(folder.read("floor.png"), b"kept");
 }
 
+/// A name cannot lead to another folder.
 #[test]
-fn name_of_a_scene_cannot_lead_to_another_folder() {
+fn picture_is_called_after_its_scene_in_safe_letters() {
     let folder = Folder::new("name");
-    let scene = changed(|it| it["name"] = "../a\nb".into());
-    folder.write("scene.json", scene);
-    printed(&folder, "scene.json --size 1x1");
-    assert_eq!(folder.files(), ["___a_b.png", "scene.json"]);
+    let names = [
+        ("../a\nb", "___a_b.png"),
+        ("", "scene.png"),
+        ("  ", "scene-2.png"),
+    ];
+    for (name, file) in names {
+        folder.write("it.json", changed(|it| it["name"] = name.into()));
+        let printed = printed(&folder, "it.json --size 1x1");
+        let end = format!("written to {file}\n");
+        assert!(printed.ends_with(&end), "{name:?}: {printed}");
+    }
+    let files = ["___a_b.png", "it.json", "scene-2.png", "scene.png"];
+    assert_eq!(folder.files(), files);
 }
 
 #[test]

@@ -83,18 +83,6 @@ fn path_that_cannot_be_written_is_refused_before_rendering() {
 }
 
 #[test]
-fn scene_whose_name_is_empty_is_written_to_scene_png() {
-    let folder = Folder::new("empty_name");
-    for (name, file) in [("", "scene.png"), ("  ", "scene-2.png")] {
-        let scene = changed(|it| it["name"] = name.into());
-        folder.write("it.json", scene);
-        let printed = printed(&folder, "it.json --size 1x1");
-        let end = format!("written to {file}\n");
-        assert!(printed.ends_with(&end), "{printed}");
-    }
-}
-
-#[test]
 fn format_that_is_not_written_is_refused() {
     let folder = Folder::new("format");
     for (option, path) in [("--out", "a.jpg"), ("-o", "a.b.JPEG")] {
