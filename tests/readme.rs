@@ -84,24 +84,21 @@ fn figures_of_the_qualities_are_the_measured_ones() {
     let (sizes, errors) = (measured("qualities.jsonl"), measured("accuracy.jsonl"));
     let mut expected = vec![COLUMNS.to_owned(), "|---|--:|--:|--:|--:|".to_owned()];
     for name in ["Fast", "Small", "Exact"] {
-        let is_meant =
-            |row: &&Value| row["quality"] == name.to_lowercase() && row["scene"] == "castle";
-        let size = sizes
-            .iter()
-            .filter(is_meant)
-            .find(|row| row["size"] == "64x64");
-        let error = errors
-            .iter()
-            .filter(is_meant)
-            .find(|row| row["shading"] == "blinn-phong");
-        let (size, error) = (size.unwrap(), error.unwrap());
+        let quality = name.to_lowercase();
+        let row = |rows: &[Value], key: &str, value: &str| {
+            let mut rows = rows.iter().filter(|row| row["quality"] == *quality);
+            let found = rows.find(|row| row["scene"] == "castle" && row[key] == value);
+            found.expect("a row").clone()
+        };
+        let size = row(&sizes, "size", "64x64");
+        let error = row(&errors, "shading", "blinn-phong");
         let number = |row: &Value, key: &str| row[key].as_f64().unwrap();
         expected.push(format!(
             "| `{name}` | {} | {:.0} | {:.3} % | {:.3} % |",
             size["flash"],
-            number(size, "instructions_per_pixel"),
-            number(error, "same"),
-            number(error, "within1"),
+            number(&size, "instructions_per_pixel"),
+            number(&error, "same"),
+            number(&error, "within1"),
         ));
     }
     assert_eq!(table(&read("README.md"), COLUMNS), expected);
