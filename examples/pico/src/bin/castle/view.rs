@@ -4,6 +4,7 @@ use embedded_graphics::geometry::Size;
 use reflet::Camera;
 
 use crate::Shown;
+use crate::cores::Rows;
 use crate::screen::{Line, SIDE};
 
 /// The camera through which the scene is drawn.
@@ -19,12 +20,6 @@ impl View {
         let rows = frame.on(&Shown);
         work(&rows.expect("a constant scene never changes"))
     }
-}
-
-/// Rows of a prepared picture.
-pub trait Rows {
-    /// Traces row `y`.
-    fn row(&self, y: u32, line: &mut Line);
 }
 
 impl Rows for reflet::Rows<'_, Shown> {
