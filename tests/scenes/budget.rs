@@ -13,7 +13,7 @@ use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, pixel};
 use reflet::quality::{Exact, Fast};
-use reflet::scenes::{BuiltIn, Mirror1, NAMES};
+use reflet::scenes::{Mirror1, NAMES};
 use reflet::shading::{Phong, Unshadowed};
 use reflet::{Report, Unit};
 
