@@ -160,7 +160,7 @@ struct Wrong {
     /// First line of the compiler's message.
     first_line: String,
     /// The lines of source that the compiler's message shows.
-    shown: String,
+    shown: &'static str,
 }
 
 impl Wrong {
@@ -174,7 +174,7 @@ impl Wrong {
         Self {
             items,
             first_line: format!("error[E0080]: evaluation panicked: {words}"),
-            shown: String::new(),
+            shown: "",
         }
     }
 }
@@ -229,10 +229,10 @@ fn wrong() -> Vec<Wrong> {
     let many_move = Wrong::new(in_macro(&balls), "sphere 16", ErrorKind::TooManyMoving);
     let lines = LINES.iter();
     let lines = lines.map(|(items, words)| Wrong::stopped((*items).to_owned(), words));
-    let shown = SHOWN.iter().map(|(items, first_line, shown)| Wrong {
-        items: (*items).to_owned(),
-        first_line: (*first_line).to_owned(),
-        shown: (*shown).to_owned(),
+    let shown = SHOWN.iter().map(|&(items, first_line, shown)| Wrong {
+        items: items.to_owned(),
+        first_line: first_line.to_owned(),
+        shown,
     });
     described
         .chain(lines)
@@ -358,7 +358,7 @@ fn constants_that_are_wrong_do_not_compile_and_say_why() {
         // The compiler breaks no line of a message. Most programs have all parts in the same line.
         let first = found.lines().next().unwrap_or_default();
         let is_said = first.replacen(IN_LINE, "", 1) == wrong.first_line;
-        if !is_said || !found.contains(&wrong.shown) {
+        if !is_said || !found.contains(wrong.shown) {
             let (items, line, shown) = (&wrong.items, &wrong.first_line, &wrong.shown);
             differences.push(format!(
                 "{items}\nshould say: {line}\nand {shown}\nbut says: {found}"

@@ -291,10 +291,8 @@ fn cells_of_a_checker_must_have_a_size() {
     for size in [[0.0; 3], [1.0, -1e-9, 0.0], [0.0, BEYOND, 0.0]] {
         assert_eq!(fault(grey, size), Some(("material", ErrorKind::Checker)));
     }
-    assert_eq!(
-        fault([0.0, 0.0, 17.0], grey),
-        Some(("material", ErrorKind::Color))
-    );
+    let bright = fault([0.0, 0.0, 17.0], grey);
+    assert_eq!(bright, Some(("material", ErrorKind::Color)));
     assert_eq!(fault(grey, [0.0, 1e-9, 0.0]), None);
 }
 
@@ -380,30 +378,25 @@ fn limits_of_a_whole_scene_are_sharp() {
 fn more_than_the_room_is_refused() {
     let (mut scene, id) = furnished();
     let additions = |at: f64| {
+        let (up, grey) = ([0.0, 1.0, 0.0], Material::new([0.1 * at; 3]));
         [
-            sphere([at; 3], 1.0),
-            plane([at; 3], [0.0, 1.0, 0.0]),
-            cylinder([at; 3], [0.0, 1.0, 0.0], 1.0, 1.0),
-            disc([at; 3], [0.0, 1.0, 0.0], 1.0),
-            triangle([[at; 3], UP, ORIGIN], None),
-            light([at; 3], [1.0; 3]),
-            material(Material::new([0.1 * at; 3])),
+            (sphere([at; 3], 1.0), ErrorKind::TooManySpheres),
+            (plane([at; 3], up), ErrorKind::TooManyPlanes),
+            (cylinder([at; 3], up, 1.0, 1.0), ErrorKind::TooManyCylinders),
+            (disc([at; 3], up, 1.0), ErrorKind::TooManyDiscs),
+            (
+                triangle([[at; 3], UP, ORIGIN], None),
+                ErrorKind::TooManyTriangles,
+            ),
+            (light([at; 3], [1.0; 3]), ErrorKind::TooManyLights),
+            (material(grey), ErrorKind::TooManyMaterials),
         ]
     };
-    for addition in additions(1.0) {
+    for (addition, _) in additions(1.0) {
         (addition.add)(&mut scene, id).unwrap();
     }
     let before = format!("{:?}", scene.description());
-    let kinds = [
-        ErrorKind::TooManySpheres,
-        ErrorKind::TooManyPlanes,
-        ErrorKind::TooManyCylinders,
-        ErrorKind::TooManyDiscs,
-        ErrorKind::TooManyTriangles,
-        ErrorKind::TooManyLights,
-        ErrorKind::TooManyMaterials,
-    ];
-    for (Addition { part, add, .. }, kind) in additions(2.0).into_iter().zip(kinds) {
+    for (Addition { part, add, .. }, kind) in additions(2.0) {
         assert_error(add(&mut scene, id).err(), (part, Some(2), kind));
     }
     assert_eq!(format!("{:?}", scene.description()), before);
@@ -539,10 +532,8 @@ fn errors_are_errors_as_the_language_knows_them() {
         scene.add_sphere([0; 3], -1, white)?;
         Ok(())
     };
-    assert_eq!(
-        fill().unwrap_err().to_string(),
-        "sphere 1: radius must be greater than 0"
-    );
+    let said = fill().unwrap_err().to_string();
+    assert_eq!(said, "sphere 1: radius must be greater than 0");
     assert_eq!(Number::new(NAN), Number::OUT_OF_RANGE);
     assert!(!Position::new([0.0, INFINITE, 0.0]).is_in_range());
 }
