@@ -6,7 +6,7 @@ use embedded_graphics::prelude::Size;
 use micromath::F32;
 use micromath::vector::F32x3;
 use reflet::host::painted;
-use reflet::{Camera, ErrorKind, Material, Number, Position, RuntimeScene, room};
+use reflet::{Camera, Error, ErrorKind, Material, Number, Position, RuntimeScene, room};
 
 fn vector([x, y, z]: [f32; 3]) -> F32x3 {
     F32x3 { x, y, z }
@@ -25,10 +25,8 @@ fn number_is_the_one_of_the_float_it_wraps() {
 #[test]
 fn vector_is_the_position_of_its_coordinates() {
     let coordinates = [0.1, -55.742, 1e6];
-    assert_eq!(
-        Position::from(vector(coordinates)),
-        Position::from(coordinates)
-    );
+    let position = Position::from(vector(coordinates));
+    assert_eq!(position, Position::from(coordinates));
 }
 
 #[test]
@@ -50,7 +48,7 @@ fn camera_made_of_them_is_the_camera_made_of_floats() {
 
 type Scenery = RuntimeScene<room!(spheres: 1, planes: 1, cylinders: 1, lights: 1, materials: 1)>;
 
-fn filled<N, V>(number: fn(f32) -> N, vector: fn([f32; 3]) -> V) -> Scenery
+fn filled<N, V>(number: fn(f32) -> N, vector: fn([f32; 3]) -> V) -> Result<Scenery, Error>
 where
     N: Into<Number>,
     V: Into<Position>,
@@ -59,38 +57,32 @@ where
     let color = [0.9, 0.8, 0.1].map(number);
     let [ambient, diffuse, specular, shininess, mirror] = [0.1, 0.7, 0.3, 9.5, 0.2].map(number);
     let made = Material::from_numbers(color, ambient, diffuse, (specular, shininess), mirror);
-    let gold = scene.add_material(made.unwrap()).unwrap();
-    scene
-        .add_sphere(vector([0.1, 0.2, 0.3]), number(0.7), gold)
-        .unwrap();
-    scene
-        .add_plane(vector([0.0, 0.0, -0.4]), vector([0.1, 0.0, 1.0]), gold)
-        .unwrap();
+    let gold = scene.add_material(made?)?;
+    scene.add_sphere(vector([0.1, 0.2, 0.3]), number(0.7), gold)?;
+    scene.add_plane(vector([0.0, 0.0, -0.4]), vector([0.1, 0.0, 1.0]), gold)?;
     let [center, axis] = [[1.5, 0.4, 0.5], [0.0, 0.3, 1.0]].map(vector);
-    let added = scene.add_cylinder(center, axis, number(0.3), number(1.1), gold);
-    added.unwrap();
-    scene
-        .add_light(vector([3.3, -4.4, 5.5]), [0.9, 0.9, 0.8].map(number))
-        .unwrap();
-    scene.set_background([0.1, 0.2, 0.4].map(number)).unwrap();
-    scene.set_epsilon(number(0.002)).unwrap();
-    scene
+    scene.add_cylinder(center, axis, number(0.3), number(1.1), gold)?;
+    scene.add_light(vector([3.3, -4.4, 5.5]), [0.9, 0.9, 0.8].map(number))?;
+    scene.set_background([0.1, 0.2, 0.4].map(number))?;
+    scene.set_epsilon(number(0.002))?;
+    Ok(scene)
 }
 
 #[test]
 fn scene_made_of_them_is_the_scene_made_of_floats() {
-    let (wrapped, plain) = (filled(F32, vector), filled(|it| it, |it| it));
-    assert_eq!(
-        format!("{:?}", wrapped.description()),
-        format!("{:?}", plain.description())
-    );
+    let scenes = [filled(F32, vector), filled(|it| it, |it| it)].map(Result::unwrap);
+    let [wrapped, plain] = &scenes;
+    let described = scenes
+        .each_ref()
+        .map(|it| format!("{:?}", it.description()));
+    assert_eq!(described[0], described[1]);
     let camera = Camera::look_at([0.0, -6.0, 2.0], [0.0; 3], [0.0, 0.0, 1.0]);
     let painted = |scene: &Scenery| {
         let scene = scene.build().unwrap();
         let frame = scene.frame(&camera).prepare(Size::new(32, 24));
         painted(&frame.on(&scene).unwrap())
     };
-    assert!(painted(&wrapped) == painted(&plain));
+    assert!(painted(wrapped) == painted(plain));
 }
 
 #[test]

@@ -8,9 +8,12 @@ use std::process::Command;
 use reflet::host::file;
 use serde_json::Value;
 
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
 fn read(path: &str) -> String {
-    let path = format!("{}/{path}", env!("CARGO_MANIFEST_DIR"));
-    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
+    fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
 #[test]
@@ -81,24 +84,21 @@ fn figures_of_the_qualities_are_the_measured_ones() {
     let (sizes, errors) = (measured("qualities.jsonl"), measured("accuracy.jsonl"));
     let mut expected = vec![COLUMNS.to_owned(), "|---|--:|--:|--:|--:|".to_owned()];
     for name in ["Fast", "Small", "Exact"] {
-        let is_meant =
-            |row: &&Value| row["quality"] == name.to_lowercase() && row["scene"] == "castle";
-        let size = sizes
-            .iter()
-            .filter(is_meant)
-            .find(|row| row["size"] == "64x64");
-        let error = errors
-            .iter()
-            .filter(is_meant)
-            .find(|row| row["shading"] == "blinn-phong");
-        let (size, error) = (size.unwrap(), error.unwrap());
+        let quality = name.to_lowercase();
+        let row = |rows: &[Value], key: &str, value: &str| {
+            let mut rows = rows.iter().filter(|row| row["quality"] == *quality);
+            let found = rows.find(|row| row["scene"] == "castle" && row[key] == value);
+            found.expect("a row").clone()
+        };
+        let size = row(&sizes, "size", "64x64");
+        let error = row(&errors, "shading", "blinn-phong");
         let number = |row: &Value, key: &str| row[key].as_f64().unwrap();
         expected.push(format!(
             "| `{name}` | {} | {:.0} | {:.3} % | {:.3} % |",
             size["flash"],
-            number(size, "instructions_per_pixel"),
-            number(error, "same"),
-            number(error, "within1"),
+            number(&size, "instructions_per_pixel"),
+            number(&error, "same"),
+            number(&error, "within1"),
         ));
     }
     assert_eq!(table(&read("README.md"), COLUMNS), expected);
@@ -114,15 +114,11 @@ fn claims_about_accuracy_are_the_measured_ones() {
         shares.fold(100.0, f64::min)
     };
     let readme = read("README.md").replace("\n  ", " ");
+    let within1 = worst("within1", &["fast", "small", "exact"]);
+    let same = worst("same", &["exact"]);
     for claim in [
-        format!(
-            "at least {:.3} % of the pixels are within one level",
-            worst("within1", &["fast", "small", "exact"])
-        ),
-        format!(
-            "In `Exact`, at least {:.3} % are equal to it.",
-            worst("same", &["exact"])
-        ),
+        format!("at least {within1:.3} % of the pixels are within one level"),
+        format!("In `Exact`, at least {same:.3} % are equal to it."),
     ] {
         assert!(readme.contains(&claim), "{claim}");
     }
@@ -200,37 +196,24 @@ fn every_link_of_the_readme_leads_to_a_file_of_the_package() {
     let (links, patterns) = (links(&readme), included(&manifest));
     assert!(links.len() > 10 && patterns.len() > 5, "{links:?}");
     for link in links {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(link);
-        assert!(path.is_file(), "{link} is no file");
+        assert!(root().join(link).is_file(), "{link} is no file");
         let is_covered = patterns.iter().any(|pattern| covers(pattern, link));
         assert!(is_covered, "{link} is not in `include`");
         // Cargo leaves out every folder that is a package of its own.
         let folders = Path::new(link).ancestors().skip(1);
-        let is_apart = folders
-            .filter(|folder| !folder.as_os_str().is_empty())
-            .any(|folder| {
-                let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-                root.join(folder).join("Cargo.toml").exists()
-            });
+        let mut folders = folders.filter(|folder| !folder.as_os_str().is_empty());
+        let is_apart = folders.any(|folder| root().join(folder).join("Cargo.toml").exists());
         assert!(!is_apart, "{link} is in a package of its own");
     }
 }
 
 #[test]
 fn package_with_its_film_is_small() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("package");
     let package = Command::new(env!("CARGO"))
-        .current_dir(root)
-        .args([
-            "package",
-            "--package",
-            "reflet",
-            "--allow-dirty",
-            "--no-verify",
-            "--offline",
-        ])
-        .arg("--target-dir")
+        .current_dir(root())
+        .args(["package", "--package", "reflet", "--allow-dirty"])
+        .args(["--no-verify", "--offline", "--target-dir"])
         .arg(&folder)
         .output()
         .expect("cargo runs");
@@ -240,15 +223,14 @@ fn package_with_its_film_is_small() {
     let bytes = |path: &Path| fs::metadata(path).unwrap().len();
     let package = bytes(&folder.join(name));
     assert!(package <= 450_000, "the package has {package} bytes");
-    let film = bytes(&root.join("docs/bounce.gif"));
+    let film = bytes(&root().join("docs/bounce.gif"));
     assert!(film <= 150_000, "the film has {film} bytes");
 }
 
 #[test]
 fn links_of_all_pages_for_users_lead_to_files() {
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
     for folder in ["", "error-time", "internals"] {
-        let folder = docs.join(folder);
+        let folder = root().join("docs").join(folder);
         for entry in fs::read_dir(&folder).unwrap() {
             let page = entry.unwrap().path();
             if page.extension().is_some_and(|it| it == "md") {
@@ -265,8 +247,6 @@ fn pattern_covers_files_in_its_folder_only() {
     assert!(covers("docs/*.md", "docs/a.md") && !covers("docs/*.md", "docs/b/a.md"));
     assert!(covers("src", "src/a/b.rs") && !covers("src", "srcs/a.rs"));
     assert!(covers("LICENSE-*", "LICENSE-MIT") && !covers("a/b.md", "a"));
-    assert_eq!(
-        links("[a](b.md#c) [d](https://e) ![f](g.png) [h](#i)"),
-        ["b.md", "g.png"]
-    );
+    let text = "[a](b.md#c) [d](https://e) ![f](g.png) [h](#i)";
+    assert_eq!(links(text), ["b.md", "g.png"]);
 }

@@ -50,8 +50,6 @@ fn test_that_is_gone_is_found() {
     let source = "    #[test]\n    fn here() {\n    }\n\nfn helper() {\n}\n";
     assert!(has_test(source, "here"));
     assert!(!has_test(source, "helper") && !has_test(source, "gone"));
-    assert_eq!(
-        marks("x `a/b.rs::c` y `d` z `e.rs::f`"),
-        [("a/b", "c"), ("e", "f")]
-    );
+    let marks = marks("x `a/b.rs::c` y `d` z `e.rs::f`");
+    assert_eq!(marks, [("a/b", "c"), ("e", "f")]);
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{ArgGroup, Parser, value_parser};
-use command_line::{Chosen, Failure, Quality, Settings, Shading, is_standard_output, parse, size};
+use command_line::{Chosen, Quality, Settings, Shading, is_standard_output, size};
 use embedded_graphics::geometry::Size;
 use reflet::scenes;
 
@@ -26,13 +26,8 @@ pub struct Arguments {
     pub size: Size,
 
     /// How often a ray is reflected, from 0 to 255
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 4,
-        allow_negative_numbers = true
-    )]
-    #[arg(value_parser = value_parser!(u8))]
+    #[arg(long, value_name = "N", default_value_t = 4)]
+    #[arg(allow_negative_numbers = true, value_parser = value_parser!(u8))]
     pub reflections: u8,
 
     /// How light shines on a surface
@@ -41,12 +36,8 @@ pub struct Arguments {
     pub shading: Shading,
 
     /// How exactly fixed point computes
-    #[arg(
-        long,
-        default_value = "fast",
-        hide_possible_values = true,
-        value_name = "draft|fast|small|exact"
-    )]
+    #[arg(long, default_value = "fast", hide_possible_values = true)]
+    #[arg(value_name = "draft|fast|small|exact")]
     quality: Quality,
 
     /// Draw smooth edges in the quality fast: K is 2, or 4 for finer ones
@@ -55,13 +46,8 @@ pub struct Arguments {
     smooth: Option<Quality>,
 
     /// Compare with N x N samples of the reference for each pixel, from 1 to 32
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 1,
-        allow_negative_numbers = true
-    )]
-    #[arg(value_parser = value_parser!(u32).range(1..=32))]
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    #[arg(allow_negative_numbers = true, value_parser = value_parser!(u32).range(1..=32))]
     pub samples: u32,
 
     /// Dither the picture for a display with such colours, after any comparison
@@ -91,13 +77,8 @@ pub struct Arguments {
     pub needs: bool,
 
     /// Draw N frames while the camera orbits its target once, from 2 to 360 (feature `film`)
-    #[arg(
-        long,
-        value_name = "N",
-        allow_negative_numbers = true,
-        requires = "film"
-    )]
-    #[arg(value_parser = value_parser!(u16).range(2..=360))]
+    #[arg(long, value_name = "N", requires = "film")]
+    #[arg(allow_negative_numbers = true, value_parser = value_parser!(u16).range(2..=360))]
     #[arg(conflicts_with_all = ["out", "raw", "reference", "check", "needs", "json", "window"])]
     pub orbit: Option<u16>,
 
@@ -125,13 +106,6 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Parses the command line. An error is one line.
-    ///
-    /// If the command line asks for help, prints the help and exits.
-    pub fn read() -> Result<Self, Failure> {
-        parse()
-    }
-
     /// Tests whether a picture goes to standard output. Then all messages go to standard error.
     pub fn picture_is_printed(&self) -> bool {
         let mut paths = [&self.out, &self.raw, &self.gif].into_iter().flatten();
@@ -140,17 +114,10 @@ impl Arguments {
 
     /// Returns the settings with which the picture is drawn: reflections, shading and quality.
     pub fn settings(&self) -> Settings {
-        let Self {
-            reflections,
-            shading,
-            quality,
-            smooth,
-            ..
-        } = *self;
         Settings {
-            reflections,
-            shading,
-            quality: smooth.unwrap_or(quality),
+            reflections: self.reflections,
+            shading: self.shading,
+            quality: self.smooth.unwrap_or(self.quality),
         }
     }
 }

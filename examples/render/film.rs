@@ -11,9 +11,8 @@ use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::{Camera, Error, Report};
 
 use crate::arguments::Arguments;
-use crate::draw::draw;
 use crate::output::{keep_the_scene_file, png, print};
-use crate::picture::{Drawing, afford};
+use crate::picture::{Drawing, afford, draw};
 use crate::{palette, progress, report};
 
 /// Hundredths of a second that an orbit takes, if each frame is shown for [`SHORTEST`] to [`LONGEST`].
@@ -49,10 +48,8 @@ impl<'a> Outputs<'a> {
     fn new(arguments: &'a Arguments, count: u16) -> Result<Self, Failure> {
         let folder = arguments.frames.as_deref();
         let picture = |folder: &Path, index| folder.join(format!("frame-{index:03}.png"));
-        let paths = folder
-            .iter()
-            .flat_map(|folder| (0..count).map(move |index| picture(folder, index)));
-        let paths: Vec<_> = paths.collect();
+        let paths = |folder| (0..count).map(move |index| picture(folder, index));
+        let paths: Vec<_> = folder.into_iter().flat_map(paths).collect();
         keep_the_scene_file(arguments, paths.iter().chain(&arguments.gif))?;
         let gif = arguments.gif.as_deref().map(OutputFile::gif_at);
         let gif = gif.transpose()?;

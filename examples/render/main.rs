@@ -5,7 +5,6 @@
 
 mod arguments;
 mod dither;
-mod draw;
 #[cfg(feature = "film")]
 mod film;
 mod needs;
@@ -25,14 +24,14 @@ mod window;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use command_line::{Failure, Source, one_line, print};
+use command_line::{Failure, Source, one_line, parse, print};
 
 use self::arguments::Arguments;
 use self::output::Outputs;
 use self::picture::Drawing;
 
 fn main() -> ExitCode {
-    match Arguments::read().and_then(|arguments| run(&arguments)) {
+    match parse().and_then(|arguments| run(&arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             // If standard error cannot be written either, nothing is left to do.
@@ -56,10 +55,9 @@ fn run(arguments: &Arguments) -> Result<(), Failure> {
     let source = Source::open(&arguments.scene, &arguments.chosen)?;
     if arguments.needs {
         let (name, settings) = (source.name(), arguments.settings());
-        let say = if arguments.json {
-            needs::json
-        } else {
-            needs::text
+        let say = match arguments.json {
+            true => needs::json,
+            false => needs::text,
         };
         return print(say(name, source.scene().needs(), settings) + "\n");
     }

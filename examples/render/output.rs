@@ -24,21 +24,15 @@ impl<'a> Outputs<'a> {
     /// Checks the paths of the outputs. If the command line asks for nothing, the picture goes to
     /// the current folder.
     pub fn new(arguments: &'a Arguments, source: &'a Source) -> Result<Self, Failure> {
-        let Arguments {
-            out,
-            raw,
-            check,
-            json,
-            window,
-            ..
-        } = arguments;
+        let Arguments { out, raw, .. } = arguments;
         let both = out.as_ref().zip(raw.as_ref());
         if both.is_some_and(|(out, raw)| are_same_file(out, raw)) {
             return Err("--out and --raw name the same file".into());
         }
         keep_the_scene_file(arguments, out.iter().chain(raw))?;
         let scene = source.name();
-        let asked = out.is_some() || raw.is_some() || *check || *json || *window;
+        let is_asked = out.is_some() || raw.is_some();
+        let asked = is_asked || arguments.check || arguments.json || arguments.window;
         let png = match out {
             None if !asked => Some(OutputFile::free_png(&picture_of(scene))?),
             path => path.as_deref().map(OutputFile::png_at).transpose()?,
@@ -54,8 +48,8 @@ impl<'a> Outputs<'a> {
 
     /// Tests whether there is anything to write or to print.
     pub fn are_wanted(&self) -> bool {
-        let Arguments { check, json, .. } = *self.arguments;
-        self.png.is_some() || self.raw.is_some() || check || json
+        let is_written = self.png.is_some() || self.raw.is_some();
+        is_written || self.arguments.check || self.arguments.json
     }
 
     /// Writes the files, then prints.
@@ -67,11 +61,8 @@ impl<'a> Outputs<'a> {
         if let Some(file) = self.raw {
             written.push(file.write(&drawing.display.to_be_bytes())?);
         }
-        let (arguments, size, settings) = (
-            self.arguments,
-            self.arguments.size,
-            self.arguments.settings(),
-        );
+        let arguments = self.arguments;
+        let (size, settings) = (arguments.size, arguments.settings());
         if arguments.json {
             let line = report::json(self.scene, size, settings, drawing);
             return print(arguments, &line);

@@ -1,18 +1,19 @@
 //! Renders a picture of a scene: in fixed point, in double precision, or both to compare them.
 
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Dimensions, OriginDimensions, Size};
+use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
 use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::primitives::Rectangle;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::host::compare::{Difference, compare};
 use reflet::host::reference::{self, Picture};
-use reflet::{Error, Report};
+use reflet::{Camera, Error, Report};
 
 use crate::arguments::Arguments;
 use crate::dither::Levels;
-use crate::draw::draw;
 use crate::progress;
 use command_line::{Failure, Settings, Source, exact};
 
@@ -95,6 +96,22 @@ impl Drawing {
     }
 }
 
+/// Draws a scene through a camera, and counts the rows that are on the display.
+pub fn draw(
+    source: &Source,
+    camera: &Camera,
+    settings: Settings,
+    display: &mut SimulatorDisplay<Rgb888>,
+    rows: &AtomicU64,
+) -> Report {
+    let size = display.size();
+    source.draw_rows(camera, size, settings, &mut |y, row| {
+        let area = Rectangle::new(Point::new(0, y as i32), Size::new(size.width, 1));
+        let Ok(()) = display.fill_contiguous(&area, row.iter().copied());
+        rows.fetch_add(1, Ordering::Relaxed);
+    })
+}
+
 /// Refuses a size for which there is not enough memory. Otherwise the system would kill the program.
 pub fn afford(size: Size, bytes_of_pixel: u64) -> Result<(), Failure> {
     let bytes = bytes_of_pixel * u64::from(size.width) * u64::from(size.height);
@@ -117,9 +134,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
 fn to_picture(display: &SimulatorDisplay<Rgb888>) -> Picture {
     let Size { width, height } = display.size();
     let bytes = display.to_be_bytes();
-    let pixels = bytes
-        .chunks_exact(3)
-        .map(|pixel| [pixel[0], pixel[1], pixel[2]]);
+    let pixels = bytes.chunks_exact(3).map(|it| [it[0], it[1], it[2]]);
     Picture {
         width,
         height,
@@ -129,10 +144,8 @@ fn to_picture(display: &SimulatorDisplay<Rgb888>) -> Picture {
 
 fn to_display(picture: &Picture) -> SimulatorDisplay<Rgb888> {
     let mut display = SimulatorDisplay::new(Size::new(picture.width, picture.height));
-    let colors = picture
-        .pixels
-        .iter()
-        .map(|&[red, green, blue]| Rgb888::new(red, green, blue));
+    let colors = picture.pixels.iter();
+    let colors = colors.map(|&[red, green, blue]| Rgb888::new(red, green, blue));
     let Ok(()) = display.fill_contiguous(&display.bounding_box(), colors);
     display
 }

@@ -2,7 +2,6 @@
 
 use command_line::{Settings, json_line, one_line};
 use embedded_graphics::geometry::Size;
-use reflet::host::compare::Difference;
 use serde_json::Value;
 
 use crate::picture::Drawing;
@@ -17,21 +16,14 @@ pub fn json(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> S
         ("quality", quality(settings, drawing).into()),
         ("seconds", drawing.seconds.into()),
     ];
-    if let Some(Difference {
-        same,
-        within1,
-        within8,
-        psnr,
-        max,
-    }) = drawing.difference
-    {
+    if let Some(found) = &drawing.difference {
         fields.extend([
-            ("same", same.into()),
-            ("within1", within1.into()),
-            ("within8", within8.into()),
+            ("same", found.same.into()),
+            ("within1", found.within1.into()),
+            ("within8", found.within8.into()),
             // PSNR is null if it is infinite, because JSON has no infinity.
-            ("psnr", Value::from(psnr)),
-            ("max", max.into()),
+            ("psnr", Value::from(found.psnr)),
+            ("max", found.max.into()),
         ]);
     }
     let fields = fields
@@ -42,30 +34,18 @@ pub fn json(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> S
 
 /// Returns one line of text, or two if the picture was compared with the reference.
 pub fn text(scene: &str, size: Size, settings: Settings, drawing: &Drawing) -> String {
-    let (
-        Settings {
-            reflections,
-            shading,
-            ..
-        },
-        seconds,
-    ) = (settings, drawing.seconds);
-    let (words, shading, quality) = (words(size), shading.name(), quality(settings, drawing));
-    let scene = one_line(scene);
+    let (scene, words, reflections) = (one_line(scene), words(size), settings.reflections);
+    let (shading, quality) = (settings.shading.name(), quality(settings, drawing));
+    let seconds = drawing.seconds;
     let mut text =
         format!("{scene} {words}, {reflections} reflections, {shading}, {quality}: {seconds:.3} s");
     if let Some(report) = drawing.report {
         text += &format!(", {report}");
     }
-    if let Some(Difference {
-        same,
-        within1,
-        within8,
-        psnr,
-        max,
-    }) = drawing.difference
-    {
-        let [same, within1, within8] = [same, within1, within8].map(|share| 100.0 * share);
+    if let Some(found) = &drawing.difference {
+        let shares = [found.same, found.within1, found.within8];
+        let [same, within1, within8] = shares.map(|share| 100.0 * share);
+        let (psnr, max) = (found.psnr, found.max);
         text += &format!(
             "\nagainst double precision: same {same:.3} %, within 1 {within1:.3} %, \
              within 8 {within8:.3} %, PSNR {psnr:.2} dB, largest difference {max}"

@@ -125,27 +125,18 @@ struct View<'a> {
 impl<'a> View<'a> {
     fn new(source: Source, arguments: &'a Arguments) -> Self {
         let (_, camera) = source.reference();
-        let start = scenes::NAMES
-            .iter()
-            .position(|&name| name == source.name())
-            .unwrap_or(0);
-        let names = scenes::NAMES
-            .iter()
-            .cycle()
-            .skip(start)
-            .take(scenes::NAMES.len());
-        let others = names
-            .filter(|&&name| name != source.name())
-            .filter_map(|name| Source::built_in(name));
-        let others: Vec<_> = others.collect();
-        let sources = [source].into_iter().chain(others).collect();
-        let settings = arguments.settings();
+        let mut names = scenes::NAMES.to_vec();
+        if let Some(own) = names.iter().position(|&name| name == source.name()) {
+            names.rotate_left(own);
+            names.remove(0);
+        }
+        let others = names.into_iter().filter_map(Source::built_in);
         Self {
             arguments,
-            sources,
+            sources: [source].into_iter().chain(others).collect(),
             shown: 0,
             camera,
-            settings,
+            settings: arguments.settings(),
             error: None,
         }
     }
@@ -176,12 +167,8 @@ impl<'a> View<'a> {
     }
 
     fn describe(&self, drawing: &Drawing) -> String {
-        report::text(
-            self.sources[self.shown].name(),
-            self.arguments.size,
-            self.settings,
-            drawing,
-        )
+        let name = self.sources[self.shown].name();
+        report::text(name, self.arguments.size, self.settings, drawing)
     }
 
     /// Returns the title of the window.

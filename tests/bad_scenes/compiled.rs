@@ -98,9 +98,9 @@ Camera::look_at([0.0; 3], [1.0; 3], [0.0; 3]) => camera: Up
 Camera::look_at([0.0; 3], [1.0; 3], UP).fov(180.0) => camera: FieldOfView
 Camera::look_at([0.0; 3], [1.0; 3], UP).fov(0.0) => camera: FieldOfView";
 
-/// What the compiler itself refuses: items of a program, the first line of the message, and lines of it
+/// Mistakes that the compiler shows: items of a program, the first line of the message, and lines of it
 /// that show the mistake.
-const REFUSED: &[(&str, &str, &str)] = &[
+const SHOWN: &[(&str, &str, &str)] = &[
     (
         "scene! { struct Tried { sphere([0, 0, 1], 1, WHITE); } }",
         "error[E0308]: mismatched types",
@@ -115,6 +115,11 @@ const REFUSED: &[(&str, &str, &str)] = &[
         "type Tried = reflet::RuntimeScene<room!(spheres: 1, sperez: 2)>; const TRIED: Option<Tried> = None;",
         "error[E0080]: evaluation panicked: room!(..) has no such list; it has spheres, cylinders, discs, triangles, planes, lights, materials",
         "room!(spheres: 1, sperez: 2)",
+    ),
+    (
+        "scene! { struct Tried {\nsphere([0.0; 3], 1.0, WHITE);\nplane([0.0; 3], UP, WHITE.mirror(2.0));\n} }",
+        "error[E0080]: evaluation panicked: material: mirror must be within 0 to 1",
+        "plane([0.0; 3], UP, WHITE.mirror(2.0));\n  |                     ^^^^^^^^^^^^^^^^^",
     ),
 ];
 
@@ -155,17 +160,21 @@ struct Wrong {
     /// First line of the compiler's message.
     first_line: String,
     /// The lines of source that the compiler's message shows.
-    shown: String,
+    shown: &'static str,
 }
 
 impl Wrong {
-    /// A program that the library stops.
+    /// A program that the library stops because of a part.
     fn new(items: String, part: &str, kind: ErrorKind) -> Self {
-        let message = kind.message();
+        Self::stopped(items, &format!("{part}: {}", kind.message()))
+    }
+
+    /// A program that the library stops with these words.
+    fn stopped(items: String, words: &str) -> Self {
         Self {
             items,
-            first_line: format!("error[E0080]: evaluation panicked: {part}: {message}"),
-            shown: String::new(),
+            first_line: format!("error[E0080]: evaluation panicked: {words}"),
+            shown: "",
         }
     }
 }
@@ -203,8 +212,7 @@ fn wrong() -> Vec<Wrong> {
         let items = [in_macro(parts), in_builder(&fitting(parts), parts)];
         items.map(|items| Wrong::new(items, name, kind))
     });
-    let moving = cases(MOVING);
-    let moving = moving.map(|(parts, name, kind)| Wrong::new(in_macro(parts), name, kind));
+    let moving = cases(MOVING).map(|(parts, name, kind)| Wrong::new(in_macro(parts), name, kind));
     let rooms = cases(ROOMS).map(|(both, name, kind)| {
         let (room, parts) = both.split_once(" | ").expect("a bar");
         Wrong::new(in_builder(room, parts), name, kind)
@@ -219,30 +227,20 @@ fn wrong() -> Vec<Wrong> {
     let balls = (0..17).map(|number| format!("sphere BALL{number}([0.0; 3], 1.0, WHITE); "));
     let balls = format!("motion([-2.0; 3], [2.0; 3]); {}", balls.collect::<String>());
     let many_move = Wrong::new(in_macro(&balls), "sphere 16", ErrorKind::TooManyMoving);
-    let refused = REFUSED.iter().map(|(items, first_line, shown)| Wrong {
-        items: (*items).to_owned(),
-        first_line: (*first_line).to_owned(),
-        shown: (*shown).to_owned(),
+    let lines = LINES.iter();
+    let lines = lines.map(|(items, words)| Wrong::stopped((*items).to_owned(), words));
+    let shown = SHOWN.iter().map(|&(items, first_line, shown)| Wrong {
+        items: items.to_owned(),
+        first_line: first_line.to_owned(),
+        shown,
     });
-    let lines = LINES.iter().map(|(items, words)| Wrong {
-        items: (*items).to_owned(),
-        first_line: format!("error[E0080]: evaluation panicked: {words}"),
-        shown: String::new(),
-    });
-    let marked = Wrong {
-        items: "scene! { struct Tried {\nsphere([0.0; 3], 1.0, WHITE);\nplane([0.0; 3], UP, WHITE.mirror(2.0));\n} }"
-            .to_owned(),
-        first_line: "error[E0080]: evaluation panicked: material: mirror must be within 0 to 1".to_owned(),
-        shown: "plane([0.0; 3], UP, WHITE.mirror(2.0));\n  |                     ^^^^^^^^^^^^^^^^^".to_owned(),
-    };
     described
         .chain(lines)
-        .chain([marked])
         .chain(moving)
         .chain(rooms)
         .chain(constants)
         .chain([many, many_move])
-        .chain(refused)
+        .chain(shown)
         .collect()
 }
 
@@ -360,7 +358,7 @@ fn constants_that_are_wrong_do_not_compile_and_say_why() {
         // The compiler breaks no line of a message. Most programs have all parts in the same line.
         let first = found.lines().next().unwrap_or_default();
         let is_said = first.replacen(IN_LINE, "", 1) == wrong.first_line;
-        if !is_said || !found.contains(&wrong.shown) {
+        if !is_said || !found.contains(wrong.shown) {
             let (items, line, shown) = (&wrong.items, &wrong.first_line, &wrong.shown);
             differences.push(format!(
                 "{items}\nshould say: {line}\nand {shown}\nbut says: {found}"

@@ -25,7 +25,7 @@ type Expected = (&'static str, Option<usize>, ErrorKind);
 /// Fails unless this is the error, and says its part and what is wrong with it.
 #[track_caller]
 fn assert_error(found: Option<Error>, expected: Expected) {
-    let found = found.expect("it is refused");
+    let found = found.unwrap_or_else(|| panic!("it is accepted: {expected:?}"));
     assert_eq!((found.part(), found.index(), found.kind()), expected);
     let part = match expected {
         (part, Some(index), _) => format!("{part} {index}"),
@@ -35,103 +35,132 @@ fn assert_error(found: Option<Error>, expected: Expected) {
     assert_eq!(found.to_string(), format!("{part}: {message}"));
 }
 
-/// Something to be added to a scene, of this material.
-type Addition = Box<dyn Fn(&mut Scenery, MaterialId) -> Result<(), Error>>;
+/// Adds something to a scene, of this material.
+type Add = Box<dyn Fn(&mut Scenery, MaterialId) -> Result<(), Error>>;
+
+/// Something to be added to a scene, and how errors name it there.
+struct Addition {
+    part: &'static str,
+    index: Option<usize>,
+    add: Add,
+}
+
+/// Returns an addition to a scene that has one part of every kind. Errors number all but the whole scene and its sky.
+fn addition<T, A>(part: &'static str, add: A) -> Addition
+where
+    A: Fn(&mut Scenery, MaterialId) -> Result<T, Error> + 'static,
+{
+    Addition {
+        part,
+        index: (part != "scene" && part != "sky").then_some(1),
+        add: Box::new(move |scene, id| add(scene, id).map(drop)),
+    }
+}
 
 fn sphere(center: Triple, radius: f64) -> Addition {
-    Box::new(move |scene, id| scene.add_sphere(center, radius, id).map(|_| ()))
+    addition("sphere", move |it, id| it.add_sphere(center, radius, id))
 }
 
 fn plane(point: Triple, normal: Triple) -> Addition {
-    Box::new(move |scene, id| scene.add_plane(point, normal, id))
+    addition("plane", move |it, id| it.add_plane(point, normal, id))
 }
 
 fn cylinder(center: Triple, axis: Triple, radius: f64, height: f64) -> Addition {
-    Box::new(move |scene, id| {
-        scene
-            .add_cylinder(center, axis, radius, height, id)
-            .map(|_| ())
-    })
+    let add = move |it: &mut Scenery, id| it.add_cylinder(center, axis, radius, height, id);
+    addition("cylinder", add)
 }
 
 fn disc(center: Triple, normal: Triple, radius: f64) -> Addition {
-    Box::new(move |scene, id| scene.add_disc(center, normal, radius, id).map(|_| ()))
+    addition("disc", move |it, id| {
+        it.add_disc(center, normal, radius, id)
+    })
 }
 
 fn triangle(corners: [Triple; 3], normals: Option<[Triple; 3]>) -> Addition {
-    Box::new(move |scene, id| scene.add_triangle(corners, normals, id).map(|_| ()))
+    addition("triangle", move |it, id| {
+        it.add_triangle(corners, normals, id)
+    })
 }
 
 /// Corners of a triangle.
 const CORNERS: [Triple; 3] = [ORIGIN, [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 fn light(position: Triple, color: Triple) -> Addition {
-    Box::new(move |scene, _| scene.add_light(position, color).map(|_| ()))
+    addition("light", move |it, _| it.add_light(position, color))
 }
 
 fn light_with_range(range: f64) -> Addition {
-    Box::new(move |scene, _| {
-        let added = scene.add_light_with_range(ORIGIN, [1.0; 3], range);
-        added.map(|_| ())
+    addition("light", move |it, _| {
+        it.add_light_with_range(ORIGIN, [1.0; 3], range)
     })
 }
 
 fn sun(direction: Triple, degrees: f64) -> Addition {
-    Box::new(move |scene, _| scene.add_sun(direction, [1.0; 3], degrees).map(|_| ()))
+    addition("sun", move |it, _| it.add_sun(direction, [1.0; 3], degrees))
 }
 
-fn material(color: Triple) -> Addition {
-    Box::new(move |scene, _| scene.add_material(Material::new(color)).map(|_| ()))
+fn material(material: Material) -> Addition {
+    addition("material", move |it, _| it.add_material(material))
 }
 
 fn background(color: Triple) -> Addition {
-    Box::new(move |scene, _| scene.set_background(color))
+    addition("scene", move |it, _| it.set_background(color))
 }
 
 fn sky(up: Triple, colors: [Triple; 3]) -> Addition {
-    Box::new(move |scene, _| scene.set_sky(up, colors))
+    addition("sky", move |it, _| it.set_sky(up, colors))
 }
 
 fn epsilon(epsilon: f64) -> Addition {
-    Box::new(move |scene, _| scene.set_epsilon(epsilon))
+    addition("scene", move |it, _| it.set_epsilon(epsilon))
 }
 
 /// One thing of every kind, and the material they are made of.
 fn furnished() -> (Scenery, MaterialId) {
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
-    scene.add_sphere([0, 0, 0], 1, white).unwrap();
-    scene.add_plane([0, 0, -1], [0, 0, 1], white).unwrap();
-    scene
-        .add_cylinder([3, 0, 0], [0, 0, 1], 1, 2, white)
-        .unwrap();
-    scene.add_disc([3, 0, 1], [0, 0, 1], 1, white).unwrap();
-    scene.add_triangle(CORNERS, None, white).unwrap();
-    scene.add_light([0, -9, 9], [1, 1, 1]).unwrap();
+    for part in [
+        sphere(ORIGIN, 1.0),
+        plane([0.0, 0.0, -1.0], UP),
+        cylinder([3.0, 0.0, 0.0], UP, 1.0, 2.0),
+        disc([3.0, 0.0, 1.0], UP, 1.0),
+        triangle(CORNERS, None),
+        light([0.0, -9.0, 9.0], [1.0; 3]),
+    ] {
+        (part.add)(&mut scene, white).unwrap();
+    }
     (scene, white)
 }
 
-/// Fails unless something is refused with this error, and the scene is as it was.
+/// Fails unless each of some things is refused with an error of this kind, and the scene is as it was.
 #[track_caller]
-fn assert_refused(error: Expected, addition: Addition) {
-    assert_refused_with(furnished().1, error, addition);
+fn assert_refused(kind: ErrorKind, additions: impl IntoIterator<Item = Addition>) {
+    assert_refused_with(furnished().1, kind, additions);
 }
 
 #[track_caller]
-fn assert_refused_with(material: MaterialId, error: Expected, addition: Addition) {
-    let (mut scene, _) = furnished();
-    let before = format!("{:?}", scene.description());
-    assert_error(addition(&mut scene, material).err(), error);
-    assert_eq!(format!("{:?}", scene.description()), before);
-    assert!(scene.build().is_ok());
+fn assert_refused_with(
+    material: MaterialId,
+    kind: ErrorKind,
+    additions: impl IntoIterator<Item = Addition>,
+) {
+    for Addition { part, index, add } in additions {
+        let (mut scene, _) = furnished();
+        let before = format!("{:?}", scene.description());
+        assert_error(add(&mut scene, material).err(), (part, index, kind));
+        assert_eq!(format!("{:?}", scene.description()), before, "{part}");
+        assert!(scene.build().is_ok(), "{part}");
+    }
 }
 
 #[track_caller]
-fn assert_accepted(addition: Addition) {
-    let (mut scene, white) = furnished();
-    let before = format!("{:?}", scene.description());
-    addition(&mut scene, white).unwrap();
-    assert_ne!(format!("{:?}", scene.description()), before);
+fn assert_accepted(additions: impl IntoIterator<Item = Addition>) {
+    for Addition { part, add, .. } in additions {
+        let (mut scene, white) = furnished();
+        let before = format!("{:?}", scene.description());
+        add(&mut scene, white).unwrap();
+        assert_ne!(format!("{:?}", scene.description()), before, "{part}");
+    }
 }
 
 /// Every value of a coordinate that is refused, put on each of the three axes.
@@ -151,60 +180,59 @@ const GOOD_TRIPLES: [Triple; 3] = [
 fn coordinates_beyond_the_format_are_refused() {
     let kind = ErrorKind::Coordinate;
     for at in bad_triples() {
-        assert_refused(("sphere", Some(1), kind), sphere(at, 1.0));
-        assert_refused(("plane", Some(1), kind), plane(at, UP));
-        assert_refused(("plane", Some(1), kind), plane(ORIGIN, at));
-        assert_refused(("cylinder", Some(1), kind), cylinder(at, UP, 1.0, 1.0));
-        assert_refused(("cylinder", Some(1), kind), cylinder(ORIGIN, at, 1.0, 1.0));
-        assert_refused(("disc", Some(1), kind), disc(at, UP, 1.0));
-        assert_refused(("disc", Some(1), kind), disc(ORIGIN, at, 1.0));
-        assert_refused(
-            ("triangle", Some(1), kind),
-            triangle([at, CORNERS[1], CORNERS[2]], None),
-        );
-        assert_refused(
-            ("triangle", Some(1), kind),
-            triangle(CORNERS, Some([UP, at, UP])),
-        );
-        assert_refused(("light", Some(1), kind), light(at, [1.0; 3]));
+        assert_refused(kind, placed(at));
+        assert_refused(kind, [triangle([at, CORNERS[1], CORNERS[2]], None)]);
+        assert_refused(kind, directed(at));
+        assert_refused(kind, [triangle(CORNERS, Some([UP, at, UP]))]);
     }
     for at in GOOD_TRIPLES {
-        assert_accepted(sphere(at, 1.0));
-        assert_accepted(plane(at, UP));
-        assert_accepted(plane(ORIGIN, at));
-        assert_accepted(cylinder(at, at, 1.0, 1.0));
-        assert_accepted(disc(at, at, 1.0));
-        assert_accepted(light(at, [1.0; 3]));
+        assert_accepted(placed(at));
+        assert_accepted([cylinder(at, at, 1.0, 1.0), disc(at, at, 1.0)]);
+        assert_accepted([plane(ORIGIN, at)]);
     }
+}
+
+/// Returns parts at this place.
+fn placed(at: Triple) -> [Addition; 5] {
+    [
+        sphere(at, 1.0),
+        plane(at, UP),
+        cylinder(at, UP, 1.0, 1.0),
+        disc(at, UP, 1.0),
+        light(at, [1.0; 3]),
+    ]
+}
+
+/// Returns shapes with this normal or axis.
+fn directed(direction: Triple) -> [Addition; 3] {
+    [
+        plane(ORIGIN, direction),
+        cylinder(ORIGIN, direction, 1.0, 1.0),
+        disc(ORIGIN, direction, 1.0),
+    ]
 }
 
 #[test]
 fn sizes_must_be_greater_than_zero_and_fit_the_format() {
-    let wide = |radius| cylinder(ORIGIN, UP, radius, 1.0);
-    let high = |height| cylinder(ORIGIN, UP, 1.0, height);
+    let wide = |radius| {
+        [
+            sphere(ORIGIN, radius),
+            cylinder(ORIGIN, UP, radius, 1.0),
+            disc(ORIGIN, UP, radius),
+        ]
+    };
+    let high = |height| [cylinder(ORIGIN, UP, 1.0, height)];
     for size in [0.0, -0.0, -1e-9, -1.0, -1e9] {
-        assert_refused(("sphere", Some(1), ErrorKind::Radius), sphere(ORIGIN, size));
-        assert_refused(("cylinder", Some(1), ErrorKind::Radius), wide(size));
-        assert_refused(("cylinder", Some(1), ErrorKind::Height), high(size));
-        assert_refused(("disc", Some(1), ErrorKind::Radius), disc(ORIGIN, UP, size));
+        assert_refused(ErrorKind::Radius, wide(size));
+        assert_refused(ErrorKind::Height, high(size));
     }
     for size in UNHEARD_OF.into_iter().chain([BEYOND, 1e30]) {
-        assert_refused(
-            ("sphere", Some(1), ErrorKind::Coordinate),
-            sphere(ORIGIN, size),
-        );
-        assert_refused(("cylinder", Some(1), ErrorKind::Coordinate), wide(size));
-        assert_refused(("cylinder", Some(1), ErrorKind::Coordinate), high(size));
-        assert_refused(
-            ("disc", Some(1), ErrorKind::Coordinate),
-            disc(ORIGIN, UP, size),
-        );
+        assert_refused(ErrorKind::Coordinate, wide(size));
+        assert_refused(ErrorKind::Coordinate, high(size));
     }
     for size in [1e-12, 1.0, LIMIT] {
-        assert_accepted(sphere(ORIGIN, size));
         assert_accepted(wide(size));
         assert_accepted(high(size));
-        assert_accepted(disc(ORIGIN, UP, size));
     }
 }
 
@@ -212,47 +240,26 @@ fn sizes_must_be_greater_than_zero_and_fit_the_format() {
 fn normals_and_axes_must_point_somewhere() {
     // What is below half of 2^-64 is zero in the format.
     for zero in [[0.0; 3], [-0.0; 3], [1e-30, -1e-30, 0.0]] {
-        assert_refused(("plane", Some(1), ErrorKind::Normal), plane(ORIGIN, zero));
-        assert_refused(
-            ("cylinder", Some(1), ErrorKind::Axis),
-            cylinder(ORIGIN, zero, 1.0, 1.0),
-        );
-        assert_refused(
-            ("disc", Some(1), ErrorKind::Normal),
-            disc(ORIGIN, zero, 1.0),
-        );
-        assert_refused(
-            ("triangle", Some(1), ErrorKind::Normal),
-            triangle(CORNERS, Some([UP, UP, zero])),
-        );
+        let [plane, cylinder, disc] = directed(zero);
+        let triangle = triangle(CORNERS, Some([UP, UP, zero]));
+        assert_refused(ErrorKind::Normal, [plane, disc, triangle]);
+        assert_refused(ErrorKind::Axis, [cylinder]);
     }
     for short in [[1e-15, 0.0, 0.0], [0.0, -1e-19, 0.0]] {
-        assert_accepted(plane(ORIGIN, short));
-        assert_accepted(cylinder(ORIGIN, short, 1.0, 1.0));
-        assert_accepted(disc(ORIGIN, short, 1.0));
+        assert_accepted(directed(short));
     }
 }
 
 #[test]
 fn corners_must_not_lie_on_one_line() {
-    let kind = ("triangle", Some(1), ErrorKind::Corners);
     let [one, other, _] = CORNERS;
-    for third in [
-        one,
-        other,
-        [0.5, 0.0, 0.0],
-        [-3.0, 0.0, 0.0],
-        [0.5, 1e-7, 0.0],
-    ] {
-        assert_refused(kind, triangle([one, other, third], None));
-    }
-    for third in [[0.5, 1e-4, 0.0], [-90.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
-        assert_accepted(triangle([one, other, third], None));
-    }
-    assert_accepted(triangle(
-        CORNERS,
-        Some([UP, [1e-15, 0.0, 0.0], [0.0, -9.0, 0.0]]),
-    ));
+    let with = |third| triangle([one, other, third], None);
+    let between = [0.5, 0.0, 0.0];
+    let line = [one, other, between, [-3.0, 0.0, 0.0], [0.5, 1e-7, 0.0]];
+    assert_refused(ErrorKind::Corners, line.map(with));
+    assert_accepted([[0.5, 1e-4, 0.0], [-90.0, 1.0, 0.0], UP].map(with));
+    let normals = [UP, [1e-15, 0.0, 0.0], [0.0, -9.0, 0.0]];
+    assert_accepted([triangle(CORNERS, Some(normals))]);
 }
 
 #[test]
@@ -261,18 +268,17 @@ fn colours_must_be_within_zero_to_sixteen() {
         for channel in 0..3 {
             let mut color = [0.5; 3];
             color[channel] = value;
-            assert_refused(("light", Some(1), ErrorKind::Color), light(ORIGIN, color));
-            assert_refused(("scene", None, ErrorKind::Background), background(color));
+            assert_refused(ErrorKind::Color, [light(ORIGIN, color)]);
+            assert_refused(ErrorKind::Background, [background(color)]);
             for place in 0..3 {
                 let mut colors = [[0.5; 3]; 3];
                 colors[place] = color;
-                assert_refused(("sky", None, ErrorKind::Color), sky(UP, colors));
+                assert_refused(ErrorKind::Color, [sky(UP, colors)]);
             }
         }
     }
-    assert_accepted(light(ORIGIN, [0.0, 0.5, 16.0]));
-    assert_accepted(background([0.0, 0.5, 16.0]));
-    assert_accepted(sky(UP, [[0.0, 0.5, 16.0]; 3]));
+    let color = [0.0, 0.5, 16.0];
+    assert_accepted([light(ORIGIN, color), background(color), sky(UP, [color; 3])]);
 }
 
 #[test]
@@ -285,32 +291,28 @@ fn cells_of_a_checker_must_have_a_size() {
     for size in [[0.0; 3], [1.0, -1e-9, 0.0], [0.0, BEYOND, 0.0]] {
         assert_eq!(fault(grey, size), Some(("material", ErrorKind::Checker)));
     }
-    assert_eq!(
-        fault([0.0, 0.0, 17.0], grey),
-        Some(("material", ErrorKind::Color))
-    );
+    let bright = fault([0.0, 0.0, 17.0], grey);
+    assert_eq!(bright, Some(("material", ErrorKind::Color)));
     assert_eq!(fault(grey, [0.0, 1e-9, 0.0]), None);
 }
 
 #[test]
 fn up_of_a_sky_must_have_a_length() {
     let of = |up| sky(up, [[0.5; 3]; 3]);
-    assert_refused(("sky", None, ErrorKind::Sky), of([0.0, -0.0, 0.0]));
-    assert_refused(("sky", None, ErrorKind::Coordinate), of([0.0, BEYOND, 1.0]));
-    assert_accepted(of([0.0, 1e-9, 0.0]));
+    assert_refused(ErrorKind::Sky, [of([0.0, -0.0, 0.0])]);
+    assert_refused(ErrorKind::Coordinate, [of([0.0, BEYOND, 1.0])]);
+    assert_accepted([of([0.0, 1e-9, 0.0])]);
 }
 
 #[test]
 fn epsilon_must_be_greater_than_zero_and_smaller_than_the_scene() {
-    let error = ("scene", None, ErrorKind::Epsilon);
-    for value in UNHEARD_OF.into_iter().chain([0.0, -1e-9, BEYOND]) {
-        assert_refused(error, epsilon(value));
-    }
-    assert_accepted(epsilon(1e-9));
+    let values = UNHEARD_OF.into_iter().chain([0.0, -1e-9, BEYOND]);
+    assert_refused(ErrorKind::Epsilon, values.map(epsilon));
+    assert_accepted([epsilon(1e-9)]);
     // How large the scene is shows when it is built.
     let (mut scene, _) = furnished();
     scene.set_epsilon(1000).unwrap();
-    assert_error(scene.build().err(), error);
+    assert_error(scene.build().err(), ("scene", None, ErrorKind::Epsilon));
 }
 
 /// Fails unless a scene of one sphere, and of what else is added, is built with the first number and
@@ -326,7 +328,7 @@ fn assert_limit(
         let made = Material::from_numbers([1.0; 3], 16.0, 0.5, (0.0, 1.0), 0.0)?;
         let id = scene.add_material(made)?;
         add(&mut scene, id, number)?;
-        scene.build().map(|_| ())
+        scene.build().map(drop)
     };
     assert_eq!(built(taken).err(), None, "{taken}");
     assert_error(built(refused).err(), error);
@@ -376,31 +378,26 @@ fn limits_of_a_whole_scene_are_sharp() {
 fn more_than_the_room_is_refused() {
     let (mut scene, id) = furnished();
     let additions = |at: f64| {
+        let (up, grey) = ([0.0, 1.0, 0.0], Material::new([0.1 * at; 3]));
         [
-            sphere([at; 3], 1.0),
-            plane([at; 3], [0.0, 1.0, 0.0]),
-            cylinder([at; 3], [0.0, 1.0, 0.0], 1.0, 1.0),
-            disc([at; 3], [0.0, 1.0, 0.0], 1.0),
-            triangle([[at; 3], UP, ORIGIN], None),
-            light([at; 3], [1.0; 3]),
-            material([0.1 * at; 3]),
+            (sphere([at; 3], 1.0), ErrorKind::TooManySpheres),
+            (plane([at; 3], up), ErrorKind::TooManyPlanes),
+            (cylinder([at; 3], up, 1.0, 1.0), ErrorKind::TooManyCylinders),
+            (disc([at; 3], up, 1.0), ErrorKind::TooManyDiscs),
+            (
+                triangle([[at; 3], UP, ORIGIN], None),
+                ErrorKind::TooManyTriangles,
+            ),
+            (light([at; 3], [1.0; 3]), ErrorKind::TooManyLights),
+            (material(grey), ErrorKind::TooManyMaterials),
         ]
     };
-    for addition in additions(1.0) {
-        addition(&mut scene, id).unwrap();
+    for (addition, _) in additions(1.0) {
+        (addition.add)(&mut scene, id).unwrap();
     }
     let before = format!("{:?}", scene.description());
-    let errors = [
-        ("sphere", Some(2), ErrorKind::TooManySpheres),
-        ("plane", Some(2), ErrorKind::TooManyPlanes),
-        ("cylinder", Some(2), ErrorKind::TooManyCylinders),
-        ("disc", Some(2), ErrorKind::TooManyDiscs),
-        ("triangle", Some(2), ErrorKind::TooManyTriangles),
-        ("light", Some(2), ErrorKind::TooManyLights),
-        ("material", Some(2), ErrorKind::TooManyMaterials),
-    ];
-    for (addition, error) in additions(2.0).into_iter().zip(errors) {
-        assert_error(addition(&mut scene, id).err(), error);
+    for (Addition { part, add, .. }, kind) in additions(2.0) {
+        assert_error(add(&mut scene, id).err(), (part, Some(2), kind));
     }
     assert_eq!(format!("{:?}", scene.description()), before);
     assert!(scene.build().is_ok());
@@ -410,38 +407,29 @@ fn more_than_the_room_is_refused() {
 fn material_of_another_scene_is_refused() {
     let foreign = furnished().0.add_material(Material::new([0.5; 3])).unwrap();
     let kind = ErrorKind::UnknownMaterial;
-    let tube = cylinder(ORIGIN, UP, 1.0, 1.0);
-    assert_refused_with(foreign, ("sphere", Some(1), kind), sphere(ORIGIN, 1.0));
-    assert_refused_with(foreign, ("plane", Some(1), kind), plane(ORIGIN, UP));
-    assert_refused_with(foreign, ("cylinder", Some(1), kind), tube);
-    assert_refused_with(foreign, ("disc", Some(1), kind), disc(ORIGIN, UP, 1.0));
+    assert_refused_with(foreign, kind, [sphere(ORIGIN, 1.0)]);
+    assert_refused_with(foreign, kind, directed(UP));
 }
 
 #[test]
 fn what_shows_in_the_whole_scene_is_refused_when_it_is_built() {
-    let (mut scene, white) = furnished();
-    scene.add_sphere([0; 3], 1e-9, white).unwrap();
-    assert_error(scene.build().err(), ("sphere", Some(1), ErrorKind::Tiny));
-
-    let (mut scene, white) = furnished();
-    scene.add_disc([0; 3], [0, 0, 1], 1e-9, white).unwrap();
-    assert_error(scene.build().err(), ("disc", Some(1), ErrorKind::Tiny));
-
-    let (mut scene, white) = furnished();
     let small = CORNERS.map(|corner| corner.map(|it| 1e-9 * it));
-    scene.add_triangle(small, None, white).unwrap();
-    assert_error(scene.build().err(), ("triangle", Some(1), ErrorKind::Tiny));
+    let bright = Material::from_numbers([16, 0, 0], 1, 1, (0, 1), 0).unwrap();
+    for (Addition { part, index, add }, kind) in [
+        (sphere(ORIGIN, 1e-9), ErrorKind::Tiny),
+        (disc(ORIGIN, UP, 1e-9), ErrorKind::Tiny),
+        (triangle(small, None), ErrorKind::Tiny),
+        (material(bright), ErrorKind::Brightness),
+    ] {
+        let (mut scene, white) = furnished();
+        add(&mut scene, white).unwrap();
+        assert_error(scene.build().err(), (part, index, kind));
+    }
 
     let mut scene = Scenery::new();
     let white = scene.add_material(Material::new([1.0; 3])).unwrap();
     scene.add_sphere([0; 3], 1e-10, white).unwrap();
     assert_error(scene.build().err(), ("scene", None, ErrorKind::Extent));
-
-    let (mut scene, _) = furnished();
-    let made = Material::from_numbers([16, 0, 0], 1, 1, (0, 1), 0).unwrap();
-    scene.add_material(made).unwrap();
-    let error = ("material", Some(1), ErrorKind::Brightness);
-    assert_error(scene.build().err(), error);
 }
 
 #[test]
@@ -544,35 +532,24 @@ fn errors_are_errors_as_the_language_knows_them() {
         scene.add_sphere([0; 3], -1, white)?;
         Ok(())
     };
-    assert_eq!(
-        fill().unwrap_err().to_string(),
-        "sphere 1: radius must be greater than 0"
-    );
+    let said = fill().unwrap_err().to_string();
+    assert_eq!(said, "sphere 1: radius must be greater than 0");
     assert_eq!(Number::new(NAN), Number::OUT_OF_RANGE);
     assert!(!Position::new([0.0, INFINITE, 0.0]).is_in_range());
 }
 
 #[test]
 fn suns_have_a_direction_and_a_disc_of_at_most_ninety_degrees() {
-    for (direction, degrees) in [(ORIGIN, 0.0), (UP, -0.1), (UP, 90.1), (UP, f64::INFINITY)] {
-        assert_refused(("sun", Some(1), ErrorKind::Sun), sun(direction, degrees));
-    }
-    let far = [0.0, f64::NAN, 1.0];
-    assert_refused(("sun", Some(1), ErrorKind::Coordinate), sun(far, 1.0));
-    assert_accepted(sun([1e-9, 0.0, 0.0], 0.0));
-    assert_accepted(sun(UP, 90.0));
+    let suns = [(ORIGIN, 0.0), (UP, -0.1), (UP, 90.1), (UP, INFINITE)];
+    assert_refused(ErrorKind::Sun, suns.map(|(up, degrees)| sun(up, degrees)));
+    assert_refused(ErrorKind::Coordinate, [sun([0.0, NAN, 1.0], 1.0)]);
+    assert_accepted([sun([1e-9, 0.0, 0.0], 0.0), sun(UP, 90.0)]);
 }
 
 #[test]
 fn range_of_a_light_must_be_above_zero() {
-    for range in UNHEARD_OF
-        .into_iter()
-        .chain([0.0, -0.0, -1.0, 1e-30, 1_073_741_824.5])
-    {
-        let expected = ("light", Some(1), ErrorKind::Range);
-        assert_refused(expected, light_with_range(range));
-    }
-    for range in [1e-19, 0.5, 1_073_741_824.0] {
-        assert_accepted(light_with_range(range));
-    }
+    let low = [0.0, -0.0, -1.0, 1e-30];
+    let ranges = UNHEARD_OF.into_iter().chain(low).chain([LIMIT + 0.5]);
+    assert_refused(ErrorKind::Range, ranges.map(light_with_range));
+    assert_accepted([1e-19, 0.5, LIMIT].map(light_with_range));
 }

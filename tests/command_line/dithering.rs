@@ -1,10 +1,9 @@
 //! Tests the option `--dither`.
 
 use std::collections::BTreeSet;
-use std::fs;
 
+use super::line_of_json;
 use super::program::Folder;
-use super::{line_of_json, refused};
 
 #[test]
 fn dithered_picture_has_the_levels_asked_for() {
@@ -12,7 +11,7 @@ fn dithered_picture_has_the_levels_asked_for() {
     let render = |name: &str, arguments: &str| {
         let call = format!("mirror1 --size 24x24 --check --json {arguments} --raw {name}");
         let line = line_of_json(&folder, &call);
-        (fs::read(folder.path(name)).unwrap(), line["psnr"].clone())
+        (folder.read(name), line["psnr"].clone())
     };
     let (plain, psnr) = render("plain", "");
     for (name, levels) in [("binary", 2), ("gray2", 4), ("gray4", 16), ("rgb565", 32)] {
@@ -25,12 +24,4 @@ fn dithered_picture_has_the_levels_asked_for() {
         let is_grey = dithered.chunks(3).all(|pixel| pixel == [pixel[0]; 3]);
         assert_eq!(is_grey, name != "rgb565");
     }
-}
-
-#[test]
-fn display_that_is_not_known_is_refused() {
-    let folder = Folder::new("unknown_display");
-    let line = refused(&folder, "--dither rgb888");
-    let expected = "possible values: rgb565, gray4, gray2, binary";
-    assert!(line.contains(expected), "{line}");
 }

@@ -10,9 +10,7 @@ mod window;
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
 
-use image::ImageReader;
 use program::{Folder, Outcome};
 use reflet::scenes;
 use serde_json::{Value, json};
@@ -71,12 +69,6 @@ fn keys(object: &Value) -> BTreeSet<&str> {
     fields.keys().map(String::as_str).collect()
 }
 
-/// Returns width, height and RGB8 bytes of a PNG file.
-fn png(path: &Path) -> (u32, u32, Vec<u8>) {
-    let image = ImageReader::open(path).unwrap().decode().unwrap();
-    (image.width(), image.height(), image.to_rgb8().into_raw())
-}
-
 #[test]
 fn bare_command_writes_the_castle_and_says_where() {
     let folder = Folder::new("bare");
@@ -84,28 +76,37 @@ fn bare_command_writes_the_castle_and_says_where() {
     let start = "castle 320x320, 4 reflections, blinn-phong, fast: ";
     assert!(printed.starts_with(start), "{printed}");
     assert!(printed.ends_with("\nwritten to castle.png\n"), "{printed}");
-    let (width, height, _) = png(&folder.path("castle.png"));
-    assert_eq!((width, height), (320, 320));
+    assert_eq!(folder.png("castle.png").dimensions(), (320, 320));
 }
 
 #[test]
 fn picture_without_a_path_takes_a_free_name() {
     let folder = Folder::new("free_name");
-    fs::write(folder.path("floor.png"), "kept").unwrap();
-    fs::write(folder.path("floor-2.png"), "kept").unwrap();
+    folder.write("floor.png", "kept");
+    folder.write("floor-2.png", "kept");
     let printed = printed(&folder, "floor --size 3x2");
     assert!(printed.ends_with("written to floor-3.png\n"), "{printed}");
     assert_eq!(folder.files(), ["floor-2.png", "floor-3.png", "floor.png"]);
-    assert_eq!(fs::read(folder.path("floor.png")).unwrap(), b"kept");
+    assert_eq!(folder.read("floor.png"), b"kept");
 }
 
+/// A name cannot lead to another folder.
 #[test]
-fn name_of_a_scene_cannot_lead_to_another_folder() {
+fn picture_is_called_after_its_scene_in_safe_letters() {
     let folder = Folder::new("name");
-    let scene = changed(|it| it["name"] = "../a\nb".into());
-    fs::write(folder.path("scene.json"), scene).unwrap();
-    printed(&folder, "scene.json --size 1x1");
-    assert_eq!(folder.files(), ["___a_b.png", "scene.json"]);
+    let names = [
+        ("../a\nb", "___a_b.png"),
+        ("", "scene.png"),
+        ("  ", "scene-2.png"),
+    ];
+    for (name, file) in names {
+        folder.write("it.json", changed(|it| it["name"] = name.into()));
+        let printed = printed(&folder, "it.json --size 1x1");
+        let end = format!("written to {file}\n");
+        assert!(printed.ends_with(&end), "{name:?}: {printed}");
+    }
+    let files = ["___a_b.png", "it.json", "scene-2.png", "scene.png"];
+    assert_eq!(folder.files(), files);
 }
 
 #[test]
@@ -114,9 +115,10 @@ fn png_and_raw_are_the_same_picture_of_the_size_asked_for() {
     let printed = printed(&folder, "mirror1 --size 21x13 --out a.png --raw a.rgb");
     let end = "\nwritten to a.png\nwritten to a.rgb\n";
     assert!(printed.ends_with(end), "{printed}");
-    let raw = fs::read(folder.path("a.rgb")).unwrap();
+    let raw = folder.read("a.rgb");
     assert_eq!(raw.len(), 21 * 13 * 3);
-    assert_eq!(png(&folder.path("a.png")), (21, 13, raw));
+    let image = folder.png("a.png");
+    assert_eq!((image.dimensions(), image.into_raw()), ((21, 13), raw));
     assert_eq!(folder.files(), ["a.png", "a.rgb"]);
 }
 
@@ -126,15 +128,12 @@ fn file_that_is_named_is_written_over() {
     for option in ["--out", "--raw"] {
         let call = |scene| printed(&folder, &format!("{scene} --size 4x4 {option} picture"));
         call("mirror1");
-        let first = fs::read(folder.path("picture")).unwrap();
+        let first = folder.read("picture");
         call("floor");
-        let second = fs::read(folder.path("picture")).unwrap();
+        let second = folder.read("picture");
         call("mirror1");
         assert!(first != second, "{option}");
-        assert!(
-            fs::read(folder.path("picture")).unwrap() == first,
-            "{option}"
-        );
+        assert!(folder.read("picture") == first, "{option}");
     }
     assert_eq!(folder.files(), ["picture"]);
 }
@@ -153,10 +152,10 @@ fn what_is_no_picture_is_not_written_over() {
     let both = refused(&folder, "floor --size 2x2 --out a --raw a");
     assert_eq!(both, "--out and --raw name the same file");
     let scene = changed(|_| ());
-    fs::write(folder.path("it.json"), &scene).unwrap();
+    folder.write("it.json", &scene);
     let own = refused(&folder, "it.json --size 2x2 --raw ./it.json");
     assert_eq!(own, "it.json is the scene file: it is not written over");
-    assert_eq!(fs::read_to_string(folder.path("it.json")).unwrap(), scene);
+    assert_eq!(folder.read("it.json"), scene.as_bytes());
     assert_eq!(folder.files(), ["folder", "it.json"]);
 }
 
@@ -204,8 +203,8 @@ fn reference_is_named_where_it_is_all_that_is_rendered() {
     let both = line_of_json(&folder, &format!("{call} --check --raw both"));
     assert_eq!(both["quality"], "fast");
     assert!(both["max"].is_u64());
-    let exact = fs::read(folder.path("exact")).unwrap();
-    assert_eq!(exact, fs::read(folder.path("both")).unwrap());
+    let exact = folder.read("exact");
+    assert_eq!(exact, folder.read("both"));
     assert_eq!(exact.len(), 9 * 9 * 3);
 }
 
@@ -216,11 +215,11 @@ fn scene_file_is_drawn_like_the_same_constants() {
         it["name"] = "other".into();
         it["camera"]["fov"] = 20.into();
     });
-    fs::write(folder.path("one.json"), floor().to_string()).unwrap();
-    fs::write(folder.path("two.json"), format!("[{other}, {}]", floor())).unwrap();
+    folder.write("one.json", floor().to_string());
+    folder.write("two.json", format!("[{other}, {}]", floor()));
     let drawn = |name, call| {
         printed(&folder, &format!("{call} --size 16x12 --raw {name}"));
-        fs::read(folder.path(name)).unwrap()
+        folder.read(name)
     };
     let constant = drawn("constant", "floor");
     assert_eq!(constant, drawn("one", "one.json"));
@@ -232,7 +231,7 @@ fn scene_file_is_drawn_like_the_same_constants() {
 fn file_without_a_name_is_called_after_the_file() {
     let folder = Folder::new("nameless");
     let scene = changed(|it| drop(it.as_object_mut().unwrap().remove("name")));
-    fs::write(folder.path("my floor.json"), scene).unwrap();
+    folder.write("my floor.json", scene);
     let outcome = folder.run(&["my floor.json", "--size", "2x2"]);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     assert_eq!(folder.files(), ["my floor.json", "my floor.png"]);
@@ -266,7 +265,7 @@ fn shadings_and_reflections_reach_the_picture() {
     for (number, call) in calls.into_iter().enumerate() {
         let call = format!("mirror1 --size 40x40 --raw {number} {call}");
         printed(&folder, &call);
-        let picture = fs::read(folder.path(&number.to_string())).unwrap();
+        let picture = folder.read(&number.to_string());
         assert!(!pictures.contains(&picture), "{call}");
         pictures.push(picture);
     }
@@ -287,6 +286,7 @@ fn wrong_arguments_are_named_in_one_line() {
         "--reflections many => invalid digit found in string",
         "--shading gouraud => possible values: blinn-phong, phong, normals",
         "--quality best => possible values: draft, fast, small, exact",
+        "--dither rgb888 => possible values: rgb565, gray4, gray2, binary",
         "--out => a value is required for '--out <F.png>'",
         "--json --json => cannot be used multiple times",
         "--bogus => unexpected argument '--bogus' found",
@@ -313,18 +313,17 @@ fn argument_of_two_lines_is_refused_in_one() {
 #[test]
 fn wrong_files_are_named_in_one_line() {
     let folder = Folder::new("files");
-    let write = |name, text: &[u8]| fs::write(folder.path(name), text).unwrap();
     let sphere = json!({ "center": [0, 0, 0], "radius": 0, "material": "white" });
     let small = changed(|it| it["spheres"] = json!([sphere]));
     let unknown = changed(|it| it["planes"][0]["material"] = "black".into());
     let closed = changed(|it| it["camera"]["fov"] = 0.into());
-    write("broken.json", b"{\n  \"camera\": ]\n}");
-    write("empty.json", b"[]");
-    write("small.json", small.as_bytes());
-    write("unknown.json", unknown.as_bytes());
-    write("closed.json", closed.as_bytes());
-    write("two.json", format!("[{}, {small}]", floor()).as_bytes());
-    write("bytes.json", b"\xff\xfe\x00");
+    folder.write("broken.json", "{\n  \"camera\": ]\n}");
+    folder.write("empty.json", "[]");
+    folder.write("small.json", &small);
+    folder.write("unknown.json", unknown);
+    folder.write("closed.json", closed);
+    folder.write("two.json", format!("[{}, {small}]", floor()));
+    folder.write("bytes.json", b"\xff\xfe\x00");
     fs::create_dir(folder.path("folder.json")).unwrap();
     for case in [
         "missing.json => ",
@@ -342,10 +341,8 @@ fn wrong_files_are_named_in_one_line() {
         let (call, words) = call_and_words(case);
         let file = call.split(' ').next().unwrap();
         let line = refused(&folder, call);
-        assert!(
-            line.starts_with(&format!("{file}: {words}")),
-            "{call}: {line}"
-        );
+        let start = format!("{file}: {words}");
+        assert!(line.starts_with(&start), "{call}: {line}");
     }
     assert_eq!(folder.files().len(), 8, "nothing was written");
 }
@@ -375,12 +372,8 @@ fn help_names_every_scene_and_option() {
 #[test]
 fn reader_that_leaves_early_is_no_error() {
     let folder = Folder::new("pipe");
-    for call in [
-        "floor --size 2x2 --json",
-        "floor --needs",
-        "--help",
-        "--version",
-    ] {
+    let json = "floor --size 2x2 --json";
+    for call in [json, "floor --needs", "--help", "--version"] {
         let outcome = folder.render_unread(call);
         assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""), "{call}");
     }
@@ -402,22 +395,20 @@ fn disk_that_is_full_is_named() {
     assert!(line.starts_with(expected), "{line}");
 }
 
-#[cfg(not(feature = "film"))]
 #[test]
-fn film_needs_its_feature() {
-    let folder = Folder::new("film");
-    let line = refused(&folder, "--orbit 4 --gif a.gif");
-    let expected = "--orbit needs the feature `film`: cargo run ";
-    assert!(line.starts_with(expected), "{line}");
-}
-
-#[cfg(not(feature = "window"))]
-#[test]
-fn window_needs_its_feature() {
-    let folder = Folder::new("window");
-    let line = refused(&folder, "--window");
-    let expected = "--window needs the feature `window`: cargo run ";
-    assert!(line.starts_with(expected), "{line}");
+fn option_without_its_feature_names_it() {
+    let folder = Folder::new("features");
+    for (option, feature, is_on) in [
+        ("--orbit 4 --gif a.gif", "film", cfg!(feature = "film")),
+        ("--window", "window", cfg!(feature = "window")),
+    ] {
+        if !is_on {
+            let line = refused(&folder, option);
+            let option = option.split(' ').next().unwrap();
+            let expected = format!("{option} needs the feature `{feature}`: cargo run ");
+            assert!(line.starts_with(&expected), "{line}");
+        }
+    }
 }
 
 #[cfg(feature = "window")]
@@ -433,5 +424,5 @@ fn window_shows_the_picture() {
     ];
     let outcome = folder.render_with("floor --size 700x5 --window", &variables);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-    assert_eq!(png(&dump), png(&folder.path("file.png")));
+    assert_eq!(folder.png("window.png"), folder.png("file.png"));
 }

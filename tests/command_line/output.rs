@@ -6,7 +6,7 @@ use std::process::Command;
 use std::thread;
 
 use super::program::Folder;
-use super::{changed, png, printed, refused};
+use super::{changed, printed, refused};
 
 #[test]
 fn file_that_is_named_twice_is_refused_before_it_is_written() {
@@ -22,10 +22,8 @@ fn file_that_is_named_twice_is_refused_before_it_is_written() {
         #[cfg(unix)]
         ("a/x", "link/x"),
     ] {
-        let line = refused(
-            &folder,
-            &format!("floor --size 2x2 --out {out} --raw {raw}"),
-        );
+        let call = format!("floor --size 2x2 --out {out} --raw {raw}");
+        let line = refused(&folder, &call);
         assert_eq!(line, "--out and --raw name the same file", "{out} {raw}");
     }
     assert!(folder.files().iter().all(|it| it == "a" || it == "link"));
@@ -46,8 +44,7 @@ fn renders_at_once_write_a_file_each() {
         assert_eq!(folder.files(), said);
     });
     for name in folder.files() {
-        let (width, height, _) = png(&folder.path(&name));
-        assert_eq!((width, height), (16, 16));
+        assert_eq!(folder.png(&name).dimensions(), (16, 16));
     }
 }
 
@@ -60,7 +57,7 @@ fn picture_on_standard_output_is_all_that_is_there() {
             let call = format!("mirror1 --size 5x4 {option} - {words}");
             let (code, stdout, stderr) = folder.render_bytes(&call);
             assert_eq!((code, stderr.contains("5x4")), (0, true), "{call}");
-            assert_eq!(stdout, fs::read(folder.path(file)).unwrap(), "{call}");
+            assert_eq!(stdout, folder.read(file), "{call}");
         }
     }
     assert_eq!(folder.files(), ["file", "file.png"]);
@@ -86,20 +83,6 @@ fn path_that_cannot_be_written_is_refused_before_rendering() {
 }
 
 #[test]
-fn scene_whose_name_is_empty_is_written_to_scene_png() {
-    let folder = Folder::new("empty_name");
-    for (name, file) in [("", "scene.png"), ("  ", "scene-2.png")] {
-        let scene = changed(|it| it["name"] = name.into());
-        fs::write(folder.path("it.json"), scene).unwrap();
-        let printed = printed(&folder, "it.json --size 1x1");
-        assert!(
-            printed.ends_with(&format!("written to {file}\n")),
-            "{printed}"
-        );
-    }
-}
-
-#[test]
 fn format_that_is_not_written_is_refused() {
     let folder = Folder::new("format");
     for (option, path) in [("--out", "a.jpg"), ("-o", "a.b.JPEG")] {
@@ -116,7 +99,7 @@ fn format_that_is_not_written_is_refused() {
 fn control_characters_of_names_are_escaped() {
     let folder = Folder::new("escapes");
     let scene = changed(|it| it["name"] = "\u{1b}[31m\u{7}\u{9b}".into());
-    fs::write(folder.path("it.json"), scene).unwrap();
+    folder.write("it.json", scene);
     let no_controls = |text: &str| !text.replace('\n', "").contains(char::is_control);
     for call in ["", "--needs", "--json", "--check"] {
         let words = printed(&folder, &format!("it.json --size 1x1 {call}"));
@@ -143,8 +126,8 @@ fn pipes_are_written_one_after_the_other() {
     printed(&folder, "floor --size 2x2 --out a --raw b");
     assert!(reader.wait().unwrap().success());
     printed(&folder, "floor --size 2x2 --out c --raw d");
-    let files = ["c", "d"].map(|name| fs::read(folder.path(name)).unwrap());
-    assert_eq!(fs::read(folder.path("read")).unwrap(), files.concat());
+    let files = ["c", "d"].map(|name| folder.read(name));
+    assert_eq!(folder.read("read"), files.concat());
 }
 
 #[test]
@@ -159,9 +142,9 @@ fn file_that_is_too_large_is_refused() {
     let folder = Folder::new("large");
     let text = changed(|_| ());
     let padded = |bytes: usize| text.clone() + &" ".repeat(bytes - text.len());
-    fs::write(folder.path("most.json"), padded(16_000_000)).unwrap();
+    folder.write("most.json", padded(16_000_000));
     printed(&folder, "most.json --size 1x1 --json");
-    fs::write(folder.path("more.json"), padded(16_000_001)).unwrap();
+    folder.write("more.json", padded(16_000_001));
     let words = "a scene file may have 16 MB at most";
     let line = refused(&folder, "more.json");
     assert_eq!(line, format!("more.json: {words}"));

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
 
-use serde_json::Value;
+use image::RgbImage;
 
 /// Result of a call: its exit code and its output.
 pub struct Outcome {
@@ -35,13 +35,25 @@ impl Folder {
         self.0.join(name)
     }
 
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        fs::write(self.path(name), content).expect("a file can be written");
+    }
+
+    pub fn read(&self, name: &str) -> Vec<u8> {
+        fs::read(self.path(name)).expect("the file is there")
+    }
+
+    pub fn png(&self, name: &str) -> RgbImage {
+        let image = image::open(self.path(name)).expect("the file is a picture");
+        image.to_rgb8()
+    }
+
     /// Returns the sorted names of the folder's files.
     pub fn files(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.0).expect("the folder can be read");
-        let name = |entry: fs::DirEntry| entry.file_name().into_string().expect("plain names");
-        let mut names: Vec<_> = entries
-            .map(|entry| name(entry.expect("an entry")))
-            .collect();
+        let names = entries.map(|entry| entry.expect("an entry").file_name());
+        let names = names.map(|name| name.into_string().expect("plain names"));
+        let mut names: Vec<_> = names.collect();
         names.sort();
         names
     }
@@ -127,17 +139,16 @@ fn binary(example: &'static str) -> PathBuf {
     static BINARIES: Mutex<BTreeMap<&str, PathBuf>> = Mutex::new(BTreeMap::new());
     let mut binaries = BINARIES.lock().expect("no build has failed");
     let built = binaries.entry(example).or_insert_with(|| {
-        let target = Path::new(env!("CARGO_TARGET_TMPDIR"))
-            .parent()
-            .expect("target/tmp");
-        if env::var_os(ARE_BUILT).is_some() {
-            return target.join("debug/examples").join(example);
-        }
-        let profile = if cfg!(debug_assertions) {
-            "test"
-        } else {
-            "release"
+        let target = Path::new(env!("CARGO_TARGET_TMPDIR")).parent();
+        let target = target.expect("target/tmp");
+        let (profile, folder) = match cfg!(debug_assertions) {
+            true => ("test", "debug"),
+            false => ("release", "release"),
         };
+        let program = target.join(folder).join("examples").join(example);
+        if env::var_os(ARE_BUILT).is_some() {
+            return program;
+        }
         let features = [
             ("film", cfg!(feature = "film")),
             ("window", cfg!(feature = "window")),
@@ -146,26 +157,15 @@ fn binary(example: &'static str) -> PathBuf {
         let features: Vec<_> = features.map(|(name, _)| name).collect();
         let output = Command::new(env!("CARGO"))
             .current_dir(env!("CARGO_MANIFEST_DIR"))
-            .args(["build", "--example", example, "--message-format", "json"])
-            .args(["--profile", profile, "--features", &features.join(",")])
+            .args(["build", "--example", example, "--profile", profile])
+            .args(["--features", &features.join(",")])
             .arg("--target-dir")
             .arg(target)
             .output()
             .expect("cargo runs");
-        let messages = String::from_utf8_lossy(&output.stdout);
         let complaints = String::from_utf8_lossy(&output.stderr);
-        let mut lines = messages.lines().rev();
-        let executable = lines.find_map(|message| executable(example, message));
-        executable.unwrap_or_else(|| panic!("the example is built: {complaints}"))
+        assert!(output.status.success(), "it is built: {complaints}");
+        program
     });
     built.clone()
-}
-
-/// Returns the program's path from a message of Cargo, if the message is about this example.
-fn executable(example: &str, message: &str) -> Option<PathBuf> {
-    let message: Value = serde_json::from_str(message).ok()?;
-    let is_example = message["target"]["name"] == example;
-    is_example
-        .then(|| message["executable"].as_str().map(PathBuf::from))
-        .flatten()
 }

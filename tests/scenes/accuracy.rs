@@ -1,132 +1,70 @@
 //! Tests how close fixed point is to double precision, on every built-in scene and in a telephoto
 //! view.
 
-use std::fmt::Display;
-
 use command_line::{Quality, Settings, Shading, Source};
 use embedded_graphics::prelude::Size;
 use reflet::description::Description;
-use reflet::host::compare::{Difference, compare};
+use reflet::host::compare::compare;
 use reflet::host::reference::render;
 use reflet::scenes::NAMES;
 use reflet::{Camera, Material, SceneBuilder, room};
 
+use super::near::{Bar, is_met};
+
 const SIDE: u32 = 320;
 const REFLECTIONS: u8 = 4;
 
-/// Smallest shares of equal pixels and smallest PSNR that a picture must reach.
-struct Bar {
-    name: &'static str,
-    same: f64,
-    within1: f64,
-    psnr: f64,
-}
+/// `Draft` guesses.
+const DRAFT: Bar = [0.0, 0.998, 40.0];
+const FAST: Bar = [0.0, 0.999, 46.0];
+/// As good as single precision, or better.
+const EXACT: Bar = [0.998, 0.999, 55.0];
 
-const fn bar(name: &'static str, same: f64, within1: f64, psnr: f64) -> Bar {
-    Bar {
-        name,
-        same,
-        within1,
-        psnr,
-    }
-}
+const BARS: [(Quality, Bar); 4] = [
+    (Quality::Draft, DRAFT),
+    (Quality::Fast, FAST),
+    (Quality::Small, FAST),
+    (Quality::Exact, EXACT),
+];
 
-const FAST: Bar = bar("fast", 0.0, 0.999, 46.0);
-
-/// Bar of the quality `Exact`: as good as single precision, or better.
-const EXACT: Bar = bar("exact", 0.998, 0.999, 55.0);
-
-/// Bar of the quality `Draft`, which guesses.
-const DRAFT: Bar = bar("draft", 0.0, 0.998, 40.0);
-
-/// Bar of the quality `Small`: that of `Fast`.
-const SMALL: Bar = Bar {
-    name: "small",
-    ..FAST
-};
-
-const NORMALS: Bar = bar("normals", 0.0, 0.999, 46.0);
-
-impl Bar {
-    /// Prints a line of the table, and returns this line if the bar is missed.
-    fn missed(&self, name: impl Display, found: &Difference) -> Option<String> {
-        let Difference {
-            same,
-            within1,
-            psnr,
-            max,
-            ..
-        } = found;
-        let line = format!(
-            "{name:<18} {:<8} same {same:.5}  within 1 {within1:.5}  {psnr:6.2} dB  max {max}",
-            self.name
-        );
-        println!("{line}");
-        let is_met = *same >= self.same && *within1 >= self.within1 && *psnr >= self.psnr;
-        (!is_met).then_some(line)
-    }
-}
-
-/// Draws a scene in some qualities and compares each picture with the reference.
-fn differences(
-    source: &Source,
-    shading: Shading,
-    qualities: impl IntoIterator<Item = Quality>,
-) -> impl Iterator<Item = Difference> {
+/// Draws a scene in some qualities, and prints a line for each. Returns the lines of those that miss their bars.
+fn missed(source: &Source, shading: Shading, bars: &[(Quality, Bar)]) -> Vec<String> {
     let ((scene, camera), n) = (source.reference(), REFLECTIONS.into());
     let truth = render(&scene, &camera, SIDE, SIDE, n, shading.into());
-    qualities.into_iter().map(move |quality| {
+    let missed = bars.iter().filter_map(|&(quality, bar)| {
         let settings = Settings {
             reflections: REFLECTIONS,
             shading,
             quality,
         };
         let picture = source.drawn(Size::new(SIDE, SIDE), settings);
-        compare(&picture, &truth).unwrap()
-    })
+        let found = compare(&picture, &truth).unwrap();
+        let (name, quality) = (source.name(), quality.name());
+        let line = format!("{name:<18} {shading:?} {quality:<6} {found:?}");
+        println!("{line}");
+        (!is_met(bar, &found)).then_some(line)
+    });
+    missed.collect()
 }
 
-/// Returns a line for each bar that a scene misses in one shading.
-fn missed(name: &str, shading: Shading) -> Vec<String> {
-    let source = Source::built_in(name).unwrap();
-    let (bars, qualities) = match shading {
-        Shading::Normals => (vec![NORMALS], vec![Quality::Fast]),
-        _ => (
-            vec![DRAFT, FAST, SMALL, EXACT],
-            vec![
-                Quality::Draft,
-                Quality::Fast,
-                Quality::Small,
-                Quality::Exact,
-            ],
-        ),
-    };
-    let found = differences(&source, shading, qualities);
-    let missed = bars.iter().zip(found);
-    missed
-        .filter_map(|(bar, found)| bar.missed(name, &found))
-        .collect()
-}
-
-fn assert_bars_are_met(shading: Shading) {
-    println!("{shading:?}");
-    let missed = NAMES.map(|name| missed(name, shading)).concat();
-    assert!(missed.is_empty(), "{shading:?}: {}", missed.join("\n"));
+fn assert_bars_are_met(shading: Shading, bars: &[(Quality, Bar)]) {
+    let missed = NAMES.map(|name| missed(&Source::built_in(name).unwrap(), shading, bars));
+    assert!(missed.concat().is_empty(), "{:#?}", missed.concat());
 }
 
 #[test]
 fn every_scene_in_blinn_phong_is_close_to_double_precision() {
-    assert_bars_are_met(Shading::BlinnPhong);
+    assert_bars_are_met(Shading::BlinnPhong, &BARS);
 }
 
 #[test]
 fn every_scene_in_phong_is_close_to_double_precision() {
-    assert_bars_are_met(Shading::Phong);
+    assert_bars_are_met(Shading::Phong, &BARS);
 }
 
 #[test]
 fn normals_of_every_scene_are_close_to_double_precision() {
-    assert_bars_are_met(Shading::Normals);
+    assert_bars_are_met(Shading::Normals, &[(Quality::Fast, FAST)]);
 }
 
 const GOLD: Material = Material::new([0.7, 0.6, 0.0])
@@ -184,22 +122,17 @@ fn described(scene: &Description<'_>) -> Source {
 #[test]
 fn reflection_of_something_bright_is_not_cut_off() {
     let source = described(&LAMPLIGHT.description());
-    let qualities = [Quality::Fast, Quality::Small];
-    for found in differences(&source, Shading::BlinnPhong, qualities) {
-        assert!(found.within1 >= 0.999, "{found:?}");
-    }
+    let bars = [Quality::Fast, Quality::Small].map(|it| (it, [0.0, 0.999, 0.0]));
+    let missed = missed(&source, Shading::BlinnPhong, &bars);
+    assert!(missed.is_empty(), "{missed:#?}");
 }
 
 #[test]
 fn telephoto_view_does_not_hurt_fixed_point() {
-    let bar = Bar {
-        psnr: 60.0,
-        ..EXACT
-    };
+    let [same, within1, _] = EXACT;
     let source = described(&TELEPHOTO.description());
     for shading in [Shading::BlinnPhong, Shading::Phong] {
-        for found in differences(&source, shading, [Quality::Exact]) {
-            assert_eq!(bar.missed(format!("{shading:?}"), &found), None);
-        }
+        let missed = missed(&source, shading, &[(Quality::Exact, [same, within1, 60.0])]);
+        assert!(missed.is_empty(), "{missed:#?}");
     }
 }

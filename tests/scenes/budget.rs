@@ -2,11 +2,10 @@
 //! enlarged pixels, pictures without shadows, and the bound of a report.
 
 use command_line::{Quality, Settings, Shading, Source};
-use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
-use embedded_graphics::geometry::{Dimensions, OriginDimensions, Point, Size};
+use embedded_graphics::geometry::{Dimensions, Point, Size};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
-use embedded_graphics::primitives::{PointsIter, Rectangle};
+use embedded_graphics::primitives::PointsIter;
 use embedded_graphics_simulator::SimulatorDisplay;
 use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
 use reflet::display::Enlarged;
@@ -14,9 +13,11 @@ use reflet::host::compare::compare;
 use reflet::host::painted;
 use reflet::host::reference::{self, pixel};
 use reflet::quality::{Exact, Fast};
-use reflet::scenes::{BuiltIn, Mirror1, NAMES};
+use reflet::scenes::{Mirror1, NAMES};
 use reflet::shading::{Phong, Unshadowed};
 use reflet::{Report, Unit};
+
+use super::drawing::{Recorder, frame};
 
 const FRONT: ParetoFront = ParetoFront::new(&[
     point(40, 0, QualityLevel::Fast, 4, 2000),
@@ -47,6 +48,10 @@ const SIZE: Size = Size::new(30, 21);
 
 const PREPARE: u32 = 777;
 
+fn display() -> SimulatorDisplay<Rgb888> {
+    SimulatorDisplay::new(SIZE)
+}
+
 /// Measured Pareto fronts of the built-in scenes.
 mod measured {
     use reflet::budget::{FrontPoint, ParetoFront, QualityLevel};
@@ -76,13 +81,11 @@ fn dearest_point_that_fits_is_chosen() {
 #[test]
 fn front_is_drawn_with_the_settings_of_its_points() {
     for point in FRONT.points() {
-        let mut display = SimulatorDisplay::<Rgb888>::new(SIZE);
+        let (mut found, mut expected) = (display(), display());
         let budget = point.expected(SIZE);
-        let frame = Mirror1::frame(&Mirror1::CAMERA);
-        let Ok(drawn) = frame.draw_within(&FRONT, budget, || false, &mut display);
+        let Ok(drawn) = frame().draw_within(&FRONT, budget, || false, &mut found);
         assert_eq!((drawn.choice.point, drawn.missing_rows), (*point, 0));
-        let mut expected = SimulatorDisplay::<Rgb888>::new(SIZE);
-        let frame = Mirror1::frame(&Mirror1::CAMERA).reflections(point.reflections);
+        let frame = frame().reflections(point.reflections);
         let mut target = Enlarged::new(&mut expected, point.scale.into());
         let small = frame.prepare(target.bounding_box().size);
         let small = small.on(&Mirror1).unwrap();
@@ -90,7 +93,7 @@ fn front_is_drawn_with_the_settings_of_its_points() {
             QualityLevel::Fast => frame.quality::<Fast>().draw(&mut target),
             QualityLevel::Exact => frame.quality::<Exact>().draw(&mut target),
         };
-        assert_eq!(display.to_be_bytes(), expected.to_be_bytes(), "{point:?}");
+        assert_eq!(found.to_be_bytes(), expected.to_be_bytes(), "{point:?}");
         assert_eq!(drawn.report, report);
         assert_eq!(drawn.cut_off_bound, small.cut_off_bound(&report));
         assert!(drawn.cut_off_bound > Unit::ZERO);
@@ -100,15 +103,14 @@ fn front_is_drawn_with_the_settings_of_its_points() {
 #[test]
 fn what_is_drawn_when_time_is_up_stays_and_the_rest_is_counted() {
     for (budget, asked, rows_drawn) in [(0, 2, 4 * 2), (u64::MAX, 5, 5), (0, 6, SIZE.height)] {
-        let mut display = SimulatorDisplay::<Rgb888>::new(SIZE);
+        let mut display = display();
         let Ok(()) = display.clear(Rgb888::MAGENTA);
         let mut left = asked;
         let is_up = || {
             left -= 1;
             left < 0
         };
-        let frame = Mirror1::frame(&Mirror1::CAMERA);
-        let Ok(drawn) = frame.draw_within(&FRONT, budget, is_up, &mut display);
+        let Ok(drawn) = frame().draw_within(&FRONT, budget, is_up, &mut display);
         assert_eq!(drawn.missing_rows, SIZE.height - rows_drawn);
         let is_untouched = |y: u32| {
             let pixel = |x| display.get_pixel(Point::new(x as i32, y as i32));
@@ -123,68 +125,37 @@ fn what_is_drawn_when_time_is_up_stays_and_the_rest_is_counted() {
 #[test]
 fn nothing_is_drawn_on_a_display_without_pixels() {
     let mut display = SimulatorDisplay::<Rgb888>::new(Size::zero());
-    let frame = Mirror1::frame(&Mirror1::CAMERA);
-    let Ok(drawn) = frame.draw_within(&FRONT, 0, || false, &mut display);
+    let Ok(drawn) = frame().draw_within(&FRONT, 0, || false, &mut display);
     assert_eq!((drawn.report, drawn.missing_rows), (Report::NONE, 0));
-}
-
-/// A part of a display that does not begin at its corner.
-struct Part<'a>(&'a mut SimulatorDisplay<Rgb888>, Rectangle);
-
-impl Dimensions for Part<'_> {
-    fn bounding_box(&self) -> Rectangle {
-        self.1
-    }
-}
-
-impl DrawTarget for Part<'_> {
-    type Color = Rgb888;
-    type Error = core::convert::Infallible;
-
-    fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Self::Error>
-    where
-        I: IntoIterator<Item = Pixel<Rgb888>>,
-    {
-        let inside = |it: &Pixel<Rgb888>| assert!(self.1.contains(it.0));
-        self.0.draw_iter(pixels.into_iter().inspect(inside))
-    }
 }
 
 #[test]
 fn every_pixel_of_a_display_with_larger_ones_is_a_square_inside_of_it() {
     for scale in [0, 1, 2, 3, 4, 50, u32::MAX] {
-        let frame = || Mirror1::frame(&Mirror1::CAMERA);
         let small = Enlarged::<SimulatorDisplay<Rgb888>>::size_of(SIZE, scale);
         let small = painted(&frame().prepare(small).on(&Mirror1).unwrap());
-        let mut display = SimulatorDisplay::<Rgb888>::new(SIZE + Size::new(7, 9));
-        let area = Rectangle::new(Point::new(3, 5), SIZE);
-        let mut part = Part(&mut display, area);
-        let Ok(_) = frame().draw(&mut Enlarged::new(&mut part, scale));
-        for at in area.points() {
-            let Point { x, y } = (at - area.top_left) / scale.clamp(1, 1 << 30) as i32;
+        // It does not begin at the corner.
+        let mut display = Recorder::new(Point::new(3, 5), SIZE);
+        let drawn = frame().draw(&mut Enlarged::new(&mut display, scale));
+        drawn.unwrap();
+        let expected = display.bounding_box().points().map(|at| {
+            let Point { x, y } = (at - Point::new(3, 5)) / scale.clamp(1, 1 << 30) as i32;
             let [red, green, blue] = small.pixels[(y * small.width as i32 + x) as usize];
-            let expected = Rgb888::new(red, green, blue);
-            assert_eq!(display.get_pixel(at), expected, "{scale}: {at}");
-        }
-        assert_eq!(display.get_pixel(Point::new(2, 5)), Rgb888::BLACK);
-        assert!(display.size().width > SIZE.width);
+            ([at.y, at.x], Rgb888::new(red, green, blue))
+        });
+        assert_eq!(display.shown(), expected.collect(), "{scale}");
     }
 }
 
 /// Returns the scene with only one shape. Shapes are numbered: first spheres, then planes, then
 /// cylinders.
 fn lone(scene: &reference::Scene, shape: usize) -> reference::Scene {
-    fn only<T: Copy>(all: &[T], at: Option<usize>) -> Vec<T> {
-        at.and_then(|at| all.get(at)).copied().into_iter().collect()
-    }
-    let first_plane = scene.spheres.len();
-    let first_cylinder = first_plane + scene.planes.len();
-    reference::Scene {
-        spheres: only(&scene.spheres, Some(shape)),
-        planes: only(&scene.planes, shape.checked_sub(first_plane)),
-        cylinders: only(&scene.cylinders, shape.checked_sub(first_cylinder)),
-        ..scene.clone()
-    }
+    let (mut lone, mut numbers) = (scene.clone(), 0..);
+    let mut is_it = || numbers.next() == Some(shape);
+    lone.spheres.retain(|_| is_it());
+    lone.planes.retain(|_| is_it());
+    lone.cylinders.retain(|_| is_it());
+    lone
 }
 
 /// Returns the scene with glowing shapes: the red channel is the shape's number plus one. The
@@ -223,35 +194,24 @@ fn picture_without_shadows_is_one_of_each_shape_in_its_own_light() {
         let source = Source::built_in(name).unwrap();
         let size = Size::new(48, 48);
         // Without reflections a pixel shows one surface only.
-        let drawn = |shading| {
-            let settings = Settings {
-                reflections: 0,
-                shading,
-                quality: Quality::Exact,
-            };
-            source.drawn(size, settings)
-        };
-        let pictures = [
-            (
-                reference::Shading::BlinnPhong,
-                drawn(Shading::BlinnPhong),
-                source.painted::<Exact, Unshadowed>(size, 0),
-            ),
-            (
-                reference::Shading::Phong,
-                drawn(Shading::Phong),
-                source.painted::<Exact, Unshadowed<Phong>>(size, 0),
-            ),
-        ];
+        let blinn_phong = source.painted::<Exact, Unshadowed>(size, 0);
+        let phong = source.painted::<Exact, Unshadowed<Phong>>(size, 0);
+        let pictures = [(Shading::BlinnPhong, blinn_phong), (Shading::Phong, phong)];
         let (scene, camera) = source.reference();
         let render = |scene: &_, shading| {
             reference::render(scene, &camera, size.width, size.height, 0, shading).pixels
         };
         let met = render(&numbered(&scene), reference::Shading::BlinnPhong);
         let shapes = scene.spheres.len() + scene.planes.len() + scene.cylinders.len();
-        let compared = pictures.iter().map(|(shading, shadowed, lit)| {
+        let compared = pictures.iter().map(|&(shading, ref lit)| {
+            let settings = Settings {
+                reflections: 0,
+                shading,
+                quality: Quality::Exact,
+            };
+            let shadowed = source.drawn(size, settings);
             // One more than there are shapes: the last scene has only the background.
-            let alone = (0..=shapes).map(|shape| render(&lone(&scene, shape), *shading));
+            let alone = (0..=shapes).map(|shape| render(&lone(&scene, shape), shading.into()));
             let alone: Vec<_> = alone.collect();
             let apart = |at: usize| {
                 let shape = usize::from(met[at][0]).checked_sub(1).unwrap_or(shapes);

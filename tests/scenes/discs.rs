@@ -6,7 +6,7 @@ use reflet::host::precision;
 use reflet::host::reference::{self, bound::Paths};
 use reflet::quality::{Exact, Fast, Quality, Small};
 use reflet::shading::{BlinnPhong, Phong};
-use reflet::{Camera, Material, MaterialId};
+use reflet::{Camera, Error, Material, MaterialId};
 
 use super::held::{ending, held};
 use super::near::{Scenery, UP, assert_near, drawn};
@@ -30,41 +30,39 @@ pub fn materials(scene: &mut Scenery) -> [MaterialId; 4] {
 
 /// Returns a leaning cylinder with a disc at each end, in front of a round mirror, under a lamp with
 /// a shade.
-fn lids() -> (Scenery, Camera) {
+fn lids() -> Result<(Scenery, Camera), Error> {
     let mut scene = Scenery::new();
     let [red, gold, chalk, mirror] = materials(&mut scene);
-    scene.add_sphere([1.4, -0.5, 0.5], 0.5, gold).unwrap();
-    scene.add_plane([0, 0, 0], [0, 0, 1], chalk).unwrap();
+    scene.add_sphere([1.4, -0.5, 0.5], 0.5, gold)?;
+    scene.add_plane([0, 0, 0], [0, 0, 1], chalk)?;
     let axis = [0.75, -0.5, 2.5];
     let half = 0.5 * f64::sqrt(0.75 * 0.75 + 0.5 * 0.5 + 2.5 * 2.5);
     let center = [-0.6, 0.0, 1.5];
-    scene
-        .add_cylinder(center, axis, 0.7, 2.0 * half, red)
-        .unwrap();
+    scene.add_cylinder(center, axis, 0.7, 2.0 * half, red)?;
     for (end, lid) in [(0.5, red), (-0.5, gold)] {
         let [x, y, z] = [0, 1, 2].map(|at| center[at] + end * axis[at]);
-        scene.add_disc([x, y, z], axis, 0.7, lid).unwrap();
+        scene.add_disc([x, y, z], axis, 0.7, lid)?;
     }
     for (center, normal, radius, id) in [
         ([1.2, 2.0, 1.5], [0.2, 1.0, -0.1], 1.3, mirror),
         ([0.5, -1.0, 3.3], [0.0, 0.2, 1.0], 0.5, gold),
         ([2.3, -1.0, 1.1], [0.98, 0.02, 0.195], 0.4, chalk),
     ] {
-        scene.add_disc(center, normal, radius, id).unwrap();
+        scene.add_disc(center, normal, radius, id)?;
     }
-    scene.add_light([0.5, -1.5, 5.0], [1.0; 3]).unwrap();
-    scene.add_light([6.0, -4.0, 2.0], [0.4; 3]).unwrap();
-    scene.set_background([0.21, 0.29, 0.52]).unwrap();
+    scene.add_light([0.5, -1.5, 5.0], [1.0; 3])?;
+    scene.add_light([6.0, -4.0, 2.0], [0.4; 3])?;
+    scene.set_background([0.21, 0.29, 0.52])?;
     let camera = Camera::look_at([2.5, -6.0, 3.3], [0.0, 0.0, 1.2], UP).fov(50.0);
-    (scene, camera)
+    Ok((scene, camera))
 }
 
 /// Returns discs at the height of the eye: some of them mirrors, one that touches a ball, one
 /// upright.
-fn edges() -> (Scenery, Camera) {
+fn edges() -> Result<(Scenery, Camera), Error> {
     let mut scene = Scenery::new();
     let [red, gold, _, mirror] = materials(&mut scene);
-    scene.add_sphere([0.0, 0.0, 1.5], 0.5, red).unwrap();
+    scene.add_sphere([0.0, 0.0, 1.5], 0.5, red)?;
     for (center, normal, radius, id) in [
         ([1.2, 0.0, 1.0], [0.0, 0.0, 1.0], 0.4, gold),
         ([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], 0.7, mirror),
@@ -72,12 +70,12 @@ fn edges() -> (Scenery, Camera) {
         ([0.0, 0.0, 0.3], [1.0, 0.0, 0.0], 0.5, gold),
         ([-1.2, 0.0, 1.0], [1.0, 0.2, 0.05], 0.6, mirror),
     ] {
-        scene.add_disc(center, normal, radius, id).unwrap();
+        scene.add_disc(center, normal, radius, id)?;
     }
-    scene.add_light([2.0, -5.0, 4.0], [1.0; 3]).unwrap();
-    scene.set_background([0.21, 0.29, 0.52]).unwrap();
+    scene.add_light([2.0, -5.0, 4.0], [1.0; 3])?;
+    scene.set_background([0.21, 0.29, 0.52])?;
     let camera = Camera::look_at([0.0, -6.0, 1.0], [0.0, 0.0, 1.0], UP).fov(40.0);
-    (scene, camera)
+    Ok((scene, camera))
 }
 
 #[test]
@@ -88,7 +86,7 @@ fn discs_are_painted_as_double_precision_paints_them() {
         [0.9995, 0.9999, 46.0],
         [0.9999, 0.9999, 46.0],
     ];
-    for (scene, camera) in [lids(), edges()] {
+    for (scene, camera) in [lids(), edges()].map(Result::unwrap) {
         let seen = (&scene, &camera);
         assert_near::<BlinnPhong>(seen, SIZE, reference::Shading::BlinnPhong, bars);
         assert_near::<Phong>(seen, SIZE, reference::Shading::Phong, bars);
@@ -100,7 +98,7 @@ fn no_pixel_of_a_disc_is_further_off_than_its_bound() {
     const ALL: usize = 200;
     const SIDE: u32 = 96;
     let shading = reference::Shading::BlinnPhong;
-    for (scene, camera) in [lids(), edges()] {
+    for (scene, camera) in [lids(), edges()].map(Result::unwrap) {
         let exact = reference::Scene::from(&scene.description());
         let built = scene.build().unwrap();
         let found = drawn::<Fast, BlinnPhong>(&built, &camera, Size::new_equal(SIDE));
@@ -115,20 +113,18 @@ fn no_pixel_of_a_disc_is_further_off_than_its_bound() {
 
 /// Returns a closed black cylinder around a glowing ball. The ball's light is visible only through a
 /// gap.
-fn lantern(axis: [f64; 3]) -> Scenery {
+fn lantern(axis: [f64; 3]) -> Result<Scenery, Error> {
     let mut scene = Scenery::new();
     let dark = Material::new([0.0; 3]).ambient(0.0).diffuse(0.0);
     let shining = Material::new([1.0; 3]).ambient(1.0).diffuse(0.0);
-    let dark = scene.add_material(dark).unwrap();
-    let shining = scene.add_material(shining).unwrap();
-    scene.add_sphere([0.0; 3], 0.99, shining).unwrap();
+    let dark = scene.add_material(dark)?;
+    let shining = scene.add_material(shining)?;
+    scene.add_sphere([0.0; 3], 0.99, shining)?;
     let half = f64::sqrt(axis.iter().map(|it| it * it).sum());
-    scene
-        .add_cylinder([0.0; 3], axis, 1.0, 2.0 * half, dark)
-        .unwrap();
-    scene.add_disc(axis, axis, 1.0, dark).unwrap();
-    scene.add_disc(axis.map(|it| -it), axis, 1.0, dark).unwrap();
-    scene
+    scene.add_cylinder([0.0; 3], axis, 1.0, 2.0 * half, dark)?;
+    scene.add_disc(axis, axis, 1.0, dark)?;
+    scene.add_disc(axis.map(|it| -it), axis, 1.0, dark)?;
+    Ok(scene)
 }
 
 fn assert_closed<Q: Quality>(scene: &Scenery, camera: &Camera) {
@@ -146,7 +142,7 @@ fn no_gap_shows_between_a_cylinder_and_the_discs_that_close_it() {
         [0.3, -0.4, 0.9],
         [1.0, 1.0, 0.1],
     ] {
-        let scene = lantern(axis);
+        let scene = lantern(axis).unwrap();
         for eye in [
             [0.0, -4.0, 0.0],
             [0.0, -4.0, 1.0],

@@ -16,10 +16,12 @@ use reflet::host::painted;
 use reflet::quality::{Exact, Fast, Quality};
 use reflet::scenes::{BuiltIn, Mirror1, Primitives};
 use reflet::shading::Normals;
-use reflet::{Material, Number, PreparedFrame, Report, Rows, RuntimeScene, Scene, room};
+use reflet::{
+    FrameBuilder, Material, Number, PreparedFrame, Report, Rows, RuntimeScene, Scene, room,
+};
 
 /// A display that records its calls in order, and fails at the call `fails_at`.
-struct Recorder<C> {
+pub struct Recorder<C> {
     bounds: Rectangle,
     /// Area and colours of every call.
     calls: Vec<(Rectangle, Vec<C>)>,
@@ -27,10 +29,10 @@ struct Recorder<C> {
 }
 
 #[derive(Debug, PartialEq, Eq)]
-struct CableLost(usize);
+pub struct CableLost(usize);
 
 impl<C: PixelColor> Recorder<C> {
-    fn new(top_left: Point, size: Size) -> Self {
+    pub fn new(top_left: Point, size: Size) -> Self {
         Self {
             bounds: Rectangle::new(top_left, size),
             calls: Vec::new(),
@@ -43,6 +45,12 @@ impl<C: PixelColor> Recorder<C> {
         let calls = self.calls.iter();
         let pixels = calls.flat_map(|(area, colors)| area.points().zip(colors.iter().copied()));
         pixels.collect()
+    }
+
+    /// Returns the last colour of each pixel, by its row and column.
+    pub fn shown(&self) -> BTreeMap<[i32; 2], C> {
+        let pixels = self.pixels().into_iter();
+        pixels.map(|(at, color)| ([at.y, at.x], color)).collect()
     }
 }
 
@@ -71,6 +79,10 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
         self.calls.push((*area, colors.into_iter().collect()));
         Ok(())
     }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), CableLost> {
+        self.fill_contiguous(area, area.points().map(|_| color))
+    }
 }
 
 type Mirrors<Q> = PreparedFrame<Mirror1, Q>;
@@ -80,14 +92,18 @@ fn recorder(width: u32, height: u32) -> Recorder<Rgb888> {
 }
 
 /// Returns a frame of a scene with mirrors and shadows.
-fn picture(width: u32, height: u32) -> Mirrors<Fast> {
-    Mirror1::frame(&Mirror1::CAMERA).prepare(Size::new(width, height))
+pub fn frame() -> FrameBuilder<'static, Mirror1> {
+    Mirror1::frame(&Mirror1::CAMERA)
 }
 
-/// Returns a frame of a scene with mirrors and shadows, with every pixel traced.
+fn picture(width: u32, height: u32) -> Mirrors<Fast> {
+    frame().prepare(Size::new(width, height))
+}
+
+/// Returns a picture with every pixel traced.
 fn exact_picture(width: u32, height: u32) -> Mirrors<Exact> {
-    let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Exact>();
-    frame.prepare(Size::new(width, height))
+    let size = Size::new(width, height);
+    frame().quality::<Exact>().prepare(size)
 }
 
 /// Returns the rows of a frame.
@@ -110,7 +126,7 @@ fn rows<C: PixelColor + From<Rgb888>>(picture: &Mirrors<impl Quality>) -> Vec<Ve
 fn every_pixel_is_drawn_once_and_inside_in_one_call_a_row() {
     for (width, height) in [(1, 1), (1, 9), (9, 1), (13, 7), (31, 17), (64, 64)] {
         let mut display = recorder(width, height);
-        Mirror1::frame(&Mirror1::CAMERA).draw(&mut display).unwrap();
+        frame().draw(&mut display).unwrap();
         let drawn = display.pixels().into_iter().map(|(point, _)| point);
         assert!(drawn.eq(display.bounds.points()), "{width}x{height}");
         assert_eq!(display.calls.len(), height as usize);
@@ -128,7 +144,7 @@ where
     C: PixelColor + ColorMapping + From<Rgb888> + std::fmt::Debug,
 {
     let mut display = MockDisplay::<C>::new();
-    let report = Mirror1::frame(&Mirror1::CAMERA).draw(&mut display).unwrap();
+    let report = frame().draw(&mut display).unwrap();
     assert!(report.rays > 64 * 64 / 4);
     let colors = rows::<Rgb888>(&picture(64, 64)).into_iter().flatten();
     for (at, color) in display.bounding_box().points().zip(colors) {
@@ -148,11 +164,9 @@ fn displays_of_every_kind_show_the_same_picture_in_their_colours() {
 #[test]
 fn rows_may_be_filled_in_the_displays_colours() {
     let picture = picture(21, 13);
-    let converted = rows::<Rgb888>(&picture)
-        .into_iter()
-        .flatten()
-        .map(Rgb565::from);
-    assert!(converted.eq(rows::<Rgb565>(&picture).into_iter().flatten()));
+    let converted = rows::<Rgb888>(&picture).concat();
+    let converted = converted.into_iter().map(Rgb565::from);
+    assert!(converted.eq(rows::<Rgb565>(&picture).concat()));
 }
 
 #[test]
@@ -160,7 +174,7 @@ fn error_of_the_display_comes_back_at_once() {
     for fails_at in [0, 1, 5, 8] {
         let mut display = recorder(11, 9);
         display.fails_at = fails_at;
-        let result = Mirror1::frame(&Mirror1::CAMERA).draw(&mut display);
+        let result = frame().draw(&mut display);
         assert_eq!(result, Err(CableLost(fails_at)));
         assert_eq!(display.calls.len(), fails_at, "rows after the error");
     }
@@ -195,7 +209,7 @@ impl DrawTarget for Torn {
 #[test]
 fn no_pixel_is_taken_from_a_row_that_the_display_has_given_up() {
     let mut display = Torn { taken: 0 };
-    let result = Mirror1::frame(&Mirror1::CAMERA).draw(&mut display);
+    let result = frame().draw(&mut display);
     assert_eq!((result, display.taken), (Err(CableLost(12)), 12));
 }
 
@@ -203,7 +217,7 @@ fn no_pixel_is_taken_from_a_row_that_the_display_has_given_up() {
 fn display_without_area_is_drawn_without_a_call() {
     for size in [Size::zero(), Size::new(0, 9), Size::new(9, 0)] {
         let mut display = Recorder::<Rgb888>::new(Point::new(3, 4), size);
-        let report = Mirror1::frame(&Mirror1::CAMERA).draw(&mut display);
+        let report = frame().draw(&mut display);
         assert_eq!(report, Ok(Report::NONE));
         assert!(display.calls.is_empty());
     }
@@ -213,11 +227,9 @@ fn display_without_area_is_drawn_without_a_call() {
 fn display_that_starts_elsewhere_is_filled_where_it_is() {
     for top_left in [Point::new(-7, 12), Point::new(1000, -1000)] {
         let mut display = Recorder::<Rgb888>::new(top_left, Size::new(16, 12));
-        Mirror1::frame(&Mirror1::CAMERA).draw(&mut display).unwrap();
-        let points: Vec<Point> = display.bounds.points().collect();
-        let expected = rows(&picture(16, 12)).into_iter().flatten();
-        let expected: Vec<_> = points.into_iter().zip(expected).collect();
-        assert_eq!(display.pixels(), expected);
+        frame().draw(&mut display).unwrap();
+        let expected = display.bounds.points().zip(rows(&picture(16, 12)).concat());
+        assert_eq!(display.pixels(), Vec::from_iter(expected));
     }
 }
 
@@ -275,9 +287,8 @@ fn area_is_a_crop_of_the_whole() {
         let inside = area.intersection(&Rectangle::new(Point::zero(), picture.size()));
         for top_left in [Point::zero(), Point::new(2, 5)] {
             let mut display = recorder(40, 40);
-            on(&picture)
-                .draw_area(area, top_left, &mut display)
-                .unwrap();
+            let rows = on(&picture);
+            rows.draw_area(area, top_left, &mut display).unwrap();
             let color = |at: Point| whole[at.y as usize][at.x as usize];
             let crop = inside.points().map(|at| (at + top_left, color(at)));
             let found = display.pixels().into_iter();
@@ -289,7 +300,7 @@ fn area_is_a_crop_of_the_whole() {
 #[test]
 fn rows_make_the_same_picture_as_draw() {
     let mut display = recorder(33, 20);
-    let drawn = Mirror1::frame(&Mirror1::CAMERA).draw(&mut display).unwrap();
+    let drawn = frame().draw(&mut display).unwrap();
     let colors = display.calls.into_iter().map(|(_, colors)| colors);
     assert!(colors.eq(rows(&picture(33, 20))));
     let mut row = [Rgb888::BLACK; 33];
@@ -341,21 +352,18 @@ fn two_threads_may_share_a_picture() {
 
 #[test]
 fn empty_slice_is_filled_without_a_ray() {
-    assert_eq!(
-        on(&picture(5, 5)).row::<Rgb888>(2, 2, &mut []),
-        Report::NONE
-    );
+    let report = on(&picture(5, 5)).row::<Rgb888>(2, 2, &mut []);
+    assert_eq!(report, Report::NONE);
 }
 
 #[test]
 fn picture_has_at_least_one_pixel_and_at_most_65535_a_side() {
-    let frame = Mirror1::frame(&Mirror1::CAMERA);
     let given = [1, 1, 65_535, 65_535, 65_535];
     for (asked, given) in [0, 1, 65_535, 65_536, u32::MAX].into_iter().zip(given) {
-        let wide = frame.prepare(Size::new(asked, 3));
+        let wide = frame().prepare(Size::new(asked, 3));
         assert_eq!(wide.size(), Size::new(given, 3));
         assert_eq!(on(&wide).size(), Size::new(given, 3));
-        let high = frame.prepare(Size::new(3, asked));
+        let high = frame().prepare(Size::new(3, asked));
         assert_eq!(high.size(), Size::new(3, given));
         assert_eq!(on(&high).size(), Size::new(3, given));
     }
@@ -391,7 +399,7 @@ fn highest_column_is_drawn_to_its_end() {
 #[test]
 fn picture_without_mirrors_takes_one_ray_a_pixel() {
     let mut display = recorder(17, 11);
-    let frame = Mirror1::frame(&Mirror1::CAMERA).quality::<Exact>();
+    let frame = frame().quality::<Exact>();
     assert!(frame.draw(&mut display).unwrap().rays > 17 * 11);
     let frame = frame.reflections(0);
     assert_eq!(frame.draw(&mut display).unwrap().rays, 17 * 11);
@@ -402,8 +410,7 @@ fn picture_without_mirrors_takes_one_ray_a_pixel() {
 
 #[test]
 fn fast_picture_takes_fewer_rays_than_it_has_pixels() {
-    let frame = Mirror1::frame(&Mirror1::CAMERA).reflections(0);
-    let Report { rays, .. } = frame.draw(&mut recorder(64, 48)).unwrap();
+    let Report { rays, .. } = frame().reflections(0).draw(&mut recorder(64, 48)).unwrap();
     assert!((64 * 48 / 4..64 * 48 * 3 / 4).contains(&rays), "{rays}");
 }
 
@@ -444,7 +451,7 @@ fn coarse_first(height: u32, fails_at: usize) -> (Recorder<Rgb888>, Result<Repor
     let mut display = Recorder::new(Point::new(-3, 5), Size::new(40, height));
     display.fails_at = fails_at;
     let mut row = [Rgb888::BLACK; 40];
-    let drawn = Mirror1::frame(&Mirror1::CAMERA).draw_coarse_first(&mut row, &mut display);
+    let drawn = frame().draw_coarse_first(&mut row, &mut display);
     (display, drawn)
 }
 
@@ -452,23 +459,13 @@ fn coarse_first(height: u32, fails_at: usize) -> (Recorder<Rgb888>, Result<Repor
 fn picture_that_is_coarse_at_first_traces_each_row_once_and_ends_as_the_plain_one() {
     for height in [1, 6, 32, 35] {
         let mut plain = Recorder::new(Point::new(-3, 5), Size::new(40, height));
-        let report = Mirror1::frame(&Mirror1::CAMERA).draw(&mut plain);
+        let report = frame().draw(&mut plain);
         let (coarse, drawn) = coarse_first(height, usize::MAX);
         assert_eq!(drawn, report);
         assert_eq!(coarse.calls.len(), height as usize);
-        let last = |it: &Recorder<Rgb888>| {
-            let sorted = it
-                .pixels()
-                .into_iter()
-                .map(|(at, color)| ((at.y, at.x), color));
-            sorted.collect::<BTreeMap<_, _>>()
-        };
-        assert_eq!(last(&coarse), last(&plain));
-        let quarter = &coarse.calls[..height.div_ceil(4) as usize];
-        let rows = quarter
-            .iter()
-            .map(|(area, _)| area.size.height)
-            .sum::<u32>();
+        assert_eq!(coarse.shown(), plain.shown());
+        let quarter = coarse.calls.iter().take(height.div_ceil(4) as usize);
+        let rows: u32 = quarter.map(|(area, _)| area.size.height).sum();
         assert_eq!(rows, height, "the first pass covers the display");
     }
 }

@@ -5,7 +5,7 @@ use embedded_graphics::prelude::Size;
 use reflet::__private::Drawable;
 use reflet::description::{self, Description};
 use reflet::host::file::FileScene;
-use reflet::host::reference::Picture;
+use reflet::host::reference::{self, Picture};
 use reflet::quality::{Exact, Fast};
 use reflet::scenes::{Castle, Mirror1};
 use reflet::shading::{BlinnPhong, Phong};
@@ -76,19 +76,13 @@ impl Move {
     }
 }
 
-/// The parts of a scene as they are described.
-#[derive(Clone)]
+/// The places of a scene's parts, and their materials.
 struct Places {
-    spheres: Vec<description::Sphere>,
-    cylinders: Vec<description::Cylinder>,
-    discs: Vec<description::Disc>,
-    planes: Vec<description::Plane>,
-    lights: Vec<description::Light>,
+    parts: reference::Scene,
     materials: Vec<Material>,
 }
 
 /// Handles of the parts of a scene that may move.
-#[derive(Clone)]
 struct Handles {
     spheres: Vec<Handle<description::Sphere>>,
     cylinders: Vec<Handle<description::Cylinder>>,
@@ -105,11 +99,7 @@ struct Built {
 impl Places {
     fn of(described: Description<'_>) -> Self {
         Self {
-            spheres: described.spheres.to_vec(),
-            cylinders: described.cylinders.to_vec(),
-            discs: described.discs.to_vec(),
-            planes: described.planes.to_vec(),
-            lights: described.lights.to_vec(),
+            parts: (&described).into(),
             materials: described.materials.to_vec(),
         }
     }
@@ -122,19 +112,18 @@ impl Places {
     fn take(&mut self, moved: Move) {
         match moved {
             Sphere(index, center, radius) => {
-                let it = &mut self.spheres[index];
-                (it.center, it.radius) = (center.into(), radius.into());
+                let it = &mut self.parts.spheres[index];
+                (it.center, it.radius) = (center, radius);
             }
             Cylinder(index, center, axis, radius, height) => {
-                let it = &mut self.cylinders[index];
-                (it.center, it.axis) = (center.into(), axis.into());
-                (it.radius, it.height) = (radius.into(), height.into());
+                let it = &mut self.parts.cylinders[index];
+                (it.center, it.axis, it.radius, it.height) = (center, axis, radius, height);
             }
             Disc(index, center, normal, radius) => {
-                let it = &mut self.discs[index];
-                (it.center, it.normal, it.radius) = (center.into(), normal.into(), radius.into());
+                let it = &mut self.parts.discs[index];
+                (it.center, it.normal, it.radius) = (center, normal, radius);
             }
-            Light(index, position) => self.lights[index].position = position.into(),
+            Light(index, position) => self.parts.lights[index].position = position,
         }
     }
 
@@ -150,38 +139,39 @@ impl Places {
         }
         let ids = self.materials.iter();
         let ids: Vec<_> = ids.map(|it| scene.add_material(*it).unwrap()).collect();
-        let spheres = self.spheres.iter();
-        let spheres =
-            spheres.map(|it| scene.add_sphere(it.center, it.radius, ids[it.material.index()]));
-        let spheres = spheres.map(Result::unwrap).collect();
-        let cylinders = self.cylinders.iter().map(|it| {
-            let id = ids[it.material.index()];
-            scene.add_cylinder(it.center, it.axis, it.radius, it.height, id)
-        });
-        let cylinders = cylinders.map(Result::unwrap).collect();
-        let discs = self.discs.iter().map(|it| {
-            let id = ids[it.material.index()];
-            scene.add_disc(it.center, it.normal, it.radius, id)
-        });
-        let discs = discs.map(Result::unwrap).collect();
-        for it in &self.planes {
-            let id = ids[it.material.index()];
+        let parts = &self.parts;
+        for it in &parts.planes {
+            let id = ids[it.material];
             scene.add_plane(it.point, it.normal, id).unwrap();
         }
-        let lights = self.lights.iter();
-        let lights = lights.map(|it| scene.add_light(it.position, it.color));
-        let lights = lights.map(Result::unwrap).collect();
-        scene.set_background([0.2, 0.3, 0.5]).unwrap();
+        let spheres = parts.spheres.iter().map(|it| {
+            let id = ids[it.material];
+            scene.add_sphere(it.center, it.radius, id).unwrap()
+        });
+        let spheres = spheres.collect();
+        let cylinders = parts.cylinders.iter().map(|it| {
+            let id = ids[it.material];
+            let added = scene.add_cylinder(it.center, it.axis, it.radius, it.height, id);
+            added.unwrap()
+        });
+        let cylinders = cylinders.collect();
+        let discs = parts.discs.iter().map(|it| {
+            let id = ids[it.material];
+            scene.add_disc(it.center, it.normal, it.radius, id).unwrap()
+        });
+        let discs = discs.collect();
+        let lights = parts.lights.iter();
+        let lights = lights.map(|it| scene.add_light(it.position, it.color).unwrap());
+        let handles = Handles {
+            spheres,
+            cylinders,
+            discs,
+            lights: lights.collect(),
+        };
+        scene.set_background(parts.background).unwrap();
         scene.set_camera(CAMERA);
-        Built {
-            scene: scene.build().unwrap(),
-            handles: Handles {
-                spheres,
-                cylinders,
-                discs,
-                lights,
-            },
-        }
+        let scene = scene.build().unwrap();
+        Built { scene, handles }
     }
 }
 
@@ -303,9 +293,8 @@ impl Random {
     }
 
     fn camera(&mut self) -> Camera {
-        CAMERA
-            .orbited(self.below(360) as i32, self.within(-10.0, 40.0))
-            .unwrap()
+        let (azimuth, elevation) = (self.below(360) as i32, self.within(-10.0, 40.0));
+        CAMERA.orbited(azimuth, elevation).unwrap()
     }
 }
 
@@ -469,7 +458,7 @@ fn prepared_frame_refuses_another_scene_of_the_same_type() {
     let mut places = Places::start();
     let (one, again) = (places.built().scene, places.built().scene);
     let boxless = places.built_in(None).scene;
-    places.spheres[4].radius = 0.5.into();
+    places.parts.spheres[4].radius = 0.5;
     let frame = one.frame(&CAMERA).prepare(Size::new(9, 9));
     assert_refused(&frame, &places.built().scene);
     assert_refused(&frame, &boxless);

@@ -2,7 +2,7 @@
 
 use embedded_graphics::prelude::Size;
 use reflet::__private::Drawable;
-use reflet::host::compare::compare;
+use reflet::host::compare::{Difference, compare};
 use reflet::host::file::FileRuntimeScene;
 use reflet::host::painted;
 use reflet::host::reference::{self, Picture, render};
@@ -27,14 +27,20 @@ pub fn drawn<Q: Quality, K: Shading>(
     painted(&frame.on(scene).unwrap())
 }
 
-/// Checks the shares of pixels that are equal or within 1 of the reference, and the PSNR, in the qualities `Fast`, `Small`
-/// and `Exact`. Returns the pictures.
+/// The smallest share of pixels that are equal to the reference, that of pixels within 1 of it, and the smallest PSNR.
+pub type Bar = [f64; 3];
+
+pub fn is_met([same, within1, psnr]: Bar, found: &Difference) -> bool {
+    found.same >= same && found.within1 >= within1 && found.psnr >= psnr
+}
+
+/// Checks how near a scene is to the reference in the qualities `Fast`, `Small` and `Exact`. Returns the pictures.
 #[track_caller]
 pub fn assert_near<K: Shading>(
     (scene, camera): (&Scenery, &Camera),
     size: Size,
     shading: reference::Shading,
-    bars: [[f64; 3]; 3],
+    bars: [Bar; 3],
 ) -> [Picture; 3] {
     let exact = reference::Scene::from(&scene.description());
     let truth = render(&exact, &camera.into(), size.width, size.height, 4, shading);
@@ -45,11 +51,10 @@ pub fn assert_near<K: Shading>(
         drawn::<Exact, K>(&built, camera, size),
     ];
     let names = ["fast", "small", "exact"].into_iter().zip(bars);
-    for ((name, [same, within1, psnr]), picture) in names.zip(&pictures) {
+    for ((name, bar), picture) in names.zip(&pictures) {
         let found = compare(picture, &truth).unwrap();
         println!("{name}: {found:?}");
-        let is_near = found.same >= same && found.within1 >= within1 && found.psnr >= psnr;
-        assert!(is_near, "{name}: {found:?}");
+        assert!(is_met(bar, &found), "{name}: {found:?}");
     }
     pictures
 }

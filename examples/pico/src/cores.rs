@@ -14,13 +14,19 @@ use crate::board::chip::hal::multicore::{Multicore, Stack};
 use crate::board::chip::hal::pac::{PPB, PSM};
 use crate::board::chip::hal::sio::SioFifo;
 use crate::screen::{Line, Screen};
-use crate::view::{Rows, View};
+use crate::view::View;
 
 /// Stack of the second core: 4096 words. A row of the castle takes 9 KiB at most.
 static STACK: Stack<4096> = Stack::new();
 
 /// Number of words that the FIFO between the cores holds.
 const FIFO_DEPTH: usize = 8;
+
+/// Rows of a prepared picture, whatever its scene.
+pub trait Rows {
+    /// Traces row `y` of the panel.
+    fn row(&self, y: u32, line: &mut Line);
+}
 
 /// The first core, and the second if there is one.
 pub struct Cores {

@@ -4,6 +4,7 @@ use embedded_graphics::geometry::Size;
 use reflet::Camera;
 use reflet::scenes::{BuiltIn, Castle, NAMES, Visitor, visit};
 
+use crate::cores::Rows;
 use crate::keys::Request;
 use crate::screen::{Line, SIDE};
 
@@ -52,12 +53,6 @@ impl View {
         let camera = visit(NAMES[scene], OwnCamera).unwrap_or(self.camera);
         Self { scene, camera }
     }
-}
-
-/// Rows of a prepared picture, whatever its scene.
-pub trait Rows {
-    /// Traces row `y`.
-    fn row(&self, y: u32, line: &mut Line);
 }
 
 impl<S: BuiltIn> Rows for reflet::Rows<'_, S> {

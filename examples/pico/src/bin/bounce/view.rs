@@ -6,6 +6,7 @@ use embedded_graphics::geometry::Size;
 use reflet::MovingScene;
 use reflet::budget::ParetoFront;
 
+use crate::cores::Rows;
 use crate::motion::{Bounce, Motion, areas};
 use crate::screen::{Line, SIDE};
 
@@ -40,12 +41,6 @@ impl View {
     pub fn areas(&self) -> impl Iterator<Item = Range<u32>> + use<> {
         areas(self.scale)
     }
-}
-
-/// Rows of a prepared picture.
-pub trait Rows {
-    /// Traces row `y` of the panel.
-    fn row(&self, y: u32, line: &mut Line);
 }
 
 impl Rows for reflet::Rows<'_, MovingScene<Bounce>> {

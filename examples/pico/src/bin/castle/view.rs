@@ -5,6 +5,7 @@ use reflet::quality::{Quality, Smooth};
 use reflet::{Camera, FrameBuilder};
 
 use crate::Shown;
+use crate::cores::Rows;
 use crate::screen::{Line, SIDE};
 
 /// The camera through which the scene is drawn, and whether edges are smooth.
@@ -34,12 +35,6 @@ fn with_rows_of<Q: Quality, R>(
     let frame = frame.prepare(Size::new(SIDE, SIDE));
     let rows = frame.on(&Shown);
     work(&rows.expect("a constant scene never changes"))
-}
-
-/// Rows of a prepared picture.
-pub trait Rows {
-    /// Traces row `y`.
-    fn row(&self, y: u32, line: &mut Line);
 }
 
 impl<Q: Quality> Rows for reflet::Rows<'_, Shown, Q> {
