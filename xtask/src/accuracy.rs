@@ -17,7 +17,6 @@ use crate::kept;
 const PAGE: &str = "docs/accuracy.md";
 /// File of all figures, one line for each picture and quality.
 const FIGURES_FILE: &str = "docs/measured/accuracy.jsonl";
-/// Width and height of each measured picture, in pixels.
 const SIDE: u32 = 320;
 /// Number of reflections that each ray may have.
 const REFLECTIONS: u8 = 4;
@@ -32,7 +31,6 @@ const NAMES: [&str; 4] = ["fast", "small", "exact", "f32"];
 /// differ.
 const ALL: f64 = 0.9999;
 
-/// Accuracy of one built-in scene in one shading.
 struct Picture {
     scene: &'static str,
     shading: &'static str,

@@ -15,7 +15,6 @@ use std::{fmt, io, thread};
 
 use rustix::process::{Pid, Signal, kill_process};
 
-/// A program to run: its command line, environment and time limit.
 #[derive(Debug)]
 pub struct Program {
     command: Command,
@@ -188,7 +187,6 @@ pub struct Watched {
     pub processor: Duration,
 }
 
-/// Number of output lines that may wait to be read.
 const LINES: usize = 1 << 12;
 
 impl fmt::Display for Program {

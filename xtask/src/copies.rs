@@ -24,7 +24,6 @@ pub struct Arguments {
     examples: Vec<String>,
 }
 
-/// The example for a board.
 #[derive(Clone, Copy)]
 pub(crate) struct Example {
     board: &'static str,

@@ -52,7 +52,6 @@ fn text(file: &str) -> Result<String> {
     fs::read_to_string(root().join(file)).with_context(|| format!("cannot read {file}"))
 }
 
-/// Returns the number of lines of code of the library.
 fn code_of_library() -> Result<usize> {
     let files = tracked("src/*.rs")?;
     let texts = files.iter().map(|file| text(file));
@@ -125,14 +124,12 @@ fn lines_of_code(text: &str) -> usize {
     count
 }
 
-/// Returns the number of lines of Rust outside of `src`.
 fn rust_outside() -> Result<usize> {
     let files = tracked("*.rs")?.into_iter();
     let outside = files.filter(|file| !file.starts_with("src/"));
     outside.map(|file| Ok(text(&file)?.lines().count())).sum()
 }
 
-/// Returns the number of words of the pages that match the patterns.
 fn words_of(patterns: &[&str]) -> Result<usize> {
     let pages = patterns.iter().map(|pattern| tracked(pattern));
     let pages = pages.collect::<Result<Vec<_>>>()?.concat();
@@ -169,10 +166,8 @@ fn packages_of_first_command() -> Result<usize> {
 mod tests {
     use super::*;
 
-    /// Most lines of code of the library.
     const MOST_CODE: usize = 19_728;
 
-    /// Most lines of Rust outside of the library.
     const MOST_OUTSIDE: usize = 38_584;
 
     /// Most packages that a newcomer's first command compiles.

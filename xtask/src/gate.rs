@@ -63,7 +63,6 @@ const LONGEST: &str = "measure";
 /// All tests have the films of the example `render`. The same in each step: nothing is built twice.
 const FEATURES: &str = "--features=reflet/film";
 
-/// A check of the gate, and the name under which it is reported.
 struct Step {
     name: String,
     program: Program,

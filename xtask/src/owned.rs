@@ -32,7 +32,6 @@ pub struct Asked {
 pub struct Owned {
     /// Name of the board, which is also that of the chore.
     pub name: &'static str,
-    /// Name of the board in text.
     pub title: &'static str,
     /// Name of the processor core, as `measure --core` takes it.
     pub core: &'static str,
@@ -144,7 +143,6 @@ impl Owned {
         Ok(vec![Key::Select; place])
     }
 
-    /// Builds the example in its place.
     pub fn build(&self) -> Result<PathBuf> {
         self.build_program(Example::of(self.name)?.program)
     }

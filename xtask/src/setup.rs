@@ -6,7 +6,6 @@ use anyhow::{Result, bail};
 
 use crate::need::{self, Need};
 
-/// All needs of the gate.
 static NEEDS: [&Need; 7] = [
     &need::RUSTFMT,
     &need::CLIPPY,

@@ -10,7 +10,6 @@ use command_line::Quality;
 use crate::measure::outcome::Report;
 use crate::measure::{Core, Scene, Size, firmware, task};
 
-/// Time limit of a run.
 const LIMIT: Duration = Duration::from_secs(60 * 60);
 
 pub struct Sweep {
@@ -32,7 +31,6 @@ pub struct Setting {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Count {
-    /// Instructions of the whole frame.
     pub instructions: u64,
     /// Instructions of the preparation, which are part of `instructions`.
     pub prepare: u64,

@@ -23,7 +23,6 @@ pub const TARGETS: [&str; 6] = [
     "riscv32imc-unknown-none-elf",
 ];
 
-/// The target of the playground.
 const WASM: &str = "wasm32-unknown-unknown";
 
 /// The oldest Rust version that the library supports, from Cargo.toml.

@@ -42,7 +42,6 @@ fn with_material(mut scene: Value, key: &str, value: &Value) -> Value {
     scene
 }
 
-/// Returns the scene with an empty list.
 fn without(mut scene: Value, list: &str) -> Value {
     scene[list] = json!([]);
     scene

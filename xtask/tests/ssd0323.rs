@@ -53,7 +53,6 @@ impl digital::Error for Broken {
     }
 }
 
-/// The SPI and the data/command pin.
 #[derive(Clone, Default)]
 struct Wires(Rc<RefCell<Wire>>);
 

@@ -17,7 +17,6 @@ use crate::memory::Memory;
 use crate::run::{Run, Script};
 use crate::wires::{Pin, Wiring};
 
-/// A chip that is emulated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChipKind {
     Rp2040,
@@ -34,7 +33,6 @@ pub struct Board {
     pub keys: &'static [(Key, Pin)],
 }
 
-/// Pins of the Pico-LCD-1.3.
 const PICO_WIRING: Wiring = Wiring {
     clock: 10,
     data: 11,
@@ -105,7 +103,6 @@ impl Board {
         }
     }
 
-    /// Returns the pin of a key.
     pub(crate) fn pin(&self, key: Key) -> Option<Pin> {
         let found = self.keys.iter().find(|it| it.0 == key);
         found.map(|it| it.1)

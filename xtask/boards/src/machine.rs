@@ -25,7 +25,6 @@ const LOOK: u64 = 64;
 /// before it.
 const RP2040_VECTORS: u32 = 0x100;
 
-/// A core and its time.
 struct Runner<C> {
     core: C,
     is_on: bool,
@@ -34,7 +33,6 @@ struct Runner<C> {
     instructions: u64,
 }
 
-/// A board that runs.
 pub struct Machine<C> {
     runners: Vec<Runner<C>>,
     system: System,

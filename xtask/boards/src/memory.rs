@@ -15,7 +15,6 @@ impl Region {
     }
 }
 
-/// The memory of a chip.
 #[derive(Clone)]
 pub struct Memory {
     flash: Region,

@@ -37,7 +37,6 @@ pub struct Private {
     pub event: bool,
 }
 
-/// Memory, peripherals and panel.
 pub struct System {
     pub memory: Memory,
     pub chip: Box<dyn Chip>,
@@ -89,7 +88,6 @@ impl System {
         }
     }
 
-    /// Returns the first fault.
     #[inline]
     pub fn check(&mut self) -> Result<(), Fault> {
         match self.fault.take() {

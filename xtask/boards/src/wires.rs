@@ -29,9 +29,7 @@ pub enum Role {
 
 /// The pins of a chip, as the firmware has set them.
 pub trait Pins {
-    /// Returns what a pin does.
     fn role(&self, pin: Pin) -> Role;
-    /// Returns the name of a pin on the board.
     fn name(&self, pin: Pin) -> String;
 }
 
@@ -55,7 +53,6 @@ pub struct Wiring {
     pub backlight: Pin,
 }
 
-/// The panel and its wires.
 pub struct Wires {
     pub panel: Panel,
     wiring: Wiring,
@@ -67,7 +64,6 @@ pub struct Wires {
 }
 
 impl Wires {
-    /// Wires a panel.
     pub fn new(wiring: Wiring) -> Self {
         Self {
             panel: Panel::new(),

@@ -120,7 +120,6 @@ impl Source {
         })
     }
 
-    /// Returns the name of the scene.
     pub fn name(&self) -> &str {
         &self.name
     }

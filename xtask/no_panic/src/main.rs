@@ -63,7 +63,6 @@ fn draw_in_all_ways() {
     draw_within();
 }
 
-/// A limit for scenes without mirrors.
 struct Matte;
 
 impl NeedsLimit for Matte {
@@ -99,7 +98,6 @@ fn draw<Q: Quality, K: Shading, S: Drawable>(scene: &S, frame: FrameBuilder<'_, 
     ));
 }
 
-/// Draws a frame with a budget.
 fn draw_within() {
     const POINT: FrontPoint = FrontPoint {
         prepare: 1000,
@@ -125,7 +123,6 @@ fn draw_within() {
     let _ = black_box(frame.draw_within(front, budget, || black_box(false), &mut Display));
 }
 
-/// Room for four of everything.
 type Four = room!(
     spheres: 4,
     planes: 4,
@@ -190,7 +187,6 @@ scene! {
     }
 }
 
-/// Moves the parts of a constant scene.
 fn moved() -> Option<MovingScene<Bounce>> {
     let number = || Number::from(black_box(1.5_f32));
     let point = || black_box([0.5_f64, 1.5, 2.5]);

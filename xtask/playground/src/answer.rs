@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-/// The answer to a call.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Answer {
     /// Whether the call was refused. The text then has the reason.

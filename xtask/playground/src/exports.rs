@@ -62,7 +62,6 @@ pub extern "C" fn set_view(turn: i32, rise: i32, zoom: u32) -> u32 {
     answer(|playground| playground.set_view(turn, rise, zoom))
 }
 
-/// Answers with the camera of the view.
 #[unsafe(no_mangle)]
 pub extern "C" fn camera() -> u32 {
     answer(|playground| playground.camera())
@@ -121,7 +120,6 @@ pub extern "C" fn row_paths(y: u32) -> u32 {
     answer(|playground| playground.row_paths(y))
 }
 
-/// Answers with the Rust source of the scene.
 #[unsafe(no_mangle)]
 pub extern "C" fn rust() -> u32 {
     answer(|playground| playground.rust())

@@ -50,7 +50,6 @@ impl Playground {
         }
     }
 
-    /// Returns the camera of the view.
     pub fn camera(&self) -> Answer {
         match &self.opened {
             Some(opened) => Answer::done(&opened.camera()),

@@ -11,16 +11,13 @@ use crate::place;
 /// Narrowest and widest field of view of the library, in degrees.
 const FIELDS_OF_VIEW: [f64; 2] = [0.001, 179.999];
 
-/// A scene that was read, and the view of it.
 pub(crate) struct Opened {
     pub(crate) file: SceneFile,
     pub(crate) scene: Box<FileScene>,
-    /// Names of all scenes of the file.
     names: Vec<String>,
     pub(crate) view: Camera,
 }
 
-/// What a page learns of an open scene.
 #[derive(Serialize)]
 pub(crate) struct Facts {
     name: Option<String>,

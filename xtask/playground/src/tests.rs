@@ -25,7 +25,6 @@ const EXACT: Settings = Settings {
     ..MEASURED
 };
 
-/// Writes a built-in scene as a scene file.
 struct AsFile;
 
 impl Visitor for AsFile {

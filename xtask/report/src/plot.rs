@@ -88,7 +88,6 @@ impl Axis {
     }
 }
 
-/// Returns the plot of a scene.
 pub fn scene(scene: &Measured) -> String {
     let (x, y) = (Axis::of_costs(scene), Axis::of_psnr(scene));
     let at = |point: &Point| (x.place(point.cost()), y.place(point.psnr));

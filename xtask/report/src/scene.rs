@@ -32,7 +32,6 @@ pub struct Measured {
     pub points: Vec<Point>,
 }
 
-/// A scene and the settings to measure with it.
 struct Plan<'a> {
     path: &'a Path,
     source: Source,

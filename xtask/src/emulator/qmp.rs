@@ -16,7 +16,6 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Connects to the monitor that listens at a socket.
     pub fn connect(socket: &Path) -> Result<Self, Error> {
         /// Time limit for an answer. The monitor answers in milliseconds, on a busy machine in some
         /// more.
@@ -38,7 +37,6 @@ impl Monitor {
         Ok(monitor)
     }
 
-    /// Executes one command and returns its result.
     pub fn execute(&mut self, command: &str, arguments: Value) -> Result<Value, Error> {
         let request = json!({ "execute": command, "arguments": arguments });
         writeln!(self.stream.get_mut(), "{request}")?;

@@ -19,7 +19,6 @@ pub struct Figures {
     /// Executed instructions of the whole frame, preparation included, over its pixels.
     pub instructions_per_pixel: f64,
     pub prepare_instructions: u64,
-    /// The most executed instructions that one row took.
     pub worst_row_instructions: u64,
     /// Number of the row that took the most instructions, from 0 at the top.
     pub worst_row: u32,
@@ -67,7 +66,6 @@ impl Figures {
     }
 }
 
-/// Returns the instructions of a frame over its pixels.
 pub(super) fn per_pixel(task: &Task, outcome: &Outcome) -> f64 {
     tenths(outcome.instructions() as f64 / task.settings.size.pixels() as f64)
 }

@@ -23,7 +23,6 @@ pub const RUN_LIMIT: Duration = Duration::from_secs(10 * 60);
 /// Bytes of a linked program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Weight {
-    /// Bytes of machine code in a firmware.
     pub code: u64,
     /// Bytes in flash: code, constants, and first values of variables.
     pub flash: u64,
@@ -32,7 +31,6 @@ pub struct Weight {
 }
 
 impl Weight {
-    /// Returns how many bytes more this program has than another.
     fn beyond(self, other: Self) -> Self {
         Self {
             code: self.code.saturating_sub(other.code),
@@ -67,7 +65,6 @@ pub(super) struct Program {
 struct Place {
     /// The job, and the source of a scene from a file.
     jobs: PathBuf,
-    /// Cargo's target folder.
     target: PathBuf,
 }
 

@@ -20,7 +20,6 @@ const FILES: [&str; 5] = ["harbour", "harbour_sun", "matt3", "chrome3", "pybadge
 /// Scenes in the table of README.md.
 const SHOWN: [&str; 3] = ["harbour", "columns", "castle"];
 
-/// A line of the file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Kept {

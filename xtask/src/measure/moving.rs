@@ -19,7 +19,6 @@ pub struct MovingFigures {
     pub frame: Figures,
     /// Executed instructions of one move, such as `set_sphere`.
     pub move_instructions: u64,
-    /// Flash of the constant scene.
     pub constant_flash: u64,
     /// Executed instructions a pixel of the constant scene, preparation included.
     pub constant_instructions_per_pixel: f64,

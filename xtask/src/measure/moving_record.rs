@@ -12,7 +12,6 @@ use super::task::{Quality, Size, Task};
 use crate::table::markdown;
 use crate::{kept, root};
 
-/// Scenes and cores of which figures are kept.
 const SCENES: [&str; 3] = ["castle", "mirror1", "primitives"];
 pub const CORE_NAMES: [&str; 2] = ["m0", "m3"];
 const SIZE: Size = Size::new(64, 64);
@@ -61,7 +60,6 @@ pub fn renew() -> Result<()> {
     kept::write_lines(&file(), &rows)
 }
 
-/// Reads the kept figures of moving scenes.
 pub fn read() -> Result<Vec<Kept>> {
     kept::read(&file(), "measure --all")
 }

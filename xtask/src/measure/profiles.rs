@@ -19,7 +19,6 @@ const SCENES: [&str; 2] = ["castle", "corner1"];
 /// Size of the pictures from which build profiles are measured: as in docs/boards.md.
 const SIZE: Size = Size::new(64, 64);
 
-/// The first column of the tables; the columns of the scenes follow.
 const FIRST_COLUMN: &str = "profile";
 
 /// One line. In JSON the keys are the names of the fields.

@@ -35,12 +35,10 @@ pub fn renew(core: Option<&'static Core>) -> Result<()> {
     renew_page()
 }
 
-/// Writes docs/boards.md from the kept figures.
 pub(super) fn renew_page() -> Result<()> {
     kept::write(&root().join("docs/boards.md"), &page()?)
 }
 
-/// Returns the text of docs/boards.md from the kept figures.
 fn page() -> Result<String> {
     let rows = CORES.iter().map(read).collect::<Result<Vec<_>>>()?;
     Ok(page::write(

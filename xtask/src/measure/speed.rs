@@ -75,7 +75,6 @@ impl Board {
         self.board.is_some() || self.clock.is_some()
     }
 
-    /// Returns the clock in MHz.
     fn megahertz(&self) -> f64 {
         let clock = self.board.map(|it| it.board.clock() as f64 / 1e6);
         clock.or(self.clock).unwrap_or(1.0)
@@ -165,7 +164,6 @@ impl Board {
 }
 
 impl Speed {
-    /// Returns the seconds of a whole frame.
     pub fn frame(self) -> f64 {
         match self.has_dma {
             true => self.tracing.max(self.sending),

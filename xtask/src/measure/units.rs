@@ -112,7 +112,6 @@ pub fn run(core: Option<&'static Core>) -> Result<()> {
     kept::write(&page(), &text(&columns[at])?)
 }
 
-/// Measures all units on a core.
 pub fn measured(core: &'static Core) -> Result<Vec<Kept>> {
     let mut costs = Vec::new();
     for unit in Unit::all()? {
@@ -164,7 +163,6 @@ fn table(columns: &[Vec<Kept>]) -> Result<Vec<Vec<String>>> {
     Ok(rows)
 }
 
-/// Returns the text of the page.
 fn text(kept: &[Kept]) -> Result<String> {
     let rows = table(&[kept.to_vec()])?;
     let (head, rows) = rows

@@ -10,7 +10,6 @@ use super::{Core, Figures, Quality, Scene, Size, Task, measure};
 use crate::table::{markdown, with_table};
 use crate::{kept, root};
 
-/// Cores of which figures are kept.
 const CORES: [&str; 2] = ["m3", "m4f"];
 
 const QVGA: Size = Size::new(320, 240);

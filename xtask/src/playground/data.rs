@@ -30,7 +30,6 @@ struct Scene {
     json: String,
 }
 
-/// Returns the data of the page as JSON.
 pub fn json() -> Result<String> {
     let mut scenes = built_in()?;
     scenes.extend(samples(&root().join("examples/scenes"))?);
@@ -83,7 +82,6 @@ fn hashes() -> Result<BTreeMap<String, String>> {
     Ok(fast.map(|it| (it.scene, it.hash)).collect())
 }
 
-/// Returns the library's version.
 fn version() -> Result<String> {
     let manifest = fs::read_to_string(root().join("Cargo.toml"))?;
     let mut lines = manifest.lines();

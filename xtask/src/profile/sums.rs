@@ -6,7 +6,6 @@ use super::names::Names;
 use super::record::Record;
 use super::stages::{Rule, STAGES, Stage, path, stage};
 
-/// The tables of functions.
 #[derive(Clone, Copy, Debug)]
 pub enum Table {
     /// Functions of the library, with foreign functions inlined in them or called by them.
@@ -21,7 +20,6 @@ pub enum Table {
 
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Row {
-    /// Own instructions.
     pub own: u64,
     /// Of [`Table::Library`]: own instructions and those of all functions that it calls.
     /// Of [`Table::Linked`]: calls of the function. Else 0.

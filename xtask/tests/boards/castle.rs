@@ -14,7 +14,6 @@ use xtask::{copies, root};
 
 use super::{BLACK_PILL, Copied, PICO, PICO_2, common};
 
-/// Returns the picture on the desk.
 fn simulated<S: BuiltIn>(camera: &Camera) -> Vec<u16> {
     simulated_source(&Source::built_in(S::NAME).unwrap(), camera)
 }
@@ -35,14 +34,12 @@ pub fn pixels(display: &SimulatorDisplay<Rgb565>) -> Vec<u16> {
         .collect()
 }
 
-/// Returns the number of pixels that differ.
 fn different(shown: &Picture, expected: &[u16]) -> usize {
     assert_eq!(shown.pixels.len(), expected.len());
     let pairs = shown.pixels.iter().zip(expected);
     pairs.filter(|(shown, expected)| shown != expected).count()
 }
 
-/// Tests that a board shows the pictures of the desk.
 pub fn assert_are_shown(copied: &Copied, run: &Run, expected: &[Vec<u16>]) {
     let name = copied.owned.name;
     let pairs = run.pictures.iter().zip(expected);

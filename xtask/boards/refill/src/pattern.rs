@@ -20,7 +20,6 @@ const CHIP_SELECT: u32 = 1 << 9;
 /// Request of the transmitter of SPI1.
 const SPI1_TX: u8 = 26;
 
-/// Draws the pattern with one or two buffers.
 pub fn run(buffers: usize) -> ! {
     let _board = board::switch_on();
     draw(buffers);

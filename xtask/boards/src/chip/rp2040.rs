@@ -71,7 +71,6 @@ const BLOCKS: &[Block<Kind>] = &[
     },
 ];
 
-/// The RP2040 at 125 MHz.
 pub const RP2040: Layout = Layout {
     blocks: BLOCKS,
     spi: SPI,

@@ -75,7 +75,6 @@ const BLOCKS: &[Block<Kind>] = &[
     },
 ];
 
-/// The RP2350 at 150 MHz.
 pub const RP2350: Layout = Layout {
     blocks: BLOCKS,
     spi: SPI,

@@ -12,13 +12,11 @@ use crate::board::ChipKind;
 use crate::fault::Fault;
 use crate::system::System;
 
-/// A Cortex-M0+.
 pub struct M0 {
     core: CortexM0Plus,
 }
 
 impl M0 {
-    /// Creates a core.
     pub fn new(number: u8) -> Self {
         let core = CortexM0Plus::with_id(number);
         Self { core }

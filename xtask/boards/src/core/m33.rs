@@ -26,7 +26,6 @@ const STM32_TICK: u64 = 8;
 /// Bit of the system timer's control register: it counts cycles of the core.
 const CORE_CLOCK: u32 = 1 << 2;
 
-/// A Cortex-M33.
 pub struct M33 {
     core: CortexM33,
     steps: u32,

@@ -12,20 +12,17 @@ use crate::settings::Settings;
 
 /// A frame, and what its rows have told so far.
 pub struct Frame {
-    /// The settings that it was prepared with.
     pub settings: Settings,
     lines: Box<dyn Lines>,
     report: Report,
     /// The rows that were drawn, for the hash; each empty until then. Only of a plain picture.
     drawn: Vec<Vec<[u8; 3]>>,
-    /// The samples of one line.
     samples: Vec<Rgb888>,
     /// Red, green, blue and 255 of each pixel of the latest row.
     pixels: Vec<u8>,
 }
 
 impl Frame {
-    /// Prepares a frame.
     pub fn new(scene: &FileScene, view: &Camera, settings: Settings) -> Self {
         let (width, smooth) = (settings.width as usize, settings.smooth as usize);
         Self {
@@ -82,7 +79,6 @@ impl Frame {
         sums.into_iter().map(color).collect()
     }
 
-    /// Returns the report of the rows that were drawn.
     pub fn report(&self) -> &Report {
         &self.report
     }

@@ -49,7 +49,6 @@ impl Settings {
         }
     }
 
-    /// Returns the number of reflections.
     pub fn reflections(&self) -> u8 {
         u8::try_from(self.reflections).unwrap_or(u8::MAX)
     }

@@ -42,7 +42,6 @@ pub const fn reset(register: u32, bit: u32) -> Option<Gate> {
     })
 }
 
-/// Returns an SPI.
 pub const fn spi(
     name: &'static str,
     unit: usize,
@@ -65,7 +64,6 @@ pub const fn dma(gate: Option<Gate>) -> Block<Kind> {
     }
 }
 
-/// Returns a phase-locked loop.
 pub const fn pll(name: &'static str, base: u32, gate: Option<Gate>) -> Block<Kind> {
     Block {
         gate,

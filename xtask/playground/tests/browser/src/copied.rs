@@ -61,7 +61,6 @@ pub fn run(sources: &[String]) -> Vec<String> {
     printed.lines().map(str::to_owned).collect()
 }
 
-/// Returns the name of the scene's type.
 fn type_name(source: &str) -> &str {
     let rest = source.split_once("pub struct ").expect("a scene").1;
     rest.split_once(" {").expect("its parts").0

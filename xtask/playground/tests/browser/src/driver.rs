@@ -140,7 +140,6 @@ impl Tab {
         entries.unwrap().as_array().unwrap().clone()
     }
 
-    /// Waits for a moment in which the page may change.
     pub fn wait(&self, milliseconds: u64) {
         thread::sleep(Duration::from_millis(milliseconds));
     }

@@ -203,7 +203,6 @@ fn every_setting_is_drawn_and_the_camera_orbits_and_zooms() {
     assert_eq!(tab.log(), Vec::<Value>::new());
 }
 
-/// Returns the numbers in a text.
 fn numbers(text: &str) -> Vec<f64> {
     let parts = text.replace('\u{2212}', "-");
     let parts = parts.split(|letter: char| !letter.is_ascii_digit() && !".-e".contains(letter));

@@ -27,7 +27,6 @@ pub fn playground() -> Command {
     command
 }
 
-/// Returns cargo's target folder.
 pub fn target() -> PathBuf {
     repository().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }
