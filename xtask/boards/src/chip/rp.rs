@@ -17,7 +17,7 @@ pub use dma::Control;
 use dma::Dma;
 use edges::Edges;
 use fifo::Fifos;
-pub use layout::{Kind, Layout, block, dma, pll, reset, spi};
+pub use layout::{Kind, Layout, dma, pll, reset, spi};
 use spi::Spi;
 
 /// First address of the SIO.
