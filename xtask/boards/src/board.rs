@@ -24,6 +24,18 @@ pub enum ChipKind {
     Stm32f411,
 }
 
+impl ChipKind {
+    /// Address of the vector table in the flash: on an RP2040 the second stage of the boot loader is
+    /// before it.
+    pub(crate) fn vectors(self) -> u32 {
+        match self {
+            Self::Rp2040 => 0x1000_0100,
+            Self::Rp2350 => 0x1000_0000,
+            Self::Stm32f411 => 0x0800_0000,
+        }
+    }
+}
+
 /// A board with a panel and keys. The fields may be changed, to wire it wrongly.
 #[derive(Clone, Debug)]
 pub struct Board {

@@ -21,10 +21,6 @@ const TURN: u64 = 64;
 /// Turns after which keys and prints are looked at.
 const LOOK: u64 = 64;
 
-/// Offset of the vector table in the flash: on an RP2040 the second stage of the boot loader is
-/// before it.
-const RP2040_VECTORS: u32 = 0x100;
-
 struct Runner<C> {
     core: C,
     is_on: bool,
@@ -89,11 +85,7 @@ impl<C: Core> Machine<C> {
 
     /// Starts the first core as the boot ROM does.
     fn reset(&mut self, chip: ChipKind) {
-        let base = self.system.memory.flash_base();
-        let vectors = match chip {
-            ChipKind::Rp2040 => base + RP2040_VECTORS,
-            _ => base,
-        };
+        let vectors = chip.vectors();
         let word = |at| self.system.memory.read(vectors + at, 4).unwrap_or(0);
         let start = [vectors, word(0), word(4)];
         self.runners[0].core.start(&mut self.system, start);

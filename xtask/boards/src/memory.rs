@@ -31,11 +31,6 @@ impl Memory {
         }
     }
 
-    /// Address of the first byte of the flash.
-    pub fn flash_base(&self) -> u32 {
-        self.flash.base
-    }
-
     /// Writes bytes into the flash. Returns `None` if they do not fit.
     pub fn program(&mut self, address: u32, bytes: &[u8]) -> Option<()> {
         let place = self.flash.place(address, bytes.len())?;

@@ -37,7 +37,6 @@ pub enum Effect {
 }
 
 pub trait Chip: Pins {
-    fn as_pins(&self) -> &dyn Pins;
     fn read(&mut self, access: Access) -> Result<u32, Fault>;
     fn write(&mut self, access: Access, value: u32) -> Result<Effect, Fault>;
     /// Whether a byte is on its way.
