@@ -11,7 +11,7 @@ use reflet::host::reference::render;
 use reflet::scenes;
 use serde::Serialize;
 
-use crate::kept;
+use crate::{kept, table::rounded};
 
 /// File that the command writes, in the repository's folder.
 const PAGE: &str = "docs/accuracy.md";
@@ -96,7 +96,6 @@ fn measured() -> Result<Vec<Picture>> {
 }
 
 fn lines(pictures: &[Picture]) -> Result<String> {
-    let rounded = |number: f64, digits: f64| (number * digits).round() / digits;
     let mut lines = String::new();
     for picture in pictures {
         for (quality, of) in NAMES.into_iter().zip(&picture.differences) {
@@ -104,9 +103,9 @@ fn lines(pictures: &[Picture]) -> Result<String> {
                 scene: picture.scene,
                 shading: picture.shading,
                 quality,
-                same: rounded(100.0 * of.same, 1e3),
-                within1: rounded(100.0 * of.within1, 1e3),
-                psnr: of.psnr.is_finite().then(|| rounded(of.psnr, 10.0)),
+                same: rounded(100.0 * of.same, 3),
+                within1: rounded(100.0 * of.within1, 3),
+                psnr: of.psnr.is_finite().then(|| rounded(of.psnr, 1)),
                 largest: of.max,
             };
             writeln!(lines, "{}", serde_json::to_string(&line)?)?;

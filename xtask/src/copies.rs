@@ -86,12 +86,11 @@ pub fn run(arguments: &Arguments) -> Result<()> {
     for name in EXAMPLES.map(|it| it.board).into_iter().filter(is_meant) {
         println!("copies: building {name} and its copy");
         let [there, copied] = both(name)?;
-        let mut row = vec![name.to_owned()];
-        row.extend([there, copied].map(|it| it.flash.to_string()));
-        rows.push(row);
+        let flash = [there, copied].map(|it| it.flash.to_string());
+        rows.push(table::row(name, flash));
     }
-    let head = ["example", "flash in place", "flash of a copy"].map(str::to_owned);
-    print!("{}", table::markdown(1, &head, &rows));
+    let head = ["example", "flash in place", "flash of a copy"];
+    print!("{}", table::markdown(1, &head, rows));
     Ok(())
 }
 

@@ -5,6 +5,7 @@ use command_line::one_line;
 use serde::{Deserialize, Serialize};
 
 use super::{Weight, outcome::Outcome, task::Task};
+use crate::table::{cell, rounded};
 
 /// One row. In JSON the keys are the names of the fields.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,7 +59,8 @@ impl Figures {
     }
 
     pub(super) fn set_cycles(&mut self, per_instruction: f64) {
-        self.cycles_per_pixel = Some(tenths(per_instruction * self.instructions_per_pixel));
+        let cycles = per_instruction * self.instructions_per_pixel;
+        self.cycles_per_pixel = Some(rounded(cycles, 1));
     }
 
     pub fn json(&self) -> Result<String> {
@@ -67,11 +69,8 @@ impl Figures {
 }
 
 pub(super) fn per_pixel(task: &Task, outcome: &Outcome) -> f64 {
-    tenths(outcome.instructions() as f64 / task.settings.size.pixels() as f64)
-}
-
-fn tenths(number: f64) -> f64 {
-    (10.0 * number).round() / 10.0
+    let instructions = outcome.instructions() as f64;
+    rounded(instructions / task.settings.size.pixels() as f64, 1)
 }
 
 pub fn table(rows: &[Figures]) -> String {
@@ -94,8 +93,7 @@ pub fn table(rows: &[Figures]) -> String {
             row.ram.to_string(),
             row.stack.to_string(),
             row.hash.clone(),
-            row.cycles_per_pixel
-                .map_or_else(|| "-".to_owned(), |cycles| format!("{cycles:.0}")),
+            cell(row.cycles_per_pixel.map(|it| format!("{it:.0}"))),
         ]
     }));
     aligned(&cells)

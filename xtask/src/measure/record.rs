@@ -1,7 +1,7 @@
 //! The figures that are kept in the repository: every built-in scene on every core, a file a core
 //! in `docs/measured`, and the page `docs/boards.md` made of them.
 
-use std::{path::PathBuf, thread};
+use std::thread;
 
 use anyhow::Result;
 use reflet::scenes;
@@ -77,8 +77,8 @@ pub fn read(core: &Core) -> Result<Vec<Figures>> {
     kept::read(&file(core), &format!("measure --all --core {}", core.name))
 }
 
-fn file(core: &Core) -> PathBuf {
-    root().join(format!("docs/measured/{}.jsonl", core.name))
+fn file(core: &Core) -> String {
+    format!("docs/measured/{}.jsonl", core.name)
 }
 
 #[cfg(test)]

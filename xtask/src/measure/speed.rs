@@ -12,6 +12,7 @@ use super::figures::per_pixel;
 use super::outcome::Outcome;
 use super::task::Task;
 use super::{Size, estimate, outcome, small};
+use crate::table::rounded;
 use crate::{cycles::Timing, misuse::Misuse, owned::Owned};
 
 /// Bits of a pixel on the bus: RGB565.
@@ -132,8 +133,8 @@ impl Board {
             let line = json!({
                 "core": core.name, "scene": scene, "size": size.to_string(), "quality": quality,
                 "board": self.board.map(|board| board.name), "clock": clock, "cores": self.cores(),
-                "bus": self.bus, "frames_per_second": rounded(1.0 / speed.frame()),
-                "tracing_ms": rounded(1e3 * speed.tracing), "sending_ms": rounded(1e3 * speed.sending),
+                "bus": self.bus, "frames_per_second": rounded(1.0 / speed.frame(), 2),
+                "tracing_ms": rounded(1e3 * speed.tracing, 2), "sending_ms": rounded(1e3 * speed.sending, 2),
             });
             return Ok(json_line(&line.to_string()));
         }
@@ -170,8 +171,4 @@ impl Speed {
             false => self.tracing + self.sending,
         }
     }
-}
-
-fn rounded(number: f64) -> f64 {
-    (100.0 * number).round() / 100.0
 }

@@ -10,8 +10,10 @@ use serde::{Deserialize, Serialize};
 
 use super::figures::aligned;
 use super::{CORES, Core, Quality, Scene, Size, Task, outcome};
-use crate::table::{filled, markdown};
+use crate::table::{filled, markdown, rounded};
 use crate::{kept, print, root};
+
+const FILE: &str = "docs/measured/units.jsonl";
 
 /// A unit of work, and how its cost is measured.
 #[derive(Deserialize)]
@@ -82,7 +84,7 @@ impl Unit {
             let other = other.with_context(|| format!("{name} is no unit"))?;
             cost -= f64::from(*count) * other.instructions;
         }
-        Ok((10.0 * cost).round() / 10.0)
+        Ok(rounded(cost, 1))
     }
 }
 
@@ -108,7 +110,7 @@ pub fn run(core: Option<&'static Core>) -> Result<()> {
     let Some(at) = cores.iter().position(|core| *core == Core::M3) else {
         return Ok(());
     };
-    kept::write_lines(&kept_file(), &columns[at])?;
+    kept::write_lines(FILE, &columns[at])?;
     kept::write(&page(), &text(&columns[at])?)
 }
 
@@ -127,15 +129,11 @@ pub fn measured(core: &'static Core) -> Result<Vec<Kept>> {
 
 /// The figures that the repository keeps.
 pub fn read() -> Result<Vec<Kept>> {
-    kept::read(&kept_file(), "measure --units")
+    kept::read(FILE, "measure --units")
 }
 
 fn file(name: &str) -> PathBuf {
     root().join(format!("xtask/src/measure/units/{name}.json"))
-}
-
-fn kept_file() -> PathBuf {
-    root().join("docs/measured/units.jsonl")
 }
 
 fn page() -> PathBuf {
@@ -168,7 +166,7 @@ fn text(kept: &[Kept]) -> Result<String> {
     let (head, rows) = rows
         .split_first()
         .ok_or_else(|| anyhow!("the table has a head"))?;
-    let units = markdown(1, head, rows);
+    let units = markdown(1, head, rows.to_vec());
     Ok(filled(include_str!("units/page.md"), &[("units", units)]))
 }
 
