@@ -22,8 +22,9 @@ thread_local! {
 fn answer(ask: impl FnOnce(&mut Playground) -> Answer) -> u32 {
     STATE.with_borrow_mut(|state| {
         let answer = ask(&mut state.playground);
-        state.answer = answer.text;
-        answer.is_refused.into()
+        let is_refused = answer.is_err();
+        state.answer = answer.unwrap_or_else(|refusal| refusal);
+        is_refused.into()
     })
 }
 
